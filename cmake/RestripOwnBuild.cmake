@@ -1,0 +1,25 @@
+# How we compile our own programs and tests. Nothing here reaches a user of the library.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+option(RESTRIP_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+
+find_package(fmt REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(Threads REQUIRED)
+
+add_library(restrip_own_flags INTERFACE)
+target_compile_options(restrip_own_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Werror)
+if(RESTRIP_SANITIZE)
+  target_compile_options(restrip_own_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(restrip_own_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+find_path(NAUTY_INCLUDE_DIR nauty/nauty.h REQUIRED)
+find_library(NAUTY_LIBRARY nauty REQUIRED)
+add_library(restrip_nauty INTERFACE)
+target_include_directories(restrip_nauty SYSTEM INTERFACE ${NAUTY_INCLUDE_DIR})
+target_link_libraries(restrip_nauty INTERFACE ${NAUTY_LIBRARY})

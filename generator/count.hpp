@@ -1,0 +1,17 @@
+// The counts of THEORY.md section 5, computed, beside the paper's own figures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "section.hpp"
+
+namespace restrip::generator {
+
+/// A table in plain text with a line on what each count means.
+[[nodiscard]] std::string count_report(unsigned max_k);
+
+/// The same as one JSON object.
+[[nodiscard]] std::string count_json(unsigned max_k);
+
+}  // namespace restrip::generator

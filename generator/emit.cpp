@@ -1,0 +1,156 @@
+#include "emit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace restrip::generator {
+namespace {
+
+constexpr unsigned format_version = 1;
+
+std::string banner(const std::string& what) {
+  return fmt::format(
+      "// {}\n// Written by `restrip-generate tables`. Do not edit: change the generator, then build the target "
+      "`regenerate`.\n"
+      "// Format {}, explained in restrip/rule_table.hpp.\n#pragma once\n\n#include \"restrip/rule_table.hpp\"\n\n"
+      "namespace restrip::tables {{\n\n",
+      what, format_version);
+}
+
+constexpr const char* footer = "\n}  // namespace restrip::tables\n";
+
+template <class Number>
+std::string numbers(const std::vector<Number>& values) {
+  std::string text;
+  std::string line = "   ";
+  for (const Number value : values) {
+    const std::string word = fmt::format(" {},", value);
+    if (line.size() + word.size() > 120) {
+      text += line + "\n";
+      line = "   ";
+    }
+    line += word;
+  }
+  return text + line + "\n";
+}
+
+std::string identifier(std::string name) {
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+std::string place_of(const Position& position) {
+  switch (position.family) {
+    case Family::split:
+      return fmt::format("k {} a {}", position.k, position.at);
+    case Family::open_split:
+      return fmt::format("k {} gaps {} {}", position.k, position.at, position.to);
+    case Family::boundary_split:
+      return fmt::format("k {} gap {}", position.k, position.at);
+    case Family::flip:
+      return "flip";
+    default:
+      return fmt::format("k {}", position.k);
+  }
+}
+
+std::string flip_header(const SolvedFamily& family) {
+  std::vector<unsigned> table(32, 0xff);
+  for (const Row& row : family.sections.at(0).rows)
+    table[row.key.joined << 4 | row.key.ports] = row.recoloring << 4 | row.kept;
+  return banner(fmt::format("Rules of the flip: {} valid configurations.", family.rows())) +
+         "inline constexpr FlipTable flip{\n" + numbers(table) + "};\n" + footer;
+}
+
+/// One number for several positions: counts add up, worst cases are the worst.
+Claims sum(const std::vector<Claims>& parts) {
+  Claims total = parts.at(0);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const Claims& part = parts[i];
+    total.configurations += part.configurations;
+    total.valid += part.valid;
+    total.orbits += part.orbits;
+    total.valid_orbits += part.valid_orbits;
+    total.costing += part.costing;
+    total.worst_strips = std::max(total.worst_strips, part.worst_strips);
+    total.worst_isolated = std::max(total.worst_isolated, part.worst_isolated);
+  }
+  return total;
+}
+
+}  // namespace
+
+std::size_t SolvedFamily::rows() const {
+  std::size_t n = 0;
+  for (const Section& section : sections) n += section.rows.size();
+  return n;
+}
+
+std::string rows_header(const Packing& closed, const Packing& open, unsigned max_k) {
+  std::string text = banner("Where the rows of keys start, index 1 << k | ports.");
+  for (const auto& [name, packing] : {std::pair{"closed_rows", &closed}, {"open_rows", &open}}) {
+    text += fmt::format("inline constexpr RowStarts<{}> {}{{\n", max_k, name);
+    text += numbers(packing->start) + "};\n";
+  }
+  return text + footer;
+}
+
+std::string rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k) {
+  if (family.name == "flip") return flip_header(family);
+  std::vector<unsigned> first(max_k + 1, 0);
+  std::vector<unsigned> cells(max_k + 1, 0);
+  std::vector<Mask> rules;
+  unsigned last_k = 0;
+  Mask widest = 0;
+  for (const Section& section : family.sections) {
+    const unsigned k = section.position.k;
+    if (k != last_k) first[k] = static_cast<unsigned>(rules.size());
+    last_k = k;
+    cells[k] = packing.cells[k];
+    const std::size_t block = rules.size();
+    rules.resize(block + packing.cells[k], 0);
+    for (const Row& row : section.rows) {
+      widest = std::max(widest, row.recoloring);
+      for (const Mask joined : spellings(row.key))
+        rules[block + packing.start[std::size_t{1} << k | row.key.ports] + joined] = row.recoloring;
+    }
+  }
+  std::string text = banner(
+      fmt::format("Rules of the family {}: {} in {} blocks.", family.name, family.rows(), family.sections.size()));
+  text += fmt::format("inline constexpr RuleTable<{}, {}, {}> {}{{\n", widest > 0xff ? "std::uint16_t" : "std::uint8_t",
+                      max_k, rules.size(), identifier(family.name));
+  text += "    {" + numbers(first).substr(4) + "    },\n    {" + numbers(cells).substr(4) + "    },\n    {\n" +
+          numbers(rules) + "    },\n};\n";
+  return text + footer;
+}
+
+std::string certificate(const SolvedFamily& family) {
+  std::string text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "restrip-certificate {}\nfamily {}\n", format_version, family.name);
+  for (const Section& section : family.sections) {
+    fmt::format_to(out, "section {}\n", place_of(section.position));
+    const Claims claims = sum(section.claims);
+    fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
+                   claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
+    fmt::format_to(out, "claim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n", claims.costing,
+                   claims.worst_strips, claims.worst_isolated);
+    const bool flip = section.position.family == Family::flip;
+    for (const Row& row : section.rows) {
+      fmt::format_to(out, "{} {:x} {:x} ", row.witness < 0 ? "rule" : "copy", row.key.ports, row.key.joined);
+      if (flip)
+        fmt::format_to(out, "{:x} {:x}", row.kept, row.recoloring);
+      else
+        fmt::format_to(out, "{:x}", row.recoloring);
+      if (row.witness >= 0)
+        fmt::format_to(out, " by {}", section.symmetry[static_cast<std::size_t>(row.witness)].name());
+      text += '\n';
+    }
+  }
+  fmt::format_to(out, "end {}\n", family.rows());
+  return text;
+}
+
+}  // namespace restrip::generator

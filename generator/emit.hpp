@@ -1,0 +1,28 @@
+// Text of the generated files: constexpr headers and certificates. Same input, same bytes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "packing.hpp"
+#include "section.hpp"
+
+namespace restrip::generator {
+
+/// A certificate's family with its sections.
+struct SolvedFamily {
+  std::string name;
+  std::vector<Section> sections;
+  [[nodiscard]] std::size_t rows() const;
+};
+
+/// restrip/tables/rows.hpp: where the rows of keys start, for closed and open fans.
+[[nodiscard]] std::string rows_header(const Packing& closed, const Packing& open, unsigned max_k);
+
+/// restrip/tables/FAMILY.hpp.
+[[nodiscard]] std::string rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k);
+
+/// certificates/FAMILY.cert (docs/certificate.md).
+[[nodiscard]] std::string certificate(const SolvedFamily& family);
+
+}  // namespace restrip::generator

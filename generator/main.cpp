@@ -1,0 +1,124 @@
+// restrip-generate: writes the tables, their certificates, and what strangers check us with.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <string>
+#include <thread>
+
+#include "count.hpp"
+#include "dump.hpp"
+#include "emit.hpp"
+#include "whole_file.hpp"
+
+namespace {
+
+using namespace restrip::generator;
+
+struct TablesOptions {
+  std::string out;
+  unsigned max_k = 8;
+  unsigned threads = 1;
+};
+
+void make_tables(const TablesOptions& options) {
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  std::vector<SolvedFamily> families;
+  std::vector<const Section*> closed_sections;
+  std::vector<const Section*> open_sections;
+  for (const std::string& name : certificate_families()) {
+    if (terminal) fmt::print(stderr, "\rsearching {:<20}", name);
+    families.push_back({name, solve(name, options.max_k, options.threads)});
+  }
+  if (terminal) fmt::print(stderr, "\r{:30}\r", "");
+  for (const SolvedFamily& family : families)
+    for (const Section& section : family.sections)
+      if (section.position.family != Family::flip)
+        (closed(section.position.family) ? closed_sections : open_sections).push_back(&section);
+  const Packing closed_packing = pack(closed_sections, options.max_k);
+  const Packing open_packing = pack(open_sections, options.max_k);
+
+  std::map<std::string, std::string> files;
+  std::map<std::string, std::size_t> rows;
+  const std::string headers = "include/restrip/tables/";
+  files[headers + "rows.hpp"] = rows_header(closed_packing, open_packing, options.max_k);
+  for (const SolvedFamily& family : families) {
+    std::string file = family.name;
+    std::replace(file.begin(), file.end(), '-', '_');
+    const bool on_closed = closed(family.sections[0].position.family);
+    files[headers + file + ".hpp"] = rules_header(family, on_closed ? closed_packing : open_packing, options.max_k);
+    files["certificates/" + family.name + ".cert"] = certificate(family);
+    rows[headers + file + ".hpp"] = rows["certificates/" + family.name + ".cert"] = family.rows();
+  }
+  std::string manifest = "restrip-manifest 1\n";
+  for (const auto& [path, contents] : files)
+    manifest += fmt::format("{} {} {} {}\n", sha256(contents), contents.size(), rows[path], path);
+  files["MANIFEST"] = manifest;
+  write_all(options.out, files);
+
+  for (const SolvedFamily& family : families)
+    fmt::print("{:<16} {:>3} sections  {:>6} rules\n", family.name, family.sections.size(), family.rows());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Writes restrip's rewriting tables by exhaustive search.\n\nExample:\n  restrip-generate tables --out "
+      "/tmp/tables\n"};
+  app.name("restrip-generate");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", RESTRIP_VERSION);
+
+  TablesOptions tables;
+  auto* tables_command = app.add_subcommand("tables", "Write constexpr headers, certificates and MANIFEST");
+  tables_command->add_option("--out", tables.out, "Directory that receives them")->required();
+  tables_command->add_option("--max-k", tables.max_k, "Largest valence")
+      ->check(CLI::Range(3, 13))
+      ->capture_default_str();
+  tables_command->add_option("--threads", tables.threads, "Threads; the bytes written do not depend on it")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+
+  std::string family = "split";
+  unsigned k = 0;
+  auto* dump_command = app.add_subcommand("dump", "Print every rule as CSV, one row for each valid configuration");
+  dump_command->footer("Example:\n  restrip-generate dump --family split --k 4\n");
+  std::map<std::string, Family> names;
+  for (const Family f : {Family::split, Family::collapse, Family::open_split, Family::open_collapse,
+                         Family::boundary_split, Family::boundary_collapse, Family::flip})
+    names[name_of(f)] = f;
+  dump_command
+      ->add_option("--family", family,
+                   "split, collapse, open-split, open-collapse, boundary-split, boundary-collapse or flip")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  auto* k_option =
+      dump_command->add_option("--k", k, "Valence: 3 … 13 (open families: 1 … 13)")->check(CLI::Range(1, 13));
+
+  unsigned count_max_k = 8;
+  bool json = false;
+  auto* count_command = app.add_subcommand("count", "Count configurations and orbits, beside the paper's figures");
+  count_command->add_option("--max-k", count_max_k, "Largest valence")->check(CLI::Range(3, 12))->capture_default_str();
+  count_command->add_flag("--json", json, "Print JSON");
+
+  CLI11_PARSE(app, argc, argv);
+  try {
+    if (*tables_command) make_tables(tables);
+    if (*dump_command) {
+      const Family chosen = names.at(family);
+      if (chosen != Family::flip && (k_option->empty() || k < smallest_valence(chosen)))
+        throw std::invalid_argument(fmt::format("--family {} needs --k {} or more", family, smallest_valence(chosen)));
+      dump(chosen, k, stdout);
+    }
+    if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
+    if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "restrip-generate: {}\n", error.what());
+    return 2;
+  }
+  return 0;
+}

@@ -1,0 +1,45 @@
+#include "packing.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <set>
+
+namespace restrip::generator {
+
+std::vector<Mask> spellings(const Key& key) {
+  // Both bits set: only in a closed fan is each of two ports the other's predecessor.
+  if (std::popcount(key.ports) != 2 || key.joined != key.ports) return {key.joined};
+  return {key.joined, std::bit_floor(key.joined), key.joined & (~key.joined + 1)};
+}
+
+Packing pack(const std::vector<const Section*>& sections, unsigned max_k) {
+  Packing packing{std::vector<unsigned>(std::size_t{2} << max_k, 0), std::vector<unsigned>(max_k + 1, 0)};
+  for (unsigned k = 1; k <= max_k; ++k) {
+    std::map<Mask, std::set<Mask>> columns;
+    for (const Section* section : sections) {
+      if (section->position.k != k) continue;
+      for (const Row& row : section->rows)
+        for (const Mask joined : spellings(row.key)) columns[row.key.ports].insert(joined);
+    }
+    std::vector<Mask> order;
+    for (const auto& [ports, row] : columns) order.push_back(ports);
+    std::stable_sort(order.begin(), order.end(), [&](Mask x, Mask y) { return columns[x].size() > columns[y].size(); });
+    std::vector<bool> taken;
+    for (const Mask ports : order) {
+      const auto& row = columns[ports];
+      const auto fits = [&](unsigned start) {
+        return std::none_of(row.begin(), row.end(),
+                            [&](Mask c) { return start + c < taken.size() && taken[start + c]; });
+      };
+      unsigned start = 0;
+      while (!fits(start)) ++start;
+      taken.resize(std::max<std::size_t>(taken.size(), start + *row.rbegin() + 1), false);
+      for (const Mask c : row) taken[start + c] = true;
+      packing.start[std::size_t{1} << k | ports] = start;
+    }
+    packing.cells[k] = static_cast<unsigned>(taken.size());
+  }
+  return packing;
+}
+
+}  // namespace restrip::generator

@@ -1,0 +1,25 @@
+// Packs the keys of each valence into few cells by row displacement (see runtime/include/restrip/rule_table.hpp).
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "section.hpp"
+
+namespace restrip::generator {
+
+/// The cells of a key inside the block of its valence.
+struct Packing {
+  std::vector<unsigned> start;  ///< index 1 << k | ports
+  std::vector<unsigned> cells;  ///< index k: cells in one block
+};
+
+/// One packing that serves all sections given (all of closed fans, or all of open ones): their keys, valence by
+/// valence. First fit, the fullest rows first: deterministic.
+[[nodiscard]] Packing pack(const std::vector<const Section*>& sections, unsigned max_k);
+
+/// The values of `joined` under which a lookup may ask for this key: its own, and where two solid ports of a closed fan
+/// are joined, each of their bits alone.
+[[nodiscard]] std::vector<Mask> spellings(const Key& key);
+
+}  // namespace restrip::generator

@@ -1,0 +1,18 @@
+// Which sound recolouring is the rule (THEORY.md section 4): two criteria that are proved, and a tie-break that is
+// measured.
+#pragma once
+
+#include <cstdint>
+
+#include "coloring.hpp"
+#include "patch.hpp"
+
+namespace restrip::generator {
+
+/// The third criterion: a number, smaller is better, for recolourings that are equal in solid edges and isolated
+/// triangles. Depends on the patch alone, never on the machine. Chosen by replaying real meshes (docs/tables.md says
+/// how).
+[[nodiscard]] std::int64_t tie_break(const Position& position, const Side& after, const Coloring& coloring,
+                                     const Outcome& outcome, Mask ports);
+
+}  // namespace restrip::generator

@@ -1,0 +1,62 @@
+// A section: all rules of one split position, or of all collapses of a valence, found by exhaustive search and reduced
+// by symmetry; with the claims that its certificate makes.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "configuration.hpp"
+#include "patch.hpp"
+#include "symmetry.hpp"
+
+namespace restrip::generator {
+
+/// A rule: the colours after. `kept` are the ports that stay solid: all of them, but for flips.
+struct Row {
+  Key key;
+  Mask recoloring = 0;
+  Mask kept = 0;
+  unsigned solid = 0;     ///< solid inner edges after
+  unsigned isolated = 0;  ///< isolated triangles after; a port given up counts as one
+  int witness = -1;       ///< index of the symmetry that leads to the representative; -1 for the representative itself
+};
+
+/// What the configurations of a section add up to; the words are those of docs/certificate.md.
+struct Claims {
+  std::size_t configurations = 0;
+  std::size_t valid = 0;
+  std::size_t orbits = 0;
+  std::size_t valid_orbits = 0;
+  std::size_t costing = 0;
+  int worst_strips = 0;
+  int worst_isolated = 0;
+};
+
+struct Section {
+  Position position;               ///< family and valence, and the place unless the family collapses
+  std::vector<Position> serves;    ///< the positions whose configurations these rules answer
+  std::vector<Symmetry> symmetry;  ///< those that lead from a copy to its representative
+  std::vector<Row> rows;           ///< in ascending order of key
+  std::vector<Claims> claims;      ///< for each position served
+};
+
+/// The certificates' families, in the order in which they are written: split, collapse, open-split, boundary-split,
+/// fan-collapse (which serves both collapses of an open fan), flip.
+[[nodiscard]] const std::vector<std::string>& certificate_families();
+
+/// Every section of a certificate, for valences up to max_k (at most 13, so that a recolouring has 16 bits).
+/// The work is shared by `threads`; the result does not depend on their number.
+[[nodiscard]] std::vector<Section> solve(const std::string& certificate_family, unsigned max_k, unsigned threads);
+
+/// The row of a key that some valid configuration has.
+[[nodiscard]] const Row& row_of(const Section& section, const Key& key);
+
+/// What it costs to answer a configuration with a row.
+struct Cost {
+  int strips = 0;
+  int isolated = 0;
+};
+[[nodiscard]] Cost cost_of(const Patch& patch, const Configuration& configuration, const Row& row);
+
+}  // namespace restrip::generator

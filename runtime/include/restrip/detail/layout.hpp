@@ -1,0 +1,62 @@
+// The patch of every fan family as one row of elements: the fan's triangles in order, with the inserted ones among
+// them. Element m and element m+1 are joined by inner edge m; in a ring the last element is joined to the first as
+// well. With a chord, its bit follows the edges. Open and closed fans are rows without inserted elements.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+
+#include "restrip/bits.hpp"
+
+namespace restrip::detail {
+
+struct Layout {
+  std::size_t k = 0;               // triangles of the fan, that is, ports
+  std::size_t inserted = nowhere;  // element A
+  std::size_t opposite = nowhere;  // element D, always behind A
+  bool ring = false;
+
+  constexpr bool has_chord() const noexcept { return opposite != nowhere; }
+  constexpr std::size_t size() const noexcept { return k + (inserted != nowhere) + (opposite != nowhere); }
+  constexpr std::size_t edges() const noexcept { return ring ? size() : size() - 1; }
+  constexpr std::size_t chord() const noexcept { return edges(); }
+  constexpr std::size_t colors() const noexcept { return edges() + has_chord(); }
+
+  constexpr bool is_fan(std::size_t element) const noexcept { return element != inserted && element != opposite; }
+
+  // The port of an element of the fan.
+  constexpr std::size_t port(std::size_t element) const noexcept {
+    return element - (element > inserted) - (element > opposite);
+  }
+
+  // Ports as a mask over elements, and back. A comes before D, so its zero goes in first and leaves last.
+  constexpr Word spread(Word ports) const noexcept { return insert_zero(insert_zero(ports, inserted), opposite); }
+  constexpr Word gather(Word elements) const noexcept { return remove_bit(remove_bit(elements, opposite), inserted); }
+};
+
+constexpr Layout closed_fan(std::size_t k) noexcept {
+  assert(k >= 1);
+  return {k, nowhere, nowhere, true};
+}
+
+constexpr Layout open_fan(std::size_t k) noexcept {
+  assert(k >= 1);
+  return {k, nowhere, nowhere, false};
+}
+
+constexpr Layout ring_with_chord(std::size_t k, std::size_t a) noexcept {
+  assert(1 <= a && a < k);
+  return {k, 0, a + 1, true};
+}
+
+constexpr Layout path_with_chord(std::size_t k, std::size_t i, std::size_t j) noexcept {
+  assert(i < j && j <= k);
+  return {k, i, j + 1, false};
+}
+
+constexpr Layout path(std::size_t k, std::size_t i) noexcept {
+  assert(k >= 1 && i <= k);
+  return {k, i, nowhere, false};
+}
+
+}  // namespace restrip::detail

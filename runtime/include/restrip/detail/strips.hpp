@@ -1,0 +1,167 @@
+// Colours to strips, function by function. Included by strips.hpp.
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+
+#include "restrip/strips.hpp"
+
+namespace restrip {
+
+namespace detail {
+
+// The triangle that follows t over its solid side s, or `none` when that side is not solid.
+inline Triangle over_solid(const StripMesh& mesh, Triangle t, unsigned s) noexcept {
+  const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
+  return mesh.solid(h) ? StripMesh::triangle(mesh.opposite(h)) : none;
+}
+
+// The halfedge over which t is left for its neighbour u in the strip.
+inline StripMesh::Halfedge exit_to(const StripMesh& mesh, Triangle t, Triangle u) noexcept {
+  unsigned s = 0;
+  while (s < 2 && over_solid(mesh, t, s) != u) ++s;
+  return StripMesh::halfedge(t, s);
+}
+
+inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t t) noexcept {
+  while (parent[t] != t) t = parent[t] = parent[parent[t]];
+  return t;
+}
+
+// A way through a strip: forwards or backwards.
+struct Walk {
+  std::span<const Triangle> triangles;
+  bool backwards = false;
+  [[nodiscard]] std::size_t size() const noexcept { return triangles.size(); }
+  [[nodiscard]] Triangle operator[](std::size_t i) const noexcept {
+    return triangles[backwards ? triangles.size() - 1 - i : i];
+  }
+};
+
+// Calls turn(i, exit, left) for each triangle i between the two ends of the walk. A triangle entered over the halfedge
+// e is left over next(e), a turn to the right, or over the third side, a turn to the left. (Seen from outside, the
+// strip comes in across e from the right of e's direction to its left.)
+template <class Visit>
+void each_turn(const StripMesh& mesh, const Walk& walk, Visit&& turn) {
+  if (walk.size() < 3) return;
+  StripMesh::Halfedge entry = mesh.opposite(exit_to(mesh, walk[0], walk[1]));
+  for (std::size_t i = 1; i + 1 < walk.size(); ++i) {
+    const StripMesh::Halfedge exit = exit_to(mesh, walk[i], walk[i + 1]);
+    turn(i, exit, !(StripMesh::next(entry) == exit));
+    entry = mesh.opposite(exit);
+  }
+}
+
+// Equal turns in a row cost a swap each, in either direction. A strip starts on an even place and is then free to turn
+// left first; seen from its other end, its last turn is the first and has changed sides.
+struct SwapCount {
+  std::size_t swaps = 0;
+  bool backwards = false;  // which direction needs no more
+};
+inline SwapCount count_swaps(const StripMesh& mesh, std::span<const Triangle> strip) {
+  SwapCount count;
+  bool first = true;
+  bool last = true;
+  each_turn(mesh, {strip}, [&](std::size_t i, StripMesh::Halfedge, bool left) {
+    if (i == 1)
+      first = left;
+    else
+      count.swaps += left == last ? 1U : 0U;
+    last = left;
+  });
+  if (strip.size() < 3 || first) return count;
+  if (last)
+    ++count.swaps;
+  else
+    count.backwards = true;
+  return count;
+}
+
+}  // namespace detail
+
+inline ColoringReport check_coloring(const StripMesh& mesh) {
+  ColoringReport report;
+  std::vector<std::uint32_t> parent(mesh.triangle_bound());
+  std::iota(parent.begin(), parent.end(), 0U);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t)) continue;
+    ++report.triangles;
+    unsigned degree = 0;
+    for (unsigned s = 0; s < 3; ++s) {
+      const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
+      if (!mesh.solid(h)) continue;
+      ++degree;
+      const StripMesh::Halfedge back = mesh.opposite(h);
+      if (!mesh.solid(back)) {
+        ++report.one_sided;
+      } else if (h.id < back.id) {
+        const std::uint32_t a = detail::find_root(parent, t);
+        const std::uint32_t b = detail::find_root(parent, StripMesh::triangle(back));
+        report.solid_cycles += a == b ? 1U : 0U;
+        parent[std::max(a, b)] = std::min(a, b);
+      }
+    }
+    report.over_degree += degree > 2 ? 1U : 0U;
+    report.isolated += degree == 0 ? 1U : 0U;
+  }
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) report.strips += mesh.alive(t) && parent[t] == t ? 1U : 0U;
+  report.valid = report.one_sided + report.over_degree + report.solid_cycles == 0;
+  return report;
+}
+
+inline Strips extract_strips(const StripMesh& mesh) {
+  Strips strips;
+  strips.order.reserve(mesh.triangle_count());
+  std::vector<bool> listed(mesh.triangle_bound(), false);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t) || listed[t] || mesh.solid_degree(t) > 1) continue;
+    for (Triangle at = t; at != none;) {
+      strips.order.push_back(at);
+      listed[at] = true;
+      Triangle following = none;
+      for (unsigned s = 0; s < 3; ++s) {
+        const Triangle u = detail::over_solid(mesh, at, s);
+        if (u != none && !listed[u]) following = u;
+      }
+      at = following;
+    }
+    strips.start.push_back(strips.order.size());
+  }
+  return strips;
+}
+
+inline std::size_t strip_index_count(const StripMesh& mesh, const Strips& strips) {
+  std::size_t count = strips.order.size() + strips.size() * 2;
+  for (std::size_t s = 0; s < strips.size(); ++s) count += detail::count_swaps(mesh, strips[s]).swaps;
+  return strips.size() == 0 ? 0 : count + strips.size() - 1;
+}
+
+inline std::vector<std::uint32_t> strip_indices(const StripMesh& mesh, const Strips& strips) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(strip_index_count(mesh, strips));
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    if (s != 0) indices.push_back(restart_index);
+    const detail::Walk walk{strips[s], detail::count_swaps(mesh, strips[s]).backwards};
+    if (walk.size() == 1) {
+      for (const Vertex v : mesh.corners(walk[0])) indices.push_back(v);
+      continue;
+    }
+    // The first triangle ends in the edge over which it is left.
+    const StripMesh::Halfedge first = detail::exit_to(mesh, walk[0], walk[1]);
+    for (const Vertex v : {mesh.to(StripMesh::next(first)), mesh.from(first), mesh.to(first)}) indices.push_back(v);
+    // Each further triangle has the last two indices a, b already and adds its third corner c; that leads over the edge
+    // (b, c). To leave over (a, c), say a once more before c.
+    bool free_turn_left = true;
+    detail::each_turn(mesh, walk, [&](std::size_t, StripMesh::Halfedge exit, bool left) {
+      const Vertex a = indices[indices.size() - 2];
+      if (left != free_turn_left) indices.push_back(a);
+      indices.push_back(left ? mesh.from(exit) : mesh.to(exit));
+      free_turn_left = !left;
+    });
+    const StripMesh::Halfedge into = mesh.opposite(detail::exit_to(mesh, walk[walk.size() - 2], walk[walk.size() - 1]));
+    indices.push_back(mesh.to(StripMesh::next(into)));
+  }
+  return indices;
+}
+
+}  // namespace restrip

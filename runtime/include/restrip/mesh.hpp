@@ -1,0 +1,82 @@
+// What restrip asks of a mesh: five small functions to walk it and colour its dual edges, one more for each operation.
+//
+// Nobody has to adopt our mesh. Write an adapter with the members below around your own structure
+// (adapters/openmesh.hpp and adapters/cgal.hpp are two, StripMesh models the concepts directly) and hand it to split(),
+// collapse() and flip().
+#pragma once
+
+#include <concepts>
+
+namespace restrip {
+
+/// A mesh whose dual edges carry a colour.
+///
+/// A *halfedge* is a directed mesh edge; its triangle lies to its left. On the boundary a halfedge has no triangle.
+/// The *colour of a halfedge* is the colour of the dual edge that crosses its mesh edge: a halfedge and its opposite
+/// always answer the same, and a boundary edge answers false (dashed). A mesh that can tell in constant time whether
+/// the vertex of a halfedge lies on the boundary may offer `bool leaves_boundary(h)`; otherwise restrip turns around
+/// the vertex.
+template <class Mesh>
+concept ColoredMesh = std::regular<typename Mesh::Halfedge> &&
+    requires(const Mesh& mesh, Mesh& writable, typename Mesh::Halfedge h, bool solid) {
+  /// The next halfedge around the triangle of h. Asked only when h has a triangle.
+  { mesh.next(h) } -> std::same_as<typename Mesh::Halfedge>;
+  { mesh.opposite(h) } -> std::same_as<typename Mesh::Halfedge>;
+  /// True when h has no triangle.
+  { mesh.on_boundary(h) } -> std::convertible_to<bool>;
+  { mesh.solid(h) } -> std::convertible_to<bool>;
+  /// Colours the dual edge of h (and of its opposite). Never asked for a boundary edge.
+  {writable.set_solid(h, solid)};
+};
+
+/// Where a vertex v_h is split: along its spokes to v_l and v_r, given as halfedges that leave v_h.
+///
+/// v_h stays as v_s; the new vertex v_t takes the triangles met when turning counter-clockwise from `right` to `left`.
+/// With both spokes, two triangles A = (v_s, v_t, v_l) and D = (v_t, v_s, v_r) are inserted. On the boundary one spoke
+/// may be missing; then the new mesh edge is itself on the boundary and one triangle is inserted:
+///  - left only: v_t takes the triangles clockwise of `left`, A is inserted;
+///  - right only: v_t takes the triangles counter-clockwise of `right`, D is inserted.
+template <class Halfedge>
+struct VertexSplit {
+  enum class Spokes { both, left_only, right_only };
+  Halfedge left{};
+  Halfedge right{};
+  Spokes spokes = Spokes::both;
+};
+
+/// A mesh that can split a vertex: insert the triangles described at VertexSplit (their dual edges dashed) and return
+/// the halfedge v_s -> v_t (the chord). Colours of all other dual edges are kept; those of edges that are cut are not
+/// used again.
+template <class Mesh>
+concept SplittableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where) {
+  { mesh.insert_vertex(where) } -> std::same_as<typename Mesh::Halfedge>;
+};
+
+/// A mesh that can collapse the mesh edge of the halfedge v_s -> v_t: remove v_t and the triangles beside the edge, and
+/// return a halfedge that leaves v_s: the one to v_l, the apex of the triangle to the left, or where there is none the
+/// one to v_r. The colour of the edges that fall together is not used again.
+template <class Mesh>
+concept CollapsibleMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, typename Mesh::Halfedge chord) {
+  { mesh.remove_vertex(chord) } -> std::same_as<typename Mesh::Halfedge>;
+};
+
+/// A mesh that can flip an interior mesh edge: turn it counter-clockwise inside its quadrilateral. The four outer edges
+/// keep their colours; h stays a halfedge of the turned edge: u -> v with apexes l (left) and r (right) becomes r -> l.
+template <class Mesh>
+concept FlippableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, typename Mesh::Halfedge h) {
+  mesh.turn_edge(h);
+};
+
+/// The next halfedge that leaves the same vertex, turning counter-clockwise. Needs a triangle to the left of h.
+template <ColoredMesh Mesh>
+[[nodiscard]] constexpr typename Mesh::Halfedge turn_ccw(const Mesh& mesh, typename Mesh::Halfedge h) {
+  return mesh.opposite(mesh.next(mesh.next(h)));
+}
+
+/// The next halfedge that leaves the same vertex, turning clockwise. Needs a triangle to the right of h.
+template <ColoredMesh Mesh>
+[[nodiscard]] constexpr typename Mesh::Halfedge turn_cw(const Mesh& mesh, typename Mesh::Halfedge h) {
+  return mesh.next(mesh.opposite(h));
+}
+
+}  // namespace restrip

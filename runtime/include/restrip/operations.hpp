@@ -1,0 +1,256 @@
+// split, collapse, flip: the operations of a dynamic mesh, with its strips kept.
+//
+// Each reads the colours around the operation, looks its rule up (rules.hpp), lets the mesh do the change, and writes
+// the colours after. Nothing outside the patch is read or written, so operations on disjoint patches commute. No state
+// but the colours, no allocation for fans of at most max_word_valence triangles; time linear in the valence.
+//
+// Preconditions are those of the mesh operation itself (checks.hpp has functions for StripMesh); they are not tested
+// here.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "restrip/detail/patch_walk.hpp"
+#include "restrip/mesh.hpp"
+#include "restrip/rules.hpp"
+
+namespace restrip {
+
+/// What an operation did.
+template <class Halfedge>
+struct Rewrite {
+  Halfedge halfedge{};  ///< split: the chord v_s -> v_t; collapse: a spoke of v_s (see CollapsibleMesh); flip: the
+                        ///< turned edge
+  std::uint32_t valence = 0;  ///< k of the fan that was split or that the collapse left; 4 for a flip
+  int strips = 0;             ///< change in the number of strips
+  int isolated = 0;           ///< change in the number of isolated triangles of the patch
+};
+
+namespace detail {
+
+/// Isolated triangles of a patch with these colours.
+constexpr int isolated(const Layout& patch, Word inner, Word ports) noexcept {
+  const Word edges = inner & low_bits(patch.edges());
+  const Word wrap = patch.ring ? edges >> (patch.size() - 1) : 0;
+  Word touched = edges | edges << 1 | wrap | patch.spread(ports);
+  if (patch.has_chord() && has(inner, patch.chord())) touched |= bit(patch.inserted) | bit(patch.opposite);
+  return static_cast<int>(patch.size()) - std::popcount(touched & low_bits(patch.size()));
+}
+
+/// The colours a rule gives and what it changes.
+template <class Bits>
+struct Answer {
+  Bits colors;
+  int strips = 0;
+  int isolated = 0;
+};
+
+inline Answer<WordBits> answer(const Layout& before, Word old_colors, const Layout& after, const Rule& rule,
+                               Word ports) noexcept {
+  return {{rule.colors}, rule.strips, isolated(after, rule.colors, ports) - isolated(before, old_colors, ports)};
+}
+
+// ---- fans of any size: the same on bit strings
+
+inline int count(const LongBits& bits) noexcept {
+  int n = 0;
+  for (const Word word : bits.words) n += std::popcount(word);
+  return n;
+}
+
+inline int isolated(const Layout& patch, const LongBits& inner, const LongBits& ports) noexcept {
+  int n = 0;
+  for (std::size_t m = 0; m < patch.size(); ++m) {
+    const bool above = (patch.ring || m + 1 < patch.size()) && inner.get(m);
+    const bool below = m > 0 ? inner.get(m - 1) : patch.ring && inner.get(patch.size() - 1);
+    const bool third = patch.is_fan(m) ? ports.get(patch.port(m)) : patch.has_chord() && inner.get(patch.chord());
+    n += above || below || third ? 0 : 1;
+  }
+  return n;
+}
+
+template <class Joined, class Best>
+Answer<LongBits> long_answer(const Layout& before, LongBits& old_colors, const Layout& after, LongBits& ports,
+                             Joined&& joined_of, Best&& best) {
+  Answer<LongBits> result;
+  LongBits joined;
+  joined_of(old_colors.span(before.colors()), ports.span(before.k), joined.span(before.k));
+  best(ports.span(before.k), joined.span(before.k), result.colors.span(after.colors()));
+  const int nodes = static_cast<int>(after.size()) - static_cast<int>(before.size());
+  result.strips = nodes - (count(result.colors) - count(old_colors));
+  result.isolated = isolated(after, result.colors, ports) - isolated(before, old_colors, ports);
+  return result;
+}
+
+// ---- split
+
+inline Answer<WordBits> answer_split(const Fan<WordBits>& fan, bool both) noexcept {
+  const std::size_t low = fan.left < fan.right ? fan.left : fan.right;
+  const std::size_t high = fan.left < fan.right ? fan.right : fan.left;
+  const Word ports = fan.ports.word;
+  if (fan.closed)
+    return answer(closed_fan(fan.k), fan.loop.word, ring_with_chord(fan.k, fan.right),
+                  split_rule({fan.k, fan.right}, fan.loop.word, ports), ports);
+  if (both)
+    return answer(open_fan(fan.k), fan.loop.word, path_with_chord(fan.k, low, high),
+                  open_split_rule({fan.k, low, high}, fan.loop.word, ports), ports);
+  return answer(open_fan(fan.k), fan.loop.word, path(fan.k, low),
+                boundary_split_rule({fan.k, low}, fan.loop.word, ports), ports);
+}
+
+inline Answer<LongBits> answer_split(Fan<LongBits>& fan, bool both) {
+  const std::size_t k = fan.k;
+  const std::size_t low = fan.left < fan.right ? fan.left : fan.right;
+  const std::size_t high = fan.left < fan.right ? fan.right : fan.left;
+  const auto of_closed = [k](BitSpan loop, BitSpan ports, MutableBitSpan joined) {
+    joined_closed(k, loop, ports, joined);
+  };
+  const auto of_open = [k](BitSpan loop, BitSpan ports, MutableBitSpan joined) { joined_open(k, loop, ports, joined); };
+  if (fan.closed)
+    return long_answer(closed_fan(k), fan.loop, ring_with_chord(k, fan.right), fan.ports, of_closed,
+                       [&](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_split(k, fan.right, p, j, out); });
+  if (both)
+    return long_answer(
+        open_fan(k), fan.loop, path_with_chord(k, low, high), fan.ports, of_open,
+        [&](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_open_split(k, low, high, p, j, out); });
+  return long_answer(open_fan(k), fan.loop, path(k, low), fan.ports, of_open,
+                     [&](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_boundary_split(k, low, p, j, out); });
+}
+
+template <class Mesh, class Bits, class Insert>
+Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, Fan<Bits>& fan, bool both, Insert&& insert) {
+  const auto rule = answer_split(fan, both);
+  const auto chord = insert();
+  walk_patch(
+      mesh, chord, [&](std::size_t j, auto h) { mesh.set_solid(h, rule.colors.get(j)); }, [](std::size_t, auto) {});
+  return {chord, static_cast<std::uint32_t>(fan.k), rule.strips, rule.isolated};
+}
+
+template <class Mesh, class Insert>
+Rewrite<typename Mesh::Halfedge> split_with(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                                            Insert&& insert) {
+  const bool both = where.spokes == VertexSplit<typename Mesh::Halfedge>::Spokes::both;
+  auto fan = read_fan<WordBits>(mesh, where);
+  if (fan.k <= max_word_valence) return apply_split(mesh, fan, both, insert);
+  auto long_fan = read_fan<LongBits>(mesh, where);
+  return apply_split(mesh, long_fan, both, insert);
+}
+
+// ---- collapse
+
+inline Answer<WordBits> answer_collapse(const PatchPlace& at, WordBits& inner, WordBits& ports) noexcept {
+  const std::size_t k = at.k;
+  switch (at.kind) {
+    case PatchPlace::Kind::ring:
+      return answer(ring_with_chord(k, at.a), inner.word, closed_fan(k),
+                    collapse_rule({k, at.a}, inner.word, ports.word), ports.word);
+    case PatchPlace::Kind::path_with_chord:
+      return answer(path_with_chord(k, at.i, at.j), inner.word, open_fan(k),
+                    open_collapse_rule({k, at.i, at.j}, inner.word, ports.word), ports.word);
+    case PatchPlace::Kind::path:
+      break;
+  }
+  return answer(path(k, at.i), inner.word, open_fan(k), boundary_collapse_rule({k, at.i}, inner.word, ports.word),
+                ports.word);
+}
+
+inline Answer<LongBits> answer_collapse(const PatchPlace& at, LongBits& inner, LongBits& ports) {
+  const std::size_t k = at.k;
+  const auto onto_open = [k](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_fan_collapse(k, p, j, out); };
+  switch (at.kind) {
+    case PatchPlace::Kind::ring:
+      return long_answer(
+          ring_with_chord(k, at.a), inner, closed_fan(k), ports,
+          [&](BitSpan in, BitSpan p, MutableBitSpan joined) { joined_ring(k, at.a, in, p, joined); },
+          [k](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_collapse(k, p, j, out); });
+    case PatchPlace::Kind::path_with_chord:
+      return long_answer(
+          path_with_chord(k, at.i, at.j), inner, open_fan(k), ports,
+          [&](BitSpan in, BitSpan p, MutableBitSpan joined) { joined_path_with_chord(k, at.i, at.j, in, p, joined); },
+          onto_open);
+    case PatchPlace::Kind::path:
+      break;
+  }
+  return long_answer(
+      path(k, at.i), inner, open_fan(k), ports,
+      [&](BitSpan in, BitSpan p, MutableBitSpan joined) { joined_path(k, at.i, in, p, joined); }, onto_open);
+}
+
+template <class Bits, class Mesh>
+PatchPlace read_patch(const Mesh& mesh, typename Mesh::Halfedge chord, Bits& inner, Bits& ports) {
+  return walk_patch(
+      mesh, chord, [&](std::size_t j, auto h) { inner.put(j, mesh.solid(h)); },
+      [&](std::size_t i, auto h) { ports.put(i, mesh.solid(h)); });
+}
+
+template <class Mesh, class Bits>
+Rewrite<typename Mesh::Halfedge> apply_collapse(Mesh& mesh, typename Mesh::Halfedge chord, const PatchPlace& at,
+                                                Bits& inner, Bits& ports) {
+  const auto rule = answer_collapse(at, inner, ports);
+  const auto spoke = mesh.remove_vertex(chord);
+  write_fan(mesh, spoke, at.kind == PatchPlace::Kind::ring, at.k, at.left, rule.colors);
+  return {spoke, static_cast<std::uint32_t>(at.k), rule.strips, rule.isolated};
+}
+
+}  // namespace detail
+
+/// Splits a vertex and recolours the patch (see VertexSplit for what goes where).
+template <SplittableMesh Mesh>
+Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+  return detail::split_with(mesh, where, [&] { return mesh.insert_vertex(where); });
+}
+
+/// The same, for meshes that let the caller name the new vertex.
+template <SplittableMesh Mesh, class Vertex>
+requires requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where, Vertex v) { mesh.insert_vertex(where, v); }
+Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                                       Vertex new_vertex) {
+  return detail::split_with(mesh, where, [&] { return mesh.insert_vertex(where, new_vertex); });
+}
+
+/// Collapses the mesh edge of `chord` = v_s -> v_t into v_s and recolours the patch.
+template <CollapsibleMesh Mesh>
+Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
+  detail::WordBits inner;
+  detail::WordBits ports;
+  const auto at = detail::read_patch(mesh, chord, inner, ports);
+  if (at.k <= max_word_valence) return detail::apply_collapse(mesh, chord, at, inner, ports);
+  detail::LongBits long_inner;
+  detail::LongBits long_ports;
+  detail::read_patch(mesh, chord, long_inner, long_ports);
+  return detail::apply_collapse(mesh, chord, at, long_inner, long_ports);
+}
+
+/// Flips the interior mesh edge of h and recolours the patch; a port is given up only where no sound recolouring keeps
+/// it.
+template <FlippableMesh Mesh>
+Rewrite<typename Mesh::Halfedge> flip(Mesh& mesh, typename Mesh::Halfedge h) {
+  const auto read = [&](typename Mesh::Halfedge g) { return static_cast<unsigned>(mesh.solid(g)); };
+  const auto g = mesh.opposite(h);
+  const unsigned ports = read(mesh.next(h)) | read(mesh.next(mesh.next(h))) << 1 | read(mesh.next(g)) << 2 |
+                         read(mesh.next(mesh.next(g))) << 3;
+  const bool inner = mesh.solid(h);
+  const FlipRule rule = flip_rule(inner, ports);
+  mesh.turn_edge(h);
+  mesh.set_solid(h, rule.inner);
+  // The new triangles own ports 1, 2 and 3, 0.
+  const auto back = mesh.opposite(h);
+  const auto give_up = [&](unsigned port, typename Mesh::Halfedge outer) {
+    if ((ports >> port & 1U) != 0 && (rule.ports >> port & 1U) == 0) mesh.set_solid(outer, false);
+  };
+  give_up(1, mesh.next(h));
+  give_up(2, mesh.next(mesh.next(h)));
+  give_up(3, mesh.next(back));
+  give_up(0, mesh.next(mesh.next(back)));
+  const auto lonely = [](bool edge, unsigned p, unsigned first, unsigned second) {
+    return edge || (p >> first & 1U) != 0 || (p >> second & 1U) != 0 ? 0 : 1;
+  };
+  const int isolated = lonely(rule.inner, rule.ports, 1, 2) + lonely(rule.inner, rule.ports, 3, 0) -
+                       lonely(inner, ports, 0, 1) - lonely(inner, ports, 2, 3);
+  return {h, 4, rule.strips, isolated};
+}
+
+}  // namespace restrip

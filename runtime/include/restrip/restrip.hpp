@@ -1,0 +1,14 @@
+// restrip: triangle strips that stay optimal while the mesh changes. Header-only, C++20, standard library only.
+//
+// Start with operations.hpp (split, collapse, flip), mesh.hpp (what your mesh has to offer) and strip_mesh.hpp (a mesh
+// of ours).
+#pragma once
+
+#include "restrip/checks.hpp"
+#include "restrip/exact.hpp"
+#include "restrip/key.hpp"
+#include "restrip/mesh.hpp"
+#include "restrip/operations.hpp"
+#include "restrip/rules.hpp"
+#include "restrip/strip_mesh.hpp"
+#include "restrip/strips.hpp"

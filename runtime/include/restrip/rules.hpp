@@ -1,0 +1,186 @@
+// Rules: from the colours before an operation to the best colours after it.
+//
+// For fans of up to table_max_k triangles the answer is read from the generated tables: constant time, no branch on
+// the colours, no allocation, constexpr. For larger fans the exact solver computes it (linear in k). Either way the
+// answer is sound whatever lies outside the patch, has the most solid edges of all sound ones, and the fewest isolated
+// triangles of those; docs/trust.md says how that is proved. Source of the idea: Porcu, Sanna, Scateni, "Rewriting
+// rules for the dual graph of a stripified CLOD mesh". Bits are numbered in docs/notation.md.
+//
+// Colours that no valid stripification has (a triangle of three solid edges, a solid cycle) get `valid = false` and all
+// edges dashed, which is always sound to apply.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+
+#include "restrip/bits.hpp"
+#include "restrip/exact.hpp"
+#include "restrip/key.hpp"
+#include "restrip/tables/boundary_split.hpp"
+#include "restrip/tables/collapse.hpp"
+#include "restrip/tables/fan_collapse.hpp"
+#include "restrip/tables/flip.hpp"
+#include "restrip/tables/open_split.hpp"
+#include "restrip/tables/rows.hpp"
+#include "restrip/tables/split.hpp"
+
+namespace restrip {
+
+/// The place of a split or collapse in a closed fan of k >= 3 triangles: A before t_0, D before t_a, 1 <= a < k.
+struct SplitPosition {
+  std::size_t k = 0;
+  std::size_t a = 0;
+};
+
+/// The place of a split or collapse in an open fan of k >= 1 triangles, two triangles in gaps i < j <= k.
+struct GapPair {
+  std::size_t k = 0;
+  std::size_t i = 0;
+  std::size_t j = 0;
+};
+
+/// The place of a split or collapse in an open fan of k >= 1 triangles, one triangle in gap i <= k.
+struct Gap {
+  std::size_t k = 0;
+  std::size_t i = 0;
+};
+
+/// What a rule says. `colors` are the inner edges after the operation, `strips` the change in the number of strips.
+struct Rule {
+  Word colors = 0;
+  int strips = 0;
+  bool valid = false;
+};
+
+/// What the rule of a flip says: the new inner edge, and which ports stay solid (a flip may have to give some up).
+struct FlipRule {
+  bool inner = false;
+  unsigned ports = 0;
+  int strips = 0;
+  bool valid = false;
+};
+
+namespace detail {
+
+/// Bit i of the result is bit n - 1 - i of the mask.
+constexpr Word reversed(Word mask, std::size_t n) noexcept {
+  mask = (mask & 0x5555555555555555U) << 1 | (mask >> 1 & 0x5555555555555555U);
+  mask = (mask & 0x3333333333333333U) << 2 | (mask >> 2 & 0x3333333333333333U);
+  mask = (mask & 0x0f0f0f0f0f0f0f0fU) << 4 | (mask >> 4 & 0x0f0f0f0f0f0f0f0fU);
+  mask = (mask & 0x00ff00ff00ff00ffU) << 8 | (mask >> 8 & 0x00ff00ff00ff00ffU);
+  mask = (mask & 0x0000ffff0000ffffU) << 16 | (mask >> 16 & 0x0000ffff0000ffffU);
+  mask = mask << 32 | mask >> 32;
+  return n == 0 ? 0 : mask >> (word_bits - n);
+}
+
+/// Turns an n-bit ring so that bit `by` becomes bit 0; 0 <= by < n.
+constexpr Word turned_down(Word mask, std::size_t by, std::size_t n) noexcept {
+  return by == 0 ? mask : (mask >> by | mask << (n - by)) & low_bits(n);
+}
+
+template <class Table>
+constexpr Word cell(const Table& table, const RowStarts<table_max_k>& rows, std::size_t k, std::size_t place,
+                    Word ports, Word joined) noexcept {
+  return table.rules[table.first[k] + place * table.cells[k] + rows[bit(k) | ports] + joined];
+}
+
+constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
+  return {colors, nodes - (std::popcount(colors) - std::popcount(before)), true};
+}
+
+}  // namespace detail
+
+/// Split of a closed fan: `loop` and `ports` have k bits, the answer k + 3. k <= max_word_valence.
+[[nodiscard]] constexpr Rule split_rule(SplitPosition at, Word loop, Word ports) noexcept {
+  const auto [k, a] = at;
+  if (!valid_closed(k, loop, ports)) return {0, 2 + std::popcount(loop), false};
+  if (k > table_max_k)
+    return detail::rule(exact::best_split(k, a, ports, joined_closed(k, loop, ports)).colors, loop, 2);
+  if (2 * a <= k) {
+    const Word joined = joined_closed(k, loop, ports);
+    return detail::rule(detail::cell(tables::split, tables::closed_rows, k, a - 1, ports, joined), loop, 2);
+  }
+  // The tables begin with the shorter arc: ask with A and D exchanged and turn the ring back.
+  const Word turned_ports = detail::turned_down(ports, a, k);
+  const Word joined = joined_closed(k, detail::turned_down(loop, a, k), turned_ports);
+  const Word inner = detail::cell(tables::split, tables::closed_rows, k, k - a - 1, turned_ports, joined);
+  const Word ring = detail::turned_down(inner & low_bits(k + 2), k - a + 1, k + 2);
+  return detail::rule(ring | (inner & bit(k + 2)), loop, 2);
+}
+
+/// Collapse onto a closed fan: `inner` has k + 3 bits, `ports` k, the answer k. k <= max_word_valence.
+[[nodiscard]] constexpr Rule collapse_rule(SplitPosition at, Word inner, Word ports) noexcept {
+  const auto [k, a] = at;
+  if (!valid_ring(k, a, inner, ports)) return {0, std::popcount(inner) - 2, false};
+  const Word joined = joined_ring(k, a, inner, ports);
+  const Word loop = k > table_max_k ? exact::best_collapse(k, ports, joined).colors
+                                    : detail::cell(tables::collapse, tables::closed_rows, k, 0, ports, joined);
+  return detail::rule(loop, inner, -2);
+}
+
+/// Split of an open fan, two triangles: `loop` has k - 1 bits, `ports` k, the answer k + 2. k <= max_word_valence.
+[[nodiscard]] constexpr Rule open_split_rule(GapPair at, Word loop, Word ports) noexcept {
+  const auto [k, i, j] = at;
+  if (!valid_open(k, loop, ports)) return {0, 2 + std::popcount(loop), false};
+  if (k > table_max_k)
+    return detail::rule(exact::best_open_split(k, i, j, ports, joined_open(k, loop, ports)).colors, loop, 2);
+  const bool mirrored = i + j > k;
+  const std::size_t low = mirrored ? k - j : i;
+  const std::size_t high = mirrored ? k - i : j;
+  const Word seen_loop = mirrored ? detail::reversed(loop, k - 1) : loop;
+  const Word seen_ports = mirrored ? detail::reversed(ports, k) : ports;
+  // Places of a valence in ascending order: those with a smaller low gap, then those with a smaller high one.
+  const std::size_t place = low * (k + 1 - low) + (high - low - 1);
+  const Word seen =
+      detail::cell(tables::open_split, tables::open_rows, k, place, seen_ports, joined_open(k, seen_loop, seen_ports));
+  const Word inner = mirrored ? detail::reversed(seen & low_bits(k + 1), k + 1) | (seen & bit(k + 1)) : seen;
+  return detail::rule(inner, loop, 2);
+}
+
+/// Split of an open fan along its boundary, one triangle: `loop` has k - 1 bits, `ports` k, the answer k. k <=
+/// max_word_valence.
+[[nodiscard]] constexpr Rule boundary_split_rule(Gap at, Word loop, Word ports) noexcept {
+  const auto [k, i] = at;
+  if (!valid_open(k, loop, ports)) return {0, 1 + std::popcount(loop), false};
+  if (k > table_max_k)
+    return detail::rule(exact::best_boundary_split(k, i, ports, joined_open(k, loop, ports)).colors, loop, 1);
+  const bool mirrored = 2 * i > k;
+  const Word seen_loop = mirrored ? detail::reversed(loop, k - 1) : loop;
+  const Word seen_ports = mirrored ? detail::reversed(ports, k) : ports;
+  const Word seen = detail::cell(tables::boundary_split, tables::open_rows, k, mirrored ? k - i : i, seen_ports,
+                                 joined_open(k, seen_loop, seen_ports));
+  return detail::rule(mirrored ? detail::reversed(seen, k) : seen, loop, 1);
+}
+
+namespace detail {
+
+constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexcept {
+  return k > table_max_k ? exact::best_fan_collapse(k, ports, joined).colors
+                         : cell(tables::fan_collapse, tables::open_rows, k, 0, ports, joined);
+}
+
+}  // namespace detail
+
+/// Collapse onto an open fan, two triangles removed: `inner` has k + 2 bits, `ports` k, the answer k - 1.
+[[nodiscard]] constexpr Rule open_collapse_rule(GapPair at, Word inner, Word ports) noexcept {
+  const auto [k, i, j] = at;
+  if (!valid_path_with_chord(k, i, j, inner, ports)) return {0, std::popcount(inner) - 2, false};
+  return detail::rule(detail::fan_collapse_colors(k, ports, joined_path_with_chord(k, i, j, inner, ports)), inner, -2);
+}
+
+/// Collapse onto an open fan, one triangle removed: `inner` and `ports` have k bits, the answer k - 1.
+[[nodiscard]] constexpr Rule boundary_collapse_rule(Gap at, Word inner, Word ports) noexcept {
+  const auto [k, i] = at;
+  if (!valid_path(k, i, inner, ports)) return {0, std::popcount(inner) - 1, false};
+  return detail::rule(detail::fan_collapse_colors(k, ports, joined_path(k, i, inner, ports)), inner, -1);
+}
+
+/// Flip: four ports, counter-clockwise; p_0 and p_1 belong to one triangle before, p_1 and p_2 after.
+[[nodiscard]] constexpr FlipRule flip_rule(bool inner, unsigned ports) noexcept {
+  const unsigned entry = tables::flip[static_cast<std::size_t>(inner) << 4 | (ports & 15U)];
+  const int before = static_cast<int>(inner) + std::popcount(ports & 15U);
+  if (entry == 0xff) return {false, 0, before, false};
+  return {(entry >> 4) != 0, entry & 15U, before - std::popcount(entry), true};
+}
+
+}  // namespace restrip

@@ -1,0 +1,161 @@
+// StripMesh: a compact triangle mesh whose dual edges carry a colour, for replays and for users who have no mesh of
+// their own.
+//
+// Flat arrays: 12 bytes a triangle for adjacency and colours, 12 for its corners, 5 a vertex. The data structure is the
+// corner table with explicit links (Rossignac, "Edgebreaker", 1999; Campagna, Kobbelt, Seidel, "Directed edges", 1998).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "restrip/mesh.hpp"
+
+namespace restrip {
+
+using Vertex = std::uint32_t;    ///< index of a vertex
+using Triangle = std::uint32_t;  ///< index of a triangle
+inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+/// What StripMesh::build found in its input. Nothing is repaired in silence: every triangle of the input is either in
+/// the mesh or counted here as left out.
+struct BuildReport {
+  std::size_t degenerate_triangles = 0;    ///< left out: a corner twice
+  std::size_t out_of_range_triangles = 0;  ///< left out: a corner that is no vertex
+  std::size_t boundary_edges = 0;          ///< edges of one triangle
+  std::size_t non_manifold_edges = 0;      ///< edges of three triangles or more: no strip crosses them
+  std::size_t inconsistent_edges = 0;  ///< edges of two triangles that disagree in orientation: no strip crosses them
+  std::size_t irregular_vertices = 0;  ///< vertices of several fans or on one of the edges above: never operated on
+};
+
+/// An indexed triangle mesh with colored dual edges. Models SplittableMesh, CollapsibleMesh and FlippableMesh.
+///
+/// Triangle handles are stable until the triangle is removed; a removed handle is used again by the next insertion
+/// (last out, first in), so that going down and up again gives the same handles. At most 2^29 - 1 triangles.
+class StripMesh {
+ public:
+  /// A directed mesh edge: side s of triangle t runs from corner s to corner s + 1. On the boundary the halfedge
+  /// without triangle is named by the one opposite to it.
+  struct Halfedge {
+    std::uint32_t id = none;
+    friend constexpr bool operator==(Halfedge, Halfedge) = default;
+  };
+
+  StripMesh() = default;
+
+  /// Builds adjacency for triangles given as corner triples, counter-clockwise; all dual edges dashed. Linear time.
+  /// `vertex_count`: valid corners are 0 … vertex_count - 1. `origin`, if given, receives for each triangle of the mesh
+  /// its index in `triangles` (they differ only when some are left out).
+  [[nodiscard]] static StripMesh build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
+                                       BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr);
+
+  // ---- walking
+  [[nodiscard]] static constexpr Halfedge halfedge(Triangle t, unsigned side) noexcept { return {t << 2 | side}; }
+  /// The triangle to the left; for a boundary halfedge, the triangle to the right.
+  [[nodiscard]] static constexpr Triangle triangle(Halfedge h) noexcept { return (h.id & ~outside) >> 2; }
+  [[nodiscard]] static constexpr unsigned side(Halfedge h) noexcept { return h.id & 3U; }
+  [[nodiscard]] static constexpr bool on_boundary(Halfedge h) noexcept { return (h.id & outside) != 0; }
+  [[nodiscard]] static constexpr Halfedge next(Halfedge h) noexcept { return {side(h) == 2 ? h.id - 2 : h.id + 1}; }
+  [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept {
+    if (on_boundary(h)) return {h.id & ~outside};
+    const std::uint32_t link = link_of(h);
+    return {link == edge_of_mesh ? h.id | outside : link >> 1};
+  }
+  /// The vertex that h leaves.
+  [[nodiscard]] Vertex from(Halfedge h) const noexcept {
+    return on_boundary(h) ? corner_of({h.id & ~outside}, 1) : corner_of(h, 0);
+  }
+  /// The vertex that h enters.
+  [[nodiscard]] Vertex to(Halfedge h) const noexcept {
+    return on_boundary(h) ? corner_of({h.id & ~outside}, 0) : corner_of(h, 1);
+  }
+  /// A halfedge that leaves v, or {none} when v has no triangle. On the boundary it is the one from which turning
+  /// counter-clockwise meets every triangle of v.
+  [[nodiscard]] Halfedge spoke(Vertex v) const noexcept { return {spoke_[v]}; }
+  /// The halfedge v -> w, or {none}. O(valence of v). Boundary halfedges are found too.
+  [[nodiscard]] Halfedge spoke(Vertex v, Vertex w) const noexcept;
+
+  /// True when the vertex that h leaves lies on the boundary. Constant time.
+  [[nodiscard]] bool leaves_boundary(Halfedge h) const noexcept { return on_boundary(opposite(spoke(from(h)))); }
+
+  // ---- colours
+  [[nodiscard]] bool solid(Halfedge h) const noexcept {
+    const std::uint32_t link = link_of({h.id & ~outside});
+    return link != edge_of_mesh && (link & 1U) != 0;
+  }
+  void set_solid(Halfedge h, bool solid) noexcept {
+    std::uint32_t& link = link_of(h);
+    link = (link & ~1U) | static_cast<std::uint32_t>(solid);
+    std::uint32_t& back = link_of({link >> 1});
+    back = (back & ~1U) | static_cast<std::uint32_t>(solid);
+  }
+  /// Number of solid dual edges of t: 0 (isolated), 1 (end of a strip) or 2 in a valid coloring.
+  [[nodiscard]] unsigned solid_degree(Triangle t) const noexcept {
+    unsigned degree = 0;
+    for (const std::uint32_t link : triangles_[t].link) degree += link != edge_of_mesh ? link & 1U : 0U;
+    return degree;
+  }
+  /// Colours every dual edge dashed.
+  void clear_colors() noexcept;
+
+  // ---- operations on the mesh alone (restrip::split and friends keep the strips as well)
+  /// See SplittableMesh. The new vertex is `new_vertex`, or the next free one when none is given.
+  /// Preconditions: see check_split() in checks.hpp; not tested here.
+  Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
+  /// See CollapsibleMesh. Preconditions: see check_collapse() in checks.hpp; not tested here.
+  Halfedge remove_vertex(Halfedge chord);
+  /// See FlippableMesh. Preconditions: see check_flip() in checks.hpp; not tested here.
+  void turn_edge(Halfedge h);
+
+  // ---- extent
+  /// Number of triangles alive.
+  [[nodiscard]] std::size_t triangle_count() const noexcept { return triangles_.size() - free_.size(); }
+  /// Triangle handles are below this bound.
+  [[nodiscard]] std::size_t triangle_bound() const noexcept { return triangles_.size(); }
+  [[nodiscard]] bool alive(Triangle t) const noexcept {
+    return t < triangles_.size() && triangles_[t].corner[0] != none;
+  }
+  /// Vertices are below this bound.
+  [[nodiscard]] std::size_t vertex_bound() const noexcept { return spoke_.size(); }
+  [[nodiscard]] bool alive(Halfedge h) const noexcept { return side(h) < 3 && alive(triangle(h)); }
+  [[nodiscard]] std::array<Vertex, 3> corners(Triangle t) const noexcept { return triangles_[t].corner; }
+  /// True for vertices that no operation may touch (see BuildReport::irregular_vertices).
+  [[nodiscard]] bool irregular(Vertex v) const noexcept { return irregular_[v] != 0; }
+  /// Room for this many triangles and vertices, so that insertions up to there do not allocate.
+  void reserve(std::size_t triangles, std::size_t vertices);
+
+ private:
+  static constexpr std::uint32_t outside = 1U << 31;
+  static constexpr std::uint32_t edge_of_mesh = none;  // link of a side without neighbour
+
+  struct Record {
+    std::array<Vertex, 3> corner;
+    std::array<std::uint32_t, 3> link;  // opposite halfedge << 1 | solid, or edge_of_mesh
+  };
+
+  [[nodiscard]] Vertex corner_of(Halfedge h, unsigned turn) const noexcept {
+    const unsigned s = side(h) + turn;
+    return triangles_[triangle(h)].corner[s >= 3 ? s - 3 : s];
+  }
+  [[nodiscard]] std::uint32_t link_of(Halfedge h) const noexcept { return triangles_[triangle(h)].link[side(h)]; }
+  [[nodiscard]] std::uint32_t& link_of(Halfedge h) noexcept { return triangles_[triangle(h)].link[side(h)]; }
+  void join(Halfedge g, Halfedge h) noexcept;  // g or h may be on the boundary; dashed
+  Triangle new_triangle(Vertex a, Vertex b, Vertex c);
+  void remove_triangle(Triangle t);
+  void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
+  Vertex new_vertex(Vertex wanted);
+  void find_irregular_vertices(BuildReport& report);
+
+  std::vector<Record> triangles_;
+  std::vector<Triangle> free_;
+  std::vector<std::uint32_t> spoke_;
+  std::vector<std::uint8_t> irregular_;
+  std::vector<Vertex> free_vertices_;
+};
+
+}  // namespace restrip
+
+#include "restrip/detail/strip_mesh.hpp"

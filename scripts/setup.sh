@@ -1,0 +1,28 @@
+# Sourced by demo.sh, test.sh and prove.sh: installs missing packages by name, says what it does, names the step that fails.
+step="starting"
+trap 'echo "$(basename "$0"): failed while: $step" >&2' ERR
+
+say() {
+  step="$1"
+  echo "== $1"
+}
+
+# need PACKAGE…: installs those that are not there. As root, or with sudo.
+need() {
+  local missing=() package
+  for package in "$@"; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return 0
+  say "installing ${missing[*]}"
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "these packages are missing, and there is neither root nor sudo: ${missing[*]}" >&2; return 1; }
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+build_packages=(g++ cmake ninja-build libboost-graph-dev libnauty2-dev libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
+  libssl-dev libgtest-dev)

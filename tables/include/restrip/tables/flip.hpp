@@ -1,0 +1,15 @@
+// Rules of the flip: 25 valid configurations.
+// Written by `restrip-generate tables`. Do not edit: change the generator, then build the target `regenerate`.
+// Format 1, explained in restrip/rule_table.hpp.
+#pragma once
+
+#include "restrip/rule_table.hpp"
+
+namespace restrip::tables {
+
+inline constexpr FlipTable flip{
+    16, 17, 18, 19, 20, 5, 18, 19, 24, 24, 10, 19, 28, 28, 28, 19, 16, 17, 18, 255, 20, 21, 6, 255, 24, 9, 26, 255, 255,
+    255, 255, 255,
+};
+
+}  // namespace restrip::tables

@@ -1,0 +1,278 @@
+// Random splits, collapses and flips keep a valid mesh and a valid coloring, and report exactly what they changed.
+//
+// After every operation the mesh around it is compared with what the operation promises, and the strips and isolated
+// triangles with a count from scratch (small meshes) or every few hundred operations (the larger ones).
+#include "restrip/operations.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "restrip/checks.hpp"
+#include "restrip/strips.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+using Where = VertexSplit<Halfedge>;
+
+/// Adjacency from its definition: opposite halfedges run between the same vertices, first spokes are first, fans are
+/// whole.
+std::string fault_of(const StripMesh& mesh) {
+  std::vector<std::size_t> corners(mesh.vertex_bound(), 0);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t)) continue;
+    for (unsigned s = 0; s < 3; ++s) {
+      const Halfedge h = StripMesh::halfedge(t, s);
+      const Halfedge g = mesh.opposite(h);
+      if (mesh.from(h) != mesh.to(g) || mesh.to(h) != mesh.from(g)) return "opposite halfedges disagree";
+      if (!(mesh.opposite(g) == h)) return "opposite is no involution";
+      if (!StripMesh::on_boundary(g) && !mesh.alive(g)) return "a link to a removed triangle";
+      if (mesh.solid(h) != mesh.solid(g)) return "a colour differs between the two sides";
+      ++corners[mesh.from(h)];
+    }
+  }
+  for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
+    if ((mesh.spoke(v).id == none) != (corners[v] == 0)) return "a first spoke without triangles, or the reverse";
+    if (corners[v] == 0 || mesh.irregular(v)) continue;
+    if (!mesh.alive(mesh.spoke(v)) || mesh.from(mesh.spoke(v)) != v) return "a wrong first spoke";
+    std::size_t met = 0;
+    detail::for_each_spoke(mesh, v, [&](Halfedge h) { met += StripMesh::on_boundary(h) ? 0U : 1U; });
+    if (met != corners[v]) return "a fan that is not whole from its first spoke";
+  }
+  return "";
+}
+
+class Walk {
+ public:
+  Walk(StripMesh start, unsigned seed, std::size_t check_every)
+      : mesh(std::move(start)), random_(seed), every_(check_every) {}
+
+  void run(std::size_t operations) {
+    report_ = check_coloring(mesh);
+    ASSERT_TRUE(report_.valid);
+    ASSERT_EQ(fault_of(mesh), "");
+    const std::size_t low = mesh.triangle_count() / 2;
+    const std::size_t high = mesh.triangle_count() * 2;
+    for (std::size_t n = 0; n < operations && !::testing::Test::HasFatalFailure(); ++n) {
+      const unsigned choice = mesh.triangle_count() > high ? 1 : mesh.triangle_count() < low ? 0 : pick(3);
+      const bool done = choice == 0 ? try_split() : choice == 1 ? try_collapse() : try_flip();
+      if (!done) continue;
+      if (++done_ % every_ == 0) check();
+    }
+    check();
+  }
+
+  StripMesh mesh;
+  std::set<std::uint32_t> split_valences;
+  std::size_t one_sided_splits = 0;
+  std::size_t boundary_collapses = 0;
+  std::size_t flips = 0;
+
+ private:
+  unsigned pick(std::size_t below) { return static_cast<unsigned>(random_() % below); }
+
+  Halfedge any_halfedge() {
+    for (;;) {
+      const auto t = static_cast<Triangle>(pick(mesh.triangle_bound()));
+      if (!mesh.alive(t)) continue;
+      const Halfedge h = StripMesh::halfedge(t, pick(3));
+      return pick(4) == 0 ? mesh.opposite(h) : h;
+    }
+  }
+
+  /// Does an operation and compares what it reports with counts from scratch. A flip may give ports up, and so isolate
+  /// up to `unseen` triangles outside its patch.
+  template <class Operation>
+  Rewrite<Halfedge> perform(Operation&& operation, int unseen) {
+    const bool now = (done_ + 1) % every_ == 0;
+    const ColoringReport before = now ? check_coloring(mesh) : ColoringReport{};
+    const Rewrite<Halfedge> rewrite = operation();
+    strips_ += rewrite.strips;
+    if (now) {
+      const auto isolated = static_cast<int>(check_coloring(mesh).isolated) - static_cast<int>(before.isolated);
+      EXPECT_GE(isolated, rewrite.isolated);
+      EXPECT_LE(isolated, rewrite.isolated + unseen);
+    }
+    return rewrite;
+  }
+
+  bool try_split() {
+    std::vector<Halfedge> spokes;
+    detail::for_each_spoke(mesh, mesh.from(any_halfedge()), [&](Halfedge h) { spokes.push_back(h); });
+    Where where;
+    where.left = spokes[pick(spokes.size())];
+    where.right = spokes[pick(spokes.size())];
+    if (mesh.leaves_boundary(where.left) && pick(3) == 0)
+      where.spokes = pick(2) == 0 ? Where::Spokes::left_only : Where::Spokes::right_only;
+    if (check_split(mesh, where) != Refusal::granted) return false;
+    one_sided_splits += where.spokes == Where::Spokes::both ? 0U : 1U;
+    const std::size_t before = mesh.triangle_count();
+    const auto rewrite = perform([&] { return split(mesh, where); }, 0);
+    EXPECT_EQ(mesh.triangle_count(), before + (where.spokes == Where::Spokes::both ? 2U : 1U));
+    split_valences.insert(rewrite.valence);
+    return true;
+  }
+
+  bool try_collapse() {
+    const Halfedge h = any_halfedge();
+    if (check_collapse(mesh, h) != Refusal::granted) return false;
+    boundary_collapses += StripMesh::on_boundary(h) || StripMesh::on_boundary(mesh.opposite(h)) ? 1U : 0U;
+    perform([&] { return collapse(mesh, h); }, 0);
+    return true;
+  }
+
+  bool try_flip() {
+    const Halfedge h = any_halfedge();
+    if (check_flip(mesh, h) != Refusal::granted) return false;
+    const Vertex u = mesh.from(h);
+    const Vertex v = mesh.to(h);
+    perform([&] { return flip(mesh, h); }, 2);
+    EXPECT_EQ(mesh.spoke(u, v).id, none);
+    ++flips;
+    return true;
+  }
+
+  void check() {
+    ASSERT_EQ(fault_of(mesh), "") << "after operation " << done_;
+    const ColoringReport now = check_coloring(mesh);
+    ASSERT_TRUE(now.valid) << "after operation " << done_;
+    ASSERT_EQ(static_cast<long>(now.strips), static_cast<long>(report_.strips) + strips_)
+        << "after operation " << done_;
+  }
+
+  std::mt19937 random_;
+  std::size_t every_;
+  std::size_t done_ = 0;
+  long strips_ = 0;
+  ColoringReport report_;
+};
+
+/// A cone of `k` triangles around vertex 0, closed below by a second apex: one vertex of a chosen valence.
+StripMesh double_cone(Vertex k) {
+  std::vector<sample::Corners> triangles;
+  for (Vertex i = 0; i < k; ++i) {
+    triangles.push_back({0, 2 + i, 2 + (i + 1) % k});
+    triangles.push_back({1, 2 + (i + 1) % k, 2 + i});
+  }
+  return StripMesh::build(triangles, k + 2);
+}
+
+TEST(Operations, SmallMeshesCheckedAfterEveryOperation) {
+  unsigned seed = 1;
+  for (StripMesh& start : sample::meshes()) {
+    SCOPED_TRACE("mesh number " + std::to_string(seed));
+    Walk walk(std::move(start), seed++, 1);
+    walk.run(400);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+
+TEST(Operations, LongWalksOnClosedAndOpenMeshes) {
+  for (const auto& [name, start] : {std::pair{"sphere", sample::sphere(4)},
+                                    {"torus", sample::torus(40, 40)},
+                                    {"rectangle", sample::rectangle(40, 40)},
+                                    {"tube", sample::tube(30, 40)}}) {
+    SCOPED_TRACE(name);
+    Walk walk(start, 7, 500);
+    walk.run(60000);
+    if (testing::Test::HasFatalFailure()) return;
+    for (std::uint32_t k = 3; k <= 12; ++k)
+      EXPECT_TRUE(walk.split_valences.contains(k)) << "no split of a " << k << "-vertex";
+    EXPECT_GT(walk.flips, 1000U);
+    if (walk.mesh.leaves_boundary(walk.mesh.spoke(0)) && std::string(name) != "sphere" &&
+        std::string(name) != "torus") {
+      EXPECT_GT(walk.one_sided_splits, 0U);
+      EXPECT_GT(walk.boundary_collapses, 0U);
+    }
+  }
+}
+
+TEST(Operations, AnyValence) {
+  for (const Vertex k : {9U, 40U, 61U, 62U, 63U, 64U, 65U, 130U, 1000U}) {
+    SCOPED_TRACE(k);
+    StripMesh mesh = double_cone(k);
+    // Give the fan some strips first, by operations of the rules themselves.
+    for (unsigned round = 0; round < 3; ++round) {
+      std::vector<Halfedge> spokes;
+      detail::for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
+      const Where where{spokes[1], spokes[1 + spokes.size() / (2 + round)], Where::Spokes::both};
+      ASSERT_EQ(check_split(mesh, where), Refusal::granted);
+      const ColoringReport before = check_coloring(mesh);
+      const auto up = split(mesh, where);
+      const ColoringReport between = check_coloring(mesh);
+      ASSERT_TRUE(between.valid);
+      EXPECT_EQ(up.valence, spokes.size());
+      EXPECT_EQ(static_cast<long>(between.strips), static_cast<long>(before.strips) + up.strips);
+      EXPECT_EQ(static_cast<long>(between.isolated), static_cast<long>(before.isolated) + up.isolated);
+      const auto down = collapse(mesh, up.halfedge);
+      const ColoringReport after = check_coloring(mesh);
+      ASSERT_TRUE(after.valid);
+      ASSERT_EQ(fault_of(mesh), "");
+      EXPECT_EQ(down.valence, spokes.size());
+      EXPECT_EQ(static_cast<long>(after.strips), static_cast<long>(between.strips) + down.strips);
+      EXPECT_EQ(static_cast<long>(after.isolated), static_cast<long>(between.isolated) + down.isolated);
+    }
+  }
+}
+
+TEST(Operations, GoingDownAndUpGivesTheSameHandles) {
+  StripMesh mesh = sample::sphere(3);
+  const StripMesh::Halfedge h = mesh.spoke(5);
+  const auto corners = [&] {
+    std::vector<std::array<Vertex, 3>> all;
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) all.push_back(mesh.corners(t));
+    return all;
+  };
+  // A split and its collapse leave the triangles as they were; so does the other order, after a first round has set the
+  // handles.
+  std::vector<Halfedge> spokes;
+  detail::for_each_spoke(mesh, mesh.from(h), [&](Halfedge s) { spokes.push_back(s); });
+  const auto first = split(mesh, Where{spokes[0], spokes[2], Where::Spokes::both});
+  const auto up = corners();
+  const Vertex v_s = mesh.from(first.halfedge);
+  const Vertex v_l = mesh.to(StripMesh::next(first.halfedge));
+  const Vertex v_r = mesh.to(StripMesh::next(mesh.opposite(first.halfedge)));
+  collapse(mesh, first.halfedge);
+  split(mesh, Where{mesh.spoke(v_s, v_l), mesh.spoke(v_s, v_r), Where::Spokes::both});
+  const auto again = corners();
+  ASSERT_EQ(up.size(), again.size());
+  for (std::size_t t = 0; t < up.size(); ++t) {
+    auto rotated = again[t];
+    for (int i = 0; i < 3 && rotated != up[t]; ++i) std::rotate(rotated.begin(), rotated.begin() + 1, rotated.end());
+    EXPECT_EQ(rotated, up[t]) << "triangle " << t;
+  }
+}
+
+TEST(Operations, RefusedOperationsSayWhy) {
+  StripMesh mesh = sample::octahedron();
+  const Halfedge h = StripMesh::halfedge(0, 0);
+  EXPECT_EQ(check_split(mesh, Where{h, h, Where::Spokes::both}), Refusal::same_spoke);
+  EXPECT_EQ(check_split(mesh, Where{h, mesh.opposite(h), Where::Spokes::both}), Refusal::different_vertices);
+  EXPECT_EQ(check_split(mesh, Where{h, h, Where::Spokes::left_only}), Refusal::spoke_on_boundary);
+  EXPECT_EQ(check_split(mesh, Where{}), Refusal::no_such_edge);
+  const StripMesh tetrahedron =
+      StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, 4);
+  EXPECT_EQ(check_collapse(tetrahedron, h), Refusal::too_few_triangles);
+  EXPECT_EQ(check_flip(tetrahedron, h), Refusal::edge_exists);
+  const StripMesh pair = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 2, 3}}, 4);
+  EXPECT_EQ(check_collapse(pair, pair.spoke(0, 2)), Refusal::joins_boundaries);
+  EXPECT_EQ(check_flip(pair, pair.spoke(0, 1)), Refusal::boundary_edge);
+  const StripMesh bow_tie = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 3, 4}}, 5);
+  EXPECT_EQ(check_collapse(bow_tie, bow_tie.spoke(0)), Refusal::irregular_vertex);
+  const StripMesh one = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}}, 3);
+  EXPECT_EQ(check_collapse(one, StripMesh::halfedge(0, 0)), Refusal::dangling_edge);
+  for (const Refusal r : {Refusal::granted, Refusal::no_such_edge, Refusal::link_condition, Refusal::edge_exists})
+    EXPECT_FALSE(std::string(describe(r)).empty());
+}
+
+}  // namespace
+}  // namespace restrip

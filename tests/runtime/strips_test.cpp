@@ -1,0 +1,183 @@
+// An index buffer, decoded the way a graphics card does it, gives back the mesh: each triangle once, oriented as
+// before. The decoder, the colouring check and the shortest encoding are computed here by other means than in the
+// library.
+#include "restrip/strips.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "restrip/strip_mesh.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using Corners = std::array<Vertex, 3>;
+
+// The rotation of a triangle that starts with its smallest corner: the same for equal windings only.
+Corners rotated(Corners c) {
+  std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+  return c;
+}
+
+std::vector<Corners> decode(const std::vector<std::uint32_t>& indices) {
+  std::vector<Corners> triangles;
+  std::vector<std::uint32_t> strip;
+  for (const std::uint32_t index : indices) {
+    if (index == 0xFFFFFFFFU) {
+      strip.clear();
+      continue;
+    }
+    strip.push_back(index);
+    if (strip.size() < 3) continue;
+    const std::size_t i = strip.size() - 3;
+    Corners c{strip[i], strip[i + 1], strip[i + 2]};
+    if (i % 2 == 1) std::swap(c[0], c[1]);
+    if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) triangles.push_back(rotated(c));
+  }
+  return triangles;
+}
+
+std::vector<Corners> triangles_of(const StripMesh& mesh) {
+  std::vector<Corners> triangles;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) triangles.push_back(rotated(mesh.corners(t)));
+  return triangles;
+}
+
+// Colours dual edges solid in random order wherever that keeps the colouring valid, with the given probability.
+void color_at_random(StripMesh& mesh, double share, std::mt19937& random) {
+  std::vector<StripMesh::Halfedge> edges;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned s = 0; s < 3; ++s)
+      if (mesh.alive(t) && !StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, s))))
+        edges.push_back(StripMesh::halfedge(t, s));
+  std::shuffle(edges.begin(), edges.end(), random);
+  std::vector<Triangle> component(mesh.triangle_bound());
+  for (Triangle t = 0; t < component.size(); ++t) component[t] = t;
+  for (const StripMesh::Halfedge h : edges) {
+    const Triangle a = StripMesh::triangle(h);
+    const Triangle b = StripMesh::triangle(mesh.opposite(h));
+    if (mesh.solid_degree(a) > 1 || mesh.solid_degree(b) > 1 || component[a] == component[b]) continue;
+    if (std::uniform_real_distribution<>()(random) > share) continue;
+    mesh.set_solid(h, true);
+    const Triangle from = component[a];
+    for (Triangle& c : component)
+      if (c == from) c = component[b];
+  }
+}
+
+// The least number of indices for one strip: all ways to start, then any repeated index, tried in full. State: the last
+// two indices, the parity, how many triangles are drawn.
+std::size_t shortest(const StripMesh& mesh, std::span<const Triangle> strip) {
+  std::size_t best = 3 * strip.size() + 3;
+  for (const bool backwards : {false, true}) {
+    std::vector<Corners> triangles;
+    for (const Triangle t : strip) triangles.push_back(mesh.corners(t));
+    if (backwards) std::reverse(triangles.begin(), triangles.end());
+    const auto extend = [&](auto&& self, std::vector<std::uint32_t>& text, std::size_t drawn) -> void {
+      if (text.size() + (triangles.size() - drawn) >= best) return;
+      if (drawn == triangles.size()) {
+        best = text.size();
+        return;
+      }
+      for (const Vertex v : triangles[drawn]) {  // the next index: a corner of the triangle to draw
+        const std::size_t n = text.size();
+        text.push_back(v);
+        std::size_t now = drawn;
+        bool fits = true;
+        if (n >= 2) {
+          Corners c{text[n - 2], text[n - 1], v};
+          if (n % 2 == 1) std::swap(c[0], c[1]);
+          if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) {
+            fits = rotated(c) == rotated(triangles[drawn]);
+            ++now;
+          }
+        }
+        if (fits) self(self, text, now);
+        text.pop_back();
+      }
+    };
+    std::vector<std::uint32_t> text;
+    extend(extend, text, 0);
+  }
+  return best;
+}
+
+TEST(Strips, DecodingGivesBackTheMesh) {
+  std::mt19937 random(1);
+  for (StripMesh& mesh : sample::meshes()) {
+    for (const double share : {0.0, 0.3, 0.7, 1.0}) {
+      mesh.clear_colors();
+      color_at_random(mesh, share, random);
+      const ColoringReport report = check_coloring(mesh);
+      ASSERT_TRUE(report.valid);
+      const Strips strips = extract_strips(mesh);
+      EXPECT_EQ(strips.size(), report.strips);
+      EXPECT_EQ(strips.order.size(), mesh.triangle_count());
+      const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
+      EXPECT_EQ(indices.size(), strip_index_count(mesh, strips));
+      std::vector<Corners> decoded = decode(indices);
+      std::vector<Corners> expected = triangles_of(mesh);
+      std::sort(decoded.begin(), decoded.end());
+      std::sort(expected.begin(), expected.end());
+      EXPECT_EQ(decoded, expected);
+    }
+  }
+}
+
+TEST(Strips, EveryStripIsWrittenAsShortAsCanBe) {
+  std::mt19937 random(2);
+  for (StripMesh& mesh : sample::meshes()) {
+    color_at_random(mesh, 0.85, random);
+    const Strips all = extract_strips(mesh);
+    for (std::size_t s = 0; s < all.size(); ++s) {
+      if (all[s].size() > 12) continue;
+      Strips one;
+      one.order.assign(all[s].begin(), all[s].end());
+      one.start.push_back(one.order.size());
+      EXPECT_EQ(strip_index_count(mesh, one), shortest(mesh, all[s]));
+    }
+  }
+}
+
+TEST(Strips, AnEmptyMeshHasNone) {
+  const StripMesh mesh;
+  const Strips strips = extract_strips(mesh);
+  EXPECT_EQ(strips.size(), 0U);
+  EXPECT_TRUE(strip_indices(mesh, strips).empty());
+  EXPECT_EQ(strip_index_count(mesh, strips), 0U);
+  EXPECT_TRUE(check_coloring(mesh).valid);
+}
+
+TEST(CheckColoring, FindsWhatIsWrong) {
+  StripMesh mesh = sample::octahedron();
+  EXPECT_EQ(check_coloring(mesh).isolated, 8U);
+  const Vertex apex = mesh.corners(0)[0];
+  // The fan of a vertex, closed: one solid cycle.
+  StripMesh::Halfedge h = mesh.spoke(apex);
+  for (int i = 0; i < 4; ++i, h = turn_ccw(mesh, h)) mesh.set_solid(h, true);
+  ColoringReport report = check_coloring(mesh);
+  EXPECT_FALSE(report.valid);
+  EXPECT_EQ(report.solid_cycles, 1U);
+  EXPECT_EQ(report.over_degree, 0U);
+  EXPECT_EQ(report.strips, 5U);
+  EXPECT_EQ(report.isolated, 4U);
+  // A third solid edge at one of them.
+  mesh.set_solid(StripMesh::next(h), true);
+  report = check_coloring(mesh);
+  EXPECT_EQ(report.over_degree, 1U);
+  mesh.set_solid(h, false);
+  report = check_coloring(mesh);
+  EXPECT_TRUE(report.valid);
+  EXPECT_EQ(report.strips, 4U);
+  EXPECT_EQ(report.isolated, 3U);
+}
+
+}  // namespace
+}  // namespace restrip
