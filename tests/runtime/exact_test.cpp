@@ -16,7 +16,7 @@
 namespace restrip::exact {
 namespace {
 
-// Answers at compile time. The square without ports: two strands become one, A and D included.
+// Answers at compile time. A square without ports becomes one strand of six triangles.
 static_assert(best_split(4, 2, 0, 0).value == Value{5, 0});
 static_assert(best_collapse(4, 0b1111, 0b0101).value == Value{2, 0});
 static_assert(best_collapse(3, 0, 0).value == Value{2, 0});

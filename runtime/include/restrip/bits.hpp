@@ -14,47 +14,57 @@ using Word = std::uint64_t;
 
 inline constexpr std::size_t word_bits = 64;
 
-// "No such position." Larger than every index, so comparisons with it need no special case.
+/// "No such position." Larger than every index, so comparisons with it need no special case.
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-// The mask with bit i alone; zero when i >= 64.
+/// The mask with bit i alone; zero when i >= 64.
 constexpr Word bit(std::size_t i) noexcept { return i < word_bits ? Word{1} << i : Word{0}; }
 
-// The mask with bits 0 ... n-1; all bits when n >= 64.
+/// The mask with bits 0 ... n-1; all bits when n >= 64.
 constexpr Word low_bits(std::size_t n) noexcept { return n < word_bits ? (Word{1} << n) - 1 : ~Word{0}; }
 
-// Bit i of a mask; false when i >= 64.
+/// Bit i of a mask; false when i >= 64.
 constexpr bool has(Word mask, std::size_t i) noexcept { return (mask & bit(i)) != 0; }
 
-// Moves the bits from `position` on one place up and leaves a zero there; the identity when position >= 64. The top bit
-// is lost.
+/// Moves the bits from `position` on one place up and leaves a zero there; the identity when position >= 64. The top
+/// bit is lost.
 constexpr Word insert_zero(Word mask, std::size_t position) noexcept {
   const Word below = low_bits(position);
   return (mask & below) | ((mask & ~below) << 1);
 }
 
-// The inverse of insert_zero: bit `position` goes, the bits above it move one place down.
+/// The inverse of insert_zero: bit `position` goes, the bits above it move one place down.
 constexpr Word remove_bit(Word mask, std::size_t position) noexcept {
   const Word below = low_bits(position);
   return (mask & below) | ((mask >> 1) & ~below);
 }
 
+/// The number of set bits, as an int. Written out because std::popcount is a library call where the processor is not
+/// known to
+// have the instruction, and lookups count bits on their fast path.
+constexpr int count_bits(Word mask) noexcept {
+  mask -= mask >> 1 & 0x5555555555555555U;
+  mask = (mask & 0x3333333333333333U) + (mask >> 2 & 0x3333333333333333U);
+  mask = (mask + (mask >> 4)) & 0x0f0f0f0f0f0f0f0fU;
+  return static_cast<int>(mask * 0x0101010101010101U >> 56);
+}
+
 // The number of words that n bits take.
 constexpr std::size_t words_for(std::size_t n) noexcept { return (n + word_bits - 1) / word_bits; }
 
-// A read-only view of a bit string in consecutive words, little-endian. It does not own the words and does not know
-// their number: the function that takes it says how many bits it reads. Bits behind those are never looked at.
+/// A read-only view of a bit string in consecutive words, little-endian. It does not own the words and does not know
+/// their number: the function that takes it says how many bits it reads. Bits behind those are never looked at.
 struct BitSpan {
   const Word* words = nullptr;
 
-  // One word as a bit string of up to 64 bits; the word must outlive the view.
+  /// One word as a bit string of up to 64 bits; the word must outlive the view.
   static constexpr BitSpan of(const Word& word) noexcept { return {&word}; }
 
   constexpr bool operator[](std::size_t i) const noexcept {
     return ((words[i / word_bits] >> (i % word_bits)) & 1) != 0;
   }
 
-  // The lowest set bit in [from, to), or `nowhere`. Time: one step a word.
+  /// The lowest set bit in [from, to), or `nowhere`. Time: one step a word.
   constexpr std::size_t first_set(std::size_t from, std::size_t to) const noexcept {
     while (from < to) {
       const Word rest = words[from / word_bits] >> (from % word_bits);
@@ -67,7 +77,7 @@ struct BitSpan {
     return nowhere;
   }
 
-  // The highest set bit in [from, to), or `nowhere`. Time: one step a word.
+  /// The highest set bit in [from, to), or `nowhere`. Time: one step a word.
   constexpr std::size_t last_set(std::size_t from, std::size_t to) const noexcept {
     while (from < to) {
       const std::size_t top = to - 1;
@@ -82,7 +92,7 @@ struct BitSpan {
   }
 };
 
-// A view through which a result is written. The words must not overlap those of any argument.
+/// A view through which a result is written. The words must not overlap those of any argument.
 struct MutableBitSpan {
   Word* words = nullptr;
 
@@ -92,7 +102,7 @@ struct MutableBitSpan {
 
   constexpr void set(std::size_t i) const noexcept { words[i / word_bits] |= bit(i % word_bits); }
 
-  // Zeroes every word that holds one of the first n bits, to its end.
+  /// Zeroes every word that holds one of the first n bits, to its end.
   constexpr void clear(std::size_t n) const noexcept {
     for (std::size_t w = 0; w < words_for(n); ++w) words[w] = 0;
   }

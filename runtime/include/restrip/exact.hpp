@@ -32,7 +32,7 @@
 
 namespace restrip::exact {
 
-// What is best: solid inner edges, and isolated triangles in the patch, both after the operation.
+/// What is best: solid inner edges, and isolated triangles in the patch, both after the operation.
 struct Value {
   int solid = 0;
   int isolated = 0;
@@ -40,7 +40,7 @@ struct Value {
   friend constexpr bool operator==(const Value&, const Value&) noexcept = default;
 };
 
-// A recolouring that fits one word, and its value.
+/// A recolouring that fits one word, and its value.
 struct Recoloring {
   Word colors = 0;
   Value value;
@@ -51,7 +51,7 @@ namespace detail {
 namespace engine = restrip::detail;
 using engine::Layout;
 
-// Up to here a bit string is answered on the stack.
+/// Up to here a bit string is answered on the stack.
 inline constexpr std::size_t max_stack_valence = 64;
 
 constexpr Value value_of(engine::Score score) noexcept {
@@ -80,60 +80,59 @@ inline Value on_bits(const Layout& patch, BitSpan ports, BitSpan joined, Mutable
 
 }  // namespace detail
 
-// ---- Words: k <= max_word_valence
-// ------------------------------------------------------------------------------------
+// ---- Words: k <= max_word_valence, constexpr, noexcept ----
 
-// Closed fan to ring with chord, k >= 2, 1 <= a < k: `colors` is `inner`, k + 3 bits.
+/// Closed fan to ring with chord, k >= 2, 1 <= a < k: `colors` is `inner`, k + 3 bits.
 constexpr Recoloring best_split(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
   return detail::on_word(restrip::detail::ring_with_chord(k, a), ports, joined);
 }
 
-// Ring with chord to closed fan, k >= 1, whatever the position: `colors` is `loop`, k bits.
+/// Ring with chord to closed fan, k >= 1, whatever the position: `colors` is `loop`, k bits.
 constexpr Recoloring best_collapse(std::size_t k, Word ports, Word joined) noexcept {
   return detail::on_word(restrip::detail::closed_fan(k), ports, joined);
 }
 
-// Open fan to path with chord, 0 <= i < j <= k: `colors` is `inner`, k + 2 bits.
+/// Open fan to path with chord, 0 <= i < j <= k: `colors` is `inner`, k + 2 bits.
 constexpr Recoloring best_open_split(std::size_t k, std::size_t i, std::size_t j, Word ports, Word joined) noexcept {
   return detail::on_word(restrip::detail::path_with_chord(k, i, j), ports, joined);
 }
 
-// Open fan to path, k >= 1, 0 <= i <= k: `colors` is `inner`, k bits.
+/// Open fan to path, k >= 1, 0 <= i <= k: `colors` is `inner`, k bits.
 constexpr Recoloring best_boundary_split(std::size_t k, std::size_t i, Word ports, Word joined) noexcept {
   return detail::on_word(restrip::detail::path(k, i), ports, joined);
 }
 
-// Path, with chord or without, to open fan, k >= 1, whatever the position: `colors` is `loop`, k - 1 bits.
+/// Path, with chord or without, to open fan, k >= 1, whatever the position: `colors` is `loop`, k - 1 bits.
 constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined) noexcept {
   return detail::on_word(restrip::detail::open_fan(k), ports, joined);
 }
 
-// ---- Bit strings: any k
-// ---------------------------------------------------------------------------------------------- The colours go to the
-// last argument; the words that hold them are overwritten and must not be those of the key.
+// ---- Bit strings: any k ----
+//
+// The colours go to the last argument; the words that hold them are overwritten and must not be those of the key.
 
-// `inner` has k + 3 bits.
+/// `inner` has k + 3 bits.
 inline Value best_split(std::size_t k, std::size_t a, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
   return detail::on_bits(restrip::detail::ring_with_chord(k, a), ports, joined, inner);
 }
 
-// `loop` has k bits.
+/// `loop` has k bits.
 inline Value best_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
   return detail::on_bits(restrip::detail::closed_fan(k), ports, joined, loop);
 }
 
-// `inner` has k + 2 bits.
+/// `inner` has k + 2 bits.
 inline Value best_open_split(std::size_t k, std::size_t i, std::size_t j, BitSpan ports, BitSpan joined,
                              MutableBitSpan inner) {
   return detail::on_bits(restrip::detail::path_with_chord(k, i, j), ports, joined, inner);
 }
 
-// `inner` has k bits.
+/// `inner` has k bits.
 inline Value best_boundary_split(std::size_t k, std::size_t i, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
   return detail::on_bits(restrip::detail::path(k, i), ports, joined, inner);
 }
 
-// `loop` has k - 1 bits; nothing is written when k = 1.
+/// `loop` has k - 1 bits; nothing is written when k = 1.
 inline Value best_fan_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
   return detail::on_bits(restrip::detail::open_fan(k), ports, joined, loop);
 }

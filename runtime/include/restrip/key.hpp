@@ -1,9 +1,9 @@
 // The key of a configuration: from the colours of a patch to what its rule needs to know, and whether the colours are
 // valid in the first place. docs/notation.md defines patches, numbering and key.
 //
-//   joined_PATCH   the mask `joined`: bit i is set when port i is solid and a solid path inside the patch leads from it
-//   to
-//                  the solid port before it (the nearest in descending order; cyclic in a closed fan and in a ring).
+//   joined_PATCH   the mask `joined`: bit i is set when port i is solid and a solid path inside the patch leads from
+//                  it to the solid port before it (the nearest in descending order; cyclic in a closed fan and in a
+//                  ring with chord).
 //   valid_PATCH    at most two solid edges at every triangle, no solid cycle, no bit outside the patch.
 //
 // PATCH is `closed` and `open` for the fans, `ring` (with chord), `path_with_chord` and `path` for what splits make of
@@ -29,19 +29,19 @@
 
 namespace restrip {
 
-// The largest k whose colours fit one word in every family: a ring with chord has k + 3 inner edges.
+/// The largest k whose colours fit one word in every family: a ring with chord has k + 3 inner edges.
 inline constexpr std::size_t max_word_valence = word_bits - 3;
 
 namespace detail {
 
-// The far end of the strand at an element with exactly one solid edge among `edges`.
+/// The far end of the strand at an element with exactly one solid edge among `edges`.
 constexpr std::size_t strand_end(const Layout& patch, Word edges, std::size_t at) noexcept {
   if (has(edges, at)) return at + static_cast<std::size_t>(std::countr_one(edges >> at));
   if (at == 0) at = patch.size();  // downwards from the first element of a ring
   return at - static_cast<std::size_t>(std::countl_one(edges << (word_bits - at)));
 }
 
-// The pair that the chord joins, as a mask over elements; zero when it joins none that the key can name.
+/// The pair that the chord joins, as a mask over elements; zero when it joins none that the key can name.
 constexpr Word joined_by_chord(const Layout& patch, Word edges, Word ports) noexcept {
   const std::size_t a = patch.inserted;
   const std::size_t d = patch.opposite;
@@ -58,9 +58,9 @@ constexpr Word joined_by_chord(const Layout& patch, Word edges, Word ports) noex
   return patch.ring && (ports & ~within) == 0 ? bit(low) : 0;
 }
 
-// A strand starts upwards where a solid port meets the solid edge above it. Adding that start to the edges sends a
-// carry through the run of solid edges, which are ones, and it comes to rest on the element where the run ends. Valid
-// colours have at most one start in a run, and it sits at the run's lower end.
+/// A strand starts upwards where a solid port meets the solid edge above it. Adding that start to the edges sends a
+/// carry through the run of solid edges, which are ones, and it comes to rest on the element where the run ends. Valid
+/// colours have at most one start in a run, and it sits at the run's lower end.
 constexpr Word joined(const Layout& patch, Word inner, Word fan_ports) noexcept {
   assert(patch.k <= max_word_valence);
   const Word ports = patch.spread(fan_ports);
@@ -90,10 +90,9 @@ constexpr bool valid(const Layout& patch, Word inner, Word fan_ports) noexcept {
 
 }  // namespace detail
 
-// ---- Masks: k <= max_word_valence, constant time
-// ---------------------------------------------------------------------
+// ---- Masks: k <= max_word_valence, constant time ----
 
-// Closed fan, k >= 3: loop has k bits.
+/// Closed fan, k >= 3: loop has k bits.
 constexpr Word joined_closed(std::size_t k, Word loop, Word ports) noexcept {
   return detail::joined(detail::closed_fan(k), loop, ports);
 }
@@ -101,7 +100,7 @@ constexpr bool valid_closed(std::size_t k, Word loop, Word ports) noexcept {
   return detail::valid(detail::closed_fan(k), loop, ports);
 }
 
-// Open fan, k >= 1: loop has k - 1 bits.
+/// Open fan, k >= 1: loop has k - 1 bits.
 constexpr Word joined_open(std::size_t k, Word loop, Word ports) noexcept {
   return detail::joined(detail::open_fan(k), loop, ports);
 }
@@ -109,7 +108,7 @@ constexpr bool valid_open(std::size_t k, Word loop, Word ports) noexcept {
   return detail::valid(detail::open_fan(k), loop, ports);
 }
 
-// Ring with chord, 1 <= a < k: inner has k + 3 bits.
+/// Ring with chord, 1 <= a < k: inner has k + 3 bits.
 constexpr Word joined_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
   return detail::joined(detail::ring_with_chord(k, a), inner, ports);
 }
@@ -117,7 +116,7 @@ constexpr bool valid_ring(std::size_t k, std::size_t a, Word inner, Word ports) 
   return detail::valid(detail::ring_with_chord(k, a), inner, ports);
 }
 
-// Path with chord, 0 <= i < j <= k: inner has k + 2 bits.
+/// Path with chord, 0 <= i < j <= k: inner has k + 2 bits.
 constexpr Word joined_path_with_chord(std::size_t k, std::size_t i, std::size_t j, Word inner, Word ports) noexcept {
   return detail::joined(detail::path_with_chord(k, i, j), inner, ports);
 }
@@ -125,7 +124,7 @@ constexpr bool valid_path_with_chord(std::size_t k, std::size_t i, std::size_t j
   return detail::valid(detail::path_with_chord(k, i, j), inner, ports);
 }
 
-// Path, 0 <= i <= k: inner has k bits.
+/// Path, 0 <= i <= k: inner has k bits.
 constexpr Word joined_path(std::size_t k, std::size_t i, Word inner, Word ports) noexcept {
   return detail::joined(detail::path(k, i), inner, ports);
 }
@@ -133,27 +132,28 @@ constexpr bool valid_path(std::size_t k, std::size_t i, Word inner, Word ports) 
   return detail::valid(detail::path(k, i), inner, ports);
 }
 
-// The one form of `joined` in which keys are written down, for closed fans and rings: with exactly two solid ports both
-// bits are set or none. For open fans and paths every `joined` is in that form already; do not call this.
+/// The one form of `joined` in which keys are written down, for closed fans and rings: with exactly two solid ports
+/// both bits are set or none. For open fans and paths every `joined` is in that form already; do not call this.
 constexpr Word canonical_joined(Word ports, Word joined) noexcept {
   return joined != 0 && std::popcount(ports) == 2 ? ports : joined;
 }
 
-// ---- Bit strings: any k, linear time
-// ----------------------------------------------------------------------------------- `joined` must have room for k
-// bits; the words that hold them are overwritten. Bits behind the patch are not looked at.
+// ---- Bit strings: any k, linear time ----
+//
+// `joined` must have room for k bits; the words that hold them are overwritten. Bits behind the patch are not looked
+// at.
 
-void joined_closed(std::size_t k, BitSpan loop, BitSpan ports, MutableBitSpan joined) noexcept;
-bool valid_closed(std::size_t k, BitSpan loop, BitSpan ports) noexcept;
-void joined_open(std::size_t k, BitSpan loop, BitSpan ports, MutableBitSpan joined) noexcept;
-bool valid_open(std::size_t k, BitSpan loop, BitSpan ports) noexcept;
-void joined_ring(std::size_t k, std::size_t a, BitSpan inner, BitSpan ports, MutableBitSpan joined) noexcept;
-bool valid_ring(std::size_t k, std::size_t a, BitSpan inner, BitSpan ports) noexcept;
-void joined_path_with_chord(std::size_t k, std::size_t i, std::size_t j, BitSpan inner, BitSpan ports,
-                            MutableBitSpan joined) noexcept;
-bool valid_path_with_chord(std::size_t k, std::size_t i, std::size_t j, BitSpan inner, BitSpan ports) noexcept;
-void joined_path(std::size_t k, std::size_t i, BitSpan inner, BitSpan ports, MutableBitSpan joined) noexcept;
-bool valid_path(std::size_t k, std::size_t i, BitSpan inner, BitSpan ports) noexcept;
+inline void joined_closed(std::size_t k, BitSpan loop, BitSpan ports, MutableBitSpan joined) noexcept;
+inline bool valid_closed(std::size_t k, BitSpan loop, BitSpan ports) noexcept;
+inline void joined_open(std::size_t k, BitSpan loop, BitSpan ports, MutableBitSpan joined) noexcept;
+inline bool valid_open(std::size_t k, BitSpan loop, BitSpan ports) noexcept;
+inline void joined_ring(std::size_t k, std::size_t a, BitSpan inner, BitSpan ports, MutableBitSpan joined) noexcept;
+inline bool valid_ring(std::size_t k, std::size_t a, BitSpan inner, BitSpan ports) noexcept;
+inline void joined_path_with_chord(std::size_t k, std::size_t i, std::size_t j, BitSpan inner, BitSpan ports,
+                                   MutableBitSpan joined) noexcept;
+inline bool valid_path_with_chord(std::size_t k, std::size_t i, std::size_t j, BitSpan inner, BitSpan ports) noexcept;
+inline void joined_path(std::size_t k, std::size_t i, BitSpan inner, BitSpan ports, MutableBitSpan joined) noexcept;
+inline bool valid_path(std::size_t k, std::size_t i, BitSpan inner, BitSpan ports) noexcept;
 
 }  // namespace restrip
 

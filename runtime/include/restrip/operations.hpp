@@ -11,8 +11,10 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 
+#include "restrip/detail/interior_fan.hpp"
 #include "restrip/detail/patch_walk.hpp"
 #include "restrip/mesh.hpp"
 #include "restrip/rules.hpp"
@@ -37,7 +39,7 @@ constexpr int isolated(const Layout& patch, Word inner, Word ports) noexcept {
   const Word wrap = patch.ring ? edges >> (patch.size() - 1) : 0;
   Word touched = edges | edges << 1 | wrap | patch.spread(ports);
   if (patch.has_chord() && has(inner, patch.chord())) touched |= bit(patch.inserted) | bit(patch.opposite);
-  return static_cast<int>(patch.size()) - std::popcount(touched & low_bits(patch.size()));
+  return static_cast<int>(patch.size()) - count_bits(touched & low_bits(patch.size()));
 }
 
 /// The colours a rule gives and what it changes.
@@ -57,7 +59,7 @@ inline Answer<WordBits> answer(const Layout& before, Word old_colors, const Layo
 
 inline int count(const LongBits& bits) noexcept {
   int n = 0;
-  for (const Word word : bits.words) n += std::popcount(word);
+  for (const Word word : bits.words) n += count_bits(word);
   return n;
 }
 
@@ -120,23 +122,47 @@ inline Answer<LongBits> answer_split(Fan<LongBits>& fan, bool both) {
                      [&](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_boundary_split(k, low, p, j, out); });
 }
 
-template <class Mesh, class Bits, class Insert>
-Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, Fan<Bits>& fan, bool both, Insert&& insert) {
+/// `name`: the new vertex, for meshes that let the caller name it; else nothing.
+template <class Mesh, class Bits, class... Name>
+Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                                             Fan<Bits>& fan, bool both, Name... name) {
   const auto rule = answer_split(fan, both);
-  const auto chord = insert();
+  const auto chord = mesh.insert_vertex(where, name...);
   walk_patch(
       mesh, chord, [&](std::size_t j, auto h) { mesh.set_solid(h, rule.colors.get(j)); }, [](std::size_t, auto) {});
   return {chord, static_cast<std::uint32_t>(fan.k), rule.strips, rule.isolated};
 }
 
-template <class Mesh, class Insert>
+template <class Mesh, class... Name>
+Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                                             const InteriorFan<typename Mesh::Halfedge>& fan, Name... name) {
+  const std::size_t k = fan.k;
+  const std::size_t a = fan.a;
+  const auto rule =
+      answer(closed_fan(k), fan.loop, ring_with_chord(k, a), split_rule({k, a}, fan.loop, fan.ports), fan.ports);
+  const auto chord = [&] {
+    // A mesh that can use the walk we have done already need not turn around the vertex again.
+    const std::span moved(fan.spokes + a - 1, k - a);
+    if constexpr (requires { mesh.insert_vertex(where.left, where.right, name..., moved); })
+      return mesh.insert_vertex(where.left, where.right, name..., moved);
+    else
+      return mesh.insert_vertex(where, name...);
+  }();
+  recolor_ring(mesh, fan, chord, rule.colors.word);
+  return {chord, static_cast<std::uint32_t>(k), rule.strips, rule.isolated};
+}
+
+template <class Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_with(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                                            Insert&& insert) {
+                                            Name... name) {
   const bool both = where.spokes == VertexSplit<typename Mesh::Halfedge>::Spokes::both;
+  InteriorFan<typename Mesh::Halfedge> interior;
+  if (both && read_interior_fan(mesh, where.left, where.right, interior))
+    return apply_split(mesh, where, interior, name...);
   auto fan = read_fan<WordBits>(mesh, where);
-  if (fan.k <= max_word_valence) return apply_split(mesh, fan, both, insert);
+  if (fan.k <= max_word_valence) return apply_split(mesh, where, fan, both, name...);
   auto long_fan = read_fan<LongBits>(mesh, where);
-  return apply_split(mesh, long_fan, both, insert);
+  return apply_split(mesh, where, long_fan, both, name...);
 }
 
 // ---- collapse
@@ -200,7 +226,7 @@ Rewrite<typename Mesh::Halfedge> apply_collapse(Mesh& mesh, typename Mesh::Halfe
 /// Splits a vertex and recolours the patch (see VertexSplit for what goes where).
 template <SplittableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
-  return detail::split_with(mesh, where, [&] { return mesh.insert_vertex(where); });
+  return detail::split_with(mesh, where);
 }
 
 /// The same, for meshes that let the caller name the new vertex.
@@ -208,12 +234,21 @@ template <SplittableMesh Mesh, class Vertex>
 requires requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where, Vertex v) { mesh.insert_vertex(where, v); }
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                        Vertex new_vertex) {
-  return detail::split_with(mesh, where, [&] { return mesh.insert_vertex(where, new_vertex); });
+  return detail::split_with(mesh, where, new_vertex);
 }
 
 /// Collapses the mesh edge of `chord` = v_s -> v_t into v_s and recolours the patch.
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
+  detail::InteriorFan<typename Mesh::Halfedge> interior;
+  if (Word ring = 0; detail::read_ring(mesh, chord, interior, ring)) {
+    const auto [k, a] = std::pair{interior.k, interior.a};
+    const auto rule = detail::answer(detail::ring_with_chord(k, a), ring, detail::closed_fan(k),
+                                     collapse_rule({k, a}, ring, interior.ports), interior.ports);
+    const auto left = mesh.remove_vertex(chord);
+    detail::recolor_fan(mesh, interior, left, rule.colors.word);
+    return {left, static_cast<std::uint32_t>(k), rule.strips, rule.isolated};
+  }
   detail::WordBits inner;
   detail::WordBits ports;
   const auto at = detail::read_patch(mesh, chord, inner, ports);

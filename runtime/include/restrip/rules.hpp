@@ -73,9 +73,9 @@ constexpr Word reversed(Word mask, std::size_t n) noexcept {
   return n == 0 ? 0 : mask >> (word_bits - n);
 }
 
-/// Turns an n-bit ring so that bit `by` becomes bit 0; 0 <= by < n.
+/// Turns an n-bit ring so that bit `by` becomes bit 0; 0 <= by < n < 64.
 constexpr Word turned_down(Word mask, std::size_t by, std::size_t n) noexcept {
-  return by == 0 ? mask : (mask >> by | mask << (n - by)) & low_bits(n);
+  return (mask >> by | mask << (n - by)) & low_bits(n);
 }
 
 template <class Table>
@@ -85,7 +85,7 @@ constexpr Word cell(const Table& table, const RowStarts<table_max_k>& rows, std:
 }
 
 constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
-  return {colors, nodes - (std::popcount(colors) - std::popcount(before)), true};
+  return {colors, nodes - (count_bits(colors) - count_bits(before)), true};
 }
 
 }  // namespace detail
@@ -93,25 +93,25 @@ constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
 /// Split of a closed fan: `loop` and `ports` have k bits, the answer k + 3. k <= max_word_valence.
 [[nodiscard]] constexpr Rule split_rule(SplitPosition at, Word loop, Word ports) noexcept {
   const auto [k, a] = at;
-  if (!valid_closed(k, loop, ports)) return {0, 2 + std::popcount(loop), false};
+  if (!valid_closed(k, loop, ports)) return {0, 2 + count_bits(loop), false};
   if (k > table_max_k)
     return detail::rule(exact::best_split(k, a, ports, joined_closed(k, loop, ports)).colors, loop, 2);
-  if (2 * a <= k) {
-    const Word joined = joined_closed(k, loop, ports);
-    return detail::rule(detail::cell(tables::split, tables::closed_rows, k, a - 1, ports, joined), loop, 2);
-  }
-  // The tables begin with the shorter arc: ask with A and D exchanged and turn the ring back.
-  const Word turned_ports = detail::turned_down(ports, a, k);
-  const Word joined = joined_closed(k, detail::turned_down(loop, a, k), turned_ports);
-  const Word inner = detail::cell(tables::split, tables::closed_rows, k, k - a - 1, turned_ports, joined);
-  const Word ring = detail::turned_down(inner & low_bits(k + 2), k - a + 1, k + 2);
+  // The tables begin with the shorter arc. Where the first is the longer one, ask with A and D exchanged and turn the
+  // ring back; without branches, since which arc is shorter is as good as random.
+  const bool exchange = 2 * a > k;
+  const std::size_t by = exchange ? a : 0;
+  const std::size_t arc = exchange ? k - a : a;
+  const Word turned_ports = detail::turned_down(ports, by, k);
+  const Word joined = joined_closed(k, detail::turned_down(loop, by, k), turned_ports);
+  const Word inner = detail::cell(tables::split, tables::closed_rows, k, arc - 1, turned_ports, joined);
+  const Word ring = detail::turned_down(inner & low_bits(k + 2), exchange ? arc + 1 : 0, k + 2);
   return detail::rule(ring | (inner & bit(k + 2)), loop, 2);
 }
 
 /// Collapse onto a closed fan: `inner` has k + 3 bits, `ports` k, the answer k. k <= max_word_valence.
 [[nodiscard]] constexpr Rule collapse_rule(SplitPosition at, Word inner, Word ports) noexcept {
   const auto [k, a] = at;
-  if (!valid_ring(k, a, inner, ports)) return {0, std::popcount(inner) - 2, false};
+  if (!valid_ring(k, a, inner, ports)) return {0, count_bits(inner) - 2, false};
   const Word joined = joined_ring(k, a, inner, ports);
   const Word loop = k > table_max_k ? exact::best_collapse(k, ports, joined).colors
                                     : detail::cell(tables::collapse, tables::closed_rows, k, 0, ports, joined);
@@ -121,7 +121,7 @@ constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
 /// Split of an open fan, two triangles: `loop` has k - 1 bits, `ports` k, the answer k + 2. k <= max_word_valence.
 [[nodiscard]] constexpr Rule open_split_rule(GapPair at, Word loop, Word ports) noexcept {
   const auto [k, i, j] = at;
-  if (!valid_open(k, loop, ports)) return {0, 2 + std::popcount(loop), false};
+  if (!valid_open(k, loop, ports)) return {0, 2 + count_bits(loop), false};
   if (k > table_max_k)
     return detail::rule(exact::best_open_split(k, i, j, ports, joined_open(k, loop, ports)).colors, loop, 2);
   const bool mirrored = i + j > k;
@@ -141,7 +141,7 @@ constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
 /// max_word_valence.
 [[nodiscard]] constexpr Rule boundary_split_rule(Gap at, Word loop, Word ports) noexcept {
   const auto [k, i] = at;
-  if (!valid_open(k, loop, ports)) return {0, 1 + std::popcount(loop), false};
+  if (!valid_open(k, loop, ports)) return {0, 1 + count_bits(loop), false};
   if (k > table_max_k)
     return detail::rule(exact::best_boundary_split(k, i, ports, joined_open(k, loop, ports)).colors, loop, 1);
   const bool mirrored = 2 * i > k;
@@ -164,23 +164,23 @@ constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexc
 /// Collapse onto an open fan, two triangles removed: `inner` has k + 2 bits, `ports` k, the answer k - 1.
 [[nodiscard]] constexpr Rule open_collapse_rule(GapPair at, Word inner, Word ports) noexcept {
   const auto [k, i, j] = at;
-  if (!valid_path_with_chord(k, i, j, inner, ports)) return {0, std::popcount(inner) - 2, false};
+  if (!valid_path_with_chord(k, i, j, inner, ports)) return {0, count_bits(inner) - 2, false};
   return detail::rule(detail::fan_collapse_colors(k, ports, joined_path_with_chord(k, i, j, inner, ports)), inner, -2);
 }
 
 /// Collapse onto an open fan, one triangle removed: `inner` and `ports` have k bits, the answer k - 1.
 [[nodiscard]] constexpr Rule boundary_collapse_rule(Gap at, Word inner, Word ports) noexcept {
   const auto [k, i] = at;
-  if (!valid_path(k, i, inner, ports)) return {0, std::popcount(inner) - 1, false};
+  if (!valid_path(k, i, inner, ports)) return {0, count_bits(inner) - 1, false};
   return detail::rule(detail::fan_collapse_colors(k, ports, joined_path(k, i, inner, ports)), inner, -1);
 }
 
 /// Flip: four ports, counter-clockwise; p_0 and p_1 belong to one triangle before, p_1 and p_2 after.
 [[nodiscard]] constexpr FlipRule flip_rule(bool inner, unsigned ports) noexcept {
   const unsigned entry = tables::flip[static_cast<std::size_t>(inner) << 4 | (ports & 15U)];
-  const int before = static_cast<int>(inner) + std::popcount(ports & 15U);
+  const int before = static_cast<int>(inner) + count_bits(ports & 15U);
   if (entry == 0xff) return {false, 0, before, false};
-  return {(entry >> 4) != 0, entry & 15U, before - std::popcount(entry), true};
+  return {(entry >> 4) != 0, entry & 15U, before - count_bits(entry), true};
 }
 
 }  // namespace restrip

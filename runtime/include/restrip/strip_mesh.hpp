@@ -82,10 +82,7 @@ class StripMesh {
   [[nodiscard]] bool leaves_boundary(Halfedge h) const noexcept { return on_boundary(opposite(spoke(from(h)))); }
 
   // ---- colours
-  [[nodiscard]] bool solid(Halfedge h) const noexcept {
-    const std::uint32_t link = link_of({h.id & ~outside});
-    return link != edge_of_mesh && (link & 1U) != 0;
-  }
+  [[nodiscard]] bool solid(Halfedge h) const noexcept { return (link_of({h.id & ~outside}) & 1U) != 0; }
   void set_solid(Halfedge h, bool solid) noexcept {
     std::uint32_t& link = link_of(h);
     link = (link & ~1U) | static_cast<std::uint32_t>(solid);
@@ -95,7 +92,7 @@ class StripMesh {
   /// Number of solid dual edges of t: 0 (isolated), 1 (end of a strip) or 2 in a valid coloring.
   [[nodiscard]] unsigned solid_degree(Triangle t) const noexcept {
     unsigned degree = 0;
-    for (const std::uint32_t link : triangles_[t].link) degree += link != edge_of_mesh ? link & 1U : 0U;
+    for (const std::uint32_t link : triangles_[t].link) degree += link & 1U;
     return degree;
   }
   /// Colours every dual edge dashed.
@@ -105,6 +102,9 @@ class StripMesh {
   /// See SplittableMesh. The new vertex is `new_vertex`, or the next free one when none is given.
   /// Preconditions: see check_split() in checks.hpp; not tested here.
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
+  /// The same for an interior vertex whose fan has been walked already: `moved` are the spokes whose left triangles go
+  /// to the new vertex, counter-clockwise from `right`.
+  Halfedge insert_vertex(Halfedge left, Halfedge right, Vertex new_vertex, std::span<const Halfedge> moved);
   /// See CollapsibleMesh. Preconditions: see check_collapse() in checks.hpp; not tested here.
   Halfedge remove_vertex(Halfedge chord);
   /// See FlippableMesh. Preconditions: see check_flip() in checks.hpp; not tested here.
@@ -129,7 +129,7 @@ class StripMesh {
 
  private:
   static constexpr std::uint32_t outside = 1U << 31;
-  static constexpr std::uint32_t edge_of_mesh = none;  // link of a side without neighbour
+  static constexpr std::uint32_t edge_of_mesh = none - 1;  // link of a side without neighbour; reads as dashed
 
   struct Record {
     std::array<Vertex, 3> corner;
@@ -145,6 +145,7 @@ class StripMesh {
   void join(Halfedge g, Halfedge h) noexcept;  // g or h may be on the boundary; dashed
   Triangle new_triangle(Vertex a, Vertex b, Vertex c);
   void remove_triangle(Triangle t);
+  Halfedge insert_both(Halfedge left, Halfedge right, Vertex v_s, Vertex v_t);
   void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
   Vertex new_vertex(Vertex wanted);
   void find_irregular_vertices(BuildReport& report);

@@ -74,6 +74,31 @@ inline StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
   return {none};
 }
 
+inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, Vertex wanted,
+                                                    std::span<const Halfedge> moved) {
+  const Vertex v_s = from(left);
+  const Vertex v_t = new_vertex(wanted);
+  for (const Halfedge h : moved) triangles_[triangle(h)].corner[side(h)] = v_t;
+  const Halfedge chord = insert_both(left, right, v_s, v_t);
+  const Halfedge back = opposite(chord);
+  set_spoke(v_t, back);
+  if (from(spoke(v_s)) != v_s) set_spoke(v_s, chord);
+  return chord;
+}
+
+inline StripMesh::Halfedge StripMesh::insert_both(Halfedge left, Halfedge right, Vertex v_s, Vertex v_t) {
+  const Halfedge before_left = opposite(left);
+  const Halfedge before_right = opposite(right);
+  const Triangle a = new_triangle(v_s, v_t, from(before_left));
+  const Triangle d = new_triangle(v_t, v_s, from(before_right));
+  join(halfedge(a, 2), left);
+  join(halfedge(a, 1), before_left);
+  join(halfedge(d, 2), right);
+  join(halfedge(d, 1), before_right);
+  join(halfedge(a, 0), halfedge(d, 0));
+  return halfedge(a, 0);
+}
+
 inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
   using Spokes = VertexSplit<Halfedge>::Spokes;
   const bool has_left = where.spokes != Spokes::right_only;

@@ -1,0 +1,118 @@
+// The common case, kept fast: an interior vertex of ordinary valence. One turn around the vertex reads all colours and
+// remembers the spokes; afterwards only dual edges whose colour really changes are written.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+
+#include "restrip/bits.hpp"
+#include "restrip/mesh.hpp"
+
+namespace restrip::detail {
+
+/// Larger fans go the general way (patch_walk.hpp).
+inline constexpr std::size_t max_interior_valence = 16;
+
+/// The closed fan of a vertex before a split or after a collapse, numbered as in docs/notation.md.
+template <class Halfedge>
+struct InteriorFan {
+  std::size_t k = 0;
+  std::size_t a = 0;
+  Word loop = 0;  ///< colours of the loop; before a collapse, those of the edges that it keeps
+  Word ports = 0;
+  Halfedge spokes[max_interior_valence];  ///< the mesh edge that loop edge i crosses, seen from the vertex; not those
+                                          ///< next to A and D, which an operation makes or removes
+
+  /// Gives the kept loop edges the colours `now`, writing only those that change.
+  template <ColoredMesh Mesh>
+  void recolor(Mesh& mesh, Word now) const {
+    const Word made = bit(a - 1) | bit(k - 1);
+    for (Word changed = (loop ^ now) & ~made; changed != 0; changed &= changed - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(changed));
+      mesh.set_solid(spokes[i], has(now, i));
+    }
+  }
+};
+
+/// Reads the fan between two spokes of an interior vertex. False when it is open or too large.
+template <ColoredMesh Mesh>
+bool read_interior_fan(const Mesh& mesh, typename Mesh::Halfedge left, typename Mesh::Halfedge right,
+                       InteriorFan<typename Mesh::Halfedge>& fan) {
+  auto h = left;
+  std::size_t i = 0;
+  do {
+    if (i == max_interior_valence || mesh.on_boundary(h)) return false;
+    const auto link = mesh.next(h);
+    const auto edge = mesh.next(link);
+    fan.ports |= Word{mesh.solid(link)} << i;
+    fan.loop |= Word{mesh.solid(edge)} << i;
+    h = mesh.opposite(edge);
+    fan.spokes[i] = h;
+    ++i;
+    if (h == right) fan.a = i;
+  } while (!(h == left));
+  fan.k = i;
+  return true;
+}
+
+/// The inner edges of a ring with chord that lie between fan triangles, as loop edges.
+constexpr Word kept_loop(std::size_t k, std::size_t a, Word inner) noexcept {
+  return (inner >> 1 & low_bits(a - 1)) | (inner >> (a + 2) & low_bits(k - a - 1)) << a;
+}
+
+/// Colours the patch of a split of an interior vertex: the ring with chord around the new mesh edge.
+template <ColoredMesh Mesh>
+void recolor_ring(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
+                  Word inner) {
+  fan.recolor(mesh, kept_loop(fan.k, fan.a, inner));
+  const auto back = mesh.opposite(chord);
+  const auto above_left = mesh.next(chord);
+  const auto below_right = mesh.next(back);
+  mesh.set_solid(above_left, has(inner, fan.k + 1));
+  mesh.set_solid(mesh.next(above_left), has(inner, 0));
+  mesh.set_solid(below_right, has(inner, fan.a));
+  mesh.set_solid(mesh.next(below_right), has(inner, fan.a + 1));
+  mesh.set_solid(chord, has(inner, fan.k + 2));
+}
+
+/// Reads the ring with chord around an interior mesh edge whose ends are interior. False when they are not, or the fan
+/// is too large.
+template <ColoredMesh Mesh>
+bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<typename Mesh::Halfedge>& fan,
+               Word& inner) {
+  std::size_t i = 0;     // fan triangles met
+  std::size_t edge = 0;  // inner edges met
+  for (const auto start : {chord, mesh.opposite(chord)}) {
+    if (mesh.on_boundary(start)) return false;
+    auto h = turn_ccw(mesh, start);
+    inner |= Word{mesh.solid(h)} << edge++;
+    for (bool beside_start = true;; beside_start = false) {
+      if (mesh.on_boundary(h)) return false;
+      const auto link = mesh.next(h);
+      const auto next = mesh.opposite(mesh.next(link));
+      if (next == start) break;
+      if (i == max_interior_valence) return false;
+      if (!beside_start) fan.spokes[i - 1] = h;
+      fan.ports |= Word{mesh.solid(link)} << i++;
+      inner |= Word{mesh.solid(next)} << edge++;
+      h = next;
+    }
+    if (start == chord) fan.a = i;
+  }
+  fan.k = i;
+  inner |= Word{mesh.solid(chord)} << edge;
+  // Fewer than one triangle on a side is no patch of ours; the general way reports it.
+  if (fan.a == 0 || fan.a == fan.k) return false;
+  fan.loop = kept_loop(fan.k, fan.a, inner);
+  return true;
+}
+
+/// Colours the fan that a collapse leaves; `left` is its spoke to v_l.
+template <ColoredMesh Mesh>
+void recolor_fan(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left, Word loop) {
+  fan.recolor(mesh, loop);
+  mesh.set_solid(left, has(loop, fan.k - 1));
+  mesh.set_solid(turn_ccw(mesh, fan.a > 1 ? fan.spokes[fan.a - 2] : left), has(loop, fan.a - 1));
+}
+
+}  // namespace restrip::detail

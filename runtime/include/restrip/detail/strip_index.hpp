@@ -1,0 +1,418 @@
+// StripIndex: labels, chunks and patches. Included by strip_index.hpp.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "restrip/detail/chunk_tree.hpp"
+#include "restrip/strip_index.hpp"
+
+namespace restrip {
+
+// Goes on along the strip from t, which was entered over side `entry` (3: nowhere). While a patch is rewritten, its
+// strands that are not placed yet are jumped over.
+inline bool StripIndex::step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept {
+  for (const std::uint32_t i : pending_) {
+    const Strand& strand = strands_before_[i];
+    for (const auto& [from, to] : {std::pair{strand.in, strand.out}, {strand.out, strand.in}}) {
+      if (StripMesh::triangle(from) != t || StripMesh::side(from) == entry) continue;
+      t = StripMesh::triangle(to);
+      entry = StripMesh::side(to);
+      return true;
+    }
+  }
+  for (unsigned s = 0; s < 3; ++s) {
+    if (s == entry || !mesh.solid(StripMesh::halfedge(t, s))) continue;
+    const Halfedge back = mesh.opposite(StripMesh::halfedge(t, s));
+    t = StripMesh::triangle(back);
+    entry = StripMesh::side(back);
+    return true;
+  }
+  return false;
+}
+
+inline StripIndex::Position StripIndex::position(Triangle t) const noexcept {
+  const Place place = places_[t];
+  const Chunk& chunk = look_up(place.chunk);
+  const Label label = chunk.turned != chunk.backwards ? ~place.label : place.label;
+  return {chunk.root, std::uint64_t{chunk.rank} << 32 | label};
+}
+
+// Do labels of the chunk of h's triangle grow across the solid edge of h?
+inline bool StripIndex::labels_grow(const StripMesh& mesh, Halfedge h) const noexcept {
+  const Place here = places_[StripMesh::triangle(h)];
+  const Place there = places_[StripMesh::triangle(mesh.opposite(h))];
+  if (here.chunk == there.chunk) return there.label > here.label;
+  const std::uint32_t rank_there = look_up(there.chunk).rank;
+  const Chunk& chunk = look_up(here.chunk);
+  return (rank_there > chunk.rank) != (chunk.turned != chunk.backwards);
+}
+
+// Is the end of a strip its last triangle? An isolated triangle is.
+inline bool StripIndex::is_last(const StripMesh& mesh, Triangle end) const noexcept {
+  const Place place = places_[end];
+  const Chunk& chunk = look_up(place.chunk);
+  if (chunks_[chunk.root].size > 1) return chunk.rank != 0;
+  Triangle before = end;
+  unsigned entry = 3;
+  if (!step(mesh, before, entry)) return true;
+  return (places_[before].label < place.label) != (chunk.turned != chunk.backwards);
+}
+
+// Spreads the labels of a chunk evenly. Labels grow across h if `up`; h's triangle is a member.
+inline void StripIndex::renumber(const StripMesh& mesh, Halfedge h, bool up) {
+  Triangle t = StripMesh::triangle(h);
+  unsigned entry = StripMesh::side(h);
+  const ChunkId c = places_[t].chunk;
+  renumbered_.clear();
+  do renumbered_.push_back(t);  // away from h, to the chunk's end
+  while (step(mesh, t, entry) && places_[t].chunk == c);
+  std::reverse(renumbered_.begin(), renumbered_.end());
+  const Halfedge back = mesh.opposite(h);
+  t = StripMesh::triangle(back);
+  entry = StripMesh::side(back);
+  while (places_[t].chunk == c) {
+    renumbered_.push_back(t);
+    if (!step(mesh, t, entry)) break;
+  }
+  const auto count = static_cast<Label>(renumbered_.size());
+  const Label gap = std::min(label_step, middle_label / (count + 1));
+  Label label = up ? middle_label - gap * (count / 2) : middle_label + gap * (count / 2);
+  for (const Triangle member : renumbered_) {
+    places_[member].label = label;
+    label = up ? label + gap : label - gap;
+  }
+}
+
+// Places nodes that follow h's triangle across h, one after the other, in its chunk.
+inline void StripIndex::append(const StripMesh& mesh, Halfedge h, bool up, std::span<const Triangle> nodes) {
+  const Triangle at = StripMesh::triangle(h);
+  const ChunkId c = places_[at].chunk;
+  chunks_[c].count += static_cast<std::uint32_t>(nodes.size());
+  const std::uint64_t space = up ? ~places_[at].label : places_[at].label;
+  const bool fits = space / label_step > nodes.size();
+  Label label = places_[at].label;
+  for (const Triangle t : nodes) {
+    label = up ? label + label_step : label - label_step;
+    places_[t] = {c, label};
+  }
+  if (!fits) renumber(mesh, h, up);
+}
+
+// Cuts the strip between the triangles of a and b: b's follows a's across a, though triangles of a patch may have been
+// between them.
+inline void StripIndex::separate(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b) {
+  ++strips_;
+  const ChunkId c = places_[StripMesh::triangle(a)].chunk;
+  if (c == places_[StripMesh::triangle(b)].chunk) {
+    split_chunk(mesh, a, up_a, b);
+    return;
+  }
+  expose(c);
+  ChunkId lower = none;
+  ChunkId upper = none;
+  split(c, up_a != chunks_[c].backwards, lower, upper);
+}
+
+// The same inside one chunk: the smaller part, found by walking both ways at once, moves to a chunk of its own.
+inline void StripIndex::split_chunk(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b) {
+  const ChunkId c = places_[StripMesh::triangle(a)].chunk;
+  Triangle at[2] = {StripMesh::triangle(a), StripMesh::triangle(b)};
+  unsigned entry[2] = {StripMesh::side(a), StripMesh::side(b)};
+  std::uint32_t count = 0;
+  unsigned smaller = 0;
+  for (;; smaller ^= 1U) {
+    if (smaller == 0) ++count;
+    if (!step(mesh, at[smaller], entry[smaller]) || places_[at[smaller]].chunk != c) break;
+  }
+  const ChunkId fresh = new_chunk();
+  expose(c);
+  const bool backwards = chunks_[c].backwards;
+  chunks_[fresh].backwards = backwards;
+  const Halfedge start = smaller == 0 ? a : b;
+  Triangle t = StripMesh::triangle(start);
+  unsigned side = StripMesh::side(start);
+  do places_[t].chunk = fresh;
+  while (step(mesh, t, side) && places_[t].chunk == c);
+  chunks_[fresh].count = count;
+  chunks_[c].count -= count;
+
+  const bool a_first = up_a != backwards;
+  const bool fresh_first = a_first == (smaller == 0);
+  ChunkId lower = none;
+  ChunkId upper = none;
+  split(c, !fresh_first, lower, upper);
+  if (fresh_first)
+    merge_roots(lower, fresh);
+  else
+    merge_roots(fresh, upper);
+}
+
+// Divides a chunk that has grown too large, until none is.
+inline void StripIndex::divide(const StripMesh& mesh, Triangle member) {
+  const ChunkId c = places_[member].chunk;
+  while (chunks_[c].count > chunk_limit) {
+    Triangle t = member;
+    unsigned entry = 3;
+    Triangle last = t;
+    do last = t;
+    while (step(mesh, t, entry) && places_[t].chunk == c);
+    // `last` is an end of the chunk; come back from it over the side towards the chunk.
+    moving_.clear();
+    const std::uint32_t half = std::min(chunks_[c].count / 2, chunk_limit / 2);
+    t = last;
+    unsigned s = 0;
+    const auto inside = [&](unsigned side) {
+      const Halfedge h = StripMesh::halfedge(t, side);
+      return mesh.solid(h) && places_[StripMesh::triangle(mesh.opposite(h))].chunk == c;
+    };
+    while (!inside(s)) ++s;
+    entry = (s + 1) % 3;
+    if (!mesh.solid(StripMesh::halfedge(t, entry))) entry = (s + 2) % 3;
+    while (moving_.size() < half) {
+      moving_.push_back(t);
+      step(mesh, t, entry);
+    }
+    const ChunkId fresh = new_chunk();
+    expose(c);
+    const bool backwards = chunks_[c].backwards;
+    chunks_[fresh].backwards = backwards;
+    const bool fresh_first = (places_[last].label < places_[t].label) != backwards;
+    for (const Triangle moved : moving_) places_[moved].chunk = fresh;
+    chunks_[fresh].count = half;
+    chunks_[c].count -= half;
+    ChunkId lower = none;
+    ChunkId upper = none;
+    split(c, !fresh_first, lower, upper);
+    if (fresh_first)
+      lower = merge_roots(lower, fresh);
+    else
+      upper = merge_roots(fresh, upper);
+    merge_roots(lower, upper);
+    if (places_[member].chunk != c) member = t;
+  }
+}
+
+// Makes one chunk of the two beside the solid edge of h when they are small: h's triangle's takes in the other.
+inline void StripIndex::join_chunks(const StripMesh& mesh, Halfedge h) {
+  const Halfedge back = mesh.opposite(h);
+  const ChunkId keep = places_[StripMesh::triangle(h)].chunk;
+  const ChunkId gone = places_[StripMesh::triangle(back)].chunk;
+  if (keep == gone || chunks_[keep].count + chunks_[gone].count > chunk_limit * 3 / 4) return;
+  if (chunks_[keep].count < chunks_[gone].count) {
+    join_chunks(mesh, back);
+    return;
+  }
+  const bool up = labels_grow(mesh, h);
+  moving_.clear();
+  Triangle t = StripMesh::triangle(back);
+  unsigned entry = StripMesh::side(back);
+  do moving_.push_back(t);
+  while (step(mesh, t, entry) && places_[t].chunk == gone);
+  erase(gone);
+  append(mesh, h, up, moving_);
+}
+
+inline void StripIndex::cut(StripMesh& mesh, Halfedge h) {
+  const bool up = labels_grow(mesh, h);
+  mesh.set_solid(h, false);
+  separate(mesh, h, up, mesh.opposite(h));
+}
+
+inline void StripIndex::link(StripMesh& mesh, Halfedge h) {
+  const Triangle a = StripMesh::triangle(h);
+  const Triangle b = StripMesh::triangle(mesh.opposite(h));
+  const bool turn_a = !is_last(mesh, a);
+  const bool turn_b = is_last(mesh, b);
+  const ChunkId root_a = look_up(places_[a].chunk).root;
+  const ChunkId root_b = look_up(places_[b].chunk).root;
+  if (turn_a) chunks_[root_a].turn_below = !chunks_[root_a].turn_below;
+  if (turn_b) chunks_[root_b].turn_below = !chunks_[root_b].turn_below;
+  merge_roots(root_a, root_b);
+  mesh.set_solid(h, true);
+  --strips_;
+  join_chunks(mesh, h);
+}
+
+// Splits the solid edges of a patch into paths.
+inline void StripIndex::find_strands(const StripMesh& mesh, std::span<const Triangle> patch,
+                                     std::vector<Strand>& strands) {
+  strands.clear();
+  strand_nodes_.clear();
+  if (marks_.size() < mesh.triangle_bound()) marks_.resize(mesh.triangle_bound(), 0);
+  const std::uint32_t waiting = ++mark_;
+  const std::uint32_t done = ++mark_;
+  for (const Triangle t : patch) marks_[t] = waiting;
+  for (const Triangle start : patch) {
+    if (marks_[start] == done) continue;
+    Strand strand;
+    strand.first = static_cast<std::uint32_t>(strand_nodes_.size());
+    // One way to its end, then back through the start to the other end: the nodes come in order.
+    Triangle t = start;
+    unsigned entry = 3;
+    for (;;) {
+      const Triangle here = t;
+      marks_[here] = done;
+      strand_nodes_.push_back(here);
+      if (!step(mesh, t, entry)) break;
+      if (marks_[t] != waiting) {
+        if (marks_[t] != done) strand.in = StripMesh::halfedge(t, entry);
+        break;
+      }
+    }
+    std::reverse(strand_nodes_.begin() + strand.first, strand_nodes_.end());
+    // The start's other solid side.
+    unsigned sides[2];
+    unsigned n = 0;
+    for (unsigned s = 0; s < 3; ++s)
+      if (mesh.solid(StripMesh::halfedge(start, s))) sides[n++ & 1U] = s;
+    if (n == 2) {
+      t = start;
+      entry = sides[0];
+      while (step(mesh, t, entry)) {
+        if (marks_[t] != waiting) {
+          strand.out = StripMesh::halfedge(t, entry);
+          break;
+        }
+        marks_[t] = done;
+        strand_nodes_.push_back(t);
+      }
+    }
+    strand.last = static_cast<std::uint32_t>(strand_nodes_.size());
+    if (strand.in.id == none) {  // `in` is there if either is
+      std::swap(strand.in, strand.out);
+      std::reverse(strand_nodes_.begin() + strand.first, strand_nodes_.end());
+    }
+    strands.push_back(strand);
+  }
+}
+
+inline void StripIndex::before_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
+  find_strands(mesh, patch, strands_before_);
+  for (Strand& strand : strands_before_) {
+    if (strand.in.id != none) strand.up_in = labels_grow(mesh, strand.in);
+    if (strand.out.id != none) strand.up_out = labels_grow(mesh, strand.out);
+  }
+  touched_.clear();
+  for (const Triangle t : patch) {
+    const ChunkId c = places_[t].chunk;
+    --chunks_[c].count;
+    places_[t].chunk = none;
+    if (touched_.empty() || touched_.back() != c) touched_.push_back(c);
+  }
+}
+
+// Did labels grow across h, into the patch, before the rewrite?
+inline bool StripIndex::grew(Halfedge h) const noexcept {
+  for (const Strand& strand : strands_before_) {
+    if (strand.in == h) return strand.up_in;
+    if (strand.out == h) return strand.up_out;
+  }
+  return false;
+}
+
+inline void StripIndex::place_strand(const StripMesh& mesh, const Strand& strand) {
+  const std::span<const Triangle> nodes{strand_nodes_.data() + strand.first, strand_nodes_.data() + strand.last};
+  if (strand.in.id == none) {
+    const ChunkId c = new_chunk();
+    ++strips_;
+    ++version_;
+    chunks_[c].count = static_cast<std::uint32_t>(nodes.size());
+    const Label step_size = std::min<Label>(label_step, ~Label{0} / (chunks_[c].count + 1));
+    Label label = middle_label - step_size * (chunks_[c].count / 2);
+    for (const Triangle t : nodes) {
+      places_[t] = {c, label};
+      label += step_size;
+    }
+    return;
+  }
+  const Place from = places_[StripMesh::triangle(strand.in)];
+  const bool up = grew(strand.in);
+  if (strand.out.id == none || places_[StripMesh::triangle(strand.out)].chunk != from.chunk) {
+    append(mesh, strand.in, up, nodes);
+    return;
+  }
+  const Label to = places_[StripMesh::triangle(strand.out)].label;
+  const Label gap = (up ? to - from.label : from.label - to) / static_cast<Label>(nodes.size() + 1);
+  Label label = from.label;
+  for (const Triangle t : nodes) {
+    label = up ? label + gap : label - gap;
+    places_[t] = {from.chunk, label};
+  }
+  chunks_[from.chunk].count += static_cast<std::uint32_t>(nodes.size());
+  if (gap == 0) renumber(mesh, strand.in, up);
+}
+
+inline void StripIndex::after_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
+  if (places_.size() < mesh.triangle_bound()) places_.resize(mesh.triangle_bound());
+  find_strands(mesh, patch, strands_after_);
+  const auto same = [](const Strand& a, const Strand& b) {
+    return (a.in == b.in && a.out == b.out) || (a.in == b.out && a.out == b.in);
+  };
+  const auto no_longer_pending = [this](std::uint32_t i) { std::erase(pending_, i); };
+  pending_.clear();
+  for (std::uint32_t i = 0; i < strands_before_.size(); ++i)
+    if (strands_before_[i].out.id != none) pending_.push_back(i);
+  // Strips that the patch cuts.
+  for (std::uint32_t i = 0; i < strands_before_.size(); ++i) {
+    const Strand& old = strands_before_[i];
+    if (old.out.id == none) continue;
+    bool kept = false;
+    for (const Strand& strand : strands_after_) kept = kept || same(strand, old);
+    if (kept) continue;
+    no_longer_pending(i);
+    separate(mesh, old.in, old.up_in, old.out);
+  }
+  // Strips that pass through as before.
+  for (const Strand& strand : strands_after_) {
+    if (strand.out.id == none) continue;
+    for (std::uint32_t i = 0; i < strands_before_.size(); ++i)
+      if (same(strand, strands_before_[i])) no_longer_pending(i);
+    place_strand(mesh, strand);
+  }
+  for (const Strand& strand : strands_after_)
+    if (strand.out.id == none) place_strand(mesh, strand);
+  for (const ChunkId c : touched_)
+    if (chunks_[c].count == 0 && chunks_[c].size != 0) erase(c);
+  for (const Triangle t : patch)
+    if (chunks_[places_[t].chunk].count > chunk_limit) divide(mesh, t);
+}
+
+inline void StripIndex::reserve(std::size_t triangles) {
+  places_.reserve(triangles);
+  marks_.reserve(triangles);
+  chunks_.reserve(triangles / 16);
+  free_chunks_.reserve(triangles / 16);
+}
+
+inline void StripIndex::rebuild(const StripMesh& mesh) {
+  places_.assign(mesh.triangle_bound(), {});
+  marks_.assign(mesh.triangle_bound(), 0);
+  mark_ = 0;
+  chunks_.clear();
+  free_chunks_.clear();
+  strips_ = 0;
+  ++version_;
+  std::vector<Triangle> strip;
+  for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {
+    if (!mesh.alive(start) || places_[start].chunk != none || mesh.solid_degree(start) > 1) continue;
+    strip.clear();
+    Triangle t = start;
+    unsigned entry = 3;
+    do strip.push_back(t);
+    while (step(mesh, t, entry));
+    ++strips_;
+    ChunkId root = none;
+    for (std::size_t i = 0; i < strip.size();) {
+      const std::size_t n = std::min<std::size_t>(chunk_limit / 2, strip.size() - i);
+      const ChunkId c = new_chunk();
+      chunks_[c].count = static_cast<std::uint32_t>(n);
+      for (std::size_t j = 0; j < n; ++j)
+        places_[strip[i + j]] = {c, static_cast<Label>(middle_label + label_step * (j - n / 2))};
+      root = merge_roots(root, c);
+      i += n;
+    }
+  }
+}
+
+}  // namespace restrip

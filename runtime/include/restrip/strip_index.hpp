@@ -1,0 +1,151 @@
+// StripIndex: "same strip? which side?" without walking the strip, while strips are cut, linked, reversed and rewritten.
+//
+// A strip is a sequence of *chunks* of at most `chunk_limit` triangles. A triangle knows its chunk and a label that
+// grows along the chunk; the chunks of a strip are the nodes of a balanced tree in strip order (a treap: Seidel, Aragon,
+// "Randomized search trees", 1996; priorities are a fixed hash, so everything is deterministic). A subtree is reversed by
+// one bit. This is the two-level list with reversal bits of the travelling-salesman codes (Fredman, Johnson, McGeoch,
+// Ostheimer, "Data structures for traveling salesmen", 1995) with a tree on top in place of the second list, so that a
+// reversal costs O(log n) and not O(sqrt n).
+//
+// Costs, for a strip of n triangles: position() two memory reads when the tree has not changed since the chunk was asked
+// last, else a climb of O(log n); cut and link O(chunk_limit + log n); a local rewrite O(triangles of the patch), and one
+// cut for each strip that it cuts. Memory: 8 bytes a triangle and about one byte for chunks. Nothing is allocated once
+// the arrays have grown.
+//
+// Labels live on the mesh's own links: the index walks solid edges when it splits or renumbers a chunk, so colours and
+// index have to change together. Colour dual edges through cut() and link(), and bracket every local operation by
+// before_patch() and after_patch().
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "restrip/strip_mesh.hpp"
+
+namespace restrip {
+
+class StripIndex {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+
+  /// Where a triangle is: two triangles are in the same strip when `strip` is equal, and then `order` grows along it.
+  /// Names and orders are valid until the next change; the direction in which a strip is counted is arbitrary.
+  struct Position {
+    std::uint32_t strip = none;
+    std::uint64_t order = 0;
+    friend constexpr bool operator==(const Position&, const Position&) = default;
+  };
+
+  StripIndex() = default;
+  /// Indexes a valid colouring. Linear time.
+  explicit StripIndex(const StripMesh& mesh) { rebuild(mesh); }
+  void rebuild(const StripMesh& mesh);
+
+  /// The position of a triangle that is alive.
+  [[nodiscard]] Position position(Triangle t) const noexcept;
+  /// Number of strips.
+  [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
+
+  /// Makes the solid dual edge of h dashed.
+  void cut(StripMesh& mesh, Halfedge h);
+  /// Makes the dashed dual edge of h solid. Both its triangles must be ends, of different strips.
+  void link(StripMesh& mesh, Halfedge h);
+
+  /// A local rewrite, in three steps: before_patch with the triangles about to be rewritten, the rewrite, after_patch with
+  /// the triangles that stand there now. Colours outside, and of the dual edges between outside and patch, may only
+  /// change from solid to dashed, and solid paths through the patch may only join dual edges into it that were joined
+  /// before (THEORY: P' is part of P; every rule of operations.hpp is of this kind).
+  void before_patch(const StripMesh& mesh, std::span<const Triangle> patch);
+  void after_patch(const StripMesh& mesh, std::span<const Triangle> patch);
+
+  /// Room for this many triangles, so that operations up to there do not allocate.
+  void reserve(std::size_t triangles);
+
+  /// Chunks hold at most this many triangles.
+  static constexpr std::uint32_t chunk_limit = 96;
+
+ private:
+  using Label = std::uint32_t;
+  using ChunkId = std::uint32_t;
+  static constexpr Label middle_label = 1U << 31;
+  static constexpr Label label_step = 1U << 21;
+
+  struct Place {
+    ChunkId chunk = none;
+    Label label = 0;
+  };
+  struct Chunk {
+    ChunkId parent = none;
+    ChunkId left = none;
+    ChunkId right = none;
+    std::uint32_t size = 1;    // chunks in this subtree
+    std::uint32_t count = 0;   // triangles in this chunk
+    bool turn_below = false;   // this subtree, the chunk itself included, reads backwards
+    bool backwards = false;    // the chunk itself reads backwards
+    // What the last climb found; valid when `seen` equals version_.
+    mutable bool turned = false;
+    mutable std::uint32_t seen = 0;
+    mutable std::uint32_t root = none;
+    mutable std::uint32_t rank = 0;
+  };
+  /// A solid path inside a patch: the halfedges that lead into it from outside, {none} at a strip's end.
+  struct Strand {
+    Halfedge in{};
+    Halfedge out{};
+    bool up_in = false;  // labels grow across `in`, from the outside triangle into the patch
+    bool up_out = false;
+    std::uint32_t first = 0;  // its triangles in strand_nodes_
+    std::uint32_t last = 0;
+  };
+
+  // ---- trees of chunks (detail/chunk_tree.hpp)
+  [[nodiscard]] std::uint32_t size(ChunkId c) const noexcept { return c == none ? 0 : chunks_[c].size; }
+  static std::uint32_t priority(ChunkId c) noexcept;
+  void update(ChunkId c) noexcept;
+  void push(ChunkId c) noexcept;
+  void expose(ChunkId c);
+  ChunkId merge(ChunkId a, ChunkId b) noexcept;
+  ChunkId merge_roots(ChunkId a, ChunkId b) noexcept;
+  void split(ChunkId c, bool after, ChunkId& lower, ChunkId& upper);
+  void erase(ChunkId c);
+  const Chunk& look_up(ChunkId c) const noexcept;
+  ChunkId new_chunk();
+
+  // ---- chunks and their labels
+  bool step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept;
+  [[nodiscard]] bool labels_grow(const StripMesh& mesh, Halfedge h) const noexcept;
+  [[nodiscard]] bool is_last(const StripMesh& mesh, Triangle end) const noexcept;
+  void renumber(const StripMesh& mesh, Halfedge h, bool up);
+  void append(const StripMesh& mesh, Halfedge h, bool up, std::span<const Triangle> nodes);
+  void separate(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b);
+  void split_chunk(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b);
+  void divide(const StripMesh& mesh, Triangle member);
+  void join_chunks(const StripMesh& mesh, Halfedge h);
+
+  // ---- patches
+  void find_strands(const StripMesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands);
+  [[nodiscard]] bool grew(Halfedge h) const noexcept;
+  void place_strand(const StripMesh& mesh, const Strand& strand);
+
+  std::vector<Place> places_;
+  std::vector<Chunk> chunks_;
+  std::vector<ChunkId> free_chunks_;
+  std::uint32_t version_ = 1;
+  std::size_t strips_ = 0;
+  std::vector<ChunkId> path_;
+  std::vector<Triangle> moving_;
+  std::vector<Triangle> renumbered_;
+  std::vector<std::uint32_t> marks_;  // patch membership: the value of mark_
+  std::uint32_t mark_ = 0;
+  std::vector<Strand> strands_before_;
+  std::vector<Strand> strands_after_;
+  std::vector<std::uint32_t> pending_;  // strands before the rewrite whose triangles have no place at the moment
+  std::vector<Triangle> strand_nodes_;
+  std::vector<ChunkId> touched_;
+};
+
+}  // namespace restrip
+
+#include "restrip/detail/strip_index.hpp"

@@ -1,0 +1,150 @@
+// The index says of every triangle what walking its strip says, after any mixture of cuts, links and local rewrites.
+#include "restrip/strip_index.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "restrip/checks.hpp"
+#include "restrip/detail/patch_triangles.hpp"
+#include "restrip/operations.hpp"
+#include "restrip/stripify.hpp"
+#include "restrip/strips.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+
+// Along every strip the order grows or falls throughout, and no two strips share a name.
+::testing::AssertionResult agrees(const StripIndex& index, const StripMesh& mesh) {
+  const Strips strips = extract_strips(mesh);
+  if (strips.size() != index.strips())
+    return ::testing::AssertionFailure() << index.strips() << " strips in the index, " << strips.size() << " in the mesh";
+  std::set<std::uint32_t> names;
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    const auto strip = strips[s];
+    const StripIndex::Position first = index.position(strip.front());
+    if (!names.insert(first.strip).second) return ::testing::AssertionFailure() << "two strips with one name";
+    const bool up = strip.size() < 2 || index.position(strip[1]).order > first.order;
+    for (std::size_t i = 1; i < strip.size(); ++i) {
+      const StripIndex::Position a = index.position(strip[i - 1]);
+      const StripIndex::Position b = index.position(strip[i]);
+      if (b.strip != first.strip) return ::testing::AssertionFailure() << "a strip with two names";
+      if (a.order == b.order || (a.order < b.order) != up) return ::testing::AssertionFailure() << "out of order";
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
+Halfedge random_halfedge(const StripMesh& mesh, std::mt19937& random) {
+  for (;;) {
+    const Halfedge h{(static_cast<std::uint32_t>(random() % mesh.triangle_bound()) << 2) |
+                     static_cast<std::uint32_t>(random() % 3)};
+    if (mesh.alive(h)) return h;
+  }
+}
+
+void random_cut_or_link(StripIndex& index, StripMesh& mesh, std::mt19937& random) {
+  const Halfedge h = random_halfedge(mesh, random);
+  const Halfedge g = mesh.opposite(h);
+  if (StripMesh::on_boundary(g)) return;
+  if (mesh.solid(h)) {
+    if (random() % 4 == 0) index.cut(mesh, h);
+    return;
+  }
+  const Triangle a = StripMesh::triangle(h);
+  const Triangle b = StripMesh::triangle(g);
+  if (mesh.solid_degree(a) > 1 || mesh.solid_degree(b) > 1) return;
+  if (index.position(a).strip != index.position(b).strip) index.link(mesh, h);
+}
+
+void random_operation(StripIndex& index, StripMesh& mesh, std::mt19937& random, bool grow) {
+  std::vector<Triangle> patch;
+  const Halfedge h = random_halfedge(mesh, random);
+  const unsigned kind = static_cast<unsigned>(random() % 5);
+  if (kind == 0) {
+    if (check_flip(mesh, h) != Refusal::granted) return;
+    patch = {StripMesh::triangle(h), StripMesh::triangle(mesh.opposite(h))};
+    index.before_patch(mesh, patch);
+    flip(mesh, h);
+    index.after_patch(mesh, patch);
+  } else if (!grow) {
+    if (check_collapse(mesh, h) != Refusal::granted) return;
+    detail::edge_triangles(mesh, h, patch);
+    index.before_patch(mesh, patch);
+    const auto done = collapse(mesh, h);
+    detail::fan_triangles(mesh, done.halfedge, patch);
+    index.after_patch(mesh, patch);
+  } else {
+    using Spokes = VertexSplit<Halfedge>::Spokes;
+    VertexSplit<Halfedge> where{h, h, Spokes::both};
+    for (int turns = 1 + static_cast<int>(random() % 4); turns > 0; --turns)
+      if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh, where.right);
+    if (mesh.leaves_boundary(h) && random() % 2 == 0)
+      where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
+    if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return;
+    if (check_split(mesh, where) != Refusal::granted) return;
+    detail::fan_triangles(mesh, h, patch);
+    index.before_patch(mesh, patch);
+    const auto done = split(mesh, where);
+    detail::edge_triangles(mesh, done.halfedge, patch);
+    index.after_patch(mesh, patch);
+  }
+}
+
+TEST(StripIndex, AgreesAfterCutsAndLinks) {
+  std::mt19937 random(3);
+  for (StripMesh& mesh : sample::meshes()) {
+    stripify(mesh);
+    StripIndex index(mesh);
+    ASSERT_TRUE(agrees(index, mesh));
+    for (int i = 0; i < 2000; ++i) {
+      random_cut_or_link(index, mesh, random);
+      if (i % 20 == 0) {
+        ASSERT_TRUE(agrees(index, mesh)) << i;
+      }
+    }
+    ASSERT_TRUE(check_coloring(mesh).valid);
+  }
+}
+
+TEST(StripIndex, AgreesAfterRewrites) {
+  std::mt19937 random(4);
+  for (StripMesh& mesh : sample::meshes()) {
+    stripify(mesh);
+    StripIndex index(mesh);
+    for (int i = 0; i < 3000; ++i) {
+      random_operation(index, mesh, random, mesh.triangle_count() < 40 || (i / 300) % 2 == 0);
+      if (i % 25 == 0) {
+        ASSERT_TRUE(agrees(index, mesh)) << i;
+      }
+    }
+    ASSERT_TRUE(check_coloring(mesh).valid);
+  }
+}
+
+TEST(StripIndex, AgreesOnALargeMeshAfterEverything) {
+  std::mt19937 random(5);
+  StripMesh mesh = sample::torus(90, 70);
+  stripify(mesh);
+  StripIndex index(mesh);
+  for (int i = 0; i < 60000; ++i) {
+    if (random() % 3 != 0)
+      random_cut_or_link(index, mesh, random);
+    else
+      random_operation(index, mesh, random, (i / 5000) % 2 == 0);
+    if (i % 1500 == 0) {
+      ASSERT_TRUE(agrees(index, mesh)) << i;
+    }
+  }
+  ASSERT_TRUE(agrees(index, mesh));
+  ASSERT_TRUE(check_coloring(mesh).valid);
+}
+
+}  // namespace
+}  // namespace restrip
