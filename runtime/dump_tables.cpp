@@ -45,7 +45,7 @@ class Output {
       hex(rule.inner ? 1 : 0, ' ');
       hex(rule.ports, '\n');
     } else {
-      text_ += "- -\n";
+      text_ += "-\n";
     }
     ++lines_;
   }

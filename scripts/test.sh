@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
-need "${build_packages[@]}" clang-14 clang-tidy-14 clang-format-14 xz-utils
+need "${build_packages[@]}" "${test_packages[@]}"
 
 if [ -z "${RESTRIP_MESHES:-}" ] && [ -d ../shared/meshes ]; then
   say "unpacking the meshes beside the project"

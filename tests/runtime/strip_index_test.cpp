@@ -24,7 +24,8 @@ using Halfedge = StripMesh::Halfedge;
 ::testing::AssertionResult agrees(const StripIndex& index, const StripMesh& mesh) {
   const Strips strips = extract_strips(mesh);
   if (strips.size() != index.strips())
-    return ::testing::AssertionFailure() << index.strips() << " strips in the index, " << strips.size() << " in the mesh";
+    return ::testing::AssertionFailure() << index.strips() << " strips in the index, " << strips.size()
+                                         << " in the mesh";
   std::set<std::uint32_t> names;
   for (std::size_t s = 0; s < strips.size(); ++s) {
     const auto strip = strips[s];

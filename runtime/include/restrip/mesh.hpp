@@ -44,9 +44,9 @@ struct VertexSplit {
   Spokes spokes = Spokes::both;
 };
 
-/// A mesh that can split a vertex: insert the triangles described at VertexSplit (their dual edges dashed) and return
-/// the halfedge v_s -> v_t (the chord). Colours of all other dual edges are kept; those of edges that are cut are not
-/// used again.
+/// A mesh that can split a vertex: insert the triangles described at VertexSplit and return the halfedge v_s -> v_t
+/// (the chord). Other halfedges around the vertex, but for those of the two spokes, stay valid handles of the same mesh
+/// edges, and all dual edges but those of the new triangles keep their colours.
 template <class Mesh>
 concept SplittableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where) {
   { mesh.insert_vertex(where) } -> std::same_as<typename Mesh::Halfedge>;
@@ -54,17 +54,19 @@ concept SplittableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<t
 
 /// A mesh that can collapse the mesh edge of the halfedge v_s -> v_t: remove v_t and the triangles beside the edge, and
 /// return a halfedge that leaves v_s: the one to v_l, the apex of the triangle to the left, or where there is none the
-/// one to v_r. The colour of the edges that fall together is not used again.
+/// one to v_r. Other halfedges around the two vertices, but for those of the removed triangles and of the edges that
+/// fall together, stay valid handles of the same mesh edges, and all dual edges but those that fall together keep their
+/// colours.
 template <class Mesh>
 concept CollapsibleMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, typename Mesh::Halfedge chord) {
   { mesh.remove_vertex(chord) } -> std::same_as<typename Mesh::Halfedge>;
 };
 
-/// A mesh that can flip an interior mesh edge: turn it counter-clockwise inside its quadrilateral. The four outer edges
-/// keep their colours; h stays a halfedge of the turned edge: u -> v with apexes l (left) and r (right) becomes r -> l.
+/// A mesh that can flip an interior mesh edge: the edge of u -> v, with apexes l (left) and r (right), becomes that of
+/// r -> l, which is returned. All dual edges keep their colours.
 template <class Mesh>
 concept FlippableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, typename Mesh::Halfedge h) {
-  mesh.turn_edge(h);
+  { mesh.turn_edge(h) } -> std::same_as<typename Mesh::Halfedge>;
 };
 
 /// The next halfedge that leaves the same vertex, turning counter-clockwise. Needs a triangle to the left of h.

@@ -269,7 +269,7 @@ Rewrite<typename Mesh::Halfedge> flip(Mesh& mesh, typename Mesh::Halfedge h) {
                          read(mesh.next(mesh.next(g))) << 3;
   const bool inner = mesh.solid(h);
   const FlipRule rule = flip_rule(inner, ports);
-  mesh.turn_edge(h);
+  h = mesh.turn_edge(h);
   mesh.set_solid(h, rule.inner);
   // The new triangles own ports 1, 2 and 3, 0.
   const auto back = mesh.opposite(h);

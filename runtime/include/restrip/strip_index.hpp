@@ -1,16 +1,17 @@
-// StripIndex: "same strip? which side?" without walking the strip, while strips are cut, linked, reversed and rewritten.
+// StripIndex: "same strip? which side?" without walking the strip, while strips are cut, linked, reversed and
+// rewritten.
 //
 // A strip is a sequence of *chunks* of at most `chunk_limit` triangles. A triangle knows its chunk and a label that
-// grows along the chunk; the chunks of a strip are the nodes of a balanced tree in strip order (a treap: Seidel, Aragon,
-// "Randomized search trees", 1996; priorities are a fixed hash, so everything is deterministic). A subtree is reversed by
-// one bit. This is the two-level list with reversal bits of the travelling-salesman codes (Fredman, Johnson, McGeoch,
-// Ostheimer, "Data structures for traveling salesmen", 1995) with a tree on top in place of the second list, so that a
-// reversal costs O(log n) and not O(sqrt n).
+// grows along the chunk; the chunks of a strip are the nodes of a balanced tree in strip order (a treap: Seidel,
+// Aragon, "Randomized search trees", 1996; priorities are a fixed hash, so everything is deterministic). A subtree is
+// reversed by one bit. This is the two-level list with reversal bits of the travelling-salesman codes (Fredman,
+// Johnson, McGeoch, Ostheimer, "Data structures for traveling salesmen", 1995) with a tree on top in place of the
+// second list, so that a reversal costs O(log n) and not O(sqrt n).
 //
-// Costs, for a strip of n triangles: position() two memory reads when the tree has not changed since the chunk was asked
-// last, else a climb of O(log n); cut and link O(chunk_limit + log n); a local rewrite O(triangles of the patch), and one
-// cut for each strip that it cuts. Memory: 8 bytes a triangle and about one byte for chunks. Nothing is allocated once
-// the arrays have grown.
+// Costs, for a strip of n triangles: position() two memory reads when the tree has not changed since the chunk was
+// asked last, else a climb of O(log n); cut and link O(chunk_limit + log n); a local rewrite O(triangles of the patch),
+// and one cut for each strip that it cuts. Memory: 8 bytes a triangle and about one byte for chunks. Nothing is
+// allocated once the arrays have grown.
 //
 // Labels live on the mesh's own links: the index walks solid edges when it splits or renumbers a chunk, so colours and
 // index have to change together. Colour dual edges through cut() and link(), and bracket every local operation by
@@ -53,10 +54,10 @@ class StripIndex {
   /// Makes the dashed dual edge of h solid. Both its triangles must be ends, of different strips.
   void link(StripMesh& mesh, Halfedge h);
 
-  /// A local rewrite, in three steps: before_patch with the triangles about to be rewritten, the rewrite, after_patch with
-  /// the triangles that stand there now. Colours outside, and of the dual edges between outside and patch, may only
-  /// change from solid to dashed, and solid paths through the patch may only join dual edges into it that were joined
-  /// before (THEORY: P' is part of P; every rule of operations.hpp is of this kind).
+  /// A local rewrite, in three steps: before_patch with the triangles about to be rewritten, the rewrite, after_patch
+  /// with the triangles that stand there now. Colours outside, and of the dual edges between outside and patch, may
+  /// only change from solid to dashed, and solid paths through the patch may only join dual edges into it that were
+  /// joined before (THEORY: P' is part of P; every rule of operations.hpp is of this kind).
   void before_patch(const StripMesh& mesh, std::span<const Triangle> patch);
   void after_patch(const StripMesh& mesh, std::span<const Triangle> patch);
 
@@ -64,7 +65,7 @@ class StripIndex {
   void reserve(std::size_t triangles);
 
   /// Chunks hold at most this many triangles.
-  static constexpr std::uint32_t chunk_limit = 96;
+  static constexpr std::uint32_t chunk_limit = 32;
 
  private:
   using Label = std::uint32_t;
@@ -80,13 +81,13 @@ class StripIndex {
     ChunkId parent = none;
     ChunkId left = none;
     ChunkId right = none;
-    std::uint32_t size = 1;    // chunks in this subtree
-    std::uint32_t count = 0;   // triangles in this chunk
-    bool turn_below = false;   // this subtree, the chunk itself included, reads backwards
-    bool backwards = false;    // the chunk itself reads backwards
+    std::uint32_t size = 1;   // chunks in this subtree
+    std::uint32_t count = 0;  // triangles in this chunk
+    bool turn_below = false;  // this subtree, the chunk itself included, reads backwards
+    bool backwards = false;   // the chunk itself reads backwards
     // What the last climb found; valid when `seen` equals version_.
     mutable bool turned = false;
-    mutable std::uint32_t seen = 0;
+    mutable std::uint64_t seen = 0;
     mutable std::uint32_t root = none;
     mutable std::uint32_t rank = 0;
   };
@@ -132,7 +133,7 @@ class StripIndex {
   std::vector<Place> places_;
   std::vector<Chunk> chunks_;
   std::vector<ChunkId> free_chunks_;
-  std::uint32_t version_ = 1;
+  std::uint64_t version_ = 1;  // counts the changes of trees
   std::size_t strips_ = 0;
   std::vector<ChunkId> path_;
   std::vector<Triangle> moving_;

@@ -108,7 +108,7 @@ class StripMesh {
   /// See CollapsibleMesh. Preconditions: see check_collapse() in checks.hpp; not tested here.
   Halfedge remove_vertex(Halfedge chord);
   /// See FlippableMesh. Preconditions: see check_flip() in checks.hpp; not tested here.
-  void turn_edge(Halfedge h);
+  Halfedge turn_edge(Halfedge h);
 
   // ---- extent
   /// Number of triangles alive.

@@ -119,21 +119,20 @@ inline void StripIndex::split_chunk(const StripMesh& mesh, Halfedge a, bool up_a
   const ChunkId c = places_[StripMesh::triangle(a)].chunk;
   Triangle at[2] = {StripMesh::triangle(a), StripMesh::triangle(b)};
   unsigned entry[2] = {StripMesh::side(a), StripMesh::side(b)};
-  std::uint32_t count = 0;
+  std::vector<Triangle>* const part[2] = {&moving_, &renumbered_};
+  part[0]->clear();
+  part[1]->clear();
   unsigned smaller = 0;
   for (;; smaller ^= 1U) {
-    if (smaller == 0) ++count;
+    part[smaller]->push_back(at[smaller]);
     if (!step(mesh, at[smaller], entry[smaller]) || places_[at[smaller]].chunk != c) break;
   }
   const ChunkId fresh = new_chunk();
   expose(c);
   const bool backwards = chunks_[c].backwards;
   chunks_[fresh].backwards = backwards;
-  const Halfedge start = smaller == 0 ? a : b;
-  Triangle t = StripMesh::triangle(start);
-  unsigned side = StripMesh::side(start);
-  do places_[t].chunk = fresh;
-  while (step(mesh, t, side) && places_[t].chunk == c);
+  for (const Triangle t : *part[smaller]) places_[t].chunk = fresh;
+  const auto count = static_cast<std::uint32_t>(part[smaller]->size());
   chunks_[fresh].count = count;
   chunks_[c].count -= count;
 
@@ -203,6 +202,7 @@ inline void StripIndex::join_chunks(const StripMesh& mesh, Halfedge h) {
     join_chunks(mesh, back);
     return;
   }
+  if (chunks_[gone].count > chunk_limit / 8) return;
   const bool up = labels_grow(mesh, h);
   moving_.clear();
   Triangle t = StripMesh::triangle(back);

@@ -220,7 +220,7 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
   return merged;
 }
 
-inline void StripMesh::turn_edge(Halfedge h) {
+inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
   const Halfedge g = opposite(h);
   const Halfedge vl = next(h);
   const Halfedge lu = next(vl);
@@ -266,6 +266,7 @@ inline void StripMesh::turn_edge(Halfedge h) {
     }
     set_spoke(vertex, first);
   }
+  return h;
 }
 
 inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,

@@ -1,0 +1,118 @@
+#include "commands.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "coloring_check.hpp"
+#include "mesh_file.hpp"
+#include "mesh_report.hpp"
+#include "pm_file.hpp"
+#include "replay_text.hpp"
+#include "restrip/stripify.hpp"
+#include "walk.hpp"
+#include "whole_file.hpp"
+
+namespace restrip::replay {
+namespace {
+
+bool is_progressive(const std::filesystem::path& file) {
+  return file.extension() == ".pm" || file.extension() == ".PM";
+}
+
+/// A mesh ready to be replayed, with the triangles that must come out (none for a file that has only the splits).
+struct Source {
+  Subject subject;
+  ProgressiveMesh mesh;
+  std::vector<Corners> original;
+};
+
+Source source_of(const ReplayCommand& command) {
+  if (!command.built_in && is_progressive(command.mesh)) {
+    Source source;
+    source.subject.name = command.mesh.string();
+    source.mesh = read_pm(command.mesh);
+    BuildReport report;
+    const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
+    source.subject.left_out = {report.degenerate_triangles, report.irregular_vertices, 0};
+    return source;
+  }
+  Soup soup = command.built_in ? make_mesh(command.built_in_triangles) : read_mesh(command.mesh);
+  Simplification simplified = simplify(soup, command.simplify);
+  Source source;
+  source.subject.name = command.built_in ? "built-in torus" : command.mesh.string();
+  source.subject.wanted_triangles = simplified.wanted_triangles;
+  source.subject.left_out = simplified.left_out;
+  source.mesh = std::move(simplified.mesh);
+  source.original = std::move(soup.triangles);
+  return source;
+}
+
+WalkTaken take_walk(const Source& source, const ReplayCommand& command) {
+  StripMesh mesh;
+  if (source.original.empty()) {
+    mesh = StripMesh::build(source.mesh.base, source.mesh.points.size());
+    for (const Record& record : source.mesh.splits) mesh.insert_vertex(spokes_of(mesh, record), record.v_t);
+  } else {
+    mesh = StripMesh::build(source.original, source.mesh.points.size());
+  }
+  stripify(mesh);
+  WalkTaken taken{{command.walk_steps, command.seed}, {}};
+  taken.report = walk(mesh, taken.options);
+  return taken;
+}
+
+}  // namespace
+
+int run(const StatsCommand& command) {
+  if (is_progressive(command.mesh)) {
+    // The base is a mesh like any other.
+    ProgressiveMesh mesh = read_pm(command.mesh);
+    Soup soup;
+    soup.points = std::move(mesh.points);
+    soup.points.resize(soup.points.size() - mesh.splits.size());
+    soup.triangles = std::move(mesh.base);
+    const MeshReport report = report_on(soup);
+    fmt::print("{}", command.json ? as_json(report) : as_text(report, command.mesh.string() + " (its base)"));
+    return 0;
+  }
+  const MeshReport report = report_on(read_mesh(command.mesh));
+  fmt::print("{}", command.json ? as_json(report) : as_text(report, command.mesh.string()));
+  return 0;
+}
+
+int run(const ReplayCommand& command) {
+  const Source source = source_of(command);
+  const ReplayReport report = replay(source.mesh, source.original, command.replay);
+  std::optional<WalkTaken> walk;
+  if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command);
+
+  const std::string json = command.json.empty() ? "" : as_json(report, source.subject, walk);
+  if (command.json == "-") {
+    fmt::print("{}", json);
+  } else {
+    if (!command.json.empty()) write_whole_file(command.json, json);
+    fmt::print("{}", as_text(report, source.subject));
+    if (walk) fmt::print("{}", as_text(*walk));
+  }
+  return report.valid() && (!walk || walk->report.fault.empty()) ? 0 : 1;
+}
+
+int run(const SimplifyCommand& command) {
+  const Simplification result = simplify(read_mesh(command.mesh), command.simplify);
+  write_pm(command.out, result.mesh);
+  fmt::print("{}: {} triangles and {} splits to {}\n", command.out.string(), result.mesh.base.size(),
+             result.mesh.splits.size(), result.mesh.fine_triangles());
+  if (result.mesh.base.size() > result.wanted_triangles)
+    fmt::print("a base of {} triangles was wanted; no further collapse is legal\n", result.wanted_triangles);
+  return 0;
+}
+
+int run(const MakeMeshCommand& command) {
+  const Soup soup = make_mesh(command.triangles, command.seed);
+  write_mesh(command.out, soup);
+  fmt::print("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size());
+  return 0;
+}
+
+}  // namespace restrip::replay

@@ -1,0 +1,47 @@
+// The subcommands of `restrip`, free of any command line: what each wants to know, and what it does. Each returns the
+// exit code: 0, or 1 when a check failed; bad input is thrown (BadInput).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "made_mesh.hpp"
+#include "replay.hpp"
+#include "simplify.hpp"
+
+namespace restrip::replay {
+
+struct StatsCommand {
+  std::filesystem::path mesh;
+  bool json = false;
+};
+int run(const StatsCommand& command);
+
+struct ReplayCommand {
+  std::filesystem::path mesh;  ///< may be a progressive mesh (.pm): then it is replayed as it is
+  bool built_in = false;       ///< make a mesh instead
+  std::size_t built_in_triangles = default_made_triangles;
+  SimplifyOptions simplify;
+  ReplayOptions replay;
+  std::uint64_t walk_steps = 0;
+  std::uint64_t seed = 1;
+  std::string json;  ///< a file; - for standard output, which then has nothing else; empty for none
+};
+int run(const ReplayCommand& command);
+
+struct SimplifyCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path out;
+  SimplifyOptions simplify;
+};
+int run(const SimplifyCommand& command);
+
+struct MakeMeshCommand {
+  std::filesystem::path out;
+  std::size_t triangles = default_made_triangles;
+  std::uint64_t seed = 1;
+};
+int run(const MakeMeshCommand& command);
+
+}  // namespace restrip::replay

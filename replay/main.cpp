@@ -1,0 +1,126 @@
+// restrip: look at a mesh, simplify it, replay its levels of detail with their strips kept by the rules.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <new>
+
+#include "bad_input.hpp"
+#include "commands.hpp"
+
+namespace {
+
+using namespace restrip::replay;
+
+constexpr int exit_bad_input = 2;
+
+void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
+  app.add_option("--base", options.base, "share of the triangles that the coarsest level keeps")
+      ->check(CLI::Range(1e-9, 1.0))
+      ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--boundary",
+         [&options](const std::string& word) {
+           options.boundary = word == "lock" ? BoundaryPolicy::lock : BoundaryPolicy::move;
+         },
+         "lock: only edges between interior vertices collapse; move: boundary edges too")
+      ->check(CLI::IsMember({"lock", "move"}))
+      ->default_str(options.boundary == BoundaryPolicy::lock ? "lock" : "move");
+}
+
+CLI::App* add_stats(CLI::App& app, StatsCommand& command) {
+  CLI::App* sub = app.add_subcommand("stats", "Count what a mesh has: triangles per vertex, boundary, faults");
+  sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or .pm (its base)")->required();
+  sub->add_flag("--json", command.json, "print a JSON object");
+  sub->footer("Example: restrip stats bunny.obj");
+  return sub;
+}
+
+CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
+  CLI::App* sub = app.add_subcommand("replay", "Simplify a mesh, then replay every vertex split with its strips kept");
+  CLI::Option* mesh =
+      sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or a progressive mesh of OpenMesh (.pm)");
+  CLI::Option* built_in =
+      sub->add_flag("--built-in", command.built_in, "a torus made by the program, instead of a file");
+  mesh->excludes(built_in);
+  sub->add_option("--triangles", command.built_in_triangles, "size of the built-in mesh")
+      ->needs(built_in)
+      ->capture_default_str();
+  add_simplify_options(*sub, command.simplify);
+  sub->add_option("--levels", command.replay.levels, "levels of detail to report")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  sub->add_option("--repeats", command.replay.repeats, "timed runs, of which the median counts; 0: no timing")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")->capture_default_str();
+  CLI::Option* walk = sub->add_option("--walk", command.walk_steps,
+                                      "then that many random splits, collapses and flips on the full mesh");
+  sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->capture_default_str();
+  sub->add_option("--json", command.json, "write the report as JSON to a file, or - for standard output");
+  sub->callback([mesh, built_in] {
+    if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
+  });
+  sub->footer("Example: restrip replay bunny.obj --base 0.02 --cycles 10 --json bunny.json");
+  return sub;
+}
+
+CLI::App* add_simplify(CLI::App& app, SimplifyCommand& command) {
+  CLI::App* sub = app.add_subcommand("simplify", "Simplify a mesh and write it as a progressive mesh (OpenMesh's .pm)");
+  sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl")->required();
+  sub->add_option("-o,--output", command.out, "the .pm file")->required();
+  add_simplify_options(*sub, command.simplify);
+  sub->footer("Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
+  return sub;
+}
+
+CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
+  CLI::App* sub =
+      app.add_subcommand("make-mesh", "Make a closed mesh of irregular valences, the same on every machine");
+  sub->add_option("-o,--output", command.out, "an .obj, .off or .ply file")->required();
+  sub->add_option("--triangles", command.triangles, "about how many")->capture_default_str();
+  sub->add_option("--seed", command.seed, "of its irregularities")->capture_default_str();
+  sub->footer("Example: restrip make-mesh --triangles 1000000 -o torus.ply");
+  return sub;
+}
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app{"Triangle strips that stay optimal while the mesh changes", "restrip"};
+  app.set_version_flag("--version", std::string("restrip ") + RESTRIP_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 all is well, 1 a check failed, 2 the input or the command line is at fault.\nExample: restrip "
+      "replay --built-in");
+  StatsCommand stats;
+  ReplayCommand replay;
+  SimplifyCommand simplify;
+  MakeMeshCommand make_mesh;
+  const CLI::App* stats_sub = add_stats(app, stats);
+  const CLI::App* replay_sub = add_replay(app, replay);
+  const CLI::App* simplify_sub = add_simplify(app, simplify);
+  add_make_mesh(app, make_mesh);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exit_bad_input;
+  }
+  if (stats_sub->parsed()) return run(stats);
+  if (replay_sub->parsed()) return run(replay);
+  if (simplify_sub->parsed()) return run(simplify);
+  return run(make_mesh);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run_command_line(argc, argv);
+  } catch (const BadInput& error) {
+    fmt::print(stderr, "restrip: {}\n", error.what());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "restrip: not enough memory for a mesh of this size\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "restrip: {}\n", error.what());
+  }
+  return exit_bad_input;
+}

@@ -1,0 +1,30 @@
+// Mesh files: OBJ, OFF, PLY and STL in, OBJ, OFF and PLY out.
+//
+// The readers are our own. OpenMesh's (version 9) lose faces without a word: its OBJ reader drops repeated corners and
+// vertices that it cannot parse, so that all later indices shift, its mesh refuses faces at non-manifold places, its
+// OFF reader knows no leading comments, and a corrupt face count makes it allocate until the process ends. Here a file
+// arrives as it is or is refused.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "soup.hpp"
+
+namespace restrip::replay {
+
+/// Reads a mesh; the format is that of the file's extension, in any case. Throws BadInput.
+[[nodiscard]] Soup read_mesh(const std::filesystem::path& file);
+
+/// Writes a mesh, whole or not at all; .obj, .off or .ply (binary). Throws BadInput.
+void write_mesh(const std::filesystem::path& file, const Soup& soup);
+
+/// The readers, one a format, on the bytes of a file. `name` is for messages.
+[[nodiscard]] Soup read_obj(std::string_view bytes, const std::string& name);
+[[nodiscard]] Soup read_off(std::string_view bytes, const std::string& name);
+[[nodiscard]] Soup read_ply(std::string_view bytes, const std::string& name);
+/// Corners at exactly the same place become one vertex (STL has no indices).
+[[nodiscard]] Soup read_stl(std::string_view bytes, const std::string& name);
+
+}  // namespace restrip::replay

@@ -1,0 +1,137 @@
+#include "pm_file.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "bad_input.hpp"
+#include "whole_file.hpp"
+
+namespace restrip::replay {
+namespace {
+
+constexpr std::string_view magic = "ProgMesh";
+constexpr std::size_t header_bytes = 20;
+constexpr std::size_t vertex_bytes = 12;
+constexpr std::size_t face_bytes = 12;
+constexpr std::size_t split_bytes = 24;
+
+class Bytes {
+ public:
+  explicit Bytes(std::string_view rest) : rest_(rest) {}
+  std::uint32_t u32() {
+    std::uint32_t value = 0;
+    for (unsigned i = 0; i < 4; ++i) value |= std::uint32_t{static_cast<unsigned char>(rest_[i])} << (8 * i);
+    rest_.remove_prefix(4);
+    return value;
+  }
+  Point point() {
+    Point p;
+    for (float* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(u32());
+    return p;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+/// Hoppe's files begin with comment lines and then say PM.
+bool is_hoppes(std::string_view bytes) {
+  while (bytes.starts_with('#')) {
+    const std::size_t stop = bytes.find('\n');
+    if (stop == std::string_view::npos) return false;
+    bytes.remove_prefix(stop + 1);
+  }
+  return bytes.starts_with("PM\n") || bytes.starts_with("PM\r\n");
+}
+
+}  // namespace
+
+ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
+  if (is_hoppes(bytes))
+    throw BadInput(
+        fmt::format("{}: a progressive mesh in Hoppe's format (with wedges and materials), which is not read; give the "
+                    "mesh itself (OBJ, OFF, PLY, STL) or a progressive mesh of OpenMesh",
+                    name));
+  if (!bytes.starts_with(magic))
+    throw BadInput(fmt::format("{}: no progressive mesh of OpenMesh: it does not begin with '{}'", name, magic));
+  if (bytes.size() < header_bytes) throw BadInput(fmt::format("{}: ends inside its header; is it complete?", name));
+  Bytes in(bytes.substr(magic.size()));
+  const std::size_t vertices = in.u32();
+  const std::size_t faces = in.u32();
+  const std::size_t splits = in.u32();
+  const std::size_t expected = header_bytes + vertices * vertex_bytes + faces * face_bytes + splits * split_bytes;
+  if (bytes.size() != expected)
+    throw BadInput(
+        fmt::format("{}: {} vertices, {} faces and {} splits take {} bytes, but the file has {}; is it complete?", name,
+                    vertices, faces, splits, expected, bytes.size()));
+
+  ProgressiveMesh mesh;
+  mesh.points.reserve(vertices + splits);
+  mesh.base.resize(faces);
+  mesh.splits.reserve(splits);
+  for (std::size_t v = 0; v < vertices; ++v) mesh.points.push_back(in.point());
+  for (Corners& triangle : mesh.base)
+    for (Vertex& corner : triangle) {
+      corner = in.u32();
+      if (corner >= vertices)
+        throw BadInput(fmt::format("{}: a face refers to vertex {} of {}", name, corner, vertices));
+    }
+  for (std::size_t i = 0; i < splits; ++i) {
+    const auto v_t = static_cast<Vertex>(vertices + i);
+    mesh.points.push_back(in.point());
+    const Vertex v_s = in.u32();
+    const Vertex v_r = in.u32();
+    const Vertex v_l = in.u32();
+    const auto known = [v_t](Vertex v) { return v == none || v < v_t; };
+    if (v_s >= v_t || !known(v_l) || !known(v_r) || v_l == v_r)
+      throw BadInput(fmt::format("{}: split {} refers to vertices {}, {}, {}, of which there are {}", name, i, v_s, v_r,
+                                 v_l, v_t));
+    mesh.splits.push_back({v_s, v_t, v_l, v_r});
+  }
+  return mesh;
+}
+
+ProgressiveMesh read_pm(const std::filesystem::path& file) { return parse_pm(read_whole_file(file), file.string()); }
+
+std::string pm_bytes(const ProgressiveMesh& mesh) {
+  std::vector<Vertex> number(mesh.points.size(), none);
+  std::vector<Vertex> order;
+  for (const Corners& triangle : mesh.base)
+    for (const Vertex v : triangle)
+      if (number[v] == none) {
+        number[v] = static_cast<Vertex>(order.size());
+        order.push_back(v);
+      }
+  std::string bytes(magic);
+  const auto put = [&bytes](std::uint32_t value) {
+    for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
+  };
+  const auto put_point = [&](Vertex v) {
+    for (const float coordinate : {mesh.points[v].x, mesh.points[v].y, mesh.points[v].z})
+      put(std::bit_cast<std::uint32_t>(coordinate));
+  };
+  const auto put_vertex = [&](Vertex v) { put(v == none ? none : number[v]); };
+
+  put(static_cast<std::uint32_t>(order.size()));
+  put(static_cast<std::uint32_t>(mesh.base.size()));
+  put(static_cast<std::uint32_t>(mesh.splits.size()));
+  for (const Vertex v : order) put_point(v);
+  for (const Corners& triangle : mesh.base)
+    for (const Vertex v : triangle) put_vertex(v);
+  auto next = static_cast<Vertex>(order.size());
+  for (const Record& record : mesh.splits) {
+    number[record.v_t] = next++;
+    put_point(record.v_t);
+    put_vertex(record.v_s);
+    put_vertex(record.v_r);
+    put_vertex(record.v_l);
+  }
+  return bytes;
+}
+
+void write_pm(const std::filesystem::path& file, const ProgressiveMesh& mesh) {
+  write_whole_file(file, pm_bytes(mesh));
+}
+
+}  // namespace restrip::replay

@@ -1,0 +1,193 @@
+#include "replay.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "coloring_check.hpp"
+#include "progress.hpp"
+#include "restrip/checks.hpp"
+#include "restrip/operations.hpp"
+#include "restrip/stripify.hpp"
+#include "restrip/strips.hpp"
+#include "stopwatch.hpp"
+
+namespace restrip::replay {
+namespace {
+
+class Replay {
+ public:
+  Replay(const ProgressiveMesh& mesh, const ReplayOptions& options)
+      : source_(mesh), options_(options), base_(StripMesh::build(mesh.base, mesh.points.size())) {
+    stripify(base_);
+    // One mesh serves every run, so that its memory is there before the first clock starts.
+    mesh_.reserve(mesh.fine_triangles(), mesh.points.size());
+    report_.base_triangles = base_.triangle_count();
+    report_.operations = mesh.splits.size();
+  }
+
+  ReplayReport run(const std::vector<Corners>& original) {
+    watch_the_way_up();
+    if (report_.operations_without_rule == 0) {
+      measure();
+      check_top(original.empty() ? bare_triangles() : original);
+      for (std::size_t i = 0; i < options_.cycles; ++i) cycle();
+    }
+    return std::move(report_);
+  }
+
+ private:
+  // ---- the way up, with everything counted
+  // ----------------------------------------------------------------------------
+  void watch_the_way_up() {
+    mesh_ = base_;
+    const std::vector<std::size_t> stops = level_sizes();
+    std::size_t stop = 0;
+    const auto at_level = [&] { return stop < stops.size() && mesh_.triangle_count() >= stops[stop]; };
+    Progress progress("replaying", source_.splits.size());
+    for (std::size_t i = 0; i < source_.splits.size(); ++i) {
+      if (at_level()) record_level(), ++stop;
+      split_and_count(source_.splits[i], i);
+      progress.at(i);
+    }
+    record_level();
+    report_.triangles = mesh_.triangle_count();
+  }
+
+  /// Geometric steps from the base, the finest level excluded.
+  [[nodiscard]] std::vector<std::size_t> level_sizes() const {
+    const auto first = static_cast<double>(base_.triangle_count());
+    const double ratio = static_cast<double>(source_.fine_triangles()) / first;
+    std::vector<std::size_t> sizes;
+    for (std::size_t i = 0; i + 1 < options_.levels; ++i)
+      sizes.push_back(static_cast<std::size_t>(
+          std::ceil(first * std::pow(ratio, static_cast<double>(i) / static_cast<double>(options_.levels - 1)))));
+    return sizes;
+  }
+
+  void split_and_count(const Record& record, std::size_t index) {
+    const auto where = spokes_of(mesh_, record);
+    const Refusal refusal = mesh_.spoke(record.v_t).id != none ? Refusal::no_such_edge : check_split(mesh_, where);
+    if (refusal != Refusal::granted) {
+      if (report_.operations_without_rule++ == 0)
+        report_.faults.push_back(
+            fmt::format("split {} ({} -> {}) is not possible: {}", index, record.v_s, record.v_t, describe(refusal)));
+      return;
+    }
+    const auto done = split(mesh_, where, record.v_t);
+    if (done.valence >= report_.by_valence.size()) report_.by_valence.resize(done.valence + std::size_t{1}, 0);
+    ++report_.by_valence[done.valence];
+    report_.operations_isolating += done.isolated > 0 ? 1 : 0;
+    report_.operations_adding_strip += done.strips > 0 ? 1 : 0;
+  }
+
+  Level level() {
+    const Strips strips = extract_strips(mesh_);
+    Level level{mesh_.triangle_count(), strips.size(), 0, strip_index_count(mesh_, strips)};
+    for (std::size_t s = 0; s < strips.size(); ++s) level.isolated += static_cast<std::size_t>(strips[s].size() == 1);
+    if (strips.order.size() != level.triangles)
+      report_.faults.push_back(
+          fmt::format("at {} triangles: only {} of them are in a strip", level.triangles, strips.order.size()));
+    return level;
+  }
+  void record_level() { report_.levels.push_back(level()); }
+
+  // ---- the clock
+  // ----------------------------------------------------------------------------------------------------------
+  void split_all() {
+    for (const Record& record : source_.splits) split(mesh_, spokes_of(mesh_, record), record.v_t);
+  }
+  void split_all_bare() {
+    for (const Record& record : source_.splits) mesh_.insert_vertex(spokes_of(mesh_, record), record.v_t);
+  }
+  void collapse_all() {
+    for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
+      collapse(mesh_, mesh_.spoke(record->v_s, record->v_t));
+  }
+  void collapse_all_bare() {
+    for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
+      mesh_.remove_vertex(mesh_.spoke(record->v_s, record->v_t));
+  }
+
+  /// With strips and bare by turns, so that a slow moment of the machine strikes both.
+  void measure() {
+    if (source_.splits.empty() || options_.repeats == 0) return;
+    Medians up;
+    Medians up_bare;
+    Medians down;
+    Medians down_bare;
+    // Small meshes are over in a moment: repeat them until there is something to measure.
+    constexpr std::size_t enough_operations = 200'000;
+    const std::size_t repeats = std::max(options_.repeats, enough_operations / source_.splits.size());
+    Progress progress("measuring", repeats);
+    for (std::size_t i = 0; i < repeats; ++i) {
+      mesh_ = base_;
+      up.time([&] { split_all(); });
+      down.time([&] { collapse_all(); });
+      mesh_ = base_;
+      up_bare.time([&] { split_all_bare(); });
+      down_bare.time([&] { collapse_all_bare(); });
+      progress.at(i);
+    }
+    const auto each = static_cast<double>(source_.splits.size());
+    report_.ns_per_operation = up.nanoseconds() / each;
+    report_.ns_per_operation_bare = up_bare.nanoseconds() / each;
+    report_.ns_per_collapse = down.nanoseconds() / each;
+    report_.ns_per_collapse_bare = down_bare.nanoseconds() / each;
+  }
+
+  // ---- the checks
+  // ---------------------------------------------------------------------------------------------------------
+  std::vector<Corners> bare_triangles() {
+    mesh_ = base_;
+    split_all_bare();
+    return triangles_of(mesh_);
+  }
+
+  void check_top(const std::vector<Corners>& original) {
+    mesh_ = base_;
+    split_all();
+    for (std::string& fault : find_faults(mesh_)) report_.faults.push_back(std::move(fault));
+    const std::vector<Corners> expected = sorted_triangles(original);
+    if (sorted_triangles(triangles_of(mesh_)) != expected)
+      report_.faults.emplace_back("after the last split the triangles are not those of the original mesh");
+    if (sorted_triangles(decode_strips(strip_indices(mesh_, extract_strips(mesh_)))) != expected)
+      report_.faults.emplace_back("the index buffer does not draw the triangles of the original mesh");
+  }
+
+  // ---- down and up
+  // --------------------------------------------------------------------------------------------------------
+  void cycle() {
+    Cycle cycle;
+    const auto count = [&cycle](const auto& done) {
+      cycle.isolating += done.isolated > 0 ? 1 : 0;
+      cycle.adding_strip += done.strips > 0 ? 1 : 0;
+    };
+    for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
+      count(collapse(mesh_, mesh_.spoke(record->v_s, record->v_t)));
+    cycle.base = checked_level();
+    for (const Record& record : source_.splits) count(split(mesh_, spokes_of(mesh_, record), record.v_t));
+    cycle.top = checked_level();
+    report_.cycles.push_back(cycle);
+  }
+  Level checked_level() {
+    for (std::string& fault : find_faults(mesh_))
+      report_.faults.push_back(fmt::format("cycle {}: {}", report_.cycles.size() + 1, fault));
+    return level();
+  }
+
+  const ProgressiveMesh& source_;
+  ReplayOptions options_;
+  StripMesh base_;
+  StripMesh mesh_;
+  ReplayReport report_;
+};
+
+}  // namespace
+
+ReplayReport replay(const ProgressiveMesh& mesh, const std::vector<Corners>& original, const ReplayOptions& options) {
+  return Replay(mesh, options).run(original);
+}
+
+}  // namespace restrip::replay

@@ -1,0 +1,49 @@
+// ReplayReport for people, and for programs.
+//
+// The JSON object; keys are added later, never renamed:
+//   mesh                     the file, or what was made
+//   triangles                at the finest level            base_triangles, wanted_base_triangles
+//   operations               vertex splits replayed
+//   operations_without_rule  of them refused (only a wrong progressive mesh has such)
+//   operations_isolating     of them introduced an isolated triangle
+//   operations_adding_strip  of them left more strips than before
+//   by_valence               {"k": splits of a fan of k triangles}
+//   levels                   [{triangles, strips, isolated, indices}] from base to finest level
+//   triangles_per_strip      at the finest level
+//   cycles                   [{base_strips, base_isolated, top_strips, top_isolated, isolating, adding_strip}] way down
+//   and up again ns_per_operation, ns_per_operation_bare    a split with strips kept, and the same mesh update without
+//   (medians) ns_per_collapse, ns_per_collapse_bare      the same for the way down walk                     {steps,
+//   seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, fault,
+//                            fault_step, trace}, when there was one
+//   left_out                 {degenerate_triangles, irregular_vertices, frozen_vertices}: what no operation touches
+//   valid, faults            every check held; what did not
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "replay.hpp"
+#include "simplify.hpp"
+#include "walk.hpp"
+
+namespace restrip::replay {
+
+/// What was replayed.
+struct Subject {
+  std::string name;
+  std::size_t wanted_triangles = 0;  ///< of the base; 0 when the base was given
+  LeftOut left_out;
+};
+
+/// A walk with what it was asked for.
+struct WalkTaken {
+  WalkOptions options;
+  WalkReport report;
+};
+
+[[nodiscard]] std::string as_text(const ReplayReport& report, const Subject& subject);
+[[nodiscard]] std::string as_text(const WalkTaken& walk);
+[[nodiscard]] std::string as_json(const ReplayReport& report, const Subject& subject,
+                                  const std::optional<WalkTaken>& walk);
+
+}  // namespace restrip::replay

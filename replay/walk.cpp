@@ -1,0 +1,194 @@
+#include "walk.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "coloring_check.hpp"
+#include "progress.hpp"
+#include "random.hpp"
+#include "restrip/checks.hpp"
+#include "restrip/strips.hpp"
+#include "shrink.hpp"
+
+namespace restrip::replay {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+using Split = VertexSplit<Halfedge>;
+
+/// Takes steps on one mesh. A step is its number: what it does follows from the seed, the number and the mesh, so that
+/// steps can be left out and the others still mean something.
+class Walker {
+ public:
+  Walker(StripMesh& mesh, std::uint64_t seed, std::size_t home_size, const Operations& operations)
+      : mesh_(mesh), seed_(seed), home_size_(home_size), operations_(operations) {}
+
+  /// Takes one step. The fault that it caused, if any.
+  std::string step(std::uint64_t number) {
+    Random random(seed_ + number * 0xD1B54A32D192ED03U);
+    last_.clear();
+    const Halfedge h = somewhere(random);
+    if (h.id == none) return {};
+    const std::uint32_t dice = random.below(12);
+    // A mesh that has grown shrinks, one that has shrunk grows.
+    const std::uint32_t splits = mesh_.triangle_count() > home_size_ ? 3 : 5;
+    if (dice < splits) return try_split(h, random);
+    if (dice < 8) return try_collapse(random.below(2) == 0 ? h : mesh_.opposite(h));
+    return try_flip(h);
+  }
+
+  WalkReport report;
+  std::int64_t strips = 0;  ///< change in the number of strips, as the operations told it
+
+  [[nodiscard]] const std::string& last() const noexcept { return last_; }
+
+ private:
+  Halfedge somewhere(Random& random) const {
+    for (unsigned attempt = 0; attempt < 8; ++attempt) {
+      const Triangle t = random.below(static_cast<std::uint32_t>(mesh_.triangle_bound()));
+      const unsigned side = random.below(3);
+      if (mesh_.alive(t)) return StripMesh::halfedge(t, side);
+    }
+    return {none};
+  }
+
+  std::string try_split(Halfedge h, Random& random) {
+    const Vertex v = mesh_.from(h);
+    if (mesh_.irregular(v)) return refuse();
+    std::vector<Halfedge>& spokes = spokes_;
+    spokes.clear();
+    detail::for_each_spoke(mesh_, v, [&](Halfedge spoke) { spokes.push_back(spoke); });
+    const auto any = [&] { return spokes[random.below(static_cast<std::uint32_t>(spokes.size()))]; };
+    Split where{any(), any(), Split::Spokes::both};
+    const std::uint32_t kind = random.below(6);
+    if (mesh_.leaves_boundary(h) && kind < 2)
+      where.spokes = kind == 0 ? Split::Spokes::left_only : Split::Spokes::right_only;
+    if (check_split(mesh_, where) != Refusal::granted) return refuse();
+    const auto end = [&](bool there, Halfedge spoke) {
+      return there ? fmt::format("{}", mesh_.to(spoke)) : std::string("none");
+    };
+    last_ = fmt::format("split {}, left {}, right {}", v, end(where.spokes != Split::Spokes::right_only, where.left),
+                        end(where.spokes != Split::Spokes::left_only, where.right));
+    const auto done = operations_.split(mesh_, where);
+    ++report.splits;
+    report.isolating += done.isolated > 0 ? 1 : 0;
+    return settle(done, {mesh_.from(done.halfedge), mesh_.to(done.halfedge), none, none});
+  }
+
+  std::string try_collapse(Halfedge chord) {
+    if (check_collapse(mesh_, chord) != Refusal::granted) return refuse();
+    last_ = fmt::format("collapse {} -> {}", mesh_.from(chord), mesh_.to(chord));
+    const auto done = operations_.collapse(mesh_, chord);
+    ++report.collapses;
+    report.isolating += done.isolated > 0 ? 1 : 0;
+    return settle(done, {mesh_.from(done.halfedge), none, none, none});
+  }
+
+  std::string try_flip(Halfedge h) {
+    if (check_flip(mesh_, h) != Refusal::granted) return refuse();
+    last_ = fmt::format("flip {} -> {}", mesh_.from(h), mesh_.to(h));
+    const std::array<Vertex, 2> ends{mesh_.from(h), mesh_.to(h)};
+    const auto done = operations_.flip(mesh_, h);
+    ++report.flips;
+    report.flips_isolating += done.isolated > 0 ? 1 : 0;
+    return settle(done, {mesh_.from(done.halfedge), mesh_.to(done.halfedge), ends[0], ends[1]});
+  }
+
+  std::string refuse() {
+    ++report.refused;
+    return {};
+  }
+
+  std::string settle(const Rewrite<Halfedge>& done, const std::array<Vertex, 4>& around) {
+    strips += done.strips;
+    for (const Vertex v : around) {
+      if (v == none) continue;
+      if (std::string fault = find_fault_around(mesh_, v); !fault.empty()) return fault;
+    }
+    return {};
+  }
+
+  StripMesh& mesh_;
+  std::uint64_t seed_;
+  std::size_t home_size_;
+  const Operations& operations_;
+  std::string last_;
+  std::vector<Halfedge> spokes_;
+};
+
+/// Checks the whole mesh, and that the operations told the truth about the strips.
+std::string whole_fault(const StripMesh& mesh, std::int64_t strips_told) {
+  const std::vector<std::string> faults = find_faults(mesh);
+  if (!faults.empty()) return faults.front();
+  const auto strips = static_cast<std::int64_t>(check_coloring(mesh).strips);
+  if (strips != strips_told)
+    return fmt::format("{} strips, but the operations' own account says {}", strips, strips_told);
+  return {};
+}
+
+/// The mesh of the last whole check, from which a failure can be repeated.
+struct Camp {
+  StripMesh mesh;
+  std::int64_t strips = 0;
+  std::uint64_t step = 0;
+};
+
+std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_step, std::size_t home_size,
+                                        const WalkOptions& options, const Operations& operations) {
+  std::vector<std::uint64_t> steps;
+  for (std::uint64_t step = camp.step; step <= last_step; ++step) steps.push_back(step);
+  std::vector<std::string> trace;
+  const auto fails = [&](const std::vector<std::uint64_t>& some) {
+    StripMesh mesh = camp.mesh;
+    Walker walker(mesh, options.seed, home_size, operations);
+    std::vector<std::string> done;
+    std::string fault;
+    for (const std::uint64_t step : some) {
+      fault = walker.step(step);
+      if (!walker.last().empty()) done.push_back(walker.last());
+      if (!fault.empty()) break;
+    }
+    if (fault.empty()) fault = whole_fault(mesh, camp.strips + walker.strips);
+    if (fault.empty()) return false;
+    done.push_back("then: " + fault);
+    trace = std::move(done);
+    return true;
+  };
+  if (!fails(steps)) return {"the failure could not be repeated from the mesh of the last whole check"};
+  constexpr std::size_t enough_tries = 2000;
+  shrink(std::move(steps), fails, enough_tries);
+  return trace;
+}
+
+}  // namespace
+
+WalkReport walk(StripMesh& mesh, const WalkOptions& options, const Operations& operations) {
+  const std::size_t home_size = mesh.triangle_count();
+  Walker walker(mesh, options.seed, home_size, operations);
+  Camp camp{mesh, static_cast<std::int64_t>(check_coloring(mesh).strips), 0};
+  const std::int64_t strips_at_start = camp.strips;
+  std::string fault = whole_fault(mesh, camp.strips);
+  std::uint64_t step = 0;
+  Progress progress("walking", options.steps);
+  for (; step < options.steps && fault.empty(); ++step) {
+    fault = walker.step(step);
+    progress.at(step);
+    const bool whole = (step + 1) % options.whole_check_every == 0 || step + 1 == options.steps;
+    if (fault.empty() && whole) fault = whole_fault(mesh, strips_at_start + walker.strips);
+    if (!fault.empty()) break;
+    if (whole) camp = {mesh, strips_at_start + walker.strips, step + 1};
+  }
+  WalkReport report = walker.report;
+  report.fault = fault;
+  if (!fault.empty()) {
+    report.fault_step = step;
+    report.trace = shortest_trace(camp, step, home_size, options, operations);
+    return report;
+  }
+  report.triangles = mesh.triangle_count();
+  report.strips = check_coloring(mesh).strips;
+  return report;
+}
+
+}  // namespace restrip::replay

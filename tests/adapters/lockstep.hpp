@@ -1,0 +1,139 @@
+// The same random operations on a StripMesh and on somebody else's mesh through its adapter: afterwards both have the
+// same triangles and the same colours, edge by edge.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "restrip/checks.hpp"
+#include "restrip/operations.hpp"
+#include "restrip/strips.hpp"
+
+namespace restrip {
+
+/// `Foreign` wraps an adapter with what the test needs of its mesh:
+///   Adapter& strips();  Vertex add_vertex_name(Vertex after split);  Halfedge find(Vertex, Vertex);
+///   Vertex from(Halfedge), to(Halfedge);  void for_each_triangle(visit(Halfedge));
+template <class Foreign>
+class Lockstep {
+ public:
+  Lockstep(StripMesh start, Foreign& foreign, unsigned seed)
+      : mesh_(std::move(start)), foreign_(foreign), random_(seed) {
+    for (Vertex v = 0; v < mesh_.vertex_bound(); ++v) name_.push_back(foreign.vertex(v));
+  }
+
+  void run(int operations) {
+    const std::size_t low = mesh_.triangle_count() / 2;
+    const std::size_t high = mesh_.triangle_count() * 2;
+    for (int n = 0; n < operations; ++n) {
+      const unsigned choice = mesh_.triangle_count() > high ? 1 : mesh_.triangle_count() < low ? 0 : pick(3);
+      if (choice == 0) split_both();
+      if (choice == 1) collapse_both();
+      if (choice == 2) flip_both();
+      if (n % 50 == 0 || n < 200) compare();
+      if (testing::Test::HasFatalFailure()) return;
+    }
+    compare();
+    EXPECT_GT(done_[0], operations / 20);
+    EXPECT_GT(done_[1], operations / 20);
+    EXPECT_GT(done_[2], operations / 20);
+  }
+  [[nodiscard]] int one_sided() const { return one_sided_; }
+
+ private:
+  using Halfedge = StripMesh::Halfedge;
+  using ForeignHalfedge = typename Foreign::Halfedge;
+
+  unsigned pick(std::size_t below) { return static_cast<unsigned>(random_() % below); }
+  Halfedge any() {
+    for (;;) {
+      const auto t = static_cast<Triangle>(pick(mesh_.triangle_bound()));
+      const Halfedge h = StripMesh::halfedge(t, pick(3));
+      if (mesh_.alive(t)) return pick(4) == 0 ? mesh_.opposite(h) : h;
+    }
+  }
+  ForeignHalfedge there(Halfedge h) { return foreign_.find(name_.at(mesh_.from(h)), name_.at(mesh_.to(h))); }
+
+  void split_both() {
+    std::vector<Halfedge> spokes;
+    detail::for_each_spoke(mesh_, mesh_.from(any()), [&](Halfedge h) { spokes.push_back(h); });
+    VertexSplit<Halfedge> where{spokes[pick(spokes.size())], spokes[pick(spokes.size())]};
+    using Spokes = VertexSplit<Halfedge>::Spokes;
+    if (mesh_.leaves_boundary(where.left) && pick(2) == 0)
+      where.spokes = pick(2) == 0 ? Spokes::left_only : Spokes::right_only;
+    if (check_split(mesh_, where) != Refusal::granted) return;
+    one_sided_ += where.spokes == Spokes::both ? 0 : 1;
+    using TheirSpokes = typename VertexSplit<ForeignHalfedge>::Spokes;
+    const VertexSplit<ForeignHalfedge> theirs{there(where.left), there(where.right),
+                                              static_cast<TheirSpokes>(where.spokes)};
+    const auto mine = split(mesh_, where);
+    const auto yours = split(foreign_.strips(), theirs);
+    expect_same(mine, yours, 0);
+    const Vertex made = mesh_.to(mine.halfedge);
+    if (made >= name_.size()) name_.resize(made + 1);
+    name_[made] = foreign_.to(yours.halfedge);
+    ASSERT_EQ(foreign_.from(yours.halfedge), name_[mesh_.from(mine.halfedge)]);
+  }
+  void collapse_both() {
+    const Halfedge h = any();
+    if (check_collapse(mesh_, h) != Refusal::granted) return;
+    const auto theirs = there(h);
+    ASSERT_TRUE(theirs.is_valid());
+    const auto mine = collapse(mesh_, h);
+    const auto yours = collapse(foreign_.strips(), theirs);
+    expect_same(mine, yours, 1);
+    ASSERT_EQ(foreign_.from(yours.halfedge), name_[mesh_.from(mine.halfedge)]);
+    ASSERT_EQ(foreign_.to(yours.halfedge), name_[mesh_.to(mine.halfedge)]);
+  }
+  void flip_both() {
+    const Halfedge h = any();
+    if (check_flip(mesh_, h) != Refusal::granted) return;
+    const auto theirs = there(h);
+    ASSERT_TRUE(theirs.is_valid());
+    const auto mine = flip(mesh_, h);
+    const auto yours = flip(foreign_.strips(), theirs);
+    expect_same(mine, yours, 2);
+    ASSERT_EQ(foreign_.to(yours.halfedge), name_[mesh_.to(mine.halfedge)]);
+  }
+  template <class Mine, class Yours>
+  void expect_same(const Mine& mine, const Yours& yours, int kind) {
+    EXPECT_EQ(mine.valence, yours.valence);
+    EXPECT_EQ(mine.strips, yours.strips);
+    EXPECT_EQ(mine.isolated, yours.isolated);
+    ++done_[kind];
+  }
+
+  void compare() {
+    const ColoringReport report = check_coloring(mesh_);
+    ASSERT_TRUE(report.valid);
+    std::size_t triangles = 0;
+    foreign_.for_each_triangle([&](ForeignHalfedge) { ++triangles; });
+    ASSERT_EQ(triangles, mesh_.triangle_count());
+    for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) {
+      if (!mesh_.alive(t)) continue;
+      const ForeignHalfedge first = there(StripMesh::halfedge(t, 0));
+      ASSERT_TRUE(foreign_.exists(first));
+      ForeignHalfedge h = first;
+      for (unsigned s = 0; s < 3; ++s) {
+        ASSERT_EQ(foreign_.from(h), name_[mesh_.from(StripMesh::halfedge(t, s))]);
+        ASSERT_EQ(foreign_.strips().solid(h), mesh_.solid(StripMesh::halfedge(t, s)));
+        h = foreign_.strips().next(h);
+      }
+      ASSERT_EQ(h, first);
+    }
+  }
+
+  StripMesh mesh_;
+  Foreign& foreign_;
+  std::mt19937 random_;
+  std::vector<typename Foreign::Vertex> name_;
+  int done_[3] = {0, 0, 0};
+  int one_sided_ = 0;
+};
+
+}  // namespace restrip

@@ -1,0 +1,21 @@
+# Builds a consumer's project, with every warning on and fatal, in one of three ways: an installed package, a
+# subdirectory, or headers copied by hand.
+file(REMOVE_RECURSE ${SCRATCH})
+file(MAKE_DIRECTORY ${SCRATCH})
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+set(arguments)
+if(WAY STREQUAL "package")
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
+  list(APPEND arguments -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
+elseif(WAY STREQUAL "subdirectory")
+  list(APPEND arguments -DRESTRIP_SOURCE=${ROOT})
+else()
+  file(COPY ${ROOT}/runtime/include/restrip ${ROOT}/tables/include/restrip DESTINATION ${SCRATCH}/headers)
+  list(APPEND arguments -DRESTRIP_HEADERS=${SCRATCH}/headers)
+endif()
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${SCRATCH}/build -DWAY=${WAY}
+    -DCMAKE_CXX_COMPILER=${COMPILER} ${arguments})
+run(${CMAKE_COMMAND} --build ${SCRATCH}/build)
+run(${SCRATCH}/build/consumer)

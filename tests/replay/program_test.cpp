@@ -1,0 +1,114 @@
+// Claims: the program keeps its word to the shell: exit codes, JSON keys, files whole or not at all, examples that
+// work.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace {
+
+struct Outcome {
+  int code = -1;
+  std::string out;
+};
+
+/// Standard output, and standard error behind it when `errors`.
+Outcome restrip(const std::string& arguments, bool errors = false) {
+  Outcome outcome;
+  FILE* pipe =
+      popen(fmt::format("'{}' {} {}", RESTRIP_PROGRAM, arguments, errors ? "2>&1" : "2>/dev/null").c_str(), "r");
+  std::array<char, 4096> block{};
+  while (const std::size_t size = fread(block.data(), 1, block.size(), pipe)) outcome.out.append(block.data(), size);
+  outcome.code = WEXITSTATUS(pclose(pipe));
+  return outcome;
+}
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::string file(const char* name) const { return (folder_ / name).string(); }
+  std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) /
+      fmt::format("restrip_program_{}", testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(Program, HelpAndVersion) {
+  EXPECT_EQ(restrip("--version").code, 0);
+  EXPECT_TRUE(restrip("--version").out.starts_with("restrip "));
+  for (const char* command : {"", "stats", "replay", "simplify", "make-mesh"}) {
+    const Outcome help = restrip(fmt::format("{} --help", command));
+    EXPECT_EQ(help.code, 0) << command;
+    EXPECT_NE(help.out.find("Example: restrip "), std::string::npos) << command;
+  }
+}
+
+TEST_F(Program, WrongUsageIsTwo) {
+  for (const char* arguments :
+       {"", "fly", "stats", "replay", "replay --base 0 --built-in", "replay --base 2 --built-in",
+        "replay --boundary melt --built-in", "replay --levels 1 --built-in", "replay x.obj --built-in",
+        "stats /no/such/mesh.obj", "make-mesh -o /no/such/folder/a.obj", "make-mesh --triangles 5 -o a.obj"})
+    EXPECT_EQ(restrip(arguments).code, 2) << arguments;
+}
+
+TEST_F(Program, FullCircle) {
+  EXPECT_EQ(restrip(fmt::format("make-mesh --triangles 2000 -o '{}'", file("a.ply"))).code, 0);
+  const Outcome stats = restrip(fmt::format("stats '{}' --json", file("a.ply")));
+  EXPECT_EQ(stats.code, 0);
+  EXPECT_EQ(nlohmann::json::parse(stats.out).at("genus"), 1);
+  EXPECT_EQ(restrip(fmt::format("simplify '{}' --base 0.1 -o '{}'", file("a.ply"), file("a.pm"))).code, 0);
+  const Outcome replay =
+      restrip(fmt::format("replay '{}' --repeats 1 --cycles 2 --walk 500 --seed 9 --json -", file("a.pm")), true);
+  EXPECT_EQ(replay.code, 0);
+  const auto json = nlohmann::json::parse(replay.out);  // and nothing else on either stream: silent in a pipe
+  EXPECT_EQ(json.at("triangles"), nlohmann::json::parse(stats.out).at("triangles"));
+  EXPECT_EQ(json.at("walk").at("seed"), 9);
+  EXPECT_EQ(json.at("cycles").size(), 2U);
+}
+
+TEST_F(Program, JsonHasItsKeys) {
+  ASSERT_EQ(restrip(fmt::format("replay --built-in --triangles 3000 --repeats 1 --json '{}'", file("a.json"))).code, 0);
+  std::ifstream in(file("a.json"));
+  const auto json = nlohmann::json::parse(in);
+  for (const char* key : {"triangles", "operations", "operations_without_rule", "operations_isolating",
+                          "operations_adding_strip", "by_valence", "levels", "ns_per_operation",
+                          "ns_per_operation_bare", "valid", "triangles_per_strip", "left_out"})
+    EXPECT_TRUE(json.contains(key)) << key;
+  EXPECT_GE(json.at("levels").size(), 10U);
+  for (const char* key : {"triangles", "strips", "isolated", "indices"})
+    EXPECT_TRUE(json.at("levels").at(0).contains(key)) << key;
+  EXPECT_TRUE(json.at("valid").get<bool>());
+}
+
+TEST_F(Program, AProgressiveMeshThatDoesNotFitIsOne) {
+  ASSERT_EQ(restrip(fmt::format("make-mesh --triangles 500 -o '{}'", file("a.off"))).code, 0);
+  ASSERT_EQ(restrip(fmt::format("simplify '{}' --base 0.2 -o '{}'", file("a.off"), file("a.pm"))).code, 0);
+  std::fstream pm(file("a.pm"), std::ios::in | std::ios::out | std::ios::binary);
+  pm.seekp(-4, std::ios::end);
+  const std::array<char, 4> first_vertex{};
+  pm.write(first_vertex.data(), 4);
+  pm.close();
+  const Outcome replay = restrip(fmt::format("replay '{}'", file("a.pm")));
+  EXPECT_EQ(replay.code, 1);
+  EXPECT_NE(replay.out.find("FAULT"), std::string::npos);
+}
+
+TEST_F(Program, AFailedWriteLeavesTheTargetAlone) {
+  std::ofstream(file("a.obj")) << "mine";
+  std::filesystem::create_directory(file("a.obj.part"));  // in the way of the half-written file
+  EXPECT_EQ(restrip(fmt::format("make-mesh -o '{}'", file("a.obj"))).code, 2);
+  std::stringstream kept;
+  kept << std::ifstream(file("a.obj")).rdbuf();
+  EXPECT_EQ(kept.str(), "mine");
+}
+
+}  // namespace

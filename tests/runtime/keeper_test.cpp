@@ -1,0 +1,164 @@
+// Tunnelling joins strips and never harms a colouring; a keeper's strips, counts and index are right after any mixture
+// of operations, and they stay few.
+#include "restrip/keeper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "restrip/checks.hpp"
+#include "restrip/stripify.hpp"
+#include "restrip/strips.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+using Spokes = VertexSplit<Halfedge>::Spokes;
+
+void expect_right(const StripMesh& mesh, const StripIndex& index) {
+  const ColoringReport report = check_coloring(mesh);
+  ASSERT_TRUE(report.valid);
+  ASSERT_EQ(report.strips, index.strips());
+  const Strips strips = extract_strips(mesh);
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    const auto strip = strips[s];
+    for (std::size_t i = 1; i < strip.size(); ++i) {
+      ASSERT_EQ(index.position(strip[i]).strip, index.position(strip[0]).strip);
+      ASSERT_EQ(index.position(strip[i - 1]).order < index.position(strip[i]).order,
+                index.position(strip[0]).order < index.position(strip[strip.size() - 1]).order);
+    }
+  }
+}
+
+Halfedge random_halfedge(const StripMesh& mesh, std::mt19937& random) {
+  for (;;) {
+    const Halfedge h{(static_cast<std::uint32_t>(random() % mesh.triangle_bound()) << 2) |
+                     static_cast<std::uint32_t>(random() % 3)};
+    if (mesh.alive(h)) return h;
+  }
+}
+
+// Returns false when the operation drawn was not possible.
+bool random_operation(StripKeeper& keeper, std::mt19937& random, bool grow) {
+  const StripMesh& mesh = keeper.mesh();
+  const Halfedge h = random_halfedge(mesh, random);
+  const std::size_t before = keeper.strips();
+  Rewrite<Halfedge> done;
+  if (random() % 6 == 0) {
+    if (check_flip(mesh, h) != Refusal::granted) return false;
+    done = keeper.flip(h);
+  } else if (!grow) {
+    if (check_collapse(mesh, h) != Refusal::granted) return false;
+    done = keeper.collapse(h);
+  } else {
+    VertexSplit<Halfedge> where{h, h, Spokes::both};
+    for (int turns = 1 + static_cast<int>(random() % 4); turns > 0; --turns)
+      if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh, where.right);
+    if (mesh.leaves_boundary(h) && random() % 2 == 0)
+      where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
+    if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return false;
+    if (check_split(mesh, where) != Refusal::granted) return false;
+    done = keeper.split(where);
+  }
+  EXPECT_EQ(static_cast<long>(keeper.strips()), static_cast<long>(before) + done.strips);
+  return true;
+}
+
+TEST(Tunnel, EachJoinTakesOneStripAway) {
+  for (StripMesh& mesh : sample::meshes()) {
+    StripIndex index(mesh);  // all isolated
+    Tunnel tunnel;
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+      const std::size_t before = index.strips();
+      const bool joined = tunnel.join(mesh, index, t, 20);
+      ASSERT_EQ(index.strips(), before - (joined ? 1 : 0));
+      expect_right(mesh, index);
+    }
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+      const std::size_t before = index.strips();
+      const bool joined = tunnel.join(mesh, index, t, 50, Tunnel::OnFailure::wander);
+      ASSERT_EQ(index.strips(), before - (joined ? 1 : 0));
+      expect_right(mesh, index);
+    }
+  }
+}
+
+TEST(Tunnel, LooksAtNoMoreStatesThanAllowed) {
+  StripMesh mesh = sample::torus(30, 30);
+  stripify(mesh);
+  StripIndex index(mesh);
+  for (const std::uint32_t states : {0U, 1U, 2U, 7U, 100U}) {
+    Tunnel tunnel;
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) tunnel.join(mesh, index, t, states);
+    EXPECT_LE(tunnel.counts().states, tunnel.counts().searches * states);
+  }
+}
+
+TEST(StripifyFull, ReachesOneStripOnClosedMeshes) {
+  StripMesh sphere = sample::sphere(4);
+  EXPECT_EQ(stripify(sphere, Effort::full), 1U);
+  EXPECT_EQ(check_coloring(sphere).strips, 1U);
+  StripMesh torus = sample::torus(60, 50);
+  EXPECT_EQ(stripify(torus, Effort::full), 1U);
+  EXPECT_TRUE(check_coloring(torus).valid);
+}
+
+TEST(StripifyFull, IsValidAndTheSameEveryTime) {
+  for (StripMesh& mesh : sample::meshes()) {
+    const std::size_t strips = stripify(mesh, Effort::full, 5000);
+    const ColoringReport report = check_coloring(mesh);
+    EXPECT_TRUE(report.valid);
+    EXPECT_EQ(report.strips, strips);
+    EXPECT_GE(strips, connected_pieces(mesh));
+    const Strips first = extract_strips(mesh);
+    EXPECT_EQ(stripify(mesh, Effort::full, 5000), strips);
+    EXPECT_EQ(extract_strips(mesh).order, first.order);
+  }
+}
+
+TEST(StripKeeper, IsRightAfterEveryOperation) {
+  std::mt19937 random(6);
+  for (const Policy policy : {Policy::local, Policy::quick, Policy::full}) {
+    for (StripMesh& mesh : sample::meshes()) {
+      StripKeeper keeper(mesh, policy);
+      for (int i = 0; i < 400; ++i) {
+        random_operation(keeper, random, mesh.triangle_count() < 60 || (i / 80) % 2 == 0);
+        if (i % 97 == 0) keeper.improve(200);
+        expect_right(mesh, keeper.index());
+        if (HasFatalFailure()) return;
+      }
+    }
+  }
+}
+
+std::size_t strips_from_scratch(StripMesh mesh) { return stripify(mesh, Effort::full, mesh.triangle_count() * 10); }
+
+// Random operations make meshes on which no stripification is perfect: strips from scratch are the measure.
+TEST(StripKeeper, StripsDoNotAge) {
+  std::mt19937 random(7);
+  StripMesh mesh = sample::torus(60, 60);
+  stripify(mesh, Effort::full);
+  StripKeeper keeper(mesh, Policy::quick);
+  const auto allowed = [&](std::size_t triangles_per_strip) {
+    return strips_from_scratch(mesh) + mesh.triangle_count() / triangles_per_strip;
+  };
+  for (int round = 0; round < 6; ++round) {
+    for (int done = 0; done < 1500;) done += random_operation(keeper, random, round % 2 == 0) ? 1 : 0;
+    expect_right(mesh, keeper.index());
+    EXPECT_LE(keeper.strips(), allowed(60)) << "round " << round;
+  }
+  keeper.set_policy(Policy::full);
+  for (int round = 0; round < 4; ++round) {
+    for (int done = 0; done < 1500;) done += random_operation(keeper, random, round % 2 == 0) ? 1 : 0;
+    EXPECT_LE(keeper.strips(), allowed(120)) << "round " << round;
+  }
+  keeper.improve(mesh.triangle_count() * 10);
+  EXPECT_LE(keeper.strips(), allowed(1000));
+  expect_right(mesh, keeper.index());
+}
+
+}  // namespace
+}  // namespace restrip

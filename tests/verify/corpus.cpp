@@ -1,0 +1,161 @@
+#include "corpus.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "manifest.hpp"
+
+namespace restrip::verify::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+void write(const fs::path& path, const std::string& bytes) {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string argument(const std::string& line) {
+  const std::size_t space = line.find(' ');
+  return space == std::string::npos ? std::string{} : line.substr(space + 1);
+}
+
+/// Carries out instructions on files, one after the other.
+class Editor {
+ public:
+  explicit Editor(fs::path folder) : folder_(std::move(folder)) {}
+  ~Editor() = default;
+
+  void carry_out(const std::string& instruction) {
+    const std::string verb = instruction.substr(0, instruction.find(' '));
+    const std::string what = argument(instruction);
+    if (verb == "file") {
+      file_ = folder_ / what;
+      place_ = 0;
+    } else if (verb == "section") {
+      place_ = position_of("section " + what) + 1;
+    } else if (verb == "-") {
+      std::vector<std::string> lines = lines_of(bytes_of(file_));
+      place_ = position_of(what);
+      lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(place_));
+      save(lines);
+    } else if (verb == "+") {
+      std::vector<std::string> lines = lines_of(bytes_of(file_));
+      lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(place_++), what);
+      save(lines);
+    } else if (verb == "cut") {
+      const std::string bytes = bytes_of(file_);
+      write(file_, bytes.substr(0, bytes.size() - std::stoul(what)));
+    } else if (verb == "create") {
+      write(folder_ / what, "nobody listed me\n");
+    } else if (verb == "delete") {
+      fs::remove(file_);
+    } else {
+      throw std::runtime_error("unknown instruction: " + instruction);
+    }
+  }
+
+ private:
+  std::size_t position_of(const std::string& line) const {
+    const std::vector<std::string> lines = lines_of(bytes_of(file_));
+    const auto found = std::find(lines.begin() + static_cast<std::ptrdiff_t>(place_), lines.end(), line);
+    if (found == lines.end()) throw std::runtime_error(fmt::format("{}: no line \"{}\"", file_.string(), line));
+    return static_cast<std::size_t>(found - lines.begin());
+  }
+  void save(const std::vector<std::string>& lines) const { write(file_, fmt::format("{}\n", fmt::join(lines, "\n"))); }
+
+  fs::path folder_;
+  fs::path file_;
+  std::size_t place_ = 0;
+};
+
+Damage read_damage(const fs::path& file) {
+  Damage damage;
+  damage.name = file.stem().string();
+  for (const std::string& line : lines_of(bytes_of(file))) {
+    if (line.starts_with("why "))
+      continue;
+    else if (line.starts_with("expect "))
+      damage.exit_code = std::stoi(argument(line));
+    else if (line.starts_with("message "))
+      damage.message = argument(line);
+    else
+      damage.instructions.push_back(line);
+  }
+  if (damage.message.empty() || damage.exit_code == 0 || damage.instructions.empty())
+    throw std::runtime_error(file.string() + ": incomplete");
+  return damage;
+}
+
+}  // namespace
+
+fs::path small_tables() { return fs::path(RESTRIP_CORPUS_DIR) / "accept" / "small"; }
+
+std::vector<Damage> damages() {
+  std::vector<fs::path> files;
+  for (const char* kind : {"reject", "malformed"})
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(RESTRIP_CORPUS_DIR) / kind))
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<Damage> result;
+  for (const fs::path& file : files) result.push_back(read_damage(file));
+  return result;
+}
+
+void write_manifest(const fs::path& tables_dir) {
+  std::set<std::string> paths;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tables_dir))
+    if (entry.is_regular_file() && entry.path().filename() != "MANIFEST")
+      paths.insert(fs::relative(entry.path(), tables_dir).generic_string());
+  std::string text = "restrip-manifest 1\n";
+  for (const std::string& path : paths) {
+    const std::string bytes = bytes_of(tables_dir / path);
+    const std::vector<std::string> lines = lines_of(bytes);
+    const auto rows = std::count_if(lines.begin(), lines.end(), [](const std::string& line) {
+      return line.starts_with("rule ") || line.starts_with("copy ");
+    });
+    text += fmt::format("{} {} {} {}\n", sha256_of(bytes), bytes.size(), rows, path);
+  }
+  write(tables_dir / "MANIFEST", text);
+}
+
+DamagedTables::DamagedTables(const Damage& damage)
+    : path_(fs::temp_directory_path() / fmt::format("restrip-corpus-{}-{}", getpid(), damage.name)) {
+  fs::remove_all(path_);
+  fs::copy(small_tables(), path_, fs::copy_options::recursive);
+  Editor editor(path_);
+  bool refresh = true;
+  for (const std::string& instruction : damage.instructions) {
+    if (instruction == "keep-manifest")
+      refresh = false;
+    else
+      editor.carry_out(instruction);
+  }
+  if (refresh) write_manifest(path_);
+}
+
+DamagedTables::~DamagedTables() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+}  // namespace restrip::verify::test

@@ -1,0 +1,52 @@
+#pragma once
+// The corpus on disk: tests/corpus/accept/small is a folder of tables for small fans; each file of reject/ and
+// malformed/ describes one damage to it and what the checker has to say. Format, one instruction a line:
+//
+//   why WORDS                 what is wrong
+//   expect CODE               the exit code
+//   message WORDS             part of the text that the checker prints
+//   file PATH                 the file that the following instructions change
+//   section POSITION          the following lines are looked for behind this section's head
+//   - LINE                    the line is taken out; it must be there
+//   + LINE                    the line is put in, where the last line was taken out or put in
+//   cut N                     the last N bytes go
+//   create PATH               a file that nobody listed
+//   delete                    the file goes
+//   keep-manifest             do not bring the MANIFEST up to date afterwards
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace restrip::verify::test {
+
+struct Damage {
+  std::string name;  ///< of the file
+  int exit_code = 0;
+  std::string message;
+  std::vector<std::string> instructions;  ///< from the first `file` on
+};
+
+/// The intact small tables.
+std::filesystem::path small_tables();
+
+/// All damages, sorted by name.
+std::vector<Damage> damages();
+
+/// A copy of the small tables with the damage done to it; removed with the object.
+class DamagedTables {
+ public:
+  explicit DamagedTables(const Damage& damage);
+  ~DamagedTables();
+  DamagedTables(const DamagedTables&) = delete;
+  DamagedTables& operator=(const DamagedTables&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Writes a MANIFEST that lists what is in the folder, with its present bytes and rows.
+void write_manifest(const std::filesystem::path& tables_dir);
+
+}  // namespace restrip::verify::test

@@ -1,0 +1,49 @@
+// Linked with a checker that has one deliberate fault: tells the first table of the corpus that shows it. Linked with
+// the true checker (the mutant `none`) it must find no such table.
+
+#include <fmt/format.h>
+
+#include "bad_tables.hpp"
+#include "corpus.hpp"
+#include "verdict.hpp"
+
+namespace {
+
+using namespace restrip::verify::test;
+
+std::string first_good_table_rejected() {
+  for (const NaiveFamily& family : naive_families(corpus_max_k))
+    for (const NaiveSection& section : family.sections)
+      if (verdict_of(naive_table(family, section)).exit_code != 0)
+        return fmt::format("good table {} {}", family.name, section.position);
+  return {};
+}
+
+std::string first_bad_table_accepted() {
+  std::string killer;
+  for_each_bad_table(corpus_max_k, [&](const BadTable& bad) {
+    if (!verdict_of(bad.table).says(bad.expected)) killer = bad.crime;
+    return killer.empty();
+  });
+  return killer;
+}
+
+std::string first_damage_accepted() {
+  for (const Damage& damage : damages()) {
+    const Verdict verdict = verdict_of(DamagedTables(damage).path());
+    if (verdict.exit_code != damage.exit_code || !verdict.says(damage.message)) return damage.name;
+  }
+  return {};
+}
+
+}  // namespace
+
+int main() {
+  for (const auto search : {first_damage_accepted, first_good_table_rejected, first_bad_table_accepted})
+    if (const std::string killer = search(); !killer.empty()) {
+      fmt::print("killed by: {}\n", killer);
+      return 0;
+    }
+  fmt::print("survived\n");
+  return 1;
+}

@@ -1,0 +1,27 @@
+#pragma once
+// What the checker says of a table: asked in memory for one section, or through files for a whole folder.
+
+#include <filesystem>
+#include <string>
+
+#include "naive_tables.hpp"
+
+namespace restrip::verify::test {
+
+/// Fans of the corpus have at most this many triangles.
+inline constexpr unsigned corpus_max_k = 4;
+
+struct Verdict {
+  int exit_code = 0;  ///< 0 every claim holds, 1 some claim fails, 2 bad input, as the program exits
+  std::string text;   ///< failing claims with their first counterexamples, or the input error
+
+  bool says(const std::string& expected) const { return text.find(expected) != std::string::npos; }
+};
+
+/// Of a certificate that holds this one section only.
+Verdict verdict_of(const NaiveTable& table);
+
+/// Of a folder with MANIFEST and certificates/.
+Verdict verdict_of(const std::filesystem::path& tables_dir);
+
+}  // namespace restrip::verify::test

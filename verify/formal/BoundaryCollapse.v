@@ -1,0 +1,22 @@
+(** * Edge collapses into open fans, k = 1 ... 8, of an edge on the boundary *)
+Require Import Arith Bool List Lia.
+Import ListNotations.
+Require Import Spec Table Checker Rows Tables_boundary_collapse Rows_fan_collapse.
+
+Definition full (k i : nat) : trie := Tables_boundary_collapse.table [k; i].
+Definition by_key (k : nat) : trie := reduced false (open_fan k) (Rows_fan_collapse.rows [k]).
+
+Definition positions : list (nat * nat) := filter (fun '(k, i) => 2 * i <=? k) (list_prod (seq 1 8) (seq 0 5)).
+Definition checks (at_ : nat * nat) : bool :=
+  let '(k, i) := at_ in
+  check (boundary_collapse k i) 1 (if Nat.even k then 0 else 1) (agrees false (by_key k)) (full k i).
+
+Theorem all_checked : forallb checks positions = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+
+Lemma checked k i : 1 <= k <= 8 -> 2 * i <= k -> checks (k, i) = true.
+Proof.
+  intros Hk Hi. apply (proj1 (forallb_forall checks positions) all_checked). apply filter_In. split.
+  - apply in_prod; apply in_seq; lia.
+  - now apply Nat.leb_le.
+Qed.

@@ -1,0 +1,23 @@
+(** * Vertex splits of open fans whose new edge lies on the boundary, k = 1 ... 8 *)
+Require Import Arith Bool List Lia.
+Import ListNotations.
+Require Import Spec Table Checker Rows Tables_boundary_split Rows_boundary_split.
+
+Definition full (k i : nat) : trie := Tables_boundary_split.table [k; i].
+Definition by_key (k i : nat) : trie := reduced false (after (boundary_split k i)) (Rows_boundary_split.rows [k; i]).
+
+Definition positions : list (nat * nat) := filter (fun '(k, i) => 2 * i <=? k) (list_prod (seq 1 8) (seq 0 5)).
+Definition checks (at_ : nat * nat) : bool :=
+  let '(k, i) := at_ in
+  check (boundary_split k i) (if i =? 1 then 0 else 1) (if Nat.even k && Nat.even i then 1 else 0)
+    (agrees false (by_key k i)) (full k i).
+
+Theorem all_checked : forallb checks positions = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+
+Lemma checked k i : 1 <= k <= 8 -> 2 * i <= k -> checks (k, i) = true.
+Proof.
+  intros Hk Hi. apply (proj1 (forallb_forall checks positions) all_checked). apply filter_In. split.
+  - apply in_prod; apply in_seq; lia.
+  - now apply Nat.leb_le.
+Qed.

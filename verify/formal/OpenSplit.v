@@ -1,0 +1,26 @@
+(** * Vertex splits of open fans that put their new edge inside the mesh, k = 1 ... 8
+
+    None adds an isolated triangle; with neighbouring gaps none costs a strip. *)
+Require Import Arith Bool List Lia.
+Import ListNotations.
+Require Import Spec Table Checker Rows Tables_open_split Rows_open_split.
+
+Definition full (k i j : nat) : trie := Tables_open_split.table [k; i; j].
+Definition by_key (k i j : nat) : trie :=
+  reduced false (after (open_split k i j)) (Rows_open_split.rows [k; i; j]).
+
+Definition positions : list (nat * (nat * nat)) :=
+  filter (fun '(k, (i, j)) => (i <? j) && (i + j <=? k)) (list_prod (seq 1 8) (list_prod (seq 0 9) (seq 0 9))).
+Definition checks (at_ : nat * (nat * nat)) : bool :=
+  let '(k, (i, j)) := at_ in
+  check (open_split k i j) (if j =? S i then 0 else 1) 0 (agrees false (by_key k i j)) (full k i j).
+
+Theorem all_checked : forallb checks positions = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+
+Lemma checked k i j : 1 <= k <= 8 -> i < j -> i + j <= k -> checks (k, (i, j)) = true.
+Proof.
+  intros Hk Hi Hj. apply (proj1 (forallb_forall checks positions) all_checked). apply filter_In. split.
+  - apply in_prod; [|apply in_prod]; apply in_seq; lia.
+  - apply andb_true_intro. split; [now apply Nat.ltb_lt|now apply Nat.leb_le].
+Qed.

@@ -1,0 +1,76 @@
+#pragma once
+// The first formulation: every configuration of an operation against every recolouring, by plain search over strips
+// that were walked.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "certificate.hpp"
+#include "merit.hpp"
+
+namespace restrip::verify {
+
+/// What is claimed of each valid configuration's row. The order is the order in which a row is judged; a row that
+/// fails one is not asked the next.
+enum class RowClaim { covered, sound, most_solid, fewest_isolated, most_ports_kept };
+inline constexpr std::size_t row_claim_count = 5;
+
+/// How often something did not hold, and the first time in full.
+struct Failures {
+  std::uint64_t count = 0;
+  std::string first;
+  void add(const std::string& counterexample) {
+    if (count++ == 0) first = counterexample;
+  }
+  void add(const Failures& later) {
+    if (count == 0) first = later.first;
+    count += later.count;
+  }
+};
+
+/// The answer that the certificate gives to a configuration, packed; or one of the two below.
+using Answer = std::uint16_t;
+inline constexpr Answer not_valid = 0xffff;
+inline constexpr Answer no_row = 0xfffe;
+inline Answer packed(Coloring after, const Operation& operation) {
+  return static_cast<Answer>(
+      operation.gives_ports_up ? concatenated(after.ports, after.inner, operation.after.inner_edges()) : after.inner);
+}
+
+struct Judgment {
+  std::uint64_t configurations = 0;
+  std::uint64_t valid = 0;
+  std::uint64_t pairs = 0;  ///< (valid configuration, recolouring)
+  std::uint64_t costing = 0;
+  std::optional<int> worst_strips;
+  std::optional<int> worst_isolated;
+  std::array<Failures, row_claim_count> failures;
+  std::vector<bool> row_used;
+  std::vector<Answer> answers;  ///< by concatenated(inner before, ports)
+};
+
+class Judge {
+ public:
+  Judge(const Section& section, const SectionRows& rows, const Operation& operation, std::string file);
+
+  /// Judges the rows of all configurations of a slice.
+  void judge(const PortSlice& slice);
+  const Judgment& judgment() const { return judgment_; }
+
+ private:
+  void judge_configuration(const PortSlice& slice, const SurveyedColoring& configuration);
+  std::string explained(const std::string& what, const PortSlice& slice, const SurveyedColoring& configuration,
+                        const Row* row) const;
+
+  const Section& section_;
+  const SectionRows& rows_;
+  const Operation& operation_;
+  std::string file_;
+  std::vector<const Row*> row_of_key_;
+  Judgment judgment_;
+};
+
+}  // namespace restrip::verify

@@ -1,0 +1,67 @@
+// restrip-verify: proves the certificates by exhaustion, from docs/notation.md and docs/certificate.md alone.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+
+#include "input.hpp"
+#include "verify.hpp"
+
+namespace {
+
+constexpr int all_claims_hold = 0;
+constexpr int some_claim_fails = 1;
+constexpr int bad_input = 2;
+
+int run(const restrip::verify::Options& options, bool as_json) {
+  using namespace restrip::verify;
+  std::vector<ClaimResult> claims;
+  if (!as_json) fmt::print("{}", heading());
+  const Totals totals = verify_tables(options, [&](const ClaimResult& result) {
+    claims.push_back(result);
+    if (!as_json) fmt::print("{}", line_of(result));
+    std::fflush(stdout);
+  });
+  fmt::print("{}", as_json ? json_of(claims, totals) : last_line(totals));
+  return totals.failed == 0 ? all_claims_hold : some_claim_fails;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  restrip::verify::Options options;
+  options.show_progress = isatty(STDERR_FILENO) != 0;
+  bool as_json = false;
+
+  CLI::App app("Proves the rewriting rules: reads the certificates and checks every claim for every configuration.");
+  app.name("restrip-verify");
+  app.footer(
+      "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
+      "Example, from the top of the source tree:\n"
+      "  build/release/bin/restrip-verify --tables-dir tables --all");
+  app.add_option("--tables-dir", options.tables_dir, "The folder with MANIFEST and certificates/")
+      ->capture_default_str();
+  app.add_option("--dump-command", options.dump_command,
+                 "A program that prints the compiled tables; they are compared with the certificates");
+  app.add_flag("--all", options.second_formulation,
+               "Check also that a second formulation (forbidden sets, no strip walked) agrees everywhere");
+  app.add_flag("--json", as_json, "Print the claims as JSON");
+  app.add_option("--family", options.families, "Only this certificate, such as split; may be repeated");
+  app.add_option("--threads", options.threads, "How many threads; the result does not depend on it")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 64));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? all_claims_hold : bad_input;
+  }
+
+  try {
+    return run(options, as_json);
+  } catch (const std::exception& error) {
+    std::fflush(stdout);
+    fmt::print(stderr, "restrip-verify: {}\n", error.what());
+    return bad_input;
+  }
+}

@@ -1,0 +1,27 @@
+#pragma once
+// tables/MANIFEST: the list of generated files with their SHA-256, sizes and numbers of rules.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace restrip::verify {
+
+struct ManifestLine {
+  std::string sha256;
+  std::size_t bytes = 0;
+  std::size_t rows = 0;
+  std::string path;
+  unsigned line = 0;
+};
+
+/// InputError when the manifest is not well formed.
+std::vector<ManifestLine> read_manifest(const std::string& tables_dir);
+
+std::string sha256_of(const std::string& bytes);
+
+/// What is wrong with the files below the folder, one sentence each, empty when they are exactly those listed.
+/// MANIFEST itself and CMakeLists.txt, which is written by hand, need no line.
+std::vector<std::string> manifest_faults(const std::string& tables_dir, const std::vector<ManifestLine>& lines);
+
+}  // namespace restrip::verify

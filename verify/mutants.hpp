@@ -1,0 +1,51 @@
+#pragma once
+// Deliberate faults of this checker, chosen by the compile definition RESTRIP_MUTANT. The shipped program is built
+// without it. Each fault is built as a program of its own by tests/verify, which must notice every one of them:
+// a checker that nobody has seen reject is no checker.
+
+namespace restrip::verify {
+
+enum class Mutant {
+  none,
+  // a colouring is called valid although ...
+  drop_all_cycles,    // ... strips close
+  drop_outer_cycle,   // ... a strip closes without using the chord
+  drop_chord_cycles,  // ... a strip closes over the chord
+  loosen_degree,      // ... a triangle has three solid edges
+  loosen_new_degree,  // ... a triangle without a port has three solid edges
+  // the search, or the judgement of a row, forgets something
+  drop_pairing,              // nobody looks at pairings
+  skip_own_pairing,          // the row's own pairing is not looked at
+  skip_own_validity,         // the row's own degrees and cycles are not looked at
+  ignore_chord_recolorings,  // the search never uses the chord
+  skip_last_recoloring,      // the search stops one short
+  skip_first_configuration,  // the walk over configurations starts one late
+  strips_off_by_one,         // a row may be one edge short
+  ignore_isolated,           // the second criterion is dropped
+  ignore_ports_kept,         // the third criterion of flips is dropped
+  // coverage
+  accept_missing,
+  accept_extra,
+  // the patch itself is wrong
+  off_by_one_arc,       // D sits one place too far
+  chord_misplaced,      // the chord of a ring ends one triangle too far
+  swapped_port_joined,  // the key's `joined` looks at the next port, not at the preceding one
+  // witnesses, claims, files
+  skip_witness,
+  skip_representative,
+  skip_claims,
+  accept_disorder,
+  accept_any_checksum,
+  skip_row_count,
+  accept_unlisted
+};
+
+#ifdef RESTRIP_MUTANT
+inline constexpr Mutant active_mutant = Mutant::RESTRIP_MUTANT;
+#else
+inline constexpr Mutant active_mutant = Mutant::none;
+#endif
+
+constexpr bool mutated(Mutant mutant) { return active_mutant == mutant; }
+
+}  // namespace restrip::verify

@@ -1,0 +1,44 @@
+#pragma once
+// The operations of docs/notation.md, each at one position, as a patch before and a patch after; and the sections and
+// families of certificates that serve them.
+
+#include <string>
+#include <vector>
+
+#include "patch.hpp"
+
+namespace restrip::verify {
+
+/// One operation at one position.
+struct Operation {
+  std::string family;    ///< "open-collapse"
+  std::string position;  ///< "k 8 gaps 2 5"; empty for the flip
+  Patch before;
+  Patch after;
+  bool gives_ports_up = false;
+
+  std::string name() const { return position.empty() ? family : family + ' ' + position; }
+};
+
+/// One section of a certificate and the operations that its rows serve.
+struct Section {
+  std::string position;  ///< as the certificate writes it: "k 8"
+  unsigned ports = 0;
+  unsigned key_bits = 0;               ///< width of the second mask of a key: `joined`, or the inner edge of a flip
+  unsigned recoloring_bits = 0;        ///< inner edges after the operation
+  bool serves_every_position = false;  ///< one rule for all positions of this k
+  std::vector<Operation> operations;
+};
+
+struct Family {
+  std::string name;  ///< of the certificate
+  std::vector<Section> sections;
+};
+
+/// The largest fan that the tables cover.
+inline constexpr unsigned largest_fan = 8;
+
+/// All families in the order of docs/notation.md, fans up to `max_k` triangles, 3 <= max_k <= 8.
+std::vector<Family> all_families(unsigned max_k = largest_fan);
+
+}  // namespace restrip::verify

@@ -1,0 +1,64 @@
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+namespace restrip::verify {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      result += fmt::format("\\{}", c);
+    else if (static_cast<unsigned char>(c) < ' ')
+      result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      result += c;
+  }
+  return result + '"';
+}
+
+/// 25888 as 25,888.
+std::string grouped(std::uint64_t number) {
+  return number < 1000 ? std::to_string(number) : fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
+}
+
+}  // namespace
+
+std::string heading() {
+  return fmt::format("{:<6} {:<15} {:<58} {:<48} {:>15} {:>8}\n", "", "family", "claim", "method", "cases", "seconds");
+}
+
+std::string line_of(const ClaimResult& result) {
+  std::string text = fmt::format("{:<6} {:<15} {:<58} {:<48} {:>15} {:>8.2f}\n", result.held() ? "holds" : "FAILS",
+                                 result.subject, result.claim, result.method, grouped(result.cases), result.seconds);
+  if (!result.held())
+    text += fmt::format("{} counterexample{}, the first:\n{}\n", grouped(result.failures),
+                        result.failures == 1 ? "" : "s", result.counterexample);
+  return text;
+}
+
+std::string last_line(const Totals& totals) {
+  return fmt::format("{}: {} rules, {} configurations, {} recolourings tried, {} claims{}\n",
+                     totals.failed == 0 ? "verified" : "NOT verified", grouped(totals.rules),
+                     grouped(totals.configurations), grouped(totals.pairs), totals.claims,
+                     totals.failed == 0 ? "" : fmt::format(" of which {} failed", totals.failed));
+}
+
+std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals) {
+  std::string text = "{\n  \"claims\": [";
+  for (std::size_t i = 0; i < claims.size(); ++i) {
+    const ClaimResult& claim = claims[i];
+    text += fmt::format(
+        "{}\n    {{\"family\": {}, \"claim\": {}, \"method\": {}, \"cases\": {}, \"seconds\": {:.3f}, \"holds\": {}, "
+        "\"failures\": {}, \"counterexample\": {}}}",
+        i == 0 ? "" : ",", quoted(claim.subject), quoted(claim.claim), quoted(claim.method), claim.cases, claim.seconds,
+        claim.held(), claim.failures, claim.held() ? "null" : quoted(claim.counterexample));
+  }
+  return text + fmt::format(
+                    "\n  ],\n  \"rules\": {},\n  \"configurations\": {},\n  \"recolorings\": {},\n  \"failed\": {},\n"
+                    "  \"verified\": {}\n}}\n",
+                    totals.rules, totals.configurations, totals.pairs, totals.failed, totals.failed == 0);
+}
+
+}  // namespace restrip::verify

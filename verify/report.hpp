@@ -1,0 +1,40 @@
+#pragma once
+// What was claimed, how it was checked, whether it held.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace restrip::verify {
+
+struct ClaimResult {
+  std::string subject;  ///< a family, or what else the claim is about
+  std::string claim;
+  std::string method;
+  std::uint64_t cases = 0;
+  double seconds = 0;  ///< of processor time
+  std::uint64_t failures = 0;
+  std::string counterexample;  ///< the first
+
+  bool held() const { return failures == 0; }
+};
+
+struct Totals {
+  std::uint64_t rules = 0;           ///< rows, copies included
+  std::uint64_t configurations = 0;  ///< valid ones, all families and positions
+  std::uint64_t pairs = 0;           ///< (configuration, recolouring)
+  std::uint64_t claims = 0;
+  std::uint64_t failed = 0;
+};
+
+/// Called for each claim as soon as it is settled, in a fixed order.
+using ClaimListener = std::function<void(const ClaimResult&)>;
+
+std::string heading();
+std::string line_of(const ClaimResult& result);
+/// "verified: …" or "NOT verified: …".
+std::string last_line(const Totals& totals);
+std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals);
+
+}  // namespace restrip::verify
