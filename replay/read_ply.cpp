@@ -79,7 +79,6 @@ class PlyReader {
   }
 
   // ---- the header
-  // ------------------------------------------------------------------------------------------------------
   void read_header() {
     if (cursor_.word() != "ply") refuse("does not begin with `ply`");
     bool format_known = false;
@@ -136,7 +135,6 @@ class PlyReader {
   }
 
   // ---- the values
-  // ------------------------------------------------------------------------------------------------------
   /// The bytes that a value takes at least: two as text (the very last may lack its separator).
   [[nodiscard]] std::size_t least_bytes(const Type& type) const { return encoding_ == Encoding::text ? 2 : type.bytes; }
 

@@ -7,8 +7,8 @@
 
 #include "coloring_check.hpp"
 #include "progress.hpp"
+#include "restrip/adopt.hpp"
 #include "restrip/checks.hpp"
-#include "restrip/operations.hpp"
 #include "restrip/stripify.hpp"
 #include "restrip/strips.hpp"
 #include "stopwatch.hpp"
@@ -39,7 +39,6 @@ class Replay {
 
  private:
   // ---- the way up, with everything counted
-  // ----------------------------------------------------------------------------
   void watch_the_way_up() {
     mesh_ = base_;
     const std::vector<std::size_t> stops = level_sizes();
@@ -75,7 +74,7 @@ class Replay {
             fmt::format("split {} ({} -> {}) is not possible: {}", index, record.v_s, record.v_t, describe(refusal)));
       return;
     }
-    const auto done = split(mesh_, where, record.v_t);
+    const auto done = split_and_adopt(mesh_, where, record.v_t);
     if (done.valence >= report_.by_valence.size()) report_.by_valence.resize(done.valence + std::size_t{1}, 0);
     ++report_.by_valence[done.valence];
     report_.operations_isolating += done.isolated > 0 ? 1 : 0;
@@ -94,16 +93,15 @@ class Replay {
   void record_level() { report_.levels.push_back(level()); }
 
   // ---- the clock
-  // ----------------------------------------------------------------------------------------------------------
   void split_all() {
-    for (const Record& record : source_.splits) split(mesh_, spokes_of(mesh_, record), record.v_t);
+    for (const Record& record : source_.splits) split_and_adopt(mesh_, spokes_of(mesh_, record), record.v_t);
   }
   void split_all_bare() {
     for (const Record& record : source_.splits) mesh_.insert_vertex(spokes_of(mesh_, record), record.v_t);
   }
   void collapse_all() {
     for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
-      collapse(mesh_, mesh_.spoke(record->v_s, record->v_t));
+      collapse_and_adopt(mesh_, mesh_.spoke(record->v_s, record->v_t));
   }
   void collapse_all_bare() {
     for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
@@ -138,7 +136,6 @@ class Replay {
   }
 
   // ---- the checks
-  // ---------------------------------------------------------------------------------------------------------
   std::vector<Corners> bare_triangles() {
     mesh_ = base_;
     split_all_bare();
@@ -157,7 +154,6 @@ class Replay {
   }
 
   // ---- down and up
-  // --------------------------------------------------------------------------------------------------------
   void cycle() {
     Cycle cycle;
     const auto count = [&cycle](const auto& done) {
@@ -165,9 +161,9 @@ class Replay {
       cycle.adding_strip += done.strips > 0 ? 1 : 0;
     };
     for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
-      count(collapse(mesh_, mesh_.spoke(record->v_s, record->v_t)));
+      count(collapse_and_adopt(mesh_, mesh_.spoke(record->v_s, record->v_t)));
     cycle.base = checked_level();
-    for (const Record& record : source_.splits) count(split(mesh_, spokes_of(mesh_, record), record.v_t));
+    for (const Record& record : source_.splits) count(split_and_adopt(mesh_, spokes_of(mesh_, record), record.v_t));
     cycle.top = checked_level();
     report_.cycles.push_back(cycle);
   }

@@ -71,7 +71,6 @@ class RecordedMesh : public KernelMesh {
   }
 
   // ---- called by the decimater
-  // --------------------------------------------------------------------------------------------
   bool is_collapse_ok(HalfedgeHandle h) {
     if (!KernelMesh::is_collapse_ok(h)) return false;
     const Vertex v_t = vertex_[index(from_vertex_handle(h))];
@@ -100,7 +99,6 @@ class RecordedMesh : public KernelMesh {
   Progress* progress = nullptr;
 
   // ---- the outcome
-  // ------------------------------------------------------------------------------------------------------
   [[nodiscard]] const StripMesh& strips() const noexcept { return strips_; }
   [[nodiscard]] const BuildReport& report() const noexcept { return report_; }
   [[nodiscard]] const std::vector<Record>& collapses() const noexcept { return collapses_; }

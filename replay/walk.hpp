@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "restrip/operations.hpp"
+#include "restrip/adopt.hpp"
 #include "restrip/strip_mesh.hpp"
 
 namespace restrip::replay {
@@ -16,12 +16,12 @@ namespace restrip::replay {
 struct Operations {
   using Halfedge = StripMesh::Halfedge;
   std::function<Rewrite<Halfedge>(StripMesh&, const VertexSplit<Halfedge>&)> split =
-      [](StripMesh& mesh, const VertexSplit<Halfedge>& where) { return restrip::split(mesh, where); };
+      [](StripMesh& mesh, const VertexSplit<Halfedge>& where) { return split_and_adopt(mesh, where); };
   std::function<Rewrite<Halfedge>(StripMesh&, Halfedge)> collapse = [](StripMesh& mesh, Halfedge chord) {
-    return restrip::collapse(mesh, chord);
+    return collapse_and_adopt(mesh, chord);
   };
   std::function<Rewrite<Halfedge>(StripMesh&, Halfedge)> flip = [](StripMesh& mesh, Halfedge h) {
-    return restrip::flip(mesh, h);
+    return flip_and_adopt(mesh, h);
   };
 };
 

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "restrip/adopt.hpp"
 #include "restrip/checks.hpp"
 #include "restrip/strips.hpp"
 #include "sample_meshes.hpp"
@@ -222,6 +223,32 @@ TEST(Operations, AnyValence) {
       EXPECT_EQ(static_cast<long>(after.isolated), static_cast<long>(between.isolated) + down.isolated);
     }
   }
+}
+
+TEST(Operations, AdoptionLeavesFewAlone) {
+  StripMesh mesh = sample::rectangle(20, 20);
+  Walk walk(mesh, 3, 1000000);
+  walk.run(4000);
+  // Isolate triangles by hand, then adopt them: what is reported is what a count from scratch finds.
+  std::mt19937 random(5);
+  std::size_t adopted = 0;
+  for (int n = 0; n < 3000; ++n) {
+    const auto t = static_cast<Triangle>(random() % walk.mesh.triangle_bound());
+    if (!walk.mesh.alive(t)) continue;
+    const Halfedge h = StripMesh::halfedge(t, 0);
+    for (const Halfedge side : {h, StripMesh::next(h), StripMesh::next(StripMesh::next(h))})
+      if (walk.mesh.solid(side)) walk.mesh.set_solid(side, false);
+    const ColoringReport before = check_coloring(walk.mesh);
+    const Adoption done = n % 3 == 0   ? adopt(walk.mesh, h)
+                          : n % 3 == 1 ? adopt_around(walk.mesh, h)
+                                       : adopt_after_flip(walk.mesh, h);
+    const ColoringReport after = check_coloring(walk.mesh);
+    ASSERT_TRUE(after.valid);
+    ASSERT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + done.strips);
+    ASSERT_EQ(static_cast<long>(after.isolated), static_cast<long>(before.isolated) + done.isolated);
+    adopted += done.isolated < 0 ? 1U : 0U;
+  }
+  EXPECT_GT(adopted, 1500U);
 }
 
 TEST(Operations, GoingDownAndUpGivesTheSameHandles) {

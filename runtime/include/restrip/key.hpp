@@ -92,15 +92,21 @@ constexpr bool valid(const Layout& patch, Word inner, Word fan_ports) noexcept {
 
 // ---- Masks: k <= max_word_valence, constant time ----
 
-/// Closed fan, k >= 3: loop has k bits.
+/// Closed fans and rings are what an ordinary split or collapse meets, so their formulas are written out; they are the
+// general ones above with the places of A and D put in.
+
+// Closed fan, k >= 3: loop has k bits.
 constexpr Word joined_closed(std::size_t k, Word loop, Word ports) noexcept {
-  return detail::joined(detail::closed_fan(k), loop, ports);
+  const Word ends = loop + (ports & loop);
+  return ((ends & low_bits(k)) + (ends >> k)) & ~loop & ports;
 }
 constexpr bool valid_closed(std::size_t k, Word loop, Word ports) noexcept {
-  return detail::valid(detail::closed_fan(k), loop, ports);
+  const Word all = low_bits(k);
+  const Word below = loop << 1 | loop >> (k - 1);
+  return ((loop | ports) & ~all) == 0 && (loop & below & ports) == 0 && loop != all;
 }
 
-/// Open fan, k >= 1: loop has k - 1 bits.
+// Open fan, k >= 1: loop has k - 1 bits.
 constexpr Word joined_open(std::size_t k, Word loop, Word ports) noexcept {
   return detail::joined(detail::open_fan(k), loop, ports);
 }
@@ -108,15 +114,33 @@ constexpr bool valid_open(std::size_t k, Word loop, Word ports) noexcept {
   return detail::valid(detail::open_fan(k), loop, ports);
 }
 
-/// Ring with chord, 1 <= a < k: inner has k + 3 bits.
-constexpr Word joined_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
-  return detail::joined(detail::ring_with_chord(k, a), inner, ports);
-}
-constexpr bool valid_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
-  return detail::valid(detail::ring_with_chord(k, a), inner, ports);
+/// Ports of a ring with chord as a mask over its elements: A is element 0, D is element a + 1.
+constexpr Word ring_ports(std::size_t a, Word ports) noexcept {
+  return (ports & low_bits(a)) << 1 | (ports >> a) << (a + 2);
 }
 
-/// Path with chord, 0 <= i < j <= k: inner has k + 2 bits.
+// Ring with chord, 1 <= a < k: inner has k + 3 bits.
+constexpr Word joined_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+  const Word edges = inner & low_bits(k + 2);
+  const Word elements = ring_ports(a, ports);
+  const Word ends = edges + (elements & edges);
+  Word result = ((ends & low_bits(k + 2)) + (ends >> (k + 2))) & ~edges & elements;
+  if (has(inner, k + 2)) result |= detail::joined_by_chord(detail::ring_with_chord(k, a), edges, elements);
+  return (result >> 1 & low_bits(a)) | (result >> (a + 2)) << a;
+}
+constexpr bool valid_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+  const Word all = low_bits(k + 2);
+  const Word edges = inner & all;
+  const Word chord = inner >> (k + 2) & 1;
+  const Word below = edges << 1 | edges >> (k + 1);
+  const Word third = ring_ports(a, ports) | chord | chord << (a + 1);
+  if ((inner & ~low_bits(k + 3)) != 0 || (ports & ~low_bits(k)) != 0) return false;
+  if ((edges & below & third) != 0 || edges == all) return false;
+  const Word first_arc = low_bits(a + 1);
+  return chord == 0 || ((~edges & first_arc) != 0 && (~edges & all & ~first_arc) != 0);
+}
+
+// Path with chord, 0 <= i < j <= k: inner has k + 2 bits.
 constexpr Word joined_path_with_chord(std::size_t k, std::size_t i, std::size_t j, Word inner, Word ports) noexcept {
   return detail::joined(detail::path_with_chord(k, i, j), inner, ports);
 }

@@ -81,4 +81,22 @@ template <ColoredMesh Mesh>
   return mesh.next(mesh.opposite(h));
 }
 
+/// One triangle of a fan, seen from the vertex that h leaves: the colours of its port and of its dual edge to the next
+/// triangle counter-clockwise, and the spoke between the two.
+template <class Halfedge>
+struct FanStep {
+  bool port = false;
+  bool edge = false;
+  Halfedge spoke{};
+};
+
+/// Needs a triangle to the left of h. A mesh may offer `FanStep<Halfedge> fan_step(h)` where it can do this in one go.
+template <ColoredMesh Mesh>
+[[nodiscard]] constexpr FanStep<typename Mesh::Halfedge> fan_step(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if constexpr (requires { mesh.fan_step(h); }) return mesh.fan_step(h);
+  const auto port = mesh.next(h);
+  const auto edge = mesh.next(port);
+  return {mesh.solid(port), mesh.solid(edge), mesh.opposite(edge)};
+}
+
 }  // namespace restrip

@@ -42,6 +42,17 @@ constexpr int isolated(const Layout& patch, Word inner, Word ports) noexcept {
   return static_cast<int>(patch.size()) - count_bits(touched & low_bits(patch.size()));
 }
 
+constexpr int isolated_closed(std::size_t k, Word loop, Word ports) noexcept {
+  return count_bits(low_bits(k) & ~(loop | loop << 1 | loop >> (k - 1) | ports));
+}
+
+constexpr int isolated_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+  const Word all = low_bits(k + 2);
+  const Word edges = inner & all;
+  const Word chord = inner >> (k + 2) & 1;
+  return count_bits(all & ~(edges | edges << 1 | edges >> (k + 1) | ring_ports(a, ports) | chord | chord << (a + 1)));
+}
+
 /// The colours a rule gives and what it changes.
 template <class Bits>
 struct Answer {
@@ -138,8 +149,8 @@ Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typen
                                              const InteriorFan<typename Mesh::Halfedge>& fan, Name... name) {
   const std::size_t k = fan.k;
   const std::size_t a = fan.a;
-  const auto rule =
-      answer(closed_fan(k), fan.loop, ring_with_chord(k, a), split_rule({k, a}, fan.loop, fan.ports), fan.ports);
+  const Rule rule = split_rule({k, a}, fan.loop, fan.ports);
+  const int isolated = isolated_ring(k, a, rule.colors, fan.ports) - isolated_closed(k, fan.loop, fan.ports);
   const auto chord = [&] {
     // A mesh that can use the walk we have done already need not turn around the vertex again.
     const std::span moved(fan.spokes + a - 1, k - a);
@@ -148,8 +159,8 @@ Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typen
     else
       return mesh.insert_vertex(where, name...);
   }();
-  recolor_ring(mesh, fan, chord, rule.colors.word);
-  return {chord, static_cast<std::uint32_t>(k), rule.strips, rule.isolated};
+  recolor_ring(mesh, fan, chord, rule.colors);
+  return {chord, static_cast<std::uint32_t>(k), rule.strips, isolated};
 }
 
 template <class Mesh, class... Name>
@@ -243,11 +254,12 @@ Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge ch
   detail::InteriorFan<typename Mesh::Halfedge> interior;
   if (Word ring = 0; detail::read_ring(mesh, chord, interior, ring)) {
     const auto [k, a] = std::pair{interior.k, interior.a};
-    const auto rule = detail::answer(detail::ring_with_chord(k, a), ring, detail::closed_fan(k),
-                                     collapse_rule({k, a}, ring, interior.ports), interior.ports);
+    const Rule rule = collapse_rule({k, a}, ring, interior.ports);
+    const int isolated =
+        detail::isolated_closed(k, rule.colors, interior.ports) - detail::isolated_ring(k, a, ring, interior.ports);
     const auto left = mesh.remove_vertex(chord);
-    detail::recolor_fan(mesh, interior, left, rule.colors.word);
-    return {left, static_cast<std::uint32_t>(k), rule.strips, rule.isolated};
+    detail::recolor_fan(mesh, interior, left, rule.colors);
+    return {left, static_cast<std::uint32_t>(k), rule.strips, isolated};
   }
   detail::WordBits inner;
   detail::WordBits ports;

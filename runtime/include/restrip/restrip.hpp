@@ -4,6 +4,7 @@
 // of ours).
 #pragma once
 
+#include "restrip/adopt.hpp"
 #include "restrip/checks.hpp"
 #include "restrip/exact.hpp"
 #include "restrip/key.hpp"

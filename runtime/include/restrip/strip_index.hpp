@@ -114,7 +114,7 @@ class StripIndex {
   const Chunk& look_up(ChunkId c) const noexcept;
   ChunkId new_chunk();
 
-  // ---- chunks and their labels
+  // ---- chunks and their labels (detail/strip_index.hpp)
   bool step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept;
   [[nodiscard]] bool labels_grow(const StripMesh& mesh, Halfedge h) const noexcept;
   [[nodiscard]] bool is_last(const StripMesh& mesh, Triangle end) const noexcept;
@@ -125,7 +125,7 @@ class StripIndex {
   void divide(const StripMesh& mesh, Triangle member);
   void join_chunks(const StripMesh& mesh, Halfedge h);
 
-  // ---- patches
+  // ---- patches (detail/strip_patch.hpp)
   void find_strands(const StripMesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands);
   [[nodiscard]] bool grew(Halfedge h) const noexcept;
   void place_strand(const StripMesh& mesh, const Strand& strand);
@@ -150,3 +150,4 @@ class StripIndex {
 }  // namespace restrip
 
 #include "restrip/detail/strip_index.hpp"
+#include "restrip/detail/strip_patch.hpp"

@@ -78,6 +78,16 @@ class StripMesh {
   /// The halfedge v -> w, or {none}. O(valence of v). Boundary halfedges are found too.
   [[nodiscard]] Halfedge spoke(Vertex v, Vertex w) const noexcept;
 
+  /// See restrip::fan_step: one look at the triangle's record.
+  [[nodiscard]] FanStep<Halfedge> fan_step(Halfedge h) const noexcept {
+    const Record& record = triangles_[triangle(h)];
+    const unsigned s = side(h);
+    const unsigned before = s == 0 ? 2 : s - 1;
+    const std::uint32_t port = record.link[3 - s - before];
+    const std::uint32_t edge = record.link[before];
+    const std::uint32_t spoke = edge == edge_of_mesh ? ((h.id & ~3U) | before | outside) : edge >> 1;
+    return {(port & 1U) != 0, (edge & 1U) != 0, {spoke}};
+  }
   /// True when the vertex that h leaves lies on the boundary. Constant time.
   [[nodiscard]] bool leaves_boundary(Halfedge h) const noexcept { return on_boundary(opposite(spoke(from(h)))); }
 

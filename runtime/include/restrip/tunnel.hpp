@@ -10,8 +10,8 @@
 // The search is breadth-first over such chains, simulated: a state is a list of *pieces*, stretches of the strips as
 // the index knows them, in the order in which the moves so far would join them. No triangle becomes the new end twice,
 // so a search of n states has looked at n different ends, and on a mesh where one triangle in d is an end it takes
-// about d states to find one.  Colours and index are
-// only changed by the chain that succeeds, which is the shortest there is among those tried.
+// about d states to find one. Colours and index are only changed by the chain that succeeds, which is the shortest of
+// those tried.
 #pragma once
 
 #include <cstddef>
@@ -35,6 +35,8 @@ struct TunnelCounts {
 /// allocated once its arrays have grown to the largest search.
 class Tunnel {
  public:
+  enum class OnFailure { stay, wander };
+
   /// Tries to join the strip that ends at `end` with another one, looking at no more than `max_states` states. Returns
   /// true when the mesh has one strip less. `index` must be that of the mesh. Deterministic.
   ///
@@ -44,7 +46,6 @@ class Tunnel {
   ///
   /// Cost: O(max_states * length of the chains), with chains as long as a search of that size gets (about 5 moves at
   /// 100 states, 12 at 1,000, 25 at 10,000). Does nothing when `end` is inside a strip.
-  enum class OnFailure { stay, wander };
   bool join(StripMesh& mesh, StripIndex& index, Triangle end, std::uint32_t max_states,
             OnFailure on_failure = OnFailure::stay);
 

@@ -42,11 +42,10 @@ bool read_interior_fan(const Mesh& mesh, typename Mesh::Halfedge left, typename 
   std::size_t i = 0;
   do {
     if (i == max_interior_valence || mesh.on_boundary(h)) return false;
-    const auto link = mesh.next(h);
-    const auto edge = mesh.next(link);
-    fan.ports |= Word{mesh.solid(link)} << i;
-    fan.loop |= Word{mesh.solid(edge)} << i;
-    h = mesh.opposite(edge);
+    const auto step = fan_step(mesh, h);
+    fan.ports |= Word{step.port} << i;
+    fan.loop |= Word{step.edge} << i;
+    h = step.spoke;
     fan.spokes[i] = h;
     ++i;
     if (h == right) fan.a = i;
@@ -88,14 +87,13 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
     inner |= Word{mesh.solid(h)} << edge++;
     for (bool beside_start = true;; beside_start = false) {
       if (mesh.on_boundary(h)) return false;
-      const auto link = mesh.next(h);
-      const auto next = mesh.opposite(mesh.next(link));
-      if (next == start) break;
+      const auto step = fan_step(mesh, h);
+      if (step.spoke == start) break;
       if (i == max_interior_valence) return false;
       if (!beside_start) fan.spokes[i - 1] = h;
-      fan.ports |= Word{mesh.solid(link)} << i++;
-      inner |= Word{mesh.solid(next)} << edge++;
-      h = next;
+      fan.ports |= Word{step.port} << i++;
+      inner |= Word{step.edge} << edge++;
+      h = step.spoke;
     }
     if (start == chord) fan.a = i;
   }

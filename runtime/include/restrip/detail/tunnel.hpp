@@ -92,8 +92,7 @@ inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Ha
       commit(mesh, index, s, join);
       return true;
     }
-    for (unsigned i = 0; i < n; ++i)
-      reach({s, join, next[i].towards_x, at.order, next[i].order, at.strip, false});
+    for (unsigned i = 0; i < n; ++i) reach({s, join, next[i].towards_x, at.order, next[i].order, at.strip, false});
     return false;
   }
   // Solid edges that the moves have cut do not count.

@@ -1,0 +1,129 @@
+// Adoption: a triangle that an operation left alone is taken into the strip of a neighbour that can spare an end.
+//
+// Splits and collapses inside the mesh never add an isolated triangle. On its boundary, and in flips, even the best
+// rule sometimes must, as long as it leaves its ports alone (docs/notation.md, "Cost"). Looking one triangle further
+// helps: the isolated triangle x takes the edge to a neighbour t, and t gives up one of its two solid edges, to a
+// triangle that has another one. The number of strips stays, nobody else is isolated, and no cycle can close, because x
+// was alone.
+//
+// Call after an operation whose Rewrite says `isolated > 0`, or after any flip. Adoption writes colours outside the
+// patch, so operations that adopt do not commute with their neighbours. Constant time a triangle; rare.
+#pragma once
+
+#include "restrip/mesh.hpp"
+#include "restrip/operations.hpp"
+
+namespace restrip {
+
+/// What adoption changed.
+struct Adoption {
+  int strips = 0;    ///< change in the number of strips: 0 or less
+  int isolated = 0;  ///< change in the number of isolated triangles: 0 or less
+};
+
+namespace detail {
+
+/// Solid dual edges of the triangle to the left of h.
+template <class Mesh>
+int solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
+  const auto second = mesh.next(h);
+  return int{mesh.solid(h)} + int{mesh.solid(second)} + int{mesh.solid(mesh.next(second))};
+}
+
+}  // namespace detail
+
+/// Adopts the triangle to the left of h if it is isolated and a neighbour can take it.
+template <ColoredMesh Mesh>
+Adoption adopt(Mesh& mesh, typename Mesh::Halfedge h) {
+  if (mesh.on_boundary(h) || detail::solid_degree(mesh, h) != 0) return {};
+  for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
+    const auto across = mesh.opposite(h);
+    if (mesh.on_boundary(across)) continue;
+    const int degree = detail::solid_degree(mesh, across);
+    if (degree < 2) {  // the end of a strip, or alone as well
+      mesh.set_solid(h, true);
+      return {-1, degree == 0 ? -2 : -1};
+    }
+    for (auto other = mesh.next(across); !(other == across); other = mesh.next(other)) {
+      if (!mesh.solid(other) || detail::solid_degree(mesh, mesh.opposite(other)) < 2) continue;
+      mesh.set_solid(other, false);
+      mesh.set_solid(h, true);
+      return {0, -1};
+    }
+  }
+  return {};
+}
+
+/// Adopts the isolated triangles around the vertex that h leaves: after a split (h the chord) or a collapse (h the
+/// spoke).
+template <ColoredMesh Mesh>
+Adoption adopt_around(Mesh& mesh, typename Mesh::Halfedge h) {
+  Adoption sum;
+  const auto take = [&](typename Mesh::Halfedge g) {
+    const Adoption one = adopt(mesh, g);
+    sum.strips += one.strips;
+    sum.isolated += one.isolated;
+  };
+  auto g = h;
+  while (!mesh.on_boundary(g)) {
+    take(g);
+    g = turn_ccw(mesh, g);
+    if (g == h) return sum;
+  }
+  for (g = h; !mesh.on_boundary(mesh.opposite(g));) {
+    g = turn_cw(mesh, g);
+    take(g);
+  }
+  return sum;
+}
+
+/// Adopts what a flip isolated: its two triangles and the four around them. h is the turned edge.
+template <ColoredMesh Mesh>
+Adoption adopt_after_flip(Mesh& mesh, typename Mesh::Halfedge h) {
+  Adoption sum;
+  for (const auto inner : {h, mesh.opposite(h)}) {
+    if (mesh.on_boundary(inner)) continue;
+    const auto second = mesh.next(inner);
+    for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) {
+      const Adoption one = adopt(mesh, g);
+      sum.strips += one.strips;
+      sum.isolated += one.isolated;
+    }
+  }
+  return sum;
+}
+
+namespace detail {
+
+template <class Halfedge>
+Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Adoption adoption) {
+  rewrite.strips += adoption.strips;
+  rewrite.isolated += adoption.isolated;
+  return rewrite;
+}
+
+}  // namespace detail
+
+/// split(), then adoption where the rule isolated somebody. The Rewrite tells what both did.
+template <SplittableMesh Mesh, class... Name>
+Rewrite<typename Mesh::Halfedge> split_and_adopt(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                                                 Name... name) {
+  const auto done = split(mesh, where, name...);
+  return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
+}
+
+/// collapse(), then adoption where the rule isolated somebody.
+template <CollapsibleMesh Mesh>
+Rewrite<typename Mesh::Halfedge> collapse_and_adopt(Mesh& mesh, typename Mesh::Halfedge chord) {
+  const auto done = collapse(mesh, chord);
+  return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
+}
+
+/// flip(), then adoption. The Rewrite's `isolated` counts what adoption saved outside the patch too.
+template <FlippableMesh Mesh>
+Rewrite<typename Mesh::Halfedge> flip_and_adopt(Mesh& mesh, typename Mesh::Halfedge h) {
+  const auto done = flip(mesh, h);
+  return detail::with(done, adopt_after_flip(mesh, done.halfedge));
+}
+
+}  // namespace restrip
