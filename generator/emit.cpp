@@ -97,8 +97,8 @@ std::string rows_header(const Packing& closed, const Packing& open, unsigned max
   return text + footer;
 }
 
-std::string rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k) {
-  if (family.name == "flip") return flip_header(family);
+RulesHeader rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k) {
+  if (family.name == "flip") return {flip_header(family), 32};
   std::vector<unsigned> first(max_k + 1, 0);
   std::vector<unsigned> cells(max_k + 1, 0);
   std::vector<Mask> rules;
@@ -123,7 +123,7 @@ std::string rules_header(const SolvedFamily& family, const Packing& packing, uns
                       max_k, rules.size(), identifier(family.name));
   text += "    {" + numbers(first).substr(4) + "    },\n    {" + numbers(cells).substr(4) + "    },\n    {\n" +
           numbers(rules) + "    },\n};\n";
-  return text + footer;
+  return {text + footer, rules.size() * (widest > 0xff ? 2 : 1)};
 }
 
 std::string certificate(const SolvedFamily& family) {

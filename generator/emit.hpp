@@ -19,8 +19,14 @@ struct SolvedFamily {
 /// restrip/tables/rows.hpp: where the rows of keys start, for closed and open fans.
 [[nodiscard]] std::string rows_header(const Packing& closed, const Packing& open, unsigned max_k);
 
+/// A header and the read-only data that it compiles to.
+struct RulesHeader {
+  std::string text;
+  std::size_t bytes = 0;
+};
+
 /// restrip/tables/FAMILY.hpp.
-[[nodiscard]] std::string rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k);
+[[nodiscard]] RulesHeader rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k);
 
 /// certificates/FAMILY.cert (docs/certificate.md).
 [[nodiscard]] std::string certificate(const SolvedFamily& family);

@@ -43,13 +43,16 @@ void make_tables(const TablesOptions& options) {
 
   std::map<std::string, std::string> files;
   std::map<std::string, std::size_t> rows;
+  std::map<std::string, std::size_t> bytes;
   const std::string headers = "include/restrip/tables/";
   files[headers + "rows.hpp"] = rows_header(closed_packing, open_packing, options.max_k);
   for (const SolvedFamily& family : families) {
     std::string file = family.name;
     std::replace(file.begin(), file.end(), '-', '_');
     const bool on_closed = closed(family.sections[0].position.family);
-    files[headers + file + ".hpp"] = rules_header(family, on_closed ? closed_packing : open_packing, options.max_k);
+    const RulesHeader header = rules_header(family, on_closed ? closed_packing : open_packing, options.max_k);
+    files[headers + file + ".hpp"] = header.text;
+    bytes[family.name] = header.bytes;
     files["certificates/" + family.name + ".cert"] = certificate(family);
     rows[headers + file + ".hpp"] = rows["certificates/" + family.name + ".cert"] = family.rows();
   }
@@ -60,7 +63,8 @@ void make_tables(const TablesOptions& options) {
   write_all(options.out, files);
 
   for (const SolvedFamily& family : families)
-    fmt::print("{:<16} {:>3} sections  {:>6} rules\n", family.name, family.sections.size(), family.rows());
+    fmt::print("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", family.name, family.sections.size(), family.rows(),
+               bytes[family.name]);
 }
 
 }  // namespace
@@ -86,7 +90,16 @@ int main(int argc, char** argv) {
   std::string family = "split";
   unsigned k = 0;
   auto* dump_command = app.add_subcommand("dump", "Print every rule as CSV, one row for each valid configuration");
-  dump_command->footer("Example:\n  restrip-generate dump --family split --k 4\n");
+  dump_command->footer(
+      "Columns:\n"
+      "  split              k,a,loop,ports,inner,strips,isolated\n"
+      "  collapse           k,a,inner,ports,loop,strips,isolated\n"
+      "  open-split         k,i,j,loop,ports,inner,strips,isolated\n"
+      "  open-collapse      k,i,j,inner,ports,loop,strips,isolated\n"
+      "  boundary-split     k,i,loop,ports,inner,strips,isolated\n"
+      "  boundary-collapse  k,i,inner,ports,loop,strips,isolated\n"
+      "  flip               inner,ports,inner_after,ports_after,strips,isolated\n"
+      "\nExample:\n  restrip-generate dump --family split --k 4\n");
   std::map<std::string, Family> names;
   for (const Family f : {Family::split, Family::collapse, Family::open_split, Family::open_collapse,
                          Family::boundary_split, Family::boundary_collapse, Family::flip})

@@ -42,17 +42,6 @@ constexpr int isolated(const Layout& patch, Word inner, Word ports) noexcept {
   return static_cast<int>(patch.size()) - count_bits(touched & low_bits(patch.size()));
 }
 
-constexpr int isolated_closed(std::size_t k, Word loop, Word ports) noexcept {
-  return count_bits(low_bits(k) & ~(loop | loop << 1 | loop >> (k - 1) | ports));
-}
-
-constexpr int isolated_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
-  const Word all = low_bits(k + 2);
-  const Word edges = inner & all;
-  const Word chord = inner >> (k + 2) & 1;
-  return count_bits(all & ~(edges | edges << 1 | edges >> (k + 1) | ring_ports(a, ports) | chord | chord << (a + 1)));
-}
-
 /// The colours a rule gives and what it changes.
 template <class Bits>
 struct Answer {
@@ -153,7 +142,7 @@ Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typen
   const int isolated = isolated_ring(k, a, rule.colors, fan.ports) - isolated_closed(k, fan.loop, fan.ports);
   const auto chord = [&] {
     // A mesh that can use the walk we have done already need not turn around the vertex again.
-    const std::span moved(fan.spokes + a - 1, k - a);
+    const std::span<const typename Mesh::Halfedge> moved(fan.spokes + a - 1, k - a);
     if constexpr (requires { mesh.insert_vertex(where.left, where.right, name..., moved); })
       return mesh.insert_vertex(where.left, where.right, name..., moved);
     else
@@ -257,7 +246,13 @@ Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge ch
     const Rule rule = collapse_rule({k, a}, ring, interior.ports);
     const int isolated =
         detail::isolated_closed(k, rule.colors, interior.ports) - detail::isolated_ring(k, a, ring, interior.ports);
-    const auto left = mesh.remove_vertex(chord);
+    const auto left = [&] {
+      const std::span<const typename Mesh::Halfedge> moved(interior.spokes + a - 1, k - a);
+      if constexpr (requires { mesh.remove_vertex(chord, moved); })
+        return mesh.remove_vertex(chord, moved);
+      else
+        return mesh.remove_vertex(chord);
+    }();
     detail::recolor_fan(mesh, interior, left, rule.colors);
     return {left, static_cast<std::uint32_t>(k), rule.strips, isolated};
   }

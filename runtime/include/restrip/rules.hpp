@@ -14,6 +14,7 @@
 #include <cstddef>
 
 #include "restrip/bits.hpp"
+#include "restrip/detail/shortened.hpp"
 #include "restrip/exact.hpp"
 #include "restrip/key.hpp"
 #include "restrip/tables/boundary_split.hpp"
@@ -78,6 +79,18 @@ constexpr Word turned_down(Word mask, std::size_t by, std::size_t n) noexcept {
   return (mask >> by | mask << (n - by)) & low_bits(n);
 }
 
+/// Isolated triangles of a closed fan, and of a ring with chord.
+constexpr int isolated_closed(std::size_t k, Word loop, Word ports) noexcept {
+  return count_bits(low_bits(k) & ~(loop | loop << 1 | loop >> (k - 1) | ports));
+}
+
+constexpr int isolated_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+  const Word all = low_bits(k + 2);
+  const Word edges = inner & all;
+  const Word chord = inner >> (k + 2) & 1;
+  return count_bits(all & ~(edges | edges << 1 | edges >> (k + 1) | ring_ports(a, ports) | chord | chord << (a + 1)));
+}
+
 template <class Table>
 constexpr Word cell(const Table& table, const RowStarts<table_max_k>& rows, std::size_t k, std::size_t place,
                     Word ports, Word joined) noexcept {
@@ -90,22 +103,48 @@ constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
 
 }  // namespace detail
 
-/// Split of a closed fan: `loop` and `ports` have k bits, the answer k + 3. k <= max_word_valence.
-[[nodiscard]] constexpr Rule split_rule(SplitPosition at, Word loop, Word ports) noexcept {
-  const auto [k, a] = at;
-  if (!valid_closed(k, loop, ports)) return {0, 2 + count_bits(loop), false};
-  if (k > table_max_k)
-    return detail::rule(exact::best_split(k, a, ports, joined_closed(k, loop, ports)).colors, loop, 2);
+namespace detail {
+
+/// The table's answer to a key of a closed fan of at most table_max_k triangles.
+constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
   // The tables begin with the shorter arc. Where the first is the longer one, ask with A and D exchanged and turn the
   // ring back; without branches, since which arc is shorter is as good as random.
   const bool exchange = 2 * a > k;
   const std::size_t by = exchange ? a : 0;
   const std::size_t arc = exchange ? k - a : a;
-  const Word turned_ports = detail::turned_down(ports, by, k);
-  const Word joined = joined_closed(k, detail::turned_down(loop, by, k), turned_ports);
-  const Word inner = detail::cell(tables::split, tables::closed_rows, k, arc - 1, turned_ports, joined);
-  const Word ring = detail::turned_down(inner & low_bits(k + 2), exchange ? arc + 1 : 0, k + 2);
-  return detail::rule(ring | (inner & bit(k + 2)), loop, 2);
+  const Word inner =
+      cell(tables::split, tables::closed_rows, k, arc - 1, turned_down(ports, by, k), turned_down(joined, by, k));
+  return turned_down(inner & low_bits(k + 2), exchange ? arc + 1 : 0, k + 2) | (inner & bit(k + 2));
+}
+
+/// A larger closed fan: by way of the tables where that is exact, else by the exact solver.
+constexpr Word large_split(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
+  Shortened fan(k, a, ports, joined);
+  if (fan.shorten(table_max_k)) {
+    Word inner = split_cell(fan.k(), fan.arc(), fan.ports(), fan.joined());
+    if (fan.put_back(inner) && isolated_ring(k, a, inner, ports) == 0) return inner;
+  }
+  return exact::best_split(k, a, ports, joined).colors;
+}
+
+constexpr Word large_collapse(std::size_t k, Word ports, Word joined) noexcept {
+  Shortened fan(k, 0, ports, joined);
+  if (fan.shorten(table_max_k)) {
+    Word loop = cell(tables::collapse, tables::closed_rows, fan.k(), 0, fan.ports(), fan.joined());
+    if (fan.put_back(loop) && isolated_closed(k, loop, ports) == 0) return loop;
+  }
+  return exact::best_collapse(k, ports, joined).colors;
+}
+
+}  // namespace detail
+
+/// Split of a closed fan: `loop` and `ports` have k bits, the answer k + 3. k <= max_word_valence.
+[[nodiscard]] constexpr Rule split_rule(SplitPosition at, Word loop, Word ports) noexcept {
+  const auto [k, a] = at;
+  if (!valid_closed(k, loop, ports)) return {0, 2 + count_bits(loop), false};
+  const Word joined = joined_closed(k, loop, ports);
+  return detail::rule(
+      k > table_max_k ? detail::large_split(k, a, ports, joined) : detail::split_cell(k, a, ports, joined), loop, 2);
 }
 
 /// Collapse onto a closed fan: `inner` has k + 3 bits, `ports` k, the answer k. k <= max_word_valence.
@@ -113,7 +152,7 @@ constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
   const auto [k, a] = at;
   if (!valid_ring(k, a, inner, ports)) return {0, count_bits(inner) - 2, false};
   const Word joined = joined_ring(k, a, inner, ports);
-  const Word loop = k > table_max_k ? exact::best_collapse(k, ports, joined).colors
+  const Word loop = k > table_max_k ? detail::large_collapse(k, ports, joined)
                                     : detail::cell(tables::collapse, tables::closed_rows, k, 0, ports, joined);
   return detail::rule(loop, inner, -2);
 }

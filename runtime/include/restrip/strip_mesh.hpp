@@ -117,8 +117,32 @@ class StripMesh {
   Halfedge insert_vertex(Halfedge left, Halfedge right, Vertex new_vertex, std::span<const Halfedge> moved);
   /// See CollapsibleMesh. Preconditions: see check_collapse() in checks.hpp; not tested here.
   Halfedge remove_vertex(Halfedge chord);
+  /// The same for a mesh edge with interior ends whose fans have been walked already: `moved` are the spokes of v_t
+  /// whose left triangles stay, counter-clockwise.
+  Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved);
   /// See FlippableMesh. Preconditions: see check_flip() in checks.hpp; not tested here.
   Halfedge turn_edge(Halfedge h);
+
+  // ---- insertion and removal in two steps, for batches (batch.hpp): one thread takes handles and gives them back, in a
+  // ---- fixed order; between the two, insertions and removals on disjoint patches may run at the same time
+  /// The handles that an insertion takes and a removal gives back; `none` for the triangle that a one-sided operation
+  /// does not have.
+  struct Room {
+    Vertex vertex = none;
+    Triangle left = none;
+    Triangle right = none;
+    friend constexpr bool operator==(const Room&, const Room&) = default;
+  };
+  /// The handles that insert_vertex would use now. They are the caller's until an insertion fills them or they are given
+  /// back.
+  [[nodiscard]] Room take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex = none);
+  void give_back(const Room& room);
+  /// As above, into room taken before.
+  Halfedge insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept;
+  Halfedge insert_vertex(Halfedge left, Halfedge right, const Room& room, std::span<const Halfedge> moved) noexcept;
+  /// As above; `freed` receives the handles that become free and are still to be given back.
+  Halfedge remove_vertex(Halfedge chord, Room& freed) noexcept;
+  Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved, Room& freed) noexcept;
 
   // ---- extent
   /// Number of triangles alive.
@@ -153,9 +177,10 @@ class StripMesh {
   [[nodiscard]] std::uint32_t link_of(Halfedge h) const noexcept { return triangles_[triangle(h)].link[side(h)]; }
   [[nodiscard]] std::uint32_t& link_of(Halfedge h) noexcept { return triangles_[triangle(h)].link[side(h)]; }
   void join(Halfedge g, Halfedge h) noexcept;  // g or h may be on the boundary; dashed
-  Triangle new_triangle(Vertex a, Vertex b, Vertex c);
-  void remove_triangle(Triangle t);
-  Halfedge insert_both(Halfedge left, Halfedge right, Vertex v_s, Vertex v_t);
+  Triangle take_triangle();
+  void place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept;
+  Halfedge insert_both(Halfedge left, Halfedge right, Vertex v_s, const Room& room) noexcept;
+  Halfedge unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right, Room& freed) noexcept;
   void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
   Vertex new_vertex(Vertex wanted);
   void find_irregular_vertices(BuildReport& report);

@@ -83,14 +83,15 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
   std::size_t edge = 0;  // inner edges met
   for (const auto start : {chord, mesh.opposite(chord)}) {
     if (mesh.on_boundary(start)) return false;
-    auto h = turn_ccw(mesh, start);
-    inner |= Word{mesh.solid(h)} << edge++;
-    for (bool beside_start = true;; beside_start = false) {
+    const auto beside = fan_step(mesh, start);  // the triangle that goes
+    inner |= Word{beside.edge} << edge++;
+    auto h = beside.spoke;
+    for (;;) {
       if (mesh.on_boundary(h)) return false;
       const auto step = fan_step(mesh, h);
       if (step.spoke == start) break;
       if (i == max_interior_valence) return false;
-      if (!beside_start) fan.spokes[i - 1] = h;
+      if (i > 0) fan.spokes[i - 1] = h;
       fan.ports |= Word{step.port} << i++;
       inner |= Word{step.edge} << edge++;
       h = step.spoke;

@@ -13,22 +13,18 @@ inline void StripMesh::join(Halfedge g, Halfedge h) noexcept {
   if (!on_boundary(h)) link_of(h) = on_boundary(g) ? edge_of_mesh : g.id << 1;
 }
 
-inline Triangle StripMesh::new_triangle(Vertex a, Vertex b, Vertex c) {
-  Triangle t = 0;
+inline Triangle StripMesh::take_triangle() {
   if (free_.empty()) {
-    t = static_cast<Triangle>(triangles_.size());
     triangles_.emplace_back();
-  } else {
-    t = free_.back();
-    free_.pop_back();
+    return static_cast<Triangle>(triangles_.size() - 1);
   }
-  triangles_[t] = {{a, b, c}, {edge_of_mesh, edge_of_mesh, edge_of_mesh}};
+  const Triangle t = free_.back();
+  free_.pop_back();
   return t;
 }
 
-inline void StripMesh::remove_triangle(Triangle t) {
-  triangles_[t] = {{none, none, none}, {edge_of_mesh, edge_of_mesh, edge_of_mesh}};
-  free_.push_back(t);
+inline void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept {
+  triangles_[t] = {{a, b, c}, {edge_of_mesh, edge_of_mesh, edge_of_mesh}};
 }
 
 inline Vertex StripMesh::new_vertex(Vertex wanted) {
@@ -46,6 +42,23 @@ inline Vertex StripMesh::new_vertex(Vertex wanted) {
     irregular_.resize(spoke_.size(), 0);
   }
   return wanted;
+}
+
+inline StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex wanted) {
+  using Spokes = VertexSplit<Halfedge>::Spokes;
+  Room room;
+  room.vertex = new_vertex(wanted);
+  if (spokes != Spokes::right_only) room.left = take_triangle();
+  if (spokes != Spokes::left_only) room.right = take_triangle();
+  // In use from now on: a vertex that was named while it was free may be in the free list twice.
+  set_spoke(room.vertex, halfedge(room.left != none ? room.left : room.right, 0));
+  return room;
+}
+
+inline void StripMesh::give_back(const Room& room) {
+  if (room.right != none) free_.push_back(room.right);
+  if (room.left != none) free_.push_back(room.left);
+  free_vertices_.push_back(room.vertex);
 }
 
 inline void StripMesh::reserve(std::size_t triangles, std::size_t vertices) {
@@ -76,21 +89,29 @@ inline StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
 
 inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, Vertex wanted,
                                                     std::span<const Halfedge> moved) {
+  return insert_vertex(left, right, take_room(VertexSplit<Halfedge>::Spokes::both, wanted), moved);
+}
+
+inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, const Room& room,
+                                                    std::span<const Halfedge> moved) noexcept {
   const Vertex v_s = from(left);
-  const Vertex v_t = new_vertex(wanted);
+  const Vertex v_t = room.vertex;
   for (const Halfedge h : moved) triangles_[triangle(h)].corner[side(h)] = v_t;
-  const Halfedge chord = insert_both(left, right, v_s, v_t);
+  const Halfedge chord = insert_both(left, right, v_s, room);
   const Halfedge back = opposite(chord);
   set_spoke(v_t, back);
   if (from(spoke(v_s)) != v_s) set_spoke(v_s, chord);
   return chord;
 }
 
-inline StripMesh::Halfedge StripMesh::insert_both(Halfedge left, Halfedge right, Vertex v_s, Vertex v_t) {
+inline StripMesh::Halfedge StripMesh::insert_both(Halfedge left, Halfedge right, Vertex v_s,
+                                                  const Room& room) noexcept {
   const Halfedge before_left = opposite(left);
   const Halfedge before_right = opposite(right);
-  const Triangle a = new_triangle(v_s, v_t, from(before_left));
-  const Triangle d = new_triangle(v_t, v_s, from(before_right));
+  const Triangle a = room.left;
+  const Triangle d = room.right;
+  place_triangle(a, v_s, room.vertex, from(before_left));
+  place_triangle(d, room.vertex, v_s, from(before_right));
   join(halfedge(a, 2), left);
   join(halfedge(a, 1), before_left);
   join(halfedge(d, 2), right);
@@ -100,6 +121,10 @@ inline StripMesh::Halfedge StripMesh::insert_both(Halfedge left, Halfedge right,
 }
 
 inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
+  return insert_vertex(where, take_room(where.spokes, wanted));
+}
+
+inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept {
   using Spokes = VertexSplit<Halfedge>::Spokes;
   const bool has_left = where.spokes != Spokes::right_only;
   const bool has_right = where.spokes != Spokes::left_only;
@@ -110,7 +135,7 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>&
   const Vertex v_s = from(has_left ? left : right);
   const Vertex v_l = has_left ? to(left) : none;
   const Vertex v_r = has_right ? to(right) : none;
-  const Vertex v_t = new_vertex(wanted);
+  const Vertex v_t = room.vertex;
 
   // The triangles of v_t: counter-clockwise from `right`; where the boundary interrupts, the rest is clockwise of
   // `left`.
@@ -136,14 +161,16 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>&
 
   Halfedge chord{};
   if (has_left) {
-    const Triangle a = new_triangle(v_s, v_t, v_l);
+    const Triangle a = room.left;
+    place_triangle(a, v_s, v_t, v_l);
     join(halfedge(a, 2), left);
     join(halfedge(a, 1), before_left);
     chord = halfedge(a, 0);
     if (on_boundary(left) && spoke(v_l) == before_left) set_spoke(v_l, halfedge(a, 2));
   }
   if (has_right) {
-    const Triangle d = new_triangle(v_t, v_s, v_r);
+    const Triangle d = room.right;
+    place_triangle(d, v_t, v_s, v_r);
     join(halfedge(d, 2), right);
     join(halfedge(d, 1), before_right);
     if (has_left)
@@ -171,6 +198,13 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>&
 }
 
 inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
+  Room freed;
+  const Halfedge merged = remove_vertex(chord, freed);
+  give_back(freed);
+  return merged;
+}
+
+inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
   const Halfedge back = opposite(chord);
   const bool has_left = !on_boundary(chord);
   const bool has_right = !on_boundary(back);
@@ -187,6 +221,40 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
     } while (!(h == first) && !on_boundary(h));
   }
 
+  const Halfedge merged = unlink(chord, back, has_left, has_right, freed);
+  freed.vertex = v_t;
+  set_spoke(v_t, {none});
+
+  Halfedge first = on_boundary(merged) ? next(opposite(merged)) : merged;
+  if (boundary_vertex)
+    while (!on_boundary(opposite(first))) first = turn_cw(*this, first);
+  set_spoke(v_s, first);
+  return merged;
+}
+
+inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
+  Room freed;
+  const Halfedge merged = remove_vertex(chord, moved, freed);
+  give_back(freed);
+  return merged;
+}
+
+inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved,
+                                                    Room& freed) noexcept {
+  const Vertex v_s = from(chord);
+  const Vertex v_t = to(chord);
+  for (const Halfedge h : moved) triangles_[triangle(h)].corner[side(h)] = v_s;
+  const Halfedge merged = unlink(chord, opposite(chord), true, true, freed);
+  freed.vertex = v_t;
+  set_spoke(v_t, {none});
+  set_spoke(v_s, merged);
+  return merged;
+}
+
+/// Joins what lies on both sides of the triangles beside the chord, and empties these.
+inline StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right,
+                                             Room& freed) noexcept {
+  freed.left = freed.right = none;
   Halfedge merged{};
   if (has_right) {
     const Halfedge to_right = next(back);         // v_s -> v_r
@@ -197,7 +265,8 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
     join(below, above);
     if (spoke(v_r) == from_right) set_spoke(v_r, below);
     merged = on_boundary(above) ? opposite(below) : above;
-    remove_triangle(triangle(back));
+    freed.right = triangle(back);
+    place_triangle(freed.right, none, none, none);
   }
   if (has_left) {
     const Halfedge to_left = next(chord);        // v_t -> v_l
@@ -208,15 +277,9 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
     join(below, above);
     if (spoke(v_l) == from_left) set_spoke(v_l, above);
     merged = on_boundary(below) ? opposite(above) : below;
-    remove_triangle(triangle(chord));
+    freed.left = triangle(chord);
+    place_triangle(freed.left, none, none, none);
   }
-  set_spoke(v_t, {none});
-  free_vertices_.push_back(v_t);
-
-  Halfedge first = on_boundary(merged) ? next(opposite(merged)) : merged;
-  if (boundary_vertex)
-    while (!on_boundary(opposite(first))) first = turn_cw(*this, first);
-  set_spoke(v_s, first);
   return merged;
 }
 

@@ -1,0 +1,64 @@
+// One loop over a range of numbers, cut into pieces that run at the same time: oneTBB when RESTRIP_USE_TBB is defined,
+// else std::jthread.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <exception>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#ifdef RESTRIP_USE_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#endif
+
+namespace restrip::detail {
+
+/// Calls body(begin, end) for ranges that together are [0, n), each number once. `threads`: 1 calls in this thread
+/// alone and starts none, 0 takes as many threads as the machine runs. The first exception of a range is thrown again
+/// here, after all ranges have ended.
+template <class Body>
+void parallel_ranges(std::size_t n, unsigned threads, const Body& body) {
+  constexpr std::size_t small = 32;  // operations that are not worth a thread
+  if (threads == 1 || n <= small) {
+    if (n > 0) body(std::size_t{0}, n);
+    return;
+  }
+#ifdef RESTRIP_USE_TBB
+  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
+  arena.execute([&] {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, small),
+                      [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+  });
+#else
+  if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t pieces = std::min<std::size_t>(threads, (n + small - 1) / small);
+  std::vector<std::exception_ptr> failures(pieces);
+  const auto run = [&](std::size_t piece) noexcept {
+    try {
+      body(n / pieces * piece + std::min(piece, n % pieces), n / pieces * (piece + 1) + std::min(piece + 1, n % pieces));
+    } catch (...) {
+      failures[piece] = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    workers.reserve(pieces - 1);
+    std::size_t piece = 1;
+    try {
+      for (; piece < pieces; ++piece) workers.emplace_back(run, piece);
+    } catch (const std::system_error&) {
+      // No more threads to be had: this one does the rest.
+      for (; piece < pieces; ++piece) run(piece);
+    }
+    run(0);
+  }
+  for (const std::exception_ptr& failure : failures)
+    if (failure) std::rethrow_exception(failure);
+#endif
+}
+
+}  // namespace restrip::detail
