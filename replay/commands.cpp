@@ -5,10 +5,12 @@
 #include <optional>
 
 #include "coloring_check.hpp"
+#include "draw.hpp"
 #include "mesh_file.hpp"
 #include "mesh_report.hpp"
 #include "pm_file.hpp"
 #include "replay_text.hpp"
+#include "restrip/operations.hpp"
 #include "restrip/stripify.hpp"
 #include "walk.hpp"
 #include "whole_file.hpp"
@@ -46,6 +48,24 @@ Source source_of(const ReplayCommand& command) {
   source.mesh = std::move(simplified.mesh);
   source.original = std::move(soup.triangles);
   return source;
+}
+
+/// Moves each vertex to the mean of its neighbours, so that the made mesh's jitter does not hide it in a picture.
+void smooth(Soup& soup, int rounds) {
+  for (; rounds > 0; --rounds) {
+    std::vector<Point> sum(soup.points.size());
+    std::vector<float> count(soup.points.size(), 0);
+    for (const Corners& t : soup.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Point& p = soup.points[t[(i + 1) % 3]];
+        Point& s = sum[t[i]];
+        s = {s.x + p.x, s.y + p.y, s.z + p.z};
+        count[t[i]] += 1;
+      }
+    }
+    for (std::size_t v = 0; v < sum.size(); ++v)
+      if (count[v] > 0) soup.points[v] = {sum[v].x / count[v], sum[v].y / count[v], sum[v].z / count[v]};
+  }
 }
 
 WalkTaken take_walk(const Source& source, const ReplayCommand& command) {
@@ -112,6 +132,24 @@ int run(const MakeMeshCommand& command) {
   const Soup soup = make_mesh(command.triangles, command.seed);
   write_mesh(command.out, soup);
   fmt::print("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size());
+  return 0;
+}
+
+int run(const DrawCommand& command) {
+  constexpr std::size_t triangles_in_a_picture = 2400;
+  Soup soup = command.mesh.empty() ? make_mesh(triangles_in_a_picture) : read_mesh(command.mesh);
+  if (command.mesh.empty()) smooth(soup, 4);
+  const ProgressiveMesh source = simplify(soup, {}).mesh;
+  StripMesh mesh = StripMesh::build(source.base, source.points.size());
+  stripify(mesh);
+  for (const Record& record : source.splits) split(mesh, spokes_of(mesh, record), record.v_t);
+  // Six triangles, five of them in one strip that enters and leaves, the last one in a strip of its own.
+  constexpr SplitPosition at{6, 3};
+  constexpr Word loop = 0b001111;
+  constexpr Word ports = 0b110001;
+  write_whole_file(command.out, svg_of({{draw_mesh(mesh, source.points), "a mesh coloured by strip"},
+                                        {draw_fan(at, loop, ports), "a 6-vertex; solid: strip, dashed: no strip"},
+                                        {draw_split(at, loop, ports), "split, and repaired by its rule"}}));
   return 0;
 }
 

@@ -44,4 +44,11 @@ struct MakeMeshCommand {
 };
 int run(const MakeMeshCommand& command);
 
+/// The picture of the README: a mesh coloured by strip after its replay, and the rule of one split.
+struct DrawCommand {
+  std::filesystem::path mesh;  ///< empty: the built-in mesh
+  std::filesystem::path out;
+};
+int run(const DrawCommand& command);
+
 }  // namespace restrip::replay

@@ -84,6 +84,14 @@ CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
   return sub;
 }
 
+CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
+  CLI::App* sub = app.add_subcommand("draw", "Draw a mesh coloured by strip, and a rule before and after, as SVG");
+  sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl, best of a few thousand triangles; else a torus");
+  sub->add_option("-o,--output", command.out, "the .svg file")->required();
+  sub->footer("Example: restrip draw -o picture.svg");
+  return sub;
+}
+
 int run_command_line(int argc, char** argv) {
   CLI::App app{"Triangle strips that stay optimal while the mesh changes", "restrip"};
   app.set_version_flag("--version", std::string("restrip ") + RESTRIP_VERSION);
@@ -95,9 +103,11 @@ int run_command_line(int argc, char** argv) {
   ReplayCommand replay;
   SimplifyCommand simplify;
   MakeMeshCommand make_mesh;
+  DrawCommand draw;
   const CLI::App* stats_sub = add_stats(app, stats);
   const CLI::App* replay_sub = add_replay(app, replay);
   const CLI::App* simplify_sub = add_simplify(app, simplify);
+  const CLI::App* draw_sub = add_draw(app, draw);
   add_make_mesh(app, make_mesh);
   try {
     app.parse(argc, argv);
@@ -107,6 +117,7 @@ int run_command_line(int argc, char** argv) {
   if (stats_sub->parsed()) return run(stats);
   if (replay_sub->parsed()) return run(replay);
   if (simplify_sub->parsed()) return run(simplify);
+  if (draw_sub->parsed()) return run(draw);
   return run(make_mesh);
 }
 

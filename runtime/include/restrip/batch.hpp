@@ -38,7 +38,7 @@ struct BatchOptions {
 
 /// Why a batch was not done.
 enum class BatchFault {
-  none,           ///< it was done
+  done,           ///< nothing stands in the way
   refused,        ///< a request alone is not possible: BatchReport::refusal says why
   overlap,        ///< the patches of two requests overlap
   vertex_in_use,  ///< a request names a new vertex that has triangles already
@@ -48,8 +48,8 @@ enum class BatchFault {
 /// One sentence for a person.
 [[nodiscard]] constexpr const char* describe(BatchFault fault) noexcept {
   switch (fault) {
-    case BatchFault::none:
-      return "the batch was done";
+    case BatchFault::done:
+      return "the batch is done";
     case BatchFault::refused:
       return "an operation of the batch is not possible";
     case BatchFault::overlap:
@@ -65,20 +65,20 @@ enum class BatchFault {
 /// What a batch did; after a fault, what stood in the way of the first request that could not join those before it. A
 /// batch with a fault has changed nothing.
 struct BatchReport {
-  BatchFault fault = BatchFault::none;
+  BatchFault fault = BatchFault::done;
   std::size_t request = 0;             ///< the request at fault
   std::size_t other = 0;               ///< the earlier request it does not go with; else the same as `request`
   Refusal refusal = Refusal::granted;  ///< for BatchFault::refused
   std::vector<Rewrite<StripMesh::Halfedge>> rewrites;  ///< one for each request
   std::int64_t strips = 0;                             ///< change in the number of strips, all together
   std::int64_t isolated = 0;                           ///< change in the number of isolated triangles, all together
-  [[nodiscard]] bool done() const noexcept { return fault == BatchFault::none; }
+  [[nodiscard]] bool done() const noexcept { return fault == BatchFault::done; }
 };
 
-/// Does the splits. The checks cost about as much as the splits; checking, splitting in parallel, claims and handles in
-/// this thread. O(sum of valences), and with checks 4 bytes of memory, set once, for each triangle and vertex.
-/// An exception (std::bad_alloc; only fans of more than max_word_valence triangles allocate in an operation) in the
-/// parallel part leaves the mesh unusable.
+/// Does the splits. O(sum of valences), and with checks 4 bytes of memory, set once, for each triangle and vertex of
+/// the mesh. Checking (which costs more than the operations themselves) and splitting run in parallel, handles are
+/// taken in this thread. An exception in the parallel part (std::bad_alloc; only fans of more than max_word_valence
+/// triangles allocate) leaves the mesh unusable.
 BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> requests, const BatchOptions& options = {});
 
 /// Does the collapses, each given by its chord v_s -> v_t. Cost and exceptions as for split_batch.
@@ -113,8 +113,8 @@ class PatchClaims {
  public:
   explicit PatchClaims(const StripMesh& mesh)
       : mesh_(mesh), triangles_(mesh.triangle_bound(), none), vertices_(mesh.vertex_bound(), none) {}
-  /// Claims the patch of an operation for `number` (below `none`). When it overlaps with earlier ones, it claims nothing
-  /// and returns their smallest number. Precondition: the operation is granted by its check. O(valence).
+  /// Claims the patch of an operation for `number` (below `none`). When it overlaps with earlier ones, it claims
+  /// nothing and returns their smallest number. Precondition: the operation is granted by its check. O(valence).
   std::optional<std::size_t> claim(const SplitRequest& request, std::size_t number);
   std::optional<std::size_t> claim(StripMesh::Halfedge chord, std::size_t number);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -73,31 +74,76 @@ class KeepingFreed {
   StripMesh::Room& freed_;
 };
 
-/// The first request that stands in the way of a batch, or BatchFault::none.
+struct Verdict {
+  BatchFault fault = BatchFault::done;
+  Refusal refusal = Refusal::granted;
+};
+
+/// What stands in the way of request i, whatever the others do; but its name must go with that of the first one.
+template <class Request>
+Verdict judge_alone(const StripMesh& mesh, std::span<const Request> requests, std::size_t i) {
+  if (const Refusal refusal = check_request(mesh, requests[i]); refusal != Refusal::granted)
+    return {BatchFault::refused, refusal};
+  if constexpr (std::is_same_v<Request, SplitRequest>) {
+    const Vertex name = requests[i].new_vertex;
+    if ((name == none) != (requests[0].new_vertex == none)) return {BatchFault::mixed_names, Refusal::granted};
+    if (name < mesh.vertex_bound() && mesh.spoke(name).id != none) return {BatchFault::vertex_in_use, Refusal::granted};
+  }
+  return {};
+}
+
+/// The first request that stands in the way of a batch, or BatchFault::done. Two passes: each request enters its number
+/// wherever it claims something, the smallest number stays; then each looks whether a smaller one has stayed. That does
+/// not depend on the order, so both passes run in parallel.
 template <class Request>
 void find_fault(const StripMesh& mesh, std::span<const Request> requests, unsigned threads, BatchReport& report) {
-  std::vector<Refusal> refusals(requests.size(), Refusal::granted);
-  parallel_ranges(requests.size(), threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) refusals[i] = check_request(mesh, requests[i]);
-  });
-  const auto fail = [&report](BatchFault fault, std::size_t request, std::size_t other, Refusal refusal) {
-    report.fault = fault;
-    report.request = request;
-    report.other = other;
-    report.refusal = refusal;
-  };
-  PatchClaims claims(mesh);
-  for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (refusals[i] != Refusal::granted) return fail(BatchFault::refused, i, i, refusals[i]);
-    if constexpr (std::is_same_v<Request, SplitRequest>) {
-      const Vertex name = requests[i].new_vertex;
-      if ((name == none) != (requests[0].new_vertex == none))
-        return fail(BatchFault::mixed_names, i, 0, Refusal::granted);
-      if (name < mesh.vertex_bound() && mesh.spoke(name).id != none)
-        return fail(BatchFault::vertex_in_use, i, i, Refusal::granted);
+  std::size_t vertex_bound = mesh.vertex_bound();
+  if constexpr (std::is_same_v<Request, SplitRequest>)
+    for (const SplitRequest& request : requests)
+      if (request.new_vertex != none) vertex_bound = std::max(vertex_bound, request.new_vertex + std::size_t{1});
+  std::vector<std::uint32_t> triangles(mesh.triangle_bound(), none);
+  std::vector<std::uint32_t> vertices(vertex_bound, none);
+  std::vector<Verdict> verdicts(requests.size());
+
+  const auto enter = [threads](std::uint32_t& owner, std::uint32_t number) {
+    if (threads == 1) {
+      owner = std::min(owner, number);
+      return;
     }
-    if (const auto earlier = claims.claim(requests[i], i))
-      return fail(BatchFault::overlap, i, *earlier, Refusal::granted);
+    const std::atomic_ref<std::uint32_t> shared(owner);
+    std::uint32_t now = shared.load(std::memory_order_relaxed);
+    while (number < now && !shared.compare_exchange_weak(now, number, std::memory_order_relaxed)) continue;
+  };
+  parallel_ranges(requests.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      verdicts[i] = judge_alone(mesh, requests, i);
+      if (verdicts[i].fault != BatchFault::done) continue;
+      const auto number = static_cast<std::uint32_t>(i);
+      for_each_claim(
+          mesh, requests[i], [&](Triangle t) { enter(triangles[t], number); },
+          [&](Vertex v) { enter(vertices[v], number); });
+    }
+  });
+  const auto owner_of = [&](std::size_t i) {
+    std::uint32_t earliest = none;
+    for_each_claim(
+        mesh, requests[i], [&](Triangle t) { earliest = std::min(earliest, triangles[t]); },
+        [&](Vertex v) { earliest = std::min(earliest, vertices[v]); });
+    return earliest;
+  };
+  parallel_ranges(requests.size(), threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (verdicts[i].fault == BatchFault::done && owner_of(i) != i) verdicts[i].fault = BatchFault::overlap;
+  });
+
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    if (verdicts[i].fault == BatchFault::done) continue;
+    report.fault = verdicts[i].fault;
+    report.refusal = verdicts[i].refusal;
+    report.request = report.other = i;
+    if (report.fault == BatchFault::overlap) report.other = owner_of(i);
+    if (report.fault == BatchFault::mixed_names) report.other = 0;
+    return;
   }
 }
 
@@ -159,7 +205,7 @@ inline std::optional<Overlap> overlapping_operations(const StripMesh& mesh,
 inline BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> requests, const BatchOptions& options) {
   BatchReport report;
   if (!options.checked) detail::find_fault(mesh, requests, options.threads, report);
-  if (report.fault != BatchFault::none) return report;
+  if (report.fault != BatchFault::done) return report;
   report.rewrites.resize(requests.size());
   std::vector<StripMesh::Room> rooms;
   rooms.reserve(requests.size());
@@ -174,7 +220,7 @@ inline BatchReport collapse_batch(StripMesh& mesh, std::span<const StripMesh::Ha
                                   const BatchOptions& options) {
   BatchReport report;
   if (!options.checked) detail::find_fault(mesh, chords, options.threads, report);
-  if (report.fault != BatchFault::none) return report;
+  if (report.fault != BatchFault::done) return report;
   report.rewrites.resize(chords.size());
   std::vector<StripMesh::Room> freed(chords.size());
   detail::run_batch(chords.size(), options.threads, report, [&](std::size_t i) {

@@ -39,7 +39,8 @@ void parallel_ranges(std::size_t n, unsigned threads, const Body& body) {
   std::vector<std::exception_ptr> failures(pieces);
   const auto run = [&](std::size_t piece) noexcept {
     try {
-      body(n / pieces * piece + std::min(piece, n % pieces), n / pieces * (piece + 1) + std::min(piece + 1, n % pieces));
+      body(n / pieces * piece + std::min(piece, n % pieces),
+           n / pieces * (piece + 1) + std::min(piece + 1, n % pieces));
     } catch (...) {
       failures[piece] = std::current_exception();
     }
