@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "coloring_check.hpp"
@@ -11,7 +13,8 @@
 #include "pm_file.hpp"
 #include "replay_text.hpp"
 #include "restrip/operations.hpp"
-#include "restrip/stripify.hpp"
+#include "restrip/strips.hpp"
+#include "stopwatch.hpp"
 #include "walk.hpp"
 #include "whole_file.hpp"
 
@@ -133,6 +136,37 @@ int run(const MakeMeshCommand& command) {
   write_mesh(command.out, soup);
   fmt::print("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size());
   return 0;
+}
+
+int run(const StripifyCommand& command) {
+  const Soup soup = read_mesh(command.mesh);
+  BuildReport report;
+  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size(), &report);
+  Medians clock;
+  clock.time([&] { stripify(mesh, command.effort); });
+  const Strips strips = extract_strips(mesh);
+  const std::size_t indices = strip_index_count(mesh, strips);
+  const std::vector<std::string> faults = find_faults(mesh);
+  const std::size_t left_out = report.degenerate_triangles + report.out_of_range_triangles;
+  const double seconds = clock.nanoseconds() * 1e-9;
+  if (command.json) {
+    const nlohmann::ordered_json json{{"triangles", mesh.triangle_count()},
+                                      {"left_out", left_out},
+                                      {"strips", strips.size()},
+                                      {"pieces", connected_pieces(mesh)},
+                                      {"indices", indices},
+                                      {"seconds", seconds},
+                                      {"valid", faults.empty()}};
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print(
+        "{}: {} triangles ({} degenerate ones left out) in {} strips, {} connected pieces\n"
+        "{:.3f} indices per triangle, {:.3f} seconds\n",
+        command.mesh.string(), mesh.triangle_count(), left_out, strips.size(), connected_pieces(mesh),
+        static_cast<double>(indices) / static_cast<double>(std::max<std::size_t>(mesh.triangle_count(), 1)), seconds);
+  }
+  for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
+  return faults.empty() ? 0 : 1;
 }
 
 int run(const DrawCommand& command) {

@@ -8,6 +8,7 @@
 
 #include "made_mesh.hpp"
 #include "replay.hpp"
+#include "restrip/stripify.hpp"
 #include "simplify.hpp"
 
 namespace restrip::replay {
@@ -43,6 +44,13 @@ struct MakeMeshCommand {
   std::uint64_t seed = 1;
 };
 int run(const MakeMeshCommand& command);
+
+struct StripifyCommand {
+  std::filesystem::path mesh;
+  Effort effort = Effort::fast;
+  bool json = false;
+};
+int run(const StripifyCommand& command);
 
 /// The picture of the README: a mesh coloured by strip after its replay, and the rule of one split.
 struct DrawCommand {

@@ -3,7 +3,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 #include <new>
+#include <string>
 
 #include "bad_input.hpp"
 #include "commands.hpp"
@@ -54,6 +56,11 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")->capture_default_str();
+  sub->add_option("--policy", command.replay.policy,
+                  "local: the rules alone; quick, full: tunnelling after each operation")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, restrip::Policy>{
+          {"local", restrip::Policy::local}, {"quick", restrip::Policy::quick}, {"full", restrip::Policy::full}}))
+      ->default_str("local");
   CLI::Option* walk = sub->add_option("--walk", command.walk_steps,
                                       "then that many random splits, collapses and flips on the full mesh");
   sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->capture_default_str();
@@ -84,6 +91,18 @@ CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
   return sub;
 }
 
+CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
+  CLI::App* sub = app.add_subcommand("stripify", "Make the strips of a mesh from scratch");
+  sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl")->required();
+  sub->add_option("--effort", command.effort, "fast: one pass; full: tunnelling towards a single strip")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, restrip::Effort>{{"fast", restrip::Effort::fast}, {"full", restrip::Effort::full}}))
+      ->default_str("fast");
+  sub->add_flag("--json", command.json, "print a JSON object");
+  sub->footer("Example: restrip stripify bunny.obj --effort full");
+  return sub;
+}
+
 CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
   CLI::App* sub = app.add_subcommand("draw", "Draw a mesh coloured by strip, and a rule before and after, as SVG");
   sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl, best of a few thousand triangles; else a torus");
@@ -104,9 +123,11 @@ int run_command_line(int argc, char** argv) {
   SimplifyCommand simplify;
   MakeMeshCommand make_mesh;
   DrawCommand draw;
+  StripifyCommand stripify;
   const CLI::App* stats_sub = add_stats(app, stats);
   const CLI::App* replay_sub = add_replay(app, replay);
   const CLI::App* simplify_sub = add_simplify(app, simplify);
+  const CLI::App* stripify_sub = add_stripify(app, stripify);
   const CLI::App* draw_sub = add_draw(app, draw);
   add_make_mesh(app, make_mesh);
   try {
@@ -117,6 +138,7 @@ int run_command_line(int argc, char** argv) {
   if (stats_sub->parsed()) return run(stats);
   if (replay_sub->parsed()) return run(replay);
   if (simplify_sub->parsed()) return run(simplify);
+  if (stripify_sub->parsed()) return run(stripify);
   if (draw_sub->parsed()) return run(draw);
   return run(make_mesh);
 }

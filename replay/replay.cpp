@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "coloring_check.hpp"
 #include "progress.hpp"
@@ -20,7 +21,7 @@ class Replay {
  public:
   Replay(const ProgressiveMesh& mesh, const ReplayOptions& options)
       : source_(mesh), options_(options), base_(StripMesh::build(mesh.base, mesh.points.size())) {
-    stripify(base_);
+    stripify(base_, tunnels() ? Effort::full : Effort::fast);
     // One mesh serves every run, so that its memory is there before the first clock starts.
     mesh_.reserve(mesh.fine_triangles(), mesh.points.size());
     report_.base_triangles = base_.triangle_count();
@@ -38,9 +39,22 @@ class Replay {
   }
 
  private:
+  // ---- one operation, under the policy
+  [[nodiscard]] bool tunnels() const noexcept { return options_.policy != Policy::local; }
+  void start_from_base() {
+    mesh_ = base_;
+    if (tunnels()) keeper_.emplace(mesh_, options_.policy);
+  }
+  Rewrite<StripMesh::Halfedge> split_one(const VertexSplit<StripMesh::Halfedge>& where, Vertex v_t) {
+    return keeper_ ? keeper_->split(where, v_t) : split_and_adopt(mesh_, where, v_t);
+  }
+  Rewrite<StripMesh::Halfedge> collapse_one(StripMesh::Halfedge chord) {
+    return keeper_ ? keeper_->collapse(chord) : collapse_and_adopt(mesh_, chord);
+  }
+
   // ---- the way up, with everything counted
   void watch_the_way_up() {
-    mesh_ = base_;
+    start_from_base();
     const std::vector<std::size_t> stops = level_sizes();
     std::size_t stop = 0;
     const auto at_level = [&] { return stop < stops.size() && mesh_.triangle_count() >= stops[stop]; };
@@ -74,7 +88,7 @@ class Replay {
             fmt::format("split {} ({} -> {}) is not possible: {}", index, record.v_s, record.v_t, describe(refusal)));
       return;
     }
-    const auto done = split_and_adopt(mesh_, where, record.v_t);
+    const auto done = split_one(where, record.v_t);
     if (done.valence >= report_.by_valence.size()) report_.by_valence.resize(done.valence + std::size_t{1}, 0);
     ++report_.by_valence[done.valence];
     report_.operations_isolating += done.isolated > 0 ? 1 : 0;
@@ -94,14 +108,14 @@ class Replay {
 
   // ---- the clock
   void split_all() {
-    for (const Record& record : source_.splits) split_and_adopt(mesh_, spokes_of(mesh_, record), record.v_t);
+    for (const Record& record : source_.splits) split_one(spokes_of(mesh_, record), record.v_t);
   }
   void split_all_bare() {
     for (const Record& record : source_.splits) mesh_.insert_vertex(spokes_of(mesh_, record), record.v_t);
   }
   void collapse_all() {
     for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
-      collapse_and_adopt(mesh_, mesh_.spoke(record->v_s, record->v_t));
+      collapse_one(mesh_.spoke(record->v_s, record->v_t));
   }
   void collapse_all_bare() {
     for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
@@ -120,7 +134,7 @@ class Replay {
     const std::size_t repeats = std::max(options_.repeats, enough_operations / source_.splits.size());
     Progress progress("measuring", repeats);
     for (std::size_t i = 0; i < repeats; ++i) {
-      mesh_ = base_;
+      start_from_base();
       up.time([&] { split_all(); });
       down.time([&] { collapse_all(); });
       mesh_ = base_;
@@ -143,7 +157,7 @@ class Replay {
   }
 
   void check_top(const std::vector<Corners>& original) {
-    mesh_ = base_;
+    start_from_base();
     split_all();
     for (std::string& fault : find_faults(mesh_)) report_.faults.push_back(std::move(fault));
     const std::vector<Corners> expected = sorted_triangles(original);
@@ -161,9 +175,9 @@ class Replay {
       cycle.adding_strip += done.strips > 0 ? 1 : 0;
     };
     for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
-      count(collapse_and_adopt(mesh_, mesh_.spoke(record->v_s, record->v_t)));
+      count(collapse_one(mesh_.spoke(record->v_s, record->v_t)));
     cycle.base = checked_level();
-    for (const Record& record : source_.splits) count(split_and_adopt(mesh_, spokes_of(mesh_, record), record.v_t));
+    for (const Record& record : source_.splits) count(split_one(spokes_of(mesh_, record), record.v_t));
     cycle.top = checked_level();
     report_.cycles.push_back(cycle);
   }
@@ -177,6 +191,7 @@ class Replay {
   ReplayOptions options_;
   StripMesh base_;
   StripMesh mesh_;
+  std::optional<StripKeeper> keeper_;  // none: the local rules alone
   ReplayReport report_;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "progressive_mesh.hpp"
+#include "restrip/keeper.hpp"
 #include "soup.hpp"
 
 namespace restrip::replay {
@@ -14,8 +15,9 @@ namespace restrip::replay {
 struct ReplayOptions {
   std::size_t levels =
       12;  ///< how often the strips are written out and counted between base and finest level, at least 2
-  std::size_t repeats = 5;  ///< of each timed run, at least; 0: no timing
-  std::size_t cycles = 0;   ///< down and up again after the first way up
+  std::size_t repeats = 5;        ///< of each timed run, at least; 0: no timing
+  std::size_t cycles = 0;         ///< down and up again after the first way up
+  Policy policy = Policy::local;  ///< how far an operation looks for strips to join
 };
 
 /// The mesh at one level of detail.

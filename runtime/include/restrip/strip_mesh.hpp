@@ -123,7 +123,8 @@ class StripMesh {
   /// See FlippableMesh. Preconditions: see check_flip() in checks.hpp; not tested here.
   Halfedge turn_edge(Halfedge h);
 
-  // ---- insertion and removal in two steps, for batches (batch.hpp): one thread takes handles and gives them back, in a
+  // ---- insertion and removal in two steps, for batches (batch.hpp): one thread takes handles and gives them back, in
+  // a
   // ---- fixed order; between the two, insertions and removals on disjoint patches may run at the same time
   /// The handles that an insertion takes and a removal gives back; `none` for the triangle that a one-sided operation
   /// does not have.
@@ -133,8 +134,8 @@ class StripMesh {
     Triangle right = none;
     friend constexpr bool operator==(const Room&, const Room&) = default;
   };
-  /// The handles that insert_vertex would use now. They are the caller's until an insertion fills them or they are given
-  /// back.
+  /// The handles that insert_vertex would use now. They are the caller's until an insertion fills them or they are
+  /// given back.
   [[nodiscard]] Room take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex = none);
   void give_back(const Room& room);
   /// As above, into room taken before.

@@ -1,7 +1,6 @@
 // A tetrahedron, refined and coarsened again. The other file includes the same headers: nothing may be defined twice.
-#include <restrip/restrip.hpp>
-
 #include <array>
+#include <restrip/restrip.hpp>
 #include <vector>
 
 std::size_t strips_elsewhere(const restrip::StripMesh& mesh);
