@@ -12,6 +12,8 @@ find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(Threads REQUIRED)
 
 add_library(restrip_own_flags INTERFACE)
+# The same floating-point results, and so the same simplified meshes, on every processor.
+target_compile_options(restrip_own_flags INTERFACE -ffp-contract=off)
 target_compile_options(restrip_own_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Werror)
 if(RESTRIP_SANITIZE)
   target_compile_options(restrip_own_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

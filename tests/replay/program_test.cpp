@@ -45,7 +45,7 @@ class Program : public testing::Test {
 TEST_F(Program, HelpAndVersion) {
   EXPECT_EQ(restrip("--version").code, 0);
   EXPECT_TRUE(restrip("--version").out.starts_with("restrip "));
-  for (const char* command : {"", "stats", "replay", "simplify", "make-mesh"}) {
+  for (const char* command : {"", "stats", "replay", "simplify", "make-mesh", "stripify", "draw"}) {
     const Outcome help = restrip(fmt::format("{} --help", command));
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_NE(help.out.find("Example: restrip "), std::string::npos) << command;
@@ -56,7 +56,8 @@ TEST_F(Program, WrongUsageIsTwo) {
   for (const char* arguments :
        {"", "fly", "stats", "replay", "replay --base 0 --built-in", "replay --base 2 --built-in",
         "replay --boundary melt --built-in", "replay --levels 1 --built-in", "replay x.obj --built-in",
-        "stats /no/such/mesh.obj", "make-mesh -o /no/such/folder/a.obj", "make-mesh --triangles 5 -o a.obj"})
+        "stats /no/such/mesh.obj", "replay --policy best --built-in", "stripify x.obj --effort some",
+        "draw -o /no/such/folder/a.svg", "make-mesh -o /no/such/folder/a.obj", "make-mesh --triangles 5 -o a.obj"})
     EXPECT_EQ(restrip(arguments).code, 2) << arguments;
 }
 
@@ -73,6 +74,42 @@ TEST_F(Program, FullCircle) {
   EXPECT_EQ(json.at("triangles"), nlohmann::json::parse(stats.out).at("triangles"));
   EXPECT_EQ(json.at("walk").at("seed"), 9);
   EXPECT_EQ(json.at("cycles").size(), 2U);
+}
+
+TEST_F(Program, StripifyCountsStrips) {
+  ASSERT_EQ(restrip(fmt::format("make-mesh --triangles 4000 -o '{}'", file("a.off"))).code, 0);
+  const auto fast = nlohmann::json::parse(restrip(fmt::format("stripify '{}' --json", file("a.off"))).out);
+  const auto full =
+      nlohmann::json::parse(restrip(fmt::format("stripify '{}' --effort full --json", file("a.off"))).out);
+  EXPECT_TRUE(fast.at("valid"));
+  EXPECT_TRUE(full.at("valid"));
+  EXPECT_LT(full.at("strips"), fast.at("strips"));
+  EXPECT_LE(full.at("strips"), 2);
+  // n triangles, two more indices a strip, one restart between two strips, one for each swap.
+  EXPECT_GE(full.at("indices"), 4000);
+}
+
+TEST_F(Program, PoliciesKeepLongerStrips) {
+  const auto strips_under = [&](const char* policy) {
+    const Outcome run =
+        restrip(fmt::format("replay --built-in --triangles 6000 --repeats 0 --cycles 1 --policy {} --json -", policy));
+    EXPECT_EQ(run.code, 0) << policy;
+    return nlohmann::json::parse(run.out).at("levels").back().at("strips").get<int>();
+  };
+  const int local = strips_under("local");
+  const int quick = strips_under("quick");
+  const int full = strips_under("full");
+  EXPECT_LT(5 * quick, local);
+  EXPECT_LT(full, quick);
+}
+
+TEST_F(Program, DrawingIsTheOneShipped) {
+  ASSERT_EQ(restrip(fmt::format("draw -o '{}'", file("a.svg"))).code, 0);
+  std::stringstream made;
+  made << std::ifstream(file("a.svg")).rdbuf();
+  std::stringstream shipped;
+  shipped << std::ifstream(RESTRIP_PICTURE).rdbuf();
+  EXPECT_EQ(made.str(), shipped.str()) << "write docs/picture.svg anew: restrip draw -o docs/picture.svg";
 }
 
 TEST_F(Program, JsonHasItsKeys) {

@@ -410,6 +410,29 @@ TEST(Batch, OverlapsAreThoseOfTheCorners) {
   EXPECT_GT(clean, 300U);
 }
 
+TEST(Batch, BoundarySpokesThatMeetWhereTheMeshIsNoManifold) {
+  // The fans share no triangle, but both splits look at the first spoke of the middle of the bow tie.
+  const StripMesh mesh = bow_tie();
+  ASSERT_TRUE(mesh.irregular(0));
+  std::vector<SplitRequest> left;
+  std::vector<SplitRequest> right;
+  for (Vertex v = 1; v < mesh.vertex_bound(); ++v) {
+    if (mesh.spoke(v).id == none) continue;
+    const Halfedge inward = mesh.spoke(v, 0);
+    if (inward.id == none || !StripMesh::on_boundary(inward)) continue;
+    left.push_back({{inward, mesh.spoke(v), Spokes::both}, none});
+    right.push_back({{mesh.spoke(v), inward, Spokes::both}, none});
+  }
+  ASSERT_EQ(left.size(), 2U);
+  for (const auto& requests : {left, right, std::vector{left[0], right[1]}}) {
+    const auto overlap = overlapping_operations(mesh, std::span<const SplitRequest>(requests));
+    EXPECT_EQ(overlap, (Overlap{0, 1}));
+    EXPECT_EQ(overlap, overlap_from_the_corners(mesh, requests));
+    StripMesh copy = mesh;
+    EXPECT_EQ(batch(copy, requests).fault, BatchFault::overlap);
+  }
+}
+
 /// What an operation wrote that was there before.
 Patch written(const StripMesh& before, const StripMesh& after) {
   Patch patch;

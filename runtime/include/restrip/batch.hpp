@@ -102,11 +102,12 @@ struct Overlap {
 /// Who owns which part of a mesh: chooses operations for a batch, or tells which ones stand in each other's way.
 ///
 /// Two operations overlap when they claim the same triangle or the same vertex:
-///  - a split claims the triangles around v_s. It reads the colour of a port in its own triangle, and writes no link of
-///    the triangle across the port, so that one is free. It claims the vertex that a spoke without left triangle
-///    enters, because the first spoke of that vertex moves, and the new vertex if it has a name;
-///  - a collapse claims the triangles around v_s and v_t, and the apexes v_l and v_r: it reads their first spokes and
-///    takes one triangle from each, so that two collapses at one apex could leave too few.
+///  - a split claims the triangles around v_s. It reads the colour of a port in its own triangle and writes no link of
+///    the triangle across, so that one stays free. It claims the vertex that a spoke without left triangle enters,
+///    whose first spoke moves (that vertex may join several fans where the mesh is no manifold), and the new vertex if
+///    named;
+///  - a collapse claims the triangles around v_s and v_t, and the apexes v_l and v_r, whose first spokes it reads and
+///    may write.
 /// Operations that do not overlap, each granted by its check, stay granted when others of them have been done.
 /// The mesh must not change while it is claimed.
 class PatchClaims {
