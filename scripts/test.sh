@@ -22,25 +22,21 @@ fi
 say "checking the format of the sources"
 git ls-files '*.cpp' '*.hpp' ':!tables/include' | xargs clang-format-14 --dry-run --Werror
 
-say "building (release)"
+say "building with GCC (release)"
 cmake --preset release >/dev/null
 cmake --build --preset release
 
 say "testing (release)"
 ctest --preset release -j "$(nproc)"
 
-# The verifier's two exhaustive mutation tests take minutes when instrumented, and run the same code as the others.
-say "building and testing with the address and undefined-behaviour sanitizers"
+# The verifier's two exhaustive mutation tests take minutes when instrumented, and run the same code as the others. GCC's
+# sanitizers raise a false warning inside Boost.Graph, so this build is also the one that shows Clang compiles us.
+say "building and testing with Clang and its address and undefined-behaviour sanitizers"
 cmake --preset sanitize >/dev/null
 cmake --build --preset sanitize
 ctest --preset sanitize -j "$(nproc)" -E 'BitFlips|Targeted'
 
-say "building and testing with Clang"
-cmake --preset clang >/dev/null
-cmake --build --preset clang
-ctest --preset clang -j "$(nproc)"
-
 say "running clang-tidy"
-scripts/tidy.sh build/clang
+scripts/tidy.sh build/sanitize
 
 echo "== all tests passed"

@@ -49,6 +49,12 @@ constexpr int count_bits(Word mask) noexcept {
   return static_cast<int>(mask * 0x0101010101010101U >> 56);
 }
 
+// count_bits(a) - count_bits(b); masks below 2^32, the usual ones, are counted together.
+constexpr int count_difference(Word a, Word b) noexcept {
+  if (((a | b) >> 32) != 0) return count_bits(a) - count_bits(b);
+  return count_bits(a | (b ^ 0xffffffffU) << 32) - 32;
+}
+
 // The number of words that n bits take.
 constexpr std::size_t words_for(std::size_t n) noexcept { return (n + word_bits - 1) / word_bits; }
 

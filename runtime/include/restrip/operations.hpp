@@ -139,7 +139,8 @@ Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typen
   const std::size_t k = fan.k;
   const std::size_t a = fan.a;
   const Rule rule = split_rule({k, a}, fan.loop, fan.ports);
-  const int isolated = isolated_ring(k, a, rule.colors, fan.ports) - isolated_closed(k, fan.loop, fan.ports);
+  const int isolated =
+      count_difference(isolated_ring(k, a, rule.colors, fan.ports), isolated_closed(k, fan.loop, fan.ports));
   const auto chord = [&] {
     // A mesh that can use the walk we have done already need not turn around the vertex again.
     const std::span<const typename Mesh::Halfedge> moved(fan.spokes + a - 1, k - a);
@@ -244,8 +245,8 @@ Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge ch
   if (Word ring = 0; detail::read_ring(mesh, chord, interior, ring)) {
     const auto [k, a] = std::pair{interior.k, interior.a};
     const Rule rule = collapse_rule({k, a}, ring, interior.ports);
-    const int isolated =
-        detail::isolated_closed(k, rule.colors, interior.ports) - detail::isolated_ring(k, a, ring, interior.ports);
+    const int isolated = count_difference(detail::isolated_closed(k, rule.colors, interior.ports),
+                                          detail::isolated_ring(k, a, ring, interior.ports));
     const auto left = [&] {
       const std::span<const typename Mesh::Halfedge> moved(interior.spokes + a - 1, k - a);
       if constexpr (requires { mesh.remove_vertex(chord, moved); })

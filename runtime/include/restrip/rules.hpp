@@ -79,16 +79,16 @@ constexpr Word turned_down(Word mask, std::size_t by, std::size_t n) noexcept {
   return (mask >> by | mask << (n - by)) & low_bits(n);
 }
 
-/// Isolated triangles of a closed fan, and of a ring with chord.
-constexpr int isolated_closed(std::size_t k, Word loop, Word ports) noexcept {
-  return count_bits(low_bits(k) & ~(loop | loop << 1 | loop >> (k - 1) | ports));
+/// The isolated triangles of a closed fan, and of a ring with chord (by element).
+constexpr Word isolated_closed(std::size_t k, Word loop, Word ports) noexcept {
+  return low_bits(k) & ~(loop | loop << 1 | loop >> (k - 1) | ports);
 }
 
-constexpr int isolated_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+constexpr Word isolated_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
   const Word all = low_bits(k + 2);
   const Word edges = inner & all;
   const Word chord = inner >> (k + 2) & 1;
-  return count_bits(all & ~(edges | edges << 1 | edges >> (k + 1) | ring_ports(a, ports) | chord | chord << (a + 1)));
+  return all & ~(edges | edges << 1 | edges >> (k + 1) | ring_ports(a, ports) | chord | chord << (a + 1));
 }
 
 template <class Table>
@@ -98,7 +98,7 @@ constexpr Word cell(const Table& table, const RowStarts<table_max_k>& rows, std:
 }
 
 constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
-  return {colors, nodes - (count_bits(colors) - count_bits(before)), true};
+  return {colors, nodes - count_difference(colors, before), true};
 }
 
 }  // namespace detail
