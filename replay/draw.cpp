@@ -101,7 +101,8 @@ std::string fan_on(const std::vector<Place>& places, Word loop, Word ports) {
 std::string draw_fan(SplitPosition at, Word loop, Word ports) { return fan_on(rim_of(at), loop, ports); }
 
 std::string draw_split(SplitPosition at, Word loop, Word ports) {
-  const auto [k, a] = at;
+  const std::size_t k = at.k;
+  const std::size_t a = at.a;
   const Word inner = split_rule(at, loop, ports).colors;
   const std::vector<Place> places = rim_of(at);
   // v_s owns the first arc, v_t the second; each moves toward its own side.

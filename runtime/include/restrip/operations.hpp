@@ -243,7 +243,8 @@ template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
   detail::InteriorFan<typename Mesh::Halfedge> interior;
   if (Word ring = 0; detail::read_ring(mesh, chord, interior, ring)) {
-    const auto [k, a] = std::pair{interior.k, interior.a};
+    const std::size_t k = interior.k;
+    const std::size_t a = interior.a;
     const Rule rule = collapse_rule({k, a}, ring, interior.ports);
     const int isolated = count_difference(detail::isolated_closed(k, rule.colors, interior.ports),
                                           detail::isolated_ring(k, a, ring, interior.ports));
