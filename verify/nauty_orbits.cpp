@@ -44,6 +44,15 @@ class ConfigurationGraph {
     add_edges(operation.before, before, true);
   }
 
+  /// nauty keeps working memory for each thread; a thread that ends must give it back.
+  ~ConfigurationGraph() {
+    nauty_freedyn();
+    nautil_freedyn();
+    naugraph_freedyn();
+  }
+  ConfigurationGraph(const ConfigurationGraph&) = delete;
+  ConfigurationGraph& operator=(const ConfigurationGraph&) = delete;
+
   void color(Mask inner, Mask ports) {
     for (unsigned port = 0; port < ports_; ++port)
       classes_[port] = is_solid(ports, port) ? NodeClass::solid_port : NodeClass::dashed_port;
