@@ -3,11 +3,12 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <stdexcept>
 #include <string>
-#include <thread>
 
 #include "count.hpp"
 #include "dump.hpp"
@@ -118,7 +119,11 @@ int main(int argc, char** argv) {
   count_command->add_option("--max-k", count_max_k, "Largest valence")->check(CLI::Range(3, 12))->capture_default_str();
   count_command->add_flag("--json", json, "Print JSON");
 
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
   try {
     if (*tables_command) make_tables(tables);
     if (*dump_command) {

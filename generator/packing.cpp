@@ -22,6 +22,7 @@ Packing pack(const std::vector<const Section*>& sections, unsigned max_k) {
         for (const Mask joined : spellings(row.key)) columns[row.key.ports].insert(joined);
     }
     std::vector<Mask> order;
+    order.reserve(columns.size());
     for (const auto& [ports, row] : columns) order.push_back(ports);
     std::stable_sort(order.begin(), order.end(), [&](Mask x, Mask y) { return columns[x].size() > columns[y].size(); });
     std::vector<bool> taken;

@@ -51,17 +51,18 @@ std::int64_t tie_break(const Position& position, const Side& after, const Colori
   for (unsigned node = 0; node < after.nodes; ++node) {
     const bool is_new = node >= fan;
     const bool end = degree.all[node] == 1;
-    if (is_new) sum += weight.solid_at_new * degree.inner[node] + (end ? weight.end_at_new : 0);
+    if (is_new) sum += std::int64_t{weight.solid_at_new} * degree.inner[node] + (end ? weight.end_at_new : 0);
     if (!is_new && end) sum += (ports >> node & 1U) != 0 ? weight.end_at_port : weight.end_facing_out;
   }
   for (const auto& [u, v] : after.edges)
     if (degree.all[u] == 1 && degree.all[v] == 1) sum += weight.neighbouring_ends;
-  for (const Mask strip : coloring.strips) sum += weight.square_of_ports * std::popcount(strip) * std::popcount(strip);
-  sum += weight.joined_pair * static_cast<std::int64_t>(outcome.pairs.size());
+  for (const Mask strip : coloring.strips)
+    sum += std::int64_t{weight.square_of_ports} * std::popcount(strip) * std::popcount(strip);
+  sum += std::int64_t{weight.joined_pair} * static_cast<std::int64_t>(outcome.pairs.size());
   if (chord) {
-    sum += weight.solid_chord * static_cast<int>(coloring.inner >> (after.edges.size() - 1) & 1U);
+    sum += std::int64_t{weight.solid_chord} * static_cast<int>(coloring.inner >> (after.edges.size() - 1) & 1U);
     const Mask first_arc = (Mask{2} << position.at) - 1;
-    sum += weight.solid_in_first_arc * std::popcount(coloring.inner & first_arc);
+    sum += std::int64_t{weight.solid_in_first_arc} * std::popcount(coloring.inner & first_arc);
   }
   return sum;
 }

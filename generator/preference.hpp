@@ -1,4 +1,4 @@
-// Which sound recolouring is the rule (THEORY.md section 4): two criteria that are proved, and a tie-break that is
+// Which sound recolouring is the rule (docs/theory.md section 4): two criteria that are proved, and a tie-break that is
 // measured.
 #pragma once
 

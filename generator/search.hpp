@@ -7,7 +7,7 @@
 
 namespace restrip::generator {
 
-/// Sound recolourings of one port mask, best first, in the order of preference of THEORY.md section 4.
+/// Sound recolourings of one port mask, best first, in the order of preference of docs/theory.md section 4.
 class Candidates {
  public:
   /// `after` is the side after the operation, `colorings` its legal colorings. A flip may give ports up.

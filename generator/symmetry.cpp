@@ -54,6 +54,7 @@ std::vector<Permutation> automorphisms(const Patch& patch) {
   std::vector<Permutation> found;
   generators = &found;
   densenauty(g.data(), lab.data(), ptn.data(), orbits.data(), &options, &stats, m, static_cast<int>(n), nullptr);
+  generators = nullptr;
 
   // Close under composition: the groups here have at most 4k elements.
   Permutation identity(n);

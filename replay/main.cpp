@@ -57,7 +57,7 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
       ->capture_default_str();
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")->capture_default_str();
   sub->add_option("--policy", command.replay.policy,
-                  "local: the rules alone; quick, full: tunnelling after each operation")
+                  "local: the rules, and adoption where one isolates; quick, full: tunnelling after each operation")
       ->transform(CLI::CheckedTransformer(std::map<std::string, restrip::Policy>{
           {"local", restrip::Policy::local}, {"quick", restrip::Policy::quick}, {"full", restrip::Policy::full}}))
       ->default_str("local");
@@ -147,7 +147,9 @@ int run_command_line(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run_command_line(argc, argv);
+    const int code = run_command_line(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    fmt::print(stderr, "restrip: the output could not be written\n");
   } catch (const BadInput& error) {
     fmt::print(stderr, "restrip: {}\n", error.what());
   } catch (const std::bad_alloc&) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Sets this machine up, builds, generates the tables anew and proves them, then keeps a mesh's strips through a whole
 # level-of-detail replay. Argument: a mesh (OBJ, PLY, OFF, STL); without one a built-in closed mesh. Safe to repeat.
-set -euo pipefail
-[ $# -eq 0 ] || mesh=$(realpath -- "$1") || { echo "demo.sh: $1: no such file" >&2; exit 2; }
+set -Eeuo pipefail
+[ $# -eq 0 ] || mesh=$(realpath -e -- "$1") || { echo "demo.sh: $1: no such file" >&2; exit 2; }
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 

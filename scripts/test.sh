@@ -1,22 +1,24 @@
 #!/usr/bin/env bash
 # Sets this machine up, builds everything and runs every test. Safe to repeat.
-set -euo pipefail
+set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
 need "${build_packages[@]}" "${test_packages[@]}"
 
-if [ -z "${RESTRIP_MESHES:-}" ] && [ -d ../shared/meshes ]; then
-  say "unpacking the meshes beside the project"
+# RESTRIP_MESHES may name a folder of packed meshes (*.xz); they are unpacked into the build folder.
+if compgen -G "${RESTRIP_MESHES:-}/*.xz" >/dev/null; then
+  say "unpacking the meshes of RESTRIP_MESHES"
+  packed_folder=$RESTRIP_MESHES
   RESTRIP_MESHES=$PWD/build/meshes
   mkdir -p "$RESTRIP_MESHES/bad"
-  for packed in ../shared/meshes/*.xz ../shared/meshes/bad/*.xz; do
-    unpacked=$RESTRIP_MESHES/${packed#../shared/meshes/}
+  for packed in "$packed_folder"/*.xz "$packed_folder"/bad/*.xz; do
+    unpacked=$RESTRIP_MESHES/${packed#"$packed_folder"/}
     unpacked=${unpacked%.xz}
     [ -e "$unpacked" ] || { xz -dc "$packed" >"$unpacked.partial" && mv "$unpacked.partial" "$unpacked"; }
   done
-  export RESTRIP_MESHES
 fi
+export RESTRIP_MESHES=${RESTRIP_MESHES:-}
 [ -n "${RESTRIP_MESHES:-}" ] || echo "RESTRIP_MESHES is not set: tests on downloaded meshes will be skipped"
 
 say "checking the format of the sources"

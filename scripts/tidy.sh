@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Runs clang-tidy over our own sources, two at a time. Argument: a build directory with compile_commands.json.
+# Runs clang-tidy over our own sources, as many at a time as there are processors. Argument: a build directory with compile_commands.json.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 git ls-files 'generator/*.cpp' 'runtime/*.cpp' 'verify/*.cpp' 'replay/*.cpp' |
-  xargs -P "$(nproc)" -n 1 clang-tidy-14 --quiet -p "$1" 2>/dev/null
+  xargs -P "$(nproc)" -n 1 clang-tidy-14 --quiet -p "$1"

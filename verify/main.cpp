@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <stdexcept>
 
 #include "input.hpp"
 #include "verify.hpp"
@@ -24,6 +25,8 @@ int run(const restrip::verify::Options& options, bool as_json) {
     std::fflush(stdout);
   });
   fmt::print("{}", as_json ? json_of(claims, totals) : last_line(totals));
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw std::runtime_error("standard output: what was found could not be written");
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
 }
 

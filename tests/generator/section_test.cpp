@@ -1,4 +1,4 @@
-// The generator's sections against figures that were counted independently (THEORY.md section 5), and against
+// The generator's sections against figures that were counted independently (docs/theory.md section 5), and against
 // properties that any right answer has.
 #include "section.hpp"
 

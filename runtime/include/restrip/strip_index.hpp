@@ -57,7 +57,7 @@ class StripIndex {
   /// A local rewrite, in three steps: before_patch with the triangles about to be rewritten, the rewrite, after_patch
   /// with the triangles that stand there now. Colours outside, and of the dual edges between outside and patch, may
   /// only change from solid to dashed, and solid paths through the patch may only join dual edges into it that were
-  /// joined before (THEORY: P' is part of P; every rule of operations.hpp is of this kind).
+  /// joined before (docs/theory.md: P' is part of P; every rule of operations.hpp is of this kind).
   void before_patch(const StripMesh& mesh, std::span<const Triangle> patch);
   void after_patch(const StripMesh& mesh, std::span<const Triangle> patch);
 

@@ -155,7 +155,9 @@ class StripMesh {
   }
   /// Vertices are below this bound.
   [[nodiscard]] std::size_t vertex_bound() const noexcept { return spoke_.size(); }
-  [[nodiscard]] bool alive(Halfedge h) const noexcept { return side(h) < 3 && alive(triangle(h)); }
+  [[nodiscard]] bool alive(Halfedge h) const noexcept {
+    return side(h) < 3 && alive(triangle(h)) && (!on_boundary(h) || link_of({h.id & ~outside}) == edge_of_mesh);
+  }
   [[nodiscard]] std::array<Vertex, 3> corners(Triangle t) const noexcept { return triangles_[t].corner; }
   /// True for vertices that no operation may touch (see BuildReport::irregular_vertices).
   [[nodiscard]] bool irregular(Vertex v) const noexcept { return irregular_[v] != 0; }

@@ -153,9 +153,10 @@ inline void StripIndex::divide(const StripMesh& mesh, Triangle member) {
   while (chunks_[c].count > chunk_limit) {
     Triangle t = member;
     unsigned entry = 3;
-    Triangle last = t;
-    do last = t;
-    while (step(mesh, t, entry) && places_[t].chunk == c);
+    Triangle last = none;
+    do {
+      last = t;
+    } while (step(mesh, t, entry) && places_[t].chunk == c);
     // `last` is an end of the chunk; come back from it over the side towards the chunk.
     moving_.clear();
     const std::uint32_t half = std::min(chunks_[c].count / 2, chunk_limit / 2);

@@ -19,6 +19,10 @@ inline void StripIndex::find_strands(const StripMesh& mesh, std::span<const Tria
   strands.clear();
   strand_nodes_.clear();
   if (marks_.size() < mesh.triangle_bound()) marks_.resize(mesh.triangle_bound(), 0);
+  if (mark_ > none - 2) {  // marks are about to begin anew: forget the old ones
+    std::fill(marks_.begin(), marks_.end(), 0U);
+    mark_ = 0;
+  }
   const std::uint32_t waiting = ++mark_;
   const std::uint32_t done = ++mark_;
   for (const Triangle t : patch) marks_[t] = waiting;
