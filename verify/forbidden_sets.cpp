@@ -110,8 +110,8 @@ std::vector<Mask> ForbiddenSets::forbidden(Mask ports, PortPairs may_be_joined) 
 }
 
 std::vector<Mask> smallest_hitting_sets(const std::vector<Mask>& sets, Mask universe) {
-  std::vector<Mask> within;
-  for (const Mask set : sets) within.push_back(set & universe);
+  std::vector<Mask> within(sets);
+  for (Mask& set : within) set &= universe;
   // Small sets first: they leave the fewest choices.
   std::stable_sort(within.begin(), within.end(), [](Mask a, Mask b) { return solid_count(a) < solid_count(b); });
   if (!within.empty() && within.front() == 0) return {};
