@@ -45,12 +45,13 @@ Node follow(const Patch& patch, Coloring colors, Node node, Visited& visited) {
   }
 }
 
+bool uses_chord(const Patch& patch, Coloring colors) { return patch.chord() && is_solid(colors.inner, *patch.chord()); }
+
 /// Some mutants forgive some cycles.
 bool forgiven(const Patch& patch, Coloring colors) {
   if (mutated(Mutant::drop_all_cycles)) return true;
-  const auto uses_chord = [&] { return is_solid(colors.inner, *patch.chord()); };
-  if (mutated(Mutant::drop_outer_cycle)) return patch.chord() && !uses_chord();
-  if (mutated(Mutant::drop_chord_cycles)) return patch.chord() && uses_chord();
+  if (mutated(Mutant::drop_outer_cycle)) return patch.chord() && !uses_chord(patch, colors);
+  if (mutated(Mutant::drop_chord_cycles)) return uses_chord(patch, colors);
   return false;
 }
 
