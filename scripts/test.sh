@@ -18,7 +18,7 @@ if compgen -G "${RESTRIP_MESHES:-}/*.xz" >/dev/null; then
     [ -e "$unpacked" ] || { xz -dc "$packed" >"$unpacked.partial" && mv "$unpacked.partial" "$unpacked"; }
   done
 fi
-export RESTRIP_MESHES=${RESTRIP_MESHES:-}
+[ -z "${RESTRIP_MESHES:-}" ] || export RESTRIP_MESHES
 [ -n "${RESTRIP_MESHES:-}" ] || echo "RESTRIP_MESHES is not set: tests on downloaded meshes will be skipped"
 
 say "checking the format of the sources"
