@@ -101,10 +101,6 @@ constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
   return {colors, nodes - count_difference(colors, before), true};
 }
 
-}  // namespace detail
-
-namespace detail {
-
 /// The table's answer to a key of a closed fan of at most table_max_k triangles.
 constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
   // The tables begin with the shorter arc. Where the first is the longer one, ask with A and D exchanged and turn the
