@@ -33,8 +33,8 @@ namespace restrip {
 /// How far an operation looks for strips to join.
 enum class Policy {
   local,  ///< not at all: the rules of operations.hpp alone
-  quick,  ///< 56 states from each strip end in the patch
-  full    ///< 288 states from each strip end in the patch
+  quick,  ///< 44 states from each strip end in the patch
+  full    ///< 240 states from each strip end in the patch
 };
 
 /// States that a search may look at under a policy. Searches of n states keep about 2 n triangles per strip or more on
@@ -44,9 +44,9 @@ enum class Policy {
     case Policy::local:
       return 0;
     case Policy::quick:
-      return 56;
+      return 44;
     case Policy::full:
-      return 288;
+      return 240;
   }
   return 0;
 }

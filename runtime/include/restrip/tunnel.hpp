@@ -97,7 +97,7 @@ class Tunnel {
   void start(const StripMesh& mesh, const StripIndex& index, Triangle end);
   bool expand(StripMesh& mesh, StripIndex& index, std::uint32_t s);
   bool move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge join, Triangle x);
-  void reach(const State& state);
+  bool reach(StripMesh& mesh, StripIndex& index, const State& state);
   void lay_out(std::uint32_t s);
   Piece* room_for(State& state, std::uint32_t current, std::uint32_t total);
   void rotate(std::uint32_t s);

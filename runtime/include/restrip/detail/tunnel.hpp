@@ -14,7 +14,7 @@ inline bool Tunnel::join(StripMesh& mesh, StripIndex& index, Triangle end, std::
   max_states_ = max_states;
   start(mesh, index, end);
   bool joined = false;
-  for (std::uint32_t s = 0; s < states_.size() && !joined; ++s) {
+  for (std::uint32_t s = 0; s < states_.size() && states_.size() < max_states && !joined; ++s) {
     joined = expand(mesh, index, s);
   }
   counts_.states += states_.size();
@@ -44,12 +44,25 @@ inline void Tunnel::start(const StripMesh& mesh, const StripIndex& index, Triang
                                      (down ? Piece::down_flag : 0U) | Piece::last_flag};
 }
 
-// Adds a state, unless its end has been one before.
-inline void Tunnel::reach(const State& state) {
+// Adds a state, unless its end has been one before. True when the new end lies beside the end of another strip, and the
+// two have been joined: most searches end here, so looking ahead spares expanding half of all states.
+inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state) {
   const Triangle y = StripMesh::triangle(state.cut);
-  if (seen_[y] == search_ || states_.size() >= max_states_) return;
+  if (seen_[y] == search_ || states_.size() >= max_states_) return false;
   seen_[y] = search_;
+  const auto s = static_cast<std::uint32_t>(states_.size());
   states_.push_back(state);
+  for (unsigned side = 0; side < 3; ++side) {
+    const Halfedge join = StripMesh::halfedge(y, side);
+    if (join == state.cut || mesh.solid(join)) continue;
+    const Halfedge there = mesh.opposite(join);
+    if (StripMesh::on_boundary(there)) continue;
+    const Triangle x = StripMesh::triangle(there);
+    if (mesh.solid_degree(x) > 1) continue;
+    lay_out(s);
+    if (move(mesh, index, s, join, x)) return true;
+  }
+  return false;
 }
 
 // All moves from a state. True when one of them has joined two strips.
@@ -92,7 +105,8 @@ inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Ha
       commit(mesh, index, s, join);
       return true;
     }
-    for (unsigned i = 0; i < n; ++i) reach({s, join, next[i].towards_x, at.order, next[i].order, at.strip, false});
+    for (unsigned i = 0; i < n; ++i)
+      if (reach(mesh, index, {s, join, next[i].towards_x, at.order, next[i].order, at.strip, false})) return true;
     return false;
   }
   // Solid edges that the moves have cut do not count.
@@ -104,8 +118,9 @@ inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Ha
     // An earlier move may have made this very edge solid: then x comes next on the path.
     if (f == 1 && pieces[0].low == pieces[0].high && piece.front() == at.order) return false;
     for (unsigned i = 0; i < kept; ++i)
-      if ((next[i].order > at.order) == piece.down())
-        reach({s, join, next[i].towards_x, at.order, next[i].order, f, true});
+      if ((next[i].order > at.order) == piece.down() &&
+          reach(mesh, index, {s, join, next[i].towards_x, at.order, next[i].order, f, true}))
+        return true;
     return false;
   }
   const bool joined_in_front = f > current && !pieces[f - 1].last() && piece.front() == at.order;
@@ -114,13 +129,15 @@ inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Ha
     commit(mesh, index, s, join);
     return true;
   }
-  for (unsigned i = 0; i < kept; ++i) reach({s, join, next[i].towards_x, at.order, next[i].order, f, true});
+  for (unsigned i = 0; i < kept; ++i)
+    if (reach(mesh, index, {s, join, next[i].towards_x, at.order, next[i].order, f, true})) return true;
   return false;
 }
 
 // Works out the paths of a state from those of its parent.
 inline void Tunnel::lay_out(std::uint32_t s) {
   const State& state = states_[s];
+  if (state.total != 0) return;
   if (!state.touched)
     change_over_whole(s);
   else if (state.where < states_[state.parent].current)
