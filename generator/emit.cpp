@@ -3,12 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <iterator>
+#include <set>
+
+#include "reason.hpp"
 
 namespace restrip::generator {
 namespace {
 
-constexpr unsigned format_version = 1;
+constexpr unsigned header_version = 1;
+constexpr unsigned certificate_version = 2;
 
 std::string banner(const std::string& what) {
   return fmt::format(
@@ -16,24 +22,45 @@ std::string banner(const std::string& what) {
       "`regenerate`.\n"
       "// Format {}, explained in restrip/rule_table.hpp.\n#pragma once\n\n#include \"restrip/rule_table.hpp\"\n\n"
       "namespace restrip::tables {{\n\n",
-      what, format_version);
+      what, header_version);
 }
 
 constexpr const char* footer = "\n}  // namespace restrip::tables\n";
 
-template <class Number>
-std::string numbers(const std::vector<Number>& values) {
-  std::string text;
-  std::string line = "   ";
-  for (const Number value : values) {
-    const std::string word = fmt::format(" {},", value);
-    if (line.size() + word.size() > 120) {
-      text += line + "\n";
-      line = "   ";
+/// Words in lines of at most 120 characters.
+class Lines {
+ public:
+  void add(const std::string& word) {
+    if (line_.size() + word.size() > 120) {
+      text_ += line_ + "\n";
+      line_ = "   ";
     }
-    line += word;
+    line_ += word;
   }
-  return text + line + "\n";
+  [[nodiscard]] std::string text() const { return text_ + line_ + "\n"; }
+
+ private:
+  std::string text_;
+  std::string line_ = "   ";
+};
+
+template <class Number>
+std::string numbers(const std::vector<Number>& values, const char* spelling = " {},") {
+  Lines lines;
+  for (const Number value : values) lines.add(fmt::format(fmt::runtime(spelling), value));
+  return lines.text();
+}
+
+/// A pairing in 8 x 4 bits: the partner of each port, itself when it has none.
+std::uint32_t partners(const std::vector<Mask>& pairs) {
+  std::uint32_t packed = 0x76543210;
+  for (const Mask pair : pairs) {
+    const int low = std::countr_zero(pair);
+    const int high = std::countr_zero(std::bit_floor(pair));
+    const auto swap = static_cast<std::uint32_t>(low ^ high);
+    packed ^= swap << (4 * low) | swap << (4 * high);
+  }
+  return packed;
 }
 
 std::string identifier(std::string name) {
@@ -126,10 +153,54 @@ RulesHeader rules_header(const SolvedFamily& family, const Packing& packing, uns
   return {text + footer, rules.size() * (widest > 0xff ? 2 : 1)};
 }
 
+std::size_t LinkedFamily::alternatives() const {
+  std::size_t n = 0;
+  for (const LinkedSection& section : sections)
+    for (const std::vector<Alternative>& list : section.lists) n += list.size();
+  return n;
+}
+
+RulesHeader linked_header(const std::vector<LinkedFamily>& families, unsigned max_k) {
+  std::set<std::uint32_t> pairings;
+  for (const LinkedFamily& family : families)
+    for (const LinkedSection& section : family.sections)
+      for (const std::vector<Alternative>& list : section.lists)
+        for (const Alternative& alternative : list) pairings.insert(partners(alternative.pairs));
+  const std::vector<std::uint32_t> pairing(pairings.begin(), pairings.end());
+  std::string text = banner("Linked rules: recolourings for what is known of the outside.");
+  text +=
+      fmt::format("inline constexpr Pairings<{}> pairings{{\n{}}};\n", pairing.size(), numbers(pairing, " {:#010x},"));
+  std::size_t bytes = pairing.size() * 4;
+  for (const LinkedFamily& family : families) {
+    std::vector<std::size_t> first(max_k + 1, 0);
+    std::vector<std::size_t> start;
+    std::size_t count = 0;
+    Lines rules;
+    for (const LinkedSection& section : family.sections) {
+      if (first[section.position.k] == 0) first[section.position.k] = start.size();
+      for (const std::vector<Alternative>& list : section.lists) {
+        start.push_back(count);
+        for (const Alternative& alternative : list) {
+          const auto place = std::lower_bound(pairing.begin(), pairing.end(), partners(alternative.pairs));
+          rules.add(fmt::format(" {{{}, {}}},", alternative.recoloring, place - pairing.begin()));
+          ++count;
+        }
+      }
+    }
+    start.push_back(count);
+    text += fmt::format(
+        "inline constexpr LinkedTable<{}, {}, {}> linked_{}{{\n    {{{}    }},\n    {{\n{}    }},\n    {{{{\n{}    "
+        "}}}},\n}};\n",
+        max_k, start.size(), count, identifier(family.name), numbers(first).substr(4), numbers(start), rules.text());
+    bytes += 2 * (first.size() + start.size() + 2 * count);
+  }
+  return {text + footer, bytes};
+}
+
 std::string certificate(const SolvedFamily& family) {
   std::string text;
   auto out = std::back_inserter(text);
-  fmt::format_to(out, "restrip-certificate {}\nfamily {}\n", format_version, family.name);
+  fmt::format_to(out, "restrip-certificate {}\nfamily {}\n", certificate_version, family.name);
   for (const Section& section : family.sections) {
     fmt::format_to(out, "section {}\n", place_of(section.position));
     const Claims claims = sum(section.claims);
@@ -138,6 +209,7 @@ std::string certificate(const SolvedFamily& family) {
     fmt::format_to(out, "claim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n", claims.costing,
                    claims.worst_strips, claims.worst_isolated);
     const bool flip = section.position.family == Family::flip;
+    const Reasoner reasoner(section.position);
     for (const Row& row : section.rows) {
       fmt::format_to(out, "{} {:x} {:x} ", row.witness < 0 ? "rule" : "copy", row.key.ports, row.key.joined);
       if (flip)
@@ -146,10 +218,20 @@ std::string certificate(const SolvedFamily& family) {
         fmt::format_to(out, "{:x}", row.recoloring);
       if (row.witness >= 0)
         fmt::format_to(out, " by {}", section.symmetry[static_cast<std::size_t>(row.witness)].name());
+      else
+        fmt::format_to(out, " because {}", reasoner.reason(row).text());
       text += '\n';
     }
   }
-  fmt::format_to(out, "end {}\n", family.rows());
+  // From the two sums a reader can tell which single byte was altered.
+  std::uint64_t sum = 0;
+  std::uint64_t weighted = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    sum += byte;
+    weighted += (i + 1) * byte;
+  }
+  fmt::format_to(out, "end {} {} {}\n", family.rows(), sum, weighted);
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "linked.hpp"
 #include "packing.hpp"
 #include "section.hpp"
 
@@ -28,7 +29,20 @@ struct RulesHeader {
 /// restrip/tables/FAMILY.hpp.
 [[nodiscard]] RulesHeader rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k);
 
+/// A family's linked rules.
+struct LinkedFamily {
+  std::string name;
+  std::vector<LinkedSection> sections;
+  [[nodiscard]] std::size_t alternatives() const;
+};
+
+/// restrip/tables/linked.hpp: the lists of all families.
+[[nodiscard]] RulesHeader linked_header(const std::vector<LinkedFamily>& families, unsigned max_k);
+
 /// certificates/FAMILY.cert (docs/certificate.md).
 [[nodiscard]] std::string certificate(const SolvedFamily& family);
+
+/// certificates/linked-FAMILY.cert.
+[[nodiscard]] std::string linked_certificate(const LinkedFamily& family);
 
 }  // namespace restrip::generator

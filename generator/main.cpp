@@ -57,6 +57,13 @@ void make_tables(const TablesOptions& options) {
     files["certificates/" + family.name + ".cert"] = certificate(family);
     rows[headers + file + ".hpp"] = rows["certificates/" + family.name + ".cert"] = family.rows();
   }
+  // Pairings of more than eight ports do not fit their four bits each.
+  const unsigned linked_max_k = std::min(options.max_k, 8U);
+  std::vector<LinkedFamily> linked;
+  for (const Family family : linked_families()) linked.push_back({name_of(family), solve_linked(family, linked_max_k)});
+  const RulesHeader linked_rules = linked_header(linked, linked_max_k);
+  files[headers + "linked.hpp"] = linked_rules.text;
+  for (const LinkedFamily& family : linked) rows[headers + "linked.hpp"] += family.alternatives();
   std::string manifest = "restrip-manifest 1\n";
   for (const auto& [path, contents] : files)
     manifest += fmt::format("{} {} {} {}\n", sha256(contents), contents.size(), rows[path], path);
@@ -66,6 +73,9 @@ void make_tables(const TablesOptions& options) {
   for (const SolvedFamily& family : families)
     fmt::print("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", family.name, family.sections.size(), family.rows(),
                bytes[family.name]);
+  fmt::print("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", "linked",
+             linked[0].sections.size() + linked[1].sections.size(), linked[0].alternatives() + linked[1].alternatives(),
+             linked_rules.bytes);
 }
 
 }  // namespace

@@ -8,20 +8,21 @@ namespace restrip::generator {
 namespace {
 
 /// What is counted, and how much one of it weighs. The weights were found by climbing from a guess, one or a few
-/// weights at a time, with replays of four meshes from 2 % to 100 % as the judge; docs/tables.md has the figures.
+/// weights at a time, with replays of real meshes from 2 % to 100 % as the judge; docs/tables.md has the figures.
 struct Weights {
-  int solid_chord = 64;         ///< the chord is solid
-  int joined_pair = -49;        ///< two ports stay joined inside
-  int end_facing_out = -53;     ///< a strip ends at a fan triangle whose port is dashed: it may go on there one day
-  int end_at_port = -4;         ///< a strip enters by a port and ends at once
-  int end_at_new = 100;         ///< a strip ends at A or D
-  int neighbouring_ends = -11;  ///< an inner edge between two strip ends
-  int square_of_ports = -14;    ///< for each strip, the square of the fan triangles it covers: long strips
-  int solid_at_new = 64;        ///< a solid edge of A or D
-  int solid_in_first_arc = 7;   ///< a solid edge between A and D on the side of the first arc
+  int solid_chord;         ///< the chord is solid
+  int joined_pair;         ///< two ports are joined inside
+  int end_facing_out;      ///< a strip ends at a fan triangle whose port is dashed: it may go on there one day
+  int end_at_port;         ///< a strip enters by a port and ends at once
+  int end_at_new;          ///< a strip ends at A or D
+  int neighbouring_ends;   ///< an inner edge between two strip ends
+  int square_of_ports;     ///< for each strip, the square of the fan triangles it covers: long strips
+  int solid_at_new;        ///< a solid edge of A or D
+  int solid_in_first_arc;  ///< a solid edge between A and D on the side of the first arc
 };
 
-constexpr Weights weight;
+constexpr Weights of_local_rules{64, -49, -53, -4, 100, -11, -14, 64, 7};
+constexpr Weights of_linked_rules{63, -102, -37, 0, 101, 85, 11, 57, 11};
 
 struct Degrees {
   std::vector<int> inner;
@@ -43,7 +44,8 @@ Degrees degrees(const Side& side, const Coloring& coloring, Mask ports) {
 }  // namespace
 
 std::int64_t tie_break(const Position& position, const Side& after, const Coloring& coloring, const Outcome& outcome,
-                       Mask ports) {
+                       Mask ports, Sight sight) {
+  const Weights& weight = sight == Sight::patch ? of_local_rules : of_linked_rules;
   const bool chord = position.family == Family::split || position.family == Family::open_split;
   const auto fan = static_cast<unsigned>(after.owner.size());
   const Degrees degree = degrees(after, coloring, ports);

@@ -9,10 +9,14 @@
 
 namespace restrip::generator {
 
+/// What the strips of a patch are known to do outside it: nothing, or where they come back (linked.hpp). Each has its
+/// own weights.
+enum class Sight { patch, outside };
+
 /// The third criterion: a number, smaller is better, for recolourings that are equal in solid edges and isolated
 /// triangles. Depends on the patch alone, never on the machine. Chosen by replaying real meshes (docs/tables.md says
 /// how).
 [[nodiscard]] std::int64_t tie_break(const Position& position, const Side& after, const Coloring& coloring,
-                                     const Outcome& outcome, Mask ports);
+                                     const Outcome& outcome, Mask ports, Sight sight = Sight::patch);
 
 }  // namespace restrip::generator

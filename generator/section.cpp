@@ -22,11 +22,6 @@ Family family_named(const std::string& name) {
   throw std::invalid_argument("no family is named " + name);
 }
 
-/// The rows act on the fan alone when the operation removes triangles.
-Patch patch_of_rows(const Position& position) {
-  return collapses(position.family) ? make_fan_patch(position.k, closed(position.family)) : make_patch(position);
-}
-
 /// The image of a key: the symmetry moves the ports, and the pairs that `joined` stands for.
 Key image_of(const Key& key, const Symmetry& symmetry, const Position& position) {
   if (position.family == Family::flip) return {permute(key.ports, symmetry.port), key.joined};
@@ -137,6 +132,10 @@ const std::vector<std::string>& certificate_families() {
   static const std::vector<std::string> families{"split",          "collapse",     "open-split",
                                                  "boundary-split", "fan-collapse", "flip"};
   return families;
+}
+
+Patch patch_of_rows(const Position& position) {
+  return collapses(position.family) ? make_fan_patch(position.k, closed(position.family)) : make_patch(position);
 }
 
 std::vector<Section> solve(const std::string& certificate_family, unsigned max_k, unsigned threads) {

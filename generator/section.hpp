@@ -45,6 +45,9 @@ struct Section {
 /// fan-collapse (which serves both collapses of an open fan), flip.
 [[nodiscard]] const std::vector<std::string>& certificate_families();
 
+/// What the rows of a position act on: its patch, or the fan alone when the operation removes triangles.
+[[nodiscard]] Patch patch_of_rows(const Position& position);
+
 /// Every section of a certificate, for valences up to max_k (at most 13, so that a recolouring has 16 bits).
 /// The work is shared by `threads`; the result does not depend on their number.
 [[nodiscard]] std::vector<Section> solve(const std::string& certificate_family, unsigned max_k, unsigned threads);

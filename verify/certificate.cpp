@@ -6,6 +6,7 @@
 
 #include "input.hpp"
 #include "mutants.hpp"
+#include "sums.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -21,13 +22,43 @@ void parse_claim(LineReader& reader, std::array<StatedClaim, claim_words.size()>
   claim = {reader.number(2), reader.line()};
 }
 
-Row parse_row(LineReader& reader, const Section& section, bool gives_ports_up) {
+/// Reads a reason that starts at word `at`, which is left behind it. `asked` are the edges of the cases around it.
+Reason parse_reason(const LineReader& reader, std::size_t& at, unsigned edges, Mask asked) {
+  const auto word = [&] { return at < reader.words().size() ? reader.words()[at] : "the end of the line"; };
+  const auto expect = [&](std::string_view expected) {
+    if (word() != expected) reader.fail(fmt::format("expected \"{}\", found \"{}\"", expected, word()));
+    ++at;
+  };
+  const auto is_mask = [&] { return at < reader.words().size() && word() != "else"; };
+  Reason reason;
+  if (word() == "-") {
+    ++at;
+  } else if (word() == "if") {
+    if (++at == reader.words().size()) reader.fail("expected the number of an edge, found the end of the line");
+    const std::int64_t edge = reader.number(at++);
+    if (edge < 0 || edge >= edges) reader.fail(fmt::format("expected an edge from 0 to {}, found {}", edges - 1, edge));
+    reason.edge = static_cast<unsigned>(edge);
+    if (is_solid(asked, reason.edge)) reader.fail(fmt::format("edge {} makes cases of a case of its own", edge));
+    asked |= single(reason.edge);
+    expect("then");
+    reason.cases.push_back(parse_reason(reader, at, edges, asked));
+    expect("else");
+    reason.cases.push_back(parse_reason(reader, at, edges, asked));
+  } else {
+    if (!is_mask()) reader.fail(fmt::format("expected a reason, found \"{}\"", word()));
+    for (; is_mask(); ++at) reason.sets.push_back(reader.mask(at, edges));
+  }
+  return reason;
+}
+
+Row parse_row(const LineReader& reader, const Section& section, bool gives_ports_up) {
   Row row;
   row.copy = reader.starts_with("copy");
   row.line = reader.line();
   const std::size_t masks = gives_ports_up ? 4 : 3;
-  reader.expect_words(1 + masks + (row.copy ? 3 : 0),
-                      fmt::format("\"{}\", {} masks{}", reader.words()[0], masks, row.copy ? ", \"by\" symmetry" : ""));
+  if (row.copy || reader.words().size() < masks + 2 || reader.words()[masks + 1] != "because")
+    reader.expect_words(row.copy ? masks + 4 : 0, fmt::format("\"{}\", {} masks, {}", reader.words()[0], masks,
+                                                              row.copy ? "\"by\" symmetry" : "\"because\" reason"));
   row.key = {reader.mask(1, section.ports), reader.mask(2, section.key_bits)};
   row.after = gives_ports_up ? Coloring{reader.mask(4, section.recoloring_bits), reader.mask(3, section.ports)}
                              : Coloring{reader.mask(3, section.recoloring_bits), row.key.ports};
@@ -40,6 +71,11 @@ Row parse_row(LineReader& reader, const Section& section, bool gives_ports_up) {
     const std::int64_t n = reader.number(masks + 3);
     if (n < 0 || n >= section.ports) reader.fail(fmt::format("expected a number from 0 to {}", section.ports - 1));
     row.by = {kind == "mirror", static_cast<unsigned>(n)};
+  } else {
+    std::size_t at = masks + 2;
+    row.reason = parse_reason(reader, at, section.recoloring_bits + (gives_ports_up ? section.ports : 0), 0);
+    if (at != reader.words().size())
+      reader.fail(fmt::format("expected the end of the reason, found \"{}\"", reader.rest(at)));
   }
   return row;
 }
@@ -74,11 +110,17 @@ SectionRows parse_section(LineReader& reader, const Section& section) {
 }  // namespace
 
 Certificate parse_certificate(const std::string& file, std::string text, const Family& family) {
+  const std::optional<Place> altered = altered_byte(text);
+  if (altered && !mutated(Mutant::skip_sums))
+    throw InputError(
+        file, altered->line,
+        fmt::format("byte {} of this line was altered, or more than one byte: the sums in the last line tell",
+                    altered->byte));
   LineReader reader(file, std::move(text));
   Certificate certificate;
   certificate.file = file;
-  reader.next("\"restrip-certificate 1\"");
-  reader.expect_line("restrip-certificate 1");
+  reader.next("\"restrip-certificate 2\"");
+  reader.expect_line("restrip-certificate 2");
   reader.next("\"family\"");
   reader.expect_line("family " + family.name);
   reader.next("a section");
@@ -86,23 +128,29 @@ Certificate parse_certificate(const std::string& file, std::string text, const F
     certificate.sections.push_back(parse_section(reader, section));
     certificate.rows += certificate.sections.back().rows.size();
   }
-  reader.expect_words(2, "\"end\" number");
   if (!reader.starts_with("end")) reader.fail(fmt::format("expected \"end\", found \"{}\"", reader.rest(0)));
+  reader.expect_words(4, "\"end\" number sum sum");
   if (reader.number(1) != static_cast<std::int64_t>(certificate.rows) && !mutated(Mutant::skip_row_count))
     reader.fail(fmt::format("expected \"end {}\", the number of rows of this file", certificate.rows));
-  if (!reader.at_end()) {
-    reader.next("nothing");
-    reader.fail("expected the end of the file after \"end\"");
-  }
+  if (!reader.at_end()) reader.fail("expected the end of the file after \"end\"");
+  const ByteSums sums = sums_of(reader.text_above());
+  const bool as_stated = reader.number(2) == static_cast<std::int64_t>(sums.plain) &&
+                         reader.number(3) == static_cast<std::int64_t>(sums.weighted);
+  if (!as_stated && !mutated(Mutant::skip_sums))
+    reader.fail(fmt::format("expected {} and {}, the sums of the bytes above", sums.plain, sums.weighted));
   return certificate;
+}
+
+std::string Reason::text() const {
+  if (!cases.empty()) return fmt::format("if {} then {} else {}", edge, cases[0].text(), cases[1].text());
+  return sets.empty() ? "-" : fmt::format("{:x}", fmt::join(sets, " "));
 }
 
 std::string text_of(const Row& row, bool gives_ports_up) {
   std::string text = fmt::format("{} {:x} {:x} ", row.copy ? "copy" : "rule", row.key.ports, row.key.second);
   text += gives_ports_up ? fmt::format("{:x} {:x}", row.after.ports, row.after.inner)
                          : fmt::format("{:x}", row.after.inner);
-  if (row.copy) text += " by " + row.by.text();
-  return text;
+  return text + (row.copy ? " by " + row.by.text() : " because " + row.reason.text());
 }
 
 }  // namespace restrip::verify

@@ -11,11 +11,23 @@
 
 namespace restrip::verify {
 
+/// Why nothing is preferred to a rule: two cases, an edge solid and the same edge dashed, or sets of edges that cannot
+/// all be solid.
+struct Reason {
+  unsigned edge = 0;
+  std::vector<Reason> cases;  ///< solid, dashed; empty for a leaf
+  std::vector<Mask> sets;     ///< of a leaf
+
+  /// As the certificate writes it.
+  std::string text() const;
+};
+
 struct Row {
   bool copy = false;
   Key key;
   Coloring after;   ///< of a fan family: with the ports of the key
   PortSymmetry by;  ///< of a copy
+  Reason reason;    ///< of a rule
   unsigned line = 0;
 };
 

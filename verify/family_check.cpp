@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reasons.hpp"
 #include "reference.hpp"
 
 namespace restrip::verify {
@@ -16,6 +17,7 @@ struct FamilyTally {
   Failures extra;
   Failures witnesses;
   Failures claims;
+  ReasonTally reasons;
   Failures orbits;
   Failures cost;
   Failures reference;
@@ -25,6 +27,7 @@ struct FamilyTally {
   Agreement agreement;
   double judging = 0;
   double agreeing = 0;
+  double reasoning = 0;
   double burnside = 0;
   double nauty = 0;
 };
@@ -99,6 +102,9 @@ FamilyTally tally_of(const Family& family, const Certificate& certificate, const
     tally.extra.add(extra_rows(section, rows, used, certificate.file));
     tally.witnesses.add(wrong_witnesses(section, rows, certificate.file));
     tally.claims.add(wrong_claims(rows, recount, certificate.file));
+    const double start = thread_seconds();
+    check_reasons(section, rows, certificate.file, tally.reasons);
+    tally.reasoning += thread_seconds() - start;
   }
   return tally;
 }
@@ -125,6 +131,10 @@ void report_family(const Family& family, const Certificate& certificate, const s
   if (family.sections.front().operations.front().gives_ports_up)
     report("none with as many of both keeps more ports", "the same search", tally.pairs, 0,
            rows(RowClaim::most_ports_kept));
+  report("every rule has a reason why nothing is preferred to it",
+         fmt::format("{} by disjoint sets, {} case trees to {} leaves", tally.reasons.rules - tally.reasons.trees,
+                     tally.reasons.trees, tally.reasons.most_cases),
+         tally.reasons.rules, tally.reasoning, tally.reasons.wrong);
   if (second_formulation) {
     const std::string problems = fmt::format("{} smallest hitting sets", tally.agreement.hitting_set_problems);
     report("strips and forbidden sets agree on what is sound", "no forbidden set contained", tally.agreement.pairs,

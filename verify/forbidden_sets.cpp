@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "mutants.hpp"
+
 namespace restrip::verify {
 namespace {
 
@@ -42,6 +44,12 @@ std::vector<Mask> cycles_of(const Patch& patch) {
   return cycles;
 }
 
+/// Some mutants forgive some cycles.
+bool forgiven(const Patch& patch, Mask cycle) {
+  if (mutated(Mutant::sets_drop_all_cycles)) return true;
+  return mutated(Mutant::sets_drop_outer_cycle) && patch.chord() && !is_solid(cycle, *patch.chord());
+}
+
 bool contains_any(Mask edges, const std::vector<Mask>& sets) {
   return std::any_of(sets.begin(), sets.end(), [&](Mask set) { return is_subset(set, edges); });
 }
@@ -77,13 +85,15 @@ ForbiddenSets::ForbiddenSets(const Patch& patch) : patch_(patch) {
     for (auto [edge, end] = boost::out_edges(triangle, graph); edge != end; ++edge)
       edges |= single(edge_number(patch, graph[*edge]));
     edges_of_triangles_.push_back(edges);
-    if (solid_count(edges) == 3) always_.push_back(edges);
+    if (solid_count(edges) == 3 && !mutated(Mutant::sets_loosen_degree)) always_.push_back(edges);
   }
-  for (const Mask cycle : cycles_of(patch)) always_.push_back(cycle);
+  for (const Mask cycle : cycles_of(patch))
+    if (!forgiven(patch, cycle)) always_.push_back(cycle);
   for (unsigned from = 0; from < patch.ports(); ++from)
     for (unsigned to = from + 1; to < patch.ports(); ++to)
       for (const Mask path : paths_between(patch, patch.outside()[from], patch.outside()[to]))
         paths_.push_back({from, to, path});
+  if (mutated(Mutant::sets_drop_path) && !paths_.empty()) paths_.pop_back();
 }
 
 bool ForbiddenSets::valid(Mask solid_edges) const { return !contains_any(solid_edges, always_); }

@@ -21,6 +21,7 @@ void LineReader::next(const std::string& expected) {
   const std::size_t end = text_.find('\n', position_);
   if (end == std::string::npos) fail(fmt::format("expected {} and a newline, found an unfinished line", expected));
   const std::string_view whole = std::string_view(text_).substr(position_, end - position_);
+  line_start_ = position_;
   position_ = end + 1;
   for (const char c : whole)
     if (c < ' ' || c > '~') fail("expected printable ASCII");

@@ -31,6 +31,8 @@ class LineReader {
   /// The words from `first` to the end, with their spaces.
   std::string rest(std::size_t first) const;
   unsigned line() const { return line_; }
+  /// All lines before this one, with their newlines.
+  std::string_view text_above() const { return std::string_view(text_).substr(0, line_start_); }
 
   void expect_words(std::size_t count, const std::string& expected) const;
   void expect_line(std::string_view whole) const;
@@ -45,6 +47,7 @@ class LineReader {
   std::string file_;
   std::string text_;
   std::size_t position_ = 0;
+  std::size_t line_start_ = 0;
   unsigned line_ = 0;
   std::vector<std::string_view> words_;
 };

@@ -23,6 +23,22 @@ enum class Mutant {
   strips_off_by_one,         // a row may be one edge short
   ignore_isolated,           // the second criterion is dropped
   ignore_ports_kept,         // the third criterion of flips is dropped
+  // the second formulation forgets some of its forbidden sets
+  sets_drop_all_cycles,
+  sets_drop_outer_cycle,
+  sets_drop_path,      // some path between two ports
+  sets_loosen_degree,  // a triangle may have three solid edges
+  // a reason is taken although ...
+  reason_any,                  // ... nobody looked at it
+  reason_off_by_one,           // ... it shows one dashed edge too few
+  reason_only_dashed,          // ... it shows nothing of isolated triangles
+  reason_sound_sets,           // ... the edges of a set may all be solid
+  reason_overlapping_sets,     // ... one dashed edge may serve two sets
+  reason_count_dashed_twice,   // ... the dashed edge of a case serves a set, too
+  reason_foreign_edges,        // ... it counts edges that nobody could make solid
+  reason_skip_solid_case,      // ... it shows nothing where the edge is solid
+  reason_skip_dashed_case,     // ... it shows nothing where the edge is dashed
+  reason_solid_in_both_cases,  // ... it takes the edge for solid where it is dashed
   // coverage
   accept_missing,
   accept_extra,
@@ -37,6 +53,7 @@ enum class Mutant {
   accept_disorder,
   accept_any_checksum,
   skip_row_count,
+  skip_sums,
   accept_unlisted
 };
 

@@ -33,6 +33,16 @@ void expect_right(const StripMesh& mesh, const StripIndex& index) {
   }
 }
 
+void expect_right(const StripKeeper& keeper) {
+  if (keeper.index() != nullptr) {
+    expect_right(keeper.mesh(), *keeper.index());
+    return;
+  }
+  const ColoringReport report = check_coloring(keeper.mesh());
+  ASSERT_TRUE(report.valid);
+  ASSERT_EQ(report.strips, keeper.strips());
+}
+
 Halfedge random_halfedge(const StripMesh& mesh, std::mt19937& random) {
   for (;;) {
     const Halfedge h{(static_cast<std::uint32_t>(random() % mesh.triangle_bound()) << 2) |
@@ -119,15 +129,29 @@ TEST(StripifyFull, IsValidAndTheSameEveryTime) {
   }
 }
 
+TEST(StripKeeper, ChangesItsPolicyOnTheWay) {
+  std::mt19937 random(8);
+  StripMesh mesh = sample::torus(12, 12);
+  StripKeeper keeper(mesh, Policy::linked);
+  EXPECT_EQ(keeper.strips(), mesh.triangle_count());
+  for (const Policy policy : {Policy::quick, Policy::local, Policy::full, Policy::linked, Policy::quick}) {
+    keeper.set_policy(policy);
+    for (int i = 0; i < 100; ++i) random_operation(keeper, random, i % 2 == 0);
+    expect_right(keeper);
+    keeper.improve(100);
+    expect_right(keeper);
+  }
+}
+
 TEST(StripKeeper, IsRightAfterEveryOperation) {
   std::mt19937 random(6);
-  for (const Policy policy : {Policy::local, Policy::quick, Policy::full}) {
+  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
     for (StripMesh& mesh : sample::meshes()) {
       StripKeeper keeper(mesh, policy);
       for (int i = 0; i < 400; ++i) {
         random_operation(keeper, random, mesh.triangle_count() < 60 || (i / 80) % 2 == 0);
         if (i % 97 == 0) keeper.improve(200);
-        expect_right(mesh, keeper.index());
+        expect_right(keeper);
         if (HasFatalFailure()) return;
       }
     }
@@ -147,7 +171,7 @@ TEST(StripKeeper, StripsDoNotAge) {
   };
   for (int round = 0; round < 6; ++round) {
     for (int done = 0; done < 1500;) done += random_operation(keeper, random, round % 2 == 0) ? 1 : 0;
-    expect_right(mesh, keeper.index());
+    expect_right(keeper);
     EXPECT_LE(keeper.strips(), allowed(60)) << "round " << round;
   }
   keeper.set_policy(Policy::full);
@@ -157,7 +181,7 @@ TEST(StripKeeper, StripsDoNotAge) {
   }
   keeper.improve(mesh.triangle_count() * 10);
   EXPECT_LE(keeper.strips(), allowed(1000));
-  expect_right(mesh, keeper.index());
+  expect_right(keeper);
 }
 
 }  // namespace

@@ -239,7 +239,7 @@ TEST(Operations, AdoptionLeavesFewAlone) {
     for (const Halfedge side : {h, StripMesh::next(h), StripMesh::next(StripMesh::next(h))})
       if (walk.mesh.solid(side)) walk.mesh.set_solid(side, false);
     const ColoringReport before = check_coloring(walk.mesh);
-    const Adoption done = n % 3 == 0   ? adopt(walk.mesh, h)
+    const Mending done = n % 3 == 0   ? adopt(walk.mesh, h)
                           : n % 3 == 1 ? adopt_around(walk.mesh, h)
                                        : adopt_after_flip(walk.mesh, h);
     const ColoringReport after = check_coloring(walk.mesh);

@@ -21,7 +21,7 @@ class Section {
     });
   }
 
-  bool all() { return unsound() && inferior() && rows() && claims() && witnesses(); }
+  bool all() { return unsound() && inferior() && reasons() && rows() && claims() && witnesses(); }
 
  private:
   bool offer(const std::string& kind, const std::string& where, const std::string& expected, const NaiveTable& table) {
@@ -93,6 +93,38 @@ class Section {
           });
       if (!go_on) return false;
     }
+    return true;
+  }
+
+  /// Recolourings that are not the best, each with the reason that a careless checker would take for one.
+  bool reasons() {
+    const std::map<std::string, Careless> kinds = {{"reason off by one", Careless::off_by_one},
+                                                   {"reason for dashed edges only", Careless::only_dashed},
+                                                   {"sets that may be solid", Careless::sound_sets},
+                                                   {"overlapping sets", Careless::overlapping_sets},
+                                                   {"dashed edge counted twice", Careless::count_dashed_twice},
+                                                   {"foreign edges", Careless::foreign_edges},
+                                                   {"solid case skipped", Careless::skip_solid_case},
+                                                   {"dashed case skipped", Careless::skip_dashed_case},
+                                                   {"solid in both cases", Careless::solid_in_both_cases}};
+    for (const auto& kind : kinds)
+      for (const auto& [key, example] : examples_) {
+        if (!good_.rows.at(key).by.empty()) continue;
+        const auto& [operation, before] = example;
+        const std::vector<Candidate> sound = sound_recolorings(*operation, before);
+        const Candidate best = *std::max_element(sound.begin(), sound.end(), better);
+        const Careless careless = kind.second;
+        const auto worse = std::find_if(sound.begin(), sound.end(), [&](const Candidate& candidate) {
+          if (careless != Careless::only_dashed) return candidate.merit[0] == best.merit[0] - 1;
+          return candidate.merit[0] == best.merit[0] && candidate.merit < best.merit;
+        });
+        if (worse == sound.end()) continue;
+        const std::optional<std::string> reason = naive_reason(*operation, before, worse->colors, careless);
+        if (!reason) continue;
+        NaiveTable bad = good_;
+        bad.rows[key] = {worse->colors, "", *reason};
+        if (!offer(kind.first, text(key), "wrong reason", bad)) return false;
+      }
     return true;
   }
 

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "manifest.hpp"
+#include "naive_tables.hpp"
 
 namespace restrip::verify::test {
 namespace {
@@ -77,7 +78,10 @@ class Editor {
  private:
   std::size_t position_of(const std::string& line) const {
     const std::vector<std::string> lines = lines_of(bytes_of(file_));
-    const auto found = std::find(lines.begin() + static_cast<std::ptrdiff_t>(place_), lines.end(), line);
+    const auto found =
+        std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(place_), lines.end(), [&](const std::string& other) {
+          return other == line || (line.starts_with("end ") && other.starts_with(line + ' '));
+        });
     if (found == lines.end()) throw std::runtime_error(fmt::format("{}: no line \"{}\"", file_.string(), line));
     return static_cast<std::size_t>(found - lines.begin());
   }
@@ -144,12 +148,18 @@ DamagedTables::DamagedTables(const Damage& damage)
   fs::copy(small_tables(), path_, fs::copy_options::recursive);
   Editor editor(path_);
   bool refresh = true;
+  bool sums = true;
   for (const std::string& instruction : damage.instructions) {
     if (instruction == "keep-manifest")
       refresh = false;
+    else if (instruction == "keep-sums")
+      sums = false;
     else
       editor.carry_out(instruction);
   }
+  if (sums)
+    for (const fs::directory_entry& entry : fs::directory_iterator(path_ / "certificates"))
+      write(entry.path(), with_sums(bytes_of(entry.path())));
   if (refresh) write_manifest(path_);
 }
 

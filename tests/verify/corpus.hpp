@@ -7,11 +7,12 @@
 //   message WORDS             part of the text that the checker prints
 //   file PATH                 the file that the following instructions change
 //   section POSITION          the following lines are looked for behind this section's head
-//   - LINE                    the line is taken out; it must be there
+//   - LINE                    the line is taken out; it must be there (the last line's sums may be left away)
 //   + LINE                    the line is put in, where the last line was taken out or put in
 //   cut N                     the last N bytes go
 //   create PATH               a file that nobody listed
 //   delete                    the file goes
+//   keep-sums                 do not bring the sums in last lines up to date afterwards
 //   keep-manifest             do not bring the MANIFEST up to date afterwards
 
 #include <filesystem>

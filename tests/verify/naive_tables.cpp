@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace restrip::verify::test {
 namespace {
@@ -167,6 +168,7 @@ NaiveTable naive_table(const NaiveFamily& family, const NaiveSection& section) {
                     return x.merit < y.merit;
                   })->colors;
     }
+    row.because = naive_reason(*example.operation, example.colors, row.after).value();
     table.rows[key] = row;
   }
   add_claims(section, table);
@@ -174,7 +176,7 @@ NaiveTable naive_table(const NaiveFamily& family, const NaiveSection& section) {
 }
 
 std::string certificate_text(const std::string& family, const std::vector<NaiveTable>& tables) {
-  std::string text = fmt::format("restrip-certificate 1\nfamily {}\n", family);
+  std::string text = fmt::format("restrip-certificate 2\nfamily {}\n", family);
   std::size_t rows = 0;
   for (const NaiveTable& table : tables) {
     text += fmt::format("section {}\n", table.position);
@@ -182,11 +184,28 @@ std::string certificate_text(const std::string& family, const std::vector<NaiveT
     for (const auto& [key, row] : table.rows) {
       text += fmt::format("{} {:x} {:x} ", row.by.empty() ? "rule" : "copy", key.first, key.second);
       if (table.flip) text += fmt::format("{:x} ", row.after.ports);
-      text += fmt::format("{:x}{}{}\n", row.after.inner, row.by.empty() ? "" : " by ", row.by);
+      text += fmt::format("{:x} {}\n", row.after.inner, row.by.empty() ? "because " + row.because : "by " + row.by);
     }
     rows += table.rows.size();
   }
-  return text + fmt::format("end {}\n", rows);
+  return with_sums(text + fmt::format("end {}\n", rows));
+}
+
+std::string with_sums(const std::string& text) {
+  if (text.empty() || text.back() != '\n') return text;
+  const std::size_t end = text.find_last_of('\n', text.size() - 2) + 1;
+  std::istringstream words(text.substr(end));
+  std::string word;
+  std::string rows;
+  if (!(words >> word >> rows) || word != "end") return text;
+  unsigned long long sum = 0;
+  unsigned long long weighted = 0;
+  for (std::size_t i = end; i-- > 0;) {
+    sum += static_cast<unsigned char>(text[i]);
+    weighted += sum;  // a byte is counted once for each place up to its own
+  }
+  // The sum of all sums of tails counts the byte at place n n times.
+  return text.substr(0, end) + fmt::format("end {} {} {}\n", rows, sum, weighted);
 }
 
 }  // namespace restrip::verify::test

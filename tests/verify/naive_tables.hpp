@@ -82,11 +82,30 @@ struct Candidate {
 std::vector<Candidate> sound_recolorings(const NaiveOperation& operation, NaiveColors before,
                                          Dropped dropped = Dropped::nothing);
 
+/// A question that a checker of reasons can forget, to find what it would take for a reason then.
+enum class Careless {
+  not_at_all,
+  off_by_one,
+  only_dashed,  ///< isolated triangles and ports given up are not asked for
+  sound_sets,
+  overlapping_sets,
+  count_dashed_twice,
+  foreign_edges,
+  skip_solid_case,
+  skip_dashed_case,
+  solid_in_both_cases
+};
+
+/// A reason why nothing is preferred to `after`, as certificates write it; nullopt when there is none.
+std::optional<std::string> naive_reason(const NaiveOperation& operation, NaiveColors before, NaiveColors after,
+                                        Careless careless = Careless::not_at_all);
+
 using NaiveKey = std::pair<int, int>;  ///< ports and `joined`, or ports and inner for the flip
 
 struct NaiveRow {
   NaiveColors after;
-  std::string by;  ///< symmetry of a copy, empty for a rule
+  std::string by;             ///< symmetry of a copy, empty for a rule
+  std::string because = "-";  ///< reason of a rule
 };
 
 struct NaiveTable {
@@ -105,5 +124,8 @@ NaiveTable naive_table(const NaiveFamily& family, const NaiveSection& section);
 
 /// A certificate that holds these sections.
 std::string certificate_text(const std::string& family, const std::vector<NaiveTable>& tables);
+
+/// The text with the right sums in its last line, if that begins with "end"; otherwise the text as it is.
+std::string with_sums(const std::string& text);
 
 }  // namespace restrip::verify::test

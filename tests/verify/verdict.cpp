@@ -34,15 +34,20 @@ Family one_section_family(const std::string& family_name, const std::string& pos
 
 }  // namespace
 
-Verdict verdict_of(const NaiveTable& table) {
-  const Family family = one_section_family(table.family, table.position);
+Verdict verdict_of(const std::string& certificate_text, const Family& family, bool second_formulation) {
   return collected([&](const ClaimListener& listener) {
-    const Certificate certificate = parse_certificate("table", certificate_text(table.family, {table}), family);
+    const Certificate certificate = parse_certificate("table", certificate_text, family);
     std::vector<OperationTask> tasks;
-    for (const Operation& operation : family.sections.front().operations)
-      tasks.push_back({&family.sections.front(), &certificate.sections.front(), &operation, certificate.file});
-    report_family(family, certificate, check_operations(tasks, true, 1, [](std::size_t) {}), true, listener);
+    for (std::size_t i = 0; i < family.sections.size(); ++i)
+      for (const Operation& operation : family.sections[i].operations)
+        tasks.push_back({&family.sections[i], &certificate.sections[i], &operation, certificate.file});
+    const std::vector<OperationCheck> checks = check_operations(tasks, second_formulation, 1, [](std::size_t) {});
+    report_family(family, certificate, checks, second_formulation, listener);
   });
+}
+
+Verdict verdict_of(const NaiveTable& table) {
+  return verdict_of(certificate_text(table.family, {table}), one_section_family(table.family, table.position), true);
 }
 
 Verdict verdict_of(const std::filesystem::path& tables_dir) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "naive_tables.hpp"
+#include "operation.hpp"
 
 namespace restrip::verify::test {
 
@@ -17,6 +18,9 @@ struct Verdict {
 
   bool says(const std::string& expected) const { return text.find(expected) != std::string::npos; }
 };
+
+/// Of a certificate of this family.
+Verdict verdict_of(const std::string& certificate, const Family& family, bool second_formulation);
 
 /// Of a certificate that holds this one section only.
 Verdict verdict_of(const NaiveTable& table);

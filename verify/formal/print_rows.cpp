@@ -2,8 +2,9 @@
 //
 //   print_rows DIRECTORY < FAMILY.cert
 //
-// Of a copy the recolouring is left out: Rows.v works it out again from the symmetry. At the end of the file stands the
-// function from positions, lists of numbers such as [8; 3], to the rows of their sections.
+// Of a copy the recolouring is left out: Rows.v works it out again from the symmetry. Reasons and sums are left out,
+// too: the proof searches. At the end of the file stands the function from positions, lists of numbers such as [8; 3],
+// to the rows of their sections.
 // Anything unexpected ends the program with a message and exit code 1.
 #include <cstddef>
 #include <cstdlib>
@@ -44,13 +45,13 @@ struct Section {
   }
 };
 
-// `rule P J R` or `copy P J R by s n`, as a row of Rows.v.
+// `rule P J R because …` or `copy P J R by s n`, as a row of Rows.v.
 std::string read_row(const std::string& line) {
   std::istringstream words(line);
   std::string kind, ports, joined, after, by, symmetry, n, rest;
   words >> kind >> ports >> joined >> after >> by >> symmetry >> n >> rest;
   const std::string key = " 0x" + ports + " 0x" + joined;
-  if (kind == "rule" && !after.empty() && by.empty()) return "Rule" + key + " 0x" + after;
+  if (kind == "rule" && by == "because") return "Rule" + key + " 0x" + after;
   if (kind == "copy" && by == "by" && !n.empty() && rest.empty()) {
     if (symmetry == "turn") return "Copy" + key + " (Turn " + n + ")";
     if (symmetry == "mirror") return "Copy" + key + " (Mirror " + n + ")";
@@ -69,7 +70,7 @@ Section read_section(const std::string& line) {
 
 void print_all(std::istream& in, const std::string& directory) {
   std::string line;
-  if (!std::getline(in, line) || line != "restrip-certificate 1") fail("not a certificate");
+  if (!std::getline(in, line) || line != "restrip-certificate 2") fail("not a certificate");
   if (!std::getline(in, line) || line.rfind("family ", 0) != 0) fail("no family");
   std::string family = line.substr(7);
   for (char& c : family) c = c == '-' ? '_' : c;
@@ -84,8 +85,8 @@ void print_all(std::istream& in, const std::string& directory) {
       ++rows;
     }
   }
-  if (line != "end " + std::to_string(rows))
-    fail("the certificate does not end with `end " + std::to_string(rows) + "`");
+  if (line.rfind("end " + std::to_string(rows) + " ", 0) != 0)
+    fail("the certificate does not end with `end " + std::to_string(rows) + "` and two sums");
 
   const std::string path = directory + "/Rows_" + family + ".v";
   std::ofstream out(path);

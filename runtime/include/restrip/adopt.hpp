@@ -15,10 +15,16 @@
 
 namespace restrip {
 
-/// What adoption changed.
-struct Adoption {
+/// What mending after an operation changed.
+struct Mending {
   int strips = 0;    ///< change in the number of strips: 0 or less
   int isolated = 0;  ///< change in the number of isolated triangles: 0 or less
+
+  constexpr Mending& operator+=(Mending more) noexcept {
+    strips += more.strips;
+    isolated += more.isolated;
+    return *this;
+  }
 };
 
 namespace detail {
@@ -26,6 +32,8 @@ namespace detail {
 /// Solid dual edges of the triangle to the left of h.
 template <class Mesh>
 int solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if constexpr (requires { mesh.solid_degree(mesh.triangle(h)); })
+    return static_cast<int>(mesh.solid_degree(mesh.triangle(h)));
   const auto second = mesh.next(h);
   return int{mesh.solid(h)} + int{mesh.solid(second)} + int{mesh.solid(mesh.next(second))};
 }
@@ -36,7 +44,7 @@ int solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
 /// by isolating somebody else, it does, and that triangle is adopted in turn, `depth` times at most; if that fails as
 /// well, nothing has changed.
 template <ColoredMesh Mesh>
-Adoption adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
+Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
   if (mesh.on_boundary(h) || detail::solid_degree(mesh, h) != 0) return {};
   for (const bool pass_on : {false, true}) {
     if (pass_on && depth == 0) break;
@@ -56,7 +64,7 @@ Adoption adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
         mesh.set_solid(other, false);
         mesh.set_solid(h, true);
         if (spares_one) return {0, -1};
-        if (const Adoption next = adopt(mesh, beyond, depth - 1); next.isolated < 0) return next;
+        if (const Mending next = adopt(mesh, beyond, depth - 1); next.isolated < 0) return next;
         mesh.set_solid(h, false);
         mesh.set_solid(other, true);
       }
@@ -65,41 +73,42 @@ Adoption adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
   return {};
 }
 
-/// Adopts the isolated triangles around the vertex that h leaves: after a split (h the chord) or a collapse (h the
-/// spoke).
-template <ColoredMesh Mesh>
-Adoption adopt_around(Mesh& mesh, typename Mesh::Halfedge h) {
-  Adoption sum;
-  const auto take = [&](typename Mesh::Halfedge g) {
-    const Adoption one = adopt(mesh, g);
-    sum.strips += one.strips;
-    sum.isolated += one.isolated;
-  };
+namespace detail {
+
+/// Calls `mend` with a halfedge of each triangle around the vertex that h leaves, and adds up what it says.
+template <class Mesh, class Mend>
+Mending mend_around(const Mesh& mesh, typename Mesh::Halfedge h, Mend&& mend) {
+  Mending sum;
   auto g = h;
   while (!mesh.on_boundary(g)) {
-    take(g);
+    sum += mend(g);
     g = turn_ccw(mesh, g);
     if (g == h) return sum;
   }
   for (g = h; !mesh.on_boundary(mesh.opposite(g));) {
     g = turn_cw(mesh, g);
-    take(g);
+    sum += mend(g);
   }
   return sum;
 }
 
+}  // namespace detail
+
+/// Adopts the isolated triangles around the vertex that h leaves: after a split (h the chord) or a collapse (h the
+/// spoke).
+template <ColoredMesh Mesh>
+Mending adopt_around(Mesh& mesh, typename Mesh::Halfedge h) {
+  return detail::mend_around(mesh, h, [&](typename Mesh::Halfedge g) { return adopt(mesh, g); });
+}
+
 /// Adopts what a flip isolated: its two triangles and the four around them. h is the turned edge.
 template <ColoredMesh Mesh>
-Adoption adopt_after_flip(Mesh& mesh, typename Mesh::Halfedge h) {
-  Adoption sum;
+Mending adopt_after_flip(Mesh& mesh, typename Mesh::Halfedge h) {
+  Mending sum;
   for (const auto inner : {h, mesh.opposite(h)}) {
     if (mesh.on_boundary(inner)) continue;
     const auto second = mesh.next(inner);
-    for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) {
-      const Adoption one = adopt(mesh, g);
-      sum.strips += one.strips;
-      sum.isolated += one.isolated;
-    }
+    for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) sum += adopt(mesh, g);
   }
   return sum;
 }
@@ -107,9 +116,9 @@ Adoption adopt_after_flip(Mesh& mesh, typename Mesh::Halfedge h) {
 namespace detail {
 
 template <class Halfedge>
-Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Adoption adoption) {
-  rewrite.strips += adoption.strips;
-  rewrite.isolated += adoption.isolated;
+Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Mending mending) {
+  rewrite.strips += mending.strips;
+  rewrite.isolated += mending.isolated;
   return rewrite;
 }
 

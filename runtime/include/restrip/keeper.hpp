@@ -1,10 +1,11 @@
-// StripKeeper: split, collapse and flip with strips that do not age.
+// StripKeeper: split, collapse and flip under a policy, with strips that do not age.
 //
-// The local rules (operations.hpp) see one patch and lose strips over thousands of operations. The keeper runs the same
-// operations, keeps an index of the strips beside them (strip_index.hpp), and after each one tunnels (tunnel.hpp) from
-// every strip end that it finds in the patch: the moment a strip breaks its ends are at hand, and so are, somewhere
-// near, the ends of others. (Porcu and Scateni call tunnelling when isolated triangles pass a threshold; calling it at
-// once and locally keeps every level of detail as good as strips made from scratch.)
+// The local rules (operations.hpp) see one patch and lose strips over thousands of operations. A policy says how much
+// more an operation looks at: the strips around the patch (linked.hpp), or, with an index of the strips beside the mesh
+// (strip_index.hpp), everything that tunnelling (tunnel.hpp) reaches from every strip end in the patch: the moment a
+// strip breaks its ends are at hand, and so are, somewhere near, the ends of others. (Porcu and Scateni call tunnelling
+// when isolated triangles pass a threshold; calling it at once and locally keeps every level of detail as good as
+// strips made from scratch.)
 //
 //   StripMesh mesh = ...;
 //   stripify(mesh, Effort::full);
@@ -12,16 +13,18 @@
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
 //   keeper.improve(10'000);                            // in idle time
 //
-// Cost. An operation costs its local rule, time linear in the patch for the index, and the searches; their mean number
-// of states is bounded by policy, not by the size of the mesh, and so is everything but the O(log n) of the index.
-// After warm-up nothing is allocated but what the mesh itself allocates to grow.
+// Cost. An operation costs its rule and, where the policy tunnels, time linear in the patch for the index, and the
+// searches; their mean number of states is bounded by policy, not by the size of the mesh, and so is everything but the
+// O(log n) of the index. After warm-up nothing is allocated but what the mesh itself allocates to grow.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "restrip/adopt.hpp"
 #include "restrip/detail/patch_triangles.hpp"
+#include "restrip/linked.hpp"
 #include "restrip/operations.hpp"
 #include "restrip/rounds.hpp"
 #include "restrip/strip_index.hpp"
@@ -32,9 +35,10 @@ namespace restrip {
 
 /// How far an operation looks for strips to join.
 enum class Policy {
-  local,  ///< not at all: the rules of operations.hpp alone
-  quick,  ///< 44 states from each strip end in the patch
-  full    ///< 240 states from each strip end in the patch
+  local,   ///< not at all: the rules of operations.hpp, with adoption (adopt.hpp); no index
+  linked,  ///< along the strips that touch the patch (linked.hpp); no index
+  quick,   ///< 44 states from each strip end in the patch
+  full     ///< 240 states from each strip end in the patch
 };
 
 /// States that a search may look at under a policy. Searches of n states keep about 2 n triangles per strip or more on
@@ -42,6 +46,7 @@ enum class Policy {
 [[nodiscard]] constexpr std::uint32_t max_states(Policy policy) noexcept {
   switch (policy) {
     case Policy::local:
+    case Policy::linked:
       return 0;
     case Policy::quick:
       return 44;
@@ -57,19 +62,27 @@ class StripKeeper {
  public:
   using Halfedge = StripMesh::Halfedge;
 
-  explicit StripKeeper(StripMesh& mesh, Policy policy = Policy::quick) : mesh_(&mesh), states_(max_states(policy)) {
-    index_.rebuild(mesh);
+  explicit StripKeeper(StripMesh& mesh, Policy policy = Policy::quick) : mesh_(&mesh) { set_policy(policy); }
+
+  /// From the next operation on. Linear time when the index has to be made.
+  void set_policy(Policy policy) {
+    linked_ = policy == Policy::linked;
+    set_max_states(max_states(policy));
+  }
+  /// Any number of states from each strip end: more keep longer strips and take proportionally longer. 0: the rules
+  /// alone.
+  void set_max_states(std::uint32_t states) {
+    const bool had_index = states_ != 0;
+    states_ = states;
+    if (!known_ || (!had_index && tunnels())) rebuild();
   }
 
-  /// From the next operation on.
-  void set_policy(Policy policy) noexcept { states_ = max_states(policy); }
-  /// Any number of states from each strip end: more keep longer strips and take proportionally longer.
-  void set_max_states(std::uint32_t states) noexcept { states_ = states; }
-
   /// The operations of operations.hpp, with the same preconditions. `strips` of the result counts what tunnelling
-  /// joined as well, so it is often negative; `isolated` is that of the local rule.
+  /// joined as well, so it is often negative; `isolated` is that of the rule and of adoption.
   Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none) {
     using Spokes = VertexSplit<Halfedge>::Spokes;
+    if (!tunnels())
+      return counted(linked_ ? split_and_link(*mesh_, where, new_vertex) : split_and_adopt(*mesh_, where, new_vertex));
     detail::fan_triangles(*mesh_, where.spokes == Spokes::right_only ? where.right : where.left, patch_);
     index_.before_patch(*mesh_, patch_);
     Rewrite<Halfedge> done = restrip::split(*mesh_, where, new_vertex);
@@ -77,6 +90,7 @@ class StripKeeper {
     return finish(done);
   }
   Rewrite<Halfedge> collapse(Halfedge chord) {
+    if (!tunnels()) return counted(linked_ ? collapse_and_link(*mesh_, chord) : collapse_and_adopt(*mesh_, chord));
     detail::edge_triangles(*mesh_, chord, patch_);
     index_.before_patch(*mesh_, patch_);
     Rewrite<Halfedge> done = restrip::collapse(*mesh_, chord);
@@ -84,6 +98,7 @@ class StripKeeper {
     return finish(done);
   }
   Rewrite<Halfedge> flip(Halfedge h) {
+    if (!tunnels()) return counted(linked_ ? flip_and_link(*mesh_, h) : flip_and_adopt(*mesh_, h));
     patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_->opposite(h))});
     index_.before_patch(*mesh_, patch_);
     return finish(restrip::flip(*mesh_, h));
@@ -92,29 +107,47 @@ class StripKeeper {
   /// Background work: goes on with rounds over all strip ends (rounds.hpp), looking at about `budget` states. Returns
   /// the number of strips it saved.
   std::size_t improve(std::size_t budget) {
+    if (!tunnels()) index_.rebuild(*mesh_);
     const std::size_t before = index_.strips();
     rounds_.run(*mesh_, index_, tunnel_, budget);
-    return before - index_.strips();
+    strips_ = index_.strips();
+    return before - strips_;
   }
 
   /// Reads the mesh anew. Linear time.
   void rebuild() {
-    index_.rebuild(*mesh_);
     rounds_.restart();
+    known_ = true;
+    if (tunnels()) {
+      index_.rebuild(*mesh_);
+      strips_ = index_.strips();
+      return;
+    }
+    // A strip has one triangle more than it has edges.
+    std::size_t degrees = 0;
+    for (Triangle t = 0; t < mesh_->triangle_bound(); ++t)
+      if (mesh_->alive(t)) degrees += mesh_->solid_degree(t);
+    strips_ = mesh_->triangle_count() - degrees / 2;
   }
   void reserve(std::size_t triangles) { index_.reserve(triangles); }
 
-  [[nodiscard]] std::size_t strips() const noexcept { return index_.strips(); }
+  [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
   [[nodiscard]] const StripMesh& mesh() const noexcept { return *mesh_; }
-  [[nodiscard]] const StripIndex& index() const noexcept { return index_; }
+  /// Null under policies without an index.
+  [[nodiscard]] const StripIndex* index() const noexcept { return tunnels() ? &index_ : nullptr; }
   [[nodiscard]] const TunnelCounts& counts() const noexcept { return tunnel_.counts(); }
 
  private:
+  [[nodiscard]] bool tunnels() const noexcept { return states_ != 0; }
+  Rewrite<Halfedge> counted(const Rewrite<Halfedge>& done) {
+    strips_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(strips_) + done.strips);
+    return done;
+  }
   Rewrite<Halfedge> finish(Rewrite<Halfedge> done) {
     index_.after_patch(*mesh_, patch_);
-    if (states_ == 0) return done;
     for (const Triangle t : patch_)
       if (mesh_->solid_degree(t) < 2 && tunnel_.join(*mesh_, index_, t, states_)) --done.strips;
+    strips_ = index_.strips();
     return done;
   }
 
@@ -122,7 +155,10 @@ class StripKeeper {
   StripIndex index_;
   Tunnel tunnel_;
   TunnelRounds rounds_{256, 4096};
-  std::uint32_t states_;
+  std::uint32_t states_ = 0;
+  bool linked_ = false;
+  bool known_ = false;  // has the mesh been read?
+  std::size_t strips_ = 0;
   std::vector<Triangle> patch_;
 };
 

@@ -133,12 +133,24 @@ Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typen
   return {chord, static_cast<std::uint32_t>(fan.k), rule.strips, rule.isolated};
 }
 
+/// Where the operations on interior fans get their rules from; linked.hpp has another source.
+struct LocalRules {
+  template <class Mesh, class Halfedge>
+  Rule split(const Mesh& /*mesh*/, Halfedge /*left*/, const InteriorFan<Halfedge>& fan) const noexcept {
+    return split_rule({fan.k, fan.a}, fan.loop, fan.ports);
+  }
+  template <class Mesh, class Halfedge>
+  Rule collapse(const Mesh& /*mesh*/, Halfedge /*chord*/, const InteriorFan<Halfedge>& fan, Word ring) const noexcept {
+    return collapse_rule({fan.k, fan.a}, ring, fan.ports);
+  }
+};
+
 template <class Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                                             const InteriorFan<typename Mesh::Halfedge>& fan, Name... name) {
+                                             const InteriorFan<typename Mesh::Halfedge>& fan, const Rule& rule,
+                                             Name... name) {
   const std::size_t k = fan.k;
   const std::size_t a = fan.a;
-  const Rule rule = split_rule({k, a}, fan.loop, fan.ports);
   const int isolated =
       count_difference(isolated_ring(k, a, rule.colors, fan.ports), isolated_closed(k, fan.loop, fan.ports));
   const auto chord = [&] {
@@ -153,13 +165,13 @@ Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typen
   return {chord, static_cast<std::uint32_t>(k), rule.strips, isolated};
 }
 
-template <class Mesh, class... Name>
-Rewrite<typename Mesh::Halfedge> split_with(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                                            Name... name) {
+template <class Rules, class Mesh, class... Name>
+Rewrite<typename Mesh::Halfedge> split_with(const Rules& rules, Mesh& mesh,
+                                            const VertexSplit<typename Mesh::Halfedge>& where, Name... name) {
   const bool both = where.spokes == VertexSplit<typename Mesh::Halfedge>::Spokes::both;
   InteriorFan<typename Mesh::Halfedge> interior;
   if (both && read_interior_fan(mesh, where.left, where.right, interior))
-    return apply_split(mesh, where, interior, name...);
+    return apply_split(mesh, where, interior, rules.split(mesh, where.left, interior), name...);
   auto fan = read_fan<WordBits>(mesh, where);
   if (fan.k <= max_word_valence) return apply_split(mesh, where, fan, both, name...);
   auto long_fan = read_fan<LongBits>(mesh, where);
@@ -222,32 +234,15 @@ Rewrite<typename Mesh::Halfedge> apply_collapse(Mesh& mesh, typename Mesh::Halfe
   return {spoke, static_cast<std::uint32_t>(at.k), rule.strips, rule.isolated};
 }
 
-}  // namespace detail
-
-/// Splits a vertex and recolours the patch (see VertexSplit for what goes where).
-template <SplittableMesh Mesh>
-Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
-  return detail::split_with(mesh, where);
-}
-
-/// The same, for meshes that let the caller name the new vertex.
-template <SplittableMesh Mesh, class Vertex>
-requires requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where, Vertex v) { mesh.insert_vertex(where, v); }
-Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                                       Vertex new_vertex) {
-  return detail::split_with(mesh, where, new_vertex);
-}
-
-/// Collapses the mesh edge of `chord` = v_s -> v_t into v_s and recolours the patch.
-template <CollapsibleMesh Mesh>
-Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
-  detail::InteriorFan<typename Mesh::Halfedge> interior;
-  if (Word ring = 0; detail::read_ring(mesh, chord, interior, ring)) {
+template <class Rules, class Mesh>
+Rewrite<typename Mesh::Halfedge> collapse_with(const Rules& rules, Mesh& mesh, typename Mesh::Halfedge chord) {
+  InteriorFan<typename Mesh::Halfedge> interior;
+  if (Word ring = 0; read_ring(mesh, chord, interior, ring)) {
     const std::size_t k = interior.k;
     const std::size_t a = interior.a;
-    const Rule rule = collapse_rule({k, a}, ring, interior.ports);
-    const int isolated = count_difference(detail::isolated_closed(k, rule.colors, interior.ports),
-                                          detail::isolated_ring(k, a, ring, interior.ports));
+    const Rule rule = rules.collapse(mesh, chord, interior, ring);
+    const int isolated =
+        count_difference(isolated_closed(k, rule.colors, interior.ports), isolated_ring(k, a, ring, interior.ports));
     const auto left = [&] {
       const std::span<const typename Mesh::Halfedge> moved(interior.spokes + a - 1, k - a);
       if constexpr (requires { mesh.remove_vertex(chord, moved); })
@@ -255,17 +250,39 @@ Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge ch
       else
         return mesh.remove_vertex(chord);
     }();
-    detail::recolor_fan(mesh, interior, left, rule.colors);
+    recolor_fan(mesh, interior, left, rule.colors);
     return {left, static_cast<std::uint32_t>(k), rule.strips, isolated};
   }
-  detail::WordBits inner;
-  detail::WordBits ports;
-  const auto at = detail::read_patch(mesh, chord, inner, ports);
-  if (at.k <= max_word_valence) return detail::apply_collapse(mesh, chord, at, inner, ports);
-  detail::LongBits long_inner;
-  detail::LongBits long_ports;
-  detail::read_patch(mesh, chord, long_inner, long_ports);
-  return detail::apply_collapse(mesh, chord, at, long_inner, long_ports);
+  WordBits inner;
+  WordBits ports;
+  const auto at = read_patch(mesh, chord, inner, ports);
+  if (at.k <= max_word_valence) return apply_collapse(mesh, chord, at, inner, ports);
+  LongBits long_inner;
+  LongBits long_ports;
+  read_patch(mesh, chord, long_inner, long_ports);
+  return apply_collapse(mesh, chord, at, long_inner, long_ports);
+}
+
+}  // namespace detail
+
+/// Splits a vertex and recolours the patch (see VertexSplit for what goes where).
+template <SplittableMesh Mesh>
+Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+  return detail::split_with(detail::LocalRules{}, mesh, where);
+}
+
+/// The same, for meshes that let the caller name the new vertex.
+template <SplittableMesh Mesh, class Vertex>
+requires requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where, Vertex v) { mesh.insert_vertex(where, v); }
+Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                                       Vertex new_vertex) {
+  return detail::split_with(detail::LocalRules{}, mesh, where, new_vertex);
+}
+
+/// Collapses the mesh edge of `chord` = v_s -> v_t into v_s and recolours the patch.
+template <CollapsibleMesh Mesh>
+Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
+  return detail::collapse_with(detail::LocalRules{}, mesh, chord);
 }
 
 /// Flips the interior mesh edge of h and recolours the patch; a port is given up only where no sound recolouring keeps

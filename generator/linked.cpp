@@ -1,0 +1,82 @@
+#include "linked.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <tuple>
+
+#include "preference.hpp"
+#include "section.hpp"
+
+namespace restrip::generator {
+namespace {
+
+using Pairs = std::vector<Mask>;
+
+struct Candidate {
+  Alternative alternative;
+  std::int64_t tie = 0;
+
+  [[nodiscard]] auto rank() const {
+    return std::tuple{-static_cast<int>(alternative.solid), alternative.isolated, tie, alternative.recoloring};
+  }
+};
+
+bool is_part_of(const Pairs& some, const Pairs& all) {
+  return std::includes(all.begin(), all.end(), some.begin(), some.end());
+}
+
+std::vector<Alternative> list_of(const Position& position, const Side& after, const std::vector<Coloring>& colorings,
+                                 Mask ports) {
+  // For each pairing its best recolouring; then those that no better one covers.
+  std::map<Pairs, Candidate> best;
+  for (const Coloring& coloring : colorings) {
+    const auto outcome = with_ports(after, coloring, ports);
+    if (!outcome) continue;
+    Pairs pairs = outcome->pairs;
+    std::sort(pairs.begin(), pairs.end());
+    const Candidate candidate{{coloring.inner, outcome->solid, outcome->isolated, pairs},
+                              tie_break(position, after, coloring, *outcome, ports, Sight::outside)};
+    const auto [place, fresh] = best.try_emplace(pairs, candidate);
+    if (!fresh && candidate.rank() < place->second.rank()) place->second = candidate;
+  }
+  std::vector<Candidate> candidates;
+  for (const auto& [pairs, candidate] : best) candidates.push_back(candidate);
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& x, const Candidate& y) { return x.rank() < y.rank(); });
+  std::vector<Alternative> list;
+  for (const Candidate& candidate : candidates) {
+    const bool covered = std::any_of(list.begin(), list.end(), [&](const Alternative& earlier) {
+      return is_part_of(earlier.pairs, candidate.alternative.pairs);
+    });
+    if (!covered) list.push_back(candidate.alternative);
+  }
+  return list;
+}
+
+}  // namespace
+
+const std::vector<Family>& linked_families() {
+  static const std::vector<Family> families{Family::split, Family::collapse};
+  return families;
+}
+
+std::vector<LinkedSection> solve_linked(Family family, unsigned max_k) {
+  std::vector<LinkedSection> sections;
+  for (unsigned k = smallest_valence(family); k <= max_k; ++k) {
+    std::vector<Position> places = positions(family, k);
+    if (collapses(family)) places = {{family, k, 0, 0}};
+    for (const Position& position : places) {
+      const Side after = patch_of_rows(position).after;
+      const std::vector<Coloring> colorings = legal_colorings(after);
+      LinkedSection section{position, {}};
+      for (Mask ports = 0; ports < Mask{1} << k; ++ports)
+        section.lists.push_back(list_of(position, after, colorings, ports));
+      sections.push_back(std::move(section));
+    }
+  }
+  return sections;
+}
+
+}  // namespace restrip::generator

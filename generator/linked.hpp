@@ -1,0 +1,36 @@
+// Linked rules: what to do when it is known which strips come back from outside the patch (docs/linked.md).
+//
+// Knowing more of the outside makes more recolourings sound, never fewer, and a recolouring that joins fewer ports is
+// sound wherever one that joins them and more is. So one list for each position and port mask serves every outside:
+// the recolourings that no other beats with a part of its pairs, best first. The first one that is sound is optimal.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "coloring.hpp"
+#include "patch.hpp"
+
+namespace restrip::generator {
+
+/// A recolouring and the ports that it joins.
+struct Alternative {
+  Mask recoloring = 0;
+  unsigned solid = 0;       ///< solid inner edges
+  unsigned isolated = 0;    ///< isolated triangles
+  std::vector<Mask> pairs;  ///< two bits each, ascending
+};
+
+/// The lists of one position; of a valence for collapses, whose fan does not know where the triangles were.
+struct LinkedSection {
+  Position position;
+  std::vector<std::vector<Alternative>> lists;  ///< by port mask
+};
+
+/// The families that have linked rules: split and collapse, those of a closed fan.
+[[nodiscard]] const std::vector<Family>& linked_families();
+
+/// Every section of a family in ascending order of position, for valences up to max_k <= 8.
+[[nodiscard]] std::vector<LinkedSection> solve_linked(Family family, unsigned max_k);
+
+}  // namespace restrip::generator

@@ -1,0 +1,60 @@
+// Why no sound recolouring is preferred to a rule's: the reasons that certificates give (docs/certificate.md,
+// "Reasons"). A reason is a case tree; docs/trust.md proves that it is one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "section.hpp"
+
+namespace restrip::generator {
+
+/// Edges of the side after an operation: inner edges first; then the ports, for a flip.
+using EdgeSet = Mask;
+
+/// Either two cases, an edge solid and the same edge dashed, or disjoint sets of edges that cannot all be solid.
+struct Reason {
+  unsigned edge = 0;
+  std::vector<Reason> cases;  ///< solid, dashed; empty for a leaf
+  std::vector<EdgeSet> sets;  ///< of a leaf: smallest sets, in ascending order of (size, set)
+
+  [[nodiscard]] std::size_t leaves() const;
+  /// As certificates write it.
+  [[nodiscard]] std::string text() const;
+};
+
+/// Finds reasons for the rules of one section.
+class Reasoner {
+ public:
+  explicit Reasoner(const Position& position);
+
+  /// A reason with as few leaves as possible; the first one in a fixed order. `row` must be the best of its key.
+  /// Exponential in the leaves, of which the best rules of fans of up to eight triangles need five at most.
+  [[nodiscard]] Reason reason(const Row& row) const;
+
+ private:
+  /// Edges that cannot all be solid, unless `pair` was joined before; ports come after the inner edges here, always.
+  struct Forbidden {
+    EdgeSet edges = 0;
+    Mask pair = 0;
+  };
+  /// What is to be shown: at least so many edges are dashed, and if it is just so many, then so many triangles are
+  /// isolated at least, and so on.
+  struct Goal {
+    EdgeSet edges = 0;  ///< those that a recolouring may leave dashed
+    std::vector<EdgeSet> sets;
+    std::vector<EdgeSet> triangles;
+    int dashed = 0;
+    int isolated = 0;
+    int given_up = 0;
+  };
+  [[nodiscard]] Goal goal_of(const Row& row) const;
+  [[nodiscard]] bool find(const Goal& goal, EdgeSet solid, EdgeSet dashed, std::size_t leaves, Reason& reason) const;
+  [[nodiscard]] bool find_leaf(const Goal& goal, EdgeSet solid, EdgeSet dashed, Reason& reason) const;
+
+  Position position_;
+  Side after_;
+  std::vector<Forbidden> forbidden_;
+};
+
+}  // namespace restrip::generator

@@ -1,0 +1,72 @@
+"""scripts/check_reasons.py takes the small tables, and no table that was damaged: sums brought up to date, so that
+rows and reasons have to speak for themselves, or left, so that the sums have to.
+
+  check_reasons_test.py SCRIPT CERTIFICATE…
+"""
+import importlib.util
+import os
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True  # nothing is left beside the script
+spec = importlib.util.spec_from_file_location("check_reasons", sys.argv[1])
+script = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(script)
+
+
+def with_sums(lines):
+    above = "".join(line + "\n" for line in lines[:-1]).encode()
+    return lines[:-1] + [
+        "%s %d %d" % (" ".join(lines[-1].split()[:2]), sum(above), sum((i + 1) * b for i, b in enumerate(above)))]
+
+
+def damages(lines):
+    """(line number, altered line) pairs; each alteration is wrong."""
+    for number, line in enumerate(lines, 1):
+        words = line.split(" ")
+        if words[0] == "end":
+            yield number, " ".join(words[:2] + [str(int(words[2]) + 1)] + words[3:])
+            yield number, " ".join(words[:1] + [str(int(words[1]) + 1)] + words[2:])
+        if words[0] == "copy":
+            yield number, line.replace("copy", "rule")
+        if words[0] != "rule":
+            continue
+        yield number, " ".join(words[:words.index("because")])
+        if words[-1] not in ("-", "because"):
+            yield number, " ".join(words[:-1] + ["-"] if words[-2] in ("because", "else") else words[:-1])
+            yield number, line + " " + words[-1]
+        own = words.index("because") - 1
+        if words[own] != "0":
+            yield number, " ".join(words[:own] + ["%x" % (int(words[own], 16) & (int(words[own], 16) - 1))] + words[own + 1:])
+        if "else" in words:
+            yield number, " ".join(words[:words.index("else")])
+
+
+def verdict(lines, path):
+    with open(path, "w", encoding="ascii") as file:
+        file.write("".join(line + "\n" for line in lines))
+    try:
+        return script.check(path)
+    except script.Wrong as wrong:
+        return str(wrong)
+
+
+tried = 0
+with tempfile.TemporaryDirectory() as folder:
+    bad = os.path.join(folder, "bad.cert")
+    for certificate in sys.argv[2:]:
+        with open(certificate, encoding="ascii") as opened:
+            good = opened.read().splitlines()
+        assert "rules are sound" in verdict(with_sums(good), bad), certificate
+        for number, line in damages(good):
+            tried += 1
+            altered = good[:number - 1] + [line] + good[number:]
+            summed = altered if number == len(good) else with_sums(altered)
+            assert ("bad.cert:%d: " % number) in verdict(summed, bad), (certificate, number, line, verdict(summed, bad))
+        # The script does not recount claims, so that only the sums can tell.
+        claim = next(number for number, line in enumerate(good) if line.startswith("claim "))
+        altered = good[:claim] + [good[claim] + "0"] + good[claim + 1:]
+        assert "rules are sound" in verdict(with_sums(altered), bad), certificate
+        assert ("bad.cert:%d: expected end" % len(good)) in verdict(altered, bad), certificate
+assert tried > 500, tried
+print(tried, "damages noticed")

@@ -1,0 +1,136 @@
+// Reasons by trying everything, and wrong ones that a checker would take that had forgotten one of its questions.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "naive_tables.hpp"
+
+namespace restrip::verify::test {
+namespace {
+
+int count(int mask) { return __builtin_popcount(static_cast<unsigned>(mask)); }
+
+/// Edges are numbered through: inner edges, then ports.
+struct Problem {
+  int edges = 0;        ///< that a recolouring may leave dashed
+  int goal = 0;         ///< so many have to be shown dashed
+  int lonely = 0;       ///< where they are just so many: isolated triangles and ports given up
+  int given_up = 0;     ///< and ports given up
+  std::set<int> sound;  ///< sets that may be all solid
+  const NaiveOperation* operation = nullptr;
+  int fixed_ports = 0;
+  Careless careless = Careless::not_at_all;
+};
+
+int lonely(const Problem& problem, int dashed) {
+  const NaivePatch& patch = problem.operation->after;
+  const int inner = static_cast<int>(patch.edges.size());
+  const int solid = (problem.edges & ~dashed) | problem.fixed_ports << inner;
+  std::set<int> company;
+  for (int i = 0; i < inner; ++i)
+    if ((solid >> i) % 2 != 0)
+      company.insert({patch.edges[static_cast<std::size_t>(i)].first, patch.edges[static_cast<std::size_t>(i)].second});
+  for (std::size_t port = 0; port < patch.port_owner.size(); ++port)
+    if ((solid >> inner >> port) % 2 != 0) company.insert(patch.port_owner[port]);
+  return static_cast<int>(patch.triangles.size() - company.size()) + count(dashed >> inner);
+}
+
+Problem problem_of(const NaiveOperation& operation, NaiveColors before, NaiveColors after, Careless careless) {
+  Problem problem;
+  problem.operation = &operation;
+  problem.careless = careless;
+  const NaivePatch& patch = operation.after;
+  const int inner = static_cast<int>(patch.edges.size());
+  const int all_ports = (1 << patch.port_owner.size()) - 1;
+  problem.fixed_ports = operation.flip ? 0 : before.ports;
+  problem.edges = ((1 << inner) - 1) | (operation.flip ? before.ports << inner : 0);
+  const int dashed = problem.edges & ~(after.inner | (operation.flip ? after.ports << inner : 0));
+  problem.goal = count(dashed);
+  problem.lonely = lonely(problem, dashed);
+  problem.given_up = count(dashed >> inner);
+  if (careless == Careless::foreign_edges && operation.flip) problem.edges |= all_ports << inner;
+
+  const std::set<Pair> joined = anatomy(operation.before, before)->joined;
+  for (int edges = 0; edges <= problem.edges; ++edges) {
+    if ((edges & problem.edges) != edges) continue;
+    const std::optional<Anatomy> found = anatomy(patch, {edges % (1 << inner), problem.fixed_ports | edges >> inner});
+    if (found && std::includes(joined.begin(), joined.end(), found->joined.begin(), found->joined.end()))
+      problem.sound.insert(edges);
+  }
+  return problem;
+}
+
+/// Sets for a leaf: so many, and disjoint.
+bool choose(const Problem& problem, int wanted, int taken, std::size_t from, const std::vector<int>& sets,
+            std::vector<int>& chosen) {
+  if (wanted <= 0) return true;
+  for (std::size_t i = from; i < sets.size(); ++i) {
+    if ((sets[i] & taken) != 0) continue;
+    chosen.push_back(sets[i]);
+    const bool again = problem.careless == Careless::overlapping_sets;
+    if (choose(problem, wanted - 1, again ? taken : taken | sets[i], again ? i : i + 1, sets, chosen)) return true;
+    chosen.pop_back();
+  }
+  return false;
+}
+
+std::optional<std::string> leaf(const Problem& problem, int solid, int dashed) {
+  std::vector<int> sets;
+  for (int set = 1; set <= problem.edges; ++set) {
+    if ((set & problem.edges & ~solid) != set) continue;
+    const bool minimal = !problem.sound.contains(set | solid) &&
+                         std::none_of(sets.begin(), sets.end(), [&](int other) { return (set & other) == other; });
+    if (minimal || (problem.careless == Careless::sound_sets && count(set) == 1)) sets.push_back(set);
+  }
+  std::stable_sort(sets.begin(), sets.end(), [](int x, int y) { return count(x) < count(y); });
+  const bool twice = problem.careless == Careless::count_dashed_twice;
+  const int missing = problem.goal - count(dashed) - (problem.careless == Careless::off_by_one ? 1 : 0);
+  for (const int wanted : {missing, missing + 1}) {
+    std::vector<int> chosen;
+    if (!choose(problem, wanted, twice ? 0 : dashed, 0, sets, chosen)) return {};
+    int surely = dashed;
+    for (const int set : chosen) surely |= count(set) == 1 ? set : 0;
+    const int ports = count(surely >> problem.operation->after.edges.size());
+    const int alone = lonely(problem, surely);
+    if (wanted == missing && problem.careless != Careless::only_dashed &&
+        (alone < problem.lonely || (alone == problem.lonely && ports < problem.given_up)))
+      continue;
+    std::string text;
+    for (const int set : chosen) text += fmt::format("{}{:x}", text.empty() ? "" : " ", set);
+    return text.empty() ? "-" : text;
+  }
+  return {};
+}
+
+std::optional<std::string> tree(const Problem& problem, int solid, int dashed, int leaves) {
+  if (leaves == 1) return leaf(problem, solid, dashed);
+  for (int edge = 0; problem.edges >> edge != 0; ++edge) {
+    const int bit = 1 << edge;
+    if ((problem.edges & bit & ~solid & ~dashed) == 0) continue;
+    for (int first = 1; first < leaves; ++first) {
+      const auto one = problem.careless == Careless::skip_solid_case ? std::optional<std::string>("-")
+                                                                     : tree(problem, solid | bit, dashed, first);
+      if (!one) continue;
+      const int carried = problem.careless == Careless::solid_in_both_cases ? solid | bit : solid;
+      const auto other = problem.careless == Careless::skip_dashed_case
+                             ? std::optional<std::string>("-")
+                             : tree(problem, carried, dashed | bit, leaves - first);
+      if (other) return fmt::format("if {} then {} else {}", edge, *one, *other);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<std::string> naive_reason(const NaiveOperation& operation, NaiveColors before, NaiveColors after,
+                                        Careless careless) {
+  const Problem problem = problem_of(operation, before, after, careless);
+  // A careless reason is there at once or not at all.
+  for (int leaves = 1; leaves <= (careless == Careless::not_at_all ? 6 : 3); ++leaves)
+    if (auto reason = tree(problem, 0, 0, leaves)) return reason;
+  return {};
+}
+
+}  // namespace restrip::verify::test

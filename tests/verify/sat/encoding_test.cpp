@@ -1,0 +1,198 @@
+// The encoder: its formulas have exactly the models that the verifier's walk along strips wants, and none of its
+// deliberate faults goes unnoticed.
+#include "encoding.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+
+#include "controls.hpp"
+#include "input.hpp"
+#include "naive_rup.hpp"
+#include "solver.hpp"
+#include "support.hpp"
+#include "work_folder.hpp"
+
+namespace restrip::verify::sat::test {
+namespace {
+
+/// A position with the bounds that the shipped certificates give it.
+struct Given {
+  const Operation* operation;
+  Position position;
+  std::vector<Bound> bounds;
+};
+
+const std::vector<Given>& shipped_positions() {
+  static const std::vector<Family> families = all_families();
+  static const std::vector<Given> positions = [] {
+    std::vector<Given> result;
+    for (const Family& family : families) {
+      const std::string file = std::string(RESTRIP_TABLES_DIR) + "/certificates/" + family.name + ".cert";
+      const Certificate certificate = parse_certificate(file, read_file(file), family);
+      for (std::size_t i = 0; i < family.sections.size(); ++i)
+        for (const Operation& operation : family.sections[i].operations) {
+          Position position = position_of(operation.family, operation.position);
+          std::vector<Bound> bounds = bounds_of(position, certificate.sections[i].rows);
+          result.push_back({&operation, std::move(position), std::move(bounds)});
+        }
+    }
+    return result;
+  }();
+  return positions;
+}
+
+std::size_t colors_of(const Given& given) {
+  return given.position.before.edges.size() + given.position.after.edges.size() + given.position.after.owner.size() +
+         (given.position.gives_ports_up ? given.position.after.owner.size() : 0);
+}
+
+struct Comparison {
+  std::size_t pairs = 0;
+  std::size_t models = 0;
+  std::size_t differences = 0;
+  std::string first_difference;
+};
+
+/// Every assignment of the inputs, extended by unit propagation, against the verifier's judgment.
+void compare_models(const Given& given, const std::vector<Bound>& bounds, EncodingFault fault, Comparison& result) {
+  const Encoding encoding = encode(given.position, bounds, fault);
+  std::map<Key, Bound> bound_of;
+  for (const Bound& bound : bounds) bound_of[bound.key] = bound;
+  std::vector<Literal> inputs;
+  for (const auto* part : {&encoding.ports, &encoding.before, &encoding.after})
+    inputs.insert(inputs.end(), part->begin(), part->end());
+  if (given.position.gives_ports_up)
+    inputs.insert(inputs.end(), encoding.ports_after.begin(), encoding.ports_after.end());
+  ASSERT_EQ(inputs.size(), colors_of(given));
+  for (Mask colors = 0; colors < mask_count(static_cast<unsigned>(inputs.size())); ++colors) {
+    std::vector<Literal> facts;
+    for (unsigned i = 0; i < inputs.size(); ++i) facts.push_back(is_solid(colors, i) ? inputs[i] : -inputs[i]);
+    const Propagation found = propagate(encoding.cnf.clauses, encoding.cnf.variables, facts);
+    ASSERT_TRUE(found.conflict || std::find(found.value.begin() + 1, found.value.end(), 0) == found.value.end())
+        << "the inputs leave a variable open";
+    std::vector<bool> model;
+    for (const int value : found.value) model.push_back(value > 0);
+    const Counterexample pair = read_back(encoding, model);  // looks at inputs only
+    const Survey before = survey(given.operation->before, pair.before);
+    bool beats = false;
+    if (before.valid)
+      beats = objection(*given.operation, pair, bound_of.at(key_of(*given.operation, pair.before, before))).empty();
+    ++result.pairs;
+    result.models += beats ? 1U : 0U;
+    if (beats != found.conflict) continue;
+    if (result.differences++ == 0)
+      result.first_difference = fmt::format("{}: inner {:x}, ports {:x} to inner {:x}, ports {:x}: {} to the verifier",
+                                            given.operation->name(), pair.before.inner, pair.before.ports,
+                                            pair.after.inner, pair.after.ports, beats ? "better" : "not better");
+  }
+}
+
+/// The bounds as they are, and all of them made worse in each way.
+Comparison compare_models(const Given& given, EncodingFault fault) {
+  Comparison result;
+  compare_models(given, given.bounds, fault, result);
+  EXPECT_EQ(result.models, 0U) << given.operation->name();
+  std::vector<Bound> less_solid = given.bounds;
+  std::vector<Bound> more_isolated = given.bounds;
+  std::vector<Bound> fewer_kept = given.bounds;
+  for (Bound& bound : less_solid) --bound.solid;
+  for (Bound& bound : more_isolated) ++bound.isolated;
+  for (Bound& bound : fewer_kept) --bound.kept;
+  compare_models(given, less_solid, fault, result);
+  compare_models(given, more_isolated, fault, result);
+  if (given.position.gives_ports_up) compare_models(given, fewer_kept, fault, result);
+  return result;
+}
+
+TEST(SatEncoding, ModelsAreThePairsThatBeatTheBounds) {
+  Comparison all;
+  std::size_t positions = 0;
+  for (const Given& given : shipped_positions()) {
+    if (colors_of(given) > 13) continue;
+    ++positions;
+    const Comparison one = compare_models(given, EncodingFault::none);
+    EXPECT_EQ(one.differences, 0U) << one.first_difference;
+    all.pairs += one.pairs;
+    all.models += one.models;
+  }
+  // Closed fans of three triangles, open ones of up to four or five, the flip.
+  EXPECT_GE(positions, 15U);
+  EXPECT_GT(all.pairs, 100000U);
+  EXPECT_GT(all.models, 1000U);
+}
+
+TEST(SatEncoding, EveryPositionIsThere) {
+  // docs/notation.md, "The families".
+  std::size_t expected = 1;
+  for (std::size_t k = 1; k <= largest_fan; ++k) {
+    if (k >= 3) expected += 2 * (k / 2);
+    for (std::size_t i = 0; i <= k; ++i)
+      for (std::size_t j = i + 1; j <= k; ++j) expected += i + j <= k ? 2U : 0U;
+    expected += 2 * (k / 2 + 1);
+  }
+  EXPECT_EQ(shipped_positions().size(), expected);
+}
+
+/// How a fault shows: some position becomes satisfiable; some altered row does not; or only the comparison of models
+/// tells.
+enum class Shows { nowhere, satisfiable, control, models };
+
+Shows first_sign_of(EncodingFault fault, const WorkFolder& folder) {
+  const auto has_model = [&](const Position& position, const std::vector<Bound>& bounds) {
+    const Cnf cnf = encode(position, bounds, fault).cnf;
+    folder.write("f.cnf", dimacs_of(cnf, "a fault"));
+    return solve("cadical", folder.path("f.cnf"), folder.path("f.drat"), folder.path("f.answer"), cnf.variables)
+        .has_value();
+  };
+  for (const Given& given : shipped_positions())
+    if (colors_of(given) <= 14 && has_model(given.position, given.bounds)) return Shows::satisfiable;
+  for (const Given& given : shipped_positions()) {
+    if (colors_of(given) > 12) continue;
+    for (std::size_t row = 0; row < given.bounds.size(); ++row)
+      for (const Alteration& alteration : alterations(given.position, given.bounds, row))
+        if (!has_model(given.position, alteration.bounds)) return Shows::control;
+  }
+  for (const Given& given : shipped_positions())
+    if (colors_of(given) <= 9 && compare_models(given, fault).differences != 0) return Shows::models;
+  return Shows::nowhere;
+}
+
+TEST(SatEncoding, EveryFaultIsNoticed) {
+  RESTRIP_NEEDS_CADICAL();
+  const WorkFolder folder("");
+  const std::map<EncodingFault, Shows> expected = {
+      {EncodingFault::none, Shows::nowhere},
+      {EncodingFault::drop_all_cycles, Shows::satisfiable},
+      {EncodingFault::drop_outer_cycle, Shows::satisfiable},
+      {EncodingFault::drop_chord_cycles, Shows::satisfiable},
+      {EncodingFault::loosen_degree, Shows::satisfiable},
+      {EncodingFault::loosen_new_degree, Shows::satisfiable},
+      {EncodingFault::drop_pairs, Shows::satisfiable},
+      {EncodingFault::forget_some_pairs, Shows::satisfiable},
+      {EncodingFault::any_degree_before, Shows::satisfiable},
+      // Harmless: a closed strip has no port, so its configuration has the key of a valid one.
+      {EncodingFault::any_cycle_before, Shows::models},
+      {EncodingFault::joined_by_next, Shows::satisfiable},
+      {EncodingFault::joined_never, Shows::satisfiable},
+      {EncodingFault::not_cyclic, Shows::satisfiable},
+      {EncodingFault::chord_misplaced, Shows::satisfiable},
+      {EncodingFault::chord_never, Shows::control},
+      {EncodingFault::first_edge_never, Shows::control},
+      {EncodingFault::count_one_short, Shows::control},
+      {EncodingFault::count_one_long, Shows::satisfiable},
+      {EncodingFault::forget_isolated, Shows::control},
+      {EncodingFault::isolated_off_by_one, Shows::satisfiable},
+      {EncodingFault::forbid_all_pairs, Shows::control},
+      {EncodingFault::empty_ports_only, Shows::control},
+  };
+  EXPECT_EQ(expected.size(), static_cast<std::size_t>(last_encoding_fault) + 1);
+  for (const auto& [fault, shows] : expected)
+    EXPECT_EQ(static_cast<int>(first_sign_of(fault, folder)), static_cast<int>(shows))
+        << "fault number " << static_cast<int>(fault);
+}
+
+}  // namespace
+}  // namespace restrip::verify::sat::test

@@ -1,0 +1,222 @@
+#include "encoding.hpp"
+
+#include <algorithm>
+
+namespace restrip::verify::sat {
+namespace {
+
+using Fault = EncodingFault;
+
+/// together[u][v]: a solid path leads from node u to node v.
+using Together = std::vector<std::vector<Literal>>;
+
+/// A colouring: literals of inner edges and ports.
+struct Colors {
+  const PatchGraph& graph;
+  const std::vector<Literal>& inner;
+  const std::vector<Literal>& ports;
+
+  std::vector<std::vector<Literal>> edges_by_node() const {
+    std::vector<std::vector<Literal>> edges(graph.nodes);
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      edges[graph.edges[i].one].push_back(inner[i]);
+      edges[graph.edges[i].other].push_back(inner[i]);
+    }
+    for (std::size_t i = 0; i < ports.size(); ++i) edges[graph.owner[i]].push_back(ports[i]);
+    return edges;
+  }
+};
+
+/// No three edges of a triangle are solid. Triangles have at most three dual edges.
+void require_degrees(Circuit& circuit, const Colors& colors, bool forgive_all, bool forgive_inserted) {
+  const auto edges = colors.edges_by_node();
+  for (unsigned node = 0; node < colors.graph.nodes; ++node) {
+    if (edges[node].size() < 3 || forgive_all || (forgive_inserted && colors.graph.inserted[node])) continue;
+    circuit.require({-edges[node][0], -edges[node][1], -edges[node][2]});
+  }
+}
+
+/// Lays the edges down one after the other (Kruskal): a solid edge must not join two nodes that are together already,
+/// and then it joins whoever is together with its two ends.
+template <class Forgiven>
+Together require_no_cycles(Circuit& circuit, const Colors& colors, const Forgiven& forgiven) {
+  const unsigned n = colors.graph.nodes;
+  Together together(n, std::vector<Literal>(n, Circuit::no));
+  for (unsigned node = 0; node < n; ++node) together[node][node] = Circuit::yes;
+  for (std::size_t i = 0; i < colors.inner.size(); ++i) {
+    const Literal edge = colors.inner[i];
+    const auto [u, v] = colors.graph.edges[i];
+    if (!forgiven(i)) circuit.require({-edge, -together[u][v]});
+    Together now = together;
+    for (unsigned x = 0; x < n; ++x)
+      for (unsigned y = x + 1; y < n; ++y)
+        now[x][y] = now[y][x] = circuit.any_of({together[x][y], circuit.all_of({edge, together[x][u], together[v][y]}),
+                                                circuit.all_of({edge, together[x][v], together[u][y]})});
+    together = std::move(now);
+  }
+  return together;
+}
+
+/// The literals of `joined` (docs/notation.md, "Key").
+std::vector<Literal> joined_mask(Circuit& circuit, const Position& position, const std::vector<Literal>& ports,
+                                 const Together& together, Fault fault) {
+  const std::size_t k = ports.size();
+  std::vector<Literal> joined;
+  for (std::size_t i = 0; i < k; ++i) {
+    Clause ways;
+    Clause apart{ports[i]};  // and no solid port since
+    const bool cyclic = position.cyclic && fault != Fault::not_cyclic;
+    for (std::size_t step = 1; step < k && (cyclic || step <= i); ++step) {
+      const std::size_t j = (fault == Fault::joined_by_next ? i + step : i + k - step) % k;
+      Clause precedes = apart;
+      precedes.push_back(ports[j]);
+      precedes.push_back(together[position.before.owner[i]][position.before.owner[j]]);
+      ways.push_back(circuit.all_of(std::move(precedes)));
+      apart.push_back(-ports[j]);
+    }
+    joined.push_back(fault == Fault::joined_never ? Circuit::no : circuit.any_of(std::move(ways)));
+  }
+  return joined;
+}
+
+/// Ports joined after were joined before.
+void require_pairs(Circuit& circuit, const Position& position, const Encoding& names, const Together& before,
+                   const Together& after, Fault fault) {
+  if (fault == Fault::drop_pairs) return;
+  for (std::size_t i = 0; i < names.ports.size(); ++i)
+    for (std::size_t j = i + 1; j < names.ports.size(); ++j) {
+      if (fault == Fault::forget_some_pairs && i == 0 && j == 1) continue;
+      const Literal allowed =
+          fault == Fault::forbid_all_pairs ? Circuit::no : before[position.before.owner[i]][position.before.owner[j]];
+      circuit.require({-names.ports_after[i], -names.ports_after[j],
+                       -after[position.after.owner[i]][position.after.owner[j]], allowed});
+    }
+}
+
+/// Literals "at least m of these", with m of any size.
+class Count {
+ public:
+  Count(Circuit& circuit, const std::vector<Literal>& terms, int off = 0)
+      : at_least_(circuit.at_least(terms)), off_(off) {}
+  Literal at_least(int m) const {
+    m += off_;
+    if (m <= 0) return Circuit::yes;
+    return static_cast<std::size_t>(m) < at_least_.size() ? at_least_[static_cast<std::size_t>(m)] : Circuit::no;
+  }
+  Literal at_most(int m) const { return -at_least(m + 1); }
+
+ private:
+  std::vector<Literal> at_least_;
+  int off_;
+};
+
+/// Isolated triangles and ports given up.
+std::vector<Literal> isolated_terms(Circuit& circuit, const Colors& after, const std::vector<Literal>& ports_before) {
+  std::vector<Literal> terms;
+  for (Clause edges : after.edges_by_node()) terms.push_back(-circuit.any_of(std::move(edges)));
+  for (std::size_t i = 0; i < ports_before.size(); ++i)
+    terms.push_back(circuit.all_of({ports_before[i], -after.ports[i]}));
+  return terms;
+}
+
+/// Of every configuration that has the key of a bound: the recolouring beats the bound, in lexicographic order.
+void require_better(Circuit& circuit, const Position& position, const Encoding& names, const std::vector<Bound>& bounds,
+                    Fault fault) {
+  const int off = fault == Fault::count_one_short ? 1 : (fault == Fault::count_one_long ? -1 : 0);
+  std::vector<Literal> solid_terms = names.after;
+  if (position.gives_ports_up)
+    solid_terms.insert(solid_terms.end(), names.ports_after.begin(), names.ports_after.end());
+  const Count solid(circuit, solid_terms, off);
+  const Count isolated(circuit, isolated_terms(circuit, {position.after, names.after, names.ports_after}, names.ports),
+                       fault == Fault::isolated_off_by_one ? 1 : 0);
+  const Count kept(circuit, names.ports_after);
+  for (const Bound& bound : bounds) {
+    Clause other_key;
+    for (unsigned i = 0; i < names.ports.size(); ++i)
+      other_key.push_back(is_solid(bound.key.ports, i) ? -names.ports[i] : names.ports[i]);
+    for (unsigned i = 0; i < names.second_mask.size(); ++i)
+      other_key.push_back(is_solid(bound.key.second, i) ? -names.second_mask[i] : names.second_mask[i]);
+    const auto require = [&](const Clause& better) {
+      Clause clause = other_key;
+      clause.insert(clause.end(), better.begin(), better.end());
+      circuit.require(std::move(clause));
+    };
+    const Literal more_solid = solid.at_least(bound.solid + 1);
+    const Literal fewer_isolated = fault == Fault::forget_isolated ? Circuit::no : isolated.at_most(bound.isolated - 1);
+    require({solid.at_least(bound.solid)});
+    if (position.gives_ports_up) {
+      require({more_solid, isolated.at_most(bound.isolated)});
+      require({more_solid, fewer_isolated, kept.at_least(bound.kept + 1)});
+    } else {
+      require({more_solid, fewer_isolated});
+    }
+  }
+}
+
+Position with_chord_misplaced(Position position) {
+  for (PatchGraph* graph : {&position.before, &position.after})
+    if (graph->has_chord) graph->edges.back().other = (graph->edges.back().other + 1) % graph->nodes;
+  return position;
+}
+
+}  // namespace
+
+std::vector<Bound> bounds_of(const Position& position, const std::vector<Row>& rows) {
+  std::vector<Bound> bounds;
+  for (const Row& row : rows) {
+    std::vector<bool> lonely(position.after.nodes, true);
+    for (unsigned i = 0; i < position.after.edges.size(); ++i)
+      if (is_solid(row.after.inner, i))
+        lonely[position.after.edges[i].one] = lonely[position.after.edges[i].other] = false;
+    for (unsigned i = 0; i < position.after.owner.size(); ++i)
+      if (is_solid(row.after.ports, i)) lonely[position.after.owner[i]] = false;
+    const int kept = static_cast<int>(solid_count(row.after.ports));
+    const int given_up = static_cast<int>(solid_count(row.key.ports)) - kept;
+    bounds.push_back({row.key, static_cast<int>(solid_count(row.after.inner)) + (position.gives_ports_up ? kept : 0),
+                      static_cast<int>(std::count(lonely.begin(), lonely.end(), true)) + given_up, kept});
+  }
+  return bounds;
+}
+
+Encoding encode(const Position& given, const std::vector<Bound>& bounds, Fault fault) {
+  const Position position = fault == Fault::chord_misplaced ? with_chord_misplaced(given) : given;
+  Circuit circuit;
+  Encoding names;
+  for (std::size_t i = 0; i < position.before.owner.size(); ++i) names.ports.push_back(circuit.input());
+  for (std::size_t i = 0; i < position.before.edges.size(); ++i) names.before.push_back(circuit.input());
+  for (std::size_t i = 0; i < position.after.edges.size(); ++i) names.after.push_back(circuit.input());
+  names.ports_after = names.ports;
+  if (position.gives_ports_up)
+    for (std::size_t i = 0; i < names.ports.size(); ++i) {
+      names.ports_after[i] = circuit.input();
+      circuit.require({-names.ports_after[i], names.ports[i]});
+    }
+
+  const Colors before{position.before, names.before, names.ports};
+  require_degrees(circuit, before, fault == Fault::any_degree_before, false);
+  const Together together_before =
+      require_no_cycles(circuit, before, [&](std::size_t) { return fault == Fault::any_cycle_before; });
+
+  const Colors after{position.after, names.after, names.ports_after};
+  require_degrees(circuit, after, fault == Fault::loosen_degree, fault == Fault::loosen_new_degree);
+  const auto forgiven = [&](std::size_t edge) {
+    const bool is_chord = position.after.has_chord && edge + 1 == position.after.edges.size();
+    return fault == Fault::drop_all_cycles || (fault == Fault::drop_outer_cycle && !is_chord) ||
+           (fault == Fault::drop_chord_cycles && is_chord);
+  };
+  const Together together_after = require_no_cycles(circuit, after, forgiven);
+
+  require_pairs(circuit, position, names, together_before, together_after, fault);
+  names.second_mask =
+      position.gives_ports_up ? names.before : joined_mask(circuit, position, names.ports, together_before, fault);
+  require_better(circuit, position, names, bounds, fault);
+
+  if (fault == Fault::chord_never && position.after.has_chord) circuit.require({-names.after.back()});
+  if (fault == Fault::first_edge_never && !names.after.empty()) circuit.require({-names.after.front()});
+  if (fault == Fault::empty_ports_only)
+    for (const Literal port : names.ports) circuit.require({-port});
+  names.cnf = circuit.cnf();
+  return names;
+}
+
+}  // namespace restrip::verify::sat

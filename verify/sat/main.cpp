@@ -1,0 +1,157 @@
+// restrip-sat: proves that no rule can be beaten, by a SAT solver whose proofs are checked.
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+
+#include "input.hpp"
+#include "prove.hpp"
+
+namespace {
+
+using namespace restrip::verify;
+
+constexpr int all_proved = 0;
+constexpr int some_not_proved = 1;
+constexpr int bad_input = 2;
+
+struct Sums {
+  std::size_t positions = 0;
+  std::size_t failed = 0;
+  std::size_t clauses = 0;
+  std::size_t proof_lines = 0;
+  sat::ControlResult controls;
+};
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    if (c == '\n')
+      result += "\\n";
+    else
+      result += c;
+  }
+  return result + '"';
+}
+
+std::string line_of(const sat::PositionResult& result, bool controls) {
+  std::string line = fmt::format("{:<28} {:>9} {:>7} {:>11} {:>6} {:>7.2f}", result.name, result.variables,
+                                 result.clauses, result.proof_lines, result.core, result.seconds);
+  if (controls)
+    line += fmt::format(" {:>7} {:>4} of {}", result.controls.altered_formulas, result.controls.refused,
+                        result.controls.cut_proofs);
+  if (!result.fault.empty()) line += "\n  NOT PROVED: " + result.fault;
+  if (!result.controls.fault.empty()) line += "\n  CONTROL FAILED: " + result.controls.fault;
+  return line + '\n';
+}
+
+std::string json_of(const sat::PositionResult& result) {
+  return fmt::format(
+      "    {{\"position\": {}, \"variables\": {}, \"clauses\": {}, \"proof_lines\": {}, \"core\": {}, \"seconds\": "
+      "{:.3f}, \"altered_formulas\": {}, \"cut_proofs\": {}, \"refused\": {}, \"proved\": {}, \"fault\": {}}}",
+      quoted(result.name), result.variables, result.clauses, result.proof_lines, result.core, result.seconds,
+      result.controls.altered_formulas, result.controls.cut_proofs, result.controls.refused, result.fault.empty(),
+      quoted(result.fault.empty() ? result.controls.fault : result.fault));
+}
+
+std::string last_line(const Sums& sums, const sat::Options& options) {
+  std::string line =
+      fmt::format("{}: {} positions, {} clauses, {} proof lines checked by {}",
+                  sums.failed == 0 ? "proved" : fmt::format("NOT proved ({} failed)", sums.failed), sums.positions,
+                  sums.clauses, sums.proof_lines, options.checker.empty() ? "restrip-sat" : options.checker);
+  if (options.controls)
+    line += fmt::format("; {} altered formulas satisfiable; {} of {} cut proofs refused",
+                        sums.controls.altered_formulas, sums.controls.refused, sums.controls.cut_proofs);
+  return line + '\n';
+}
+
+int run(const sat::Options& options, bool as_json) {
+  Sums sums;
+  std::string json;
+  const bool show_progress = as_json && isatty(STDERR_FILENO) != 0;
+  if (!as_json)
+    fmt::print("{:<28} {:>9} {:>7} {:>11} {:>6} {:>7}{}\n", "position", "variables", "clauses", "proof lines", "core",
+               "seconds", options.controls ? " altered  cut proofs refused" : "");
+  sat::prove_tables(options, [&](const sat::PositionResult& result) {
+    ++sums.positions;
+    sums.failed += result.held() ? 0U : 1U;
+    sums.clauses += result.clauses;
+    sums.proof_lines += result.proof_lines;
+    sums.controls.altered_formulas += result.controls.altered_formulas;
+    sums.controls.cut_proofs += result.controls.cut_proofs;
+    sums.controls.refused += result.controls.refused;
+    if (show_progress) fmt::print(stderr, "\r{} positions", sums.positions);
+    if (as_json)
+      json += (json.empty() ? "" : ",\n") + json_of(result);
+    else
+      fmt::print("{}", line_of(result, options.controls));
+    std::fflush(stdout);
+  });
+  if (show_progress) fmt::print(stderr, "\r\x1b[K");
+  if (as_json)
+    fmt::print("{{\n  \"proved\": {},\n  \"positions\": [\n{}\n  ]\n}}\n", sums.failed == 0, json);
+  else
+    fmt::print("{}", last_line(sums, options));
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw std::runtime_error("standard output: what was found could not be written");
+  return sums.failed == 0 ? all_proved : some_not_proved;
+}
+
+/// Our checker on its own.
+int check_one(const std::string& formula, const std::string& proof) {
+  const sat::Cnf cnf = sat::parse_dimacs(formula, read_file(formula));
+  const sat::ProofVerdict verdict = sat::check_proof(cnf, sat::parse_proof(proof, read_file(proof), cnf.variables));
+  fmt::print("{}\n", verdict.proved ? "s VERIFIED" : fmt::format("s NOT VERIFIED\nc {}: {}", proof, verdict.fault));
+  return verdict.proved ? all_proved : some_not_proved;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  sat::Options options;
+  bool as_json = false;
+  std::vector<std::string> files;
+
+  CLI::App app(
+      "Proves by SAT that no rule can be beaten: for each position a formula says that some valid configuration has a "
+      "sound recolouring better than its row; a solver finds that it cannot be satisfied, and its proof is checked.");
+  app.name("restrip-sat");
+  app.footer(
+      "Exit code: 0 all proved, 1 something is not, 2 bad input or a program that cannot be run.\n\n"
+      "Examples, from the top of the source tree (the package cadical must be installed):\n"
+      "  build/release/bin/restrip-sat --tables-dir tables --threads 2\n"
+      "  build/release/bin/restrip-sat --tables-dir tables --family split --controls --out /tmp/restrip-proofs");
+  app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
+  app.add_option("--family", options.families, "Only this certificate, such as split; may be repeated");
+  app.add_option("--solver", options.solver, "Called as SOLVER -q --no-binary FORMULA PROOF")->capture_default_str();
+  app.add_option("--checker", options.checker,
+                 "Another proof checker, such as drat-trim, called as CHECKER FORMULA PROOF");
+  app.add_option("--out", options.out, "Keep formulas and proofs in this folder");
+  app.add_flag("--controls", options.controls,
+               "Alter rows, which must make the formulas satisfiable, and cut lines out of the proofs");
+  app.add_option("--control-rows", options.control_rows,
+                 "Rows that --controls alters at each position; 0 for every row")
+      ->capture_default_str();
+  app.add_flag("--json", as_json, "Print the results as JSON");
+  app.add_option("--threads", options.threads, "How many threads; the result does not depend on it")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 64));
+  app.add_option("--check", files, "Only check one proof: --check FORMULA PROOF")->expected(2)->type_name("FILE FILE");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? all_proved : bad_input;
+  }
+
+  try {
+    return files.empty() ? run(options, as_json) : check_one(files[0], files[1]);
+  } catch (const std::exception& error) {
+    std::fflush(stdout);
+    fmt::print(stderr, "restrip-sat: {}\n", error.what());
+    return bad_input;
+  }
+}

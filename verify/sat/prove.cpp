@@ -1,0 +1,167 @@
+#include "prove.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "input.hpp"
+#include "solver.hpp"
+#include "work_folder.hpp"
+
+namespace restrip::verify::sat {
+namespace {
+
+struct Task {
+  const Operation* operation = nullptr;
+  const SectionRows* rows = nullptr;
+  std::string certificate;
+};
+
+std::string in_words(const Task& task, const Counterexample& found) {
+  std::string text = fmt::format("inner {:x}, ports {:x} can become inner {:x}, ports {:x}, which beats its row",
+                                 found.before.inner, found.before.ports, found.after.inner, found.after.ports);
+  const Survey before = survey(task.operation->before, found.before);
+  const Key key = before.valid ? key_of(*task.operation, found.before, before) : Key{};
+  const auto row = std::find_if(task.rows->rows.begin(), task.rows->rows.end(),
+                                [&](const Row& candidate) { return candidate.key == key; });
+  if (row == task.rows->rows.end())
+    return text + fmt::format(" ({} has no row for the key {:x} {:x})", task.certificate, key.ports, key.second);
+  return text + fmt::format(" ({}:{})", task.certificate, row->line);
+}
+
+class Prover {
+ public:
+  Prover(const Task& task, const Options& options, const WorkFolder& folder)
+      : task_(task), options_(options), folder_(folder) {
+    result_.name = task.operation->name();
+    file_ = result_.name;
+    std::replace(file_.begin(), file_.end(), ' ', '-');
+  }
+
+  PositionResult prove() {
+    const auto start = std::chrono::steady_clock::now();
+    const Position position = position_of(task_.operation->family, task_.operation->position);
+    const std::vector<Bound> bounds = bounds_of(position, task_.rows->rows);
+    const Encoding encoding = encode(position, bounds);
+    result_.variables = static_cast<std::size_t>(encoding.cnf.variables);
+    result_.clauses = encoding.cnf.clauses.size();
+    const Model model = solved(encoding, file_);
+    if (model) result_.fault = in_words(task_, read_back(encoding, *model));
+    if (!model) check(encoding.cnf);
+    result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (result_.fault.empty() && options_.controls) {
+      if (options_.checker.empty()) cut_proof(encoding.cnf, proof_, verdict_, result_.controls);
+      alter_rows(position, bounds);
+    }
+    folder_.finish(file_ + ".cnf");
+    if (!model) folder_.finish(file_ + ".drat");
+    return std::move(result_);
+  }
+
+ private:
+  Model solved(const Encoding& encoding, const std::string& name) const {
+    folder_.write(name + ".cnf", dimacs_of(encoding.cnf, result_.name));
+    return solve(options_.solver, folder_.path(name + ".cnf"), folder_.path(name + ".drat"),
+                 folder_.path(name + ".answer"), encoding.cnf.variables);
+  }
+
+  void check(const Cnf& cnf) {
+    const std::string formula_file = folder_.path(file_ + ".cnf");
+    const std::string proof_file = folder_.path(file_ + ".drat");
+    // Read back from the files, so that they alone are what was checked.
+    proof_ = parse_proof(proof_file, read_file(proof_file), cnf.variables);
+    result_.proof_lines = proof_.size();
+    if (!options_.checker.empty()) {
+      if (!foreign_checker_agrees(options_.checker, formula_file, proof_file, folder_.path(file_ + ".answer")))
+        result_.fault = fmt::format("{} does not accept the proof", options_.checker);
+      return;
+    }
+    verdict_ = check_proof(parse_dimacs(formula_file, read_file(formula_file)), proof_);
+    result_.core = verdict_.core.size();
+    if (!verdict_.proved) result_.fault = fmt::format("the proof is wrong: {}", verdict_.fault);
+  }
+
+  void alter_rows(const Position& position, const std::vector<Bound>& bounds) {
+    const std::size_t rows =
+        options_.control_rows == 0 ? bounds.size() : std::min(options_.control_rows, bounds.size());
+    for (std::size_t i = 0; i < rows && result_.controls.fault.empty(); ++i) {
+      const std::size_t row = i * bounds.size() / rows;
+      for (const Alteration& alteration : alterations(position, bounds, row)) {
+        const Encoding encoding =
+            options_.control_rows == 0 ? with_key_as_facts(position, alteration) : encode(position, alteration.bounds);
+        const Model model = solved(encoding, file_ + ".altered");
+        ++result_.controls.altered_formulas;
+        const std::string fault =
+            model ? objection(*task_.operation, read_back(encoding, *model), alteration.beaten) : "still unsatisfiable";
+        if (!fault.empty())
+          result_.controls.fault =
+              fmt::format("{}:{}: {}: {}", task_.certificate, task_.rows->rows[row].line, alteration.what, fault);
+      }
+    }
+  }
+
+  const Task& task_;
+  const Options& options_;
+  const WorkFolder& folder_;
+  std::string file_;
+  Proof proof_;
+  ProofVerdict verdict_;
+  PositionResult result_;
+};
+
+}  // namespace
+
+void prove_tables(const Options& options, const std::function<void(const PositionResult&)>& listener) {
+  const std::vector<Family> families = all_families(options.max_k);
+  for (const std::string& name : options.families)
+    if (std::none_of(families.begin(), families.end(), [&](const Family& family) { return family.name == name; }))
+      throw InputError("--family", 0, fmt::format("there is no family \"{}\"", name));
+  std::vector<Certificate> certificates;
+  std::vector<Task> tasks;
+  certificates.reserve(families.size());
+  for (const Family& family : families) {
+    if (!options.families.empty() &&
+        std::find(options.families.begin(), options.families.end(), family.name) == options.families.end())
+      continue;
+    const std::string file = options.tables_dir + "/certificates/" + family.name + ".cert";
+    certificates.push_back(parse_certificate(file, read_file(file), family));
+    for (std::size_t i = 0; i < family.sections.size(); ++i)
+      for (const Operation& operation : family.sections[i].operations)
+        tasks.push_back({&operation, &certificates.back().sections[i], file});
+  }
+
+  const WorkFolder folder(options.out);
+  std::vector<std::optional<PositionResult>> results(tasks.size());
+  std::atomic<std::size_t> next = 0;
+  std::size_t told = 0;
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < tasks.size(); i = next++) {
+        PositionResult result = Prover(tasks[i], options, folder).prove();
+        const std::lock_guard lock(mutex);
+        results[i] = std::move(result);
+        for (; told < results.size() && results[told]; ++told) listener(*results[told]);
+      }
+    } catch (...) {
+      next = tasks.size();
+      const std::lock_guard lock(mutex);
+      error = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (unsigned i = 1; i < options.threads; ++i) others.emplace_back(work);
+    work();
+  }
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace restrip::verify::sat
