@@ -107,6 +107,18 @@ Claims sum(const std::vector<Claims>& parts) {
   return total;
 }
 
+/// With its last line: from the two sums a reader can tell which single byte was altered.
+std::string sealed(std::string text, std::size_t rows) {
+  std::uint64_t sum = 0;
+  std::uint64_t weighted = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    sum += byte;
+    weighted += (i + 1) * byte;
+  }
+  return text + fmt::format("end {} {} {}\n", rows, sum, weighted);
+}
+
 }  // namespace
 
 std::size_t SolvedFamily::rows() const {
@@ -223,16 +235,27 @@ std::string certificate(const SolvedFamily& family) {
       text += '\n';
     }
   }
-  // From the two sums a reader can tell which single byte was altered.
-  std::uint64_t sum = 0;
-  std::uint64_t weighted = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    sum += byte;
-    weighted += (i + 1) * byte;
+  return sealed(std::move(text), family.rows());
+}
+
+std::string linked_certificate(const LinkedFamily& family) {
+  std::string text;
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "restrip-certificate {}\nfamily linked-{}\n", certificate_version, family.name);
+  for (const LinkedSection& section : family.sections) {
+    std::size_t alternatives = 0;
+    std::size_t longest = 0;
+    for (const std::vector<Alternative>& list : section.lists) {
+      alternatives += list.size();
+      longest = std::max(longest, list.size());
+    }
+    fmt::format_to(out, "section {}\nclaim lists {}\nclaim alternatives {}\nclaim longest {}\n",
+                   place_of(section.position), section.lists.size(), alternatives, longest);
+    for (std::size_t ports = 0; ports < section.lists.size(); ++ports)
+      for (const Alternative& alternative : section.lists[ports])
+        fmt::format_to(out, "alternative {:x} {:x}\n", ports, alternative.recoloring);
   }
-  fmt::format_to(out, "end {} {} {}\n", family.rows(), sum, weighted);
-  return text;
+  return sealed(std::move(text), family.alternatives());
 }
 
 }  // namespace restrip::generator

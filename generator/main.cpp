@@ -63,7 +63,12 @@ void make_tables(const TablesOptions& options) {
   for (const Family family : linked_families()) linked.push_back({name_of(family), solve_linked(family, linked_max_k)});
   const RulesHeader linked_rules = linked_header(linked, linked_max_k);
   files[headers + "linked.hpp"] = linked_rules.text;
-  for (const LinkedFamily& family : linked) rows[headers + "linked.hpp"] += family.alternatives();
+  for (const LinkedFamily& family : linked) {
+    const std::string path = "certificates/linked-" + family.name + ".cert";
+    files[path] = linked_certificate(family);
+    rows[path] = family.alternatives();
+    rows[headers + "linked.hpp"] += family.alternatives();
+  }
   std::string manifest = "restrip-manifest 1\n";
   for (const auto& [path, contents] : files)
     manifest += fmt::format("{} {} {} {}\n", sha256(contents), contents.size(), rows[path], path);

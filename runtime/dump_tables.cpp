@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string>
 
+#include "restrip/linked.hpp"
 #include "restrip/rules.hpp"
 
 namespace {
@@ -35,8 +36,7 @@ class Output {
       hex(rule.colors, '\n');
     else
       text_ += "-\n";
-    ++lines_;
-    flush_if_full();
+    entry_done();
   }
   void flip(bool inner, unsigned ports, const restrip::FlipRule& rule) {
     hex(inner ? 1 : 0, ' ');
@@ -47,7 +47,11 @@ class Output {
     } else {
       text_ += "-\n";
     }
+    entry_done();
+  }
+  void entry_done() {
     ++lines_;
+    flush_if_full();
   }
   /// False when not everything could be written.
   bool finish() {
@@ -63,7 +67,7 @@ class Output {
     text_.clear();
   }
   void flush_if_full() {
-    if (text_.size() > size - 256) flush();
+    if (text_.size() > size - 4096) flush();
   }
   std::FILE* file_;
   std::string text_;
@@ -76,6 +80,20 @@ void all(Output& out, std::size_t before_bits, std::size_t port_bits, Rule&& rul
   for (Word before = 0; before < restrip::bit(before_bits); ++before)
     for (Word ports = 0; ports < restrip::bit(port_bits); ++ports)
       out.configuration(before, ports, rule(before, ports));
+}
+
+template <class Table>
+void lists(Output& out, const std::string& heading, const Table& table, std::size_t k, std::size_t place) {
+  out.line(heading);
+  for (Word ports = 0; ports < restrip::bit(k); ++ports) {
+    const std::size_t list = table.first[k] + (place << k) + ports;
+    out.hex(ports, ' ');
+    for (std::size_t at = table.start[list]; at < table.start[list + 1]; ++at) {
+      out.hex(table.rules[at].recoloring, ' ');
+      out.hex(restrip::tables::pairings[table.rules[at].pairing], at + 1 < table.start[list + 1] ? ' ' : '\n');
+    }
+    out.entry_done();
+  }
 }
 
 }  // namespace
@@ -122,6 +140,12 @@ int main() {
       }
     }
   }
+  for (std::size_t k = 3; k <= max_k; ++k)
+    for (std::size_t a = 1; a <= k / 2; ++a)
+      lists(out, "table linked-split k " + to_string(k) + " a " + to_string(a), restrip::tables::linked_split, k,
+            a - 1);
+  for (std::size_t k = 3; k <= max_k; ++k)
+    lists(out, "table linked-collapse k " + to_string(k), restrip::tables::linked_collapse, k, 0);
   out.line("table flip");
   for (const bool inner : {false, true})
     for (unsigned ports = 0; ports < 16; ++ports) out.flip(inner, ports, restrip::flip_rule(inner, ports));

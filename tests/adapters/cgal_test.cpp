@@ -18,7 +18,10 @@ class Foreign {
  public:
   using Halfedge = Mesh::Halfedge_index;
   using Vertex = Mesh::Vertex_index;
-  explicit Foreign(const StripMesh& from) : mesh_(copy(from)), strips_(mesh_) {}
+  explicit Foreign(const StripMesh& from)
+      : mesh_(copy_of<Mesh>(
+            from, [](restrip::Vertex v) { return Point(v, 0, 0); }, [](restrip::Vertex v) { return Vertex(v); })),
+        strips_(mesh_) {}
   SurfaceMeshStrips<Point>& strips() { return strips_; }
   Vertex vertex(restrip::Vertex v) const { return Vertex(v); }
   Halfedge find(Vertex v, Vertex w) const { return mesh_.halfedge(v, w); }
@@ -31,30 +34,12 @@ class Foreign {
   }
 
  private:
-  static Mesh copy(const StripMesh& from) {
-    Mesh mesh;
-    for (restrip::Vertex v = 0; v < from.vertex_bound(); ++v) mesh.add_vertex(Point(v, 0, 0));
-    for (Triangle t = 0; t < from.triangle_bound(); ++t) {
-      const auto [a, b, c] = from.corners(t);
-      mesh.add_face(Vertex(a), Vertex(b), Vertex(c));
-    }
-    return mesh;
-  }
   Mesh mesh_;
   SurfaceMeshStrips<Point> strips_;
 };
 
-void walk(const StripMesh& start, bool boundary, unsigned seed) {
-  Foreign foreign(start);
-  Lockstep<Foreign> both(start, foreign, seed);
-  both.run(6000);
-  if (boundary) {
-    EXPECT_GT(both.one_sided(), 5);
-  }
-}
-
-TEST(CgalAdapter, ClosedMesh) { walk(sample::torus(12, 10), false, 1); }
-TEST(CgalAdapter, MeshWithBoundary) { walk(sample::rectangle(6, 5), true, 2); }
+TEST(CgalAdapter, ClosedMesh) { walk_in_lockstep<Foreign>(sample::torus(12, 10), false, 1); }
+TEST(CgalAdapter, MeshWithBoundary) { walk_in_lockstep<Foreign>(sample::rectangle(6, 5), true, 2); }
 
 }  // namespace
 }  // namespace restrip

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "restrip/checks.hpp"
+#include "restrip/linked.hpp"
 #include "restrip/operations.hpp"
 #include "restrip/strips.hpp"
 
@@ -22,8 +23,8 @@ namespace restrip {
 template <class Foreign>
 class Lockstep {
  public:
-  Lockstep(StripMesh start, Foreign& foreign, unsigned seed)
-      : mesh_(std::move(start)), foreign_(foreign), random_(seed) {
+  Lockstep(StripMesh start, Foreign& foreign, bool linked, unsigned seed)
+      : mesh_(std::move(start)), foreign_(foreign), linked_(linked), random_(seed) {
     for (Vertex v = 0; v < mesh_.vertex_bound(); ++v) name_.push_back(foreign.vertex(v));
   }
 
@@ -71,8 +72,8 @@ class Lockstep {
     using TheirSpokes = typename VertexSplit<ForeignHalfedge>::Spokes;
     const VertexSplit<ForeignHalfedge> theirs{there(where.left), there(where.right),
                                               static_cast<TheirSpokes>(where.spokes)};
-    const auto mine = split(mesh_, where);
-    const auto yours = split(foreign_.strips(), theirs);
+    const auto mine = linked_ ? split_and_link(mesh_, where) : split(mesh_, where);
+    const auto yours = linked_ ? split_and_link(foreign_.strips(), theirs) : split(foreign_.strips(), theirs);
     expect_same(mine, yours, 0);
     const Vertex made = mesh_.to(mine.halfedge);
     if (made >= name_.size()) name_.resize(made + 1);
@@ -84,8 +85,8 @@ class Lockstep {
     if (check_collapse(mesh_, h) != Refusal::granted) return;
     const auto theirs = there(h);
     ASSERT_TRUE(theirs.is_valid());
-    const auto mine = collapse(mesh_, h);
-    const auto yours = collapse(foreign_.strips(), theirs);
+    const auto mine = linked_ ? collapse_and_link(mesh_, h) : collapse(mesh_, h);
+    const auto yours = linked_ ? collapse_and_link(foreign_.strips(), theirs) : collapse(foreign_.strips(), theirs);
     expect_same(mine, yours, 1);
     ASSERT_EQ(foreign_.from(yours.halfedge), name_[mesh_.from(mine.halfedge)]);
     ASSERT_EQ(foreign_.to(yours.halfedge), name_[mesh_.to(mine.halfedge)]);
@@ -95,8 +96,8 @@ class Lockstep {
     if (check_flip(mesh_, h) != Refusal::granted) return;
     const auto theirs = there(h);
     ASSERT_TRUE(theirs.is_valid());
-    const auto mine = flip(mesh_, h);
-    const auto yours = flip(foreign_.strips(), theirs);
+    const auto mine = linked_ ? flip_and_link(mesh_, h) : flip(mesh_, h);
+    const auto yours = linked_ ? flip_and_link(foreign_.strips(), theirs) : flip(foreign_.strips(), theirs);
     expect_same(mine, yours, 2);
     ASSERT_EQ(foreign_.to(yours.halfedge), name_[mesh_.to(mine.halfedge)]);
   }
@@ -130,10 +131,36 @@ class Lockstep {
 
   StripMesh mesh_;
   Foreign& foreign_;
+  bool linked_;
   std::mt19937 random_;
   std::vector<typename Foreign::Vertex> name_;
   int done_[3] = {0, 0, 0};
   int one_sided_ = 0;
 };
+
+/// `point(v)` places a vertex, `vertex(v)` names it.
+template <class Mesh, class Point, class Name>
+Mesh copy_of(const StripMesh& from, Point&& point, Name&& vertex) {
+  Mesh mesh;
+  for (Vertex v = 0; v < from.vertex_bound(); ++v) mesh.add_vertex(point(v));
+  for (Triangle t = 0; t < from.triangle_bound(); ++t) {
+    const auto [a, b, c] = from.corners(t);
+    mesh.add_face(vertex(a), vertex(b), vertex(c));
+  }
+  return mesh;
+}
+
+/// Local rules, then linked ones.
+template <class Foreign>
+void walk_in_lockstep(const StripMesh& start, bool boundary, unsigned seed) {
+  for (const bool linked : {false, true}) {
+    Foreign foreign(start);
+    Lockstep<Foreign> both(start, foreign, linked, seed);
+    both.run(6000);
+    if (boundary) {
+      EXPECT_GT(both.one_sided(), 5);
+    }
+  }
+}
 
 }  // namespace restrip

@@ -41,21 +41,26 @@ constexpr std::size_t strand_end(const Layout& patch, Word edges, std::size_t at
   return at - static_cast<std::size_t>(std::countl_one(edges << (word_bits - at)));
 }
 
-/// The pair that the chord joins, as a mask over elements; zero when it joins none that the key can name.
-constexpr Word joined_by_chord(const Layout& patch, Word edges, Word ports) noexcept {
+/// The two solid ports that a path over the chord joins, as a mask over elements; zero when there is none.
+constexpr Word ends_over_chord(const Layout& patch, Word edges, Word ports) noexcept {
   const std::size_t a = patch.inserted;
   const std::size_t d = patch.opposite;
   const bool below_a = has(edges, a == 0 ? patch.edges() - 1 : a - 1) && (a != 0 || patch.ring);
   if (below_a == has(edges, a) || has(edges, d - 1) == has(edges, d)) return 0;
   const std::size_t one = strand_end(patch, edges, a);
   const std::size_t two = strand_end(patch, edges, d);
-  const std::size_t low = std::min(one, two);
-  const std::size_t high = std::max(one, two);
-  if (low == high || !has(ports, low) || !has(ports, high)) return 0;
-  const Word within = low_bits(high + 1) & ~low_bits(low);
-  const Word ends = bit(low) | bit(high);
-  if ((ports & within) == ends) return bit(high);
-  return patch.ring && (ports & ~within) == 0 ? bit(low) : 0;
+  return one != two && has(ports, one) && has(ports, two) ? bit(one) | bit(two) : 0;
+}
+
+/// The pair that the chord joins, by the bit that names it in a key; zero when it joins none that the key can name.
+constexpr Word joined_by_chord(const Layout& patch, Word edges, Word ports) noexcept {
+  const Word ends = ends_over_chord(patch, edges, ports);
+  if (ends == 0) return 0;
+  const Word high = std::bit_floor(ends);
+  const Word low = ends ^ high;
+  const Word within = (high | (high - 1)) & ~(low - 1);
+  if ((ports & within) == ends) return high;
+  return patch.ring && (ports & ~within) == 0 ? low : 0;
 }
 
 /// A strand starts upwards where a solid port meets the solid edge above it. Adding that start to the edges sends a

@@ -41,12 +41,16 @@ namespace detail {
 template <class LookOut>
 class Outlook {
  public:
-  /// `joined` as in a key. Ports are counted from `by` on, in a fan of k <= 8 triangles.
-  constexpr Outlook(std::size_t k, std::size_t by, Word ports, Word joined, LookOut& look_out)
+  /// `joined` as in a key, and a pair that it has no bit for, if there is one. Ports are counted from `by` on, in a fan
+  /// of k <= 8 triangles.
+  constexpr Outlook(std::size_t k, std::size_t by, Word ports, Word joined, Word pair, LookOut& look_out)
       : k_(k), by_(by), ports_(ports), look_out_(&look_out) {
     for (auto& port : beyond_) port = not_asked;
+    if (pair != 0)
+      before_ = with_pair(before_, static_cast<std::size_t>(std::countr_zero(pair)),
+                          static_cast<std::size_t>(std::bit_width(pair)) - 1);
     if (joined == 0) return;
-    // Pairs are those of neighbours among the solid ports.
+    // The other pairs are those of neighbours among the solid ports.
     std::size_t previous = word_bits - 1 - static_cast<std::size_t>(std::countl_zero(ports));
     for (Word rest = ports; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(rest));
@@ -124,6 +128,14 @@ class Outlook {
   std::int8_t beyond_[8] = {};
 };
 
+/// The ports that a path over the chord joins before a collapse: the one pair that need not be of neighbours.
+constexpr Word pair_over_chord(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+  const Layout ring = ring_with_chord(k, a);
+  return has(inner, ring.chord())
+             ? ring.gather(ends_over_chord(ring, inner & low_bits(ring.edges()), ring.spread(ports)))
+             : 0;
+}
+
 /// The first recolouring of a list that is sound.
 template <class Table, class LookOut>
 constexpr Word first_sound(const Table& table, std::size_t k, std::size_t place, Word ports, Outlook<LookOut> outlook) {
@@ -148,7 +160,7 @@ template <class LookOut>
   const std::size_t arc = exchange ? k - a : a;
   const Word turned = detail::turned_down(ports, by, k);
   detail::Outlook<std::remove_reference_t<LookOut>> outlook(
-      k, by, turned, detail::turned_down(joined_closed(k, loop, ports), by, k), look_out);
+      k, by, turned, detail::turned_down(joined_closed(k, loop, ports), by, k), 0, look_out);
   const Word inner = detail::first_sound(tables::linked_split, k, arc - 1, turned, outlook);
   return detail::rule(
       detail::turned_down(inner & low_bits(k + 2), exchange ? arc + 1 : 0, k + 2) | (inner & bit(k + 2)), loop, 2);
@@ -159,7 +171,8 @@ template <class LookOut>
 [[nodiscard]] constexpr Rule linked_collapse_rule(SplitPosition at, Word inner, Word ports, LookOut&& look_out) {
   const auto [k, a] = at;
   if (k > table_max_k || !valid_ring(k, a, inner, ports)) return collapse_rule(at, inner, ports);
-  detail::Outlook<std::remove_reference_t<LookOut>> outlook(k, 0, ports, joined_ring(k, a, inner, ports), look_out);
+  detail::Outlook<std::remove_reference_t<LookOut>> outlook(k, 0, ports, joined_ring(k, a, inner, ports),
+                                                            detail::pair_over_chord(k, a, inner, ports), look_out);
   return detail::rule(detail::first_sound(tables::linked_collapse, k, 0, ports, outlook), inner, -2);
 }
 

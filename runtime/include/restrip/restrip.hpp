@@ -5,10 +5,12 @@
 #pragma once
 
 #include "restrip/adopt.hpp"
+#include "restrip/baked.hpp"
 #include "restrip/checks.hpp"
 #include "restrip/exact.hpp"
 #include "restrip/keeper.hpp"
 #include "restrip/key.hpp"
+#include "restrip/linked.hpp"
 #include "restrip/mesh.hpp"
 #include "restrip/operations.hpp"
 #include "restrip/rules.hpp"
