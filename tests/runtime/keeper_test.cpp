@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "restrip/checks.hpp"
+#include "random_operation.hpp"
 #include "restrip/stripify.hpp"
 #include "restrip/strips.hpp"
 #include "sample_meshes.hpp"
@@ -16,7 +16,6 @@ namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Spokes = VertexSplit<Halfedge>::Spokes;
 
 void expect_right(const StripMesh& mesh, const StripIndex& index) {
   const ColoringReport report = check_coloring(mesh);
@@ -41,40 +40,6 @@ void expect_right(const StripKeeper& keeper) {
   const ColoringReport report = check_coloring(keeper.mesh());
   ASSERT_TRUE(report.valid);
   ASSERT_EQ(report.strips, keeper.strips());
-}
-
-Halfedge random_halfedge(const StripMesh& mesh, std::mt19937& random) {
-  for (;;) {
-    const Halfedge h{(static_cast<std::uint32_t>(random() % mesh.triangle_bound()) << 2) |
-                     static_cast<std::uint32_t>(random() % 3)};
-    if (mesh.alive(h)) return h;
-  }
-}
-
-// Returns false when the operation drawn was not possible.
-bool random_operation(StripKeeper& keeper, std::mt19937& random, bool grow) {
-  const StripMesh& mesh = keeper.mesh();
-  const Halfedge h = random_halfedge(mesh, random);
-  const std::size_t before = keeper.strips();
-  Rewrite<Halfedge> done;
-  if (random() % 6 == 0) {
-    if (check_flip(mesh, h) != Refusal::granted) return false;
-    done = keeper.flip(h);
-  } else if (!grow) {
-    if (check_collapse(mesh, h) != Refusal::granted) return false;
-    done = keeper.collapse(h);
-  } else {
-    VertexSplit<Halfedge> where{h, h, Spokes::both};
-    for (int turns = 1 + static_cast<int>(random() % 4); turns > 0; --turns)
-      if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh, where.right);
-    if (mesh.leaves_boundary(h) && random() % 2 == 0)
-      where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
-    if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return false;
-    if (check_split(mesh, where) != Refusal::granted) return false;
-    done = keeper.split(where);
-  }
-  EXPECT_EQ(static_cast<long>(keeper.strips()), static_cast<long>(before) + done.strips);
-  return true;
 }
 
 TEST(Tunnel, EachJoinTakesOneStripAway) {

@@ -40,37 +40,47 @@ int solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
 
 }  // namespace detail
 
-/// Adopts the triangle to the left of h if it is isolated and a neighbour can take it. Where each neighbour could only
-/// by isolating somebody else, it does, and that triangle is adopted in turn, `depth` times at most; if that fails as
-/// well, nothing has changed.
-template <ColoredMesh Mesh>
-Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
-  if (mesh.on_boundary(h) || detail::solid_degree(mesh, h) != 0) return {};
+namespace detail {
+
+/// adopt() for those who keep more than colours: dual edges are coloured by paint(h, solid).
+template <class Mesh, class Paint>
+Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint&& paint) {
+  if (mesh.on_boundary(h) || solid_degree(mesh, h) != 0) return {};
   for (const bool pass_on : {false, true}) {
     if (pass_on && depth == 0) break;
     for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
       const auto across = mesh.opposite(h);
       if (mesh.on_boundary(across)) continue;
-      const int degree = detail::solid_degree(mesh, across);
+      const int degree = solid_degree(mesh, across);
       if (degree < 2) {  // the end of a strip, or alone as well
-        mesh.set_solid(h, true);
+        paint(h, true);
         return {-1, degree == 0 ? -2 : -1};
       }
       for (auto other = mesh.next(across); !(other == across); other = mesh.next(other)) {
         if (!mesh.solid(other)) continue;
         const auto beyond = mesh.opposite(other);
-        const bool spares_one = detail::solid_degree(mesh, beyond) == 2;
+        const bool spares_one = solid_degree(mesh, beyond) == 2;
         if (!spares_one && !pass_on) continue;
-        mesh.set_solid(other, false);
-        mesh.set_solid(h, true);
+        paint(other, false);
+        paint(h, true);
         if (spares_one) return {0, -1};
-        if (const Mending next = adopt(mesh, beyond, depth - 1); next.isolated < 0) return next;
-        mesh.set_solid(h, false);
-        mesh.set_solid(other, true);
+        if (const Mending next = adopt_with(mesh, beyond, depth - 1, paint); next.isolated < 0) return next;
+        paint(h, false);
+        paint(other, true);
       }
     }
   }
   return {};
+}
+
+}  // namespace detail
+
+/// Adopts the triangle to the left of h if it is isolated and a neighbour can take it. Where each neighbour could only
+/// by isolating somebody else, it does, and that triangle is adopted in turn, `depth` times at most; if that fails as
+/// well, nothing has changed.
+template <ColoredMesh Mesh>
+Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
+  return detail::adopt_with(mesh, h, depth, [&mesh](auto g, bool solid) { mesh.set_solid(g, solid); });
 }
 
 namespace detail {

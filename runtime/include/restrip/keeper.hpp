@@ -78,7 +78,7 @@ class StripKeeper {
   }
 
   /// The operations of operations.hpp, with the same preconditions. `strips` of the result counts what tunnelling
-  /// joined as well, so it is often negative; `isolated` is that of the rule and of adoption.
+  /// joined as well, so it is often negative; `isolated` what tunnelling and adoption saved.
   Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none) {
     using Spokes = VertexSplit<Halfedge>::Spokes;
     if (!tunnels())
@@ -101,7 +101,14 @@ class StripKeeper {
     if (!tunnels()) return counted(linked_ ? flip_and_link(*mesh_, h) : flip_and_adopt(*mesh_, h));
     patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_->opposite(h))});
     index_.before_patch(*mesh_, patch_);
-    return finish(restrip::flip(*mesh_, h));
+    Rewrite<Halfedge> done = finish(restrip::flip(*mesh_, h));
+    // A flip may give ports up.
+    if (done.isolated > 0)
+      for (const Triangle t : patch_)
+        for (unsigned side = 0; side < 3; ++side)
+          if (const Halfedge across = mesh_->opposite(StripMesh::halfedge(t, side)); !StripMesh::on_boundary(across))
+            adopt_isolated(done, across);
+    return done;
   }
 
   /// Background work: goes on with rounds over all strip ends (rounds.hpp), looking at about `budget` states. Returns
@@ -145,10 +152,22 @@ class StripKeeper {
   }
   Rewrite<Halfedge> finish(Rewrite<Halfedge> done) {
     index_.after_patch(*mesh_, patch_);
-    for (const Triangle t : patch_)
-      if (mesh_->solid_degree(t) < 2 && tunnel_.join(*mesh_, index_, t, states_)) --done.strips;
+    for (const Triangle t : patch_) {
+      const unsigned degree = mesh_->solid_degree(t);
+      if (degree > 1 || !tunnel_.join(*mesh_, index_, t, states_)) continue;
+      --done.strips;
+      if (degree == 0) --done.isolated;
+    }
+    if (done.isolated > 0)
+      for (const Triangle t : patch_) adopt_isolated(done, StripMesh::halfedge(t, 0));
     strips_ = index_.strips();
     return done;
+  }
+  void adopt_isolated(Rewrite<Halfedge>& done, Halfedge h) {
+    const Mending mending = detail::adopt_with(
+        *mesh_, h, 4, [this](Halfedge g, bool solid) { solid ? index_.link(*mesh_, g) : index_.cut(*mesh_, g); });
+    done = detail::with(done, mending);
+    strips_ = index_.strips();
   }
 
   StripMesh* mesh_;

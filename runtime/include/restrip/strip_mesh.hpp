@@ -98,6 +98,8 @@ class StripMesh {
     link = (link & ~1U) | static_cast<std::uint32_t>(solid);
     std::uint32_t& back = link_of({link >> 1});
     back = (back & ~1U) | static_cast<std::uint32_t>(solid);
+    touch(triangle(h));
+    touch(triangle({link >> 1}));
   }
   /// Number of solid dual edges of t: 0 (isolated), 1 (end of a strip) or 2 in a valid coloring.
   [[nodiscard]] unsigned solid_degree(Triangle t) const noexcept {
@@ -145,6 +147,12 @@ class StripMesh {
   Halfedge remove_vertex(Halfedge chord, Room& freed) noexcept;
   Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved, Room& freed) noexcept;
 
+  // ---- what has changed
+  /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
+  /// appended to *changed, some of them more than once. Null: no longer. A copy of the mesh is not watched. Not for
+  /// batches.
+  void watch(std::vector<Triangle>* changed) noexcept { watch_.changed = changed; }
+
   // ---- extent
   /// Number of triangles alive.
   [[nodiscard]] std::size_t triangle_count() const noexcept { return triangles_.size() - free_.size(); }
@@ -173,6 +181,20 @@ class StripMesh {
     std::array<std::uint32_t, 3> link;  // opposite halfedge << 1 | solid, or edge_of_mesh
   };
 
+  struct Watch {
+    std::vector<Triangle>* changed = nullptr;
+    Watch() = default;
+    Watch(const Watch& /*other*/) noexcept {}
+    Watch& operator=(const Watch& /*other*/) noexcept { return *this; }
+    ~Watch() = default;
+  };
+  void touch(Triangle t) noexcept {
+    if (watch_.changed != nullptr) watch_.changed->push_back(t);
+  }
+  void set_corner(Halfedge h, Vertex v) noexcept {
+    triangles_[triangle(h)].corner[side(h)] = v;
+    touch(triangle(h));
+  }
   [[nodiscard]] Vertex corner_of(Halfedge h, unsigned turn) const noexcept {
     const unsigned s = side(h) + turn;
     return triangles_[triangle(h)].corner[s >= 3 ? s - 3 : s];
@@ -193,6 +215,7 @@ class StripMesh {
   std::vector<std::uint32_t> spoke_;
   std::vector<std::uint8_t> irregular_;
   std::vector<Vertex> free_vertices_;
+  Watch watch_;
 };
 
 }  // namespace restrip

@@ -11,6 +11,8 @@ namespace restrip {
 inline void StripMesh::join(Halfedge g, Halfedge h) noexcept {
   if (!on_boundary(g)) link_of(g) = on_boundary(h) ? edge_of_mesh : h.id << 1;
   if (!on_boundary(h)) link_of(h) = on_boundary(g) ? edge_of_mesh : g.id << 1;
+  touch(triangle(g));
+  touch(triangle(h));
 }
 
 inline Triangle StripMesh::take_triangle() {
@@ -25,6 +27,7 @@ inline Triangle StripMesh::take_triangle() {
 
 inline void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept {
   triangles_[t] = {{a, b, c}, {edge_of_mesh, edge_of_mesh, edge_of_mesh}};
+  touch(t);
 }
 
 inline Vertex StripMesh::new_vertex(Vertex wanted) {
@@ -96,7 +99,7 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge righ
                                                     std::span<const Halfedge> moved) noexcept {
   const Vertex v_s = from(left);
   const Vertex v_t = room.vertex;
-  for (const Halfedge h : moved) triangles_[triangle(h)].corner[side(h)] = v_t;
+  for (const Halfedge h : moved) set_corner(h, v_t);
   const Halfedge chord = insert_both(left, right, v_s, room);
   const Halfedge back = opposite(chord);
   set_spoke(v_t, back);
@@ -148,14 +151,14 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>&
         interrupted = has_left;
         break;
       }
-      triangles_[triangle(h)].corner[side(h)] = v_t;
+      set_corner(h, v_t);
       h = turn_ccw(*this, h);
     }
   }
   if (interrupted) {
     for (Halfedge back = opposite(left); !on_boundary(back); back = opposite(next(back))) {
       const Halfedge h = next(back);  // leaves the vertex, its triangle is clockwise of the last one
-      triangles_[triangle(h)].corner[side(h)] = v_t;
+      set_corner(h, v_t);
     }
   }
 
@@ -216,7 +219,7 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed)
     const Halfedge first = spoke(v_t);
     Halfedge h = first;
     do {
-      triangles_[triangle(h)].corner[side(h)] = v_s;
+      set_corner(h, v_s);
       h = turn_ccw(*this, h);
     } while (!(h == first) && !on_boundary(h));
   }
@@ -243,7 +246,7 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<co
                                                     Room& freed) noexcept {
   const Vertex v_s = from(chord);
   const Vertex v_t = to(chord);
-  for (const Halfedge h : moved) triangles_[triangle(h)].corner[side(h)] = v_s;
+  for (const Halfedge h : moved) set_corner(h, v_s);
   const Halfedge merged = unlink(chord, opposite(chord), true, true, freed);
   freed.vertex = v_t;
   set_spoke(v_t, {none});
@@ -301,10 +304,9 @@ inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
   // h: r -> l, then l -> u, u -> r;  g: l -> r, then r -> v, v -> l.
   const std::array<Halfedge, 4> now{next(next(g)), next(h), next(next(h)), next(g)};
   const auto place = [this](Halfedge at, Vertex a, Vertex b, Vertex c) {
-    auto& corner = triangles_[triangle(at)].corner;
-    corner[side(at)] = a;
-    corner[side(next(at))] = b;
-    corner[side(next(next(at)))] = c;
+    set_corner(at, a);
+    set_corner(next(at), b);
+    set_corner(next(next(at)), c);
   };
   place(h, r, l, u);
   place(g, l, r, v);

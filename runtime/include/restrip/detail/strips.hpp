@@ -77,6 +77,30 @@ inline SwapCount count_swaps(const StripMesh& mesh, std::span<const Triangle> st
   return count;
 }
 
+// Writes the indices of one strip, from the end that needs fewer.
+inline void append_indices(const StripMesh& mesh, std::span<const Triangle> strip,
+                           std::vector<std::uint32_t>& indices) {
+  const Walk walk{strip, count_swaps(mesh, strip).backwards};
+  if (walk.size() == 1) {
+    for (const Vertex v : mesh.corners(walk[0])) indices.push_back(v);
+    return;
+  }
+  // The first triangle ends in the edge over which it is left.
+  const StripMesh::Halfedge first = exit_to(mesh, walk[0], walk[1]);
+  for (const Vertex v : {mesh.to(StripMesh::next(first)), mesh.from(first), mesh.to(first)}) indices.push_back(v);
+  // Each further triangle has the last two indices a, b already and adds its third corner c; that leads over the edge
+  // (b, c). To leave over (a, c), say a once more before c.
+  bool free_turn_left = true;
+  each_turn(mesh, walk, [&](std::size_t, StripMesh::Halfedge exit, bool left) {
+    const Vertex a = indices[indices.size() - 2];
+    if (left != free_turn_left) indices.push_back(a);
+    indices.push_back(left ? mesh.from(exit) : mesh.to(exit));
+    free_turn_left = !left;
+  });
+  const StripMesh::Halfedge into = mesh.opposite(exit_to(mesh, walk[walk.size() - 2], walk[walk.size() - 1]));
+  indices.push_back(mesh.to(StripMesh::next(into)));
+}
+
 }  // namespace detail
 
 inline ColoringReport check_coloring(const StripMesh& mesh) {
@@ -141,25 +165,7 @@ inline std::vector<std::uint32_t> strip_indices(const StripMesh& mesh, const Str
   indices.reserve(strip_index_count(mesh, strips));
   for (std::size_t s = 0; s < strips.size(); ++s) {
     if (s != 0) indices.push_back(restart_index);
-    const detail::Walk walk{strips[s], detail::count_swaps(mesh, strips[s]).backwards};
-    if (walk.size() == 1) {
-      for (const Vertex v : mesh.corners(walk[0])) indices.push_back(v);
-      continue;
-    }
-    // The first triangle ends in the edge over which it is left.
-    const StripMesh::Halfedge first = detail::exit_to(mesh, walk[0], walk[1]);
-    for (const Vertex v : {mesh.to(StripMesh::next(first)), mesh.from(first), mesh.to(first)}) indices.push_back(v);
-    // Each further triangle has the last two indices a, b already and adds its third corner c; that leads over the edge
-    // (b, c). To leave over (a, c), say a once more before c.
-    bool free_turn_left = true;
-    detail::each_turn(mesh, walk, [&](std::size_t, StripMesh::Halfedge exit, bool left) {
-      const Vertex a = indices[indices.size() - 2];
-      if (left != free_turn_left) indices.push_back(a);
-      indices.push_back(left ? mesh.from(exit) : mesh.to(exit));
-      free_turn_left = !left;
-    });
-    const StripMesh::Halfedge into = mesh.opposite(detail::exit_to(mesh, walk[walk.size() - 2], walk[walk.size() - 1]));
-    indices.push_back(mesh.to(StripMesh::next(into)));
+    detail::append_indices(mesh, strips[s], indices);
   }
   return indices;
 }

@@ -1,0 +1,50 @@
+// A random split, collapse or flip under a keeper, for tests that want many.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <random>
+
+#include "restrip/checks.hpp"
+#include "restrip/keeper.hpp"
+
+namespace restrip {
+
+inline StripMesh::Halfedge random_halfedge(const StripMesh& mesh, std::mt19937& random) {
+  for (;;) {
+    const StripMesh::Halfedge h{(static_cast<std::uint32_t>(random() % mesh.triangle_bound()) << 2) |
+                                static_cast<std::uint32_t>(random() % 3)};
+    if (mesh.alive(h)) return h;
+  }
+}
+
+// Returns false when the operation drawn was not possible.
+inline bool random_operation(StripKeeper& keeper, std::mt19937& random, bool grow) {
+  using Halfedge = StripMesh::Halfedge;
+  using Spokes = VertexSplit<Halfedge>::Spokes;
+  const StripMesh& mesh = keeper.mesh();
+  const Halfedge h = random_halfedge(mesh, random);
+  const std::size_t before = keeper.strips();
+  Rewrite<Halfedge> done;
+  if (random() % 6 == 0) {
+    if (check_flip(mesh, h) != Refusal::granted) return false;
+    done = keeper.flip(h);
+  } else if (!grow) {
+    if (check_collapse(mesh, h) != Refusal::granted) return false;
+    done = keeper.collapse(h);
+  } else {
+    VertexSplit<Halfedge> where{h, h, Spokes::both};
+    for (int turns = 1 + static_cast<int>(random() % 4); turns > 0; --turns)
+      if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh, where.right);
+    if (mesh.leaves_boundary(h) && random() % 2 == 0)
+      where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
+    if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return false;
+    if (check_split(mesh, where) != Refusal::granted) return false;
+    done = keeper.split(where);
+  }
+  EXPECT_EQ(static_cast<long>(keeper.strips()), static_cast<long>(before) + done.strips);
+  return true;
+}
+
+}  // namespace restrip

@@ -1,0 +1,140 @@
+// The buffer draws the mesh after every update, and what is not reported has not changed.
+#include "restrip/strip_buffer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <vector>
+
+#include "random_operation.hpp"
+#include "restrip/keeper.hpp"
+#include "restrip/stripify.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using Corners = std::array<Vertex, 3>;
+
+Corners smallest_first(Corners c) {
+  std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+  return c;
+}
+
+// What a renderer draws, as the specifications of OpenGL and Vulkan have it; degenerate triangles draw nothing.
+std::vector<Corners> drawn(std::span<const std::uint32_t> indices) {
+  std::vector<Corners> triangles;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] == restart_index) begin = i + 1;
+    if (i < begin + 2) continue;
+    const bool odd = (i - begin) % 2 != 0;
+    const Corners c{indices[odd ? i - 1 : i - 2], indices[odd ? i - 2 : i - 1], indices[i]};
+    if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) triangles.push_back(smallest_first(c));
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+std::vector<Corners> triangles_of(const StripMesh& mesh) {
+  std::vector<Corners> triangles;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) triangles.push_back(smallest_first(mesh.corners(t)));
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+void expect_only_reported_changes(const std::vector<std::uint32_t>& before, std::span<const std::uint32_t> after,
+                                  std::span<const StripBuffer::Range> ranges) {
+  std::vector<bool> reported(after.size(), false);
+  std::size_t end = 0;
+  for (const auto& range : ranges) {
+    ASSERT_TRUE(end == 0 || range.first > end);
+    end = range.first + range.count;
+    ASSERT_LE(end, after.size());
+    std::fill_n(reported.begin() + static_cast<std::ptrdiff_t>(range.first), range.count, true);
+  }
+  for (std::size_t i = 0; i < after.size(); ++i)
+    if (!reported[i]) {
+      ASSERT_TRUE(i < before.size() && before[i] == after[i]) << "index " << i;
+    }
+}
+
+TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
+  std::mt19937 random(11);
+  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
+    for (const std::uint32_t max_run : {2U, 7U, 64U}) {
+      for (StripMesh& mesh : sample::meshes()) {
+        StripKeeper keeper(mesh, policy);
+        std::vector<Triangle> changed;
+        mesh.watch(&changed);
+        StripBuffer buffer(mesh, max_run);
+        ASSERT_EQ(drawn(buffer.indices()), triangles_of(mesh));
+        for (int round = 0; round < 60; ++round) {
+          const std::vector<std::uint32_t> before(buffer.indices().begin(), buffer.indices().end());
+          for (auto n = random() % 5; n > 0; --n)
+            random_operation(keeper, random, mesh.triangle_count() < 60 || (round / 15) % 2 == 0);
+          expect_only_reported_changes(before, buffer.indices(), buffer.update(mesh, changed));
+          changed.clear();
+          ASSERT_EQ(drawn(buffer.indices()), triangles_of(mesh));
+          if (HasFatalFailure()) return;
+        }
+        mesh.watch(nullptr);
+      }
+    }
+  }
+}
+
+TEST(StripBuffer, WritesLittleForALittleChangeInALongStrip) {
+  StripMesh mesh = sample::torus(60, 60);
+  ASSERT_EQ(stripify(mesh, Effort::full), 1U);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  StripBuffer buffer(mesh, 64);
+  const StripMesh::Halfedge h = mesh.spoke(100);
+  split(mesh, {h, turn_ccw(mesh, turn_ccw(mesh, h))});
+  std::size_t written = 0;
+  for (const auto& range : buffer.update(mesh, changed)) written += range.count;
+  EXPECT_GT(written, 0U);
+  EXPECT_LT(written, 10U * 64U * 2U);  // a patch of eight triangles lies in no more runs, and each doubles at worst
+  EXPECT_LT(written * 4, buffer.indices().size());
+}
+
+TEST(StripBuffer, NothingChangedNothingWritten) {
+  StripMesh mesh = sample::torus(10, 10);
+  StripBuffer buffer(mesh);
+  EXPECT_TRUE(buffer.update(mesh, {}).empty());
+}
+
+TEST(StripBuffer, RunsDoNotCrumble) {
+  std::mt19937 random(12);
+  StripMesh mesh = sample::torus(40, 40);
+  stripify(mesh, Effort::full);
+  StripKeeper keeper(mesh, Policy::full);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  StripBuffer buffer(mesh, 64);
+  for (int i = 0; i < 4000; ++i) {
+    random_operation(keeper, random, (i / 500) % 2 == 0);
+    buffer.update(mesh, changed);
+    changed.clear();
+  }
+  EXPECT_LT(buffer.runs(), keeper.strips() + mesh.triangle_count() / 12);
+  EXPECT_LT(buffer.indices().size(), 2 * buffer.used() + 2048);
+}
+
+TEST(StripMesh, ACopyIsNotWatched) {
+  StripMesh mesh = sample::torus(5, 5);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  StripMesh copy = mesh;
+  copy.set_solid(copy.spoke(0), true);
+  EXPECT_TRUE(changed.empty());
+  mesh.set_solid(mesh.spoke(0), true);
+  EXPECT_EQ(changed.size(), 2U);
+}
+
+}  // namespace
+}  // namespace restrip
