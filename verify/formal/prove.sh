@@ -1,0 +1,124 @@
+#!/usr/bin/env bash
+# Proves every shipped rule in Coq, from the bytes that ship. Safe to repeat, from any directory.
+#
+#   verify/formal/prove.sh           the theorems; coqchk for the theory and the flips (all but the tables of the fans)
+#   verify/formal/prove.sh --full    coqchk for everything: an hour or more, without the virtual machine
+#
+# Prints the shipped tables and the certificates as Coq files into build/formal, compiles them with the theory of
+# verify/formal, and wants Coq to say of each theorem that it assumes nothing.
+set -Eeuo pipefail
+cd "$(dirname "$0")/../.."
+source scripts/setup.sh
+
+full=no
+if [ "${1:-}" = "--full" ]; then
+  full=yes
+  shift
+fi
+if [ $# -ne 0 ]; then
+  echo "usage: prove.sh [--full]" >&2
+  exit 2
+fi
+root=$PWD
+out=$root/build/formal
+certificates=(split collapse open-split fan-collapse boundary-split)
+started=$SECONDS
+
+need "${build_packages[@]}" coq make time
+
+say "building restrip-dump-tables"
+cmake --preset release >/dev/null
+cmake --build --preset release --target restrip-dump-tables >/dev/null
+
+say "building the printers"
+mkdir -p "$out/coq" "$out/fresh"
+for printer in print_tables print_rows; do
+  c++ -std=c++20 -O2 -o "$out/$printer" "verify/formal/$printer.cpp"
+done
+
+say "printing the tables and the certificates"
+rm -f "$out"/fresh/*.v
+build/release/bin/restrip-dump-tables >"$out/tables.dump"
+"$out/print_tables" "$out/fresh" <"$out/tables.dump"
+for family in "${certificates[@]}"; do
+  "$out/print_rows" "$out/fresh" <"tables/certificates/$family.cert"
+done
+cp verify/formal/*.v "$out/fresh/"
+
+# Only what changed is copied, so that a second run compiles nothing twice; what is gone goes.
+cd "$out/coq"
+for old in *.v; do
+  [ -e "../fresh/$old" ] || rm -f "${old%.v}".*
+done
+for new in ../fresh/*.v; do
+  cmp -s "$new" "$(basename "$new")" || cp "$new" .
+done
+
+say "compiling the proofs (log: $out/compile.log)"
+coq_makefile -R . Restrip -o Makefile ./*.v >/dev/null
+objects=()
+for file in *.v; do
+  [ "$file" = Main.v ] || objects+=("${file%.v}.vo")
+done
+if ! make -j "$(nproc)" TIMED=1 "${objects[@]}" >"$out/compile.log" 2>&1; then
+  grep -B 2 -A 12 -m 1 '^Error' "$out/compile.log" >&2 || tail -n 20 "$out/compile.log" >&2
+  false
+fi
+# File and seconds of processor time, kept from run to run: what has not changed is not compiled again.
+touch "$out/seconds"
+sed -n 's/^\([A-Za-z_]*\)\.vo (.*user: \([0-9.]*\),.*/\1 \2/p' "$out/compile.log" >"$out/seconds.new"
+awk '!seen[$1]++' "$out/seconds.new" "$out/seconds" >"$out/seconds.all"
+mv "$out/seconds.all" "$out/seconds"
+
+say "checking what the theorems assume (log: $out/assumptions.log)"
+coqc -R . Restrip Main.v >"$out/assumptions.log"
+mapfile -t theorems < <(sed -n 's/^Theorem \([a-z_]*\).*/\1/p' Main.v)
+mapfile -t printed < <(sed -n 's/^Print Assumptions \([a-z_]*\)\.$/\1/p' Main.v)
+mapfile -t said <"$out/assumptions.log"
+if [ ${#theorems[@]} -eq 0 ] || [ "${theorems[*]}" != "${printed[*]}" ] || [ ${#said[@]} -ne ${#theorems[@]} ]; then
+  echo "Main.v: Print Assumptions does not follow each theorem, or Coq said something else" >&2
+  false
+fi
+for line in "${said[@]}"; do
+  if [ "$line" != "Closed under the global context" ]; then
+    echo "a theorem assumes something: $line" >&2
+    false
+  fi
+done
+
+# took FILE…: the seconds of the files together.
+took() {
+  awk -v files=" $* " 'index(files, " " $1 " ") { sum += $2 } END { printf "%.0f", sum }' "$out/seconds"
+}
+say "coqchk (log: $out/coqchk.log)"
+checking=$SECONDS
+modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Flip)
+[ "$full" = no ] || modules=(Restrip.Main)
+coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
+grep -q '^\* Axioms: <none>' "$out/coqchk.log"
+checked=$((SECONDS - checking))
+
+printf '\n%-26s %8s  %s\n' theorem seconds "what it assumes"
+for i in "${!theorems[@]}"; do
+  theorem=${theorems[i]}
+  case $theorem in
+    locality) files=(Graph Locality) ;;
+    valid_is_stripped) files=(Graph Strips) ;;
+    valid_* | costing_*) files=(Figures) ;;
+    wrong_*) files=(Rejects) ;;
+    split_* | collapse_* | open_split_* | open_collapse_* | boundary_split_* | boundary_collapse_* | flip_*)
+      family=${theorem%_*}
+      files=("Tables_$family" "$(sed -E 's/(^|_)([a-z])/\u\2/g' <<<"$family")")
+      case $family in
+        open_collapse | boundary_collapse) files+=(Rows_fan_collapse) ;;
+        flip) ;;
+        *) files+=("Rows_$family") ;;
+      esac
+      ;;
+    *) files=() ;;
+  esac
+  printf '%-26s %8s  %s\n' "$theorem" "$(took "${files[@]}")" "${said[i]}"
+done
+printf '%-26s %8s  %s\n' coqchk "$checked" "no axioms: ${modules[*]}"
+echo "The theorems of a family come from one run of its checker; its seconds are given for each."
+echo "All proved in $((SECONDS - started)) s."
