@@ -6,11 +6,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "bad_input.hpp"
+#include "baked_file.hpp"
 #include "coloring_check.hpp"
 #include "draw.hpp"
 #include "mesh_file.hpp"
 #include "mesh_report.hpp"
 #include "pm_file.hpp"
+#include "policies.hpp"
 #include "replay_text.hpp"
 #include "restrip/operations.hpp"
 #include "restrip/strips.hpp"
@@ -25,32 +28,59 @@ bool is_progressive(const std::filesystem::path& file) {
   return file.extension() == ".pm" || file.extension() == ".PM";
 }
 
+bool is_baked(const std::filesystem::path& file) { return file.extension() == baked_extension; }
+
+void refuse_simplifying(const std::filesystem::path& file, bool given) {
+  if (given)
+    throw BadInput(
+        fmt::format("{}: is progressive already and not simplified, so --base and --boundary do not apply; leave them "
+                    "out, or give the mesh that it was made from",
+                    file.string()));
+}
+
 /// A mesh ready to be replayed, with the triangles that must come out (none for a file that has only the splits).
 struct Source {
   Subject subject;
   ProgressiveMesh mesh;
   std::vector<Corners> original;
+  std::optional<BakedMesh> baked;  ///< when the file has its strips
 };
 
-Source source_of(const ReplayCommand& command) {
-  if (!command.built_in && is_progressive(command.mesh)) {
-    Source source;
-    source.subject.name = command.mesh.string();
-    source.mesh = read_pm(command.mesh);
-    BuildReport report;
-    const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
-    source.subject.left_out = {report.degenerate_triangles, report.irregular_vertices, 0};
-    return source;
-  }
-  Soup soup = command.built_in ? make_mesh(command.built_in_triangles) : read_mesh(command.mesh);
-  Simplification simplified = simplify(soup, command.simplify);
+Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
+  Simplification simplified = simplify(soup, options);
   Source source;
-  source.subject.name = command.built_in ? "built-in torus" : command.mesh.string();
+  source.subject.name = std::move(name);
   source.subject.wanted_triangles = simplified.wanted_triangles;
   source.subject.left_out = simplified.left_out;
   source.mesh = std::move(simplified.mesh);
   source.original = std::move(soup.triangles);
   return source;
+}
+
+Source source_of(const std::filesystem::path& file, const SimplifyOptions& options, bool options_given) {
+  if (!is_baked(file) && !is_progressive(file)) return simplified(file.string(), read_mesh(file), options);
+  refuse_simplifying(file, options_given);
+  Source source;
+  source.subject.name = file.string();
+  if (is_baked(file)) {
+    source.baked = read_baked(file);
+    source.mesh = source.baked->mesh;
+    return source;
+  }
+  source.mesh = read_pm(file);
+  BuildReport report;
+  const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
+  source.subject.left_out = {report.degenerate_triangles, report.irregular_vertices, 0};
+  return source;
+}
+
+BakedCosts costs_of(const BakedMesh& baked, double seconds) {
+  if (baked.mesh.splits.empty()) return {};
+  BakedMesh base{baked.mesh, baked.base, {}};
+  base.mesh.splits.clear();
+  const auto records = static_cast<double>(baked.mesh.splits.size());
+  return {static_cast<double>(baked.records.flips.size()) / records,
+          static_cast<double>(baked_bytes(baked).size() - baked_bytes(base).size()) / records, seconds};
 }
 
 /// Moves each vertex to the mean of its neighbours, so that the made mesh's jitter does not hide it in a picture.
@@ -88,9 +118,9 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command) {
 }  // namespace
 
 int run(const StatsCommand& command) {
-  if (is_progressive(command.mesh)) {
+  if (is_progressive(command.mesh) || is_baked(command.mesh)) {
     // The base is a mesh like any other.
-    ProgressiveMesh mesh = read_pm(command.mesh);
+    ProgressiveMesh mesh = is_baked(command.mesh) ? read_baked(command.mesh).mesh : read_pm(command.mesh);
     Soup soup;
     soup.points = std::move(mesh.points);
     soup.points.resize(soup.points.size() - mesh.splits.size());
@@ -105,8 +135,21 @@ int run(const StatsCommand& command) {
 }
 
 int run(const ReplayCommand& command) {
-  const Source source = source_of(command);
-  const ReplayReport report = replay(source.mesh, source.original, command.replay);
+  Source source = command.built_in
+                      ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
+                      : source_of(command.mesh, command.simplify, command.simplify_given);
+  const std::string policy = !command.policy.empty() ? command.policy : source.baked ? "baked" : "local";
+  ReplayOptions options = command.replay;
+  source.subject.policy = policy;
+  if (policy == "baked") {
+    BakeReport made;
+    if (!source.baked) source.baked = bake(source.mesh, {}, &made);
+    source.subject.baked = costs_of(*source.baked, made.seconds);
+    options.baked = &*source.baked;
+  } else {
+    options.policy = policy_names().at(policy);
+  }
+  const ReplayReport report = replay(source.mesh, source.original, options);
   std::optional<WalkTaken> walk;
   if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command);
 
@@ -128,6 +171,46 @@ int run(const SimplifyCommand& command) {
              result.mesh.splits.size(), result.mesh.fine_triangles());
   if (result.mesh.base.size() > result.wanted_triangles)
     fmt::print("a base of {} triangles was wanted; no further collapse is legal\n", result.wanted_triangles);
+  return 0;
+}
+
+int run(const BakeCommand& command) {
+  Source source = source_of(command.mesh, command.simplify, command.simplify_given);
+  BakeReport report;
+  const BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
+  const std::size_t bytes = write_baked(command.out, baked);
+  const std::size_t records = baked.records.size();
+  const auto each = static_cast<double>(std::max<std::size_t>(records, 1));
+  const BakedCosts costs = costs_of(baked, report.seconds);
+  if (command.json) {
+    const nlohmann::ordered_json json{{"base_triangles", baked.base.triangle_count()},
+                                      {"triangles", baked.mesh.fine_triangles()},
+                                      {"records", records},
+                                      {"pieces", report.pieces},
+                                      {"base_strips", report.base_strips},
+                                      {"top_strips", report.top_strips},
+                                      {"top_at_least", report.top_at_least},
+                                      {"most_strips", report.most_strips},
+                                      {"levels_with_fewest", report.fewest_levels},
+                                      {"flips_per_record", costs.flips_per_record},
+                                      {"bytes_per_record", costs.bytes_per_record},
+                                      {"bytes", bytes},
+                                      {"states", report.states},
+                                      {"seconds", report.seconds}};
+    fmt::print("{}\n", json.dump(2));
+    return 0;
+  }
+  fmt::print(
+      "{}: {} triangles and {} records to {}\n"
+      "{} strips at the base, {} at the finest level (where {} are needed at least), {} at most; {} connected pieces, "
+      "{:.2f} % of the levels in as "
+      "many "
+      "strips\n"
+      "{:.2f} flips and {:.1f} bytes a record, {} bytes in all; {:.1f} seconds\n",
+      command.out.string(), baked.base.triangle_count(), records, baked.mesh.fine_triangles(), report.base_strips,
+      report.top_strips, report.top_at_least, report.most_strips, report.pieces,
+      100.0 * static_cast<double>(report.fewest_levels) / (each + 1), costs.flips_per_record, costs.bytes_per_record,
+      bytes, report.seconds);
   return 0;
 }
 

@@ -5,8 +5,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "bake.hpp"
 #include "made_mesh.hpp"
+#include "paper.hpp"
 #include "replay.hpp"
 #include "restrip/stripify.hpp"
 #include "simplify.hpp"
@@ -20,11 +23,13 @@ struct StatsCommand {
 int run(const StatsCommand& command);
 
 struct ReplayCommand {
-  std::filesystem::path mesh;  ///< may be a progressive mesh (.pm): then it is replayed as it is
+  std::filesystem::path mesh;  ///< may be a progressive mesh (.pm, .baked): then it is replayed as it is
   bool built_in = false;       ///< make a mesh instead
   std::size_t built_in_triangles = default_made_triangles;
   SimplifyOptions simplify;
+  bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
   ReplayOptions replay;
+  std::string policy;  ///< of policy_names(), or baked; empty: baked for a baked mesh, else local
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
   std::string json;  ///< a file; - for standard output, which then has nothing else; empty for none
@@ -37,6 +42,16 @@ struct SimplifyCommand {
   SimplifyOptions simplify;
 };
 int run(const SimplifyCommand& command);
+
+struct BakeCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path out;
+  SimplifyOptions simplify;
+  bool simplify_given = false;
+  BakeOptions bake;
+  bool json = false;
+};
+int run(const BakeCommand& command);
 
 struct MakeMeshCommand {
   std::filesystem::path out;
@@ -58,5 +73,14 @@ struct DrawCommand {
   std::filesystem::path out;
 };
 int run(const DrawCommand& command);
+
+/// The paper's figures and experiments, as a page of HTML and CSV files. Files are written whole, the page last.
+struct PaperCommand {
+  std::filesystem::path out;  ///< a folder; made when it is not there
+  std::vector<std::filesystem::path> meshes;
+  PaperOptions options;
+  bool json = false;
+};
+int run(const PaperCommand& command);
 
 }  // namespace restrip::replay

@@ -6,20 +6,12 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
+#include "patch_drawing.hpp"
 #include "restrip/strips.hpp"
 
 namespace restrip::replay {
 namespace {
-
-struct Place {
-  double x = 0;
-  double y = 0;
-};
-
-Place middle(const Place& a, const Place& b, const Place& c) { return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}; }
-Place between(const Place& a, const Place& b) { return {(a.x + b.x) / 2, (a.y + b.y) / 2}; }
 
 std::string triangle(const Place& a, const Place& b, const Place& c, const std::string& fill) {
   return fmt::format(
@@ -44,96 +36,21 @@ std::string color_of(std::size_t strip) {
   return fmt::format("hsl({:.0f} 65% {}%)", 360 * (turn - std::floor(turn)), 55 + 12 * (strip % 3));
 }
 
-/// Triangles with their dual graph on top.
-class Patch {
- public:
-  std::size_t add(const Place& a, const Place& b, const Place& c, bool is_new) {
-    triangles_ += triangle(a, b, c, is_new ? "#ffe082" : "#e3f2fd");
-    nodes_.push_back(middle(a, b, c));
-    return nodes_.size() - 1;
-  }
-  void join(std::size_t i, std::size_t j, const Place& across, bool solid) {
-    edges_ += dual_edge(nodes_[i], across, solid) + dual_edge(across, nodes_[j], solid);
-  }
-  void port(std::size_t i, const Place& a, const Place& b, bool solid) {
-    const Place door = between(a, b);
-    edges_ +=
-        dual_edge(nodes_[i], {door.x + (door.x - nodes_[i].x) * 0.7, door.y + (door.y - nodes_[i].y) * 0.7}, solid);
-  }
-  [[nodiscard]] std::string text() const {
-    std::string all = triangles_ + edges_;
-    for (const Place& at : nodes_) all += node(at);
-    return all;
-  }
-
- private:
-  std::string triangles_;
-  std::string edges_;
-  std::vector<Place> nodes_;
-};
-
-/// The rim of a fan, counter-clockwise as seen (y points down in a drawing), turned so that the first arc is below.
-std::vector<Place> rim_of(const SplitPosition& at) {
-  const double step = 2 * std::numbers::pi / static_cast<double>(at.k);
-  const double start = std::numbers::pi / 2 + step * static_cast<double>(at.a) / 2;
-  std::vector<Place> places;
-  for (std::size_t i = 0; i < at.k; ++i) {
-    const double angle = start - step * static_cast<double>(i);
-    places.push_back({200 + 150 * std::cos(angle), 200 + 150 * std::sin(angle)});
-  }
-  return places;
-}
-
-std::string fan_on(const std::vector<Place>& places, Word loop, Word ports) {
-  const std::size_t k = places.size();
-  const Place center{200, 200};
-  Patch patch;
-  for (std::size_t i = 0; i < k; ++i) patch.add(center, places[i], places[(i + 1) % k], false);
-  for (std::size_t i = 0; i < k; ++i) {
-    patch.join(i, (i + 1) % k, between(center, places[(i + 1) % k]), has(loop, i));
-    patch.port(i, places[i], places[(i + 1) % k], has(ports, i));
-  }
-  return patch.text();
+std::string text_of(const PatchDrawing& drawing) {
+  std::string text;
+  for (const PatchDrawing::Face& face : drawing.faces)
+    text += triangle(face.a, face.b, face.c, face.is_new ? "#ffe082" : "#e3f2fd");
+  for (const PatchDrawing::Stroke& stroke : drawing.strokes) text += dual_edge(stroke.from, stroke.to, stroke.solid);
+  for (const Place& at : drawing.nodes) text += node(at);
+  return text;
 }
 
 }  // namespace
 
-std::string draw_fan(SplitPosition at, Word loop, Word ports) { return fan_on(rim_of(at), loop, ports); }
+std::string draw_fan(SplitPosition at, Word loop, Word ports) { return text_of(fan_drawing(at, loop, ports)); }
 
 std::string draw_split(SplitPosition at, Word loop, Word ports) {
-  const std::size_t k = at.k;
-  const std::size_t a = at.a;
-  const Word inner = split_rule(at, loop, ports).colors;
-  const std::vector<Place> places = rim_of(at);
-  // v_s owns the first arc, v_t the second; each moves toward its own side.
-  const auto toward = [&](std::size_t first, std::size_t last) {
-    Place sum;
-    for (std::size_t i = first; i <= last; ++i) {
-      sum.x += places[i % k].x;
-      sum.y += places[i % k].y;
-    }
-    const auto n = static_cast<double>(last - first + 1);
-    return Place{200 + (sum.x / n - 200) * 0.45, 200 + (sum.y / n - 200) * 0.45};
-  };
-  const Place v_s = toward(0, a);
-  const Place v_t = toward(a, k);
-  Patch patch;
-  for (std::size_t i = 0; i < k; ++i) patch.add(i < a ? v_s : v_t, places[i], places[(i + 1) % k], false);
-  const std::size_t node_a = patch.add(v_s, v_t, places[0], true);
-  const std::size_t node_d = patch.add(v_t, v_s, places[a], true);
-  // Around the ring: A, the first arc, D, the second arc.
-  std::vector<std::size_t> ring{node_a};
-  for (std::size_t i = 0; i < a; ++i) ring.push_back(i);
-  ring.push_back(node_d);
-  for (std::size_t i = a; i < k; ++i) ring.push_back(i);
-  for (std::size_t j = 0; j < k + 2; ++j) {
-    const bool first = j <= a;
-    const std::size_t spoke = first ? j : j - 1;
-    patch.join(ring[j], ring[(j + 1) % (k + 2)], between(first ? v_s : v_t, places[spoke % k]), has(inner, j));
-  }
-  patch.join(node_a, node_d, between(v_s, v_t), has(inner, k + 2));
-  for (std::size_t i = 0; i < k; ++i) patch.port(i, places[i], places[(i + 1) % k], has(ports, i));
-  return patch.text();
+  return text_of(split_drawing(at, split_rule(at, loop, ports).colors, ports));
 }
 
 std::string draw_mesh(const StripMesh& mesh, const std::vector<Point>& points) {

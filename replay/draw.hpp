@@ -10,8 +10,7 @@
 
 namespace restrip::replay {
 
-/// A square drawing in its own coordinates, 0 … size both ways, without the <svg> around it.
-inline constexpr double drawing_size = 400;
+// Each is a square drawing in its own coordinates (patch_drawing.hpp), without the <svg> around it.
 
 /// The mesh seen from above and in front, far triangles first, each strip in a colour of its own.
 [[nodiscard]] std::string draw_mesh(const StripMesh& mesh, const std::vector<Point>& points);

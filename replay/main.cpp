@@ -6,9 +6,11 @@
 #include <map>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "bad_input.hpp"
 #include "commands.hpp"
+#include "policies.hpp"
 
 namespace {
 
@@ -30,6 +32,8 @@ void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
       ->default_str(options.boundary == BoundaryPolicy::lock ? "lock" : "move");
 }
 
+bool simplify_options_given(const CLI::App& app) { return app.count("--base") + app.count("--boundary") != 0; }
+
 CLI::App* add_stats(CLI::App& app, StatsCommand& command) {
   CLI::App* sub = app.add_subcommand("stats", "Count what a mesh has: triangles per vertex, boundary, faults");
   sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or .pm (its base)")->required();
@@ -40,13 +44,14 @@ CLI::App* add_stats(CLI::App& app, StatsCommand& command) {
 
 CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   CLI::App* sub = app.add_subcommand("replay", "Simplify a mesh, then replay every vertex split with its strips kept");
-  CLI::Option* mesh =
-      sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or a progressive mesh of OpenMesh (.pm)");
+  CLI::Option* mesh = sub->add_option(
+      "mesh", command.mesh, ".obj, .off, .ply, .stl, a progressive mesh of OpenMesh (.pm) or a baked one (.baked)");
   CLI::Option* built_in =
       sub->add_flag("--built-in", command.built_in, "a torus made by the program, instead of a file");
   mesh->excludes(built_in);
   sub->add_option("--triangles", command.built_in_triangles, "size of the built-in mesh")
       ->needs(built_in)
+      ->check(CLI::Range(least_made_triangles, most_made_triangles))
       ->capture_default_str();
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--levels", command.replay.levels, "levels of detail to report")
@@ -55,18 +60,23 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   sub->add_option("--repeats", command.replay.repeats, "timed runs, of which the median counts; 0: no timing")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")->capture_default_str();
-  sub->add_option("--policy", command.replay.policy,
-                  "local: the rules, and adoption where one isolates; quick, full: tunnelling after each operation")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, restrip::Policy>{
-          {"local", restrip::Policy::local}, {"quick", restrip::Policy::quick}, {"full", restrip::Policy::full}}))
-      ->default_str("local");
+  sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  std::vector<std::string> policies{"baked"};
+  for (const auto& policy : policy_names()) policies.push_back(policy.first);
+  sub->add_option("--policy", command.policy,
+                  "local: the rules, and adoption where one isolates; linked: rules that follow the strips around; "
+                  "quick, full: tunnelling after each operation; "
+                  "baked: the strips of a baked mesh, or baked now (default: baked for a baked mesh, else local)")
+      ->check(CLI::IsMember(policies));
   CLI::Option* walk = sub->add_option("--walk", command.walk_steps,
                                       "then that many random splits, collapses and flips on the full mesh");
   sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->capture_default_str();
   sub->add_option("--json", command.json, "write the report as JSON to a file, or - for standard output");
-  sub->callback([mesh, built_in] {
+  sub->callback([sub, mesh, built_in, &command] {
     if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
+    command.simplify_given = simplify_options_given(*sub);
   });
   sub->footer("Example: restrip replay bunny.obj --base 0.02 --cycles 10 --json bunny.json");
   return sub;
@@ -81,11 +91,28 @@ CLI::App* add_simplify(CLI::App& app, SimplifyCommand& command) {
   return sub;
 }
 
+CLI::App* add_bake(CLI::App& app, BakeCommand& command) {
+  CLI::App* sub =
+      app.add_subcommand("bake", "Decide the strips of every level of detail and write them beside the mesh");
+  sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or a progressive mesh of OpenMesh (.pm)")->required();
+  sub->add_option("-o,--output", command.out, "the .baked file")->required();
+  add_simplify_options(*sub, command.simplify);
+  sub->add_option("--effort", command.bake.effort, "edges walked to save one strip, before search goes further away")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
+      ->capture_default_str();
+  sub->add_flag("--json", command.json, "print a JSON object");
+  sub->callback([sub, &command] { command.simplify_given = simplify_options_given(*sub); });
+  sub->footer("Example: restrip bake bunny.obj -o bunny.baked");
+  return sub;
+}
+
 CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
   CLI::App* sub =
       app.add_subcommand("make-mesh", "Make a closed mesh of irregular valences, the same on every machine");
   sub->add_option("-o,--output", command.out, "an .obj, .off or .ply file")->required();
-  sub->add_option("--triangles", command.triangles, "about how many")->capture_default_str();
+  sub->add_option("--triangles", command.triangles, "about how many")
+      ->check(CLI::Range(least_made_triangles, most_made_triangles))
+      ->capture_default_str();
   sub->add_option("--seed", command.seed, "of its irregularities")->capture_default_str();
   sub->footer("Example: restrip make-mesh --triangles 1000000 -o torus.ply");
   return sub;
@@ -111,6 +138,20 @@ CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
   return sub;
 }
 
+CLI::App* add_paper(CLI::App& app, PaperCommand& command) {
+  CLI::App* sub = app.add_subcommand("paper", "Do the paper's figures and experiments again, as a page and CSV files");
+  sub->add_option("-o,--out", command.out, "the folder for index.html and its CSV files")->required();
+  sub->add_option("meshes", command.meshes, ".obj, .off, .ply, .stl, or progressive meshes of OpenMesh (.pm)")
+      ->required();
+  add_simplify_options(*sub, command.options.simplify);
+  sub->add_option("--levels", command.options.levels, "levels of detail to count strips at")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  sub->add_flag("--json", command.json, "print a JSON object");
+  sub->footer("Example: restrip paper --out report bunny.obj");
+  return sub;
+}
+
 int run_command_line(int argc, char** argv) {
   CLI::App app{"Triangle strips that stay optimal while the mesh changes", "restrip"};
   app.set_version_flag("--version", std::string("restrip ") + RESTRIP_VERSION);
@@ -124,11 +165,15 @@ int run_command_line(int argc, char** argv) {
   MakeMeshCommand make_mesh;
   DrawCommand draw;
   StripifyCommand stripify;
+  PaperCommand paper;
+  BakeCommand bake;
   const CLI::App* stats_sub = add_stats(app, stats);
   const CLI::App* replay_sub = add_replay(app, replay);
   const CLI::App* simplify_sub = add_simplify(app, simplify);
   const CLI::App* stripify_sub = add_stripify(app, stripify);
   const CLI::App* draw_sub = add_draw(app, draw);
+  const CLI::App* paper_sub = add_paper(app, paper);
+  const CLI::App* bake_sub = add_bake(app, bake);
   add_make_mesh(app, make_mesh);
   try {
     app.parse(argc, argv);
@@ -140,6 +185,8 @@ int run_command_line(int argc, char** argv) {
   if (simplify_sub->parsed()) return run(simplify);
   if (stripify_sub->parsed()) return run(stripify);
   if (draw_sub->parsed()) return run(draw);
+  if (paper_sub->parsed()) return run(paper);
+  if (bake_sub->parsed()) return run(bake);
   return run(make_mesh);
 }
 

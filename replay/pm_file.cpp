@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "bad_input.hpp"
@@ -66,6 +67,11 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
         fmt::format("{}: {} vertices, {} faces and {} splits take {} bytes, but the file has {}; is it complete?", name,
                     vertices, faces, splits, expected, bytes.size()));
 
+  if (faces == 0)
+    throw BadInput(
+        fmt::format("{}: its base has no triangles, so there is nothing to replay; write it again from the "
+                    "mesh (restrip simplify)",
+                    name));
   ProgressiveMesh mesh;
   mesh.points.reserve(vertices + splits);
   mesh.base.resize(faces);
@@ -77,6 +83,12 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
       if (corner >= vertices)
         throw BadInput(fmt::format("{}: a face refers to vertex {} of {}", name, corner, vertices));
     }
+  const auto degenerate = [](const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
+  if (std::all_of(mesh.base.begin(), mesh.base.end(), degenerate))
+    throw BadInput(
+        fmt::format("{}: every triangle of its base is degenerate (a corner twice), so there is nothing to "
+                    "replay; write it again from the mesh (restrip simplify)",
+                    name));
   for (std::size_t i = 0; i < splits; ++i) {
     const auto v_t = static_cast<Vertex>(vertices + i);
     mesh.points.push_back(in.point());
@@ -94,38 +106,49 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
 
 ProgressiveMesh read_pm(const std::filesystem::path& file) { return parse_pm(read_whole_file(file), file.string()); }
 
-std::string pm_bytes(const ProgressiveMesh& mesh) {
+ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh) {
+  ProgressiveMesh out;
   std::vector<Vertex> number(mesh.points.size(), none);
-  std::vector<Vertex> order;
-  for (const Corners& triangle : mesh.base)
+  const auto appear = [&](Vertex v) {
+    number[v] = static_cast<Vertex>(out.points.size());
+    out.points.push_back(mesh.points[v]);
+  };
+  const auto number_of = [&](Vertex v) { return v == none ? none : number[v]; };
+  out.base.reserve(mesh.base.size());
+  for (const Corners& triangle : mesh.base) {
     for (const Vertex v : triangle)
-      if (number[v] == none) {
-        number[v] = static_cast<Vertex>(order.size());
-        order.push_back(v);
-      }
+      if (number[v] == none) appear(v);
+    out.base.push_back({number[triangle[0]], number[triangle[1]], number[triangle[2]]});
+  }
+  out.splits.reserve(mesh.splits.size());
+  for (const Record& r : mesh.splits) {
+    appear(r.v_t);
+    out.splits.push_back({number_of(r.v_s), number_of(r.v_t), number_of(r.v_l), number_of(r.v_r)});
+  }
+  return out;
+}
+
+std::string pm_bytes(const ProgressiveMesh& any) {
+  const ProgressiveMesh mesh = numbered_by_appearance(any);
   std::string bytes(magic);
   const auto put = [&bytes](std::uint32_t value) {
     for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
   };
-  const auto put_point = [&](Vertex v) {
-    for (const float coordinate : {mesh.points[v].x, mesh.points[v].y, mesh.points[v].z})
-      put(std::bit_cast<std::uint32_t>(coordinate));
+  const auto put_point = [&](const Point& p) {
+    for (const float coordinate : {p.x, p.y, p.z}) put(std::bit_cast<std::uint32_t>(coordinate));
   };
-  const auto put_vertex = [&](Vertex v) { put(v == none ? none : number[v]); };
-
-  put(static_cast<std::uint32_t>(order.size()));
+  const std::size_t base_points = mesh.points.size() - mesh.splits.size();
+  put(static_cast<std::uint32_t>(base_points));
   put(static_cast<std::uint32_t>(mesh.base.size()));
   put(static_cast<std::uint32_t>(mesh.splits.size()));
-  for (const Vertex v : order) put_point(v);
+  for (std::size_t v = 0; v < base_points; ++v) put_point(mesh.points[v]);
   for (const Corners& triangle : mesh.base)
-    for (const Vertex v : triangle) put_vertex(v);
-  auto next = static_cast<Vertex>(order.size());
+    for (const Vertex v : triangle) put(v);
   for (const Record& record : mesh.splits) {
-    number[record.v_t] = next++;
-    put_point(record.v_t);
-    put_vertex(record.v_s);
-    put_vertex(record.v_r);
-    put_vertex(record.v_l);
+    put_point(mesh.points[record.v_t]);
+    put(record.v_s);
+    put(record.v_r);
+    put(record.v_l);
   }
   return bytes;
 }

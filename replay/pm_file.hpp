@@ -17,6 +17,10 @@ namespace restrip::replay {
 [[nodiscard]] ProgressiveMesh read_pm(const std::filesystem::path& file);
 [[nodiscard]] ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name);
 
+/// The same mesh with its vertices in order of appearance: first those of the base's triangles, as these name them,
+/// then the one that each split adds. Vertices that nothing uses are left out.
+[[nodiscard]] ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh);
+
 /// Renumbers the vertices in order of appearance and leaves out those that no triangle uses. Whole file or none.
 void write_pm(const std::filesystem::path& file, const ProgressiveMesh& mesh);
 [[nodiscard]] std::string pm_bytes(const ProgressiveMesh& mesh);

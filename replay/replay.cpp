@@ -6,10 +6,13 @@
 #include <cmath>
 #include <optional>
 
+#include "baked_file.hpp"
 #include "coloring_check.hpp"
 #include "progress.hpp"
 #include "restrip/adopt.hpp"
+#include "restrip/baked.hpp"
 #include "restrip/checks.hpp"
+#include "restrip/detail/patch_triangles.hpp"
 #include "restrip/stripify.hpp"
 #include "restrip/strips.hpp"
 #include "stopwatch.hpp"
@@ -21,7 +24,10 @@ class Replay {
  public:
   Replay(const ProgressiveMesh& mesh, const ReplayOptions& options)
       : source_(mesh), options_(options), base_(StripMesh::build(mesh.base, mesh.points.size())) {
-    stripify(base_, tunnels() ? Effort::full : Effort::fast);
+    if (options_.baked != nullptr)
+      base_ = options_.baked->base;
+    else
+      stripify(base_, tunnels() ? Effort::full : Effort::fast);
     // One mesh serves every run, so that its memory is there before the first clock starts.
     mesh_.reserve(mesh.fine_triangles(), mesh.points.size());
     report_.base_triangles = base_.triangle_count();
@@ -33,22 +39,40 @@ class Replay {
     if (report_.operations_without_rule == 0) {
       measure();
       check_top(original.empty() ? bare_triangles() : original);
-      for (std::size_t i = 0; i < options_.cycles; ++i) cycle();
+      const std::size_t cycles = std::max<std::size_t>(options_.cycles, options_.baked != nullptr ? 1 : 0);
+      for (std::size_t i = 0; i < cycles; ++i) cycle();
     }
     return std::move(report_);
   }
 
  private:
+  using Halfedge = StripMesh::Halfedge;
+
   // ---- one operation, under the policy
   [[nodiscard]] bool tunnels() const noexcept { return options_.policy != Policy::local; }
   void start_from_base() {
     mesh_ = base_;
-    if (tunnels()) keeper_.emplace(mesh_, options_.policy);
+    if (options_.baked != nullptr)
+      player_.emplace(mesh_, options_.baked->records);
+    else if (tunnels())
+      keeper_.emplace(mesh_, options_.policy);
   }
-  Rewrite<StripMesh::Halfedge> split_one(const VertexSplit<StripMesh::Halfedge>& where, Vertex v_t) {
+  /// Baked: nobody counts valence and isolated triangles; they are 0.
+  Rewrite<Halfedge> split_one(std::size_t i) { return split_one(i, spokes_of(mesh_, source_.splits[i])); }
+  Rewrite<Halfedge> split_one(std::size_t i, const VertexSplit<Halfedge>& where) {
+    const Vertex v_t = source_.splits[i].v_t;
+    if (player_) {
+      const BakedRewrite<Halfedge> done = player_->split(i, where, v_t);
+      return {done.halfedge, 0, done.strips, 0};
+    }
     return keeper_ ? keeper_->split(where, v_t) : split_and_adopt(mesh_, where, v_t);
   }
-  Rewrite<StripMesh::Halfedge> collapse_one(StripMesh::Halfedge chord) {
+  Rewrite<Halfedge> collapse_one(std::size_t i) {
+    const Halfedge chord = mesh_.spoke(source_.splits[i].v_s, source_.splits[i].v_t);
+    if (player_) {
+      const BakedRewrite<Halfedge> done = player_->collapse(i, chord);
+      return {done.halfedge, 0, done.strips, 0};
+    }
     return keeper_ ? keeper_->collapse(chord) : collapse_and_adopt(mesh_, chord);
   }
 
@@ -59,6 +83,7 @@ class Replay {
     std::size_t stop = 0;
     const auto at_level = [&] { return stop < stops.size() && mesh_.triangle_count() >= stops[stop]; };
     Progress progress("replaying", source_.splits.size());
+    strips_now_ = report_.most_strips = extract_strips(mesh_).size();
     for (std::size_t i = 0; i < source_.splits.size(); ++i) {
       if (at_level()) record_level(), ++stop;
       split_and_count(source_.splits[i], i);
@@ -88,7 +113,16 @@ class Replay {
             fmt::format("split {} ({} -> {}) is not possible: {}", index, record.v_s, record.v_t, describe(refusal)));
       return;
     }
-    const auto done = split_one(where, record.v_t);
+    std::vector<Triangle> lonely;
+    if (player_) lonely = lonely_triangles(index);
+    auto done = split_one(index, where);
+    if (player_) {
+      done.valence = static_cast<std::uint32_t>(valence_before(done.halfedge));
+      const std::vector<Triangle> now = lonely_triangles(index);
+      done.isolated = std::includes(lonely.begin(), lonely.end(), now.begin(), now.end()) ? 0 : 1;
+    }
+    strips_now_ += static_cast<std::size_t>(done.strips);
+    report_.most_strips = std::max(report_.most_strips, strips_now_);
     if (done.valence >= report_.by_valence.size()) report_.by_valence.resize(done.valence + std::size_t{1}, 0);
     ++report_.by_valence[done.valence];
     report_.operations_isolating += done.isolated > 0 ? 1 : 0;
@@ -104,18 +138,23 @@ class Replay {
           fmt::format("at {} triangles: only {} of them are in a strip", level.triangles, strips.order.size()));
     return level;
   }
-  void record_level() { report_.levels.push_back(level()); }
+  void record_level() {
+    report_.levels.push_back(level());
+    if (!player_) return;
+    hashes_.push_back(hash_of_strips());
+    for (const std::string& fault : find_faults(mesh_))
+      report_.faults.push_back(fmt::format("at {} triangles: {}", mesh_.triangle_count(), fault));
+  }
 
   // ---- the clock
   void split_all() {
-    for (const Record& record : source_.splits) split_one(spokes_of(mesh_, record), record.v_t);
+    for (std::size_t i = 0; i < source_.splits.size(); ++i) split_one(i);
   }
   void split_all_bare() {
     for (const Record& record : source_.splits) mesh_.insert_vertex(spokes_of(mesh_, record), record.v_t);
   }
   void collapse_all() {
-    for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
-      collapse_one(mesh_.spoke(record->v_s, record->v_t));
+    for (std::size_t i = source_.splits.size(); i-- > 0;) collapse_one(i);
   }
   void collapse_all_bare() {
     for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
@@ -174,10 +213,18 @@ class Replay {
       cycle.isolating += done.isolated > 0 ? 1 : 0;
       cycle.adding_strip += done.strips > 0 ? 1 : 0;
     };
-    for (auto record = source_.splits.rbegin(); record != source_.splits.rend(); ++record)
-      count(collapse_one(mesh_.spoke(record->v_s, record->v_t)));
+    std::size_t next = report_.levels.size();
+    while (next > 0 && compare_level(next - 1)) --next;
+    for (std::size_t i = source_.splits.size(); i-- > 0;) {
+      count(collapse_one(i));
+      while (next > 0 && compare_level(next - 1)) --next;
+    }
     cycle.base = checked_level();
-    for (const Record& record : source_.splits) count(split_one(spokes_of(mesh_, record), record.v_t));
+    while (next < report_.levels.size() && compare_level(next)) ++next;
+    for (std::size_t i = 0; i < source_.splits.size(); ++i) {
+      count(split_one(i));
+      while (next < report_.levels.size() && compare_level(next)) ++next;
+    }
     cycle.top = checked_level();
     report_.cycles.push_back(cycle);
   }
@@ -187,11 +234,47 @@ class Replay {
     return level();
   }
 
+  // ---- baked strips
+  /// Triangles alone, of those beside the flips of a record, in ascending order.
+  [[nodiscard]] std::vector<Triangle> lonely_triangles(std::size_t record) const {
+    std::vector<Triangle> lonely;
+    for (const Halfedge h : options_.baked->records[record]) {
+      if (!mesh_.alive(StripMesh::triangle(h))) continue;
+      for (const Triangle t : {StripMesh::triangle(h), StripMesh::triangle(mesh_.opposite(h))})
+        if (mesh_.solid_degree(t) == 0) lonely.push_back(t);
+    }
+    std::sort(lonely.begin(), lonely.end());
+    lonely.erase(std::unique(lonely.begin(), lonely.end()), lonely.end());
+    return lonely;
+  }
+  /// Triangles around the vertex before it was split there.
+  [[nodiscard]] std::size_t valence_before(Halfedge chord) const {
+    std::vector<Triangle> patch;
+    detail::edge_triangles(mesh_, chord, patch);
+    return patch.size() - (StripMesh::on_boundary(chord) || StripMesh::on_boundary(mesh_.opposite(chord)) ? 1 : 2);
+  }
+  [[nodiscard]] std::uint64_t hash_of_strips() const {
+    const std::vector<std::uint32_t> indices = strip_indices(mesh_, extract_strips(mesh_));
+    return fnv1a({reinterpret_cast<const char*>(indices.data()), indices.size() * sizeof(std::uint32_t)});
+  }
+  /// At a level that was reported: are its strips what they were?
+  bool compare_level(std::size_t i) {
+    if (!player_ || mesh_.triangle_count() != report_.levels[i].triangles) return false;
+    ++report_.levels_compared;
+    if (hash_of_strips() != hashes_[i])
+      report_.faults.push_back(fmt::format("cycle {}: at {} triangles the strips are not what they were",
+                                           report_.cycles.size() + 1, report_.levels[i].triangles));
+    return true;
+  }
+
   const ProgressiveMesh& source_;
   ReplayOptions options_;
   StripMesh base_;
   StripMesh mesh_;
-  std::optional<StripKeeper> keeper_;  // none: the local rules alone
+  std::optional<StripKeeper> keeper_;  // neither: the local rules alone
+  std::optional<BakedPlayer<StripMesh>> player_;
+  std::size_t strips_now_ = 0;
+  std::vector<std::uint64_t> hashes_;  // of the strips at each reported level, if baked
   ReplayReport report_;
 };
 

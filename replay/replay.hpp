@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bake.hpp"
 #include "progressive_mesh.hpp"
 #include "restrip/keeper.hpp"
 #include "soup.hpp"
@@ -18,6 +19,8 @@ struct ReplayOptions {
   std::size_t repeats = 5;        ///< of each timed run, at least; 0: no timing
   std::size_t cycles = 0;         ///< down and up again after the first way up
   Policy policy = Policy::local;  ///< how far an operation looks for strips to join
+  /// Play these strips instead of any policy; they must be those of the mesh replayed.
+  const BakedMesh* baked = nullptr;
 };
 
 /// The mesh at one level of detail.
@@ -44,6 +47,7 @@ struct ReplayReport {
   std::size_t operations_isolating = 0;     ///< introduced an isolated triangle
   std::size_t operations_adding_strip = 0;
   std::vector<std::size_t> by_valence;  ///< [k]: splits of a fan of k triangles
+  std::size_t most_strips = 0;          ///< of all levels on the first way up, every split counted
   std::vector<Level> levels;
   std::vector<Cycle> cycles;
   /// Medians over the repeats. A split starts from vertices: finding its spokes is part of it, with strips and bare
@@ -52,6 +56,7 @@ struct ReplayReport {
   double ns_per_operation_bare = 0;
   double ns_per_collapse = 0;
   double ns_per_collapse_bare = 0;
+  std::size_t levels_compared = 0;  ///< baked: levels reached again, with the same strips
   std::vector<std::string> faults;  ///< what a check found; empty when all is well
 
   [[nodiscard]] bool valid() const noexcept { return faults.empty(); }
@@ -59,7 +64,8 @@ struct ReplayReport {
 
 /// Stripifies the base and replays every split. At the finest level the colouring is checked from scratch, the index
 /// buffer is decoded, and the triangles are compared with `original` (as a set of oriented triangles; empty: with a
-/// replay without rules).
+/// replay without rules). Baked strips go down and up again once at least, and every reported level must then have,
+/// byte for byte, the strips it had at first.
 [[nodiscard]] ReplayReport replay(const ProgressiveMesh& mesh, const std::vector<Corners>& original,
                                   const ReplayOptions& options = {});
 

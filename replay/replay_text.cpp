@@ -63,6 +63,14 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   };
   cost("a split with its strips", report.ns_per_operation, report.ns_per_operation_bare);
   cost("a collapse with its strips", report.ns_per_collapse, report.ns_per_collapse_bare);
+  fmt::format_to(out, "\n  {:<41}{:>10}", "most strips of all levels", report.most_strips);
+  if (subject.baked) {
+    fmt::format_to(out, "\n  {:<41}{:>10.2f}, {:.1f} bytes", "flips of a record", subject.baked->flips_per_record,
+                   subject.baked->bytes_per_record);
+    if (subject.baked->seconds > 0)
+      fmt::format_to(out, "\n  {:<41}{:>10.1f}", "seconds to bake", subject.baked->seconds);
+    fmt::format_to(out, "\n  {:<41}{:>10}", "levels reached again, strips the same", report.levels_compared);
+  }
   text += '\n';
 
   if (!report.cycles.empty()) {
@@ -128,6 +136,8 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"levels", std::move(levels)},
       {"triangles_per_strip",
        report.levels.empty() ? 0.0 : ratio(report.levels.back().triangles, report.levels.back().strips)},
+      {"policy", subject.policy},
+      {"most_strips", report.most_strips},
       {"cycles", std::move(cycles)},
       {"ns_per_operation", report.ns_per_operation},
       {"ns_per_operation_bare", report.ns_per_operation_bare},
@@ -140,6 +150,11 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"valid", report.valid() && (!walk || walk->report.fault.empty())},
       {"faults", report.faults},
   };
+  if (subject.baked)
+    json["baked"] = {{"flips_per_record", subject.baked->flips_per_record},
+                     {"bytes_per_record", subject.baked->bytes_per_record},
+                     {"bake_seconds", subject.baked->seconds},
+                     {"levels_compared", report.levels_compared}};
   if (walk) json["walk"] = json_of(*walk);
   // Names may hold bytes that are no UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

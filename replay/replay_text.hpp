@@ -10,6 +10,8 @@
 //   by_valence               {"k": splits of a fan of k triangles}
 //   levels                   [{triangles, strips, isolated, indices}] from base to finest level
 //   triangles_per_strip      at the finest level
+//   policy, most_strips      how strips were kept; most of all levels on the way up, every split counted
+//   baked                    {flips_per_record, bytes_per_record, bake_seconds, levels_compared}, for baked strips
 //   cycles                   [{base_strips, base_isolated, top_strips, top_isolated, isolating, adding_strip}] way down
 //   and up again ns_per_operation, ns_per_operation_bare    a split with strips kept, and the same mesh update without
 //   (medians) ns_per_collapse, ns_per_collapse_bare      the same for the way down walk                     {steps,
@@ -28,11 +30,20 @@
 
 namespace restrip::replay {
 
+/// Baked strips: what they cost.
+struct BakedCosts {
+  double flips_per_record = 0;
+  double bytes_per_record = 0;  ///< of the file, vertex positions and connectivity included
+  double seconds = 0;           ///< of baking; 0 when they came from a file
+};
+
 /// What was replayed.
 struct Subject {
   std::string name;
   std::size_t wanted_triangles = 0;  ///< of the base; 0 when the base was given
   LeftOut left_out;
+  std::string policy;
+  std::optional<BakedCosts> baked;
 };
 
 /// A walk with what it was asked for.

@@ -30,12 +30,18 @@ std::string read_whole_file(const std::filesystem::path& file) {
 }
 
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes) {
+  std::error_code error;
+  const auto kind = std::filesystem::symlink_status(file, error).type();
+  const bool replace = kind == std::filesystem::file_type::regular || kind == std::filesystem::file_type::not_found;
   std::filesystem::path half = file;
-  half += ".part";
+  if (replace) half += ".part";
   std::ofstream out(half, std::ios::binary | std::ios::trunc);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
-  std::error_code error;
+  if (!replace) {
+    if (!out) throw BadInput(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(errno)));
+    return;
+  }
   if (!out) {
     const std::string reason = std::strerror(errno);
     std::filesystem::remove(half, error);

@@ -11,7 +11,8 @@ namespace restrip::replay {
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& file);
 
 /// Writes beside the target and renames, so that nobody ever sees half a file. Throws BadInput when that fails; then
-/// the target is as it was.
+/// the target is as it was. A target that is there and no regular file (a device, a pipe, a link) is written to as it
+/// is: to replace it would take it away from everybody else.
 void write_whole_file(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace restrip::replay

@@ -51,6 +51,19 @@ TEST(PmFile, RefusesWhatItIsNot) {
   EXPECT_NE(refusal(wrong).find("refers to vertices"), std::string::npos);
 }
 
+TEST(PmFile, NothingToReplayIsNoSuccess) {
+  const auto base_of = [](const std::vector<Corners>& base) {
+    ProgressiveMesh mesh;
+    mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.base = base;
+    return pm_bytes(mesh);
+  };
+  EXPECT_EQ(refusal(base_of({{0, 1, 2}})), "");
+  EXPECT_NE(refusal(base_of({})).find("no triangles"), std::string::npos);
+  EXPECT_NE(refusal(base_of({{0, 1, 1}, {2, 1, 2}})).find("degenerate"), std::string::npos);
+  EXPECT_EQ(refusal(base_of({{0, 1, 1}, {0, 1, 2}})), "");  // one is left out and counted, the other replayed
+}
+
 TEST(PmFile, RealOne) {
   const auto file = REAL_MESH("om_bunny.pm");
   const ProgressiveMesh mesh = read_pm(file);

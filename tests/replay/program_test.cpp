@@ -45,7 +45,7 @@ class Program : public testing::Test {
 TEST_F(Program, HelpAndVersion) {
   EXPECT_EQ(restrip("--version").code, 0);
   EXPECT_TRUE(restrip("--version").out.starts_with("restrip "));
-  for (const char* command : {"", "stats", "replay", "simplify", "make-mesh", "stripify", "draw"}) {
+  for (const char* command : {"", "stats", "replay", "simplify", "make-mesh", "stripify", "bake", "draw", "paper"}) {
     const Outcome help = restrip(fmt::format("{} --help", command));
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_NE(help.out.find("Example: restrip "), std::string::npos) << command;
@@ -101,6 +101,68 @@ TEST_F(Program, PoliciesKeepLongerStrips) {
   const int full = strips_under("full");
   EXPECT_LT(5 * quick, local);
   EXPECT_LT(full, quick);
+}
+
+TEST_F(Program, BakedStripsArePlayed) {
+  ASSERT_EQ(restrip(fmt::format("make-mesh --triangles 3000 -o '{}'", file("a.ply"))).code, 0);
+  const Outcome bake = restrip(fmt::format("bake '{}' --base 0.1 -o '{}' --json", file("a.ply"), file("a.baked")));
+  ASSERT_EQ(bake.code, 0);
+  const auto made = nlohmann::json::parse(bake.out);
+  EXPECT_EQ(made.at("most_strips"), 1);
+  EXPECT_EQ(made.at("bytes"), std::filesystem::file_size(file("a.baked")));
+  // A baked mesh is played by default; its mesh can be replayed by the rules as well, and baked again.
+  for (const char* policy : {"", "--policy baked", "--policy local"}) {
+    const Outcome run = restrip(fmt::format("replay '{}' --repeats 1 {} --json -", file("a.baked"), policy));
+    ASSERT_EQ(run.code, 0) << policy;
+    const auto json = nlohmann::json::parse(run.out);
+    EXPECT_EQ(json.at("triangles"), made.at("triangles"));
+    const bool baked = std::string(policy) != "--policy local";
+    EXPECT_EQ(json.contains("baked"), baked);
+    EXPECT_EQ(json.at("most_strips") == 1, baked);
+    if (!baked) continue;
+    EXPECT_EQ(json.at("policy"), "baked");
+    EXPECT_EQ(json.at("baked").at("levels_compared"), 2 * json.at("levels").size());
+  }
+  EXPECT_EQ(restrip(fmt::format("bake '{}' -o '{}'", file("a.baked"), file("b.baked"))).code, 0);
+  EXPECT_EQ(restrip(fmt::format("stats '{}'", file("a.baked"))).code, 0);
+  EXPECT_EQ(restrip("replay --built-in --triangles 1000 --repeats 0 --policy baked").code, 0);
+
+  std::filesystem::resize_file(file("a.baked"), std::filesystem::file_size(file("a.baked")) - 1);
+  const Outcome truncated = restrip(fmt::format("replay '{}'", file("a.baked")), true);
+  EXPECT_EQ(truncated.code, 2);
+  EXPECT_NE(truncated.out.find("truncated or altered"), std::string::npos);
+}
+
+TEST_F(Program, SimplifyingWhatIsProgressiveIsRefused) {
+  ASSERT_EQ(restrip(fmt::format("make-mesh --triangles 500 -o '{}'", file("a.off"))).code, 0);
+  ASSERT_EQ(restrip(fmt::format("simplify '{}' -o '{}'", file("a.off"), file("a.pm"))).code, 0);
+  ASSERT_EQ(restrip(fmt::format("bake '{}' -o '{}'", file("a.pm"), file("a.baked"))).code, 0);
+  for (const char* arguments :
+       {"replay '{}' --base 0.5", "replay '{}' --boundary lock", "bake '{}' --base 0.5 -o b.baked"})
+    for (const char* name : {"a.pm", "a.baked"}) {
+      const Outcome refused = restrip(fmt::format(fmt::runtime(arguments), file(name)), true);
+      EXPECT_EQ(refused.code, 2) << arguments;
+      EXPECT_NE(refused.out.find("--base and --boundary do not apply"), std::string::npos) << refused.out;
+    }
+}
+
+TEST_F(Program, AnOutputThatIsNoFileIsWrittenTo) {
+  std::ofstream(file("target")) << "old";
+  std::filesystem::create_symlink(file("target"), file("link"));
+  ASSERT_EQ(restrip(fmt::format("replay --built-in --triangles 500 --repeats 0 --json '{}'", file("link"))).code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(file("link")));
+  std::ifstream in(file("target"));
+  EXPECT_TRUE(nlohmann::json::parse(in).at("valid"));
+  // A pipe: what goes in comes out, and the pipe is still there.
+  const Outcome piped = restrip("replay --built-in --triangles 500 --repeats 0 --json /dev/stdout");
+  EXPECT_EQ(piped.code, 0);
+  EXPECT_TRUE(piped.out.starts_with("{"));
+}
+
+TEST_F(Program, ANegativeCountIsNamed) {
+  const Outcome refused = restrip(fmt::format("make-mesh --triangles -5 -o '{}'", file("a.obj")), true);
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.out.find("-5"), std::string::npos) << refused.out;
 }
 
 TEST_F(Program, DrawingIsTheOneShipped) {
