@@ -51,13 +51,13 @@ std::string numbers(const std::vector<Number>& values, const char* spelling = " 
   return lines.text();
 }
 
-/// A pairing in 8 x 4 bits: the partner of each port, itself when it has none.
-std::uint32_t partners(const std::vector<Mask>& pairs) {
-  std::uint32_t packed = 0x76543210;
+/// A pairing in four bits for each port: its partner, itself when it has none. Eight ports fit 32 bits, sixteen 64.
+std::uint64_t partners(const std::vector<Mask>& pairs, unsigned max_k) {
+  std::uint64_t packed = max_k <= 8 ? 0x76543210 : 0xfedcba9876543210;
   for (const Mask pair : pairs) {
     const int low = std::countr_zero(pair);
     const int high = std::countr_zero(std::bit_floor(pair));
-    const auto swap = static_cast<std::uint32_t>(low ^ high);
+    const auto swap = static_cast<std::uint64_t>(low ^ high);
     packed ^= swap << (4 * low) | swap << (4 * high);
   }
   return packed;
@@ -66,21 +66,6 @@ std::uint32_t partners(const std::vector<Mask>& pairs) {
 std::string identifier(std::string name) {
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
-}
-
-std::string place_of(const Position& position) {
-  switch (position.family) {
-    case Family::split:
-      return fmt::format("k {} a {}", position.k, position.at);
-    case Family::open_split:
-      return fmt::format("k {} gaps {} {}", position.k, position.at, position.to);
-    case Family::boundary_split:
-      return fmt::format("k {} gap {}", position.k, position.at);
-    case Family::flip:
-      return "flip";
-    default:
-      return fmt::format("k {}", position.k);
-  }
 }
 
 std::string flip_header(const SolvedFamily& family) {
@@ -173,16 +158,18 @@ std::size_t LinkedFamily::alternatives() const {
 }
 
 RulesHeader linked_header(const std::vector<LinkedFamily>& families, unsigned max_k) {
-  std::set<std::uint32_t> pairings;
+  std::set<std::uint64_t> pairings;
   for (const LinkedFamily& family : families)
     for (const LinkedSection& section : family.sections)
       for (const std::vector<Alternative>& list : section.lists)
-        for (const Alternative& alternative : list) pairings.insert(partners(alternative.pairs));
-  const std::vector<std::uint32_t> pairing(pairings.begin(), pairings.end());
+        for (const Alternative& alternative : list) pairings.insert(partners(alternative.pairs, max_k));
+  const std::vector<std::uint64_t> pairing(pairings.begin(), pairings.end());
+  const bool wide = max_k > 8;
   std::string text = banner("Linked rules: recolourings for what is known of the outside.");
-  text +=
-      fmt::format("inline constexpr Pairings<{}> pairings{{\n{}}};\n", pairing.size(), numbers(pairing, " {:#010x},"));
-  std::size_t bytes = pairing.size() * 4;
+  text += fmt::format("inline constexpr Pairings<{}{}> pairings{{\n{}}};\n", pairing.size(),
+                      wide ? fmt::format(", {}", max_k) : "",
+                      wide ? numbers(pairing, " {:#018x},") : numbers(pairing, " {:#010x},"));
+  std::size_t bytes = pairing.size() * (wide ? 8 : 4);
   for (const LinkedFamily& family : families) {
     std::vector<std::size_t> first(max_k + 1, 0);
     std::vector<std::size_t> start;
@@ -193,7 +180,7 @@ RulesHeader linked_header(const std::vector<LinkedFamily>& families, unsigned ma
       for (const std::vector<Alternative>& list : section.lists) {
         start.push_back(count);
         for (const Alternative& alternative : list) {
-          const auto place = std::lower_bound(pairing.begin(), pairing.end(), partners(alternative.pairs));
+          const auto place = std::lower_bound(pairing.begin(), pairing.end(), partners(alternative.pairs, max_k));
           rules.add(fmt::format(" {{{}, {}}},", alternative.recoloring, place - pairing.begin()));
           ++count;
         }
@@ -204,58 +191,73 @@ RulesHeader linked_header(const std::vector<LinkedFamily>& families, unsigned ma
         "inline constexpr LinkedTable<{}, {}, {}> linked_{}{{\n    {{{}    }},\n    {{\n{}    }},\n    {{{{\n{}    "
         "}}}},\n}};\n",
         max_k, start.size(), count, identifier(family.name), numbers(first).substr(4), numbers(start), rules.text());
-    bytes += 2 * (first.size() + start.size() + 2 * count);
+    bytes += (wide ? 4 : 2) * (first.size() + start.size()) + 4 * count;
   }
   return {text + footer, bytes};
 }
 
-std::string certificate(const SolvedFamily& family) {
-  std::string text;
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "restrip-certificate {}\nfamily {}\n", certificate_version, family.name);
-  for (const Section& section : family.sections) {
-    fmt::format_to(out, "section {}\n", place_of(section.position));
-    const Claims claims = sum(section.claims);
-    fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
-                   claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
-    fmt::format_to(out, "claim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n", claims.costing,
-                   claims.worst_strips, claims.worst_isolated);
-    const bool flip = section.position.family == Family::flip;
-    const Reasoner reasoner(section.position);
-    for (const Row& row : section.rows) {
-      fmt::format_to(out, "{} {:x} {:x} ", row.witness < 0 ? "rule" : "copy", row.key.ports, row.key.joined);
-      if (flip)
-        fmt::format_to(out, "{:x} {:x}", row.kept, row.recoloring);
-      else
-        fmt::format_to(out, "{:x}", row.recoloring);
-      if (row.witness >= 0)
-        fmt::format_to(out, " by {}", section.symmetry[static_cast<std::size_t>(row.witness)].name());
-      else
-        fmt::format_to(out, " because {}", reasoner.reason(row).text());
-      text += '\n';
-    }
+std::string place_of(const Position& position) {
+  switch (position.family) {
+    case Family::split:
+      return fmt::format("k {} a {}", position.k, position.at);
+    case Family::open_split:
+      return fmt::format("k {} gaps {} {}", position.k, position.at, position.to);
+    case Family::boundary_split:
+      return fmt::format("k {} gap {}", position.k, position.at);
+    case Family::flip:
+      return "flip";
+    default:
+      return fmt::format("k {}", position.k);
   }
-  return sealed(std::move(text), family.rows());
 }
 
-std::string linked_certificate(const LinkedFamily& family) {
+std::string section_text(const Section& section) {
   std::string text;
   auto out = std::back_inserter(text);
-  fmt::format_to(out, "restrip-certificate {}\nfamily linked-{}\n", certificate_version, family.name);
-  for (const LinkedSection& section : family.sections) {
-    std::size_t alternatives = 0;
-    std::size_t longest = 0;
-    for (const std::vector<Alternative>& list : section.lists) {
-      alternatives += list.size();
-      longest = std::max(longest, list.size());
-    }
-    fmt::format_to(out, "section {}\nclaim lists {}\nclaim alternatives {}\nclaim longest {}\n",
-                   place_of(section.position), section.lists.size(), alternatives, longest);
-    for (std::size_t ports = 0; ports < section.lists.size(); ++ports)
-      for (const Alternative& alternative : section.lists[ports])
-        fmt::format_to(out, "alternative {:x} {:x}\n", ports, alternative.recoloring);
+  fmt::format_to(out, "section {}\n", place_of(section.position));
+  const Claims claims = sum(section.claims);
+  fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
+                 claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
+  fmt::format_to(out, "claim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n", claims.costing,
+                 claims.worst_strips, claims.worst_isolated);
+  const bool flip = section.position.family == Family::flip;
+  const Reasoner reasoner(section.position);
+  for (const Row& row : section.rows) {
+    fmt::format_to(out, "{} {:x} {:x} ", row.witness < 0 ? "rule" : "copy", row.key.ports, row.key.joined);
+    if (flip)
+      fmt::format_to(out, "{:x} {:x}", row.kept, row.recoloring);
+    else
+      fmt::format_to(out, "{:x}", row.recoloring);
+    if (row.witness >= 0)
+      fmt::format_to(out, " by {}", section.symmetry[static_cast<std::size_t>(row.witness)].name());
+    else
+      fmt::format_to(out, " because {}", reasoner.reason(row).text());
+    text += '\n';
   }
-  return sealed(std::move(text), family.alternatives());
+  return text;
+}
+
+std::string section_text(const LinkedSection& section) {
+  std::string text;
+  auto out = std::back_inserter(text);
+  std::size_t alternatives = 0;
+  std::size_t longest = 0;
+  for (const std::vector<Alternative>& list : section.lists) {
+    alternatives += list.size();
+    longest = std::max(longest, list.size());
+  }
+  fmt::format_to(out, "section {}\nclaim lists {}\nclaim alternatives {}\nclaim longest {}\n",
+                 place_of(section.position), section.lists.size(), alternatives, longest);
+  for (std::size_t ports = 0; ports < section.lists.size(); ++ports)
+    for (const Alternative& alternative : section.lists[ports])
+      fmt::format_to(out, "alternative {:x} {:x}\n", ports, alternative.recoloring);
+  return text;
+}
+
+std::string certificate(const std::string& family, const std::vector<std::string>& texts, std::size_t rows) {
+  std::string text = fmt::format("restrip-certificate {}\nfamily {}\n", certificate_version, family);
+  for (const std::string& section : texts) text += section;
+  return sealed(std::move(text), rows);
 }
 
 }  // namespace restrip::generator

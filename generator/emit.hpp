@@ -14,6 +14,7 @@ namespace restrip::generator {
 struct SolvedFamily {
   std::string name;
   std::vector<Section> sections;
+  std::vector<std::string> texts;  ///< of the sections, as certificates write them
   [[nodiscard]] std::size_t rows() const;
 };
 
@@ -33,16 +34,22 @@ struct RulesHeader {
 struct LinkedFamily {
   std::string name;
   std::vector<LinkedSection> sections;
+  std::vector<std::string> texts;  ///< of the sections, as certificates write them
   [[nodiscard]] std::size_t alternatives() const;
 };
 
 /// restrip/tables/linked.hpp: the lists of all families.
 [[nodiscard]] RulesHeader linked_header(const std::vector<LinkedFamily>& families, unsigned max_k);
 
-/// certificates/FAMILY.cert (docs/certificate.md).
-[[nodiscard]] std::string certificate(const SolvedFamily& family);
+/// A position as certificates write it, after the word `section`.
+[[nodiscard]] std::string place_of(const Position& position);
 
-/// certificates/linked-FAMILY.cert.
-[[nodiscard]] std::string linked_certificate(const LinkedFamily& family);
+/// A solved section as certificates write it, with claims, rows and reasons (docs/certificate.md).
+[[nodiscard]] std::string section_text(const Section& section);
+[[nodiscard]] std::string section_text(const LinkedSection& section);
+
+/// certificates/FAMILY.cert from the texts of its sections.
+[[nodiscard]] std::string certificate(const std::string& family, const std::vector<std::string>& texts,
+                                      std::size_t rows);
 
 }  // namespace restrip::generator

@@ -42,6 +42,7 @@ std::vector<Alternative> list_of(const Position& position, const Side& after, co
     if (!fresh && candidate.rank() < place->second.rank()) place->second = candidate;
   }
   std::vector<Candidate> candidates;
+  candidates.reserve(best.size());
   for (const auto& [pairs, candidate] : best) candidates.push_back(candidate);
   std::sort(candidates.begin(), candidates.end(),
             [](const Candidate& x, const Candidate& y) { return x.rank() < y.rank(); });
@@ -62,21 +63,21 @@ const std::vector<Family>& linked_families() {
   return families;
 }
 
-std::vector<LinkedSection> solve_linked(Family family, unsigned max_k) {
+std::vector<LinkedSection> linked_sections_of(Family family, unsigned max_k) {
   std::vector<LinkedSection> sections;
   for (unsigned k = smallest_valence(family); k <= max_k; ++k) {
     std::vector<Position> places = positions(family, k);
     if (collapses(family)) places = {{family, k, 0, 0}};
-    for (const Position& position : places) {
-      const Side after = patch_of_rows(position).after;
-      const std::vector<Coloring> colorings = legal_colorings(after);
-      LinkedSection section{position, {}};
-      for (Mask ports = 0; ports < Mask{1} << k; ++ports)
-        section.lists.push_back(list_of(position, after, colorings, ports));
-      sections.push_back(std::move(section));
-    }
+    for (const Position& position : places) sections.push_back({position, {}});
   }
   return sections;
+}
+
+void solve(LinkedSection& section) {
+  const Side after = patch_of_rows(section.position).after;
+  const std::vector<Coloring> colorings = legal_colorings(after);
+  for (Mask ports = 0; ports < Mask{1} << section.position.k; ++ports)
+    section.lists.push_back(list_of(section.position, after, colorings, ports));
 }
 
 }  // namespace restrip::generator

@@ -7,12 +7,17 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <mutex>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
 #include "count.hpp"
 #include "dump.hpp"
 #include "emit.hpp"
+#include "part.hpp"
+#include "shard.hpp"
+#include "share.hpp"
 #include "whole_file.hpp"
 
 namespace {
@@ -21,51 +26,71 @@ using namespace restrip::generator;
 
 struct TablesOptions {
   std::string out;
+  std::string shard;
   unsigned max_k = 8;
   unsigned threads = 1;
 };
 
-void make_tables(const TablesOptions& options) {
+/// Solves the parts with these places in `all`, the largest valences first, which take longest.
+void solve_parts(std::vector<Part>& all, std::vector<std::size_t> places, unsigned threads) {
+  std::stable_sort(places.begin(), places.end(),
+                   [&](std::size_t x, std::size_t y) { return position_of(all[x]).k > position_of(all[y]).k; });
   const bool terminal = isatty(STDERR_FILENO) != 0;
+  std::mutex mutex;
+  std::size_t done = 0;
+  share(places.size(), threads, [&](std::size_t i) {
+    solve(all[places[i]]);
+    if (!terminal) return;
+    const std::lock_guard lock(mutex);
+    fmt::print(stderr, "\rsolved {} of {} sections", ++done, places.size());
+  });
+  if (terminal) fmt::print(stderr, "\r{:40}\r", "");
+}
+
+void write_tables(const std::string& out, std::vector<Part> all, unsigned max_k) {
   std::vector<SolvedFamily> families;
+  std::vector<LinkedFamily> linked;
+  for (Part& part : all) {
+    if (auto* section = std::get_if<Section>(&part.section)) {
+      if (families.empty() || families.back().name != part.family) families.push_back({part.family, {}, {}});
+      families.back().sections.push_back(std::move(*section));
+      families.back().texts.push_back(std::move(part.text));
+    } else {
+      const std::string name = name_of(position_of(part).family);
+      if (linked.empty() || linked.back().name != name) linked.push_back({name, {}, {}});
+      linked.back().sections.push_back(std::move(std::get<LinkedSection>(part.section)));
+      linked.back().texts.push_back(std::move(part.text));
+    }
+  }
   std::vector<const Section*> closed_sections;
   std::vector<const Section*> open_sections;
-  for (const std::string& name : certificate_families()) {
-    if (terminal) fmt::print(stderr, "\rsearching {:<20}", name);
-    families.push_back({name, solve(name, options.max_k, options.threads)});
-  }
-  if (terminal) fmt::print(stderr, "\r{:30}\r", "");
   for (const SolvedFamily& family : families)
     for (const Section& section : family.sections)
       if (section.position.family != Family::flip)
         (closed(section.position.family) ? closed_sections : open_sections).push_back(&section);
-  const Packing closed_packing = pack(closed_sections, options.max_k);
-  const Packing open_packing = pack(open_sections, options.max_k);
+  const Packing closed_packing = pack(closed_sections, max_k);
+  const Packing open_packing = pack(open_sections, max_k);
 
   std::map<std::string, std::string> files;
   std::map<std::string, std::size_t> rows;
   std::map<std::string, std::size_t> bytes;
   const std::string headers = "include/restrip/tables/";
-  files[headers + "rows.hpp"] = rows_header(closed_packing, open_packing, options.max_k);
+  files[headers + "rows.hpp"] = rows_header(closed_packing, open_packing, max_k);
   for (const SolvedFamily& family : families) {
     std::string file = family.name;
     std::replace(file.begin(), file.end(), '-', '_');
     const bool on_closed = closed(family.sections[0].position.family);
-    const RulesHeader header = rules_header(family, on_closed ? closed_packing : open_packing, options.max_k);
+    const RulesHeader header = rules_header(family, on_closed ? closed_packing : open_packing, max_k);
     files[headers + file + ".hpp"] = header.text;
     bytes[family.name] = header.bytes;
-    files["certificates/" + family.name + ".cert"] = certificate(family);
+    files["certificates/" + family.name + ".cert"] = certificate(family.name, family.texts, family.rows());
     rows[headers + file + ".hpp"] = rows["certificates/" + family.name + ".cert"] = family.rows();
   }
-  // Pairings of more than eight ports do not fit their four bits each.
-  const unsigned linked_max_k = std::min(options.max_k, 8U);
-  std::vector<LinkedFamily> linked;
-  for (const Family family : linked_families()) linked.push_back({name_of(family), solve_linked(family, linked_max_k)});
-  const RulesHeader linked_rules = linked_header(linked, linked_max_k);
+  const RulesHeader linked_rules = linked_header(linked, max_k);
   files[headers + "linked.hpp"] = linked_rules.text;
   for (const LinkedFamily& family : linked) {
     const std::string path = "certificates/linked-" + family.name + ".cert";
-    files[path] = linked_certificate(family);
+    files[path] = certificate("linked-" + family.name, family.texts, family.alternatives());
     rows[path] = family.alternatives();
     rows[headers + "linked.hpp"] += family.alternatives();
   }
@@ -73,7 +98,7 @@ void make_tables(const TablesOptions& options) {
   for (const auto& [path, contents] : files)
     manifest += fmt::format("{} {} {} {}\n", sha256(contents), contents.size(), rows[path], path);
   files["MANIFEST"] = manifest;
-  write_all(options.out, files);
+  write_all(out, files);
 
   for (const SolvedFamily& family : families)
     fmt::print("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", family.name, family.sections.size(), family.rows(),
@@ -81,6 +106,37 @@ void make_tables(const TablesOptions& options) {
   fmt::print("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", "linked",
              linked[0].sections.size() + linked[1].sections.size(), linked[0].alternatives() + linked[1].alternatives(),
              linked_rules.bytes);
+}
+
+void make_tables(const TablesOptions& options) {
+  std::vector<Part> all = parts(options.max_k);
+  std::vector<std::size_t> everything(all.size());
+  std::iota(everything.begin(), everything.end(), std::size_t{0});
+  solve_parts(all, everything, options.threads);
+  write_tables(options.out, std::move(all), options.max_k);
+}
+
+void make_shard(const TablesOptions& options) {
+  const Shard shard = shard_named(options.shard);
+  const std::string id = generator_id(RESTRIP_VERSION);
+  std::vector<Part> all = parts(options.max_k);
+  const std::vector<std::size_t> places = share_of(all, shard.index, shard.count);
+  solve_parts(all, places, options.threads);
+  std::vector<const Part*> solved;
+  std::size_t rows = 0;
+  for (const std::size_t i : places) {
+    solved.push_back(&all[i]);
+    rows += rows_of(all[i]);
+  }
+  const std::string text = shard_text(shard, options.max_k, id, solved);
+  write_all(options.out, {{file_name(shard), text}});
+  fmt::print("shard {} of {}: {} of {} sections, {} rows, {} bytes\n", shard.index, shard.count, solved.size(),
+             all.size(), rows, text.size());
+}
+
+void merge(const std::string& in, const std::string& out) {
+  Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
+  write_tables(out, std::move(merged.parts), merged.max_k);
 }
 
 }  // namespace
@@ -102,6 +158,20 @@ int main(int argc, char** argv) {
   tables_command->add_option("--threads", tables.threads, "Threads; the bytes written do not depend on it")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  tables_command->add_option("--shard", tables.shard,
+                             "I/N: solve only the I-th of N shares and write DIR/shard-I-of-N.txt, for `merge`");
+  tables_command->footer(
+      "\nExample, two shares by two machines, then all together:\n"
+      "  restrip-generate tables --shard 1/2 --out /tmp/shards\n"
+      "  restrip-generate tables --shard 2/2 --out /tmp/shards\n"
+      "  restrip-generate merge --in /tmp/shards --out /tmp/tables\n");
+
+  std::string merge_in;
+  std::string merge_out;
+  auto* merge_command = app.add_subcommand("merge", "Write from all shards what `tables` writes without --shard");
+  merge_command->add_option("--in", merge_in, "Directory that holds the shards")->required();
+  merge_command->add_option("--out", merge_out, "Directory that receives the tables")->required();
+  merge_command->footer("\nExample:\n  restrip-generate merge --in /tmp/shards --out /tmp/tables\n");
 
   std::string family = "split";
   unsigned k = 0;
@@ -140,7 +210,8 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   try {
-    if (*tables_command) make_tables(tables);
+    if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
+    if (*merge_command) merge(merge_in, merge_out);
     if (*dump_command) {
       const Family chosen = names.at(family);
       if (chosen != Family::flip && (k_option->empty() || k < smallest_valence(chosen)))

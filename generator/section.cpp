@@ -1,15 +1,13 @@
 #include "section.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <limits>
 #include <map>
-#include <set>
 #include <stdexcept>
-#include <thread>
 
 #include "search.hpp"
+#include "share.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -43,35 +41,53 @@ std::vector<unsigned> inverse(const std::vector<unsigned>& to) {
   return from;
 }
 
-/// Orbits of all configurations, or of the valid ones, each found by its smallest member.
-void count_orbits(const Patch& patch, const std::vector<Symmetry>& group,
-                  const std::vector<std::pair<Mask, Mask>>& valid, Claims& claims) {
-  const auto images = [](std::size_t bits, const std::vector<unsigned>& to) {
-    std::vector<Mask> image(std::size_t{1} << bits);
-    for (Mask mask = 0; mask < image.size(); ++mask) image[mask] = permute(mask, to);
-    return image;
-  };
-  std::vector<std::vector<Mask>> before;
-  std::vector<std::vector<Mask>> ports;
-  for (const Symmetry& s : group) {
-    before.push_back(images(patch.before.edges.size(), s.before));
-    ports.push_back(images(patch.before.owner.size(), s.port));
+/// Tells the smallest configuration of each orbit.
+class Smallest {
+ public:
+  Smallest(const Patch& patch, const std::vector<Symmetry>& group) {
+    const auto images = [](std::size_t bits, const std::vector<unsigned>& to) {
+      std::vector<Mask> image(std::size_t{1} << bits);
+      for (Mask mask = 0; mask < image.size(); ++mask) image[mask] = permute(mask, to);
+      return image;
+    };
+    for (const Symmetry& s : group) {
+      before_.push_back(images(patch.before.edges.size(), s.before));
+      ports_.push_back(images(patch.before.owner.size(), s.port));
+    }
   }
-  const auto smallest = [&](Mask b, Mask p) {
-    for (std::size_t s = 0; s < group.size(); ++s)
-      if (std::pair{before[s][b], ports[s][p]} < std::pair{b, p}) return false;
+  [[nodiscard]] bool operator()(Mask before, Mask ports) const {
+    for (std::size_t s = 0; s < before_.size(); ++s)
+      if (std::pair{before_[s][before], ports_[s][ports]} < std::pair{before, ports}) return false;
     return true;
-  };
-  for (Mask b = 0; b < before[0].size(); ++b)
-    for (Mask p = 0; p < ports[0].size(); ++p) claims.orbits += smallest(b, p) ? 1U : 0U;
-  for (const auto& [b, p] : valid) claims.valid_orbits += smallest(b, p) ? 1U : 0U;
+  }
+  [[nodiscard]] std::size_t orbits() const {
+    std::size_t n = 0;
+    for (Mask before = 0; before < before_[0].size(); ++before)
+      for (Mask ports = 0; ports < ports_[0].size(); ++ports) n += (*this)(before, ports) ? 1U : 0U;
+    return n;
+  }
+
+ private:
+  std::vector<std::vector<Mask>> before_;
+  std::vector<std::vector<Mask>> ports_;
+};
+
+/// The keys that some valid configuration has, in ascending order. Configurations are many (26 million at one position
+/// of k = 12) and are not kept.
+std::vector<Key> keys_of(const Section& section) {
+  const auto bits = static_cast<unsigned>(make_patch(section.serves[0]).before.owner.size());
+  std::vector<bool> has(std::size_t{1} << (2 * bits), false);
+  for (const Position& p : section.serves)
+    for_each_valid(p, make_patch(p).before,
+                   [&](const Configuration& c) { has[std::size_t{c.key.ports} << bits | c.key.joined] = true; });
+  std::vector<Key> keys;
+  for (std::size_t i = 0; i < has.size(); ++i)
+    if (has[i]) keys.push_back({static_cast<Mask>(i >> bits), static_cast<Mask>(i & ((std::size_t{1} << bits) - 1))});
+  return keys;
 }
 
-void find_rows(Section& section, const std::vector<std::vector<Configuration>>& configurations) {
-  std::set<Key> keys;
-  for (const auto& list : configurations)
-    for (const Configuration& c : list) keys.insert(c.key);
-
+void find_rows(Section& section) {
+  const std::vector<Key> keys = keys_of(section);
   const Side after = patch_of_rows(section.position).after;
   const std::vector<Coloring> colorings = legal_colorings(after);
   std::map<Key, Row> rows;
@@ -105,23 +121,22 @@ void find_rows(Section& section, const std::vector<std::vector<Configuration>>& 
   for (const auto& [key, row] : rows) section.rows.push_back(row);
 }
 
-void make_claims(Section& section, const std::vector<std::vector<Configuration>>& configurations,
-                 const std::vector<std::vector<Symmetry>>& groups) {
-  for (std::size_t i = 0; i < section.serves.size(); ++i) {
-    const Patch patch = make_patch(section.serves[i]);
+void make_claims(Section& section) {
+  for (const Position& position : section.serves) {
+    const Patch patch = make_patch(position);
+    const Smallest smallest(patch, symmetries(patch));
     Claims claims;
     claims.configurations = std::size_t{1} << (patch.before.edges.size() + patch.before.owner.size());
-    claims.valid = configurations[i].size();
+    claims.orbits = smallest.orbits();
     claims.worst_strips = claims.worst_isolated = std::numeric_limits<int>::min();
-    std::vector<std::pair<Mask, Mask>> valid;
-    for (const Configuration& c : configurations[i]) {
+    for_each_valid(position, patch.before, [&](const Configuration& c) {
       const Cost cost = cost_of(patch, c, row_of(section, c.key));
       claims.costing += cost.strips >= 1 ? 1U : 0U;
       claims.worst_strips = std::max(claims.worst_strips, cost.strips);
       claims.worst_isolated = std::max(claims.worst_isolated, cost.isolated);
-      valid.emplace_back(c.before, c.ports);
-    }
-    count_orbits(patch, groups[i], valid, claims);
+      ++claims.valid;
+      claims.valid_orbits += smallest(c.before, c.ports) ? 1U : 0U;
+    });
     section.claims.push_back(claims);
   }
 }
@@ -138,7 +153,7 @@ Patch patch_of_rows(const Position& position) {
   return collapses(position.family) ? make_fan_patch(position.k, closed(position.family)) : make_patch(position);
 }
 
-std::vector<Section> solve(const std::string& certificate_family, unsigned max_k, unsigned threads) {
+std::vector<Section> sections_of(const std::string& certificate_family, unsigned max_k) {
   const Family family = family_named(certificate_family);
   std::vector<Section> sections;
   if (family == Family::flip) {
@@ -155,31 +170,19 @@ std::vector<Section> solve(const std::string& certificate_family, unsigned max_k
       sections.push_back({{family, k, 0, 0}, serves, {}, {}, {}});
     }
   }
-  // nauty keeps state of its own between calls, so the symmetries are found before the threads start.
-  std::vector<std::vector<std::vector<Symmetry>>> groups(sections.size());
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    sections[i].symmetry = symmetries(patch_of_rows(sections[i].position));
-    for (const Position& p : sections[i].serves) groups[i].push_back(symmetries(make_patch(p)));
-  }
+  return sections;
+}
 
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < sections.size(); i = next++) {
-      // The largest valences take longest: start with them.
-      Section& section = sections[sections.size() - 1 - i];
-      std::vector<std::vector<Configuration>> configurations;
-      for (const Position& p : section.serves) {
-        auto& list = configurations.emplace_back();
-        for_each_valid(p, make_patch(p).before, [&](const Configuration& c) { list.push_back(c); });
-      }
-      find_rows(section, configurations);
-      make_claims(section, configurations, groups[sections.size() - 1 - i]);
-    }
-  };
-  std::vector<std::jthread> pool;
-  for (unsigned t = 1; t < threads; ++t) pool.emplace_back(work);
-  work();
-  pool.clear();
+void solve(Section& section) {
+  section.symmetry = symmetries(patch_of_rows(section.position));
+  find_rows(section);
+  make_claims(section);
+}
+
+std::vector<Section> solve(const std::string& certificate_family, unsigned max_k, unsigned threads) {
+  std::vector<Section> sections = sections_of(certificate_family, max_k);
+  // The largest valences take longest: start with them.
+  share(sections.size(), threads, [&](std::size_t i) { solve(sections[sections.size() - 1 - i]); });
   return sections;
 }
 

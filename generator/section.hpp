@@ -48,8 +48,14 @@ struct Section {
 /// What the rows of a position act on: its patch, or the fan alone when the operation removes triangles.
 [[nodiscard]] Patch patch_of_rows(const Position& position);
 
-/// Every section of a certificate, for valences up to max_k (at most 13, so that a recolouring has 16 bits).
-/// The work is shared by `threads`; the result does not depend on their number.
+/// Every section of a certificate in ascending order of position, as yet without symmetries, rows and claims, for
+/// valences up to max_k (at most 13, so that a recolouring has 16 bits).
+[[nodiscard]] std::vector<Section> sections_of(const std::string& certificate_family, unsigned max_k);
+
+/// Finds what a section lacks. Threads may solve different sections at the same time.
+void solve(Section& section);
+
+/// Every section of a certificate, solved. The work is shared by `threads`; the result does not depend on their number.
 [[nodiscard]] std::vector<Section> solve(const std::string& certificate_family, unsigned max_k, unsigned threads);
 
 /// The row of a key that some valid configuration has.

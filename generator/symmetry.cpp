@@ -4,6 +4,7 @@
 #include <nauty/nauty.h>
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -15,7 +16,10 @@ namespace {
 using Permutation = std::vector<unsigned>;
 
 // nauty reports the generators of the group to a plain function.
-thread_local std::vector<Permutation>* generators = nullptr;
+std::vector<Permutation>* generators = nullptr;
+
+// nauty keeps state of its own between calls.
+std::mutex one_at_a_time;
 
 void take_generator(int, int* image, int*, int, int, int n) {
   Permutation p;
@@ -52,6 +56,7 @@ std::vector<Permutation> automorphisms(const Patch& patch) {
   options.userautomproc = take_generator;
   statsblk stats;
   std::vector<Permutation> found;
+  const std::lock_guard lock(one_at_a_time);
   generators = &found;
   densenauty(g.data(), lab.data(), ptn.data(), orbits.data(), &options, &stats, m, static_cast<int>(n), nullptr);
   generators = nullptr;

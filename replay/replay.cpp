@@ -9,10 +9,10 @@
 #include "baked_file.hpp"
 #include "coloring_check.hpp"
 #include "progress.hpp"
-#include "restrip/adopt.hpp"
 #include "restrip/baked.hpp"
 #include "restrip/checks.hpp"
 #include "restrip/detail/patch_triangles.hpp"
+#include "restrip/strip_buffer.hpp"
 #include "restrip/stripify.hpp"
 #include "restrip/strips.hpp"
 #include "stopwatch.hpp"
@@ -27,7 +27,7 @@ class Replay {
     if (options_.baked != nullptr)
       base_ = options_.baked->base;
     else
-      stripify(base_, tunnels() ? Effort::full : Effort::fast);
+      stripify(base_, max_states(options_.policy) != 0 ? Effort::full : Effort::fast);
     // One mesh serves every run, so that its memory is there before the first clock starts.
     mesh_.reserve(mesh.fine_triangles(), mesh.points.size());
     report_.base_triangles = base_.triangle_count();
@@ -37,6 +37,8 @@ class Replay {
   ReplayReport run(const std::vector<Corners>& original) {
     watch_the_way_up();
     if (report_.operations_without_rule == 0) {
+      watch_the_way_down();
+      measure_buffer();
       measure();
       check_top(original.empty() ? bare_triangles() : original);
       const std::size_t cycles = std::max<std::size_t>(options_.cycles, options_.baked != nullptr ? 1 : 0);
@@ -49,12 +51,11 @@ class Replay {
   using Halfedge = StripMesh::Halfedge;
 
   // ---- one operation, under the policy
-  [[nodiscard]] bool tunnels() const noexcept { return options_.policy != Policy::local; }
   void start_from_base() {
     mesh_ = base_;
     if (options_.baked != nullptr)
       player_.emplace(mesh_, options_.baked->records);
-    else if (tunnels())
+    else
       keeper_.emplace(mesh_, options_.policy);
   }
   /// Baked: nobody counts valence and isolated triangles; they are 0.
@@ -65,7 +66,7 @@ class Replay {
       const BakedRewrite<Halfedge> done = player_->split(i, where, v_t);
       return {done.halfedge, 0, done.strips, 0};
     }
-    return keeper_ ? keeper_->split(where, v_t) : split_and_adopt(mesh_, where, v_t);
+    return keeper_->split(where, v_t);
   }
   Rewrite<Halfedge> collapse_one(std::size_t i) {
     const Halfedge chord = mesh_.spoke(source_.splits[i].v_s, source_.splits[i].v_t);
@@ -73,7 +74,7 @@ class Replay {
       const BakedRewrite<Halfedge> done = player_->collapse(i, chord);
       return {done.halfedge, 0, done.strips, 0};
     }
-    return keeper_ ? keeper_->collapse(chord) : collapse_and_adopt(mesh_, chord);
+    return keeper_->collapse(chord);
   }
 
   // ---- the way up, with everything counted
@@ -91,6 +92,47 @@ class Replay {
     }
     record_level();
     report_.triangles = mesh_.triangle_count();
+  }
+
+  // ---- the way back, the same levels counted
+  void watch_the_way_down() {
+    std::size_t next = report_.levels.size();
+    const auto at_level = [&] { return next > 0 && mesh_.triangle_count() == report_.levels[next - 1].triangles; };
+    Progress progress("replaying backward", source_.splits.size());
+    for (std::size_t i = source_.splits.size(); i-- > 0;) {
+      if (at_level()) report_.levels_down.push_back(level()), --next;
+      collapse_one(i);
+      progress.at(source_.splits.size() - i);
+    }
+    while (at_level()) report_.levels_down.push_back(level()), --next;
+    std::reverse(report_.levels_down.begin(), report_.levels_down.end());
+  }
+
+  // ---- what a renderer would have to upload, kept in step after every operation
+  void measure_buffer() {
+    if (source_.splits.empty() || options_.repeats == 0) return;
+    start_from_base();
+    std::vector<Triangle> changed;
+    mesh_.watch(&changed);
+    StripBuffer buffer(mesh_);
+    std::size_t written = 0;
+    const auto update = [&] {
+      for (const auto& range : buffer.update(mesh_, changed)) written += range.count;
+      changed.clear();
+    };
+    Progress progress("keeping an index buffer", source_.splits.size());
+    for (std::size_t i = 0; i < source_.splits.size(); ++i) {
+      split_one(i);
+      update();
+      progress.at(i);
+    }
+    mesh_.watch(nullptr);
+    constexpr auto bytes_each = static_cast<double>(sizeof(std::uint32_t));
+    report_.buffer_bytes = buffer.indices().size_bytes();
+    report_.bytes_written_per_operation =
+        static_cast<double>(written) * bytes_each / static_cast<double>(source_.splits.size());
+    if (sorted_triangles(decode_strips(buffer.indices())) != sorted_triangles(triangles_of(mesh_)))
+      report_.faults.emplace_back("the index buffer that was kept in step does not draw the mesh");
   }
 
   /// Geometric steps from the base, the finest level excluded.
@@ -271,7 +313,7 @@ class Replay {
   ReplayOptions options_;
   StripMesh base_;
   StripMesh mesh_;
-  std::optional<StripKeeper> keeper_;  // neither: the local rules alone
+  std::optional<StripKeeper> keeper_;
   std::optional<BakedPlayer<StripMesh>> player_;
   std::size_t strips_now_ = 0;
   std::vector<std::uint64_t> hashes_;  // of the strips at each reported level, if baked

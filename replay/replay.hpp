@@ -48,7 +48,8 @@ struct ReplayReport {
   std::size_t operations_adding_strip = 0;
   std::vector<std::size_t> by_valence;  ///< [k]: splits of a fan of k triangles
   std::size_t most_strips = 0;          ///< of all levels on the first way up, every split counted
-  std::vector<Level> levels;
+  std::vector<Level> levels;            ///< on the way up
+  std::vector<Level> levels_down;       ///< the same levels on the way back, the coarsest first as well
   std::vector<Cycle> cycles;
   /// Medians over the repeats. A split starts from vertices: finding its spokes is part of it, with strips and bare
   /// alike.
@@ -56,6 +57,9 @@ struct ReplayReport {
   double ns_per_operation_bare = 0;
   double ns_per_collapse = 0;
   double ns_per_collapse_bare = 0;
+  /// An index buffer kept in step after every split of the way up (strip_buffer.hpp).
+  std::size_t buffer_bytes = 0;  ///< in the end
+  double bytes_written_per_operation = 0;
   std::size_t levels_compared = 0;  ///< baked: levels reached again, with the same strips
   std::vector<std::string> faults;  ///< what a check found; empty when all is well
 

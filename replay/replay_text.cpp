@@ -22,6 +22,16 @@ Json json_of(const WalkTaken& walk) {
           {"trace", report.trace}};
 }
 
+Json json_of(const std::vector<Level>& levels) {
+  Json json = Json::array();
+  for (const Level& level : levels)
+    json.push_back({{"triangles", level.triangles},
+                    {"strips", level.strips},
+                    {"isolated", level.isolated},
+                    {"indices", level.indices}});
+  return json;
+}
+
 double ratio(std::size_t a, std::size_t b) { return b == 0 ? 0.0 : static_cast<double>(a) / static_cast<double>(b); }
 double percent(std::size_t part, std::size_t whole) { return 100.0 * ratio(part, whole); }
 
@@ -42,11 +52,17 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
     fmt::format_to(out, "  left alone: {} vertices where the mesh is no manifold, {} beside them\n",
                    left.irregular_vertices, left.frozen_vertices);
 
-  fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17}\n", "triangles", "strips", "per strip", "isolated",
-                 "indices per tri.");
-  for (const Level& level : report.levels)
-    fmt::format_to(out, "  {:>10} {:>10} {:>14.2f} {:>10} {:>17.3f}\n", level.triangles, level.strips,
+  fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17}   {}\n", "triangles", "strips", "per strip", "isolated",
+                 "indices per tri.", "on the way back: strips, per strip");
+  for (std::size_t i = 0; i < report.levels.size(); ++i) {
+    const Level& level = report.levels[i];
+    fmt::format_to(out, "  {:>10} {:>10} {:>14.2f} {:>10} {:>17.3f}", level.triangles, level.strips,
                    ratio(level.triangles, level.strips), level.isolated, ratio(level.indices, level.triangles));
+    if (i < report.levels_down.size())
+      fmt::format_to(out, " {:>25} {:>10.2f}", report.levels_down[i].strips,
+                     ratio(report.levels_down[i].triangles, report.levels_down[i].strips));
+    text += '\n';
+  }
 
   fmt::format_to(out, "\n  splits by valence:");
   for (std::size_t k = 0; k < report.by_valence.size(); ++k)
@@ -63,6 +79,9 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   };
   cost("a split with its strips", report.ns_per_operation, report.ns_per_operation_bare);
   cost("a collapse with its strips", report.ns_per_collapse, report.ns_per_collapse_bare);
+  if (report.buffer_bytes != 0)
+    fmt::format_to(out, "\n  {:<41}{:>10.0f} bytes, of {}", "index buffer, written anew for a split",
+                   report.bytes_written_per_operation, report.buffer_bytes);
   fmt::format_to(out, "\n  {:<41}{:>10}", "most strips of all levels", report.most_strips);
   if (subject.baked) {
     fmt::format_to(out, "\n  {:<41}{:>10.2f}, {:.1f} bytes", "flips of a record", subject.baked->flips_per_record,
@@ -109,12 +128,6 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
   Json by_valence = Json::object();
   for (std::size_t k = 0; k < report.by_valence.size(); ++k)
     if (report.by_valence[k] != 0) by_valence[std::to_string(k)] = report.by_valence[k];
-  Json levels = Json::array();
-  for (const Level& level : report.levels)
-    levels.push_back({{"triangles", level.triangles},
-                      {"strips", level.strips},
-                      {"isolated", level.isolated},
-                      {"indices", level.indices}});
   Json cycles = Json::array();
   for (const Cycle& cycle : report.cycles)
     cycles.push_back({{"base_strips", cycle.base.strips},
@@ -133,7 +146,8 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"operations_isolating", report.operations_isolating},
       {"operations_adding_strip", report.operations_adding_strip},
       {"by_valence", std::move(by_valence)},
-      {"levels", std::move(levels)},
+      {"levels", json_of(report.levels)},
+      {"levels_down", json_of(report.levels_down)},
       {"triangles_per_strip",
        report.levels.empty() ? 0.0 : ratio(report.levels.back().triangles, report.levels.back().strips)},
       {"policy", subject.policy},
@@ -143,6 +157,8 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"ns_per_operation_bare", report.ns_per_operation_bare},
       {"ns_per_collapse", report.ns_per_collapse},
       {"ns_per_collapse_bare", report.ns_per_collapse_bare},
+      {"buffer_bytes", report.buffer_bytes},
+      {"buffer_bytes_written_per_operation", report.bytes_written_per_operation},
       {"left_out",
        {{"degenerate_triangles", subject.left_out.degenerate_triangles},
         {"irregular_vertices", subject.left_out.irregular_vertices},

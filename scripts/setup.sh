@@ -27,4 +27,7 @@ need() {
 build_packages=(g++ cmake ninja-build libboost-graph-dev libnauty2-dev libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
   libssl-dev libgtest-dev)
 # Wanted by tests alone.
-test_packages=(libcgal-dev libtbb-dev cadical python3 clang-14 libclang-rt-14-dev clang-tidy-14 clang-format-14 xz-utils)
+test_packages=(libcgal-dev libtbb-dev cadical python3 clang-14 libclang-rt-14-dev clang-tidy-14 clang-format-14 xz-utils
+  parallel openmpi-bin)
+# Wanted by performance.sh alone.
+bench_packages=(libbenchmark-dev libmeshoptimizer-dev python3 clang-14)

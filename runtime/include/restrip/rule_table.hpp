@@ -18,22 +18,27 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace restrip {
 
 /// The largest valence that has tables. Larger ones are answered by the exact solver (exact.hpp).
 inline constexpr unsigned table_max_k = 8;
 
+/// Places inside a table: 16 bits where they suffice, 32 in tables that go beyond k = 8 (docs/shards.md).
+template <unsigned MaxK>
+using TableIndex = std::conditional_t<MaxK <= 8, std::uint16_t, std::uint32_t>;
+
 /// Where the rows of keys start, for closed or for open fans: index 1 << k | ports.
 template <unsigned MaxK>
-using RowStarts = std::array<std::uint16_t, std::size_t{2} << MaxK>;
+using RowStarts = std::array<TableIndex<MaxK>, std::size_t{2} << MaxK>;
 
 /// The rules of one family. `Entry` has room for a recolouring: k + 3 bits for splits, k bits for collapses.
 template <class Entry, unsigned MaxK, std::size_t Cells>
 struct RuleTable {
-  std::array<std::uint32_t, MaxK + 1> first;  ///< where the blocks of valence k start
-  std::array<std::uint16_t, MaxK + 1> cells;  ///< cells in one block of valence k
-  std::array<Entry, Cells> rules;             ///< recolourings; cells without a key hold 0
+  std::array<std::uint32_t, MaxK + 1> first;     ///< where the blocks of valence k start
+  std::array<TableIndex<MaxK>, MaxK + 1> cells;  ///< cells in one block of valence k
+  std::array<Entry, Cells> rules;                ///< recolourings; cells without a key hold 0
 };
 
 /// The rules of the flip, index inner << 4 | ports: the new inner edge in bit 4, the ports kept in bits 0 … 3; 0xff
@@ -46,16 +51,17 @@ struct LinkedRule {
   std::uint16_t pairing = 0;
 };
 
-/// Pairings of up to eight ports: four bits for each port, its partner, or itself when it has none.
-template <std::size_t N>
-using Pairings = std::array<std::uint32_t, N>;
+/// Pairings of up to eight ports, sixteen in tables that go beyond k = 8: four bits for each port, its partner, or
+/// itself when it has none.
+template <std::size_t N, unsigned MaxK = 8>
+using Pairings = std::array<std::conditional_t<MaxK <= 8, std::uint32_t, std::uint64_t>, N>;
 
 /// The linked rules of one family (linked.hpp): for each position and port mask a list of recolourings, best first. The
 /// list with index first[k] + (place << k) + ports goes from start[index] up to start[index + 1].
 template <unsigned MaxK, std::size_t Starts, std::size_t Rules>
 struct LinkedTable {
-  std::array<std::uint16_t, MaxK + 1> first;
-  std::array<std::uint16_t, Starts> start;
+  std::array<TableIndex<MaxK>, MaxK + 1> first;
+  std::array<TableIndex<MaxK>, Starts> start;
   std::array<LinkedRule, Rules> rules;
 };
 

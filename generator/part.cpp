@@ -1,0 +1,75 @@
+#include "part.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+#include "emit.hpp"
+
+namespace restrip::generator {
+namespace {
+
+/// About proportional to the time that a part takes, as measured for k = 8 … 10: it grows fourfold with k.
+std::uint64_t weight(const Part& part) {
+  const Position& position = position_of(part);
+  std::uint64_t unit = 1;
+  if (const auto* section = std::get_if<Section>(&part.section)) {
+    const bool split = position.family == Family::split;
+    if (split || position.family == Family::open_split) unit = split ? 8 : 4;
+    // The claims of a collapse count the configurations of every position served.
+    if (collapses(position.family)) unit = section->serves.size() * (closed(position.family) ? 2 : 1);
+  } else if (!collapses(position.family)) {
+    unit = 3;
+  }
+  return unit << (2 * position.k);
+}
+
+}  // namespace
+
+std::vector<Part> parts(unsigned max_k) {
+  std::vector<Part> all;
+  for (const std::string& family : certificate_families())
+    for (Section& section : sections_of(family, max_k)) all.push_back({family, std::move(section), {}});
+  for (const Family family : linked_families())
+    for (LinkedSection& section : linked_sections_of(family, max_k))
+      all.push_back({"linked-" + name_of(family), std::move(section), {}});
+  return all;
+}
+
+const Position& position_of(const Part& part) {
+  return std::visit([](const auto& section) -> const Position& { return section.position; }, part.section);
+}
+
+std::size_t rows_of(const Part& part) {
+  if (const auto* section = std::get_if<Section>(&part.section)) return section->rows.size();
+  std::size_t rows = 0;
+  for (const auto& list : std::get<LinkedSection>(part.section).lists) rows += list.size();
+  return rows;
+}
+
+void solve(Part& part) {
+  std::visit(
+      [&](auto& section) {
+        solve(section);
+        part.text = section_text(section);
+      },
+      part.section);
+}
+
+std::vector<std::size_t> share_of(const std::vector<Part>& all, unsigned index, unsigned count) {
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t x, std::size_t y) { return weight(all[x]) > weight(all[y]); });
+  std::vector<std::uint64_t> load(count, 0);
+  std::vector<std::size_t> share;
+  for (const std::size_t i : order) {
+    const auto least = std::min_element(load.begin(), load.end());
+    *least += weight(all[i]);
+    if (least - load.begin() == static_cast<std::ptrdiff_t>(index) - 1) share.push_back(i);
+  }
+  std::sort(share.begin(), share.end());
+  return share;
+}
+
+}  // namespace restrip::generator

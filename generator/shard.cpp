@@ -1,0 +1,275 @@
+#include "shard.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include "emit.hpp"
+#include "whole_file.hpp"
+
+namespace restrip::generator {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr unsigned shard_version = 1;
+constexpr std::size_t digest_length = 64;
+
+std::string head(const Shard& shard, unsigned max_k, const std::string& id) {
+  return fmt::format("restrip-shard {}\ngenerator {}\nmax-k {}\nshard {} of {}\n", shard_version, id, max_k,
+                     shard.index, shard.count);
+}
+
+std::string command(const Shard& shard, unsigned max_k, const fs::path& directory) {
+  return fmt::format("restrip-generate tables --shard {}/{} --max-k {} --out {}", shard.index, shard.count, max_k,
+                     directory.string());
+}
+
+/// Words and numbers of one line; `good` stays true as long as all was as expected.
+class Words {
+ public:
+  explicit Words(std::string_view line) : rest_(line) {}
+
+  std::string_view next() {
+    const std::size_t end = std::min(rest_.find(' '), rest_.size());
+    const std::string_view word = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    return word;
+  }
+  void expect(std::string_view word) { good = next() == word && good; }
+  Mask number(int base, Mask end) {
+    const std::string_view word = next();
+    Mask value = 0;
+    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value, base);
+    good = good && error == std::errc{} && stop == word.data() + word.size() && value < end;
+    return value;
+  }
+  [[nodiscard]] bool at_end() const { return rest_.empty(); }
+
+  bool good = true;
+
+ private:
+  std::string_view rest_;
+};
+
+/// A file line by line, with the place for complaints.
+struct Reader {
+  fs::path file;
+  std::string remedy;
+  std::string_view text;
+  std::size_t at = 0;
+  std::size_t line = 1;
+
+  [[nodiscard]] std::string_view peek() const { return text.substr(at, text.find('\n', at) - at); }
+  void skip() {
+    at += peek().size() + 1;
+    ++line;
+  }
+  [[noreturn]] void refuse(const std::string& wanted) const {
+    throw std::runtime_error(
+        fmt::format("{}:{}: '{}' where {} should be; {}", file.string(), line, peek(), wanted, remedy));
+  }
+  void expect(const std::string& wanted) {
+    if (peek() != wanted) refuse("'" + wanted + "'");
+    skip();
+  }
+  [[nodiscard]] bool starts(std::string_view word) const { return text.substr(at, word.size()) == word; }
+};
+
+void read_rows(Section& section, Reader& reader) {
+  const bool flip = section.position.family == Family::flip;
+  const Side after = patch_of_rows(section.position).after;
+  const Mask ports_end = Mask{1} << after.owner.size();
+  const Mask inner_end = Mask{1} << after.edges.size();
+  for (; reader.starts("rule ") || reader.starts("copy "); reader.skip()) {
+    Words words(reader.peek());
+    const bool rule = words.next() == "rule";
+    Row row;
+    row.key.ports = words.number(16, ports_end);
+    row.key.joined = words.number(16, flip ? 2 : ports_end);
+    row.kept = flip ? words.number(16, ports_end) : row.key.ports;
+    row.recoloring = words.number(16, inner_end);
+    words.expect(rule ? "because" : "by");
+    if (!words.good || words.at_end() || (!section.rows.empty() && !(section.rows.back().key < row.key)))
+      reader.refuse("the row of a greater key");
+    section.rows.push_back(row);
+  }
+  if (section.rows.empty()) reader.refuse("a row");
+}
+
+void read_rows(LinkedSection& section, Reader& reader) {
+  const Side after = patch_of_rows(section.position).after;
+  const std::vector<Coloring> colorings = legal_colorings(after);
+  section.lists.resize(std::size_t{1} << after.owner.size());
+  Mask last = 0;
+  for (; reader.starts("alternative "); reader.skip()) {
+    Words words(reader.peek());
+    words.next();
+    const Mask ports = words.number(16, Mask{1} << after.owner.size());
+    const Mask inner = words.number(16, Mask{1} << after.edges.size());
+    const auto coloring = std::lower_bound(colorings.begin(), colorings.end(), inner,
+                                           [](const Coloring& c, Mask wanted) { return c.inner < wanted; });
+    std::optional<Outcome> outcome;
+    if (words.good && words.at_end() && ports >= last && coloring != colorings.end() && coloring->inner == inner)
+      outcome = with_ports(after, *coloring, ports);
+    if (!outcome) reader.refuse("a legal recolouring of these or greater ports");
+    std::sort(outcome->pairs.begin(), outcome->pairs.end());
+    section.lists[ports].push_back({inner, outcome->solid, outcome->isolated, outcome->pairs});
+    last = ports;
+  }
+  for (const auto& list : section.lists)
+    if (list.empty()) reader.refuse("a list for every port mask");
+}
+
+void read_part(Part& part, Reader& reader) {
+  const std::size_t begin = reader.at;
+  reader.expect("section " + place_of(position_of(part)));
+  while (reader.starts("claim ")) reader.skip();
+  std::visit([&](auto& section) { read_rows(section, reader); }, part.section);
+  part.text = reader.text.substr(begin, reader.at - begin);
+}
+
+struct File {
+  fs::path path;
+  std::string text;
+  Shard shard;
+  unsigned max_k = 0;
+};
+
+/// The file with its head understood and its digest checked.
+File open_shard(const fs::path& path, const std::string& id) {
+  std::ifstream in(path, std::ios::binary);
+  File file{path, {std::istreambuf_iterator<char>(in), {}}, {}, 0};
+  if (!in) throw std::runtime_error(fmt::format("{}: cannot be read; look at its permissions", path.string()));
+  const std::string& text = file.text;
+  const auto refuse = [&](const std::string& why) {
+    throw std::runtime_error(fmt::format("{}: {}", path.string(), why));
+  };
+  const std::string last = "end ";
+  const std::size_t tail = last.size() + digest_length + 1;
+  const std::size_t body = text.size() < tail ? 0 : text.size() - tail;
+  if (body == 0 || text.substr(body) != last + sha256(text.substr(0, body)) + "\n")
+    refuse("is truncated or was altered (its last line does not fit to the rest); remove it and run its shard again");
+  Reader reader{path, "remove it and run its shard again", text};
+  reader.expect(fmt::format("restrip-shard {}", shard_version));
+  if (reader.peek() != "generator " + id)
+    refuse("was written by another version of restrip-generate; run all shards again with one version");
+  reader.skip();
+  Words max_k(reader.peek());
+  max_k.expect("max-k");
+  file.max_k = max_k.number(10, 14);
+  if (!max_k.good || file.max_k < 3) reader.refuse("'max-k' and a number from 3 to 13");
+  reader.skip();
+  Words shard(reader.peek());
+  shard.expect("shard");
+  file.shard.index = shard.number(10, 10000);
+  shard.expect("of");
+  file.shard.count = shard.number(10, 10000);
+  if (text.rfind(head(file.shard, file.max_k, id), 0) != 0 || file.shard.index < 1 ||
+      file.shard.index > file.shard.count)
+    reader.refuse("'shard I of N'");
+  return file;
+}
+
+}  // namespace
+
+Shard shard_named(const std::string& text) {
+  std::string blank = text;
+  std::replace(blank.begin(), blank.end(), '/', ' ');
+  Words words(blank);
+  const Shard shard{words.number(10, 10000), words.number(10, 10000)};
+  if (shard.index < 1 || shard.index > shard.count || fmt::format("{}/{}", shard.index, shard.count) != text)
+    throw std::invalid_argument(
+        fmt::format("--shard {}: write I/N with 1 <= I <= N <= 9999, as in --shard 3/16", text));
+  return shard;
+}
+
+std::string generator_id(const std::string& version) {
+  std::string rules;
+  for (Part& part : parts(4)) {
+    solve(part);
+    rules += part.text;
+  }
+  return version + " " + sha256(rules);
+}
+
+std::string file_name(const Shard& shard) { return fmt::format("shard-{:04}-of-{:04}.txt", shard.index, shard.count); }
+
+std::string shard_text(const Shard& shard, unsigned max_k, const std::string& id,
+                       const std::vector<const Part*>& share) {
+  std::string text = head(shard, max_k, id);
+  std::string family;
+  for (const Part* part : share) {
+    if (part->family != family) text += fmt::format("family {}\n", part->family);
+    family = part->family;
+    text += part->text;
+  }
+  return text + "end " + sha256(text) + "\n";
+}
+
+Merged read_shards(const fs::path& directory, const std::string& id) {
+  std::error_code error;
+  std::vector<fs::path> paths;
+  for (fs::directory_iterator entry(directory, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.rfind("shard-", 0) == 0 && entry->path().extension() == ".txt") paths.push_back(entry->path());
+  }
+  if (error)
+    throw std::runtime_error(fmt::format("{}: cannot be read ({}); name the directory that holds the shards",
+                                         directory.string(), error.message()));
+  if (paths.empty())
+    throw std::runtime_error(
+        fmt::format("{}: holds no shard; first run restrip-generate tables --shard 1/N --out {}, and so on to N/N",
+                    directory.string(), directory.string()));
+  std::sort(paths.begin(), paths.end());
+
+  Merged merged;
+  std::vector<fs::path> seen;
+  for (const fs::path& path : paths) {
+    const File file = open_shard(path, id);
+    const Shard& shard = file.shard;
+    if (seen.empty()) {
+      merged = {file.max_k, parts(file.max_k)};
+      seen.resize(shard.count);
+    }
+    if (file.max_k != merged.max_k || shard.count != seen.size())
+      throw std::runtime_error(fmt::format(
+          "{}: is shard {} of {} with --max-k {}, but {} is one of {} with --max-k {}; keep one set of "
+          "shards in a directory",
+          path.string(), shard.index, shard.count, file.max_k, paths[0].string(), seen.size(), merged.max_k));
+    if (!seen[shard.index - 1].empty())
+      throw std::runtime_error(fmt::format("{}: is shard {} of {}, and so is {}; remove one of them", path.string(),
+                                           shard.index, shard.count, seen[shard.index - 1].string()));
+    seen[shard.index - 1] = path;
+
+    Reader reader{path, "remove it and run " + command(shard, file.max_k, directory), file.text};
+    for (std::size_t lines = 0; lines < 4; ++lines) reader.skip();
+    std::string family;
+    for (const std::size_t i : share_of(merged.parts, shard.index, shard.count)) {
+      Part& part = merged.parts[i];
+      if (part.family != family) reader.expect("family " + part.family);
+      family = part.family;
+      read_part(part, reader);
+    }
+    if (!reader.starts("end ")) reader.refuse("the end");
+    reader.skip();
+    if (reader.at != reader.text.size()) reader.refuse("the end of the file");
+  }
+  for (unsigned i = 1; i <= seen.size(); ++i)
+    if (seen[i - 1].empty()) {
+      const Shard missing{i, static_cast<unsigned>(seen.size())};
+      throw std::runtime_error(fmt::format("{}: is missing; run {}", (directory / file_name(missing)).string(),
+                                           command(missing, merged.max_k, directory)));
+    }
+  return merged;
+}
+
+}  // namespace restrip::generator

@@ -1,0 +1,41 @@
+// Shards: files with the parts that one machine has solved, and the way back from them to the whole (docs/shards.md).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "part.hpp"
+
+namespace restrip::generator {
+
+struct Shard {
+  unsigned index = 1;  ///< 1 … count
+  unsigned count = 1;  ///< 1 … 9999
+};
+
+/// The shard that "3/16" names. Throws std::invalid_argument.
+[[nodiscard]] Shard shard_named(const std::string& text);
+
+/// What must be equal for shards to fit together: the version, and a digest of all rules up to k = 4, which tells
+/// generators with different preferences apart.
+[[nodiscard]] std::string generator_id(const std::string& version);
+
+/// shard-0003-of-0016.txt
+[[nodiscard]] std::string file_name(const Shard& shard);
+
+/// The file of a shard; `share` are its parts, solved.
+[[nodiscard]] std::string shard_text(const Shard& shard, unsigned max_k, const std::string& id,
+                                     const std::vector<const Part*>& share);
+
+/// What shards add up to. The parts are solved as far as certificates and headers need.
+struct Merged {
+  unsigned max_k = 0;
+  std::vector<Part> parts;
+};
+
+/// Reads every shard-*.txt in a directory. Throws std::runtime_error that names the file and the remedy when a shard is
+/// missing, there twice, truncated or altered, or does not fit to the others or to this generator.
+[[nodiscard]] Merged read_shards(const std::filesystem::path& directory, const std::string& id);
+
+}  // namespace restrip::generator

@@ -1,0 +1,176 @@
+// Shards: that they share the work out, that what is read back is what was solved, and that a wrong one is refused.
+#include "shard.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+#include "whole_file.hpp"
+
+namespace restrip::generator {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string id = "1.2.3 abc";
+
+/// A directory of this test's own with both shards of the tables up to k = 3.
+class Shards : public testing::Test {
+ protected:
+  void SetUp() override {
+    directory_ = fs::temp_directory_path() / ("restrip-shards-" + std::to_string(getpid()));
+    fs::remove_all(directory_);
+    all_ = parts(3);
+    for (Part& part : all_) solve(part);
+    for (const unsigned index : {1U, 2U}) {
+      std::vector<const Part*> share;
+      for (const std::size_t i : share_of(all_, index, 2)) share.push_back(&all_[i]);
+      texts_.push_back(shard_text({index, 2}, 3, id, share));
+      put(index, texts_.back());
+    }
+  }
+  void TearDown() override { fs::remove_all(directory_); }
+
+  void put(unsigned index, const std::string& text) const { write_all(directory_, {{file_name({index, 2}), text}}); }
+
+  /// What is said of the directory; empty when all is well.
+  [[nodiscard]] std::string complaint(const std::string& own_id = id) const {
+    try {
+      (void)read_shards(directory_, own_id);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  /// What is said when the first shard has one piece of text replaced and is sealed anew.
+  [[nodiscard]] std::string complaint_after(const std::string& piece, const std::string& by) const {
+    std::string text = texts_[0].substr(0, texts_[0].rfind("end "));
+    const std::size_t at = text.find(piece);
+    EXPECT_NE(at, std::string::npos) << piece;
+    if (at == std::string::npos) return "";
+    text.replace(at, piece.size(), by);
+    put(1, text + "end " + sha256(text) + "\n");
+    return complaint();
+  }
+
+  fs::path directory_;
+  std::vector<Part> all_;
+  std::vector<std::string> texts_;
+};
+
+TEST(Shares, EveryPartIsInExactlyOne) {
+  const std::vector<Part> all = parts(8);
+  for (const unsigned count : {1U, 3U, 16U, 1000U}) {
+    std::multiset<std::size_t> seen;
+    for (unsigned index = 1; index <= count; ++index)
+      for (const std::size_t i : share_of(all, index, count)) seen.insert(i);
+    ASSERT_EQ(seen.size(), all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(seen.count(i), 1U);
+  }
+}
+
+TEST(Shares, LongPartsAreSpread) {
+  // Of the twenty-five equal open splits of k = 9 no share of four may have many more than its quarter.
+  const std::vector<Part> all = parts(9);
+  for (unsigned index = 1; index <= 4; ++index) {
+    std::size_t long_ones = 0;
+    for (const std::size_t i : share_of(all, index, 4))
+      long_ones += all[i].family == "open-split" && position_of(all[i]).k == 9 ? 1U : 0U;
+    EXPECT_LE(long_ones, 9U);
+  }
+}
+
+TEST_F(Shards, AreReadBack) {
+  const Merged merged = read_shards(directory_, id);
+  EXPECT_EQ(merged.max_k, 3U);
+  ASSERT_EQ(merged.parts.size(), all_.size());
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const Part& then = all_[i];
+    const Part& now = merged.parts[i];
+    EXPECT_EQ(now.family, then.family);
+    EXPECT_EQ(now.text, then.text);
+    ASSERT_EQ(rows_of(now), rows_of(then));
+    if (const auto* section = std::get_if<Section>(&then.section)) {
+      const auto& rows = std::get<Section>(now.section).rows;
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        EXPECT_EQ(rows[r].key, section->rows[r].key);
+        EXPECT_EQ(rows[r].recoloring, section->rows[r].recoloring);
+        EXPECT_EQ(rows[r].kept, section->rows[r].kept);
+      }
+      continue;
+    }
+    const auto& before = std::get<LinkedSection>(then.section).lists;
+    const auto& after = std::get<LinkedSection>(now.section).lists;
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t p = 0; p < before.size(); ++p) {
+      ASSERT_EQ(after[p].size(), before[p].size());
+      for (std::size_t a = 0; a < before[p].size(); ++a) {
+        EXPECT_EQ(after[p][a].recoloring, before[p][a].recoloring);
+        EXPECT_EQ(after[p][a].pairs, before[p][a].pairs);
+      }
+    }
+  }
+}
+
+TEST_F(Shards, EveryAlteredByteAndEveryTruncationIsRefused) {
+  const std::string& whole = texts_[0];
+  for (std::size_t i = 0; i < whole.size(); i += 5 + i % 7) {
+    std::string altered = whole;
+    altered[i] = static_cast<char>(altered[i] ^ 1);
+    put(1, altered);
+    EXPECT_NE(complaint().find("shard-0001-of-0002.txt: is truncated or was altered"), std::string::npos) << i;
+    put(1, whole.substr(0, i));
+    EXPECT_NE(complaint().find("shard-0001-of-0002.txt: is truncated or was altered"), std::string::npos) << i;
+  }
+  put(1, whole);
+  EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(Shards, AnotherGeneratorIsRefused) {
+  EXPECT_NE(complaint("1.2.4 abc").find("another version of restrip-generate"), std::string::npos);
+  EXPECT_NE(complaint("1.2.3 abd").find("another version of restrip-generate"), std::string::npos);
+  EXPECT_NE(generator_id("1"), generator_id("2"));
+}
+
+TEST_F(Shards, SealedNonsenseIsRefusedByLine) {
+  const struct {
+    const char* piece;
+    const char* by;
+    const char* words;
+  } cases[] = {
+      {"restrip-shard 1", "restrip-shard 2", ":1: 'restrip-shard 2' where"},
+      {"max-k 3", "max-k 2", ":3: 'max-k 2' where"},
+      {"max-k 3", "max-k 99", ":3: "},
+      {"max-k 3", "max-k 4", ":5: "},
+      {"shard 1 of 2", "shard 3 of 2", ":4: "},
+      {"shard 1 of 2", "shard 1 of 2 3", ":4: "},
+      {"shard 1 of 2", "shard 2 of 2", ":5: "},
+      {"family split\n", "", "where 'family split' should be"},
+      {"section k 3 a 1", "section k 3 a 2", "where 'section k 3 a 1' should be"},
+      {"rule 0 0 ", "rule 8 0 ", "where the row of a greater key should be"},
+      {"rule 0 0 ", "rule 0 ff ", "where the row of a greater key should be"},
+      {"rule 0 0 ", "rule 0 0 40", "where the row of a greater key should be"},
+      {"rule 0 0 ", "rule 7 0 ", "where the row of a greater key should be"},
+      {" because ", " for ", "where the row of a greater key should be"},
+      {"rule 0 0 ", "Rule 0 0 ", "where a row should be"},
+      {"alternative 1 ", "alternative 0 ", "where a list for every port mask should be"},
+      {"alternative 0 ", "alternative 0 3f", "where a legal recolouring"},
+  };
+  for (const auto& [piece, by, words] : cases) {
+    const std::string said = complaint_after(piece, by);
+    EXPECT_NE(said.find("shard-000"), std::string::npos) << piece << " -> " << by << ": " << said;
+    EXPECT_NE(said.find(words), std::string::npos) << piece << " -> " << by << ": " << said;
+  }
+  const std::string body = texts_[0].substr(0, texts_[0].rfind("end "));
+  for (const std::string& more : {std::string("end 1\n"), std::string("section k 4 a 1\n"), std::string("\n")}) {
+    put(1, body + more + "end " + sha256(body + more) + "\n");
+    EXPECT_NE(complaint(), "") << more;
+  }
+}
+
+}  // namespace
+}  // namespace restrip::generator
