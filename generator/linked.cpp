@@ -6,7 +6,6 @@
 #include <map>
 #include <tuple>
 
-#include "preference.hpp"
 #include "section.hpp"
 
 namespace restrip::generator {
@@ -28,7 +27,7 @@ bool is_part_of(const Pairs& some, const Pairs& all) {
 }
 
 std::vector<Alternative> list_of(const Position& position, const Side& after, const std::vector<Coloring>& colorings,
-                                 Mask ports) {
+                                 Mask ports, Goal goal) {
   // For each pairing its best recolouring; then those that no better one covers.
   std::map<Pairs, Candidate> best;
   for (const Coloring& coloring : colorings) {
@@ -37,7 +36,7 @@ std::vector<Alternative> list_of(const Position& position, const Side& after, co
     Pairs pairs = outcome->pairs;
     std::sort(pairs.begin(), pairs.end());
     const Candidate candidate{{coloring.inner, outcome->solid, outcome->isolated, pairs},
-                              tie_break(position, after, coloring, *outcome, ports, Sight::outside)};
+                              tie_break(position, after, coloring, *outcome, ports, Sight::outside, goal)};
     const auto [place, fresh] = best.try_emplace(pairs, candidate);
     if (!fresh && candidate.rank() < place->second.rank()) place->second = candidate;
   }
@@ -68,7 +67,7 @@ std::vector<LinkedSection> linked_sections_of(Family family, unsigned max_k) {
   for (unsigned k = smallest_valence(family); k <= max_k; ++k) {
     std::vector<Position> places = positions(family, k);
     if (collapses(family)) places = {{family, k, 0, 0}};
-    for (const Position& position : places) sections.push_back({position, {}});
+    for (const Position& position : places) sections.push_back({position, {}, Goal::strips});
   }
   return sections;
 }
@@ -77,7 +76,7 @@ void solve(LinkedSection& section) {
   const Side after = patch_of_rows(section.position).after;
   const std::vector<Coloring> colorings = legal_colorings(after);
   for (Mask ports = 0; ports < Mask{1} << section.position.k; ++ports)
-    section.lists.push_back(list_of(section.position, after, colorings, ports));
+    section.lists.push_back(list_of(section.position, after, colorings, ports, section.goal));
 }
 
 }  // namespace restrip::generator

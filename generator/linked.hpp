@@ -10,6 +10,7 @@
 
 #include "coloring.hpp"
 #include "patch.hpp"
+#include "preference.hpp"
 
 namespace restrip::generator {
 
@@ -25,6 +26,7 @@ struct Alternative {
 struct LinkedSection {
   Position position;
   std::vector<std::vector<Alternative>> lists;  ///< by port mask
+  Goal goal = Goal::strips;
 };
 
 /// The families that have linked rules: split and collapse, those of a closed fan.

@@ -29,6 +29,7 @@ struct TablesOptions {
   std::string shard;
   unsigned max_k = 8;
   unsigned threads = 1;
+  Goal goal = Goal::strips;
 };
 
 /// Solves the parts with these places in `all`, the largest valences first, which take longest.
@@ -109,7 +110,7 @@ void write_tables(const std::string& out, std::vector<Part> all, unsigned max_k)
 }
 
 void make_tables(const TablesOptions& options) {
-  std::vector<Part> all = parts(options.max_k);
+  std::vector<Part> all = parts(options.max_k, options.goal);
   std::vector<std::size_t> everything(all.size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
   solve_parts(all, everything, options.threads);
@@ -158,8 +159,15 @@ int main(int argc, char** argv) {
   tables_command->add_option("--threads", tables.threads, "Threads; the bytes written do not depend on it")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  tables_command->add_option("--shard", tables.shard,
-                             "I/N: solve only the I-th of N shares and write DIR/shard-I-of-N.txt, for `merge`");
+  auto* shard_option = tables_command->add_option(
+      "--shard", tables.shard, "I/N: solve only the I-th of N shares and write DIR/shard-I-of-N.txt, for `merge`");
+  const std::map<std::string, Goal> goals{{"strips", Goal::strips}, {"indices", Goal::indices}};
+  tables_command
+      ->add_option("--tie-break", tables.goal,
+                   "Between equally good rules: strips that stay long, or fewer indices in a plain strip")
+      ->transform(CLI::CheckedTransformer(goals))
+      ->default_str("strips")
+      ->excludes(shard_option);
   tables_command->footer(
       "\nExample, two shares by two machines, then all together:\n"
       "  restrip-generate tables --shard 1/2 --out /tmp/shards\n"

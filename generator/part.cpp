@@ -26,13 +26,14 @@ std::uint64_t weight(const Part& part) {
 
 }  // namespace
 
-std::vector<Part> parts(unsigned max_k) {
+std::vector<Part> parts(unsigned max_k, Goal goal) {
   std::vector<Part> all;
   for (const std::string& family : certificate_families())
     for (Section& section : sections_of(family, max_k)) all.push_back({family, std::move(section), {}});
   for (const Family family : linked_families())
     for (LinkedSection& section : linked_sections_of(family, max_k))
       all.push_back({"linked-" + name_of(family), std::move(section), {}});
+  for (Part& part : all) std::visit([goal](auto& section) { section.goal = goal; }, part.section);
   return all;
 }
 

@@ -18,7 +18,7 @@ struct Part {
 };
 
 /// All parts for valences up to max_k (3 … 13), not yet solved, in the order of the certificates and their sections.
-[[nodiscard]] std::vector<Part> parts(unsigned max_k);
+[[nodiscard]] std::vector<Part> parts(unsigned max_k, Goal goal = Goal::strips);
 
 [[nodiscard]] const Position& position_of(const Part& part);
 

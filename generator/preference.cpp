@@ -41,10 +41,35 @@ Degrees degrees(const Side& side, const Coloring& coloring, Mask ports) {
   return d;
 }
 
+/// Swaps inside the patch: pairs of neighbours that a strip passes with two turns the same way. Ring and path edges
+/// come in order, a chord after them. Along the ring a fan triangle is passed with a left turn and left or entered over
+/// its port with a right one; at an inserted triangle, which points outward, it is the other way round, the chord being
+/// its port.
+int swaps(const Side& after, const Coloring& coloring, Mask ports) {
+  const auto fan = static_cast<unsigned>(after.owner.size());
+  const bool chord = after.nodes == fan + 2;
+  const std::size_t along = after.edges.size() - (chord ? 1 : 0);
+  const auto solid = [&](std::size_t e) { return (coloring.inner >> e & 1U) != 0; };
+  const bool chord_solid = chord && solid(along);
+  std::vector<int> below(after.nodes, 0);
+  std::vector<int> above(after.nodes, 0);
+  for (std::size_t e = 0; e < along; ++e) above[after.edges[e].u] = below[after.edges[e].v] = solid(e) ? 1 : 0;
+  const auto third = [&](unsigned node) { return node < fan ? (ports >> node & 1U) != 0 : chord_solid; };
+  const auto passed = [&](unsigned node) { return below[node] + above[node] + (third(node) ? 1 : 0) == 2; };
+  const auto left_turn = [&](unsigned node) { return (node < fan) != third(node); };
+  int count = 0;
+  for (std::size_t e = 0; e < along; ++e) {
+    const auto [u, v] = after.edges[e];
+    count += solid(e) && passed(u) && passed(v) && left_turn(u) == left_turn(v) ? 1 : 0;
+  }
+  if (chord_solid && passed(fan) && passed(fan + 1)) count += below[fan] == above[fan + 1] ? 1 : 0;
+  return count;
+}
+
 }  // namespace
 
 std::int64_t tie_break(const Position& position, const Side& after, const Coloring& coloring, const Outcome& outcome,
-                       Mask ports, Sight sight) {
+                       Mask ports, Sight sight, Goal goal) {
   const Weights& weight = sight == Sight::patch ? of_local_rules : of_linked_rules;
   const bool chord = position.family == Family::split || position.family == Family::open_split;
   const auto fan = static_cast<unsigned>(after.owner.size());
@@ -60,6 +85,8 @@ std::int64_t tie_break(const Position& position, const Side& after, const Colori
     if (degree.all[u] == 1 && degree.all[v] == 1) sum += weight.neighbouring_ends;
   for (const Mask strip : coloring.strips)
     sum += std::int64_t{weight.square_of_ports} * std::popcount(strip) * std::popcount(strip);
+  constexpr std::int64_t above_all = 1000;
+  if (goal == Goal::indices && position.family != Family::flip) sum += above_all * swaps(after, coloring, ports);
   sum += std::int64_t{weight.joined_pair} * static_cast<std::int64_t>(outcome.pairs.size());
   if (chord) {
     sum += std::int64_t{weight.solid_chord} * static_cast<int>(coloring.inner >> (after.edges.size() - 1) & 1U);

@@ -13,10 +13,16 @@ namespace restrip::generator {
 /// own weights.
 enum class Sight { patch, outside };
 
+/// What rules are preferred for, where strips and isolated triangles leave a choice.
+enum class Goal {
+  strips,  ///< long strips after thousands of operations
+  indices  ///< few swaps: two turns the same way in a row, each of which costs a plain strip one index
+};
+
 /// The third criterion: a number, smaller is better, for recolourings that are equal in solid edges and isolated
 /// triangles. Depends on the patch alone, never on the machine. Chosen by replaying real meshes (docs/tables.md says
 /// how).
 [[nodiscard]] std::int64_t tie_break(const Position& position, const Side& after, const Coloring& coloring,
-                                     const Outcome& outcome, Mask ports, Sight sight = Sight::patch);
+                                     const Outcome& outcome, Mask ports, Sight sight, Goal goal);
 
 }  // namespace restrip::generator

@@ -23,8 +23,9 @@ Mask flip_pairs(const std::vector<Mask>& pairs) {
 
 }  // namespace
 
-Candidates::Candidates(const Position& position, const Side& after, const std::vector<Coloring>& colorings, Mask ports)
-    : position_(position) {
+Candidates::Candidates(const Position& position, const Side& after, const std::vector<Coloring>& colorings, Mask ports,
+                       Goal goal)
+    : position_(position), goal_(goal) {
   for (const Coloring& coloring : colorings) {
     if (position.family != Family::flip) {
       add(after, coloring, ports, ports);
@@ -55,7 +56,7 @@ void Candidates::add(const Side& after, const Coloring& coloring, Mask ports, Ma
   const auto given_up = static_cast<unsigned>(std::popcount(ports & ~kept));
   Candidate candidate;
   candidate.row = {{}, coloring.inner, kept, outcome->solid, outcome->isolated + given_up, -1};
-  candidate.tie = tie_break(position_, after, coloring, *outcome, kept);
+  candidate.tie = tie_break(position_, after, coloring, *outcome, kept, Sight::patch, goal_);
   if (position_.family == Family::flip) {
     candidate.joins = flip_pairs(outcome->pairs);
   } else {

@@ -11,7 +11,8 @@ namespace restrip::generator {
 class Candidates {
  public:
   /// `after` is the side after the operation, `colorings` its legal colorings. A flip may give ports up.
-  Candidates(const Position& position, const Side& after, const std::vector<Coloring>& colorings, Mask ports);
+  Candidates(const Position& position, const Side& after, const std::vector<Coloring>& colorings, Mask ports,
+             Goal goal);
 
   /// The best recolouring that is sound for the key. There always is one: everything dashed, ports given up if they
   /// must.
@@ -26,6 +27,7 @@ class Candidates {
   void add(const Side& after, const Coloring& coloring, Mask ports, Mask kept);
 
   Position position_;
+  Goal goal_;
   std::vector<Candidate> candidates_;
 };
 

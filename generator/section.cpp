@@ -92,7 +92,7 @@ void find_rows(Section& section) {
   const std::vector<Coloring> colorings = legal_colorings(after);
   std::map<Key, Row> rows;
   for (auto key = keys.begin(); key != keys.end();) {
-    const Candidates candidates(section.position, after, colorings, key->ports);
+    const Candidates candidates(section.position, after, colorings, key->ports, section.goal);
     const Mask ports = key->ports;
     for (; key != keys.end() && key->ports == ports; ++key) {
       // The representative is the orbit's smallest key, so it has been answered when a copy comes up.

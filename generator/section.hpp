@@ -8,6 +8,7 @@
 
 #include "configuration.hpp"
 #include "patch.hpp"
+#include "preference.hpp"
 #include "symmetry.hpp"
 
 namespace restrip::generator {
@@ -39,6 +40,7 @@ struct Section {
   std::vector<Symmetry> symmetry;  ///< those that lead from a copy to its representative
   std::vector<Row> rows;           ///< in ascending order of key
   std::vector<Claims> claims;      ///< for each position served
+  Goal goal = Goal::strips;
 };
 
 /// The certificates' families, in the order in which they are written: split, collapse, open-split, boundary-split,
