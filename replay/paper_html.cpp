@@ -236,6 +236,7 @@ std::string strips_part(const PaperMesh& mesh, std::size_t number) {
   std::size_t members[2] = {0, 0};
   const auto points_of = [](const std::vector<StripCount>& levels) {
     std::vector<XY> points;
+    points.reserve(levels.size());
     for (const StripCount& l : levels)
       points.push_back({static_cast<double>(l.triangles), static_cast<double>(l.strips)});
     return points;

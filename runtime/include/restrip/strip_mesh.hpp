@@ -181,11 +181,12 @@ class StripMesh {
     std::array<std::uint32_t, 3> link;  // opposite halfedge << 1 | solid, or edge_of_mesh
   };
 
+  // Who watches a mesh watches this one, not what is copied from it or into it.
   struct Watch {
     std::vector<Triangle>* changed = nullptr;
     Watch() = default;
     Watch(const Watch& /*other*/) noexcept {}
-    Watch& operator=(const Watch& /*other*/) noexcept { return *this; }
+    Watch& operator=(const Watch& /*other*/) noexcept { return *this; }  // NOLINT(bugprone-unhandled-self-assignment)
     ~Watch() = default;
   };
   void touch(Triangle t) noexcept {
