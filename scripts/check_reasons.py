@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Checks every row of certificates from their text and docs/notation.md, docs/certificate.md alone: that it is sound,
-and by its reason that nothing is preferred to it. Copies are checked by their symmetry. Nothing is searched.
+and by its reason that nothing is preferred to it. Copies are checked by their symmetry. Nothing is searched, but for the
+lists of linked rules, which are held against all recolourings.
 
   scripts/check_reasons.py tables/certificates/*.cert
 
@@ -124,10 +125,53 @@ class Row:
         raise Wrong("no symmetry of the patch")
 
 
+class Lists:
+    """The lists of a section of linked rules: points 1 to 4 of docs/certificate.md."""
+
+    def __init__(self, patch):
+        self.patch, self.ports, self.taken = patch, -1, []
+
+    def look(self, edges):
+        """Solid edges, minus isolated triangles; pairs. None when degrees or cycles forbid it."""
+        fixed = self.ports << len(self.patch.inner)
+        strips = None if edges >> len(self.patch.inner) else self.patch.strips(edges | fixed)
+        return None if strips is None else ((bin(edges).count("1"), -self.patch.isolated(edges | fixed)),
+                                            {strip for strip in strips if len(strip) == 2})
+
+    def add(self, ports, edges):
+        if ports != self.ports:
+            self.close()
+            self.ports, self.taken = self.ports + 1, []
+        own = self.look(edges)
+        if ports != self.ports:
+            raise Wrong("expected the list of the ports %x" % self.ports)
+        if own is None:
+            raise Wrong("the alternative is not legal")
+        if self.taken and self.taken[-1][0] < own[0]:
+            raise Wrong("the alternative is preferred to the one before it")
+        if any(pairs <= own[1] for _, pairs in self.taken):
+            raise Wrong("the alternative is covered by one before it")
+        self.taken.append(own)
+
+    def close(self, last=None):
+        # What is legal stays so when an edge is made dashed: all that is legal is reached by one edge more at a time.
+        waiting = [(0, 0)] if self.ports >= 0 else []
+        while waiting:
+            edges, first = waiting.pop()
+            needed = self.look(edges)
+            if needed is None:
+                continue
+            if not any(merit >= needed[0] and pairs <= needed[1] for merit, pairs in self.taken):
+                raise Wrong("the list above, of the ports %x, has nothing as good as %x" % (self.ports, edges))
+            waiting += [(edges | 1 << bit, bit + 1) for bit in range(first, len(self.patch.inner))]
+        if last is not None and self.ports != last:
+            raise Wrong("the lists above end with the ports %x" % self.ports)
+
+
 def check(path):
     with open(path, "rb") as file:
         lines = file.read().split(b"\n")
-    family, rules, copies = "", 0, 0
+    family, lists, rules, copies, alternatives = "", None, 0, 0, 0
     for number, line in enumerate(lines, 1):
         words = line.decode("ascii", "replace").split(" ")
         try:
@@ -136,8 +180,11 @@ def check(path):
             if words[0] == "family":
                 family = words[1]
             elif words[0] == "section":
-                patch, proved = patch_of(family, words[1:]), {}
-            elif words[0] in ("rule", "copy"):
+                if lists:
+                    lists.close((1 << len(patch.owners)) - 1)
+                patch, proved = patch_of(family.replace("linked-", ""), words[1:]), {}
+                lists = Lists(patch) if family.startswith("linked-") else None
+            elif words[0] in ("rule", "copy") and not lists:
                 row = Row(family, patch, words)
                 rest = words[5 if family == "flip" else 4:]
                 if words[0] == "rule" and rest.pop(0) == "because":
@@ -150,15 +197,22 @@ def check(path):
                     copies += 1
                 if rest:
                     raise Wrong("more words than a row has")
+            elif words[0] == "alternative":
+                lists.add(*(int(word, 16) for word in words[1:]))
+                alternatives += 1
             elif words[0] == "end":
+                if lists:
+                    lists.close((1 << len(patch.owners)) - 1)
                 above = b"".join(text + b"\n" for text in lines[:number - 1])
-                sums = [rules + copies, sum(above), sum(place * byte for place, byte in enumerate(above, 1))]
+                sums = [rules + copies + alternatives, sum(above), sum(place * byte for place, byte in enumerate(above, 1))]
                 if [int(word) for word in words[1:]] != sums or lines[number:] != [b""]:
                     raise Wrong("expected end %d %d %d and the end of the file" % tuple(sums))
+                if alternatives:
+                    return "%s: %d alternatives, the lists are complete" % (path, alternatives)
                 return "%s: %d rules are sound and have their reasons, %d copies follow" % (path, rules, copies)
             elif words[0] != "claim" and number > 1:
                 raise Wrong("unknown line")
-        except (Wrong, ValueError, IndexError, KeyError, AttributeError, UnboundLocalError) as error:
+        except (Wrong, ValueError, IndexError, KeyError, AttributeError, TypeError, UnboundLocalError) as error:
             raise Wrong("%s:%d: %s" % (path, number, error)) from None
     raise Wrong("%s:%d: no last line" % (path, len(lines)))
 

@@ -2,25 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "input.hpp"
 #include "mutants.hpp"
-#include "sums.hpp"
 
 namespace restrip::verify {
 namespace {
 
-bool starts_row(const LineReader& reader) { return reader.starts_with("rule") || reader.starts_with("copy"); }
+constexpr std::array<const char*, 2> row_words = {"rule", "copy"};
 
-void parse_claim(LineReader& reader, std::array<StatedClaim, claim_words.size()>& claims) {
-  reader.expect_words(3, "\"claim\" word number");
-  const auto* const word = std::find(claim_words.begin(), claim_words.end(), reader.words()[1]);
-  if (word == claim_words.end()) reader.fail(fmt::format("unknown claim \"{}\"", reader.words()[1]));
-  StatedClaim& claim = claims[static_cast<std::size_t>(word - claim_words.begin())];
-  if (claim.line != 0) reader.fail(fmt::format("claim {} made twice, first in line {}", *word, claim.line));
-  claim = {reader.number(2), reader.line()};
-}
+bool starts_row(const LineReader& reader) { return reader.starts_with("rule") || reader.starts_with("copy"); }
 
 /// Reads a reason that starts at word `at`, which is left behind it. `asked` are the edges of the cases around it.
 Reason parse_reason(const LineReader& reader, std::size_t& at, unsigned edges, Mask asked) {
@@ -90,15 +80,9 @@ void check_order(const LineReader& reader, const std::vector<Row>& rows, const R
 
 /// Leaves the reader on the first line after the section.
 SectionRows parse_section(LineReader& reader, const Section& section) {
-  if (!reader.starts_with("section") || reader.rest(1) != section.position)
-    reader.fail(fmt::format("expected \"section {}\", found \"{}\"", section.position, reader.rest(0)));
   SectionRows result;
-  reader.next("a claim");
-  for (; reader.starts_with("claim"); reader.next("a claim or a row")) parse_claim(reader, result.claims);
-  for (std::size_t i = 0; i < claim_words.size(); ++i)
-    if (result.claims[i].line == 0) reader.fail(fmt::format("claim {} missing before this line", claim_words[i]));
+  parse_section_head(reader, section.position, claim_words, result.claims, row_words);
   const bool gives_ports_up = section.operations.front().gives_ports_up;
-  if (!starts_row(reader)) reader.fail(fmt::format("expected \"rule\" or \"copy\", found \"{}\"", reader.rest(0)));
   for (; starts_row(reader); reader.next("a row, a section or \"end\"")) {
     Row row = parse_row(reader, section, gives_ports_up);
     check_order(reader, result.rows, row);
@@ -110,34 +94,15 @@ SectionRows parse_section(LineReader& reader, const Section& section) {
 }  // namespace
 
 Certificate parse_certificate(const std::string& file, std::string text, const Family& family) {
-  const std::optional<Place> altered = altered_byte(text);
-  if (altered && !mutated(Mutant::skip_sums))
-    throw InputError(
-        file, altered->line,
-        fmt::format("byte {} of this line was altered, or more than one byte: the sums in the last line tell",
-                    altered->byte));
-  LineReader reader(file, std::move(text));
   Certificate certificate;
   certificate.file = file;
-  reader.next("\"restrip-certificate 2\"");
-  reader.expect_line("restrip-certificate 2");
-  reader.next("\"family\"");
-  reader.expect_line("family " + family.name);
-  reader.next("a section");
-  for (const Section& section : family.sections) {
-    certificate.sections.push_back(parse_section(reader, section));
-    certificate.rows += certificate.sections.back().rows.size();
-  }
-  if (!reader.starts_with("end")) reader.fail(fmt::format("expected \"end\", found \"{}\"", reader.rest(0)));
-  reader.expect_words(4, "\"end\" number sum sum");
-  if (reader.number(1) != static_cast<std::int64_t>(certificate.rows) && !mutated(Mutant::skip_row_count))
-    reader.fail(fmt::format("expected \"end {}\", the number of rows of this file", certificate.rows));
-  if (!reader.at_end()) reader.fail("expected the end of the file after \"end\"");
-  const ByteSums sums = sums_of(reader.text_above());
-  const bool as_stated = reader.number(2) == static_cast<std::int64_t>(sums.plain) &&
-                         reader.number(3) == static_cast<std::int64_t>(sums.weighted);
-  if (!as_stated && !mutated(Mutant::skip_sums))
-    reader.fail(fmt::format("expected {} and {}, the sums of the bytes above", sums.plain, sums.weighted));
+  parse_form(file, std::move(text), family.name, [&](LineReader& reader) {
+    for (const Section& section : family.sections) {
+      certificate.sections.push_back(parse_section(reader, section));
+      certificate.rows += certificate.sections.back().rows.size();
+    }
+    return certificate.rows;
+  });
   return certificate;
 }
 

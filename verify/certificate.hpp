@@ -3,10 +3,10 @@
 // duplicates, number of rows. Whether a row is true is somebody else's question.
 
 #include <array>
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "certificate_form.hpp"
 #include "symmetry.hpp"
 
 namespace restrip::verify {
@@ -33,11 +33,6 @@ struct Row {
 
 inline constexpr std::array<const char*, 7> claim_words = {
     "configurations", "valid", "orbits", "valid-orbits", "costing", "worst-strips", "worst-isolated"};
-
-struct StatedClaim {
-  std::int64_t number = 0;
-  unsigned line = 0;
-};
 
 struct SectionRows {
   std::array<StatedClaim, claim_words.size()> claims;

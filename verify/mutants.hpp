@@ -54,7 +54,26 @@ enum class Mutant {
   accept_any_checksum,
   skip_row_count,
   skip_sums,
-  accept_unlisted
+  accept_unlisted,
+  // linked rules: a list is taken although ...
+  accept_disorder_of_lists,  // ... it stands in the wrong place
+  lists_missing,             // ... it is none
+  lists_illegal,             // ... an alternative has a triangle with three solid edges, or a cycle
+  lists_disorder,            // ... an alternative is preferred to the one before
+  lists_covered,             // ... nobody will ever come to an alternative
+  lists_incomplete,          // ... something as good as nothing in it has been left out
+  lists_complete_by_merit,   // ... what is as good as the one left out joins other ports
+  lists_complete_by_pairs,   // ... what joins no other ports than the one left out is not as good
+  lists_ignore_isolated,     // ... isolated triangles are not in order
+  lists_skip_claims,         // ... its claims are wrong
+  // what lies outside is seen wrongly
+  outside_ignored,         // nobody looks at it
+  outside_one_pair,        // one strip joins ports there at most
+  forget_partners,         // the pairs of an alternative are not followed
+  beside_first_is_best,    // no recolouring is tried against the first sound alternative
+  beside_ignore_isolated,  // ... but those with more solid edges
+  local_any_outside,       // what closes a cycle with the colours before is thought possible
+  local_unequal            // any alternative is as good as the local rule
 };
 
 #ifdef RESTRIP_MUTANT

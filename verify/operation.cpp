@@ -97,4 +97,8 @@ std::vector<Family> all_families(unsigned max_k) {
   return {splits(max_k), collapses(max_k), open_splits(max_k), boundary_splits(max_k), fan_collapses(max_k), flips()};
 }
 
+std::vector<LinkedFamily> linked_families(unsigned max_k) {
+  return {{"linked-split", splits(max_k)}, {"linked-collapse", collapses(max_k)}};
+}
+
 }  // namespace restrip::verify

@@ -41,4 +41,13 @@ inline constexpr unsigned largest_fan = 8;
 /// All families in the order of docs/notation.md, fans up to `max_k` triangles, 3 <= max_k <= 8.
 std::vector<Family> all_families(unsigned max_k = largest_fan);
 
+/// Linked rules: the sections, patches and positions of another family, with lists instead of rules.
+struct LinkedFamily {
+  std::string name;
+  Family local;
+};
+
+/// `linked-split` and `linked-collapse`.
+std::vector<LinkedFamily> linked_families(unsigned max_k = largest_fan);
+
 }  // namespace restrip::verify

@@ -39,9 +39,9 @@ std::string line_of(const ClaimResult& result) {
 }
 
 std::string last_line(const Totals& totals) {
-  return fmt::format("{}: {} rules, {} configurations, {} recolourings tried, {} claims{}\n",
+  return fmt::format("{}: {} rules, {} alternatives, {} configurations, {} recolourings tried, {} claims{}\n",
                      totals.failed == 0 ? "verified" : "NOT verified", grouped(totals.rules),
-                     grouped(totals.configurations), grouped(totals.pairs), totals.claims,
+                     grouped(totals.alternatives), grouped(totals.configurations), grouped(totals.pairs), totals.claims,
                      totals.failed == 0 ? "" : fmt::format(" of which {} failed", totals.failed));
 }
 
@@ -56,9 +56,11 @@ std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals
         claim.held(), claim.failures, claim.held() ? "null" : quoted(claim.counterexample));
   }
   return text + fmt::format(
-                    "\n  ],\n  \"rules\": {},\n  \"configurations\": {},\n  \"recolorings\": {},\n  \"failed\": {},\n"
+                    "\n  ],\n  \"rules\": {},\n  \"alternatives\": {},\n  \"configurations\": {},\n  \"recolorings\": "
+                    "{},\n  \"failed\": {},\n"
                     "  \"verified\": {}\n}}\n",
-                    totals.rules, totals.configurations, totals.pairs, totals.failed, totals.failed == 0);
+                    totals.rules, totals.alternatives, totals.configurations, totals.pairs, totals.failed,
+                    totals.failed == 0);
 }
 
 }  // namespace restrip::verify

@@ -22,6 +22,7 @@ struct ClaimResult {
 
 struct Totals {
   std::uint64_t rules = 0;           ///< rows, copies included
+  std::uint64_t alternatives = 0;    ///< rows of linked families
   std::uint64_t configurations = 0;  ///< valid ones, all families and positions
   std::uint64_t pairs = 0;           ///< (configuration, recolouring)
   std::uint64_t claims = 0;

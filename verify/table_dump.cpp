@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -102,9 +103,23 @@ void compare_table(StreamLines& lines, const ExpectedTable& table, std::uint64_t
     }
 }
 
-void compare_all(StreamLines& lines, const std::vector<ExpectedTable>& expected, std::uint64_t& configurations) {
-  std::map<std::string, ExpectedTable, std::less<>> missing;
-  for (const ExpectedTable& table : expected) missing.emplace("table " + table.operation->name(), table);
+void compare_lists(StreamLines& lines, const ExpectedLists& lists, std::uint64_t& entries) {
+  for (Mask ports = 0; ports < mask_count(lists.ports); ++ports) {
+    const std::string expected = lists.lines == nullptr ? fmt::format("{:x} ", ports) : lists.lines->at(ports);
+    const std::string_view found = line_or_fail(lines, expected);
+    ++entries;
+    if (lists.lines == nullptr ? !found.starts_with(expected) : found != expected)
+      throw Difference(fmt::format("line {}, table {}: the certificate says \"{}\", the table \"{}\"", lines.number(),
+                                   lists.name, expected, found));
+  }
+}
+
+void compare_all(StreamLines& lines, const ExpectedDump& expected, std::uint64_t& entries) {
+  std::map<std::string, std::function<void()>, std::less<>> missing;
+  for (const ExpectedTable& table : expected.tables)
+    missing.emplace("table " + table.operation->name(), [&] { compare_table(lines, table, entries); });
+  for (const ExpectedLists& lists : expected.lists)
+    missing.emplace("table " + lists.name, [&] { compare_lists(lines, lists, entries); });
   const std::string_view first = line_or_fail(lines, "restrip-table-dump 1");
   if (first != "restrip-table-dump 1")
     throw Difference(fmt::format("line 1: expected \"restrip-table-dump 1\", found \"{}\"", first));
@@ -114,11 +129,10 @@ void compare_all(StreamLines& lines, const std::vector<ExpectedTable>& expected,
     if (table == missing.end())
       throw Difference(fmt::format("line {}: \"{}\" is no table that is still missing, such as \"{}\"", lines.number(),
                                    header, missing.begin()->first));
-    const ExpectedTable found = table->second;
+    table->second();
     missing.erase(table);
-    compare_table(lines, found, configurations);
   }
-  const std::string last = fmt::format("end {}", configurations);
+  const std::string last = fmt::format("end {}", entries);
   if (const std::string_view found = line_or_fail(lines, last); found != last)
     throw Difference(fmt::format("line {}: expected \"{}\", found \"{}\"", lines.number(), last, found));
   if (lines.next() || lines.left_over()) throw Difference(fmt::format("line {}: text after the end", lines.number()));
@@ -126,7 +140,7 @@ void compare_all(StreamLines& lines, const std::vector<ExpectedTable>& expected,
 
 }  // namespace
 
-DumpComparison compare_dump(std::FILE* stream, const std::vector<ExpectedTable>& expected) {
+DumpComparison compare_dump(std::FILE* stream, const ExpectedDump& expected) {
   DumpComparison result;
   StreamLines lines(stream);
   try {
@@ -137,7 +151,7 @@ DumpComparison compare_dump(std::FILE* stream, const std::vector<ExpectedTable>&
   return result;
 }
 
-DumpComparison compare_dump_of(const std::string& program, const std::vector<ExpectedTable>& expected) {
+DumpComparison compare_dump_of(const std::string& program, const ExpectedDump& expected) {
   std::FILE* stream = popen(program.c_str(), "r");
   if (stream == nullptr) return {0, "cannot run " + program};
   DumpComparison result = compare_dump(stream, expected);

@@ -3,20 +3,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "family_check.hpp"
 #include "input.hpp"
+#include "linked_report.hpp"
 #include "manifest.hpp"
 #include "table_dump.hpp"
 
 namespace restrip::verify {
 namespace {
 
-std::string certificate_path(const Family& family) { return "certificates/" + family.name + ".cert"; }
+std::string certificate_path(const std::string& family) { return "certificates/" + family + ".cert"; }
 
-bool chosen(const Family& family, const Options& options) {
+bool chosen(const std::string& family, const Options& options) {
   return options.families.empty() ||
-         std::find(options.families.begin(), options.families.end(), family.name) != options.families.end();
+         std::find(options.families.begin(), options.families.end(), family) != options.families.end();
+}
+
+/// The text of a family's certificate, with the name of its file.
+struct CertificateFile {
+  std::string path;
+  std::string text;
+};
+
+CertificateFile certificate_of(const Options& options, const std::string& family) {
+  const std::string path = options.tables_dir + "/" + certificate_path(family);
+  return {path, read_file(path)};
 }
 
 void check_manifest(const Options& options, const std::vector<ManifestLine>& manifest, const ClaimListener& listener) {
@@ -27,29 +40,54 @@ void check_manifest(const Options& options, const std::vector<ManifestLine>& man
             thread_seconds() - start, failures.count, failures.first});
 }
 
+struct FamilyRows {
+  std::string family;
+  std::size_t rows;
+};
+
 /// The manifest's row counts, for the certificates that were read.
 void check_row_counts(const Options& options, const std::vector<ManifestLine>& manifest,
-                      const std::vector<Certificate>& certificates, const std::vector<const Family*>& families,
-                      const ClaimListener& listener) {
+                      const std::vector<FamilyRows>& found, const ClaimListener& listener) {
   Failures failures;
-  for (std::size_t i = 0; i < families.size(); ++i) {
-    const std::string path = certificate_path(*families[i]);
+  for (const FamilyRows& certificate : found) {
+    const std::string path = certificate_path(certificate.family);
     const auto line =
         std::find_if(manifest.begin(), manifest.end(), [&](const ManifestLine& entry) { return entry.path == path; });
     if (line == manifest.end())
       failures.add(fmt::format("{}/MANIFEST: {} is not listed", options.tables_dir, path));
-    else if (line->rows != certificates[i].rows)
+    else if (line->rows != certificate.rows)
       failures.add(fmt::format("{}/MANIFEST:{}: {} rows listed, {} found", options.tables_dir, line->line, line->rows,
-                               certificates[i].rows));
+                               certificate.rows));
   }
-  listener({"files", "the certificates have as many rows as listed", "counted", families.size(), 0, failures.count,
+  listener({"files", "the certificates have as many rows as listed", "counted", found.size(), 0, failures.count,
             failures.first});
 }
 
-void check_dump(const Options& options, const std::vector<ExpectedTable>& expected, const ClaimListener& listener) {
+/// A linked family that was chosen, with the rows of its local family.
+struct LinkedInput {
+  const LinkedFamily* family = nullptr;
+  LinkedCertificate certificate;
+  Certificate local;
+};
+
+/// Checks and reports it; returns for each section what a dump must say.
+std::vector<std::vector<std::string>> check_linked_family(const LinkedInput& input, const ClaimListener& listener) {
+  std::vector<LinkedCheck> checks;
+  std::vector<std::vector<std::string>> dump;
+  for (std::size_t i = 0; i < input.family->local.sections.size(); ++i) {
+    const Section& section = input.family->local.sections[i];
+    checks.push_back(check_linked({&section, &input.certificate.sections[i], &input.local.sections[i],
+                                   input.certificate.file, input.local.file}));
+    dump.push_back(dump_of(section, input.certificate.sections[i]));
+  }
+  report_linked(*input.family, checks, listener);
+  return dump;
+}
+
+void check_dump(const Options& options, const ExpectedDump& expected, const ClaimListener& listener) {
   const double start = thread_seconds();
   const DumpComparison comparison = compare_dump_of(options.dump_command, expected);
-  listener({"compiled tables", "they are the certificates", "their dump, every configuration", comparison.lines,
+  listener({"compiled tables", "they are the certificates", "their dump, every entry", comparison.lines,
             thread_seconds() - start, comparison.difference.empty() ? 0U : 1U, comparison.difference});
 }
 
@@ -63,8 +101,13 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
     user_listener(result);
   };
   const std::vector<Family> all = all_families(options.max_k);
+  const std::vector<LinkedFamily> all_linked = linked_families(options.max_k);
+  const auto is_called = [](const std::string& name) {
+    return [&](const auto& family) { return family.name == name; };
+  };
   for (const std::string& name : options.families)
-    if (std::none_of(all.begin(), all.end(), [&](const Family& family) { return family.name == name; }))
+    if (std::none_of(all.begin(), all.end(), is_called(name)) &&
+        std::none_of(all_linked.begin(), all_linked.end(), is_called(name)))
       throw InputError("--family", 0, fmt::format("there is no family \"{}\"", name));
 
   const std::vector<ManifestLine> manifest = read_manifest(options.tables_dir);
@@ -72,14 +115,26 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
 
   std::vector<const Family*> families;
   std::vector<Certificate> certificates;
+  std::vector<FamilyRows> found;
   for (const Family& family : all) {
-    if (!chosen(family, options)) continue;
-    const std::string file = options.tables_dir + "/" + certificate_path(family);
+    if (!chosen(family.name, options)) continue;
+    const CertificateFile file = certificate_of(options, family.name);
     families.push_back(&family);
-    certificates.push_back(parse_certificate(file, read_file(file), family));
+    certificates.push_back(parse_certificate(file.path, file.text, family));
+    found.push_back({family.name, certificates.back().rows});
     totals.rules += certificates.back().rows;
   }
-  check_row_counts(options, manifest, certificates, families, listener);
+  std::vector<LinkedInput> linked;
+  for (const LinkedFamily& family : all_linked) {
+    if (!chosen(family.name, options)) continue;
+    const CertificateFile file = certificate_of(options, family.name);
+    const CertificateFile local = certificate_of(options, family.local.name);
+    linked.push_back({&family, parse_linked_certificate(file.path, file.text, family),
+                      parse_certificate(local.path, local.text, family.local)});
+    found.push_back({family.name, linked.back().certificate.rows});
+    totals.alternatives += linked.back().certificate.rows;
+  }
+  check_row_counts(options, manifest, found, listener);
 
   std::vector<OperationTask> tasks;
   for (std::size_t i = 0; i < families.size(); ++i)
@@ -93,7 +148,6 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
   std::vector<OperationCheck> checks =
       check_operations(tasks, options.second_formulation, std::max(1U, options.threads), progress);
 
-  std::vector<ExpectedTable> expected;
   auto first = checks.begin();
   for (std::size_t i = 0; i < families.size(); ++i) {
     std::vector<OperationCheck> own;
@@ -106,13 +160,23 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
     report_family(*families[i], certificates[i], own, options.second_formulation, listener);
     std::move(own.begin(), own.end(), first - static_cast<std::ptrdiff_t>(own.size()));
   }
+  std::map<const Section*, std::vector<std::string>> lists;
+  for (const LinkedInput& input : linked) {
+    std::vector<std::vector<std::string>> dump = check_linked_family(input, listener);
+    for (std::size_t i = 0; i < dump.size(); ++i) lists[&input.family->local.sections[i]] = std::move(dump[i]);
+  }
   if (options.dump_command.empty()) return totals;
+  ExpectedDump expected;
   for (const Family& family : all)
     for (const Section& section : family.sections)
-      for (const Operation& operation : section.operations) expected.push_back({&operation, nullptr});
-  for (ExpectedTable& table : expected)
+      for (const Operation& operation : section.operations) expected.tables.push_back({&operation, nullptr});
+  for (ExpectedTable& table : expected.tables)
     for (std::size_t i = 0; i < tasks.size(); ++i)
       if (tasks[i].operation == table.operation) table.answers = &checks[i].judgment.answers;
+  for (const LinkedFamily& family : all_linked)
+    for (const Section& section : family.local.sections)
+      expected.lists.push_back({family.name + ' ' + section.position, section.ports,
+                                lists.contains(&section) ? &lists.at(&section) : nullptr});
   check_dump(options, expected, listener);
   return totals;
 }

@@ -11,6 +11,7 @@
 #include "certificate.hpp"
 #include "corpus.hpp"
 #include "input.hpp"
+#include "linked_certificate.hpp"
 #include "verdict.hpp"
 
 namespace restrip::verify::test {
@@ -19,14 +20,35 @@ namespace {
 constexpr unsigned seed = 7;
 
 struct Sample {
-  Family family;
+  Family family;  ///< of linked rules the local one
   std::string text;
+  std::string linked;  ///< name of the linked family, empty for others
+
+  void parse(const std::string& altered) const {
+    if (linked.empty())
+      parse_certificate("file", altered, family);
+    else
+      parse_linked_certificate("file", altered, {linked, family});
+  }
 };
 
 std::vector<Sample> certificates(const std::string& folder, unsigned max_k) {
   std::vector<Sample> samples;
   for (const Family& family : all_families(max_k))
-    samples.push_back({family, read_file(folder + "/certificates/" + family.name + ".cert")});
+    samples.push_back({family, read_file(folder + "/certificates/" + family.name + ".cert"), {}});
+  return samples;
+}
+
+std::vector<Sample> linked_certificates(const std::string& folder, unsigned max_k) {
+  std::vector<Sample> samples;
+  for (const LinkedFamily& family : linked_families(max_k))
+    samples.push_back({family.local, read_file(folder + "/certificates/" + family.name + ".cert"), family.name});
+  return samples;
+}
+
+std::vector<Sample> all_certificates(const std::string& folder, unsigned max_k) {
+  std::vector<Sample> samples = certificates(folder, max_k);
+  for (Sample& sample : linked_certificates(folder, max_k)) samples.push_back(std::move(sample));
   return samples;
 }
 
@@ -44,7 +66,7 @@ unsigned byte_at(const std::string& text, std::size_t place) { return static_cas
 /// How the parser rejects the text; empty when it does not.
 std::string rejection(const Sample& sample, const std::string& text) {
   try {
-    parse_certificate("file", text, sample.family);
+    sample.parse(text);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -59,8 +81,8 @@ class AlteredBytes : public testing::Test {
     const std::string said = rejection(sample, altered(sample.text, place, byte));
     const std::string named = fmt::format("file:{}: ", line_of_byte(sample.text, place));
     if (!said.starts_with(named) && ++failed_ < 5)
-      ADD_FAILURE() << sample.family.name << ", byte " << place << " made " << byte << ": expected " << named
-                    << ", found " << said;
+      ADD_FAILURE() << sample.family.name << ' ' << sample.linked << ", byte " << place << " made " << byte
+                    << ": expected " << named << ", found " << said;
   }
   void TearDown() override {
     std::cout << tried_ << " alterations\n";
@@ -80,7 +102,7 @@ TEST_F(AlteredBytes, EveryOneOfTheFlips) {
 }
 
 TEST_F(AlteredBytes, EveryOneOfTheSmallTables) {
-  for (const Sample& sample : certificates(small_tables().string(), corpus_max_k))
+  for (const Sample& sample : all_certificates(small_tables().string(), corpus_max_k))
     for (std::size_t place = 0; place < sample.text.size(); ++place)
       for (const unsigned byte :
            {unsigned{'\n'}, unsigned{' '}, byte_at(sample.text, place) ^ 1U, static_cast<unsigned>(random_() % 256)})
@@ -88,7 +110,7 @@ TEST_F(AlteredBytes, EveryOneOfTheSmallTables) {
 }
 
 TEST_F(AlteredBytes, ThousandsOfTheShippedTables) {
-  for (const Sample& sample : certificates(RESTRIP_TABLES_DIR, largest_fan))
+  for (const Sample& sample : all_certificates(RESTRIP_TABLES_DIR, largest_fan))
     for (int i = 0; i < 500; ++i) {
       const std::size_t place = random_() % sample.text.size();
       expect_named(sample, place,

@@ -135,7 +135,7 @@ void write_manifest(const fs::path& tables_dir) {
     const std::string bytes = bytes_of(tables_dir / path);
     const std::vector<std::string> lines = lines_of(bytes);
     const auto rows = std::count_if(lines.begin(), lines.end(), [](const std::string& line) {
-      return line.starts_with("rule ") || line.starts_with("copy ");
+      return line.starts_with("rule ") || line.starts_with("copy ") || line.starts_with("alternative ");
     });
     text += fmt::format("{} {} {} {}\n", sha256_of(bytes), bytes.size(), rows, path);
   }

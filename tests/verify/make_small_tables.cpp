@@ -15,11 +15,16 @@ int main(int argc, char** argv) {
   }
   const std::filesystem::path folder = argv[1];
   std::filesystem::create_directories(folder / "certificates");
-  for (const NaiveFamily& family : naive_families(corpus_max_k)) {
+  const std::vector<NaiveFamily> families = naive_families(corpus_max_k);
+  for (const NaiveFamily& family : families) {
     std::vector<NaiveTable> tables;
     for (const NaiveSection& section : family.sections) tables.push_back(naive_table(family, section));
     std::ofstream(folder / "certificates" / (family.name + ".cert"), std::ios::binary)
         << certificate_text(family.name, tables);
   }
+  std::map<std::string, std::vector<NaiveLists>> lists;
+  for (const NaiveLinked& linked : naive_linked(families)) lists[linked.good().family].push_back(linked.good());
+  for (const auto& [family, sections] : lists)
+    std::ofstream(folder / "certificates" / (family + ".cert"), std::ios::binary) << certificate_text(family, sections);
   write_manifest(folder);
 }

@@ -28,6 +28,20 @@ std::string first_bad_table_accepted() {
   return killer;
 }
 
+std::string first_list_misjudged() {
+  const std::vector<NaiveFamily> families = naive_families(corpus_max_k);
+  std::string killer;
+  for (const NaiveLinked& linked : naive_linked(families)) {
+    const auto right = [&](const DoubtfulLists& doubtful) {
+      if (verdict_of(doubtful.lists, linked.local()).crimes != linked.crimes(doubtful.lists)) killer = doubtful.damage;
+      return killer.empty();
+    };
+    if (right({"good lists", linked.good()})) for_each_doubtful(linked, right);
+    if (!killer.empty()) break;
+  }
+  return killer;
+}
+
 std::string first_damage_accepted() {
   for (const Damage& damage : damages()) {
     const Verdict verdict = verdict_of(DamagedTables(damage).path());
@@ -39,7 +53,8 @@ std::string first_damage_accepted() {
 }  // namespace
 
 int main() {
-  for (const auto search : {first_damage_accepted, first_good_table_rejected, first_bad_table_accepted})
+  for (const auto search :
+       {first_damage_accepted, first_good_table_rejected, first_list_misjudged, first_bad_table_accepted})
     if (const std::string killer = search(); !killer.empty()) {
       fmt::print("killed by: {}\n", killer);
       return 0;

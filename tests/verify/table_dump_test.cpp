@@ -21,20 +21,28 @@ struct Tables {
   std::vector<Family> families = all_families(3);
   std::vector<const Operation*> operations;
   std::vector<std::vector<Answer>> answers;
-  std::vector<ExpectedTable> expected;
+  std::vector<LinkedFamily> linked = linked_families(3);
+  std::vector<std::string> lists = {"0 2d 76543210", "1 2d 76543210",
+                                    "2 17 76543210", "3 3a 76543201 15 76543210",
+                                    "4 1 76543210",  "5 2d 76543012 16 76543210",
+                                    "6 2 76543210",  "7 0 76543210"};
+  ExpectedDump expected;
 
   Tables() {
     for (const Family& family : families)
       for (const Section& section : family.sections)
         for (const Operation& operation : section.operations) operations.push_back(&operation);
     for (const Operation* operation : operations) answers.push_back(some_answers(*operation));
-    for (std::size_t i = 0; i < operations.size(); ++i) expected.push_back({operations[i], &answers[i]});
+    for (std::size_t i = 0; i < operations.size(); ++i) expected.tables.push_back({operations[i], &answers[i]});
+    for (const LinkedFamily& family : linked)
+      for (const Section& section : family.local.sections)
+        expected.lists.push_back({family.name + ' ' + section.position, section.ports, &lists});
   }
 
   std::string dump() const {
     std::string text = "restrip-table-dump 1\n";
     std::size_t entries = 0;
-    for (const ExpectedTable& table : expected) {
+    for (const ExpectedTable& table : expected.tables) {
       const Operation& operation = *table.operation;
       text += fmt::format("table {}\n", operation.name());
       for (Mask both = 0; both < table.answers->size(); ++both, ++entries) {
@@ -48,6 +56,10 @@ struct Tables {
         else
           text += fmt::format("{:x}\n", answer);
       }
+    }
+    for (const ExpectedLists& table : expected.lists) {
+      text += fmt::format("table {}\n{}\n", table.name, fmt::join(lists, "\n"));
+      entries += lists.size();
     }
     return text + fmt::format("end {}\n", entries);
   }
@@ -80,6 +92,26 @@ TEST(TableDump, EveryAlteredLineIsNoticed) {
     bad[newline - 1] = bad[newline - 1] == '1' ? '0' : '1';
     EXPECT_NE(difference(tables, bad), "") << newline;
   }
+}
+
+TEST(TableDump, EveryAlteredListIsNoticed) {
+  Tables tables;
+  const std::string good = tables.dump();
+  for (const std::string& line : tables.lists)
+    for (const char digit : {'0', '9'}) {
+      std::string bad = line;
+      bad.back() = digit;
+      if (bad != line) {
+        EXPECT_NE(difference(tables, replaced(good, line + '\n', bad + '\n')), "") << line;
+      }
+      EXPECT_NE(difference(tables, replaced(good, line + '\n', line + " 0 76543210\n")), "") << line;
+      EXPECT_NE(difference(tables, replaced(good, line + '\n', "")), "") << line;
+    }
+  EXPECT_NE(difference(tables, replaced(good, "table linked-collapse k 3", "table linked-split k 3 a 1")), "");
+  // A table that is read but not compared may say anything, in the right order.
+  tables.expected.lists.front().lines = nullptr;
+  EXPECT_EQ(difference(tables, replaced(good, "0 2d 76543210", "0 1 12")), "");
+  EXPECT_NE(difference(tables, replaced(good, "1 2d 76543210", "2 2d 76543210")), "");
 }
 
 TEST(TableDump, FormIsChecked) {

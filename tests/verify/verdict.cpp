@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "family_check.hpp"
+#include "linked_report.hpp"
 #include "verify.hpp"
 
 namespace restrip::verify::test {
@@ -15,6 +16,7 @@ Verdict collected(const Check& check) {
     check([&](const ClaimResult& result) {
       if (result.held()) return;
       verdict.exit_code = 1;
+      verdict.crimes[result.claim] = result.failures;
       verdict.text += line_of(result);
     });
   } catch (const std::exception& error) {
@@ -47,7 +49,22 @@ Verdict verdict_of(const std::string& certificate_text, const Family& family, bo
 }
 
 Verdict verdict_of(const NaiveTable& table) {
-  return verdict_of(certificate_text(table.family, {table}), one_section_family(table.family, table.position), true);
+  return verdict_of(certificate_text(table.family, std::vector{table}),
+                    one_section_family(table.family, table.position), true);
+}
+
+Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local) {
+  return collected([&](const ClaimListener& listener) {
+    const LinkedFamily family{lists.family, one_section_family(local.family, local.position)};
+    const Certificate rules =
+        parse_certificate("local", certificate_text(local.family, std::vector{local}), family.local);
+    const LinkedCertificate certificate =
+        parse_linked_certificate("table", certificate_text(lists.family, std::vector{lists}), family);
+    report_linked(family,
+                  {check_linked({&family.local.sections.front(), &certificate.sections.front(), &rules.sections.front(),
+                                 certificate.file, rules.file})},
+                  listener);
+  });
 }
 
 Verdict verdict_of(const std::filesystem::path& tables_dir) {

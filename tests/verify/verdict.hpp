@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "naive_tables.hpp"
+#include "naive_lists.hpp"
 #include "operation.hpp"
 
 namespace restrip::verify::test {
@@ -14,6 +14,7 @@ inline constexpr unsigned corpus_max_k = 4;
 
 struct Verdict {
   int exit_code = 0;  ///< 0 every claim holds, 1 some claim fails, 2 bad input, as the program exits
+  Crimes crimes;      ///< failures of each claim that fails
   std::string text;   ///< failing claims with their first counterexamples, or the input error
 
   bool says(const std::string& expected) const { return text.find(expected) != std::string::npos; }
@@ -24,6 +25,9 @@ Verdict verdict_of(const std::string& certificate, const Family& family, bool se
 
 /// Of a certificate that holds this one section only.
 Verdict verdict_of(const NaiveTable& table);
+
+/// Of a certificate of linked rules that holds this one section only, beside such a one of the local rules.
+Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local);
 
 /// Of a folder with MANIFEST and certificates/.
 Verdict verdict_of(const std::filesystem::path& tables_dir);

@@ -1,0 +1,249 @@
+#include "naive_lists.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace restrip::verify::test {
+namespace {
+
+bool has(int mask, int i) { return (mask >> i) % 2 != 0; }
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+/// All subsets of all pairs, those left out in which a port comes twice.
+std::vector<std::set<Pair>> matchings(int ports, int k) {
+  std::vector<Pair> pairs;
+  for (int i = 0; i < k; ++i)
+    for (int j = i + 1; j < k; ++j)
+      if (has(ports, i) && has(ports, j)) pairs.push_back({i, j});
+  std::vector<std::set<Pair>> result;
+  for (int chosen = 0; chosen < 1 << pairs.size(); ++chosen) {
+    std::set<Pair> matching;
+    std::set<int> used;
+    bool once = true;
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+      if (!has(chosen, static_cast<int>(p))) continue;
+      once = used.insert(pairs[p].first).second && used.insert(pairs[p].second).second && once;
+      matching.insert(pairs[p]);
+    }
+    if (once) result.push_back(matching);
+  }
+  return result;
+}
+
+/// The patch with a further triangle behind each solid port, and edges between them for what is joined outside. All
+/// edges that were not there before are solid.
+std::optional<Anatomy> anatomy_beside(NaivePatch patch, NaiveColors colors, const std::set<Pair>& outside) {
+  constexpr int behind = 200;
+  const auto add = [&](int one, int other) {
+    colors.inner += 1 << patch.edges.size();
+    patch.edges.push_back({one, other});
+  };
+  for (int port = 0; port < static_cast<int>(patch.port_owner.size()); ++port) {
+    patch.triangles.push_back(behind + port);
+    if (has(colors.ports, port)) add(patch.port_owner[index(port)], behind + port);
+  }
+  for (const auto& [one, other] : outside) add(behind + one, behind + other);
+  return anatomy(patch, {colors.inner, 0});
+}
+
+bool includes(const std::set<Pair>& whole, const std::set<Pair>& part) {
+  return std::includes(whole.begin(), whole.end(), part.begin(), part.end());
+}
+
+}  // namespace
+
+void NaiveLists::count() {
+  int rows = 0;
+  int longest = 0;
+  for (const auto& entry : lists) {
+    rows += static_cast<int>(entry.second.size());
+    longest = std::max(longest, static_cast<int>(entry.second.size()));
+  }
+  claims = {{"lists", static_cast<int>(lists.size())}, {"alternatives", rows}, {"longest", longest}};
+}
+
+NaiveLinked::NaiveLinked(const std::string& family, const NaiveSection& section, NaiveTable local)
+    : family_(family), section_(&section), local_(std::move(local)) {
+  const NaivePatch& after = section.operations.front().after;
+  const int k = static_cast<int>(after.port_owner.size());
+  for (int ports = 0; ports < 1 << k; ++ports) {
+    matchings_.push_back(matchings(ports, k));
+    recolorings_.emplace_back();
+    for (int inner = 0; inner < recolorings(); ++inner) {
+      Recoloring recoloring;
+      if (const std::optional<Anatomy> found = anatomy(after, {inner, ports}))
+        recoloring = {{found->solid, -found->isolated}, found->joined, {}};
+      recoloring.sound = soundness(after, {inner, ports});
+      recolorings_.back().push_back(recoloring);
+    }
+  }
+  for_each_valid(section, [&](const NaiveOperation& operation, NaiveColors before) {
+    possible_[{&operation, before}] = soundness(operation.before, before);
+  });
+}
+
+std::vector<bool> NaiveLinked::soundness(const NaivePatch& patch, NaiveColors colors) const {
+  std::vector<bool> sound;
+  for (const Pairs& outside : matchings_[index(colors.ports)])
+    sound.push_back(anatomy_beside(patch, colors, outside).has_value());
+  return sound;
+}
+
+const NaiveLinked::Recoloring& NaiveLinked::at(int ports, int inner) const {
+  return recolorings_[index(ports)][index(inner)];
+}
+
+NaiveLists NaiveLinked::good() const {
+  NaiveLists result{family_, section_->position, {}, {}};
+  for (int ports = 0; ports < static_cast<int>(recolorings_.size()); ++ports) {
+    std::vector<int> order;
+    for (int inner = 0; inner < recolorings(); ++inner)
+      if (!at(ports, inner).merit.empty()) order.push_back(inner);
+    // Of those equally good whoever joins less comes first, so that the others are covered.
+    std::stable_sort(order.begin(), order.end(), [&](int x, int y) {
+      const Recoloring& one = at(ports, x);
+      const Recoloring& other = at(ports, y);
+      return one.merit != other.merit ? one.merit > other.merit : one.joined.size() < other.joined.size();
+    });
+    std::vector<int>& list = result.lists[ports];
+    for (const int inner : order)
+      if (std::none_of(list.begin(), list.end(),
+                       [&](int earlier) { return includes(at(ports, inner).joined, at(ports, earlier).joined); }))
+        list.push_back(inner);
+  }
+  result.count();
+  return result;
+}
+
+bool NaiveLinked::best_beside(int ports, const std::vector<int>& list, std::size_t world) const {
+  const auto sound = [&](int inner) { return at(ports, inner).sound[world]; };
+  const auto first = std::find_if(list.begin(), list.end(), sound);
+  if (first == list.end()) return false;
+  for (int inner = 0; inner < recolorings(); ++inner)
+    if (sound(inner) && at(ports, inner).merit > at(ports, *first).merit) return false;
+  return true;
+}
+
+bool NaiveLinked::as_local(const NaiveOperation& operation, NaiveColors before, const std::vector<int>& list) const {
+  const std::vector<bool>& possible = possible_.at({&operation, before});
+  const auto first = std::find_if(list.begin(), list.end(), [&](int inner) {
+    for (std::size_t world = 0; world < possible.size(); ++world)
+      if (possible[world] && !at(before.ports, inner).sound[world]) return false;
+    return true;
+  });
+  const NaiveRow& rule = local_.rows.at(naive_key(operation, before));
+  return first != list.end() && at(before.ports, *first).merit == at(before.ports, rule.after.inner).merit;
+}
+
+Crimes NaiveLinked::crimes(const NaiveLists& lists) const {
+  Crimes crimes;
+  const auto count = [&](const char* claim, bool crime) {
+    if (crime) ++crimes[claim];
+  };
+  for (int ports = 0; ports < static_cast<int>(recolorings_.size()); ++ports) {
+    const auto found = lists.lists.find(ports);
+    const std::vector<int> list = found == lists.lists.end() ? std::vector<int>{} : found->second;
+    count("every port mask has its list", list.empty());
+    std::vector<int> legal;
+    for (const int inner : list) {
+      const Recoloring& row = at(ports, inner);
+      count("every alternative is legal", row.merit.empty());
+      if (row.merit.empty()) continue;
+      count("lists are in order of preference", !legal.empty() && at(ports, legal.back()).merit < row.merit);
+      count("no alternative is covered by an earlier one", std::any_of(legal.begin(), legal.end(), [&](int earlier) {
+              return includes(row.joined, at(ports, earlier).joined);
+            }));
+      legal.push_back(inner);
+    }
+    for (int inner = 0; inner < recolorings(); ++inner) {
+      const Recoloring& needed = at(ports, inner);
+      count("lists are complete", !needed.merit.empty() && std::none_of(legal.begin(), legal.end(), [&](int row) {
+              return at(ports, row).merit >= needed.merit && includes(needed.joined, at(ports, row).joined);
+            }));
+    }
+    for (std::size_t world = 0; world < matchings_[index(ports)].size(); ++world)
+      count("beside any outside nothing beats the first sound one", !best_beside(ports, list, world));
+  }
+  for_each_valid(*section_, [&](const NaiveOperation& operation, NaiveColors before) {
+    const auto found = lists.lists.find(before.ports);
+    count("where only colours are known it equals the local rule",
+          found == lists.lists.end() || !as_local(operation, before, found->second));
+  });
+  NaiveLists counted = lists;
+  counted.count();
+  for (std::size_t i = 0; i < counted.claims.size(); ++i)
+    count("the stated numbers", lists.claims[i].second != counted.claims[i].second);
+  return crimes;
+}
+
+std::string certificate_text(const std::string& family, const std::vector<NaiveLists>& sections) {
+  std::string text = fmt::format("restrip-certificate 2\nfamily {}\n", family);
+  std::size_t rows = 0;
+  for (const NaiveLists& section : sections) {
+    text += fmt::format("section {}\n", section.position);
+    for (const auto& [word, number] : section.claims) text += fmt::format("claim {} {}\n", word, number);
+    for (const auto& [ports, list] : section.lists)
+      for (const int inner : list) {
+        text += fmt::format("alternative {:x} {:x}\n", ports, inner);
+        ++rows;
+      }
+  }
+  return with_sums(text + fmt::format("end {}\n", rows));
+}
+
+std::vector<NaiveLinked> naive_linked(const std::vector<NaiveFamily>& families) {
+  std::vector<NaiveLinked> result;
+  for (const NaiveFamily& family : families)
+    if (family.name == "split" || family.name == "collapse")
+      for (const NaiveSection& section : family.sections)
+        result.emplace_back("linked-" + family.name, section, naive_table(family, section));
+  return result;
+}
+
+void for_each_doubtful(const NaiveLinked& linked, const std::function<bool(const DoubtfulLists&)>& visit) {
+  const NaiveLists good = linked.good();
+  bool go_on = true;
+  const auto offer = [&](const std::string& what, int ports, NaiveLists lists) {
+    if (!go_on) return;
+    lists.count();
+    go_on = visit({fmt::format("{}, {} {}, ports {:x}", what, good.family, good.position, ports), std::move(lists)});
+  };
+  for (const auto& [ports, list] : good.lists) {
+    NaiveLists missing = good;
+    missing.lists.erase(ports);
+    offer("list left out", ports, missing);
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const auto place = static_cast<std::ptrdiff_t>(i);
+      if (list.size() > 1) {
+        NaiveLists bad = good;
+        bad.lists[ports].erase(bad.lists[ports].begin() + place);
+        offer("row left out", ports, bad);
+      }
+      NaiveLists twice = good;
+      twice.lists[ports].insert(twice.lists[ports].begin() + place, list[i]);
+      offer("row twice", ports, twice);
+      if (i + 1 < list.size()) {
+        NaiveLists bad = good;
+        std::swap(bad.lists[ports][i], bad.lists[ports][i + 1]);
+        offer("rows exchanged", ports, bad);
+      }
+      for (int inner = 0; inner < linked.recolorings(); ++inner) {
+        // All of the smallest patch, of others those that differ in two edges at most.
+        const int differing = __builtin_popcount(static_cast<unsigned>(inner ^ list[i]));
+        if (differing == 0 || (differing > 2 && linked.recolorings() > 64)) continue;
+        NaiveLists bad = good;
+        bad.lists[ports][i] = inner;
+        offer("row replaced", ports, bad);
+      }
+    }
+  }
+  for (std::size_t i = 0; i < good.claims.size(); ++i)
+    for (const int difference : {-1, 1}) {
+      NaiveLists bad = good;
+      bad.claims[i].second += difference;
+      if (go_on) go_on = visit({fmt::format("claim {}, {} {}", bad.claims[i].first, good.family, good.position), bad});
+    }
+}
+
+}  // namespace restrip::verify::test

@@ -1,0 +1,73 @@
+#pragma once
+// Linked rules for small fans, made in the slowest and most obvious way; and what is wrong with lists, counted crime by
+// crime. Shares nothing with the checker that it tests.
+
+#include "naive_tables.hpp"
+
+namespace restrip::verify::test {
+
+/// One section: for each port mask its recolourings, best first.
+struct NaiveLists {
+  std::string family;  ///< "linked-split"
+  std::string position;
+  std::map<int, std::vector<int>> lists;
+  std::vector<std::pair<std::string, int>> claims;
+
+  /// Makes the claims those that the lists call for.
+  void count();
+};
+
+/// How often each crime occurs, by the claim that a checker has to report it under. No entry: never.
+using Crimes = std::map<std::string, std::uint64_t>;
+
+/// Everything there is to know about one section, found once.
+class NaiveLinked {
+ public:
+  /// `local`: the rows of the family without lists.
+  NaiveLinked(const std::string& family, const NaiveSection& section, NaiveTable local);
+
+  /// Lists that hold.
+  NaiveLists good() const;
+  Crimes crimes(const NaiveLists& lists) const;
+
+  const NaiveTable& local() const { return local_; }
+  /// How many recolourings there are.
+  int recolorings() const { return 1 << section_->operations.front().after.edges.size(); }
+
+ private:
+  using Pairs = std::set<Pair>;
+  struct Recoloring {
+    std::vector<int> merit;  ///< empty when degrees or cycles forbid it
+    Pairs joined;
+    std::vector<bool> sound;  ///< beside each matching of the ports
+  };
+
+  std::vector<bool> soundness(const NaivePatch& patch, NaiveColors colors) const;
+  bool best_beside(int ports, const std::vector<int>& list, std::size_t world) const;
+  bool as_local(const NaiveOperation& operation, NaiveColors before, const std::vector<int>& list) const;
+  const Recoloring& at(int ports, int inner) const;
+
+  std::string family_;
+  const NaiveSection* section_;
+  NaiveTable local_;
+  std::vector<std::vector<Pairs>> matchings_;         ///< by ports
+  std::vector<std::vector<Recoloring>> recolorings_;  ///< by ports, inner
+  std::map<std::pair<const NaiveOperation*, NaiveColors>, std::vector<bool>> possible_;
+};
+
+/// A certificate that holds these sections.
+std::string certificate_text(const std::string& family, const std::vector<NaiveLists>& sections);
+
+/// The sections of `linked-split` and `linked-collapse`. `families` has to outlive them.
+std::vector<NaiveLinked> naive_linked(const std::vector<NaiveFamily>& families);
+
+/// A list that something may be wrong with.
+struct DoubtfulLists {
+  std::string damage;  ///< "row left out, linked-split k 4 a 2, ports f"
+  NaiveLists lists;
+};
+
+/// Rows left out, exchanged, repeated, replaced; wrong claims. Stops when the callback returns false.
+void for_each_doubtful(const NaiveLinked& linked, const std::function<bool(const DoubtfulLists&)>& visit);
+
+}  // namespace restrip::verify::test
