@@ -240,8 +240,8 @@ TEST(Operations, AdoptionLeavesFewAlone) {
       if (walk.mesh.solid(side)) walk.mesh.set_solid(side, false);
     const ColoringReport before = check_coloring(walk.mesh);
     const Mending done = n % 3 == 0   ? adopt(walk.mesh, h)
-                          : n % 3 == 1 ? adopt_around(walk.mesh, h)
-                                       : adopt_after_flip(walk.mesh, h);
+                         : n % 3 == 1 ? adopt_around(walk.mesh, h)
+                                      : adopt_after_flip(walk.mesh, h);
     const ColoringReport after = check_coloring(walk.mesh);
     ASSERT_TRUE(after.valid);
     ASSERT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + done.strips);
