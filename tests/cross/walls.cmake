@@ -6,7 +6,7 @@ set(allowed_in_verify "${std}|<(boost/graph|fmt|nauty|openssl|CLI)/.*>|<(unistd|
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
 set(allowed_in_tables "\"restrip/rule_table.hpp\"")
 set(allowed_in_replay "${std}|\"restrip/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<unistd.h>")
-set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<unistd.h>")
+set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
 # Doors that are there on purpose: adapters to other libraries, the other backend of batches.
 set(door_adapters "<(OpenMesh|CGAL)/.*>")
 set(door_parallel_ranges "<tbb/.*>")

@@ -1,0 +1,91 @@
+// Batches of disjoint operations on one and two threads, against the plain loop. Real time: a batch is as slow as its
+// slowest thread.
+#include "restrip/batch.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+
+#include "made_mesh.hpp"
+#include "restrip/stripify.hpp"
+#include "settings.hpp"
+#include "spread.hpp"
+
+namespace restrip::bench {
+namespace {
+
+struct Ground {
+  StripMesh mesh;
+  std::vector<Site> sites;
+};
+
+const Ground& ground() {
+  static const Ground made = [] {
+    const replay::Soup soup = replay::make_mesh(settings().quick ? 2'000 : 1'000'000);
+    Ground g;
+    g.mesh = StripMesh::build(soup.triangles, soup.points.size());
+    stripify_fast(g.mesh);
+    g.sites = spread_out_sites(g.mesh, settings().quick ? 64 : 20'000);
+    return g;
+  }();
+  return made;
+}
+
+template <class Work>
+double seconds(Work&& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// `threads` 0: one by one, no batch.
+void batch(benchmark::State& state, unsigned threads, bool checked) {
+  const Ground& g = ground();
+  const BatchOptions options{threads, checked};
+  double down = 0;
+  double up = 0;
+  for (auto _ : state) {
+    StripMesh mesh = g.mesh;
+    std::vector<StripMesh::Halfedge> chords;
+    for (const Site& site : g.sites) chords.push_back(site.chord);
+    const double took_down = seconds([&] {
+      if (threads != 0)
+        collapse_batch(mesh, chords, options);
+      else
+        for (const StripMesh::Halfedge chord : chords) collapse(mesh, chord);
+    });
+    std::vector<SplitRequest> requests;
+    for (const Site& site : g.sites) requests.push_back({undo(mesh, site), site.v_t});
+    const double took_up = seconds([&] {
+      if (threads != 0)
+        split_batch(mesh, requests, options);
+      else
+        for (const SplitRequest& request : requests) split(mesh, request.where, request.new_vertex);
+    });
+    down += took_down;
+    up += took_up;
+    state.SetIterationTime(took_down + took_up);
+  }
+  const double each = 1e-9 * static_cast<double>(state.iterations()) * static_cast<double>(g.sites.size());
+  state.counters["collapse_ns"] = down / each;
+  state.counters["split_ns"] = up / each;
+}
+
+}  // namespace
+
+void register_benchmarks() {
+  const auto add = [](const std::string& name, unsigned threads, bool checked) {
+    benchmark::RegisterBenchmark(("batch/" + name).c_str(),
+                                 [=](benchmark::State& state) { batch(state, threads, checked); })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(3);
+  };
+  add("loop", 0, true);
+  for (const unsigned threads : {1U, 2U}) {
+    add("checked_before/" + std::to_string(threads), threads, true);
+    add("checking/" + std::to_string(threads), threads, false);
+  }
+}
+
+}  // namespace restrip::bench

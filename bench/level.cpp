@@ -1,0 +1,209 @@
+// Moving the level of detail by 1 % of its triangles: our ways go from the strips of one level to those of the next,
+// and keep an index buffer in step (StripBuffer); the others make strips of the new level from scratch, which is what
+// there is to do without rules. All in one run.
+//
+// The others get what they need for nothing: a triangle list of the new level with compact vertex numbers, an OpenMesh
+// of it, the memory for the result. Bare mesh updates, which they need as well, are not counted either.
+#include <benchmark/benchmark.h>
+#include <meshoptimizer.h>
+
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Tools/Utils/StripifierT.hh>
+#include <algorithm>
+#include <map>
+
+#include "count.hpp"
+#include "restrip/strip_buffer.hpp"
+#include "restrip/stripify.hpp"
+#include "settings.hpp"
+#include "stopwatch.hpp"
+#include "way.hpp"
+
+namespace restrip::bench {
+namespace {
+
+constexpr std::array<int, 3> percents{10, 50, 100};
+
+/// The mesh just below a level, as a way has brought it there from the base.
+struct Below {
+  StripMesh mesh;
+  std::size_t from = 0;
+  std::size_t to = 0;
+};
+
+const Below& below(const std::string& name, Way way, int percent) {
+  static std::map<std::tuple<std::string, Way, int>, Below> made;
+  const std::tuple key{name, way, percent};
+  if (!made.contains(key)) {
+    Player player(name, way);
+    for (const int next : percents) {
+      const std::size_t from = player.level_of(next * 0.0099);
+      player.up_to(from);
+      made[{name, way, next}] = {player.mesh(), from, player.level_of(next * 0.01)};
+    }
+  }
+  return made[key];
+}
+
+void move(benchmark::State& state, const std::string& name, Way way, int percent) {
+  const Below& start = below(name, way, percent);
+  Player player(name, way);
+  replay::Medians up;
+  replay::Medians down;
+  replay::Medians with_buffer;
+  std::vector<Triangle> changed;
+  for (auto _ : state) {
+    player.restart(start.mesh, start.from);
+    // Once up and down before, since a keeper that has just begun has its memory still to get.
+    player.up_to(start.to);
+    player.down_to(start.from);
+    up.time([&] { player.up_to(start.to); });
+    state.SetIterationTime(1e-9 * up.nanoseconds());
+    if (way != Way::bare && !state.counters.contains("strips")) count_strips(state, player.mesh());
+    down.time([&] { player.down_to(start.from); });
+    if (way == Way::bare) continue;
+    // The same with an index buffer, which has to grow at first as well.
+    player.restart(start.mesh, start.from);
+    StripBuffer buffer(player.mesh());
+    changed.clear();
+    player.mesh().watch(&changed);
+    const auto update = [&] {
+      benchmark::DoNotOptimize(buffer.update(player.mesh(), changed).data());
+      changed.clear();
+    };
+    player.up_to(start.to);
+    update();
+    player.down_to(start.from);
+    update();
+    with_buffer.time([&] {
+      player.up_to(start.to);
+      update();
+    });
+    player.mesh().watch(nullptr);
+    state.counters["buffer_indices_per_triangle"] =
+        static_cast<double>(buffer.indices().size()) / static_cast<double>(player.mesh().triangle_count());
+  }
+  state.counters["operations"] = static_cast<double>(start.to - start.from);
+  state.counters["up_ns"] = up.nanoseconds();
+  state.counters["down_ns"] = down.nanoseconds();
+  if (way != Way::bare) state.counters["up_with_buffer_ns"] = with_buffer.nanoseconds();
+}
+
+/// The triangles of a level, vertices numbered by appearance.
+struct List {
+  std::vector<std::uint32_t> indices;
+  std::size_t vertices = 0;
+  StripMesh mesh;
+};
+
+const List& list_of(const std::string& name, int percent) {
+  static std::map<std::pair<std::string, int>, List> made;
+  const std::pair key{name, percent};
+  if (made.contains(key)) return made[key];
+  Player player(name, Way::bare);
+  player.up_to(player.level_of(percent * 0.01));
+  List& list = made[key];
+  list.mesh = player.mesh();
+  std::vector<std::uint32_t> number(list.mesh.vertex_bound(), none);
+  for (Triangle t = 0; t < list.mesh.triangle_bound(); ++t) {
+    if (!list.mesh.alive(t)) continue;
+    for (const Vertex v : list.mesh.corners(t)) {
+      if (number[v] == none) number[v] = static_cast<std::uint32_t>(list.vertices++);
+      list.indices.push_back(number[v]);
+    }
+  }
+  return list;
+}
+
+void count_indices(benchmark::State& state, std::size_t triangles, std::size_t strips, std::size_t indices) {
+  state.counters["triangles"] = static_cast<double>(triangles);
+  state.counters["strips"] = static_cast<double>(strips);
+  state.counters["indices_per_triangle"] = static_cast<double>(indices) / static_cast<double>(triangles);
+}
+
+/// As it is, after the order that makes good strips was found under the clock, or before.
+enum class Order { as_it_is, found, given };
+
+void run_meshoptimizer(benchmark::State& state, const std::string& name, int percent, Order order) {
+  const List& list = list_of(name, percent);
+  std::vector<std::uint32_t> ordered = list.indices;
+  const auto find_order = [&] {
+    meshopt_optimizeVertexCacheStrip(ordered.data(), list.indices.data(), list.indices.size(), list.vertices);
+  };
+  if (order == Order::given) find_order();
+  std::vector<std::uint32_t> strips(meshopt_stripifyBound(list.indices.size()));
+  std::size_t count = 0;
+  replay::Medians time;
+  for (auto _ : state) {
+    time.time([&] {
+      if (order == Order::found) find_order();
+      count = meshopt_stripify(strips.data(), ordered.data(), ordered.size(), list.vertices, restart_index);
+    });
+    state.SetIterationTime(1e-9 * time.nanoseconds());
+  }
+  state.counters["up_ns"] = time.nanoseconds();
+  const auto restarts = std::count(strips.begin(), strips.begin() + static_cast<std::ptrdiff_t>(count), restart_index);
+  count_indices(state, list.indices.size() / 3, static_cast<std::size_t>(restarts) + 1, count);
+}
+
+void run_openmesh(benchmark::State& state, const std::string& name, int percent) {
+  using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
+  const List& list = list_of(name, percent);
+  Mesh mesh;
+  std::vector<Mesh::VertexHandle> vertices(list.vertices);
+  for (Mesh::VertexHandle& v : vertices) v = mesh.add_vertex({0, 0, 0});
+  for (std::size_t i = 0; i < list.indices.size(); i += 3)
+    mesh.add_face(vertices[list.indices[i]], vertices[list.indices[i + 1]], vertices[list.indices[i + 2]]);
+  OpenMesh::StripifierT<Mesh> stripifier(mesh);
+  replay::Medians time;
+  for (auto _ : state) {
+    time.time([&] { stripifier.stripify(); });
+    state.SetIterationTime(1e-9 * time.nanoseconds());
+  }
+  std::size_t indices = stripifier.n_strips() - 1;
+  for (const auto& strip : stripifier) indices += strip.size();
+  state.counters["up_ns"] = time.nanoseconds();
+  count_indices(state, mesh.n_faces(), stripifier.n_strips(), indices);
+}
+
+void run_from_scratch(benchmark::State& state, const std::string& name, int percent) {
+  StripMesh mesh = list_of(name, percent).mesh;
+  replay::Medians time;
+  replay::Medians indices;
+  for (auto _ : state) {
+    time.time([&] { stripify_fast(mesh); });
+    indices.time([&] { benchmark::DoNotOptimize(strip_indices(mesh, extract_strips(mesh)).data()); });
+    state.SetIterationTime(1e-9 * time.nanoseconds());
+  }
+  state.counters["up_ns"] = time.nanoseconds();
+  state.counters["up_with_buffer_ns"] = time.nanoseconds() + indices.nanoseconds();
+  count_strips(state, mesh);
+}
+
+}  // namespace
+
+void register_benchmarks() {
+  for (const std::string& name : subject_names()) {
+    for (const int percent : percents) {
+      const auto add = [&](const std::string& who, auto run) {
+        benchmark::RegisterBenchmark(("level/" + name + "/" + std::to_string(percent) + "/" + who).c_str(), run)
+            ->UseManualTime()
+            ->Unit(benchmark::kMicrosecond)
+            ->Iterations(settings().quick ? 1 : 3);
+      };
+      for (const Way way : {Way::bare, Way::local, Way::linked, Way::quick, Way::full, Way::baked})
+        if (way != Way::baked || has_baked(name))
+          add(name_of(way), [name, way, percent](benchmark::State& state) { move(state, name, way, percent); });
+      for (const auto& [who, order] : {std::pair{"meshopt_as_it_is", Order::as_it_is},
+                                       {"meshopt_ordered", Order::found},
+                                       {"meshopt_order_given", Order::given}})
+        add(who, [name = name, percent = percent, order = order](benchmark::State& state) {
+          run_meshoptimizer(state, name, percent, order);
+        });
+      add("openmesh", [name, percent](benchmark::State& state) { run_openmesh(state, name, percent); });
+      add("stripify_fast", [name, percent](benchmark::State& state) { run_from_scratch(state, name, percent); });
+    }
+  }
+}
+
+}  // namespace restrip::bench

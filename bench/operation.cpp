@@ -1,0 +1,159 @@
+// One operation, hot: splits, collapses and flips spread over a small mesh that fits in the second-level cache, in
+// every way against the bare mesh update by turns; and the parts of a split one by one.
+#include <benchmark/benchmark.h>
+
+#include "made_mesh.hpp"
+#include "restrip/stripify.hpp"
+#include "settings.hpp"
+#include "spread.hpp"
+#include "stopwatch.hpp"
+#include "way.hpp"
+
+namespace restrip::bench {
+namespace {
+
+struct Ground {
+  StripMesh mesh;
+  std::vector<Site> sites;
+};
+
+const Ground& ground() {
+  static const Ground made = [] {
+    const replay::Soup soup = replay::make_mesh(settings().quick ? 2'000 : 20'000);
+    Ground g;
+    g.mesh = StripMesh::build(soup.triangles, soup.points.size());
+    stripify(g.mesh, Effort::full);
+    g.sites = spread_out_sites(g.mesh, settings().quick ? 32 : 512);
+    return g;
+  }();
+  return made;
+}
+
+/// One pass over all sites in one way: down, up, up by way of the vertices, and two flips of every chord.
+struct Pass {
+  explicit Pass(Way way) : way_(way) {}
+
+  void run() {
+    const Ground& g = ground();
+    mesh_ = g.mesh;
+    if (way_ != Way::bare && way_ != Way::rules) {
+      if (keeper_)
+        keeper_->rebuild();
+      else
+        keeper_.emplace(mesh_, policy_of(way_));
+    }
+    std::vector<Halfedge> chords;
+    for (const Site& site : g.sites) chords.push_back(site.chord);
+    std::vector<VertexSplit<Halfedge>> where(chords.size());
+    with_operations(way_, mesh_, keeper_ ? &*keeper_ : nullptr, [&](const auto& operations) {
+      const auto down = [&] {
+        for (const Halfedge chord : chords) operations.collapse(chord);
+      };
+      collapse.time(down);
+      for (std::size_t i = 0; i < where.size(); ++i) where[i] = undo(mesh_, g.sites[i]);
+      split.time([&] {
+        for (std::size_t i = 0; i < where.size(); ++i) chords[i] = operations.split(where[i], g.sites[i].v_t);
+      });
+      down();
+      split_from_vertices.time([&] {
+        for (std::size_t i = 0; i < where.size(); ++i)
+          chords[i] = operations.split(undo(mesh_, g.sites[i]), g.sites[i].v_t);
+      });
+      for (std::size_t i = 0; i < where.size(); ++i)
+        if (check_flip(mesh_, chords[i]) != Refusal::granted) chords[i] = {none};
+      std::erase(chords, Halfedge{none});
+      flips = chords.size();
+      flip.time([&] {
+        for (Halfedge& chord : chords) chord = operations.flip(chord);
+      });
+    });
+  }
+
+  replay::Medians split;
+  replay::Medians split_from_vertices;
+  replay::Medians collapse;
+  replay::Medians flip;
+  std::size_t flips = 1;
+
+ private:
+  Way way_;
+  StripMesh mesh_;
+  std::optional<StripKeeper> keeper_;
+};
+
+void operation(benchmark::State& state, Way way) {
+  Pass with(way);
+  Pass bare(Way::bare);
+  for (auto _ : state) {
+    with.run();
+    bare.run();
+    state.SetIterationTime(1e-9 * (with.split.nanoseconds() + with.collapse.nanoseconds()));
+  }
+  const auto each = static_cast<double>(ground().sites.size());
+  const auto report = [&state](const std::string& what, double ns, double bare_ns) {
+    state.counters[what + "_ns"] = ns;
+    state.counters[what + "_bare_ns"] = bare_ns;
+  };
+  report("split", with.split.nanoseconds() / each, bare.split.nanoseconds() / each);
+  report("split_from_vertices", with.split_from_vertices.nanoseconds() / each,
+         bare.split_from_vertices.nanoseconds() / each);
+  report("collapse", with.collapse.nanoseconds() / each, bare.collapse.nanoseconds() / each);
+  report("flip", with.flip.nanoseconds() / static_cast<double>(with.flips),
+         bare.flip.nanoseconds() / static_cast<double>(bare.flips));
+}
+
+/// The parts of a split and of a collapse, each in a pass of its own: read the colours, look the rule up, change the
+/// mesh, write the colours.
+void parts(benchmark::State& state) {
+  const Ground& g = ground();
+  const std::size_t n = g.sites.size();
+  struct Work {
+    VertexSplit<Halfedge> where;
+    detail::InteriorFan<Halfedge> fan;
+    Word ring = 0;
+    Rule rule;
+    Halfedge at;
+  };
+  std::array<replay::Medians, 8> times;
+  for (auto _ : state) {
+    StripMesh mesh = g.mesh;
+    std::vector<Work> work(n);
+    const auto pass = [&](std::size_t part, auto&& one) {
+      times[part].time([&] {
+        for (std::size_t i = 0; i < n; ++i) one(work[i], g.sites[i]);
+      });
+    };
+    const auto moved = [](const Work& w) {
+      return std::span<const Halfedge>(w.fan.spokes + w.fan.a - 1, w.fan.k - w.fan.a);
+    };
+    pass(0, [&](Work& w, const Site& site) { detail::read_ring(mesh, site.chord, w.fan, w.ring); });
+    pass(1, [&](Work& w, const Site&) { w.rule = collapse_rule({w.fan.k, w.fan.a}, w.ring, w.fan.ports); });
+    pass(2, [&](Work& w, const Site& site) { w.at = mesh.remove_vertex(site.chord, moved(w)); });
+    pass(3, [&](Work& w, const Site&) { detail::recolor_fan(mesh, w.fan, w.at, w.rule.colors); });
+    for (std::size_t i = 0; i < n; ++i) work[i] = {undo(mesh, g.sites[i]), {}, 0, {}, {}};
+    pass(4, [&](Work& w, const Site&) { detail::read_interior_fan(mesh, w.where.left, w.where.right, w.fan); });
+    pass(5, [&](Work& w, const Site&) { w.rule = split_rule({w.fan.k, w.fan.a}, w.fan.loop, w.fan.ports); });
+    pass(6, [&](Work& w, const Site& site) {
+      w.at = mesh.insert_vertex(w.where.left, w.where.right, site.v_t, moved(w));
+    });
+    pass(7, [&](Work& w, const Site&) { detail::recolor_ring(mesh, w.fan, w.at, w.rule.colors); });
+    state.SetIterationTime(1e-9 * (times[4].nanoseconds() + times[5].nanoseconds() + times[7].nanoseconds()));
+  }
+  const char* names[] = {"collapse_gather_ns", "collapse_lookup_ns", "collapse_mesh_ns", "collapse_scatter_ns",
+                         "split_gather_ns",    "split_lookup_ns",    "split_mesh_ns",    "split_scatter_ns"};
+  for (std::size_t i = 0; i < times.size(); ++i)
+    state.counters[names[i]] = times[i].nanoseconds() / static_cast<double>(n);
+}
+
+}  // namespace
+
+void register_benchmarks() {
+  for (const Way way : {Way::rules, Way::local, Way::linked, Way::quick, Way::full})
+    benchmark::RegisterBenchmark((std::string("operation/") + name_of(way)).c_str(),
+                                 [way](benchmark::State& state) { operation(state, way); })
+        ->UseManualTime()
+        ->Iterations(settings().quick ? 3 : 31);
+  benchmark::RegisterBenchmark("parts", parts)->UseManualTime()->Iterations(settings().quick ? 3 : 101);
+}
+
+}  // namespace restrip::bench

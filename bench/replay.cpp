@@ -1,0 +1,54 @@
+// A whole replay, from 2 % of the triangles to all of them and back: each policy and the bare mesh by turns, in
+// nanoseconds an operation.
+#include <benchmark/benchmark.h>
+
+#include "count.hpp"
+#include "settings.hpp"
+#include "stopwatch.hpp"
+#include "way.hpp"
+
+namespace restrip::bench {
+namespace {
+
+void replay(benchmark::State& state, const std::string& name, Way way) {
+  Player with(name, way);
+  Player bare(name, Way::bare);
+  const std::size_t top = subject(name).mesh.splits.size();
+  replay::Medians up;
+  replay::Medians down;
+  replay::Medians up_bare;
+  replay::Medians down_bare;
+  for (auto _ : state) {
+    with.restart();
+    up.time([&] { with.up_to(top); });
+    if (!state.counters.contains("strips")) count_strips(state, with.mesh());
+    down.time([&] { with.down_to(0); });
+    bare.restart();
+    up_bare.time([&] { bare.up_to(top); });
+    down_bare.time([&] { bare.down_to(0); });
+    state.SetIterationTime(up.nanoseconds() * 1e-9);
+  }
+  const auto each = static_cast<double>(top);
+  state.counters["split_ns"] = up.nanoseconds() / each;
+  state.counters["split_bare_ns"] = up_bare.nanoseconds() / each;
+  state.counters["collapse_ns"] = down.nanoseconds() / each;
+  state.counters["collapse_bare_ns"] = down_bare.nanoseconds() / each;
+}
+
+}  // namespace
+
+void register_benchmarks() {
+  for (const std::string& name : subject_names()) {
+    for (const Way way : {Way::rules, Way::local, Way::linked, Way::quick, Way::full, Way::baked}) {
+      if (way == Way::baked && !has_baked(name)) continue;
+      auto* registered =
+          benchmark::RegisterBenchmark(("replay/" + name + "/" + name_of(way)).c_str(),
+                                       [name, way](benchmark::State& state) { replay(state, name, way); });
+      registered->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
+      // The searches take so long there that one run says it all.
+      if (name == "dragon" && (way == Way::quick || way == Way::full)) registered->Repetitions(1);
+    }
+  }
+}
+
+}  // namespace restrip::bench

@@ -1,0 +1,134 @@
+// From ten thousand to twenty million triangles: bytes a triangle and nanoseconds an operation. Collapses at random
+// places of a made mesh, each patch cold unless the mesh fits in a cache, and the splits that undo them; for the bare
+// mesh and the local rules also side by side, as if one part of the mesh were being worked on.
+#include <benchmark/benchmark.h>
+#include <malloc.h>
+
+#include "made_mesh.hpp"
+#include "restrip/strip_buffer.hpp"
+#include "restrip/stripify.hpp"
+#include "settings.hpp"
+#include "spread.hpp"
+#include "stopwatch.hpp"
+#include "way.hpp"
+
+namespace restrip::bench {
+namespace {
+
+/// What this process has taken from glibc's allocator.
+double allocated_bytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+/// One mesh at a time: the largest takes a gigabyte while it is made.
+struct Ground {
+  std::size_t triangles = 0;
+  StripMesh mesh;
+  std::vector<Site> spread;
+  std::vector<Site> neighboring;
+  double build_ns = 0;     // a triangle
+  double stripify_ns = 0;  // a triangle
+};
+
+const Ground& ground(std::size_t triangles) {
+  static Ground g;
+  if (g.triangles == triangles) return g;
+  g = {};
+  const replay::Soup soup = replay::make_mesh(triangles);
+  replay::Medians build;
+  build.time([&] { g.mesh = StripMesh::build(soup.triangles, soup.points.size()); });
+  replay::Medians greedy;
+  greedy.time([&] { stripify_fast(g.mesh); });
+  const auto each = static_cast<double>(g.mesh.triangle_count());
+  g.build_ns = build.nanoseconds() / each;
+  g.stripify_ns = greedy.nanoseconds() / each;
+  // More than a cache can hold, so that the way up does not find what the way down has just used.
+  const std::size_t count = std::min<std::size_t>(triangles / 25, settings().quick ? 100 : 100'000);
+  g.spread = spread_out_sites(g.mesh, count);
+  g.neighboring = neighboring_sites(g.mesh, std::min<std::size_t>(count, 4'000));
+  g.triangles = triangles;
+  return g;
+}
+
+/// Down and up again over some sites, in nanoseconds an operation.
+void pass(const std::vector<Site>& sites, StripMesh& mesh, StripKeeper* keeper, Way way, replay::Medians& down,
+          replay::Medians& up) {
+  with_operations(way, mesh, keeper, [&](const auto& operations) {
+    down.time([&] {
+      for (const Site& site : sites) operations.collapse(mesh.spoke(site.v_s, site.v_t));
+    });
+    up.time([&] {
+      for (const Site& site : sites) operations.split(undo(mesh, site), site.v_t);
+    });
+  });
+}
+
+void scale(benchmark::State& state, std::size_t triangles, Way way, bool side_by_side) {
+  const Ground& g = ground(triangles);
+  std::vector<Site> sites = side_by_side ? g.neighboring : g.spread;
+  // The searches take long and look at so much that fewer places do.
+  if (way == Way::quick || way == Way::full) sites.resize(std::min<std::size_t>(sites.size(), 20'000));
+  const double before = allocated_bytes();
+  StripMesh mesh = g.mesh;
+  std::optional<StripKeeper> keeper;
+  const double with_mesh = allocated_bytes();
+  if (way != Way::bare) keeper.emplace(mesh, policy_of(way));
+  const double with_keeper = allocated_bytes();
+  replay::Medians down;
+  replay::Medians up;
+  for (auto _ : state) {
+    pass(sites, mesh, keeper ? &*keeper : nullptr, way, down, up);
+    state.SetIterationTime(1e-9 * (down.nanoseconds() + up.nanoseconds()));
+  }
+  const auto each = static_cast<double>(sites.size());
+  const auto all = static_cast<double>(g.mesh.triangle_count());
+  state.counters["triangles"] = all;
+  state.counters["sites"] = each;
+  state.counters["collapse_ns"] = down.nanoseconds() / each;
+  state.counters["split_ns"] = up.nanoseconds() / each;
+  state.counters["mesh_bytes"] = (with_mesh - before) / all;
+  state.counters["keeper_bytes"] = (with_keeper - with_mesh) / all;
+  state.counters["build_ns"] = g.build_ns;
+  state.counters["stripify_ns"] = g.stripify_ns;
+}
+
+/// What an index buffer kept in step takes.
+void buffer_memory(benchmark::State& state, std::size_t triangles) {
+  const Ground& g = ground(triangles);
+  for (auto _ : state) {
+    const double before = allocated_bytes();
+    replay::Medians time;
+    std::optional<StripBuffer> buffer;
+    time.time([&] { buffer.emplace(g.mesh); });
+    const auto all = static_cast<double>(g.mesh.triangle_count());
+    state.counters["triangles"] = all;
+    state.counters["buffer_bytes"] = (allocated_bytes() - before) / all;
+    state.SetIterationTime(1e-9 * time.nanoseconds());
+  }
+}
+
+}  // namespace
+
+void register_benchmarks() {
+  std::vector<std::size_t> sizes{10'000, 30'000, 100'000, 300'000, 1'000'000, 3'000'000, 10'000'000, 20'000'000};
+  if (settings().quick) sizes = {2'000, 8'000};
+  for (const std::size_t size : sizes) {
+    const auto add = [size](const std::string& what, auto run) {
+      auto* registered = benchmark::RegisterBenchmark(("scale/" + std::to_string(size) + "/" + what).c_str(), run);
+      registered->UseManualTime()->Unit(benchmark::kMillisecond);
+      registered->Iterations(settings().quick ? 3 : size < 1'000'000 ? 15 : 5);
+      // Meshes are made for one size after the other, and repeated inside.
+      registered->Repetitions(1);
+    };
+    for (const bool side_by_side : {false, true})
+      for (const Way way : {Way::bare, Way::local})
+        add(std::string(side_by_side ? "side_by_side/" : "random/") + name_of(way),
+            [=](benchmark::State& state) { scale(state, size, way, side_by_side); });
+    for (const Way way : {Way::linked, Way::quick, Way::full})
+      add(std::string("random/") + name_of(way), [=](benchmark::State& state) { scale(state, size, way, false); });
+    add("buffer", [size](benchmark::State& state) { buffer_memory(state, size); });
+  }
+}
+
+}  // namespace restrip::bench

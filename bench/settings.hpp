@@ -1,0 +1,19 @@
+// What all benchmark programs share: how large a run is, and the program's main().
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace restrip::bench {
+
+struct Settings {
+  bool quick = false;            ///< RESTRIP_BENCH_QUICK is set: small made meshes alone, everything over in seconds
+  std::filesystem::path meshes;  ///< RESTRIP_MESHES: the folder of bunny.obj and dragon_vrip.ply; empty if not set
+};
+[[nodiscard]] const Settings& settings();
+
+/// Every program registers its benchmarks here; main() is in settings.cpp.
+void register_benchmarks();
+
+}  // namespace restrip::bench

@@ -1,0 +1,65 @@
+// Operations spread over a mesh, whose patches do not overlap: they can be done in any order, and undone, without any
+// simplification.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "random.hpp"
+#include "restrip/batch.hpp"
+#include "restrip/checks.hpp"
+#include "restrip/rules.hpp"
+#include "restrip/strip_mesh.hpp"
+
+namespace restrip::bench {
+
+/// A mesh edge to be collapsed, by its vertices, and its chord at first.
+struct Site {
+  StripMesh::Halfedge chord;
+  Vertex v_s = none;
+  Vertex v_t = none;
+  Vertex v_l = none;
+  Vertex v_r = none;
+};
+
+/// Adds a collapse if it is legal, interior and apart from those before, and leaves a fan that the tables know: on real
+/// meshes most splits are of such fans, while the edges of a made mesh, picked at random, would have many larger ones.
+inline void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Halfedge chord, std::vector<Site>& sites) {
+  if (check_collapse(mesh, chord) != Refusal::granted || mesh.leaves_boundary(chord) ||
+      mesh.leaves_boundary(mesh.opposite(chord)) ||
+      detail::spokes(mesh, mesh.from(chord)) + detail::spokes(mesh, mesh.to(chord)) > table_max_k + 4 ||
+      claims.claim(chord, sites.size()))
+    return;
+  const StripMesh::Halfedge back = mesh.opposite(chord);
+  sites.push_back(
+      {chord, mesh.from(chord), mesh.to(chord), mesh.to(StripMesh::next(chord)), mesh.to(StripMesh::next(back))});
+}
+
+/// Up to `count` disjoint legal collapses of interior edges, at random places in random order.
+[[nodiscard]] inline std::vector<Site> spread_out_sites(const StripMesh& mesh, std::size_t count) {
+  replay::Random random(1);
+  PatchClaims claims(mesh);
+  std::vector<Site> sites;
+  const auto triangles = static_cast<std::uint32_t>(mesh.triangle_bound());
+  for (std::size_t tries = 0; sites.size() < count && tries < 16 * count; ++tries) {
+    add_site(mesh, claims, StripMesh::halfedge(random.below(triangles), random.below(3)), sites);
+  }
+  return sites;
+}
+
+/// The same from the first triangle on, side by side: a part of the mesh that is being worked on.
+[[nodiscard]] inline std::vector<Site> neighboring_sites(const StripMesh& mesh, std::size_t count) {
+  PatchClaims claims(mesh);
+  std::vector<Site> sites;
+  for (Triangle t = 0; t < mesh.triangle_bound() && sites.size() < count; ++t)
+    add_site(mesh, claims, StripMesh::halfedge(t, 0), sites);
+  return sites;
+}
+
+/// The split that undoes the collapse of a site.
+[[nodiscard]] inline VertexSplit<StripMesh::Halfedge> undo(const StripMesh& mesh, const Site& site) {
+  return {mesh.spoke(site.v_s, site.v_l), mesh.spoke(site.v_s, site.v_r)};
+}
+
+}  // namespace restrip::bench

@@ -1,0 +1,28 @@
+// The progressive meshes that benchmarks replay.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bake.hpp"
+#include "progressive_mesh.hpp"
+#include "restrip/strip_mesh.hpp"
+
+namespace restrip::bench {
+
+struct Subject {
+  replay::ProgressiveMesh mesh;  ///< quadric collapses to 2 %
+  StripMesh base;                ///< with strips from scratch
+  std::size_t triangles = 0;     ///< of the finest level
+};
+
+/// "made", and "bunny" and "dragon" where their files are.
+[[nodiscard]] std::vector<std::string> subject_names();
+/// Made when first asked for, and kept.
+[[nodiscard]] const Subject& subject(const std::string& name);
+
+/// Baking the dragon takes minutes (docs/baked.md has its figures), so it is left out here.
+[[nodiscard]] bool has_baked(const std::string& name);
+[[nodiscard]] const replay::BakedMesh& baked_subject(const std::string& name);
+
+}  // namespace restrip::bench

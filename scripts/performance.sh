@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Measures everything that docs/performance.md says, and writes that page anew. A full run takes about a quarter of an hour and
+# three gigabytes; without RESTRIP_MESHES (a folder with bunny.obj and dragon_vrip.ply) made meshes alone are measured.
+#
+#   scripts/performance.sh                    measure all, into build/performance; then docs/performance.md
+#   scripts/performance.sh --only level       measure this program again and render; may be repeated
+#   scripts/performance.sh --quick            small meshes, seconds; the page goes to build/performance-quick
+#   --bin DIR                                 programs that have been built already
+#   --out DIR                                 where the JSON goes
+set -Eeuo pipefail
+cd "$(dirname "$0")/.."
+source scripts/setup.sh
+
+quick=() bin='' out='' only=()
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --quick) quick=(--quick) ;;
+    --bin) bin=${2:?--bin wants a folder}; shift ;;
+    --out) out=${2:?--out wants a folder}; shift ;;
+    --only) only+=("${2:?--only wants a program: batch, buffer, level, lookup, operation, programs, replay, scale}"); shift ;;
+    *) sed -n '2,10s/^# \{0,1\}//p' "$0"; [ "$1" = --help ] && exit 0; echo "performance.sh: unknown: $1" >&2; exit 2 ;;
+  esac
+  shift
+done
+out=${out:-build/performance${quick:+-quick}}
+programs=(lookup operation level buffer replay batch scale programs)
+[ ${#only[@]} -gt 0 ] || only=("${programs[@]}")
+for name in "${only[@]}"; do
+  [[ " ${programs[*]} " == *" $name "* ]] || { echo "performance.sh: no such program: $name; there are ${programs[*]}" >&2; exit 2; }
+done
+
+if [ -z "$bin" ]; then
+  need "${build_packages[@]}" "${bench_packages[@]}"
+  say "building"
+  cmake --preset release -DRESTRIP_BUILD_BENCH=ON >/dev/null
+  cmake --build --preset release
+  bin=build/release/bin
+fi
+mkdir -p "$out"
+
+# Medians of several repetitions, those of all benchmarks of a program mixed, so that a slow minute strikes all alike.
+mixed=(--benchmark_repetitions=5 --benchmark_enable_random_interleaving=true)
+[ ${#quick[@]} -eq 0 ] || { mixed=(--benchmark_repetitions=1); export RESTRIP_BENCH_QUICK=1; }
+for name in "${only[@]}"; do
+  say "measuring: $name"
+  case $name in
+    programs) bench/programs.py --bin "$bin" --out "$out/programs.json" "${quick[@]}"; continue ;;
+    lookup) how=("${mixed[@]}" --benchmark_min_time=0.05) ;;
+    scale) how=() ;;  # one mesh at a time, repeated inside
+    *) how=("${mixed[@]}") ;;
+  esac
+  "$bin/bench_$name" "${how[@]}" --benchmark_out="$out/$name.json.partial" --benchmark_out_format=json >"$out/$name.log" 2>&1 ||
+    { cat "$out/$name.log" >&2; false; }
+  mv "$out/$name.json.partial" "$out/$name.json"
+done
+
+say "writing the page"
+if [ ${#quick[@]} -gt 0 ]; then page=$out; else page=docs; fi
+bench/render.py --json "$out" --out "$page"
+echo "$page/performance.md"
