@@ -110,7 +110,7 @@ class Replay {
 
   // ---- what a renderer would have to upload, kept in step after every operation
   void measure_buffer() {
-    if (source_.splits.empty()) return;
+    if (source_.splits.empty() || !report_.faults.empty()) return;
     start_from_base();
     std::vector<Triangle> changed;
     mesh_.watch(&changed);

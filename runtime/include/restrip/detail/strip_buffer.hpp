@@ -69,7 +69,9 @@ inline void StripBuffer::collect(const StripMesh& mesh, Triangle start) {
   for (int end = 0; end < 2; ++end) {
     std::reverse(stretch_.begin(), stretch_.end());
     bool may_take_in = true;
-    for (;;) {
+    // In a colouring that is not valid a strip may come back to itself; what is drawn then is wrong, but there is an
+    // end.
+    while (stretch_.size() < mesh.triangle_count()) {
       const Triangle at = stretch_.back();
       const Triangle from = stretch_.size() > 1 ? stretch_[stretch_.size() - 2] : none;
       Triangle following = none;
