@@ -59,6 +59,10 @@ std::vector<Permutation> automorphisms(const Patch& patch) {
   const std::lock_guard lock(one_at_a_time);
   generators = &found;
   densenauty(g.data(), lab.data(), ptn.data(), orbits.data(), &options, &stats, m, static_cast<int>(n), nullptr);
+  // Its memory belongs to this thread, which may end.
+  nauty_freedyn();
+  nautil_freedyn();
+  naugraph_freedyn();
   generators = nullptr;
 
   // Close under composition: the groups here have at most 4k elements.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdint>
+#include <cstdlib>
 
 #include "input.hpp"
 
@@ -30,7 +32,7 @@ Clause NumberReader::clause(std::string_view words, int variables) const {
     at = rest;
     if (number == 0) break;
     if (number > variables || number < -variables)
-      fail(fmt::format("there is no variable {}; the formula has {}", number < 0 ? -number : number, variables));
+      fail(fmt::format("there is no variable {}; the formula has {}", std::abs(std::int64_t{number}), variables));
     clause.push_back(number);
   }
   if (at != end) fail(fmt::format("expected the end of the line after the 0, found \"{}\"", words));
