@@ -6,28 +6,15 @@
 
 #include <chrono>
 
-#include "made_mesh.hpp"
-#include "restrip/stripify.hpp"
 #include "settings.hpp"
 #include "spread.hpp"
 
 namespace restrip::bench {
 namespace {
 
-struct Ground {
-  StripMesh mesh;
-  std::vector<Site> sites;
-};
-
 const Ground& ground() {
-  static const Ground made = [] {
-    const replay::Soup soup = replay::make_mesh(settings().quick ? 2'000 : 1'000'000);
-    Ground g;
-    g.mesh = StripMesh::build(soup.triangles, soup.points.size());
-    stripify_fast(g.mesh);
-    g.sites = spread_out_sites(g.mesh, settings().quick ? 64 : 20'000);
-    return g;
-  }();
+  static const Ground made =
+      settings().quick ? make_ground(2'000, Effort::fast, 64) : make_ground(1'000'000, Effort::fast, 20'000);
   return made;
 }
 

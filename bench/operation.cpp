@@ -2,8 +2,6 @@
 // every way against the bare mesh update by turns; and the parts of a split one by one.
 #include <benchmark/benchmark.h>
 
-#include "made_mesh.hpp"
-#include "restrip/stripify.hpp"
 #include "settings.hpp"
 #include "spread.hpp"
 #include "stopwatch.hpp"
@@ -12,20 +10,9 @@
 namespace restrip::bench {
 namespace {
 
-struct Ground {
-  StripMesh mesh;
-  std::vector<Site> sites;
-};
-
 const Ground& ground() {
-  static const Ground made = [] {
-    const replay::Soup soup = replay::make_mesh(settings().quick ? 2'000 : 20'000);
-    Ground g;
-    g.mesh = StripMesh::build(soup.triangles, soup.points.size());
-    stripify(g.mesh, Effort::full);
-    g.sites = spread_out_sites(g.mesh, settings().quick ? 32 : 512);
-    return g;
-  }();
+  static const Ground made =
+      settings().quick ? make_ground(2'000, Effort::full, 32) : make_ground(20'000, Effort::full, 512);
   return made;
 }
 

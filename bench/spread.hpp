@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <vector>
 
+#include "made_mesh.hpp"
 #include "random.hpp"
 #include "restrip/batch.hpp"
 #include "restrip/checks.hpp"
 #include "restrip/rules.hpp"
 #include "restrip/strip_mesh.hpp"
+#include "restrip/stripify.hpp"
 
 namespace restrip::bench {
 
@@ -60,6 +62,19 @@ inline void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Half
 /// The split that undoes the collapse of a site.
 [[nodiscard]] inline VertexSplit<StripMesh::Halfedge> undo(const StripMesh& mesh, const Site& site) {
   return {mesh.spoke(site.v_s, site.v_l), mesh.spoke(site.v_s, site.v_r)};
+}
+
+/// A made mesh with strips and such collapses.
+struct Ground {
+  StripMesh mesh;
+  std::vector<Site> sites;
+};
+[[nodiscard]] inline Ground make_ground(std::size_t triangles, Effort effort, std::size_t sites) {
+  const replay::Soup soup = replay::make_mesh(triangles);
+  Ground ground{StripMesh::build(soup.triangles, soup.points.size()), {}};
+  stripify(ground.mesh, effort);
+  ground.sites = spread_out_sites(ground.mesh, sites);
+  return ground;
 }
 
 }  // namespace restrip::bench

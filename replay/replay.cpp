@@ -116,14 +116,11 @@ class Replay {
     mesh_.watch(&changed);
     StripBuffer buffer(mesh_);
     std::size_t written = 0;
-    const auto update = [&] {
-      for (const auto& range : buffer.update(mesh_, changed)) written += range.count;
-      changed.clear();
-    };
     Progress progress("keeping an index buffer", source_.splits.size());
     for (std::size_t i = 0; i < source_.splits.size(); ++i) {
       split_one(i);
-      update();
+      for (const auto& range : buffer.update(mesh_, changed)) written += range.count;
+      changed.clear();
       progress.at(i);
     }
     mesh_.watch(nullptr);

@@ -10,6 +10,7 @@
 
 #include "bad_input.hpp"
 #include "made_mesh.hpp"
+#include "scratch_folder.hpp"
 #include "shapes.hpp"
 
 namespace restrip::replay {
@@ -208,14 +209,7 @@ TEST(Stl, Refusals) {
   expect_refused(read_stl, "solid a\nfacet\nouter loop\nvertex 0 0\n", "three numbers");
 }
 
-class InFolder : public testing::Test {
- protected:
-  void SetUp() override { std::filesystem::create_directories(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      fmt::format("restrip_mesh_file_{}", ::testing::UnitTest::GetInstance()->random_seed());
-};
+using InFolder = ScratchFolder;
 
 TEST_F(InFolder, WhatIsWrittenIsRead) {
   const Soup soup = make_mesh(1000);

@@ -2,11 +2,8 @@
 // and CSV files whose numbers are those on the page; the same bytes on every run; nothing where the input is bad.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -15,17 +12,11 @@
 #include <sstream>
 
 #include "plot.hpp"
+#include "run_program.hpp"
+#include "scratch_folder.hpp"
 
 namespace restrip::replay {
 namespace {
-
-int run(const std::string& arguments, std::string* out = nullptr) {
-  FILE* pipe = popen(fmt::format("'{}' {} 2>/dev/null", RESTRIP_PROGRAM, arguments).c_str(), "r");
-  std::array<char, 4096> block{};
-  while (const std::size_t size = fread(block.data(), 1, block.size(), pipe))
-    if (out != nullptr) out->append(block.data(), size);
-  return WEXITSTATUS(pclose(pipe));
-}
 
 std::string bytes_of(const std::filesystem::path& file) {
   std::stringstream bytes;
@@ -94,26 +85,15 @@ std::vector<std::vector<std::string>> csv_rows(const std::string& bytes, const s
   return rows;
 }
 
-class PaperReport : public testing::Test {
- protected:
-  void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  [[nodiscard]] std::string file(const char* name) const { return (folder_ / name).string(); }
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      fmt::format("restrip_paper_{}", testing::UnitTest::GetInstance()->current_test_info()->name());
-};
+using PaperReport = ScratchFolder;
 
 TEST_F(PaperReport, PageAndFiguresAgree) {
   const std::string mesh = file("a<b>&\"c\",d.ply");  // as awkward as a name may be
   const std::string in_csv = "\"a<b>&\"\"c\"\",d.ply\"";
-  ASSERT_EQ(run(fmt::format("make-mesh --triangles 3000 -o '{}'", mesh)), 0);
-  std::string out;
-  ASSERT_EQ(run(fmt::format("paper --out '{}' --base 0.05 --json '{}'", file("one"), mesh), &out), 0);
-  const auto json = nlohmann::json::parse(out);
+  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 3000 -o '{}'", mesh)).code, 0);
+  const Outcome paper = run_program(fmt::format("paper --out '{}' --base 0.05 --json '{}'", file("one"), mesh));
+  ASSERT_EQ(paper.code, 0);
+  const auto json = nlohmann::json::parse(paper.out);
   const std::string html = bytes_of(folder_ / "one" / "index.html");
   EXPECT_EQ(tag_fault(html), "");
   for (const char* outside : {"http", "<script", "<img", "<link", "url("})
@@ -170,8 +150,8 @@ TEST_F(PaperReport, PageAndFiguresAgree) {
   for (const auto& line : strips_csv) EXPECT_EQ(on_page.at({line[0], line[1]}), line[2]) << line[0] << ' ' << line[1];
 
   // Again, into the same folder and into another: the same bytes, and nothing else there.
-  ASSERT_EQ(run(fmt::format("paper --out '{}' --base 0.05 '{}'", file("one"), mesh)), 0);
-  ASSERT_EQ(run(fmt::format("paper --out '{}' --base 0.05 '{}'", file("two"), mesh)), 0);
+  ASSERT_EQ(run_program(fmt::format("paper --out '{}' --base 0.05 '{}'", file("one"), mesh)).code, 0);
+  ASSERT_EQ(run_program(fmt::format("paper --out '{}' --base 0.05 '{}'", file("two"), mesh)).code, 0);
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "two")) {
     names.insert(entry.path().filename().string());
@@ -183,21 +163,21 @@ TEST_F(PaperReport, PageAndFiguresAgree) {
 }
 
 TEST_F(PaperReport, BadInputLeavesNoPage) {
-  ASSERT_EQ(run(fmt::format("make-mesh --triangles 200 -o '{}'", file("a.off"))), 0);
-  EXPECT_EQ(run(fmt::format("paper --out '{}' '{}' /no/such/mesh.obj", file("out"), file("a.off"))), 2);
+  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 200 -o '{}'", file("a.off"))).code, 0);
+  EXPECT_EQ(run_program(fmt::format("paper --out '{}' '{}' /no/such/mesh.obj", file("out"), file("a.off"))).code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "index.html"));
-  EXPECT_EQ(run(fmt::format("paper --out '{}' '{}'", file("a.off"), file("a.off"))), 2);
-  EXPECT_EQ(run(fmt::format("paper --out '{}'", file("out"))), 2);
-  EXPECT_EQ(run(fmt::format("paper '{}'", file("a.off"))), 2);
-  EXPECT_EQ(run(fmt::format("paper --levels 1 --out '{}' '{}'", file("out"), file("a.off"))), 2);
+  EXPECT_EQ(run_program(fmt::format("paper --out '{}' '{}'", file("a.off"), file("a.off"))).code, 2);
+  EXPECT_EQ(run_program(fmt::format("paper --out '{}'", file("out"))).code, 2);
+  EXPECT_EQ(run_program(fmt::format("paper '{}'", file("a.off"))).code, 2);
+  EXPECT_EQ(run_program(fmt::format("paper --levels 1 --out '{}' '{}'", file("out"), file("a.off"))).code, 2);
 }
 
 TEST_F(PaperReport, AProgressiveMeshIsReplayedAsItIs) {
-  ASSERT_EQ(run(fmt::format("make-mesh --triangles 1000 -o '{}'", file("a.off"))), 0);
-  ASSERT_EQ(run(fmt::format("simplify '{}' --base 0.3 -o '{}'", file("a.off"), file("a.pm"))), 0);
-  std::string out;
-  ASSERT_EQ(run(fmt::format("paper --json --out '{}' '{}'", file("out"), file("a.pm")), &out), 0);
-  const auto mesh = nlohmann::json::parse(out).at("meshes").at(0);
+  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 1000 -o '{}'", file("a.off"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("simplify '{}' --base 0.3 -o '{}'", file("a.off"), file("a.pm"))).code, 0);
+  const Outcome paper = run_program(fmt::format("paper --json --out '{}' '{}'", file("out"), file("a.pm")));
+  ASSERT_EQ(paper.code, 0);
+  const auto mesh = nlohmann::json::parse(paper.out).at("meshes").at(0);
   EXPECT_GT(mesh.at("base_triangles").get<int>(), 250);
   EXPECT_EQ(mesh.at("policies").at(0).at("levels").back().at("triangles"), mesh.at("triangles"));
 }

@@ -2,51 +2,25 @@
 // work.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "run_program.hpp"
+#include "scratch_folder.hpp"
+
+namespace restrip::replay {
 namespace {
 
-struct Outcome {
-  int code = -1;
-  std::string out;
-};
-
-/// Standard output, and standard error behind it when `errors`.
-Outcome restrip(const std::string& arguments, bool errors = false) {
-  Outcome outcome;
-  FILE* pipe =
-      popen(fmt::format("'{}' {} {}", RESTRIP_PROGRAM, arguments, errors ? "2>&1" : "2>/dev/null").c_str(), "r");
-  std::array<char, 4096> block{};
-  while (const std::size_t size = fread(block.data(), 1, block.size(), pipe)) outcome.out.append(block.data(), size);
-  outcome.code = WEXITSTATUS(pclose(pipe));
-  return outcome;
-}
-
-class Program : public testing::Test {
- protected:
-  void SetUp() override {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  [[nodiscard]] std::string file(const char* name) const { return (folder_ / name).string(); }
-  std::filesystem::path folder_ =
-      std::filesystem::path(testing::TempDir()) /
-      fmt::format("restrip_program_{}", testing::UnitTest::GetInstance()->current_test_info()->name());
-};
+using Program = ScratchFolder;
 
 TEST_F(Program, HelpAndVersion) {
-  EXPECT_EQ(restrip("--version").code, 0);
-  EXPECT_TRUE(restrip("--version").out.starts_with("restrip "));
+  EXPECT_EQ(run_program("--version").code, 0);
+  EXPECT_TRUE(run_program("--version").out.starts_with("restrip "));
   for (const char* command : {"", "stats", "replay", "simplify", "make-mesh", "stripify", "bake", "draw", "paper"}) {
-    const Outcome help = restrip(fmt::format("{} --help", command));
+    const Outcome help = run_program(fmt::format("{} --help", command));
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_NE(help.out.find("Example: restrip "), std::string::npos) << command;
   }
@@ -58,17 +32,17 @@ TEST_F(Program, WrongUsageIsTwo) {
         "replay --boundary melt --built-in", "replay --levels 1 --built-in", "replay x.obj --built-in",
         "stats /no/such/mesh.obj", "replay --policy best --built-in", "stripify x.obj --effort some",
         "draw -o /no/such/folder/a.svg", "make-mesh -o /no/such/folder/a.obj", "make-mesh --triangles 5 -o a.obj"})
-    EXPECT_EQ(restrip(arguments).code, 2) << arguments;
+    EXPECT_EQ(run_program(arguments).code, 2) << arguments;
 }
 
 TEST_F(Program, FullCircle) {
-  EXPECT_EQ(restrip(fmt::format("make-mesh --triangles 2000 -o '{}'", file("a.ply"))).code, 0);
-  const Outcome stats = restrip(fmt::format("stats '{}' --json", file("a.ply")));
+  EXPECT_EQ(run_program(fmt::format("make-mesh --triangles 2000 -o '{}'", file("a.ply"))).code, 0);
+  const Outcome stats = run_program(fmt::format("stats '{}' --json", file("a.ply")));
   EXPECT_EQ(stats.code, 0);
   EXPECT_EQ(nlohmann::json::parse(stats.out).at("genus"), 1);
-  EXPECT_EQ(restrip(fmt::format("simplify '{}' --base 0.1 -o '{}'", file("a.ply"), file("a.pm"))).code, 0);
+  EXPECT_EQ(run_program(fmt::format("simplify '{}' --base 0.1 -o '{}'", file("a.ply"), file("a.pm"))).code, 0);
   const Outcome replay =
-      restrip(fmt::format("replay '{}' --repeats 1 --cycles 2 --walk 500 --seed 9 --json -", file("a.pm")), true);
+      run_program(fmt::format("replay '{}' --repeats 1 --cycles 2 --walk 500 --seed 9 --json -", file("a.pm")), true);
   EXPECT_EQ(replay.code, 0);
   const auto json = nlohmann::json::parse(replay.out);  // and nothing else on either stream: silent in a pipe
   EXPECT_EQ(json.at("triangles"), nlohmann::json::parse(stats.out).at("triangles"));
@@ -77,10 +51,10 @@ TEST_F(Program, FullCircle) {
 }
 
 TEST_F(Program, StripifyCountsStrips) {
-  ASSERT_EQ(restrip(fmt::format("make-mesh --triangles 4000 -o '{}'", file("a.off"))).code, 0);
-  const auto fast = nlohmann::json::parse(restrip(fmt::format("stripify '{}' --json", file("a.off"))).out);
+  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 4000 -o '{}'", file("a.off"))).code, 0);
+  const auto fast = nlohmann::json::parse(run_program(fmt::format("stripify '{}' --json", file("a.off"))).out);
   const auto full =
-      nlohmann::json::parse(restrip(fmt::format("stripify '{}' --effort full --json", file("a.off"))).out);
+      nlohmann::json::parse(run_program(fmt::format("stripify '{}' --effort full --json", file("a.off"))).out);
   EXPECT_TRUE(fast.at("valid"));
   EXPECT_TRUE(full.at("valid"));
   EXPECT_LT(full.at("strips"), fast.at("strips"));
@@ -91,8 +65,8 @@ TEST_F(Program, StripifyCountsStrips) {
 
 TEST_F(Program, PoliciesKeepLongerStrips) {
   const auto strips_under = [&](const char* policy) {
-    const Outcome run =
-        restrip(fmt::format("replay --built-in --triangles 6000 --repeats 0 --cycles 1 --policy {} --json -", policy));
+    const Outcome run = run_program(
+        fmt::format("replay --built-in --triangles 6000 --repeats 0 --cycles 1 --policy {} --json -", policy));
     EXPECT_EQ(run.code, 0) << policy;
     return nlohmann::json::parse(run.out).at("levels").back().at("strips").get<int>();
   };
@@ -104,15 +78,15 @@ TEST_F(Program, PoliciesKeepLongerStrips) {
 }
 
 TEST_F(Program, BakedStripsArePlayed) {
-  ASSERT_EQ(restrip(fmt::format("make-mesh --triangles 3000 -o '{}'", file("a.ply"))).code, 0);
-  const Outcome bake = restrip(fmt::format("bake '{}' --base 0.1 -o '{}' --json", file("a.ply"), file("a.baked")));
+  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 3000 -o '{}'", file("a.ply"))).code, 0);
+  const Outcome bake = run_program(fmt::format("bake '{}' --base 0.1 -o '{}' --json", file("a.ply"), file("a.baked")));
   ASSERT_EQ(bake.code, 0);
   const auto made = nlohmann::json::parse(bake.out);
   EXPECT_EQ(made.at("most_strips"), 1);
   EXPECT_EQ(made.at("bytes"), std::filesystem::file_size(file("a.baked")));
   // A baked mesh is played by default; its mesh can be replayed by the rules as well, and baked again.
   for (const char* policy : {"", "--policy baked", "--policy local"}) {
-    const Outcome run = restrip(fmt::format("replay '{}' --repeats 1 {} --json -", file("a.baked"), policy));
+    const Outcome run = run_program(fmt::format("replay '{}' --repeats 1 {} --json -", file("a.baked"), policy));
     ASSERT_EQ(run.code, 0) << policy;
     const auto json = nlohmann::json::parse(run.out);
     EXPECT_EQ(json.at("triangles"), made.at("triangles"));
@@ -123,24 +97,24 @@ TEST_F(Program, BakedStripsArePlayed) {
     EXPECT_EQ(json.at("policy"), "baked");
     EXPECT_EQ(json.at("baked").at("levels_compared"), 2 * json.at("levels").size());
   }
-  EXPECT_EQ(restrip(fmt::format("bake '{}' -o '{}'", file("a.baked"), file("b.baked"))).code, 0);
-  EXPECT_EQ(restrip(fmt::format("stats '{}'", file("a.baked"))).code, 0);
-  EXPECT_EQ(restrip("replay --built-in --triangles 1000 --repeats 0 --policy baked").code, 0);
+  EXPECT_EQ(run_program(fmt::format("bake '{}' -o '{}'", file("a.baked"), file("b.baked"))).code, 0);
+  EXPECT_EQ(run_program(fmt::format("stats '{}'", file("a.baked"))).code, 0);
+  EXPECT_EQ(run_program("replay --built-in --triangles 1000 --repeats 0 --policy baked").code, 0);
 
   std::filesystem::resize_file(file("a.baked"), std::filesystem::file_size(file("a.baked")) - 1);
-  const Outcome truncated = restrip(fmt::format("replay '{}'", file("a.baked")), true);
+  const Outcome truncated = run_program(fmt::format("replay '{}'", file("a.baked")), true);
   EXPECT_EQ(truncated.code, 2);
   EXPECT_NE(truncated.out.find("truncated or altered"), std::string::npos);
 }
 
 TEST_F(Program, SimplifyingWhatIsProgressiveIsRefused) {
-  ASSERT_EQ(restrip(fmt::format("make-mesh --triangles 500 -o '{}'", file("a.off"))).code, 0);
-  ASSERT_EQ(restrip(fmt::format("simplify '{}' -o '{}'", file("a.off"), file("a.pm"))).code, 0);
-  ASSERT_EQ(restrip(fmt::format("bake '{}' -o '{}'", file("a.pm"), file("a.baked"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 500 -o '{}'", file("a.off"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("simplify '{}' -o '{}'", file("a.off"), file("a.pm"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("bake '{}' -o '{}'", file("a.pm"), file("a.baked"))).code, 0);
   for (const char* arguments :
        {"replay '{}' --base 0.5", "replay '{}' --boundary lock", "bake '{}' --base 0.5 -o b.baked"})
     for (const char* name : {"a.pm", "a.baked"}) {
-      const Outcome refused = restrip(fmt::format(fmt::runtime(arguments), file(name)), true);
+      const Outcome refused = run_program(fmt::format(fmt::runtime(arguments), file(name)), true);
       EXPECT_EQ(refused.code, 2) << arguments;
       EXPECT_NE(refused.out.find("--base and --boundary do not apply"), std::string::npos) << refused.out;
     }
@@ -149,24 +123,25 @@ TEST_F(Program, SimplifyingWhatIsProgressiveIsRefused) {
 TEST_F(Program, AnOutputThatIsNoFileIsWrittenTo) {
   std::ofstream(file("target")) << "old";
   std::filesystem::create_symlink(file("target"), file("link"));
-  ASSERT_EQ(restrip(fmt::format("replay --built-in --triangles 500 --repeats 0 --json '{}'", file("link"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("replay --built-in --triangles 500 --repeats 0 --json '{}'", file("link"))).code,
+            0);
   EXPECT_TRUE(std::filesystem::is_symlink(file("link")));
   std::ifstream in(file("target"));
   EXPECT_TRUE(nlohmann::json::parse(in).at("valid"));
   // A pipe: what goes in comes out, and the pipe is still there.
-  const Outcome piped = restrip("replay --built-in --triangles 500 --repeats 0 --json /dev/stdout");
+  const Outcome piped = run_program("replay --built-in --triangles 500 --repeats 0 --json /dev/stdout");
   EXPECT_EQ(piped.code, 0);
   EXPECT_TRUE(piped.out.starts_with("{"));
 }
 
 TEST_F(Program, ANegativeCountIsNamed) {
-  const Outcome refused = restrip(fmt::format("make-mesh --triangles -5 -o '{}'", file("a.obj")), true);
+  const Outcome refused = run_program(fmt::format("make-mesh --triangles -5 -o '{}'", file("a.obj")), true);
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.out.find("-5"), std::string::npos) << refused.out;
 }
 
 TEST_F(Program, DrawingIsTheOneShipped) {
-  ASSERT_EQ(restrip(fmt::format("draw -o '{}'", file("a.svg"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("draw -o '{}'", file("a.svg"))).code, 0);
   std::stringstream made;
   made << std::ifstream(file("a.svg")).rdbuf();
   std::stringstream shipped;
@@ -175,7 +150,8 @@ TEST_F(Program, DrawingIsTheOneShipped) {
 }
 
 TEST_F(Program, JsonHasItsKeys) {
-  ASSERT_EQ(restrip(fmt::format("replay --built-in --triangles 3000 --repeats 1 --json '{}'", file("a.json"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("replay --built-in --triangles 3000 --repeats 1 --json '{}'", file("a.json"))).code,
+            0);
   std::ifstream in(file("a.json"));
   const auto json = nlohmann::json::parse(in);
   for (const char* key : {"triangles", "operations", "operations_without_rule", "operations_isolating",
@@ -189,14 +165,14 @@ TEST_F(Program, JsonHasItsKeys) {
 }
 
 TEST_F(Program, AProgressiveMeshThatDoesNotFitIsOne) {
-  ASSERT_EQ(restrip(fmt::format("make-mesh --triangles 500 -o '{}'", file("a.off"))).code, 0);
-  ASSERT_EQ(restrip(fmt::format("simplify '{}' --base 0.2 -o '{}'", file("a.off"), file("a.pm"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 500 -o '{}'", file("a.off"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("simplify '{}' --base 0.2 -o '{}'", file("a.off"), file("a.pm"))).code, 0);
   std::fstream pm(file("a.pm"), std::ios::in | std::ios::out | std::ios::binary);
   pm.seekp(-4, std::ios::end);
   const std::array<char, 4> first_vertex{};
   pm.write(first_vertex.data(), 4);
   pm.close();
-  const Outcome replay = restrip(fmt::format("replay '{}'", file("a.pm")));
+  const Outcome replay = run_program(fmt::format("replay '{}'", file("a.pm")));
   EXPECT_EQ(replay.code, 1);
   EXPECT_NE(replay.out.find("FAULT"), std::string::npos);
 }
@@ -204,10 +180,11 @@ TEST_F(Program, AProgressiveMeshThatDoesNotFitIsOne) {
 TEST_F(Program, AFailedWriteLeavesTheTargetAlone) {
   std::ofstream(file("a.obj")) << "mine";
   std::filesystem::create_directory(file("a.obj.part"));  // in the way of the half-written file
-  EXPECT_EQ(restrip(fmt::format("make-mesh -o '{}'", file("a.obj"))).code, 2);
+  EXPECT_EQ(run_program(fmt::format("make-mesh -o '{}'", file("a.obj"))).code, 2);
   std::stringstream kept;
   kept << std::ifstream(file("a.obj")).rdbuf();
   EXPECT_EQ(kept.str(), "mine");
 }
 
 }  // namespace
+}  // namespace restrip::replay

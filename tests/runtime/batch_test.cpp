@@ -192,16 +192,6 @@ void compare_all_ways(const StripMesh& start, const std::vector<Request>& reques
   }
 }
 
-/// A cone of `k` triangles around vertex 0, closed below by a second apex.
-StripMesh double_cone(Vertex k) {
-  std::vector<sample::Corners> triangles;
-  for (Vertex i = 0; i < k; ++i) {
-    triangles.push_back({0, 2 + i, 2 + (i + 1) % k});
-    triangles.push_back({1, 2 + (i + 1) % k, 2 + i});
-  }
-  return StripMesh::build(triangles, k + 2);
-}
-
 std::vector<std::pair<std::string, StripMesh>> large_meshes() {
   std::vector<std::pair<std::string, StripMesh>> all;
   all.emplace_back("sphere", sample::sphere(5));
@@ -266,7 +256,7 @@ TEST(Batch, FansOfAnySize) {
   Chooser chooser(3);
   for (const Vertex k : {9U, 17U, 40U, 63U, 64U, 65U, 300U}) {
     SCOPED_TRACE(k);
-    StripMesh mesh = double_cone(k);
+    StripMesh mesh = sample::double_cone(k);
     chooser.stir(mesh, 40);
     for (int round = 0; round < 20; ++round) {
       compare_all_ways(mesh, chooser.disjoint<SplitRequest>(mesh, 100), chooser);
@@ -281,7 +271,7 @@ TEST(Batch, ManyLargeFansAtTheSameTime) {
   std::vector<sample::Corners> triangles;
   Vertex vertices = 0;
   for (Vertex k = 10; k < 100; ++k) {
-    const StripMesh cone = double_cone(k);
+    const StripMesh cone = sample::double_cone(k);
     for (Triangle t = 0; t < cone.triangle_bound(); ++t) {
       sample::Corners corners = cone.corners(t);
       for (Vertex& v : corners) v += vertices;

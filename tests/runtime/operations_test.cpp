@@ -157,16 +157,6 @@ class Walk {
   ColoringReport report_;
 };
 
-/// A cone of `k` triangles around vertex 0, closed below by a second apex: one vertex of a chosen valence.
-StripMesh double_cone(Vertex k) {
-  std::vector<sample::Corners> triangles;
-  for (Vertex i = 0; i < k; ++i) {
-    triangles.push_back({0, 2 + i, 2 + (i + 1) % k});
-    triangles.push_back({1, 2 + (i + 1) % k, 2 + i});
-  }
-  return StripMesh::build(triangles, k + 2);
-}
-
 TEST(Operations, SmallMeshesCheckedAfterEveryOperation) {
   unsigned seed = 1;
   for (StripMesh& start : sample::meshes()) {
@@ -200,7 +190,7 @@ TEST(Operations, LongWalksOnClosedAndOpenMeshes) {
 TEST(Operations, AnyValence) {
   for (const Vertex k : {9U, 40U, 61U, 62U, 63U, 64U, 65U, 130U, 1000U}) {
     SCOPED_TRACE(k);
-    StripMesh mesh = double_cone(k);
+    StripMesh mesh = sample::double_cone(k);
     // Give the fan some strips first, by operations of the rules themselves.
     for (unsigned round = 0; round < 3; ++round) {
       std::vector<Halfedge> spokes;

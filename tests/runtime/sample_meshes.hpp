@@ -18,6 +18,16 @@ inline StripMesh octahedron() {
   return StripMesh::build(t, 6);
 }
 
+// A cone of `k` triangles around vertex 0, closed below by a second apex: one vertex of a chosen valence.
+inline StripMesh double_cone(Vertex k) {
+  std::vector<Corners> triangles;
+  for (Vertex i = 0; i < k; ++i) {
+    triangles.push_back({0, 2 + i, 2 + (i + 1) % k});
+    triangles.push_back({1, 2 + (i + 1) % k, 2 + i});
+  }
+  return StripMesh::build(triangles, k + 2);
+}
+
 // A grid of columns x rows quadrilaterals, each cut along a diagonal drawn at random. Each direction may be closed:
 // none gives a rectangle, one a tube, both a torus.
 inline std::vector<Corners> grid(Vertex columns, Vertex rows, bool close_x, bool close_y, unsigned seed) {

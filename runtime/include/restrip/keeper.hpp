@@ -62,7 +62,10 @@ class StripKeeper {
  public:
   using Halfedge = StripMesh::Halfedge;
 
-  explicit StripKeeper(StripMesh& mesh, Policy policy = Policy::quick) : mesh_(&mesh) { set_policy(policy); }
+  explicit StripKeeper(StripMesh& mesh, Policy policy = Policy::quick)
+      : mesh_(&mesh), states_(restrip::max_states(policy)), linked_(policy == Policy::linked) {
+    rebuild();
+  }
 
   /// From the next operation on. Linear time when the index has to be made.
   void set_policy(Policy policy) {
@@ -74,7 +77,7 @@ class StripKeeper {
   void set_max_states(std::uint32_t states) {
     const bool had_index = states_ != 0;
     states_ = states;
-    if (!known_ || (!had_index && tunnels())) rebuild();
+    if (!had_index && tunnels()) rebuild();
   }
 
   /// The operations of operations.hpp, with the same preconditions. `strips` of the result counts what tunnelling
@@ -124,7 +127,6 @@ class StripKeeper {
   /// Reads the mesh anew. Linear time.
   void rebuild() {
     rounds_.restart();
-    known_ = true;
     if (tunnels()) {
       index_.rebuild(*mesh_);
       strips_ = index_.strips();
@@ -174,9 +176,8 @@ class StripKeeper {
   StripIndex index_;
   Tunnel tunnel_;
   TunnelRounds rounds_{256, 4096};
-  std::uint32_t states_ = 0;
-  bool linked_ = false;
-  bool known_ = false;  // has the mesh been read?
+  std::uint32_t states_;
+  bool linked_;
   std::size_t strips_ = 0;
   std::vector<Triangle> patch_;
 };
