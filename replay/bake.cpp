@@ -24,7 +24,10 @@ using Halfedge = StripMesh::Halfedge;
 
 class Baker {
  public:
-  Baker(BakedMesh& baked, const BakeOptions& options) : baked_(baked), effort_(options.effort) {}
+  Baker(BakedMesh& baked, const BakeOptions& options)
+      : baked_(baked),
+        effort_(options.effort),
+        index_(StripIndex::chunk_limit_for_long_strips(baked.mesh.fine_triangles())) {}
 
   BakeReport run() {
     Medians clock;

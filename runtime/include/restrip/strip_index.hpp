@@ -1,17 +1,15 @@
 // StripIndex: "same strip? which side?" without walking the strip, while strips are cut, linked, reversed and
 // rewritten.
 //
-// A strip is a sequence of *chunks* of at most `chunk_limit` triangles. A triangle knows its chunk and a label that
-// grows along the chunk; the chunks of a strip are the nodes of a balanced tree in strip order (a treap: Seidel,
-// Aragon, "Randomized search trees", 1996; priorities are a fixed hash, so everything is deterministic). A subtree is
-// reversed by one bit. This is the two-level list with reversal bits of the travelling-salesman codes (Fredman,
-// Johnson, McGeoch, Ostheimer, "Data structures for traveling salesmen", 1995) with a tree on top in place of the
-// second list, so that a reversal costs O(log n) and not O(sqrt n).
+// A strip is a list of *chunks* of at most `chunk_limit` triangles. A triangle knows its chunk and a label that grows
+// along the chunk; a chunk knows its strip, its rank and its direction (detail/chunk_lists.hpp). This is the two-level
+// list of the travelling-salesman codes (Fredman, Johnson, McGeoch, Ostheimer, "Data structures for traveling
+// salesmen", 1995).
 //
-// Costs, for a strip of n triangles: position() two memory reads when the tree has not changed since the chunk was
-// asked last, else a climb of O(log n); cut and link O(chunk_limit + log n); a local rewrite O(triangles of the patch),
-// and one cut for each strip that it cuts. Memory: 8 bytes a triangle and about one byte for chunks. Nothing is
-// allocated once the arrays have grown.
+// Costs, for a strip of n triangles: position() two memory reads; cut and link O(chunk_limit + n / chunk_limit), the
+// smaller part alone; a local rewrite O(triangles of the patch), and one cut for each strip that it cuts. The default
+// limit is made for strips of a few hundred triangles; about half the square root of n is best for longer ones.
+// Memory: 8 bytes a triangle and about one byte for chunks. Nothing is allocated once the arrays have grown.
 //
 // Labels live on the mesh's own links: the index walks solid edges when it splits or renumbers a chunk, so colours and
 // index have to change together. Colour dual edges through cut() and link(), and bracket every local operation by
@@ -23,6 +21,7 @@
 #include <span>
 #include <vector>
 
+#include "restrip/detail/chunk_lists.hpp"
 #include "restrip/strip_mesh.hpp"
 
 namespace restrip {
@@ -39,15 +38,23 @@ class StripIndex {
     friend constexpr bool operator==(const Position&, const Position&) = default;
   };
 
-  StripIndex() = default;
+  /// Chunks hold at most this many triangles.
+  static constexpr std::uint32_t default_chunk_limit = 64;
+  /// The limit for a mesh whose strips are to become as long as the mesh allows.
+  [[nodiscard]] static std::uint32_t chunk_limit_for_long_strips(std::size_t triangles) noexcept;
+
+  explicit StripIndex(std::uint32_t chunk_limit = default_chunk_limit) : chunk_limit_(chunk_limit) {}
   /// Indexes a valid colouring. Linear time.
-  explicit StripIndex(const StripMesh& mesh) { rebuild(mesh); }
+  explicit StripIndex(const StripMesh& mesh, std::uint32_t chunk_limit = default_chunk_limit)
+      : StripIndex(chunk_limit) {
+    rebuild(mesh);
+  }
   void rebuild(const StripMesh& mesh);
 
   /// The position of a triangle that is alive.
   [[nodiscard]] Position position(Triangle t) const noexcept;
   /// Number of strips.
-  [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
+  [[nodiscard]] std::size_t strips() const noexcept { return lists_.lists(); }
 
   /// Makes the solid dual edge of h dashed.
   void cut(StripMesh& mesh, Halfedge h);
@@ -64,32 +71,15 @@ class StripIndex {
   /// Room for this many triangles, so that operations up to there do not allocate.
   void reserve(std::size_t triangles);
 
-  /// Chunks hold at most this many triangles.
-  static constexpr std::uint32_t chunk_limit = 32;
-
  private:
   using Label = std::uint32_t;
-  using ChunkId = std::uint32_t;
+  using ChunkId = detail::ChunkLists::Id;
   static constexpr Label middle_label = 1U << 31;
   static constexpr Label label_step = 1U << 21;
 
   struct Place {
     ChunkId chunk = none;
     Label label = 0;
-  };
-  struct Chunk {
-    ChunkId parent = none;
-    ChunkId left = none;
-    ChunkId right = none;
-    std::uint32_t size = 1;   // chunks in this subtree
-    std::uint32_t count = 0;  // triangles in this chunk
-    bool turn_below = false;  // this subtree, the chunk itself included, reads backwards
-    bool backwards = false;   // the chunk itself reads backwards
-    // What the last climb found; valid when `seen` equals version_.
-    mutable bool turned = false;
-    mutable std::uint64_t seen = 0;
-    mutable std::uint32_t root = none;
-    mutable std::uint32_t rank = 0;
   };
   /// A solid path inside a patch: the halfedges that lead into it from outside, {none} at a strip's end.
   struct Strand {
@@ -101,19 +91,6 @@ class StripIndex {
     std::uint32_t last = 0;
   };
 
-  // ---- trees of chunks (detail/chunk_tree.hpp)
-  [[nodiscard]] std::uint32_t size(ChunkId c) const noexcept { return c == none ? 0 : chunks_[c].size; }
-  static std::uint32_t priority(ChunkId c) noexcept;
-  void update(ChunkId c) noexcept;
-  void push(ChunkId c) noexcept;
-  void expose(ChunkId c);
-  ChunkId merge(ChunkId a, ChunkId b) noexcept;
-  ChunkId merge_roots(ChunkId a, ChunkId b) noexcept;
-  void split(ChunkId c, bool after, ChunkId& lower, ChunkId& upper);
-  void erase(ChunkId c);
-  const Chunk& look_up(ChunkId c) const noexcept;
-  ChunkId new_chunk();
-
   // ---- chunks and their labels (detail/strip_index.hpp)
   bool step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept;
   [[nodiscard]] bool labels_grow(const StripMesh& mesh, Halfedge h) const noexcept;
@@ -122,6 +99,7 @@ class StripIndex {
   void append(const StripMesh& mesh, Halfedge h, bool up, std::span<const Triangle> nodes);
   void separate(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b);
   void split_chunk(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b);
+  void move_to(ChunkId to, ChunkId from, std::span<const Triangle> nodes) noexcept;
   void divide(const StripMesh& mesh, Triangle member);
   void join_chunks(const StripMesh& mesh, Halfedge h);
 
@@ -131,11 +109,8 @@ class StripIndex {
   void place_strand(const StripMesh& mesh, const Strand& strand);
 
   std::vector<Place> places_;
-  std::vector<Chunk> chunks_;
-  std::vector<ChunkId> free_chunks_;
-  std::uint64_t version_ = 1;  // counts the changes of trees
-  std::size_t strips_ = 0;
-  std::vector<ChunkId> path_;
+  detail::ChunkLists lists_;
+  std::uint32_t chunk_limit_;
   std::vector<Triangle> moving_;
   std::vector<Triangle> renumbered_;
   std::vector<std::uint32_t> marks_;  // patch membership: the value of mark_

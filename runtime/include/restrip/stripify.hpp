@@ -48,7 +48,7 @@ enum class Effort {
 inline std::size_t stripify(StripMesh& mesh, Effort effort = Effort::fast, std::size_t max_nodes = 0) {
   const std::size_t strips = stripify_fast(mesh);
   if (effort == Effort::fast) return strips;
-  StripIndex index(mesh);
+  StripIndex index(mesh, StripIndex::chunk_limit_for_long_strips(mesh.triangle_count()));
   Tunnel tunnel;
   TunnelRounds rounds;
   rounds.run(mesh, index, tunnel, max_nodes != 0 ? max_nodes : mesh.triangle_count() * 40, connected_pieces(mesh));

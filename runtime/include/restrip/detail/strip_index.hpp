@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
-#include "restrip/detail/chunk_tree.hpp"
 #include "restrip/strip_index.hpp"
 
 namespace restrip {
@@ -33,9 +33,9 @@ inline bool StripIndex::step(const StripMesh& mesh, Triangle& t, unsigned& entry
 
 inline StripIndex::Position StripIndex::position(Triangle t) const noexcept {
   const Place place = places_[t];
-  const Chunk& chunk = look_up(place.chunk);
-  const Label label = chunk.turned != chunk.backwards ? ~place.label : place.label;
-  return {chunk.root, std::uint64_t{chunk.rank} << 32 | label};
+  const auto& chunk = lists_[place.chunk];
+  const Label label = chunk.backwards ? ~place.label : place.label;
+  return {chunk.list, std::uint64_t{chunk.rank} << 32 | label};
 }
 
 // Do labels of the chunk of h's triangle grow across the solid edge of h?
@@ -43,20 +43,19 @@ inline bool StripIndex::labels_grow(const StripMesh& mesh, Halfedge h) const noe
   const Place here = places_[StripMesh::triangle(h)];
   const Place there = places_[StripMesh::triangle(mesh.opposite(h))];
   if (here.chunk == there.chunk) return there.label > here.label;
-  const std::uint32_t rank_there = look_up(there.chunk).rank;
-  const Chunk& chunk = look_up(here.chunk);
-  return (rank_there > chunk.rank) != (chunk.turned != chunk.backwards);
+  const auto& chunk = lists_[here.chunk];
+  return (lists_[there.chunk].rank > chunk.rank) != chunk.backwards;
 }
 
 // Is the end of a strip its last triangle? An isolated triangle is.
 inline bool StripIndex::is_last(const StripMesh& mesh, Triangle end) const noexcept {
   const Place place = places_[end];
-  const Chunk& chunk = look_up(place.chunk);
-  if (chunks_[chunk.root].size > 1) return chunk.rank != 0;
+  const auto& chunk = lists_[place.chunk];
+  if (chunk.after != chunk.before) return chunk.after == none;
   Triangle before = end;
   unsigned entry = 3;
   if (!step(mesh, before, entry)) return true;
-  return (places_[before].label < place.label) != (chunk.turned != chunk.backwards);
+  return (places_[before].label < place.label) != chunk.backwards;
 }
 
 // Spreads the labels of a chunk evenly. Labels grow across h if `up`; h's triangle is a member.
@@ -88,7 +87,7 @@ inline void StripIndex::renumber(const StripMesh& mesh, Halfedge h, bool up) {
 inline void StripIndex::append(const StripMesh& mesh, Halfedge h, bool up, std::span<const Triangle> nodes) {
   const Triangle at = StripMesh::triangle(h);
   const ChunkId c = places_[at].chunk;
-  chunks_[c].count += static_cast<std::uint32_t>(nodes.size());
+  lists_.count(c) += static_cast<std::uint32_t>(nodes.size());
   const std::uint64_t space = up ? ~places_[at].label : places_[at].label;
   const bool fits = space / label_step > nodes.size();
   Label label = places_[at].label;
@@ -102,16 +101,11 @@ inline void StripIndex::append(const StripMesh& mesh, Halfedge h, bool up, std::
 // Cuts the strip between the triangles of a and b: b's follows a's across a, though triangles of a patch may have been
 // between them.
 inline void StripIndex::separate(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b) {
-  ++strips_;
   const ChunkId c = places_[StripMesh::triangle(a)].chunk;
-  if (c == places_[StripMesh::triangle(b)].chunk) {
+  if (c == places_[StripMesh::triangle(b)].chunk)
     split_chunk(mesh, a, up_a, b);
-    return;
-  }
-  expose(c);
-  ChunkId lower = none;
-  ChunkId upper = none;
-  split(c, up_a != chunks_[c].backwards, lower, upper);
+  else
+    lists_.cut(c, up_a != lists_[c].backwards);
 }
 
 // The same inside one chunk: the smaller part, found by walking both ways at once, moves to a chunk of its own.
@@ -127,30 +121,20 @@ inline void StripIndex::split_chunk(const StripMesh& mesh, Halfedge a, bool up_a
     part[smaller]->push_back(at[smaller]);
     if (!step(mesh, at[smaller], entry[smaller]) || places_[at[smaller]].chunk != c) break;
   }
-  const ChunkId fresh = new_chunk();
-  expose(c);
-  const bool backwards = chunks_[c].backwards;
-  chunks_[fresh].backwards = backwards;
-  for (const Triangle t : *part[smaller]) places_[t].chunk = fresh;
-  const auto count = static_cast<std::uint32_t>(part[smaller]->size());
-  chunks_[fresh].count = count;
-  chunks_[c].count -= count;
+  const bool a_first = up_a != lists_[c].backwards;
+  move_to(lists_.cut_off(c, a_first != (smaller == 0)), c, *part[smaller]);
+}
 
-  const bool a_first = up_a != backwards;
-  const bool fresh_first = a_first == (smaller == 0);
-  ChunkId lower = none;
-  ChunkId upper = none;
-  split(c, !fresh_first, lower, upper);
-  if (fresh_first)
-    merge_roots(lower, fresh);
-  else
-    merge_roots(fresh, upper);
+inline void StripIndex::move_to(ChunkId to, ChunkId from, std::span<const Triangle> nodes) noexcept {
+  for (const Triangle t : nodes) places_[t].chunk = to;
+  lists_.count(to) += static_cast<std::uint32_t>(nodes.size());
+  lists_.count(from) -= static_cast<std::uint32_t>(nodes.size());
 }
 
 // Divides a chunk that has grown too large, until none is.
 inline void StripIndex::divide(const StripMesh& mesh, Triangle member) {
   const ChunkId c = places_[member].chunk;
-  while (chunks_[c].count > chunk_limit) {
+  while (lists_[c].count > chunk_limit_) {
     Triangle t = member;
     unsigned entry = 3;
     Triangle last = none;
@@ -159,7 +143,7 @@ inline void StripIndex::divide(const StripMesh& mesh, Triangle member) {
     } while (step(mesh, t, entry) && places_[t].chunk == c);
     // `last` is an end of the chunk; come back from it over the side towards the chunk.
     moving_.clear();
-    const std::uint32_t half = std::min(chunks_[c].count / 2, chunk_limit / 2);
+    const std::uint32_t half = std::min(lists_[c].count / 2, chunk_limit_ / 2);
     t = last;
     unsigned s = 0;
     const auto inside = [&](unsigned side) {
@@ -173,22 +157,8 @@ inline void StripIndex::divide(const StripMesh& mesh, Triangle member) {
       moving_.push_back(t);
       step(mesh, t, entry);
     }
-    const ChunkId fresh = new_chunk();
-    expose(c);
-    const bool backwards = chunks_[c].backwards;
-    chunks_[fresh].backwards = backwards;
-    const bool fresh_first = (places_[last].label < places_[t].label) != backwards;
-    for (const Triangle moved : moving_) places_[moved].chunk = fresh;
-    chunks_[fresh].count = half;
-    chunks_[c].count -= half;
-    ChunkId lower = none;
-    ChunkId upper = none;
-    split(c, !fresh_first, lower, upper);
-    if (fresh_first)
-      lower = merge_roots(lower, fresh);
-    else
-      upper = merge_roots(fresh, upper);
-    merge_roots(lower, upper);
+    const bool fresh_first = (places_[last].label < places_[t].label) != lists_[c].backwards;
+    move_to(lists_.add_beside(c, !fresh_first), c, moving_);
     if (places_[member].chunk != c) member = t;
   }
 }
@@ -198,19 +168,19 @@ inline void StripIndex::join_chunks(const StripMesh& mesh, Halfedge h) {
   const Halfedge back = mesh.opposite(h);
   const ChunkId keep = places_[StripMesh::triangle(h)].chunk;
   const ChunkId gone = places_[StripMesh::triangle(back)].chunk;
-  if (keep == gone || chunks_[keep].count + chunks_[gone].count > chunk_limit * 3 / 4) return;
-  if (chunks_[keep].count < chunks_[gone].count) {
+  if (keep == gone || lists_[keep].count + lists_[gone].count > chunk_limit_ * 3 / 4) return;
+  if (lists_[keep].count < lists_[gone].count) {
     join_chunks(mesh, back);
     return;
   }
-  if (chunks_[gone].count > chunk_limit / 8) return;
+  if (lists_[gone].count > chunk_limit_ / 8) return;
   const bool up = labels_grow(mesh, h);
   moving_.clear();
   Triangle t = StripMesh::triangle(back);
   unsigned entry = StripMesh::side(back);
   do moving_.push_back(t);
   while (step(mesh, t, entry) && places_[t].chunk == gone);
-  erase(gone);
+  lists_.erase(gone);
   append(mesh, h, up, moving_);
 }
 
@@ -223,33 +193,26 @@ inline void StripIndex::cut(StripMesh& mesh, Halfedge h) {
 inline void StripIndex::link(StripMesh& mesh, Halfedge h) {
   const Triangle a = StripMesh::triangle(h);
   const Triangle b = StripMesh::triangle(mesh.opposite(h));
-  const bool turn_a = !is_last(mesh, a);
-  const bool turn_b = is_last(mesh, b);
-  const ChunkId root_a = look_up(places_[a].chunk).root;
-  const ChunkId root_b = look_up(places_[b].chunk).root;
-  if (turn_a) chunks_[root_a].turn_below = !chunks_[root_a].turn_below;
-  if (turn_b) chunks_[root_b].turn_below = !chunks_[root_b].turn_below;
-  merge_roots(root_a, root_b);
+  lists_.join(places_[a].chunk, is_last(mesh, a), places_[b].chunk, is_last(mesh, b));
   mesh.set_solid(h, true);
-  --strips_;
   join_chunks(mesh, h);
+}
+
+inline std::uint32_t StripIndex::chunk_limit_for_long_strips(std::size_t triangles) noexcept {
+  return std::max(default_chunk_limit, static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles)) / 2));
 }
 
 inline void StripIndex::reserve(std::size_t triangles) {
   places_.reserve(triangles);
   marks_.reserve(triangles);
-  chunks_.reserve(triangles / 16);
-  free_chunks_.reserve(triangles / 16);
+  lists_.reserve(triangles / 16, triangles / 16);
 }
 
 inline void StripIndex::rebuild(const StripMesh& mesh) {
   places_.assign(mesh.triangle_bound(), {});
   marks_.assign(mesh.triangle_bound(), 0);
   mark_ = 0;
-  chunks_.clear();
-  free_chunks_.clear();
-  strips_ = 0;
-  ++version_;
+  lists_.clear();
   std::vector<Triangle> strip;
   for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {
     if (!mesh.alive(start) || places_[start].chunk != none || mesh.solid_degree(start) > 1) continue;
@@ -258,15 +221,14 @@ inline void StripIndex::rebuild(const StripMesh& mesh) {
     unsigned entry = 3;
     do strip.push_back(t);
     while (step(mesh, t, entry));
-    ++strips_;
-    ChunkId root = none;
+    ChunkId last = none;
     for (std::size_t i = 0; i < strip.size();) {
-      const std::size_t n = std::min<std::size_t>(chunk_limit / 2, strip.size() - i);
-      const ChunkId c = new_chunk();
-      chunks_[c].count = static_cast<std::uint32_t>(n);
+      const std::size_t n = std::min<std::size_t>(chunk_limit_ / 2, strip.size() - i);
+      const ChunkId c = last == none ? lists_.add() : lists_.add_beside(last, true);
+      lists_.count(c) = static_cast<std::uint32_t>(n);
       for (std::size_t j = 0; j < n; ++j)
         places_[strip[i + j]] = {c, static_cast<Label>(middle_label + label_step * (j - n / 2))};
-      root = merge_roots(root, c);
+      last = c;
       i += n;
     }
   }

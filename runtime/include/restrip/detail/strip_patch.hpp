@@ -79,7 +79,7 @@ inline void StripIndex::before_patch(const StripMesh& mesh, std::span<const Tria
   touched_.clear();
   for (const Triangle t : patch) {
     const ChunkId c = places_[t].chunk;
-    --chunks_[c].count;
+    --lists_.count(c);
     places_[t].chunk = none;
     if (touched_.empty() || touched_.back() != c) touched_.push_back(c);
   }
@@ -97,12 +97,11 @@ inline bool StripIndex::grew(Halfedge h) const noexcept {
 inline void StripIndex::place_strand(const StripMesh& mesh, const Strand& strand) {
   const std::span<const Triangle> nodes{strand_nodes_.data() + strand.first, strand_nodes_.data() + strand.last};
   if (strand.in.id == none) {
-    const ChunkId c = new_chunk();
-    ++strips_;
-    ++version_;
-    chunks_[c].count = static_cast<std::uint32_t>(nodes.size());
-    const Label step_size = std::min<Label>(label_step, ~Label{0} / (chunks_[c].count + 1));
-    Label label = middle_label - step_size * (chunks_[c].count / 2);
+    const ChunkId c = lists_.add();
+    const auto count = static_cast<std::uint32_t>(nodes.size());
+    lists_.count(c) = count;
+    const Label step_size = std::min<Label>(label_step, ~Label{0} / (count + 1));
+    Label label = middle_label - step_size * (count / 2);
     for (const Triangle t : nodes) {
       places_[t] = {c, label};
       label += step_size;
@@ -122,7 +121,7 @@ inline void StripIndex::place_strand(const StripMesh& mesh, const Strand& strand
     label = up ? label + gap : label - gap;
     places_[t] = {from.chunk, label};
   }
-  chunks_[from.chunk].count += static_cast<std::uint32_t>(nodes.size());
+  lists_.count(from.chunk) += static_cast<std::uint32_t>(nodes.size());
   if (gap == 0) renumber(mesh, strand.in, up);
 }
 
@@ -156,9 +155,9 @@ inline void StripIndex::after_patch(const StripMesh& mesh, std::span<const Trian
   for (const Strand& strand : strands_after_)
     if (strand.out.id == none) place_strand(mesh, strand);
   for (const ChunkId c : touched_)
-    if (chunks_[c].count == 0 && chunks_[c].size != 0) erase(c);
+    if (lists_[c].count == 0 && lists_.in_use(c)) lists_.erase(c);
   for (const Triangle t : patch)
-    if (chunks_[places_[t].chunk].count > chunk_limit) divide(mesh, t);
+    if (lists_[places_[t].chunk].count > chunk_limit_) divide(mesh, t);
 }
 
 }  // namespace restrip
