@@ -40,8 +40,7 @@ constexpr Word remove_bit(Word mask, std::size_t position) noexcept {
 }
 
 /// The number of set bits, as an int. Written out because std::popcount is a library call where the processor is not
-/// known to
-// have the instruction, and lookups count bits on their fast path.
+/// known to have the instruction, and lookups count bits on their fast path.
 constexpr int count_bits(Word mask) noexcept {
   mask -= mask >> 1 & 0x5555555555555555U;
   mask = (mask & 0x3333333333333333U) + (mask >> 2 & 0x3333333333333333U);

@@ -107,6 +107,11 @@ class StripMesh {
     for (const std::uint32_t link : triangles_[t].link) degree += link & 1U;
     return degree;
   }
+  /// The sides of t whose dual edges are solid: bit s for side s.
+  [[nodiscard]] unsigned solid_sides(Triangle t) const noexcept {
+    const auto& link = triangles_[t].link;
+    return (link[0] & 1U) | (link[1] & 1U) << 1 | (link[2] & 1U) << 2;
+  }
   /// Colours every dual edge dashed.
   void clear_colors() noexcept;
 

@@ -94,6 +94,8 @@ class Tunnel {
     Halfedge towards_x;
     Order order = 0;
   };
+  static unsigned dashed_sides(const StripMesh& mesh, Triangle t) noexcept;
+  static Halfedge lowest(Triangle t, unsigned sides) noexcept;
   void start(const StripMesh& mesh, const StripIndex& index, Triangle end);
   bool expand(StripMesh& mesh, StripIndex& index, std::uint32_t s);
   bool move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge join, Triangle x);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -21,14 +22,12 @@ inline bool StripIndex::step(const StripMesh& mesh, Triangle& t, unsigned& entry
       return true;
     }
   }
-  for (unsigned s = 0; s < 3; ++s) {
-    if (s == entry || !mesh.solid(StripMesh::halfedge(t, s))) continue;
-    const Halfedge back = mesh.opposite(StripMesh::halfedge(t, s));
-    t = StripMesh::triangle(back);
-    entry = StripMesh::side(back);
-    return true;
-  }
-  return false;
+  const unsigned ways = mesh.solid_sides(t) & ~(1U << entry);
+  if (ways == 0) return false;
+  const Halfedge back = mesh.opposite(StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(ways))));
+  t = StripMesh::triangle(back);
+  entry = StripMesh::side(back);
+  return true;
 }
 
 inline StripIndex::Position StripIndex::position(Triangle t) const noexcept {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 
 #include "restrip/tunnel.hpp"
 
@@ -44,6 +45,12 @@ inline void Tunnel::start(const StripMesh& mesh, const StripIndex& index, Triang
                                      (down ? Piece::down_flag : 0U) | Piece::last_flag};
 }
 
+// The sides over which a move may go. That of the cut is not among them: its colour is still solid.
+inline unsigned Tunnel::dashed_sides(const StripMesh& mesh, Triangle t) noexcept { return 7U & ~mesh.solid_sides(t); }
+inline StripMesh::Halfedge Tunnel::lowest(Triangle t, unsigned sides) noexcept {
+  return StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(sides)));
+}
+
 // Adds a state, unless its end has been one before. True when the new end lies beside the end of another strip, and the
 // two have been joined: most searches end here, so looking ahead spares expanding half of all states.
 inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state) {
@@ -52,9 +59,8 @@ inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state
   seen_[y] = search_;
   const auto s = static_cast<std::uint32_t>(states_.size());
   states_.push_back(state);
-  for (unsigned side = 0; side < 3; ++side) {
-    const Halfedge join = StripMesh::halfedge(y, side);
-    if (join == state.cut || mesh.solid(join)) continue;
+  for (unsigned dashed = dashed_sides(mesh, y); dashed != 0; dashed &= dashed - 1) {
+    const Halfedge join = lowest(y, dashed);
     const Halfedge there = mesh.opposite(join);
     if (StripMesh::on_boundary(there)) continue;
     const Triangle x = StripMesh::triangle(there);
@@ -68,11 +74,9 @@ inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state
 // All moves from a state. True when one of them has joined two strips.
 inline bool Tunnel::expand(StripMesh& mesh, StripIndex& index, std::uint32_t s) {
   if (s != 0) lay_out(s);
-  const Halfedge cut = states_[s].cut;
-  const Triangle end = s == 0 ? start_ : StripMesh::triangle(cut);
-  for (unsigned side = 0; side < 3; ++side) {
-    const Halfedge join = StripMesh::halfedge(end, side);
-    if (join == cut || mesh.solid(join)) continue;
+  const Triangle end = s == 0 ? start_ : StripMesh::triangle(states_[s].cut);
+  for (unsigned dashed = dashed_sides(mesh, end); dashed != 0; dashed &= dashed - 1) {
+    const Halfedge join = lowest(end, dashed);
     const Halfedge there = mesh.opposite(join);
     if (!StripMesh::on_boundary(there) && move(mesh, index, s, join, StripMesh::triangle(there))) return true;
   }
@@ -81,13 +85,11 @@ inline bool Tunnel::expand(StripMesh& mesh, StripIndex& index, std::uint32_t s) 
 
 // The moves over one dashed edge, to x.
 inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge join, Triangle x) {
-  Neighbor next[3];
+  Neighbor next[2];
   unsigned n = 0;
   bool seen_all = true;
-  for (unsigned side = 0; side < 3; ++side) {
-    const Halfedge h = StripMesh::halfedge(x, side);
-    if (!mesh.solid(h)) continue;
-    next[n].towards_x = mesh.opposite(h);
+  for (unsigned solid = mesh.solid_sides(x); solid != 0; solid &= solid - 1) {
+    next[n].towards_x = mesh.opposite(lowest(x, solid));
     seen_all = seen_all && seen_[StripMesh::triangle(next[n].towards_x)] == search_;
     ++n;
   }
