@@ -22,7 +22,8 @@ std::string says(Policy policy) {
     case Policy::full:
       break;
   }
-  return "the rules, then tunnelling: " + std::to_string(max_states(policy)) + " states from each strip end";
+  return "the rules, then tunnelling: up to " + std::to_string(search_of(policy).states) +
+         " states from each strip end";
 }
 
 Upkeep begin(Policy policy, StripMesh& mesh) {

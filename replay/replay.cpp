@@ -27,7 +27,7 @@ class Replay {
     if (options_.baked != nullptr)
       base_ = options_.baked->base;
     else
-      stripify(base_, max_states(options_.policy) != 0 ? Effort::full : Effort::fast);
+      stripify(base_, search_of(options_.policy).states != 0 ? Effort::full : Effort::fast);
     // One mesh serves every run, so that its memory is there before the first clock starts.
     mesh_.reserve(mesh.fine_triangles(), mesh.points.size());
     report_.base_triangles = base_.triangle_count();
@@ -56,7 +56,10 @@ class Replay {
     if (options_.baked != nullptr)
       player_.emplace(mesh_, options_.baked->records);
     else
-      keeper_.emplace(mesh_, options_.policy);
+      keeper_.emplace(mesh_, options_.policy).set_search(search());
+  }
+  [[nodiscard]] Search search() const {
+    return options_.states != 0 ? Search{options_.states, 0} : search_of(options_.policy);
   }
   /// Baked: nobody counts valence and isolated triangles; they are 0.
   Rewrite<Halfedge> split_one(std::size_t i) { return split_one(i, spokes_of(mesh_, source_.splits[i])); }

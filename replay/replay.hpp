@@ -19,6 +19,7 @@ struct ReplayOptions {
   std::size_t repeats = 5;        ///< of each timed run, at least; 0: no timing
   std::size_t cycles = 0;         ///< down and up again after the first way up
   Policy policy = Policy::local;  ///< how far an operation looks for strips to join
+  std::uint32_t states = 0;       ///< of each search of a policy that tunnels; 0: the policy's own
   /// Play these strips instead of any policy; they must be those of the mesh replayed.
   const BakedMesh* baked = nullptr;
 };

@@ -38,23 +38,28 @@ namespace restrip {
 enum class Policy {
   local,   ///< not at all: the rules of operations.hpp, with adoption (adopt.hpp); no index
   linked,  ///< along the strips that touch the patch (linked.hpp); no index
-  quick,   ///< 44 states from each strip end in the patch
-  full     ///< 240 states from each strip end in the patch
+  quick,   ///< tunnelling, for some 150 triangles per strip
+  full     ///< tunnelling, for several times as many
 };
 
-/// States that a search may look at under a policy. Searches of n states keep about 2 n triangles per strip or more on
-/// meshes far larger than that.
-[[nodiscard]] constexpr std::uint32_t max_states(Policy policy) noexcept {
+/// How large the searches from the strip ends in a patch are.
+struct Search {
+  std::uint32_t states = 0;  ///< that one search may look at; 0: none are made
+  std::uint32_t enough = 0;  ///< triangles per strip: searches get smaller while strips are longer on average. 0: never
+};
+
+/// Searches of n states keep about 3 n triangles per strip, where the holes and pieces of the mesh let them.
+[[nodiscard]] constexpr Search search_of(Policy policy) noexcept {
   switch (policy) {
     case Policy::local:
     case Policy::linked:
-      return 0;
+      return {};
     case Policy::quick:
-      return 44;
+      return {56, 150};
     case Policy::full:
-      return 240;
+      return {320, 0};
   }
-  return 0;
+  return {};
 }
 
 /// Keeps the strips of one mesh. While a keeper is in use, colour and change the mesh through it alone; after any other
@@ -64,20 +69,19 @@ class StripKeeper {
   using Halfedge = StripMesh::Halfedge;
 
   explicit StripKeeper(StripMesh& mesh, Policy policy = Policy::quick)
-      : mesh_(&mesh), states_(restrip::max_states(policy)), linked_(policy == Policy::linked) {
+      : mesh_(&mesh), search_(search_of(policy)), linked_(policy == Policy::linked) {
     rebuild();
   }
 
   /// From the next operation on. Linear time when the index has to be made.
   void set_policy(Policy policy) {
     linked_ = policy == Policy::linked;
-    set_max_states(max_states(policy));
+    set_search(search_of(policy));
   }
-  /// Any number of states from each strip end: more keep longer strips and take proportionally longer. 0: the rules
-  /// alone.
-  void set_max_states(std::uint32_t states) {
-    const bool had_index = states_ != 0;
-    states_ = states;
+  /// Searches of any size: larger ones keep longer strips and take proportionally longer.
+  void set_search(Search search) {
+    const bool had_index = tunnels();
+    search_ = search;
     if (!had_index && tunnels()) rebuild();
   }
 
@@ -89,16 +93,17 @@ class StripKeeper {
       return counted(linked_ ? split_and_link(*mesh_, where, new_vertex) : split_and_adopt(*mesh_, where, new_vertex));
     detail::fan_triangles(*mesh_, where.spokes == Spokes::right_only ? where.right : where.left, patch_);
     index_.before_patch(*mesh_, patch_);
-    Rewrite<Halfedge> done = restrip::split(*mesh_, where, new_vertex);
-    detail::edge_triangles(*mesh_, done.halfedge, patch_);
+    const Rewrite<Halfedge> done = restrip::split(*mesh_, where, new_vertex);
+    for (const Halfedge h : {done.halfedge, mesh_->opposite(done.halfedge)})
+      if (!StripMesh::on_boundary(h)) patch_.push_back(StripMesh::triangle(h));
     return finish(done);
   }
   Rewrite<Halfedge> collapse(Halfedge chord) {
     if (!tunnels()) return counted(linked_ ? collapse_and_link(*mesh_, chord) : collapse_and_adopt(*mesh_, chord));
     detail::edge_triangles(*mesh_, chord, patch_);
     index_.before_patch(*mesh_, patch_);
-    Rewrite<Halfedge> done = restrip::collapse(*mesh_, chord);
-    detail::fan_triangles(*mesh_, done.halfedge, patch_);
+    const Rewrite<Halfedge> done = restrip::collapse(*mesh_, chord);
+    std::erase_if(patch_, [this](Triangle t) { return !mesh_->alive(t); });
     return finish(done);
   }
   Rewrite<Halfedge> flip(Halfedge h) {
@@ -148,16 +153,26 @@ class StripKeeper {
   [[nodiscard]] const TunnelCounts& counts() const noexcept { return tunnel_.counts(); }
 
  private:
-  [[nodiscard]] bool tunnels() const noexcept { return states_ != 0; }
+  [[nodiscard]] bool tunnels() const noexcept { return search_.states != 0; }
+  // For the next operation. The longer the strips, the more states it takes to find an end; a high power of the length
+  // keeps all levels of detail close to `enough`.
+  [[nodiscard]] std::uint32_t states_now() const noexcept {
+    const double short_of = static_cast<double>(search_.enough) * static_cast<double>(index_.strips()) /
+                            static_cast<double>(mesh_->triangle_count());
+    if (search_.enough == 0 || short_of >= 1) return search_.states;
+    const double square = short_of * short_of;
+    return static_cast<std::uint32_t>(square * square * search_.states);
+  }
   Rewrite<Halfedge> counted(const Rewrite<Halfedge>& done) {
     strips_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(strips_) + done.strips);
     return done;
   }
   Rewrite<Halfedge> finish(Rewrite<Halfedge> done) {
     index_.after_patch(*mesh_, patch_);
+    const std::uint32_t states = states_now();
     for (const Triangle t : patch_) {
       const unsigned degree = mesh_->solid_degree(t);
-      if (degree > 1 || !tunnel_.join(*mesh_, index_, t, states_)) continue;
+      if (degree > 1 || !tunnel_.join(*mesh_, index_, t, states)) continue;
       --done.strips;
       if (degree == 0) --done.isolated;
     }
@@ -177,7 +192,7 @@ class StripKeeper {
   StripIndex index_;
   Tunnel tunnel_;
   TunnelRounds rounds_{256, 4096};
-  std::uint32_t states_;
+  Search search_;
   bool linked_;
   std::size_t strips_ = 0;
   std::vector<Triangle> patch_;

@@ -196,12 +196,9 @@ class StripWalk {
     while (ports_[at].name != static_cast<int>(port)) ++at;
     Halfedge h = mesh_->opposite(ports_[at].halfedge);
     for (std::size_t steps = 0; steps < reach_; ++steps) {
-      Halfedge out = mesh_->next(h);
-      if (!mesh_->solid(out)) {
-        out = mesh_->next(out);
-        if (!mesh_->solid(out)) return strip_ends;
-      }
-      h = mesh_->opposite(out);
+      const auto step = strip_step(*mesh_, h);
+      if (!step.goes_on) return strip_ends;
+      h = step.in;
       for (std::size_t i = 0; i < count_; ++i)
         if (ports_[i].halfedge == h) return ports_[i].name;
     }
@@ -246,16 +243,14 @@ Side same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Half
     // The solid edge out of the end; then always out on the other side.
     for (int side = 0; side < 3 && !mesh.solid(at); ++side) at = mesh.next(at);
     if (!mesh.solid(at)) return Side::different;  // alone
+    auto in = mesh.opposite(at);
     for (std::size_t steps = 0; steps < reach; ++steps) {
-      const auto in = mesh.opposite(at);
-      const auto second = mesh.next(in);
-      const auto third = mesh.next(second);
-      if (mesh.solid(second))
-        at = second;
-      else if (mesh.solid(third))
-        at = third;
-      else
-        return in == to || second == to || third == to ? Side::same : Side::different;
+      const auto step = strip_step(mesh, in);
+      if (!step.goes_on) {
+        const auto second = mesh.next(in);
+        return in == to || second == to || mesh.next(second) == to ? Side::same : Side::different;
+      }
+      in = step.in;
     }
   }
   return Side::unknown;

@@ -99,4 +99,22 @@ template <ColoredMesh Mesh>
   return {mesh.solid(port), mesh.solid(edge), mesh.opposite(edge)};
 }
 
+/// One triangle of a strip, entered over the dual edge of a halfedge of it: does the strip go on, and over which
+/// halfedge of the next triangle?
+template <class Halfedge>
+struct StripStep {
+  bool goes_on = false;
+  Halfedge in{};
+};
+
+/// A mesh may offer `StripStep<Halfedge> strip_step(in)` where it can do this without a branch for each side.
+template <ColoredMesh Mesh>
+[[nodiscard]] constexpr StripStep<typename Mesh::Halfedge> strip_step(const Mesh& mesh, typename Mesh::Halfedge in) {
+  if constexpr (requires { mesh.strip_step(in); }) return mesh.strip_step(in);
+  auto out = mesh.next(in);
+  if (!mesh.solid(out)) out = mesh.next(out);
+  if (!mesh.solid(out)) return {};
+  return {true, mesh.opposite(out)};
+}
+
 }  // namespace restrip

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -87,6 +88,12 @@ class StripMesh {
     const std::uint32_t edge = record.link[before];
     const std::uint32_t spoke = edge == edge_of_mesh ? ((h.id & ~3U) | before | outside) : edge >> 1;
     return {(port & 1U) != 0, (edge & 1U) != 0, {spoke}};
+  }
+  /// See restrip::strip_step. From a triangle that is entered from nowhere, halfedge(t, 3), over its lowest solid side.
+  [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const noexcept {
+    const unsigned ways = solid_sides(triangle(in)) & ~(1U << side(in));
+    if (ways == 0) return {};
+    return {true, {triangles_[triangle(in)].link[static_cast<unsigned>(std::countr_zero(ways))] >> 1}};
   }
   /// True when the vertex that h leaves lies on the boundary. Constant time.
   [[nodiscard]] bool leaves_boundary(Halfedge h) const noexcept { return on_boundary(opposite(spoke(from(h)))); }

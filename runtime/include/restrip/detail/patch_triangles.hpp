@@ -17,7 +17,7 @@ inline void add_fan(const StripMesh& mesh, StripMesh::Halfedge h, std::vector<Tr
   StripMesh::Halfedge g = h;
   while (!StripMesh::on_boundary(g)) {
     add(g);
-    g = turn_ccw(mesh, g);
+    g = mesh.fan_step(g).spoke;
     if (g == h) return;
   }
   for (g = h; !StripMesh::on_boundary(mesh.opposite(g));) {

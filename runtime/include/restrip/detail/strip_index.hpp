@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -22,12 +21,10 @@ inline bool StripIndex::step(const StripMesh& mesh, Triangle& t, unsigned& entry
       return true;
     }
   }
-  const unsigned ways = mesh.solid_sides(t) & ~(1U << entry);
-  if (ways == 0) return false;
-  const Halfedge back = mesh.opposite(StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(ways))));
-  t = StripMesh::triangle(back);
-  entry = StripMesh::side(back);
-  return true;
+  const StripStep<Halfedge> next = mesh.strip_step(StripMesh::halfedge(t, entry));
+  t = StripMesh::triangle(next.in);
+  entry = StripMesh::side(next.in);
+  return next.goes_on;
 }
 
 inline StripIndex::Position StripIndex::position(Triangle t) const noexcept {

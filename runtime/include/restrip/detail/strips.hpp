@@ -139,15 +139,11 @@ inline Strips extract_strips(const StripMesh& mesh) {
   std::vector<bool> listed(mesh.triangle_bound(), false);
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
     if (!mesh.alive(t) || listed[t] || mesh.solid_degree(t) > 1) continue;
-    for (Triangle at = t; at != none;) {
-      strips.order.push_back(at);
-      listed[at] = true;
-      Triangle following = none;
-      for (unsigned s = 0; s < 3; ++s) {
-        const Triangle u = detail::over_solid(mesh, at, s);
-        if (u != none && !listed[u]) following = u;
-      }
-      at = following;
+    // Where the colouring is not valid a strip may come back to itself.
+    StripStep<StripMesh::Halfedge> at{true, StripMesh::halfedge(t, 3)};
+    for (; at.goes_on && !listed[StripMesh::triangle(at.in)]; at = mesh.strip_step(at.in)) {
+      strips.order.push_back(StripMesh::triangle(at.in));
+      listed[StripMesh::triangle(at.in)] = true;
     }
     strips.start.push_back(strips.order.size());
   }
