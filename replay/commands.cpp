@@ -148,6 +148,10 @@ int run(const ReplayCommand& command) {
     options.baked = &*source.baked;
   } else {
     options.policy = policy_names().at(policy);
+    source.subject.search = search_of(options.policy);
+    if (command.states != 0) source.subject.search = {command.states, 0, Cost::strips};
+    source.subject.search.cost = command.cost;
+    options.search = source.subject.search;
   }
   const ReplayReport report = replay(source.mesh, source.original, options);
   std::optional<WalkTaken> walk;

@@ -70,10 +70,18 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
                   "quick, full: tunnelling after each operation; "
                   "baked: the strips of a baked mesh, or baked now (default: baked for a baked mesh, else local)")
       ->check(CLI::IsMember(policies));
-  sub->add_option("--states", command.replay.states,
+  sub->add_option("--states", command.states,
                   "of each search of the policies quick and full: more keep fewer strips and take longer (default: the "
                   "policy's own)")
       ->check(CLI::Range(1, 1'000'000));
+  sub->add_option_function<std::string>(
+         "--cost",
+         [&command](const std::string& word) {
+           command.cost = word == "indices" ? restrip::Cost::indices : restrip::Cost::strips;
+         },
+         "what the policies quick and full keep few: strips, or after these the indices of plain strips")
+      ->check(CLI::IsMember({"strips", "indices"}))
+      ->default_str("strips");
   CLI::Option* walk = sub->add_option("--walk", command.walk_steps,
                                       "then that many random splits, collapses and flips on the full mesh");
   sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->capture_default_str();
@@ -81,8 +89,9 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   sub->callback([sub, mesh, built_in, &command] {
     if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
     command.simplify_given = simplify_options_given(*sub);
-    if (command.replay.states != 0 && command.policy != "quick" && command.policy != "full")
-      throw CLI::ValidationError("--states", "only --policy quick and --policy full search");
+    for (const char* option : {"--states", "--cost"})
+      if (sub->count(option) != 0 && command.policy != "quick" && command.policy != "full")
+        throw CLI::ValidationError(option, "only --policy quick and --policy full search");
   });
   sub->footer("Example: restrip replay bunny.obj --base 0.02 --cycles 10 --json bunny.json");
   return sub;

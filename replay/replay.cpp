@@ -23,11 +23,14 @@ namespace {
 class Replay {
  public:
   Replay(const ProgressiveMesh& mesh, const ReplayOptions& options)
-      : source_(mesh), options_(options), base_(StripMesh::build(mesh.base, mesh.points.size())) {
+      : source_(mesh),
+        options_(options),
+        search_(options.search.value_or(search_of(options.policy))),
+        base_(StripMesh::build(mesh.base, mesh.points.size())) {
     if (options_.baked != nullptr)
       base_ = options_.baked->base;
     else
-      stripify(base_, search_of(options_.policy).states != 0 ? Effort::full : Effort::fast);
+      stripify(base_, search_.states != 0 ? Effort::full : Effort::fast);
     // One mesh serves every run, so that its memory is there before the first clock starts.
     mesh_.reserve(mesh.fine_triangles(), mesh.points.size());
     report_.base_triangles = base_.triangle_count();
@@ -56,10 +59,7 @@ class Replay {
     if (options_.baked != nullptr)
       player_.emplace(mesh_, options_.baked->records);
     else
-      keeper_.emplace(mesh_, options_.policy).set_search(search());
-  }
-  [[nodiscard]] Search search() const {
-    return options_.states != 0 ? Search{options_.states, 0} : search_of(options_.policy);
+      keeper_.emplace(mesh_, options_.policy).set_search(search_);
   }
   /// Baked: nobody counts valence and isolated triangles; they are 0.
   Rewrite<Halfedge> split_one(std::size_t i) { return split_one(i, spokes_of(mesh_, source_.splits[i])); }
@@ -311,6 +311,7 @@ class Replay {
 
   const ProgressiveMesh& source_;
   ReplayOptions options_;
+  Search search_;
   StripMesh base_;
   StripMesh mesh_;
   std::optional<StripKeeper> keeper_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,10 @@ namespace restrip::replay {
 struct ReplayOptions {
   std::size_t levels =
       12;  ///< how often the strips are written out and counted between base and finest level, at least 2
-  std::size_t repeats = 5;        ///< of each timed run, at least; 0: no timing
-  std::size_t cycles = 0;         ///< down and up again after the first way up
-  Policy policy = Policy::local;  ///< how far an operation looks for strips to join
-  std::uint32_t states = 0;       ///< of each search of a policy that tunnels; 0: the policy's own
+  std::size_t repeats = 5;                      ///< of each timed run, at least; 0: no timing
+  std::size_t cycles = 0;                       ///< down and up again after the first way up
+  Policy policy = Policy::local;                ///< how far an operation looks for strips to join
+  std::optional<Search> search = std::nullopt;  ///< other than the policy's own
   /// Play these strips instead of any policy; they must be those of the mesh replayed.
   const BakedMesh* baked = nullptr;
 };

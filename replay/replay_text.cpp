@@ -151,6 +151,8 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"triangles_per_strip",
        report.levels.empty() ? 0.0 : ratio(report.levels.back().triangles, report.levels.back().strips)},
       {"policy", subject.policy},
+      {"states", subject.search.states},
+      {"cost", subject.search.cost == Cost::indices ? "indices" : "strips"},
       {"most_strips", report.most_strips},
       {"cycles", std::move(cycles)},
       {"ns_per_operation", report.ns_per_operation},

@@ -43,6 +43,7 @@ struct Subject {
   std::size_t wanted_triangles = 0;  ///< of the base; 0 when the base was given
   LeftOut left_out;
   std::string policy;
+  Search search;  ///< of the policy
   std::optional<BakedCosts> baked;
 };
 

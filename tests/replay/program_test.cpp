@@ -31,8 +31,9 @@ TEST_F(Program, WrongUsageIsTwo) {
        {"", "fly", "stats", "replay", "replay --base 0 --built-in", "replay --base 2 --built-in",
         "replay --boundary melt --built-in", "replay --levels 1 --built-in", "replay x.obj --built-in",
         "stats /no/such/mesh.obj", "replay --policy best --built-in", "replay --states 9 --built-in",
-        "replay --states 9 --policy local --built-in", "stripify x.obj --effort some", "draw -o /no/such/folder/a.svg",
-        "make-mesh -o /no/such/folder/a.obj", "make-mesh --triangles 5 -o a.obj"})
+        "replay --states 9 --policy local --built-in", "replay --cost indices --built-in",
+        "replay --policy full --cost beauty --built-in", "stripify x.obj --effort some",
+        "draw -o /no/such/folder/a.svg", "make-mesh -o /no/such/folder/a.obj", "make-mesh --triangles 5 -o a.obj"})
     EXPECT_EQ(run_program(arguments).code, 2) << arguments;
 }
 
@@ -53,13 +54,26 @@ TEST_F(Program, FullCircle) {
 
 TEST_F(Program, LargerSearchesKeepFewerStrips) {
   const auto strips = [](const std::string& states) {
-    const Outcome replay = run_program("replay --built-in --triangles 20000 --repeats 0 --policy quick --json - " + states);
+    const Outcome replay =
+        run_program("replay --built-in --triangles 20000 --repeats 0 --policy quick --json - " + states);
     EXPECT_EQ(replay.code, 0);
     return nlohmann::json::parse(replay.out).at("levels").back().at("strips").get<int>();
   };
   const int usual = strips("");
   EXPECT_GT(strips("--states 10"), usual);
   EXPECT_LT(strips("--states 200"), usual);
+}
+
+TEST_F(Program, IndicesMayBeTheCost) {
+  const auto indices = [](const std::string& cost) {
+    const Outcome replay =
+        run_program("replay --built-in --triangles 20000 --repeats 0 --policy quick --json - --cost " + cost);
+    EXPECT_EQ(replay.code, 0);
+    const auto json = nlohmann::json::parse(replay.out);
+    EXPECT_EQ(json.at("cost"), cost);
+    return json.at("levels").back().at("indices").get<double>();
+  };
+  EXPECT_LT(indices("indices"), 0.96 * indices("strips"));
 }
 
 TEST_F(Program, StripifyCountsStrips) {

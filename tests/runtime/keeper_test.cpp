@@ -110,9 +110,14 @@ TEST(StripKeeper, ChangesItsPolicyOnTheWay) {
 
 TEST(StripKeeper, IsRightAfterEveryOperation) {
   std::mt19937 random(6);
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+  for (const auto& [policy, cost] : {std::pair{Policy::local, Cost::strips},
+                                     {Policy::linked, Cost::strips},
+                                     {Policy::quick, Cost::strips},
+                                     {Policy::quick, Cost::indices},
+                                     {Policy::full, Cost::strips}}) {
     for (StripMesh& mesh : sample::meshes()) {
       StripKeeper keeper(mesh, policy);
+      keeper.set_search({search_of(policy).states, search_of(policy).enough, cost});
       for (int i = 0; i < 400; ++i) {
         random_operation(keeper, random, mesh.triangle_count() < 60 || (i / 80) % 2 == 0);
         if (i % 97 == 0) keeper.improve(200);
@@ -147,6 +152,25 @@ TEST(StripKeeper, StripsDoNotAge) {
   keeper.improve(mesh.triangle_count() * 10);
   EXPECT_LE(keeper.strips(), allowed(1000));
   expect_right(keeper);
+}
+
+// The same operations under both costs: about as many strips, fewer indices.
+TEST(StripKeeper, IndicesAreFewerWhereTheyAreTheCost) {
+  const auto outcome = [](Cost cost) {
+    std::mt19937 random(9);
+    StripMesh mesh = sample::torus(60, 60);
+    stripify(mesh, Effort::full);
+    StripKeeper keeper(mesh, Policy::quick);
+    keeper.set_search({search_of(Policy::quick).states, search_of(Policy::quick).enough, cost});
+    for (int done = 0; done < 8000;) done += random_operation(keeper, random, done % 2 == 0) ? 1 : 0;
+    const Strips strips = extract_strips(mesh);
+    return std::pair{static_cast<double>(mesh.triangle_count()) / static_cast<double>(strips.size()),
+                     static_cast<double>(strip_index_count(mesh, strips)) / static_cast<double>(mesh.triangle_count())};
+  };
+  const auto [length, indices] = outcome(Cost::strips);
+  const auto [length_too, fewer_indices] = outcome(Cost::indices);
+  EXPECT_LT(fewer_indices, indices * 0.99);
+  EXPECT_GT(length_too, length * 0.8);
 }
 
 }  // namespace

@@ -42,10 +42,11 @@ enum class Policy {
   full     ///< tunnelling, for several times as many
 };
 
-/// How large the searches from the strip ends in a patch are.
+/// How large the searches from the strip ends in a patch are, and what for.
 struct Search {
   std::uint32_t states = 0;  ///< that one search may look at; 0: none are made
   std::uint32_t enough = 0;  ///< triangles per strip: searches get smaller while strips are longer on average. 0: never
+  Cost cost = Cost::strips;
 };
 
 /// Searches of n states keep about 3 n triangles per strip, where the holes and pieces of the mesh let them.
@@ -55,9 +56,9 @@ struct Search {
     case Policy::linked:
       return {};
     case Policy::quick:
-      return {56, 150};
+      return {56, 150, Cost::strips};
     case Policy::full:
-      return {320, 0};
+      return {320, 0, Cost::strips};
   }
   return {};
 }
@@ -170,9 +171,10 @@ class StripKeeper {
   Rewrite<Halfedge> finish(Rewrite<Halfedge> done) {
     index_.after_patch(*mesh_, patch_);
     const std::uint32_t states = states_now();
+    const auto on_failure = search_.cost == Cost::indices ? Tunnel::OnFailure::fewer_swaps : Tunnel::OnFailure::stay;
     for (const Triangle t : patch_) {
       const unsigned degree = mesh_->solid_degree(t);
-      if (degree > 1 || !tunnel_.join(*mesh_, index_, t, states)) continue;
+      if (degree > 1 || !tunnel_.join(*mesh_, index_, t, states, on_failure)) continue;
       --done.strips;
       if (degree == 0) --done.isolated;
     }

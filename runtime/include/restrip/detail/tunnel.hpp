@@ -13,6 +13,7 @@ inline bool Tunnel::join(StripMesh& mesh, StripIndex& index, Triangle end, std::
   if (max_states == 0 || index.strips() < 2 || mesh.solid_degree(end) > 1) return false;
   ++counts_.searches;
   max_states_ = max_states;
+  counts_swaps_ = on_failure == OnFailure::fewer_swaps;
   start(mesh, index, end);
   bool joined = false;
   for (std::uint32_t s = 0; s < states_.size() && states_.size() < max_states && !joined; ++s) {
@@ -20,8 +21,10 @@ inline bool Tunnel::join(StripMesh& mesh, StripIndex& index, Triangle end, std::
   }
   counts_.states += states_.size();
   counts_.joined += joined ? 1U : 0U;
-  if (!joined && on_failure == OnFailure::wander) commit(mesh, index, static_cast<std::uint32_t>(states_.size() - 1));
-  return joined;
+  if (joined) return true;
+  if (on_failure == OnFailure::wander) commit(mesh, index, static_cast<std::uint32_t>(states_.size() - 1));
+  if (on_failure == OnFailure::fewer_swaps) commit(mesh, index, straightest_);
+  return false;
 }
 
 inline void Tunnel::start(const StripMesh& mesh, const StripIndex& index, Triangle end) {
@@ -31,6 +34,7 @@ inline void Tunnel::start(const StripMesh& mesh, const StripIndex& index, Triang
     search_ = 1;
   }
   states_.clear();
+  straightest_ = 0;
   used_ = 0;
   start_ = end;
   seen_[end] = search_;
@@ -59,6 +63,10 @@ inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state
   seen_[y] = search_;
   const auto s = static_cast<std::uint32_t>(states_.size());
   states_.push_back(state);
+  if (counts_swaps_) {
+    states_[s].swaps = states_[state.parent].swaps + swaps_of_move(mesh, state);
+    if (states_[s].swaps < states_[straightest_].swaps) straightest_ = s;
+  }
   for (unsigned dashed = dashed_sides(mesh, y); dashed != 0; dashed &= dashed - 1) {
     const Halfedge join = lowest(y, dashed);
     const Halfedge there = mesh.opposite(join);
@@ -69,6 +77,57 @@ inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state
     if (move(mesh, index, s, join, x)) return true;
   }
   return false;
+}
+
+namespace detail {
+
+// The solid side of a triangle other than s: 0 there is none, 1 the next one, 2 the one before. At most two are solid.
+constexpr unsigned turn_from(unsigned solid, unsigned s) noexcept {
+  const unsigned next = s == 2 ? 0 : s + 1;
+  const unsigned before = s == 0 ? 2 : s - 1;
+  return (solid >> next & 1U) | (solid >> before & 1U) << 1;
+}
+
+// A solid dual edge is a swap when the strip turns the same way on both its sides: 1, else 0. Of both triangles, the
+// solid sides and the one that the edge crosses.
+constexpr int is_swap(unsigned solid_a, unsigned a, unsigned solid_b, unsigned b) noexcept {
+  return int{(turn_from(solid_a, a) ^ turn_from(solid_b, b)) == 3};
+}
+
+}  // namespace detail
+
+// By how many a move changes the swaps: those at its two edges and at their solid neighbours, as the mesh and the cut
+// before have them.
+inline int Tunnel::swaps_of_move(const StripMesh& mesh, const State& state) const noexcept {
+  const Halfedge join_x = mesh.opposite(state.join);
+  const Halfedge cut_x = mesh.opposite(state.cut);
+  const Triangle end = StripMesh::triangle(state.join);
+  const Triangle x = StripMesh::triangle(join_x);
+  const Triangle y = StripMesh::triangle(state.cut);
+  const auto with = [](unsigned sides, Halfedge h) { return sides | 1U << StripMesh::side(h); };
+  const auto without = [](unsigned sides, Halfedge h) { return sides & ~(1U << StripMesh::side(h)); };
+
+  const unsigned end_before =
+      state.parent == 0 ? mesh.solid_sides(end) : without(mesh.solid_sides(end), states_[state.parent].cut);
+  const unsigned end_after = with(end_before, state.join);
+  const unsigned x_before = mesh.solid_sides(x);
+  const unsigned x_after = with(without(x_before, cut_x), join_x);
+  const unsigned y_before = mesh.solid_sides(y);
+  int swaps = detail::is_swap(end_after, StripMesh::side(state.join), x_after, StripMesh::side(join_x)) -
+              detail::is_swap(x_before, StripMesh::side(cut_x), y_before, StripMesh::side(state.cut));
+  // The other solid edge of each of the three.
+  const auto change = [&](Triangle t, unsigned other, unsigned before, unsigned after) {
+    if (other == 0) return;
+    const Halfedge h = lowest(t, other);
+    const Halfedge g = mesh.opposite(h);
+    const unsigned beyond = mesh.solid_sides(StripMesh::triangle(g));
+    swaps += detail::is_swap(after, StripMesh::side(h), beyond, StripMesh::side(g)) -
+             detail::is_swap(before, StripMesh::side(h), beyond, StripMesh::side(g));
+  };
+  change(end, end_before, end_before, end_after);
+  change(x, without(x_before, cut_x), x_before, x_after);
+  change(y, without(y_before, state.cut), y_before, without(y_before, state.cut));
+  return swaps;
 }
 
 // All moves from a state. True when one of them has joined two strips.
