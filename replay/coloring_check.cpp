@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "restrip/strips.hpp"
 
@@ -100,6 +101,27 @@ std::vector<std::string> find_faults(const StripMesh& mesh) {
   if (coloring.solid_cycles != 0) faults.push_back(fmt::format("{} solid cycles", coloring.solid_cycles));
   if (!coloring.valid && faults.empty()) faults.emplace_back("the colouring is not valid");
   return faults;
+}
+
+std::string find_fault(const StripMesh& mesh, const StripIndex& index) {
+  const Strips strips = extract_strips(mesh);
+  if (strips.size() != index.strips())
+    return fmt::format("{} strips, but the index has {}", strips.size(), index.strips());
+  std::set<std::uint32_t> names;
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    const auto strip = strips[s];
+    const StripIndex::Position first = index.position(strip.front());
+    const bool up = first.order < index.position(strip.back()).order;
+    if (!names.insert(first.strip).second)
+      return fmt::format("the index has the strip of triangle {} twice", strip.front());
+    for (std::size_t i = 1; i < strip.size(); ++i) {
+      const StripIndex::Position before = index.position(strip[i - 1]);
+      const StripIndex::Position here = index.position(strip[i]);
+      if (here.strip != first.strip || here.order == before.order || (before.order < here.order) != up)
+        return fmt::format("the index has triangle {} in a wrong place", strip[i]);
+    }
+  }
+  return {};
 }
 
 std::string find_fault_around(const StripMesh& mesh, Vertex v) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "restrip/strip_index.hpp"
 #include "restrip/strip_mesh.hpp"
 #include "soup.hpp"
 
@@ -30,5 +31,8 @@ namespace restrip::replay {
 /// `farthest_cycle` triangles. Empty when there is no fault.
 [[nodiscard]] std::string find_fault_around(const StripMesh& mesh, Vertex v);
 inline constexpr std::size_t farthest_cycle = 4096;
+
+/// Does the index know the strips of the mesh, and the order of the triangles in each? Empty when it does.
+[[nodiscard]] std::string find_fault(const StripMesh& mesh, const StripIndex& index);
 
 }  // namespace restrip::replay

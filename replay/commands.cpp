@@ -101,7 +101,8 @@ void smooth(Soup& soup, int rounds) {
   }
 }
 
-WalkTaken take_walk(const Source& source, const ReplayCommand& command) {
+/// Under the policy; baked strips are local ones where a mesh goes its own ways.
+WalkTaken take_walk(const Source& source, const ReplayCommand& command, Policy policy) {
   StripMesh mesh;
   if (source.original.empty()) {
     mesh = StripMesh::build(source.mesh.base, source.mesh.points.size());
@@ -111,7 +112,7 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command) {
   }
   stripify(mesh);
   WalkTaken taken{{command.walk_steps, command.seed}, {}};
-  taken.report = walk(mesh, taken.options);
+  taken.report = walk(mesh, taken.options, operations_of(policy, source.subject.search));
   return taken;
 }
 
@@ -155,7 +156,7 @@ int run(const ReplayCommand& command) {
   }
   const ReplayReport report = replay(source.mesh, source.original, options);
   std::optional<WalkTaken> walk;
-  if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command);
+  if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command, options.policy);
 
   const std::string json = command.json.empty() ? "" : as_json(report, source.subject, walk);
   if (command.json == "-") {

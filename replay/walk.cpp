@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <memory>
 
 #include "coloring_check.hpp"
 #include "progress.hpp"
@@ -21,8 +22,8 @@ using Split = VertexSplit<Halfedge>;
 /// steps can be left out and the others still mean something.
 class Walker {
  public:
-  Walker(StripMesh& mesh, std::uint64_t seed, std::size_t home_size, const Operations& operations)
-      : mesh_(mesh), seed_(seed), home_size_(home_size), operations_(operations) {}
+  Walker(StripMesh& mesh, std::uint64_t seed, std::size_t home_size, const BeginOperations& begin)
+      : mesh_(mesh), seed_(seed), home_size_(home_size), operations_(begin(mesh)) {}
 
   /// Takes one step. The fault that it caused, if any.
   std::string step(std::uint64_t number) {
@@ -36,6 +37,17 @@ class Walker {
     if (dice < splits) return try_split(h, random);
     if (dice < 8) return try_collapse(random.below(2) == 0 ? h : mesh_.opposite(h));
     return try_flip(h);
+  }
+
+  /// Checks the whole mesh, that the operations told the truth about the strips, and what they keep beside it.
+  /// `strips_at_start`: before the first step.
+  [[nodiscard]] std::string whole_fault(std::int64_t strips_at_start) const {
+    const std::vector<std::string> faults = find_faults(mesh_);
+    if (!faults.empty()) return faults.front();
+    const auto there = static_cast<std::int64_t>(check_coloring(mesh_).strips);
+    if (there != strips_at_start + strips)
+      return fmt::format("{} strips, but the operations' own account says {}", there, strips_at_start + strips);
+    return operations_.fault ? operations_.fault() : std::string();
   }
 
   WalkReport report;
@@ -112,20 +124,10 @@ class Walker {
   StripMesh& mesh_;
   std::uint64_t seed_;
   std::size_t home_size_;
-  const Operations& operations_;
+  Operations operations_;
   std::string last_;
   std::vector<Halfedge> spokes_;
 };
-
-/// Checks the whole mesh, and that the operations told the truth about the strips.
-std::string whole_fault(const StripMesh& mesh, std::int64_t strips_told) {
-  const std::vector<std::string> faults = find_faults(mesh);
-  if (!faults.empty()) return faults.front();
-  const auto strips = static_cast<std::int64_t>(check_coloring(mesh).strips);
-  if (strips != strips_told)
-    return fmt::format("{} strips, but the operations' own account says {}", strips, strips_told);
-  return {};
-}
 
 /// The mesh of the last whole check, from which a failure can be repeated.
 struct Camp {
@@ -135,13 +137,13 @@ struct Camp {
 };
 
 std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_step, std::size_t home_size,
-                                        const WalkOptions& options, const Operations& operations) {
+                                        const WalkOptions& options, const BeginOperations& begin) {
   std::vector<std::uint64_t> steps;
   for (std::uint64_t step = camp.step; step <= last_step; ++step) steps.push_back(step);
   std::vector<std::string> trace;
   const auto fails = [&](const std::vector<std::uint64_t>& some) {
     StripMesh mesh = camp.mesh;
-    Walker walker(mesh, options.seed, home_size, operations);
+    Walker walker(mesh, options.seed, home_size, begin);
     std::vector<std::string> done;
     std::string fault;
     for (const std::uint64_t step : some) {
@@ -149,7 +151,7 @@ std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_ste
       if (!walker.last().empty()) done.push_back(walker.last());
       if (!fault.empty()) break;
     }
-    if (fault.empty()) fault = whole_fault(mesh, camp.strips + walker.strips);
+    if (fault.empty()) fault = walker.whole_fault(camp.strips);
     if (fault.empty()) return false;
     done.push_back("then: " + fault);
     trace = std::move(done);
@@ -163,19 +165,39 @@ std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_ste
 
 }  // namespace
 
-WalkReport walk(StripMesh& mesh, const WalkOptions& options, const Operations& operations) {
+BeginOperations operations_of(Policy policy, Search search) {
+  return [policy, search](StripMesh& on) {
+    const auto keeper = std::make_shared<StripKeeper>(on, policy);
+    keeper->set_search(search);
+    Operations operations;
+    operations.split = [keeper](StripMesh&, const Split& where) { return keeper->split(where); };
+    operations.collapse = [keeper](StripMesh&, Halfedge chord) { return keeper->collapse(chord); };
+    operations.flip = [keeper](StripMesh&, Halfedge h) { return keeper->flip(h); };
+    operations.fault = [keeper] {
+      return keeper->index() != nullptr ? find_fault(keeper->mesh(), *keeper->index()) : std::string();
+    };
+    return operations;
+  };
+}
+
+WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginOperations& begin) {
+  if (const std::vector<std::string> faults = find_faults(mesh); !faults.empty()) {
+    WalkReport report;
+    report.fault = faults.front();
+    return report;
+  }
   const std::size_t home_size = mesh.triangle_count();
-  Walker walker(mesh, options.seed, home_size, operations);
+  Walker walker(mesh, options.seed, home_size, begin);
   Camp camp{mesh, static_cast<std::int64_t>(check_coloring(mesh).strips), 0};
   const std::int64_t strips_at_start = camp.strips;
-  std::string fault = whole_fault(mesh, camp.strips);
+  std::string fault;
   std::uint64_t step = 0;
   Progress progress("walking", options.steps);
   for (; step < options.steps && fault.empty(); ++step) {
     fault = walker.step(step);
     progress.at(step);
     const bool whole = (step + 1) % options.whole_check_every == 0 || step + 1 == options.steps;
-    if (fault.empty() && whole) fault = whole_fault(mesh, strips_at_start + walker.strips);
+    if (fault.empty() && whole) fault = walker.whole_fault(strips_at_start);
     if (!fault.empty()) break;
     if (whole) camp = {mesh, strips_at_start + walker.strips, step + 1};
   }
@@ -183,7 +205,7 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const Operations& o
   report.fault = fault;
   if (!fault.empty()) {
     report.fault_step = step;
-    report.trace = shortest_trace(camp, step, home_size, options, operations);
+    report.trace = shortest_trace(camp, step, home_size, options, begin);
     return report;
   }
   report.triangles = mesh.triangle_count();

@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "restrip/adopt.hpp"
+#include "restrip/keeper.hpp"
 #include "restrip/strip_mesh.hpp"
 
 namespace restrip::replay {
 
-/// The operations under test. The tests of the walk hand in faulty ones.
+/// The operations under test, on one mesh. The tests of the walk hand in faulty ones.
 struct Operations {
   using Halfedge = StripMesh::Halfedge;
   std::function<Rewrite<Halfedge>(StripMesh&, const VertexSplit<Halfedge>&)> split =
@@ -23,7 +24,15 @@ struct Operations {
   std::function<Rewrite<Halfedge>(StripMesh&, Halfedge)> flip = [](StripMesh& mesh, Halfedge h) {
     return flip_and_adopt(mesh, h);
   };
+  /// What is wrong with what they keep beside the mesh; may be empty.
+  std::function<std::string()> fault{};
 };
+
+/// Begins operations on a mesh; the search for a short trace begins them on copies.
+using BeginOperations = std::function<Operations(StripMesh&)>;
+
+/// Those of a policy, and its index checked with the whole mesh.
+[[nodiscard]] BeginOperations operations_of(Policy policy, Search search);
 
 struct WalkOptions {
   std::uint64_t steps = 10'000;
@@ -48,6 +57,7 @@ struct WalkReport {
 
 /// Walks on `mesh`, whose colouring must be valid, and leaves it where it went. The mesh keeps about its size. Step i
 /// depends on the seed, i and the mesh alone.
-[[nodiscard]] WalkReport walk(StripMesh& mesh, const WalkOptions& options, const Operations& operations = {});
+[[nodiscard]] WalkReport walk(StripMesh& mesh, const WalkOptions& options,
+                              const BeginOperations& begin = operations_of(Policy::local, {}));
 
 }  // namespace restrip::replay

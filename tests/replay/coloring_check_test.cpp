@@ -46,6 +46,17 @@ TEST(FindFaults, RejectsASolidCycle) {
   EXPECT_NE(find_fault_around(mesh, inner).find("cycle"), std::string::npos);
 }
 
+TEST(FindFault, OfAnIndexThatIsNoLongerTrue) {
+  StripMesh mesh = mesh_of(tetrahedron());
+  mesh.set_solid(StripMesh::halfedge(0, 0), true);
+  const StripIndex index(mesh);
+  EXPECT_EQ(find_fault(mesh, index), "");
+  mesh.set_solid(StripMesh::halfedge(0, 0), false);
+  EXPECT_EQ(find_fault(mesh, index), "4 strips, but the index has 3");
+  mesh.set_solid(StripMesh::halfedge(0, 1), true);
+  EXPECT_NE(find_fault(mesh, index).find("in a wrong place"), std::string::npos);
+}
+
 TEST(DecodeStrips, FollowsTheRulesOfTheCard) {
   // Two strips; the second turns twice the same way, so one index is there twice.
   const std::vector<std::uint32_t> indices{0, 1, 2, 3, restart_index, 4, 5, 6, 5, 7};

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
+#include "coloring_check.hpp"
 #include "made_mesh.hpp"
 #include "restrip/stripify.hpp"
 #include "shapes.hpp"
@@ -26,6 +29,30 @@ TEST(Walk, ClosedMesh) {
   EXPECT_GT(report.splits, 1000U);
   EXPECT_GT(report.collapses, 1000U);
   EXPECT_GT(report.flips, 1000U);
+}
+
+TEST(Walk, EveryPolicy) {
+  for (const Policy policy : {Policy::linked, Policy::quick, Policy::full})
+    for (const Cost cost : {Cost::strips, Cost::indices})
+      for (const Soup& soup : {make_mesh(1000), sheet(15), bow_tie()}) {
+        StripMesh mesh = stripified(soup);
+        Search search = search_of(policy);
+        search.cost = cost;
+        const WalkReport report = walk(mesh, {2'000, 6, 50}, operations_of(policy, search));
+        EXPECT_EQ(report.fault, "");
+        EXPECT_GT(report.splits + report.refused, 500U);
+      }
+}
+
+TEST(Walk, FindsWhatOperationsKeepWrongBesideTheMesh) {
+  const auto with_a_stale_index = [](StripMesh& on) {
+    const auto index = std::make_shared<StripIndex>(on);
+    Operations operations;
+    operations.fault = [index, &on] { return find_fault(on, *index); };
+    return operations;
+  };
+  StripMesh mesh = stripified(make_mesh(500));
+  EXPECT_NE(walk(mesh, {200, 2, 100}, with_a_stale_index).fault.find("index"), std::string::npos);
 }
 
 TEST(Walk, MeshWithBoundary) {
@@ -64,7 +91,7 @@ Operations with_a_faulty_split() {
 
 TEST(Walk, FindsAFaultAndShrinksIt) {
   StripMesh mesh = stripified(make_mesh(1000));
-  const WalkReport report = walk(mesh, {50'000, 3, 10'000}, with_a_faulty_split());
+  const WalkReport report = walk(mesh, {50'000, 3, 10'000}, [](StripMesh&) { return with_a_faulty_split(); });
   ASSERT_NE(report.fault, "");
   ASSERT_FALSE(report.trace.empty());
   EXPECT_LE(report.trace.size(), 6U);
@@ -79,7 +106,8 @@ TEST(Walk, FindsAnOperationThatMiscountsItsStrips) {
     return done;
   };
   StripMesh mesh = stripified(make_mesh(1000));
-  EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, operations).fault.find("strips, but"), std::string::npos);
+  EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, [&](StripMesh&) { return operations; }).fault.find("strips, but"),
+            std::string::npos);
 }
 
 TEST(Walk, RefusesAMeshThatIsFaultyFromTheStart) {
