@@ -39,7 +39,8 @@ cmake --preset sanitize >/dev/null
 cmake --build --preset sanitize
 ctest --preset sanitize -j "$(nproc)" -E 'BitFlips|Targeted'
 
+# With the commands of the release build, which has the benchmarks.
 say "running clang-tidy"
-scripts/tidy.sh build/sanitize
+scripts/tidy.sh build/release
 
 echo "== all tests passed"
