@@ -31,7 +31,7 @@ void batch(benchmark::State& state, unsigned threads, bool checked) {
   const BatchOptions options{threads, checked};
   double down = 0;
   double up = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     StripMesh mesh = g.mesh;
     std::vector<StripMesh::Halfedge> chords;
     for (const Site& site : g.sites) chords.push_back(site.chord);

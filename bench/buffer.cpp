@@ -34,7 +34,7 @@ void keep(benchmark::State& state, const std::string& name, Way way, std::size_t
       player.up_to(level);
     }
   };
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     player.restart(start, top);
     without.time([&] { through([] {}); });
     player.restart(start, top);
@@ -70,7 +70,7 @@ void write_whole(benchmark::State& state, const std::string& name, Way way) {
   player.up_to(subject(name).mesh.splits.size());
   replay::Medians time;
   std::size_t bytes = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     time.time([&] { bytes = 4 * strip_indices(player.mesh(), extract_strips(player.mesh())).size(); });
     state.SetIterationTime(1e-9 * time.nanoseconds());
   }

@@ -52,7 +52,7 @@ void move(benchmark::State& state, const std::string& name, Way way, int percent
   replay::Medians down;
   replay::Medians with_buffer;
   std::vector<Triangle> changed;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     player.restart(start.mesh, start.from);
     // Once up and down before, since a keeper that has just begun has its memory still to get.
     player.up_to(start.to);
@@ -134,7 +134,7 @@ void run_meshoptimizer(benchmark::State& state, const std::string& name, int per
   std::vector<std::uint32_t> strips(meshopt_stripifyBound(list.indices.size()));
   std::size_t count = 0;
   replay::Medians time;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     time.time([&] {
       if (order == Order::found) find_order();
       count = meshopt_stripify(strips.data(), ordered.data(), ordered.size(), list.vertices, restart_index);
@@ -156,7 +156,7 @@ void run_openmesh(benchmark::State& state, const std::string& name, int percent)
     mesh.add_face(vertices[list.indices[i]], vertices[list.indices[i + 1]], vertices[list.indices[i + 2]]);
   OpenMesh::StripifierT<Mesh> stripifier(mesh);
   replay::Medians time;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     time.time([&] { stripifier.stripify(); });
     state.SetIterationTime(1e-9 * time.nanoseconds());
   }
@@ -170,7 +170,7 @@ void run_from_scratch(benchmark::State& state, const std::string& name, int perc
   StripMesh mesh = list_of(name, percent).mesh;
   replay::Medians time;
   replay::Medians indices;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     time.time([&] { stripify_fast(mesh); });
     indices.time([&] { benchmark::DoNotOptimize(strip_indices(mesh, extract_strips(mesh)).data()); });
     state.SetIterationTime(1e-9 * time.nanoseconds());
@@ -185,8 +185,9 @@ void run_from_scratch(benchmark::State& state, const std::string& name, int perc
 void register_benchmarks() {
   for (const std::string& name : subject_names()) {
     for (const int percent : percents) {
+      const std::string stem = "level/" + name + "/" + std::to_string(percent) + "/";
       const auto add = [&](const std::string& who, auto run) {
-        benchmark::RegisterBenchmark(("level/" + name + "/" + std::to_string(percent) + "/" + who).c_str(), run)
+        benchmark::RegisterBenchmark((stem + who).c_str(), run)
             ->UseManualTime()
             ->Unit(benchmark::kMicrosecond)
             ->Iterations(settings().quick ? 1 : 3);

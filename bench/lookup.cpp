@@ -119,7 +119,7 @@ void lookup(benchmark::State& state) {
   const Family ask;
   const std::vector<Question> list = questions(static_cast<std::size_t>(state.range(0)), Family::bits, Family::valid);
   std::size_t i = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const Question& q = list[i];
     i = i + 1 == list.size() ? 0 : i + 1;
     benchmark::DoNotOptimize(ask(q));
@@ -137,7 +137,7 @@ void cold_lookup(benchmark::State& state) {
   const std::vector<Question> list = questions(random_order, Family::bits, Family::valid);
   std::vector<std::uint64_t> larger_than_caches(std::size_t{12} << 20);
   std::size_t i = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (std::uint64_t& word : larger_than_caches) word += i;
     const std::vector<Question> some(list.begin() + static_cast<std::ptrdiff_t>(i),
                                      list.begin() + static_cast<std::ptrdiff_t>(i + hot));

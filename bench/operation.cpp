@@ -32,7 +32,7 @@ struct Pass {
     std::vector<Halfedge> chords;
     for (const Site& site : g.sites) chords.push_back(site.chord);
     std::vector<VertexSplit<Halfedge>> where(chords.size());
-    with_operations(way_, mesh_, keeper_ ? &*keeper_ : nullptr, [&](const auto& operations) {
+    with_operations(way_, mesh_, keeper_, [&](const auto& operations) {
       const auto down = [&] {
         for (const Halfedge chord : chords) operations.collapse(chord);
       };
@@ -71,7 +71,7 @@ struct Pass {
 void operation(benchmark::State& state, Way way) {
   Pass with(way);
   Pass bare(Way::bare);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     with.run();
     bare.run();
     state.SetIterationTime(1e-9 * (with.split.nanoseconds() + with.collapse.nanoseconds()));
@@ -102,7 +102,7 @@ void parts(benchmark::State& state) {
     Halfedge at;
   };
   std::array<replay::Medians, 8> times;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     StripMesh mesh = g.mesh;
     std::vector<Work> work(n);
     const auto pass = [&](std::size_t part, auto&& one) {

@@ -18,7 +18,7 @@ void replay(benchmark::State& state, const std::string& name, Way way) {
   replay::Medians down;
   replay::Medians up_bare;
   replay::Medians down_bare;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     with.restart();
     up.time([&] { with.up_to(top); });
     if (!state.counters.contains("strips")) count_strips(state, with.mesh());

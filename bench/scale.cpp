@@ -52,8 +52,8 @@ const Ground& ground(std::size_t triangles) {
 }
 
 /// Down and up again over some sites, in nanoseconds an operation.
-void pass(const std::vector<Site>& sites, StripMesh& mesh, StripKeeper* keeper, Way way, replay::Medians& down,
-          replay::Medians& up) {
+void pass(const std::vector<Site>& sites, StripMesh& mesh, std::optional<StripKeeper>& keeper, Way way,
+          replay::Medians& down, replay::Medians& up) {
   with_operations(way, mesh, keeper, [&](const auto& operations) {
     down.time([&] {
       for (const Site& site : sites) operations.collapse(mesh.spoke(site.v_s, site.v_t));
@@ -77,8 +77,8 @@ void scale(benchmark::State& state, std::size_t triangles, Way way, bool side_by
   const double with_keeper = allocated_bytes();
   replay::Medians down;
   replay::Medians up;
-  for (auto _ : state) {
-    pass(sites, mesh, keeper ? &*keeper : nullptr, way, down, up);
+  for ([[maybe_unused]] auto _ : state) {
+    pass(sites, mesh, keeper, way, down, up);
     state.SetIterationTime(1e-9 * (down.nanoseconds() + up.nanoseconds()));
   }
   const auto each = static_cast<double>(sites.size());
@@ -96,7 +96,7 @@ void scale(benchmark::State& state, std::size_t triangles, Way way, bool side_by
 /// What an index buffer kept in step takes.
 void buffer_memory(benchmark::State& state, std::size_t triangles) {
   const Ground& g = ground(triangles);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const double before = allocated_bytes();
     replay::Medians time;
     std::optional<StripBuffer> buffer;

@@ -37,7 +37,7 @@ void Player::up_to(std::size_t level) {
     for (; level_ < level; ++level_) player_->split(level_, spokes_of(mesh_, splits[level_]), splits[level_].v_t);
     return;
   }
-  with_operations(way_, mesh_, keeper_ ? &*keeper_ : nullptr, [&](const auto& operations) {
+  with_operations(way_, mesh_, keeper_, [&](const auto& operations) {
     for (; level_ < level; ++level_) operations.split(spokes_of(mesh_, splits[level_]), splits[level_].v_t);
   });
 }
@@ -49,7 +49,7 @@ void Player::down_to(std::size_t level) {
     for (; level_ > level; --level_) player_->collapse(level_ - 1, chord(level_ - 1));
     return;
   }
-  with_operations(way_, mesh_, keeper_ ? &*keeper_ : nullptr, [&](const auto& operations) {
+  with_operations(way_, mesh_, keeper_, [&](const auto& operations) {
     for (; level_ > level; --level_) operations.collapse(chord(level_ - 1));
   });
 }

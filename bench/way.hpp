@@ -35,10 +35,10 @@ inline constexpr std::array<Way, 4> policies{Way::local, Way::linked, Way::quick
 }
 
 /// Calls visit(operations) with an object that has split(where, v_t), collapse(chord) and flip(h), each returning a
-/// halfedge as restrip::split and friends do; so that the choice of the way is made once, outside the clock. `keeper`
-/// must be there for the policies.
+/// halfedge as restrip::split and friends do; so that the choice of the way is made once, outside the clock. The
+/// policies want a keeper: without one std::bad_optional_access is thrown.
 template <class Visit>
-void with_operations(Way way, StripMesh& mesh, StripKeeper* keeper, Visit&& visit) {
+void with_operations(Way way, StripMesh& mesh, std::optional<StripKeeper>& keeper, Visit&& visit) {
   struct Bare {
     StripMesh* mesh;
     Halfedge split(const VertexSplit<Halfedge>& where, Vertex v_t) const { return mesh->insert_vertex(where, v_t); }
@@ -64,7 +64,7 @@ void with_operations(Way way, StripMesh& mesh, StripKeeper* keeper, Visit&& visi
   else if (way == Way::rules)
     visit(Rules{&mesh});
   else
-    visit(Kept{keeper});
+    visit(Kept{&keeper.value()});
 }
 
 /// Plays a progressive mesh up and down in one way. A split starts from vertices: finding its spokes is part of it, in

@@ -34,7 +34,8 @@ class Patch {
   PatchDrawing drawing_;
 };
 
-/// The rim of a fan, counter-clockwise as seen (y points down in a drawing), turned so that the first arc is below.
+/// The rim of a fan, counter-clockwise as seen (y points down in a drawing), turned so that the first arc is below. It
+/// is closed: k + 1 places, the last one the first again, so that triangle i lies between places i and i + 1.
 std::vector<Place> rim_of(const SplitPosition& at) {
   const double step = 2 * std::numbers::pi / static_cast<double>(at.k);
   const double start = std::numbers::pi / 2 + step * static_cast<double>(at.a) / 2;
@@ -43,6 +44,7 @@ std::vector<Place> rim_of(const SplitPosition& at) {
     const double angle = start - step * static_cast<double>(i);
     places.push_back({200 + 150 * std::cos(angle), 200 + 150 * std::sin(angle)});
   }
+  places.push_back(places.front());
   return places;
 }
 
@@ -53,10 +55,10 @@ PatchDrawing fan_drawing(SplitPosition at, Word loop, Word ports) {
   const std::size_t k = at.k;
   const Place center{200, 200};
   Patch patch;
-  for (std::size_t i = 0; i < k; ++i) patch.add(center, places[i], places[(i + 1) % k], false);
+  for (std::size_t i = 0; i < k; ++i) patch.add(center, places[i], places[i + 1], false);
   for (std::size_t i = 0; i < k; ++i) {
-    patch.join(i, (i + 1) % k, between(center, places[(i + 1) % k]), has(loop, i));
-    patch.port(i, places[i], places[(i + 1) % k], has(ports, i));
+    patch.join(i, (i + 1) % k, between(center, places[i + 1]), has(loop, i));
+    patch.port(i, places[i], places[i + 1], has(ports, i));
   }
   return std::move(patch).drawing();
 }
@@ -69,8 +71,8 @@ PatchDrawing split_drawing(SplitPosition at, Word inner, Word ports) {
   const auto toward = [&](std::size_t first, std::size_t last) {
     Place sum;
     for (std::size_t i = first; i <= last; ++i) {
-      sum.x += places[i % k].x;
-      sum.y += places[i % k].y;
+      sum.x += places[i].x;
+      sum.y += places[i].y;
     }
     const auto n = static_cast<double>(last - first + 1);
     return Place{200 + (sum.x / n - 200) * 0.45, 200 + (sum.y / n - 200) * 0.45};
@@ -78,7 +80,7 @@ PatchDrawing split_drawing(SplitPosition at, Word inner, Word ports) {
   const Place v_s = toward(0, a);
   const Place v_t = toward(a, k);
   Patch patch;
-  for (std::size_t i = 0; i < k; ++i) patch.add(i < a ? v_s : v_t, places[i], places[(i + 1) % k], false);
+  for (std::size_t i = 0; i < k; ++i) patch.add(i < a ? v_s : v_t, places[i], places[i + 1], false);
   const std::size_t node_a = patch.add(v_s, v_t, places[0], true);
   const std::size_t node_d = patch.add(v_t, v_s, places[a], true);
   // Around the ring: A, the first arc, D, the second arc.
@@ -89,10 +91,10 @@ PatchDrawing split_drawing(SplitPosition at, Word inner, Word ports) {
   for (std::size_t j = 0; j < k + 2; ++j) {
     const bool first = j <= a;
     const std::size_t spoke = first ? j : j - 1;
-    patch.join(ring[j], ring[(j + 1) % (k + 2)], between(first ? v_s : v_t, places[spoke % k]), has(inner, j));
+    patch.join(ring[j], ring[(j + 1) % (k + 2)], between(first ? v_s : v_t, places[spoke]), has(inner, j));
   }
   patch.join(node_a, node_d, between(v_s, v_t), has(inner, k + 2));
-  for (std::size_t i = 0; i < k; ++i) patch.port(i, places[i], places[(i + 1) % k], has(ports, i));
+  for (std::size_t i = 0; i < k; ++i) patch.port(i, places[i], places[i + 1], has(ports, i));
   return std::move(patch).drawing();
 }
 

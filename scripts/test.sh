@@ -4,7 +4,7 @@ set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
-need "${build_packages[@]}" "${test_packages[@]}"
+need "${build_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}"
 
 # RESTRIP_MESHES may name a folder of packed meshes (*.xz); they are unpacked into the build folder.
 if compgen -G "${RESTRIP_MESHES:-}/*.xz" >/dev/null; then
@@ -24,8 +24,9 @@ fi
 say "checking the format of the sources"
 git ls-files '*.cpp' '*.hpp' ':!tables/include' | xargs clang-format-14 --dry-run --Werror
 
+# The benchmarks as well: bench.quick_run shows that each of them runs and that their page can be rendered.
 say "building with GCC (release)"
-cmake --preset release >/dev/null
+cmake --preset release -DRESTRIP_BUILD_BENCH=ON >/dev/null
 cmake --build --preset release
 
 say "testing (release)"
@@ -38,7 +39,8 @@ cmake --preset sanitize >/dev/null
 cmake --build --preset sanitize
 ctest --preset sanitize -j "$(nproc)" -E 'BitFlips|Targeted'
 
+# With the commands of the release build, which has the benchmarks.
 say "running clang-tidy"
-scripts/tidy.sh build/sanitize
+scripts/tidy.sh build/release
 
 echo "== all tests passed"
