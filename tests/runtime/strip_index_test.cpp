@@ -98,11 +98,15 @@ void random_operation(StripIndex& index, StripMesh& mesh, std::mt19937& random, 
   }
 }
 
-TEST(StripIndex, AgreesAfterCutsAndLinks) {
+// Chunks of all sizes: many small ones, the usual ones, and one for every strip.
+class StripIndexOf : public ::testing::TestWithParam<std::uint32_t> {};
+INSTANTIATE_TEST_SUITE_P(ChunkLimits, StripIndexOf, ::testing::Values(8, StripIndex::default_chunk_limit, 1024));
+
+TEST_P(StripIndexOf, AgreesAfterCutsAndLinks) {
   std::mt19937 random(3);
   for (StripMesh& mesh : sample::meshes()) {
     stripify(mesh);
-    StripIndex index(mesh);
+    StripIndex index(mesh, GetParam());
     ASSERT_TRUE(agrees(index, mesh));
     for (int i = 0; i < 2000; ++i) {
       random_cut_or_link(index, mesh, random);
@@ -114,11 +118,11 @@ TEST(StripIndex, AgreesAfterCutsAndLinks) {
   }
 }
 
-TEST(StripIndex, AgreesAfterRewrites) {
+TEST_P(StripIndexOf, AgreesAfterRewrites) {
   std::mt19937 random(4);
   for (StripMesh& mesh : sample::meshes()) {
     stripify(mesh);
-    StripIndex index(mesh);
+    StripIndex index(mesh, GetParam());
     for (int i = 0; i < 3000; ++i) {
       random_operation(index, mesh, random, mesh.triangle_count() < 40 || (i / 300) % 2 == 0);
       if (i % 25 == 0) {
@@ -129,11 +133,11 @@ TEST(StripIndex, AgreesAfterRewrites) {
   }
 }
 
-TEST(StripIndex, AgreesOnALargeMeshAfterEverything) {
+TEST_P(StripIndexOf, AgreesOnALargeMeshAfterEverything) {
   std::mt19937 random(5);
   StripMesh mesh = sample::torus(90, 70);
   stripify(mesh);
-  StripIndex index(mesh);
+  StripIndex index(mesh, GetParam());
   for (int i = 0; i < 60000; ++i) {
     if (random() % 3 != 0)
       random_cut_or_link(index, mesh, random);

@@ -38,7 +38,7 @@ class StripIndex {
     friend constexpr bool operator==(const Position&, const Position&) = default;
   };
 
-  /// Chunks hold at most this many triangles.
+  /// Chunks hold at most this many triangles; 8 to 1024.
   static constexpr std::uint32_t default_chunk_limit = 64;
   /// The limit for a mesh whose strips are to become as long as the mesh allows.
   [[nodiscard]] static std::uint32_t chunk_limit_for_long_strips(std::size_t triangles) noexcept;

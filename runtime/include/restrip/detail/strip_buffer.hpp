@@ -66,21 +66,17 @@ inline void StripBuffer::give_back(std::size_t first, std::uint32_t room) {
 // taken in, so that runs do not crumble.
 inline void StripBuffer::collect(const StripMesh& mesh, Triangle start) {
   stretch_.assign(1, start);
+  // First over the lowest solid side of the start, then over the other one.
+  unsigned past = 3;
   for (int end = 0; end < 2; ++end) {
     std::reverse(stretch_.begin(), stretch_.end());
     bool may_take_in = true;
+    StripStep<StripMesh::Halfedge> next = mesh.strip_step(StripMesh::halfedge(start, past));
+    if (next.goes_on) past = StripMesh::side(mesh.opposite(next.in));
     // In a colouring that is not valid a strip may come back to itself; what is drawn then is wrong, but there is an
     // end.
-    while (stretch_.size() < mesh.triangle_count()) {
-      const Triangle at = stretch_.back();
-      const Triangle from = stretch_.size() > 1 ? stretch_[stretch_.size() - 2] : none;
-      Triangle following = none;
-      for (unsigned s = 0; s < 3; ++s) {
-        const Triangle u = detail::over_solid(mesh, at, s);
-        // The start has two ways to go: the second time, the one not gone yet.
-        if (u != none && u != from && (following == none || end == 0)) following = u;
-      }
-      if (following == none) break;
+    for (; next.goes_on && stretch_.size() < mesh.triangle_count(); next = mesh.strip_step(next.in)) {
+      const Triangle following = StripMesh::triangle(next.in);
       if (has_run(following)) {
         const std::uint32_t triangles = runs_[run_of_[following]].triangles;
         const bool is_short = std::min<std::size_t>(triangles, stretch_.size()) < max_run_ / 4;
@@ -90,6 +86,7 @@ inline void StripBuffer::collect(const StripMesh& mesh, Triangle start) {
       }
       stretch_.push_back(following);
     }
+    if (past == 3) break;
   }
 }
 

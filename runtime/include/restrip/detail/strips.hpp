@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 
 #include "restrip/strips.hpp"
@@ -10,17 +11,14 @@ namespace restrip {
 
 namespace detail {
 
-// The triangle that follows t over its solid side s, or `none` when that side is not solid.
-inline Triangle over_solid(const StripMesh& mesh, Triangle t, unsigned s) noexcept {
-  const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
-  return mesh.solid(h) ? StripMesh::triangle(mesh.opposite(h)) : none;
-}
-
-// The halfedge over which t is left for its neighbour u in the strip.
+// The halfedge over which t is left for its neighbour u in the strip. Without a branch for each side: strips turn at
+// random.
 inline StripMesh::Halfedge exit_to(const StripMesh& mesh, Triangle t, Triangle u) noexcept {
-  unsigned s = 0;
-  while (s < 2 && over_solid(mesh, t, s) != u) ++s;
-  return StripMesh::halfedge(t, s);
+  unsigned ways = 0;
+  for (unsigned s = 0; s < 3; ++s)
+    ways |= static_cast<unsigned>(StripMesh::triangle(mesh.opposite(StripMesh::halfedge(t, s))) == u) << s;
+  ways &= mesh.solid_sides(t);
+  return StripMesh::halfedge(t, ways != 0 ? static_cast<unsigned>(std::countr_zero(ways)) : 2);
 }
 
 inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t t) noexcept {
@@ -54,33 +52,28 @@ void each_turn(const StripMesh& mesh, const Walk& walk, Visit&& turn) {
 
 // Equal turns in a row cost a swap each, in either direction. A strip starts on an even place and is then free to turn
 // left first; seen from its other end, its last turn is the first and has changed sides.
-struct SwapCount {
+inline bool turns_left(const StripMesh& mesh, Triangle before, Triangle t, Triangle after) noexcept {
+  return !(StripMesh::next(mesh.opposite(exit_to(mesh, before, t))) == exit_to(mesh, t, after));
+}
+inline bool is_shorter_backwards(const StripMesh& mesh, std::span<const Triangle> strip) noexcept {
+  const std::size_t n = strip.size();
+  return n >= 3 && !turns_left(mesh, strip[0], strip[1], strip[2]) &&
+         !turns_left(mesh, strip[n - 3], strip[n - 2], strip[n - 1]);
+}
+inline std::size_t count_swaps(const StripMesh& mesh, std::span<const Triangle> strip) {
   std::size_t swaps = 0;
-  bool backwards = false;  // which direction needs no more
-};
-inline SwapCount count_swaps(const StripMesh& mesh, std::span<const Triangle> strip) {
-  SwapCount count;
-  bool first = true;
-  bool last = true;
-  each_turn(mesh, {strip}, [&](std::size_t i, StripMesh::Halfedge, bool left) {
-    if (i == 1)
-      first = left;
-    else
-      count.swaps += left == last ? 1U : 0U;
+  bool last = false;  // the even place
+  each_turn(mesh, {strip, is_shorter_backwards(mesh, strip)}, [&](std::size_t, StripMesh::Halfedge, bool left) {
+    swaps += left == last ? 1U : 0U;
     last = left;
   });
-  if (strip.size() < 3 || first) return count;
-  if (last)
-    ++count.swaps;
-  else
-    count.backwards = true;
-  return count;
+  return swaps;
 }
 
 // Writes the indices of one strip, from the end that needs fewer.
 inline void append_indices(const StripMesh& mesh, std::span<const Triangle> strip,
                            std::vector<std::uint32_t>& indices) {
-  const Walk walk{strip, count_swaps(mesh, strip).backwards};
+  const Walk walk{strip, is_shorter_backwards(mesh, strip)};
   if (walk.size() == 1) {
     for (const Vertex v : mesh.corners(walk[0])) indices.push_back(v);
     return;
@@ -152,7 +145,7 @@ inline Strips extract_strips(const StripMesh& mesh) {
 
 inline std::size_t strip_index_count(const StripMesh& mesh, const Strips& strips) {
   std::size_t count = strips.order.size() + strips.size() * 2;
-  for (std::size_t s = 0; s < strips.size(); ++s) count += detail::count_swaps(mesh, strips[s]).swaps;
+  for (std::size_t s = 0; s < strips.size(); ++s) count += detail::count_swaps(mesh, strips[s]);
   return strips.size() == 0 ? 0 : count + strips.size() - 1;
 }
 
