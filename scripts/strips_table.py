@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
-"""Replays meshes under every policy and prints the table of docs/strips.md.
-
-Usage: scripts/strips_table.py build/release/bin/restrip bunny.obj nefertiti.obj
-"""
+"""Replays meshes under every policy and prints the table of docs/strips.md."""
+import argparse
 import json
 import os
 import subprocess
@@ -49,16 +47,19 @@ def row(mesh, way, report):
 
 
 def main():
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
+    parser = argparse.ArgumentParser(description=__doc__, epilog="Example: scripts/strips_table.py build/release/bin/restrip bunny.obj")
+    parser.add_argument("program", help="restrip")
+    parser.add_argument("meshes", nargs="+", metavar="MESH")
+    parser.add_argument("--way", action="append", choices=WAYS, help="only this one; may be repeated")
+    arguments = parser.parse_args()
     heads = ["mesh", "`--policy`", "strips at the top", "triangles per strip", "indices per triangle",
              "least above 20,000: up, down", "least above 5,000: up, down", "isolating splits", "µs a split, a collapse",
              "times the bare update", "bytes written a split"]
     print("| " + " | ".join(heads) + " |")
     print("|" + " --- |" * len(heads))
-    for mesh in sys.argv[2:]:
-        for way in WAYS:
-            print(row(mesh, way, replay(sys.argv[1], mesh, way)), flush=True)
+    for mesh in arguments.meshes:
+        for way in arguments.way or WAYS:
+            print(row(mesh, way, replay(arguments.program, mesh, way)), flush=True)
 
 
 main()

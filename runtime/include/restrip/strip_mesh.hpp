@@ -59,7 +59,7 @@ class StripMesh {
   [[nodiscard]] static constexpr Triangle triangle(Halfedge h) noexcept { return (h.id & ~outside) >> 2; }
   [[nodiscard]] static constexpr unsigned side(Halfedge h) noexcept { return h.id & 3U; }
   [[nodiscard]] static constexpr bool on_boundary(Halfedge h) noexcept { return (h.id & outside) != 0; }
-  [[nodiscard]] static constexpr Halfedge next(Halfedge h) noexcept { return {side(h) == 2 ? h.id - 2 : h.id + 1}; }
+  [[nodiscard]] static constexpr Halfedge next(Halfedge h) noexcept { return {(h.id & ~3U) | side_after(side(h))}; }
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept {
     if (on_boundary(h)) return {h.id & ~outside};
     const std::uint32_t link = link_of(h);
@@ -83,7 +83,7 @@ class StripMesh {
   [[nodiscard]] FanStep<Halfedge> fan_step(Halfedge h) const noexcept {
     const Record& record = triangles_[triangle(h)];
     const unsigned s = side(h);
-    const unsigned before = s == 0 ? 2 : s - 1;
+    const unsigned before = side_before(s);
     const std::uint32_t port = record.link[3 - s - before];
     const std::uint32_t edge = record.link[before];
     const std::uint32_t spoke = edge == edge_of_mesh ? ((h.id & ~3U) | before | outside) : edge >> 1;
@@ -185,6 +185,9 @@ class StripMesh {
   void reserve(std::size_t triangles, std::size_t vertices);
 
  private:
+  // Sides are as good as random: a branch would be guessed wrong one time in three.
+  [[nodiscard]] static constexpr unsigned side_after(unsigned s) noexcept { return 0b00'10'01U >> (2 * s) & 3U; }
+  [[nodiscard]] static constexpr unsigned side_before(unsigned s) noexcept { return 0b01'00'10U >> (2 * s) & 3U; }
   static constexpr std::uint32_t outside = 1U << 31;
   static constexpr std::uint32_t edge_of_mesh = none - 1;  // link of a side without neighbour; reads as dashed
 
@@ -209,8 +212,7 @@ class StripMesh {
     touch(triangle(h));
   }
   [[nodiscard]] Vertex corner_of(Halfedge h, unsigned turn) const noexcept {
-    const unsigned s = side(h) + turn;
-    return triangles_[triangle(h)].corner[s >= 3 ? s - 3 : s];
+    return triangles_[triangle(h)].corner[turn == 0 ? side(h) : side_after(side(h))];
   }
   [[nodiscard]] std::uint32_t link_of(Halfedge h) const noexcept { return triangles_[triangle(h)].link[side(h)]; }
   [[nodiscard]] std::uint32_t& link_of(Halfedge h) noexcept { return triangles_[triangle(h)].link[side(h)]; }
