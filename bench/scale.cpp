@@ -22,7 +22,7 @@ double allocated_bytes() {
 }
 
 /// One mesh at a time: the largest takes a gigabyte while it is made.
-struct Ground {
+struct LargeGround {
   std::size_t triangles = 0;
   StripMesh mesh;
   std::vector<Site> spread;
@@ -31,8 +31,8 @@ struct Ground {
   double stripify_ns = 0;  // a triangle
 };
 
-const Ground& ground(std::size_t triangles) {
-  static Ground g;
+const LargeGround& ground(std::size_t triangles) {
+  static LargeGround g;
   if (g.triangles == triangles) return g;
   g = {};
   const replay::Soup soup = replay::make_mesh(triangles);
@@ -65,7 +65,7 @@ void pass(const std::vector<Site>& sites, StripMesh& mesh, std::optional<StripKe
 }
 
 void scale(benchmark::State& state, std::size_t triangles, Way way, bool side_by_side) {
-  const Ground& g = ground(triangles);
+  const LargeGround& g = ground(triangles);
   std::vector<Site> sites = side_by_side ? g.neighboring : g.spread;
   // The searches take long and look at so much that fewer places do.
   if (way == Way::quick || way == Way::full) sites.resize(std::min<std::size_t>(sites.size(), 20'000));
@@ -95,7 +95,7 @@ void scale(benchmark::State& state, std::size_t triangles, Way way, bool side_by
 
 /// What an index buffer kept in step takes.
 void buffer_memory(benchmark::State& state, std::size_t triangles) {
-  const Ground& g = ground(triangles);
+  const LargeGround& g = ground(triangles);
   for ([[maybe_unused]] auto _ : state) {
     const double before = allocated_bytes();
     replay::Medians time;

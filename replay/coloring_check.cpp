@@ -107,6 +107,8 @@ std::string find_fault(const StripMesh& mesh, const StripIndex& index) {
   const Strips strips = extract_strips(mesh);
   if (strips.size() != index.strips())
     return fmt::format("{} strips, but the index has {}", strips.size(), index.strips());
+  for (const Triangle t : strips.order)
+    if (!index.knows(t)) return fmt::format("the index does not know triangle {}", t);
   std::set<std::uint32_t> names;
   for (std::size_t s = 0; s < strips.size(); ++s) {
     const auto strip = strips[s];

@@ -150,8 +150,8 @@ int run(const ReplayCommand& command) {
   } else {
     options.policy = policy_names().at(policy);
     source.subject.search = search_of(options.policy);
-    if (command.states != 0) source.subject.search = {command.states, 0, Cost::strips};
-    source.subject.search.cost = command.cost;
+    if (command.states != 0) source.subject.search = {command.states, 0, TieBreak::strips};
+    source.subject.search.tie_break = command.tie_break;
     options.search = source.subject.search;
   }
   const ReplayReport report = replay(source.mesh, source.original, options);

@@ -29,9 +29,9 @@ struct ReplayCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
   ReplayOptions replay;
-  std::string policy;        ///< of policy_names(), or baked; empty: baked for a baked mesh, else local
-  std::uint32_t states = 0;  ///< of each search of a policy that searches; 0: its own
-  Cost cost = Cost::strips;  ///< of these searches
+  std::string policy;                     ///< of policy_names(), or baked; empty: baked for a baked mesh, else local
+  std::uint32_t states = 0;               ///< of each search of a policy that searches; 0: its own
+  TieBreak tie_break = TieBreak::strips;  ///< of these searches
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
   std::string json;  ///< a file; - for standard output, which then has nothing else; empty for none

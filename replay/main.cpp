@@ -71,15 +71,16 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
                   "baked: the strips of a baked mesh, or baked now (default: baked for a baked mesh, else local)")
       ->check(CLI::IsMember(policies));
   sub->add_option("--states", command.states,
-                  "of each search of the policies quick and full: more keep fewer strips and take longer (default: the "
-                  "policy's own)")
+                  "of each search of the policies quick and full: always so many; more keep fewer strips and take "
+                  "longer (default: "
+                  "the policy's own, fewer where strips are long enough)")
       ->check(CLI::Range(1, 1'000'000));
   sub->add_option_function<std::string>(
-         "--cost",
+         "--tie-break",
          [&command](const std::string& word) {
-           command.cost = word == "indices" ? restrip::Cost::indices : restrip::Cost::strips;
+           command.tie_break = word == "indices" ? restrip::TieBreak::indices : restrip::TieBreak::strips;
          },
-         "what the policies quick and full keep few: strips, or after these the indices of plain strips")
+         "what the policies quick and full keep few: strips, or strips and then the indices of plain ones")
       ->check(CLI::IsMember({"strips", "indices"}))
       ->default_str("strips");
   CLI::Option* walk = sub->add_option("--walk", command.walk_steps,
@@ -89,7 +90,7 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   sub->callback([sub, mesh, built_in, &command] {
     if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
     command.simplify_given = simplify_options_given(*sub);
-    for (const char* option : {"--states", "--cost"})
+    for (const char* option : {"--states", "--tie-break"})
       if (sub->count(option) != 0 && command.policy != "quick" && command.policy != "full")
         throw CLI::ValidationError(option, "only --policy quick and --policy full search");
   });

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import tempfile
 
-WAYS = ["local", "linked", "quick", "quick --cost indices", "full", "full --states 1024", "baked"]
+WAYS = ["local", "linked", "quick", "quick --tie-break indices", "full", "full --states 1024", "baked"]
 
 
 def replay(program, mesh, way):

@@ -33,14 +33,17 @@ TEST(Walk, ClosedMesh) {
 
 TEST(Walk, EveryPolicy) {
   for (const Policy policy : {Policy::linked, Policy::quick, Policy::full})
-    for (const Cost cost : {Cost::strips, Cost::indices})
+    for (const TieBreak tie_break : {TieBreak::strips, TieBreak::indices})
       for (const Soup& soup : {make_mesh(1000), sheet(15), bow_tie()}) {
         StripMesh mesh = stripified(soup);
         Search search = search_of(policy);
-        search.cost = cost;
+        search.tie_break = tie_break;
         const WalkReport report = walk(mesh, {2'000, 6, 50}, operations_of(policy, search));
         EXPECT_EQ(report.fault, "");
-        EXPECT_GT(report.splits + report.refused, 500U);
+        EXPECT_GT(report.splits + report.collapses + report.flips + report.refused, 1'900U);
+        if (report.refused < 1'000) {
+          EXPECT_EQ(report.isolating, 0U);
+        }
       }
 }
 

@@ -79,8 +79,11 @@ class Play {
       written_[l].erase(at(i));
       if (written_[l].empty()) written_.erase(written_.begin() + static_cast<std::ptrdiff_t>(l));
     } else if (kind == 3) {
+      const std::uint32_t name = lists_[c].list;
+      const std::size_t before = written_.size();
       lists_.cut(c, after);
       cut(l, i + (later ? 1 : 0));
+      if (written_.size() > before) expect_kept(name, written_[l], written_.back());
     } else if (kind == 4 && chunks() < 60) {
       const bool backwards = written_[l][i].backwards;
       const Id fresh = lists_.cut_off(c, after);
@@ -111,13 +114,24 @@ class Play {
     written_.emplace_back(written_[l].begin() + static_cast<std::ptrdiff_t>(i), written_[l].end());
     written_[l].resize(i);
   }
+  // After a cut the larger part has the old name: only the smaller one is written anew.
+  void expect_kept(std::uint32_t name, const List& one, const List& other) const {
+    if (one.size() == other.size()) return;
+    EXPECT_EQ(lists_[(one.size() > other.size() ? one : other).front().chunk].list, name);
+  }
   void join(std::size_t l) {
     std::size_t m = below(written_.size() - 1);
     if (m >= l) ++m;
     // The end of the one as written, the beginning of the other, each in either direction.
     if (below(2) == 0) written_[l] = reversed(written_[l]);
     if (below(2) == 0) written_[m] = reversed(written_[m]);
+    const std::size_t larger = written_[l].size() > written_[m].size() ? l : m;
+    const Id member = written_[larger].front().chunk;
+    const std::uint32_t name = lists_[member].list;
     lists_.join(written_[l].back().chunk, up(l), written_[m].front().chunk, !up(m));
+    if (written_[l].size() != written_[m].size()) {
+      EXPECT_EQ(lists_[member].list, name);
+    }
     written_[l].insert(written_[l].end(), written_[m].begin(), written_[m].end());
     written_.erase(written_.begin() + static_cast<std::ptrdiff_t>(m));
   }

@@ -8,6 +8,7 @@
 
 #include "restrip/checks.hpp"
 #include "restrip/keeper.hpp"
+#include "restrip/strips.hpp"
 
 namespace restrip {
 
@@ -26,8 +27,13 @@ inline bool random_operation(StripKeeper& keeper, std::mt19937& random, bool gro
   const StripMesh& mesh = keeper.mesh();
   const Halfedge h = random_halfedge(mesh, random);
   const std::size_t before = keeper.strips();
+  // Counting isolated triangles looks at the whole mesh.
+  const bool counts_isolated = mesh.triangle_count() < 1000;
+  const auto isolated = [&] { return counts_isolated ? static_cast<int>(check_coloring(mesh).isolated) : 0; };
+  const int isolated_before = isolated();
   Rewrite<Halfedge> done;
-  if (random() % 6 == 0) {
+  const bool flips = random() % 6 == 0;
+  if (flips) {
     if (check_flip(mesh, h) != Refusal::granted) return false;
     done = keeper.flip(h);
   } else if (!grow) {
@@ -44,6 +50,12 @@ inline bool random_operation(StripKeeper& keeper, std::mt19937& random, bool gro
     done = keeper.split(where);
   }
   EXPECT_EQ(static_cast<long>(keeper.strips()), static_cast<long>(before) + done.strips);
+  // Flips give ports up, and do not tell of the triangles outside the patch that were left alone.
+  if (flips) {
+    EXPECT_GE(isolated(), isolated_before + (counts_isolated ? done.isolated : 0));
+  } else if (counts_isolated) {
+    EXPECT_EQ(isolated(), isolated_before + done.isolated);
+  }
   return true;
 }
 

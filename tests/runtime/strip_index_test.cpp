@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <random>
-#include <set>
 #include <vector>
 
+#include "index_agrees.hpp"
+#include "random_operation.hpp"
 #include "restrip/checks.hpp"
 #include "restrip/detail/patch_triangles.hpp"
 #include "restrip/operations.hpp"
@@ -19,36 +19,6 @@ namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-
-// Along every strip the order grows or falls throughout, and no two strips share a name.
-::testing::AssertionResult agrees(const StripIndex& index, const StripMesh& mesh) {
-  const Strips strips = extract_strips(mesh);
-  if (strips.size() != index.strips())
-    return ::testing::AssertionFailure() << index.strips() << " strips in the index, " << strips.size()
-                                         << " in the mesh";
-  std::set<std::uint32_t> names;
-  for (std::size_t s = 0; s < strips.size(); ++s) {
-    const auto strip = strips[s];
-    const StripIndex::Position first = index.position(strip.front());
-    if (!names.insert(first.strip).second) return ::testing::AssertionFailure() << "two strips with one name";
-    const bool up = strip.size() < 2 || index.position(strip[1]).order > first.order;
-    for (std::size_t i = 1; i < strip.size(); ++i) {
-      const StripIndex::Position a = index.position(strip[i - 1]);
-      const StripIndex::Position b = index.position(strip[i]);
-      if (b.strip != first.strip) return ::testing::AssertionFailure() << "a strip with two names";
-      if (a.order == b.order || (a.order < b.order) != up) return ::testing::AssertionFailure() << "out of order";
-    }
-  }
-  return ::testing::AssertionSuccess();
-}
-
-Halfedge random_halfedge(const StripMesh& mesh, std::mt19937& random) {
-  for (;;) {
-    const Halfedge h{(static_cast<std::uint32_t>(random() % mesh.triangle_bound()) << 2) |
-                     static_cast<std::uint32_t>(random() % 3)};
-    if (mesh.alive(h)) return h;
-  }
-}
 
 void random_cut_or_link(StripIndex& index, StripMesh& mesh, std::mt19937& random) {
   const Halfedge h = random_halfedge(mesh, random);

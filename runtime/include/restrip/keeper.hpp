@@ -42,11 +42,17 @@ enum class Policy {
   full     ///< tunnelling, for several times as many
 };
 
+/// What to care for where strips come out equal; fewest strips are always first.
+enum class TieBreak {
+  strips,  ///< nothing else
+  indices  ///< few swaps (see Tunnel::OnFailure::fewer_swaps), by searches that find no strip to join
+};
+
 /// How large the searches from the strip ends in a patch are, and what for.
 struct Search {
   std::uint32_t states = 0;  ///< that one search may look at; 0: none are made
   std::uint32_t enough = 0;  ///< triangles per strip: searches get smaller while strips are longer on average. 0: never
-  Cost cost = Cost::strips;
+  TieBreak tie_break = TieBreak::strips;
 };
 
 /// Searches of n states keep about 3 n triangles per strip, where the holes and pieces of the mesh let them.
@@ -56,9 +62,9 @@ struct Search {
     case Policy::linked:
       return {};
     case Policy::quick:
-      return {56, 150, Cost::strips};
+      return {56, 150, TieBreak::strips};
     case Policy::full:
-      return {320, 0, Cost::strips};
+      return {320, 0, TieBreak::strips};
   }
   return {};
 }
@@ -112,12 +118,11 @@ class StripKeeper {
     patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_->opposite(h))});
     index_.before_patch(*mesh_, patch_);
     Rewrite<Halfedge> done = finish(restrip::flip(*mesh_, h));
-    // A flip may give ports up.
-    if (done.isolated > 0)
-      for (const Triangle t : patch_)
-        for (unsigned side = 0; side < 3; ++side)
-          if (const Halfedge across = mesh_->opposite(StripMesh::halfedge(t, side)); !StripMesh::on_boundary(across))
-            adopt_isolated(done, across);
+    // A flip may give ports up, and so isolate a triangle beside the patch.
+    for (const Triangle t : patch_)
+      for (unsigned side = 0; side < 3; ++side)
+        if (const Halfedge across = mesh_->opposite(StripMesh::halfedge(t, side)); !StripMesh::on_boundary(across))
+          adopt_isolated(done, across);
     return done;
   }
 
@@ -171,13 +176,13 @@ class StripKeeper {
   Rewrite<Halfedge> finish(Rewrite<Halfedge> done) {
     index_.after_patch(*mesh_, patch_);
     const std::uint32_t states = states_now();
-    const auto on_failure = search_.cost == Cost::indices ? Tunnel::OnFailure::fewer_swaps : Tunnel::OnFailure::stay;
-    for (const Triangle t : patch_) {
-      const unsigned degree = mesh_->solid_degree(t);
-      if (degree > 1 || !tunnel_.join(*mesh_, index_, t, states, on_failure)) continue;
-      --done.strips;
-      if (degree == 0) --done.isolated;
-    }
+    const auto on_failure =
+        search_.tie_break == TieBreak::indices ? Tunnel::OnFailure::fewer_swaps : Tunnel::OnFailure::stay;
+    const TunnelCounts before = tunnel_.counts();
+    for (const Triangle t : patch_)
+      if (mesh_->solid_degree(t) < 2) tunnel_.join(*mesh_, index_, t, states, on_failure);
+    done.strips -= static_cast<int>(tunnel_.counts().joined - before.joined);
+    done.isolated += static_cast<int>(tunnel_.counts().isolated - before.isolated);
     if (done.isolated > 0)
       for (const Triangle t : patch_) adopt_isolated(done, StripMesh::halfedge(t, 0));
     strips_ = index_.strips();

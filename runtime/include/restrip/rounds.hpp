@@ -21,9 +21,9 @@ class TunnelRounds {
       : first_(first_states), last_(last_states), states_(first_states) {}
 
   /// Goes on where the last call stopped, until about `budget` states have been looked at (one search may go beyond) or
-  /// there are no more than `enough` strips. Returns the number of states looked at. One state costs a few hundred
-  /// nanoseconds; walking past triangles inside strips counts as one state for every 64. Deterministic: the same calls
-  /// on the same mesh do the same.
+  /// there are no more than `enough` strips. Returns the number of states looked at. One state of the largest searches
+  /// costs a few hundred nanoseconds; walking past triangles inside strips counts as one state for every 64.
+  /// Deterministic: the same calls on the same mesh do the same.
   std::size_t run(StripMesh& mesh, StripIndex& index, Tunnel& tunnel, std::size_t budget, std::size_t enough = 1) {
     const std::size_t before = tunnel.counts().states;
     std::size_t passed = 0;

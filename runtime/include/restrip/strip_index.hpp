@@ -7,15 +7,17 @@
 // salesmen", 1995).
 //
 // Costs, for a strip of n triangles: position() two memory reads; cut and link O(chunk_limit + n / chunk_limit), the
-// smaller part alone; a local rewrite O(triangles of the patch), and one cut for each strip that it cuts. The default
+// smaller part alone; a local rewrite O(triangles of the patch), one cut for each strip that it cuts, and
+// O(n / chunk_limit) when a chunk has grown too large. The default
 // limit is made for strips of a few hundred triangles; about half the square root of n is best for longer ones.
-// Memory: 8 bytes a triangle and about one byte for chunks. Nothing is allocated once the arrays have grown.
+// Memory: 12 bytes a triangle and about one byte for chunks. Nothing is allocated once the arrays have grown.
 //
 // Labels live on the mesh's own links: the index walks solid edges when it splits or renumbers a chunk, so colours and
 // index have to change together. Colour dual edges through cut() and link(), and bracket every local operation by
 // before_patch() and after_patch().
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -38,12 +40,13 @@ class StripIndex {
     friend constexpr bool operator==(const Position&, const Position&) = default;
   };
 
-  /// Chunks hold at most this many triangles; 8 to 1024.
   static constexpr std::uint32_t default_chunk_limit = 64;
   /// The limit for a mesh whose strips are to become as long as the mesh allows.
   [[nodiscard]] static std::uint32_t chunk_limit_for_long_strips(std::size_t triangles) noexcept;
 
-  explicit StripIndex(std::uint32_t chunk_limit = default_chunk_limit) : chunk_limit_(chunk_limit) {}
+  /// Chunks hold at most `chunk_limit` triangles; below 8 and above 1024 these are taken.
+  explicit StripIndex(std::uint32_t chunk_limit = default_chunk_limit)
+      : chunk_limit_(std::clamp(chunk_limit, 8U, room_for_labels)) {}
   /// Indexes a valid colouring. Linear time.
   explicit StripIndex(const StripMesh& mesh, std::uint32_t chunk_limit = default_chunk_limit)
       : StripIndex(chunk_limit) {
@@ -51,6 +54,8 @@ class StripIndex {
   }
   void rebuild(const StripMesh& mesh);
 
+  /// False when the index has never heard of a triangle, because the mesh changed behind its back.
+  [[nodiscard]] bool knows(Triangle t) const noexcept { return t < places_.size() && places_[t].chunk != none; }
   /// The position of a triangle that is alive.
   [[nodiscard]] Position position(Triangle t) const noexcept;
   /// Number of strips.
@@ -76,6 +81,7 @@ class StripIndex {
   using ChunkId = detail::ChunkLists::Id;
   static constexpr Label middle_label = 1U << 31;
   static constexpr Label label_step = 1U << 21;
+  static constexpr std::uint32_t room_for_labels = middle_label / label_step;  // in one chunk
 
   struct Place {
     ChunkId chunk = none;

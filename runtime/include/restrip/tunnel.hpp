@@ -11,7 +11,7 @@
 // the index knows them, in the order in which the moves so far would join them. No triangle becomes the new end twice,
 // so a search of n states has looked at n different ends, and on a mesh where one triangle in d is an end it takes
 // about d states to find one. Colours and index are only changed by the chain that succeeds, which is the shortest of
-// those tried.
+// those tried; or, where that is asked for, by the chain to one state of a search that fails.
 #pragma once
 
 #include <cstddef>
@@ -23,18 +23,13 @@
 
 namespace restrip {
 
-/// What strips are to have few of.
-enum class Cost {
-  strips,  ///< as few strips as can be
-  indices  ///< that first, then few swaps: two turns the same way, which cost an index of a plain strip
-};
-
 /// What tunnelling has done so far.
 struct TunnelCounts {
   std::size_t searches = 0;
-  std::size_t states = 0;  ///< looked at in all searches
-  std::size_t joined = 0;  ///< searches that joined two strips
-  std::size_t moves = 0;   ///< edges made solid by them
+  std::size_t states = 0;       ///< looked at in all searches
+  std::size_t joined = 0;       ///< searches that joined two strips
+  std::size_t moves = 0;        ///< edges made solid
+  std::ptrdiff_t isolated = 0;  ///< by how many isolated triangles are more
 };
 
 /// The search, with its memory. One object serves any number of searches on any mesh, one after the other; nothing is
@@ -44,15 +39,16 @@ class Tunnel {
   enum class OnFailure {
     stay,        ///< nothing changes
     wander,      ///< the moves that led to the last state looked at are made, and the strip ends there
-    fewer_swaps  ///< the same with the state of fewest swaps, if they are fewer than now
+    fewer_swaps  ///< the same with the state of fewest swaps, if they are fewer than now and no triangle is left alone
   };
 
   /// Tries to join the strip that ends at `end` with another one, looking at no more than `max_states` states. Returns
   /// true when the mesh has one strip less. `index` must be that of the mesh. Deterministic.
   ///
   /// A search that fails leaves the number of strips as it is. After `wander` the next search starts from a place that
-  /// this one could only just reach. `fewer_swaps` costs half as much again for each state; swaps are counted as if a
-  /// chain never came back to where it has been, so that now and then they are one more and not fewer.
+  /// this one could only just reach. `fewer_swaps` costs half as much again for each state. A swap is two turns the
+  /// same way, which cost an index of a plain strip; they are counted as if a chain never came back to where it has
+  /// been, so that one time in a hundred they are a few more and not fewer.
   ///
   /// Cost: O(max_states * length of the chains), with chains as long as a search of that size gets (about 5 moves at
   /// 100 states, 12 at 1,000, 25 at 10,000). Does nothing when `end` is inside a strip.
@@ -117,6 +113,8 @@ class Tunnel {
   void rotate(std::uint32_t s);
   void change_over_whole(std::uint32_t s);
   void change_over(std::uint32_t s);
+  void cut(StripMesh& mesh, StripIndex& index, Halfedge h);
+  void link(StripMesh& mesh, StripIndex& index, Halfedge h);
   void commit(StripMesh& mesh, StripIndex& index, std::uint32_t s);
   void commit(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge last_join);
 

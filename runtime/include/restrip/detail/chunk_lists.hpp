@@ -1,10 +1,11 @@
 // Lists of chunks, cut, joined and reversed: the upper level of StripIndex.
 //
 // A chunk knows its list, its rank in it, its two neighbours and whether it reads backwards, so a look costs one memory
-// read. Cutting and joining rewrite the smaller part, which two walkers that start at the cut at the same time find.
-// (The upper level of the two-level lists of Fredman, Johnson, McGeoch, Ostheimer, "Data structures for traveling
-// salesmen", 1995. They reverse a list by one bit; here the smaller part is written anew in any case. The smaller half
-// is the rule of Even and Shiloach, "An on-line edge-deletion problem", 1981.)
+// read. Cutting and joining rewrite the smaller part, which two walkers that start at the cut at the same time find;
+// and now and then, when they have drifted far, the ranks of the larger one. (The upper level of the two-level lists of
+// Fredman, Johnson, McGeoch, Ostheimer, "Data structures for traveling salesmen", 1995. They reverse a list by one bit;
+// here the smaller part is written anew in any case. The smaller half is the rule of Even and Shiloach, "An on-line
+// edge-deletion problem", 1981.)
 #pragma once
 
 #include <cstddef>
@@ -24,7 +25,7 @@ class ChunkLists {
     Id before = nobody;  // in the order of ranks
     Id after = nobody;
     std::uint32_t list = nobody;  // nobody: the chunk is not in use
-    std::uint32_t rank = middle;  // grows along the list, with gaps
+    std::uint32_t rank = middle;  // grows along the list
     std::uint32_t count = 0;      // of triangles, for the owner's use
     bool backwards = false;       // the chunk's own order is the reverse of the list's
   };

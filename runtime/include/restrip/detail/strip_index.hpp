@@ -195,7 +195,6 @@ inline void StripIndex::link(StripMesh& mesh, Halfedge h) {
 }
 
 inline std::uint32_t StripIndex::chunk_limit_for_long_strips(std::size_t triangles) noexcept {
-  constexpr std::uint32_t room_for_labels = middle_label / label_step;
   return std::clamp(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles)) / 2), default_chunk_limit,
                     room_for_labels);
 }

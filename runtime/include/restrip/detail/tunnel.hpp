@@ -16,7 +16,7 @@ inline bool Tunnel::join(StripMesh& mesh, StripIndex& index, Triangle end, std::
   counts_swaps_ = on_failure == OnFailure::fewer_swaps;
   start(mesh, index, end);
   bool joined = false;
-  for (std::uint32_t s = 0; s < states_.size() && states_.size() < max_states && !joined; ++s) {
+  for (std::uint32_t s = 0; s < states_.size() && (s == 0 || states_.size() < max_states) && !joined; ++s) {
     joined = expand(mesh, index, s);
   }
   counts_.states += states_.size();
@@ -65,7 +65,7 @@ inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state
   states_.push_back(state);
   if (counts_swaps_) {
     states_[s].swaps = states_[state.parent].swaps + swaps_of_move(mesh, state);
-    if (states_[s].swaps < states_[straightest_].swaps) straightest_ = s;
+    if (states_[s].swaps < states_[straightest_].swaps && mesh.solid_degree(y) > 1) straightest_ = s;
   }
   for (unsigned dashed = dashed_sides(mesh, y); dashed != 0; dashed &= dashed - 1) {
     const Halfedge join = lowest(y, dashed);
@@ -81,17 +81,18 @@ inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state
 
 namespace detail {
 
-// The solid side of a triangle other than s: 0 there is none, 1 the next one, 2 the one before. At most two are solid.
-constexpr unsigned turn_from(unsigned solid, unsigned s) noexcept {
-  const unsigned next = s == 2 ? 0 : s + 1;
-  const unsigned before = s == 0 ? 2 : s - 1;
-  return (solid >> next & 1U) | (solid >> before & 1U) << 1;
+// The solid side of the triangle of h other than its own: 0 there is none, 1 the next one, 2 the one before. At most
+// two are solid.
+constexpr unsigned turn_from(unsigned solid, StripMesh::Halfedge h) noexcept {
+  const StripMesh::Halfedge next = StripMesh::next(h);
+  const StripMesh::Halfedge before = StripMesh::next(next);
+  return (solid >> StripMesh::side(next) & 1U) | (solid >> StripMesh::side(before) & 1U) << 1;
 }
 
-// A solid dual edge is a swap when the strip turns the same way on both its sides: 1, else 0. Of both triangles, the
-// solid sides and the one that the edge crosses.
-constexpr int is_swap(unsigned solid_a, unsigned a, unsigned solid_b, unsigned b) noexcept {
-  return int{(turn_from(solid_a, a) ^ turn_from(solid_b, b)) == 3};
+// A solid dual edge is a swap when the strip turns the same way on both its sides: 1, else 0. Its two halfedges, each
+// with the solid sides of its triangle.
+constexpr int is_swap(unsigned solid_g, StripMesh::Halfedge g, unsigned solid_h, StripMesh::Halfedge h) noexcept {
+  return int{(turn_from(solid_g, g) ^ turn_from(solid_h, h)) == 3};
 }
 
 }  // namespace detail
@@ -113,16 +114,15 @@ inline int Tunnel::swaps_of_move(const StripMesh& mesh, const State& state) cons
   const unsigned x_before = mesh.solid_sides(x);
   const unsigned x_after = with(without(x_before, cut_x), join_x);
   const unsigned y_before = mesh.solid_sides(y);
-  int swaps = detail::is_swap(end_after, StripMesh::side(state.join), x_after, StripMesh::side(join_x)) -
-              detail::is_swap(x_before, StripMesh::side(cut_x), y_before, StripMesh::side(state.cut));
+  int swaps =
+      detail::is_swap(end_after, state.join, x_after, join_x) - detail::is_swap(x_before, cut_x, y_before, state.cut);
   // The other solid edge of each of the three.
   const auto change = [&](Triangle t, unsigned other, unsigned before, unsigned after) {
     if (other == 0) return;
     const Halfedge h = lowest(t, other);
     const Halfedge g = mesh.opposite(h);
     const unsigned beyond = mesh.solid_sides(StripMesh::triangle(g));
-    swaps += detail::is_swap(after, StripMesh::side(h), beyond, StripMesh::side(g)) -
-             detail::is_swap(before, StripMesh::side(h), beyond, StripMesh::side(g));
+    swaps += detail::is_swap(after, h, beyond, g) - detail::is_swap(before, h, beyond, g);
   };
   change(end, end_before, end_before, end_after);
   change(x, without(x_before, cut_x), x_before, x_after);
@@ -292,21 +292,32 @@ inline void Tunnel::change_over(std::uint32_t s) {
   for (std::uint32_t i = last + 1; i < parent.total; ++i) *out++ = old[i];
 }
 
+inline void Tunnel::cut(StripMesh& mesh, StripIndex& index, Halfedge h) {
+  index.cut(mesh, h);
+  for (const Halfedge side : {h, mesh.opposite(h)})
+    counts_.isolated += mesh.solid_degree(StripMesh::triangle(side)) == 0 ? 1 : 0;
+}
+
+inline void Tunnel::link(StripMesh& mesh, StripIndex& index, Halfedge h) {
+  for (const Halfedge side : {h, mesh.opposite(h)})
+    counts_.isolated -= mesh.solid_degree(StripMesh::triangle(side)) == 0 ? 1 : 0;
+  index.link(mesh, h);
+  ++counts_.moves;
+}
+
 // Makes the moves that lead to a state; each leaves a valid colouring.
 inline void Tunnel::commit(StripMesh& mesh, StripIndex& index, std::uint32_t s) {
   chain_.clear();
   for (; states_[s].parent != none; s = states_[s].parent) chain_.push_back(s);
   for (auto step = chain_.rbegin(); step != chain_.rend(); ++step) {
-    index.cut(mesh, states_[*step].cut);
-    index.link(mesh, states_[*step].join);
+    cut(mesh, index, states_[*step].cut);
+    link(mesh, index, states_[*step].join);
   }
-  counts_.moves += chain_.size();
 }
 
 inline void Tunnel::commit(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge last_join) {
   commit(mesh, index, s);
-  index.link(mesh, last_join);
-  ++counts_.moves;
+  link(mesh, index, last_join);
 }
 
 }  // namespace restrip

@@ -1,0 +1,36 @@
+// Does an index say of every triangle what walking its strip says?
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <set>
+
+#include "restrip/strip_index.hpp"
+#include "restrip/strips.hpp"
+
+namespace restrip {
+
+// Along every strip the order grows or falls throughout, and no two strips share a name.
+inline ::testing::AssertionResult agrees(const StripIndex& index, const StripMesh& mesh) {
+  const Strips strips = extract_strips(mesh);
+  if (strips.size() != index.strips())
+    return ::testing::AssertionFailure() << index.strips() << " strips in the index, " << strips.size()
+                                         << " in the mesh";
+  std::set<std::uint32_t> names;
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    const auto strip = strips[s];
+    const StripIndex::Position first = index.position(strip.front());
+    if (!names.insert(first.strip).second) return ::testing::AssertionFailure() << "two strips with one name";
+    const bool up = strip.size() < 2 || index.position(strip[1]).order > first.order;
+    for (std::size_t i = 1; i < strip.size(); ++i) {
+      const StripIndex::Position a = index.position(strip[i - 1]);
+      const StripIndex::Position b = index.position(strip[i]);
+      if (b.strip != first.strip) return ::testing::AssertionFailure() << "a strip with two names";
+      if (a.order == b.order || (a.order < b.order) != up) return ::testing::AssertionFailure() << "out of order";
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
+}  // namespace restrip
