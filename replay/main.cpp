@@ -83,8 +83,9 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
          "what the policies quick and full keep few: strips, or strips and then the indices of plain ones")
       ->check(CLI::IsMember({"strips", "indices"}))
       ->default_str("strips");
-  CLI::Option* walk = sub->add_option("--walk", command.walk_steps,
-                                      "then that many random splits, collapses and flips on the full mesh");
+  CLI::Option* walk =
+      sub->add_option("--walk", command.walk_steps,
+                      "then that many random splits, collapses and flips on the full mesh, under the policy");
   sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->capture_default_str();
   sub->add_option("--json", command.json, "write the report as JSON to a file, or - for standard output");
   sub->callback([sub, mesh, built_in, &command] {
