@@ -8,9 +8,9 @@
 //
 // Costs, for a strip of n triangles: position() two memory reads; cut and link O(chunk_limit + n / chunk_limit), the
 // smaller part alone; a local rewrite O(triangles of the patch), one cut for each strip that it cuts, and
-// O(n / chunk_limit) when a chunk has grown too large. The default
-// limit is made for strips of a few hundred triangles; about half the square root of n is best for longer ones.
-// Memory: 12 bytes a triangle and about one byte for chunks. Nothing is allocated once the arrays have grown.
+// O(n / chunk_limit) when a chunk has grown too large. The default limit is made for strips of a few hundred triangles;
+// about half the square root of n is best for longer ones. Memory: 12 bytes a triangle and about one byte for chunks.
+// Nothing is allocated once the arrays have grown.
 //
 // Labels live on the mesh's own links: the index walks solid edges when it splits or renumbers a chunk, so colours and
 // index have to change together. Colour dual edges through cut() and link(), and bracket every local operation by

@@ -144,7 +144,7 @@ inline bool Tunnel::expand(StripMesh& mesh, StripIndex& index, std::uint32_t s) 
 
 // The moves over one dashed edge, to x.
 inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge join, Triangle x) {
-  Neighbor next[2];
+  Neighbor next[3];  // two, where the colouring is valid
   unsigned n = 0;
   bool seen_all = true;
   for (unsigned solid = mesh.solid_sides(x); solid != 0; solid &= solid - 1) {
