@@ -15,8 +15,8 @@
 //
 // Cost. An operation costs its rule and, where the policy tunnels, time linear in the patch for the index, and the
 // searches; their mean number of states is bounded by policy, not by the size of the mesh, and so is the mean length of
-// the strips, on which the index depends. After warm-up nothing is allocated but what the mesh itself allocates to
-// grow.
+// the strips, on which the index depends, once they have the length that the policy keeps. After warm-up nothing is
+// allocated but what the mesh itself allocates to grow.
 #pragma once
 
 #include <cstddef>
