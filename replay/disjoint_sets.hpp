@@ -15,12 +15,14 @@ class DisjointSets {
     while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
     return x;
   }
-  void unite(std::uint32_t x, std::uint32_t y) {
+  /// False where they were in one set already.
+  bool unite(std::uint32_t x, std::uint32_t y) {
     x = find(x);
     y = find(y);
     // The smaller index becomes the root: no randomness, no ranks.
     if (x < y) parent_[y] = x;
     if (y < x) parent_[x] = y;
+    return x != y;
   }
 
  private:

@@ -30,7 +30,7 @@ class Replay {
     if (options_.baked != nullptr)
       base_ = options_.baked->base;
     else
-      stripify(base_, search_.states != 0 ? Effort::full : Effort::fast);
+      stripify(base_, Effort::full);
     // One mesh serves every run, so that its memory is there before the first clock starts.
     mesh_.reserve(mesh.fine_triangles(), mesh.points.size());
     report_.base_triangles = base_.triangle_count();
@@ -41,6 +41,8 @@ class Replay {
     watch_the_way_up();
     if (report_.operations_without_rule == 0) {
       watch_the_way_down();
+      if (!player_ && options_.policy == Policy::local && search_.states == 0)
+        report_.boldness = count_bolder(source_, base_);
       measure_buffer();
       measure();
       check_top(original.empty() ? bare_triangles() : original);

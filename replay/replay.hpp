@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bake.hpp"
+#include "bolder.hpp"
 #include "progressive_mesh.hpp"
 #include "restrip/keeper.hpp"
 #include "soup.hpp"
@@ -62,8 +63,9 @@ struct ReplayReport {
   /// An index buffer kept in step after every split of the way up (strip_buffer.hpp).
   std::size_t buffer_bytes = 0;  ///< in the end
   double bytes_written_per_operation = 0;
-  std::size_t levels_compared = 0;  ///< baked: levels reached again, with the same strips
-  std::vector<std::string> faults;  ///< what a check found; empty when all is well
+  std::optional<BoldnessReport> boldness;  ///< under the local rules: what they lose by not looking outside the patch
+  std::size_t levels_compared = 0;         ///< baked: levels reached again, with the same strips
+  std::vector<std::string> faults;         ///< what a check found; empty when all is well
 
   [[nodiscard]] bool valid() const noexcept { return faults.empty(); }
 };

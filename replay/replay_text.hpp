@@ -12,11 +12,18 @@
 //   triangles_per_strip      at the finest level
 //   policy, most_strips      how strips were kept; most of all levels on the way up, every split counted
 //   baked                    {flips_per_record, bytes_per_record, bake_seconds, levels_compared}, for baked strips
-//   cycles                   [{base_strips, base_isolated, top_strips, top_isolated, isolating, adding_strip}] way down
-//   and up again ns_per_operation, ns_per_operation_bare    a split with strips kept, and the same mesh update without
-//   (medians) ns_per_collapse, ns_per_collapse_bare      the same for the way down walk                     {steps,
-//   seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, fault,
-//                            fault_step, trace}, when there was one
+//   best_in_this_mesh        {splits, collapses}: {operations, adding_strip, adding_strip_at_best, bolder}, under
+//   `local` cycles                   [{base_strips, base_isolated, top_strips, top_isolated, isolating, adding_strip}],
+//   each a
+//                            way down and up again
+//   ns_per_operation, ns_per_operation_bare
+//                            a split with strips kept, and the same mesh update without (medians)
+//   ns_per_collapse, ns_per_collapse_bare
+//                            the same for the way down
+//   buffer_bytes, buffer_bytes_written_per_operation
+//                            the live index buffer at the finest level; what a split rewrites of it
+//   walk                     {steps, seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles,
+//                            strips, fault, fault_step, trace}, when there was one
 //   left_out                 {degenerate_triangles, irregular_vertices, frozen_vertices}: what no operation touches
 //   valid, faults            every check held; what did not
 #pragma once
