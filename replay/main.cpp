@@ -170,7 +170,7 @@ CLI::App* add_paper(CLI::App& app, PaperCommand& command) {
 }
 
 int run_command_line(int argc, char** argv) {
-  CLI::App app{"Triangle strips that stay optimal while the mesh changes", "restrip"};
+  CLI::App app{"Triangle strips kept while the mesh changes, by local repairs proven optimal", "restrip"};
   app.set_version_flag("--version", std::string("restrip ") + RESTRIP_VERSION);
   app.require_subcommand(1);
   app.footer(

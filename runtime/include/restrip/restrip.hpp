@@ -1,4 +1,5 @@
-// restrip: triangle strips that stay optimal while the mesh changes. Header-only, C++20, standard library only.
+// restrip: triangle strips kept while the mesh changes, by local repairs proven optimal. Header-only, C++20, standard
+// library only.
 //
 // Start with operations.hpp (split, collapse, flip), mesh.hpp (what your mesh has to offer) and strip_mesh.hpp (a mesh
 // of ours).

@@ -3,8 +3,9 @@
 // For fans of up to table_max_k triangles the answer is read from the generated tables: constant time, no branch on
 // the colours, no allocation, constexpr. For larger fans the exact solver computes it (linear in k). Either way the
 // answer is sound whatever lies outside the patch, has the most solid edges of all sound ones, and the fewest isolated
-// triangles of those; docs/trust.md says how that is proved. Source of the idea: Porcu, Sanna, Scateni, "Rewriting
-// rules for the dual graph of a stripified CLOD mesh". Bits are numbered in docs/notation.md.
+// triangles in the patch of those. For the tables this is proved (docs/trust.md), for larger fans it is tested. Source
+// of the idea: Porcu, Sanna, Scateni, "Rewriting rules for the dual graph of a stripified CLOD mesh". Bits are numbered
+// in docs/notation.md.
 //
 // Colours that no valid stripification has (a triangle of three solid edges, a solid cycle) get `valid = false` and all
 // edges dashed, which is always sound to apply.
