@@ -10,82 +10,104 @@ struct Gaps {
   unsigned second;
 };
 
-/// The positions that notation.md lists; all others are mirror images.
+/// All i < j <= k.
 std::vector<Gaps> gap_pairs(unsigned k) {
   std::vector<Gaps> pairs;
   for (unsigned i = 0; i <= k; ++i)
-    for (unsigned j = i + 1; j <= k && i + j <= k; ++j) pairs.push_back({i, j});
+    for (unsigned j = i + 1; j <= k; ++j) pairs.push_back({i, j});
   return pairs;
 }
+
+// Which positions notation.md lists.
+bool listed_arc(unsigned k, unsigned a) { return 2 * a <= k; }
+bool listed_gaps(unsigned k, Gaps gaps) { return gaps.first + gaps.second <= k; }
+bool listed_gap(unsigned k, unsigned gap) { return 2 * gap <= k; }
+
+std::string at_arc(unsigned k, unsigned a) { return fmt::format("k {} a {}", k, a); }
+std::string at_gaps(unsigned k, Gaps gaps) { return fmt::format("k {} gaps {} {}", k, gaps.first, gaps.second); }
+std::string at_gap(unsigned k, unsigned gap) { return fmt::format("k {} gap {}", k, gap); }
 
 Section fan_section(std::string position, unsigned k, unsigned recoloring_bits, bool serves_every_position = false) {
   return {std::move(position), k, k, recoloring_bits, serves_every_position, {}};
 }
 
 Family splits(unsigned max_k) {
-  Family family{"split", {}};
+  Family family{"split", {}, {}};
   for (unsigned k = 3; k <= max_k; ++k)
-    for (unsigned a = 1; 2 * a <= k; ++a) {
-      const std::string position = fmt::format("k {} a {}", k, a);
-      family.sections.push_back(fan_section(position, k, k + 3));
-      family.sections.back().operations.push_back(
-          {"split", position, Patch::closed_fan(k), Patch::ring_with_chord(k, a)});
+    for (unsigned a = 1; a < k; ++a) {
+      const std::string position = at_arc(k, a);
+      const Operation operation{"split", position, Patch::closed_fan(k), Patch::ring_with_chord(k, a)};
+      if (listed_arc(k, a)) {
+        family.sections.push_back(fan_section(position, k, k + 3));
+        family.sections.back().operations.push_back(operation);
+      } else {
+        family.unlisted.push_back(operation);
+      }
     }
   return family;
 }
 
 Family collapses(unsigned max_k) {
-  Family family{"collapse", {}};
+  Family family{"collapse", {}, {}};
   for (unsigned k = 3; k <= max_k; ++k) {
     family.sections.push_back(fan_section(fmt::format("k {}", k), k, k, true));
-    for (unsigned a = 1; 2 * a <= k; ++a)
-      family.sections.back().operations.push_back(
-          {"collapse", fmt::format("k {} a {}", k, a), Patch::ring_with_chord(k, a), Patch::closed_fan(k)});
+    for (unsigned a = 1; a < k; ++a)
+      (listed_arc(k, a) ? family.sections.back().operations : family.unlisted)
+          .push_back({"collapse", at_arc(k, a), Patch::ring_with_chord(k, a), Patch::closed_fan(k)});
   }
   return family;
 }
 
 Family open_splits(unsigned max_k) {
-  Family family{"open-split", {}};
+  Family family{"open-split", {}, {}};
   for (unsigned k = 1; k <= max_k; ++k)
     for (const Gaps gaps : gap_pairs(k)) {
-      const std::string position = fmt::format("k {} gaps {} {}", k, gaps.first, gaps.second);
-      family.sections.push_back(fan_section(position, k, k + 2));
-      family.sections.back().operations.push_back(
-          {"open-split", position, Patch::open_fan(k), Patch::path_with_chord(k, gaps.first, gaps.second)});
+      const std::string position = at_gaps(k, gaps);
+      const Operation operation{"open-split", position, Patch::open_fan(k),
+                                Patch::path_with_chord(k, gaps.first, gaps.second)};
+      if (listed_gaps(k, gaps)) {
+        family.sections.push_back(fan_section(position, k, k + 2));
+        family.sections.back().operations.push_back(operation);
+      } else {
+        family.unlisted.push_back(operation);
+      }
     }
   return family;
 }
 
 Family boundary_splits(unsigned max_k) {
-  Family family{"boundary-split", {}};
+  Family family{"boundary-split", {}, {}};
   for (unsigned k = 1; k <= max_k; ++k)
-    for (unsigned gap = 0; 2 * gap <= k; ++gap) {
-      const std::string position = fmt::format("k {} gap {}", k, gap);
-      family.sections.push_back(fan_section(position, k, k));
-      family.sections.back().operations.push_back(
-          {"boundary-split", position, Patch::open_fan(k), Patch::path(k, gap)});
+    for (unsigned gap = 0; gap <= k; ++gap) {
+      const std::string position = at_gap(k, gap);
+      const Operation operation{"boundary-split", position, Patch::open_fan(k), Patch::path(k, gap)};
+      if (listed_gap(k, gap)) {
+        family.sections.push_back(fan_section(position, k, k));
+        family.sections.back().operations.push_back(operation);
+      } else {
+        family.unlisted.push_back(operation);
+      }
     }
   return family;
 }
 
 Family fan_collapses(unsigned max_k) {
-  Family family{"fan-collapse", {}};
+  Family family{"fan-collapse", {}, {}};
   for (unsigned k = 1; k <= max_k; ++k) {
     family.sections.push_back(fan_section(fmt::format("k {}", k), k, k - 1, true));
-    std::vector<Operation>& operations = family.sections.back().operations;
     for (const Gaps gaps : gap_pairs(k))
-      operations.push_back({"open-collapse", fmt::format("k {} gaps {} {}", k, gaps.first, gaps.second),
-                            Patch::path_with_chord(k, gaps.first, gaps.second), Patch::open_fan(k)});
-    for (unsigned gap = 0; 2 * gap <= k; ++gap)
-      operations.push_back(
-          {"boundary-collapse", fmt::format("k {} gap {}", k, gap), Patch::path(k, gap), Patch::open_fan(k)});
+      (listed_gaps(k, gaps) ? family.sections.back().operations : family.unlisted)
+          .push_back({"open-collapse", at_gaps(k, gaps), Patch::path_with_chord(k, gaps.first, gaps.second),
+                      Patch::open_fan(k)});
+    for (unsigned gap = 0; gap <= k; ++gap)
+      (listed_gap(k, gap) ? family.sections.back().operations : family.unlisted)
+          .push_back({"boundary-collapse", at_gap(k, gap), Patch::path(k, gap), Patch::open_fan(k)});
   }
   return family;
 }
 
 Family flips() {
-  Family family{"flip", {}};
+  Family family{"flip", {}, {}};
   family.sections.push_back({"flip", 4, 1, 1, false, {}});
   family.sections.back().operations.push_back({"flip", "", Patch::flip(0, 1), Patch::flip(1, 2), true});
   return family;

@@ -33,6 +33,7 @@ struct Section {
 struct Family {
   std::string name;  ///< of the certificate
   std::vector<Section> sections;
+  std::vector<Operation> unlisted;  ///< in the positions that are mirror images or half turns of those of the sections
 };
 
 /// The largest fan that the tables cover.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,14 @@ struct Totals {
   std::uint64_t pairs = 0;           ///< (configuration, recolouring)
   std::uint64_t claims = 0;
   std::uint64_t failed = 0;
+  struct Answers {
+    std::uint64_t positions = 0;
+    std::uint64_t entries = 0;
+  };
+  /// Answers of the shipped headers by operation: those that were all found right, and those that were read but not
+  /// looked at, because their family was not chosen.
+  std::map<std::string, Answers> answers;
+  std::map<std::string, Answers> not_compared;
 };
 
 /// Called for each claim as soon as it is settled, in a fixed order.
@@ -34,6 +43,7 @@ using ClaimListener = std::function<void(const ClaimResult&)>;
 
 std::string heading();
 std::string line_of(const ClaimResult& result);
+/// The answers of the shipped headers, a line each for what was proved and what was not compared, if there is any; then
 /// "verified: …" or "NOT verified: …".
 std::string last_line(const Totals& totals);
 std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals);

@@ -1,9 +1,11 @@
 #pragma once
-// Compares the compiled tables, as a program prints them (docs/certificate.md, "Table dump"), with the certificates'
-// answers, configuration by configuration.
+// Checks the compiled rules, as a program prints their answers (docs/certificate.md, "Table dump"), configuration by
+// configuration: in the positions of the certificates they must be the certificates' rows, in all others each answer is
+// judged by itself (dump_judge.hpp).
 
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,15 +13,21 @@
 
 namespace restrip::verify {
 
-/// What one table must say. `answers` is null for a table that is read but not compared.
+/// What the answers of a table are held against.
+enum class Against { certificate, own_patch, nothing };
+inline constexpr std::size_t against_count = 3;
+
+/// What one table must say.
 struct ExpectedTable {
   const Operation* operation = nullptr;
-  const std::vector<Answer>* answers = nullptr;
+  Against against = Against::nothing;
+  const std::vector<Answer>* answers = nullptr;  ///< of the certificate
 };
 
 /// What one table of lists must say: a line for each port mask, whole, or null for a table that is not compared.
 struct ExpectedLists {
-  std::string name;  ///< "linked-split k 3 a 1"
+  std::string family;    ///< "linked-split"
+  std::string position;  ///< "k 3 a 1"
   unsigned ports = 0;
   const std::vector<std::string>* lines = nullptr;
 };
@@ -29,15 +37,34 @@ struct ExpectedDump {
   std::vector<ExpectedLists> lists;
 };
 
-struct DumpComparison {
-  std::uint64_t lines = 0;  ///< entry lines read
-  std::string difference;   ///< the first one, empty when there is none
+/// How much was compared, by the word that the headers of the tables begin with: "open-collapse".
+struct Compared {
+  struct Count {
+    std::uint64_t positions = 0;
+    std::uint64_t entries = 0;
+  };
+  std::map<std::string, Count> families;
+  Failures differences;
+
+  Count sum() const;
 };
 
-/// Reads a dump to its end. Every expected table must occur exactly once, in any order.
+struct DumpComparison {
+  std::uint64_t lines = 0;                     ///< entry lines read
+  std::array<Compared, against_count> tables;  ///< by Against; those compared with nothing have no differences
+  std::array<Compared, against_count> lists;   ///< likewise; never against own_patch
+  std::string fault;                           ///< why the dump could not be read to its end; empty when it could
+  const Compared& of(Against against) const { return tables[static_cast<std::size_t>(against)]; }
+  const Compared& of_lists(Against against) const { return lists[static_cast<std::size_t>(against)]; }
+  /// No difference and no fault.
+  bool agrees() const;
+};
+
+/// Reads a dump to its end. Every expected table must occur exactly once, in any order. Goes on after a difference, but
+/// not after a line that has no place in a dump.
 DumpComparison compare_dump(std::FILE* stream, const ExpectedDump& expected);
 
-/// Runs the program and compares what it prints; a program that fails is a difference.
+/// Runs the program and compares what it prints; a program that fails is a fault.
 DumpComparison compare_dump_of(const std::string& program, const ExpectedDump& expected);
 
 }  // namespace restrip::verify

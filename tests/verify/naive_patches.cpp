@@ -84,4 +84,15 @@ std::vector<NaiveFamily> naive_families(int max_k) {
   return {split, collapse, open_split, boundary_split, fan_collapse, {"flip", {{"flip", false, {flip}}}}};
 }
 
+NaiveOperation naive_operation(const std::string& name, const std::vector<int>& position) {
+  const int k = position.at(0);
+  const bool closed = name == "split" || name == "collapse";
+  const bool one_triangle = name.starts_with("boundary");
+  const int a = closed ? 0 : position.at(1);
+  const int d = one_triangle ? -1 : position.at(closed ? 1 : 2);
+  const NaivePatch small = chain(fan(k), k, closed, false);
+  const NaivePatch large = chain(fan_with(k, a, d), k, closed, !one_triangle);
+  return name.ends_with("split") ? NaiveOperation{small, large, false} : NaiveOperation{large, small, false};
+}
+
 }  // namespace restrip::verify::test

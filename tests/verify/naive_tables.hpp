@@ -46,6 +46,9 @@ struct NaiveFamily {
 
 std::vector<NaiveFamily> naive_families(int max_k);
 
+/// An operation on a fan by its name, such as "open-collapse", at {k, a}, {k, i, j} or {k, i}; any position.
+NaiveOperation naive_operation(const std::string& name, const std::vector<int>& position);
+
 struct NaiveColors {
   int inner = 0;
   int ports = 0;

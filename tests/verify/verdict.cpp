@@ -30,7 +30,7 @@ Family one_section_family(const std::string& family_name, const std::string& pos
   static const std::vector<Family> families = all_families(largest_fan);
   for (const Family& family : families)
     for (const Section& section : family.sections)
-      if (family.name == family_name && section.position == position) return {family.name, {section}};
+      if (family.name == family_name && section.position == position) return {family.name, {section}, {}};
   throw std::logic_error(fmt::format("no section {} in {}", position, family_name));
 }
 

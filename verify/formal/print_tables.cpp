@@ -2,10 +2,11 @@
 //
 //   print_tables DIRECTORY < dump
 //
-// The dump is text: `restrip-table-dump 1`, then for each table its header and one line `before ports after` for each
+// The dump is text: `restrip-table-dump 2`, then for each table its header and one line `before ports after` for each
 // configuration, ascending by (before, ports), hexadecimal, `-` for no answer; at last `end N`, N the number of
 // configuration lines. A flip's line is `inner ports inner ports` (or `inner ports -`), and its answer's mask
-// is inner | ports << 1. Tables of linked rules, which nothing is proved of here, are read and left out.
+// is inner | ports << 1. Tables of linked rules, and those of positions that notation.md does not list, which nothing
+// is proved of here, are read and left out.
 //
 // A table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read. At the
 // end of a file stands the function from positions, lists of numbers such as [8; 3], to the family's tables.
@@ -149,6 +150,13 @@ class Table {
   std::map<Node, long> numbers_;
 };
 
+// Positions are [k; a], [k; i; j] or [k; i]; the others are mirror images or half turns of these.
+bool listed(const Header& header) {
+  unsigned sum = 0;
+  for (std::size_t i = 1; i < header.position.size(); ++i) sum += header.position[i];
+  return header.family == "flip" || (header.position.size() == 3 ? sum : 2 * sum) <= header.position[0];
+}
+
 // The file of one family.
 class File {
  public:
@@ -191,7 +199,7 @@ std::size_t skip_lists(std::istream& in, const std::string& header) {
 
 void print_all(std::istream& in, const std::string& directory) {
   std::string line;
-  if (!std::getline(in, line) || line != "restrip-table-dump 1") fail("not a table dump");
+  if (!std::getline(in, line) || line != "restrip-table-dump 2") fail("not a table dump");
   std::size_t lines = 0;
   std::map<std::string, File> files;
   while (std::getline(in, line) && line.rfind("table ", 0) == 0) {
@@ -205,6 +213,7 @@ void print_all(std::istream& in, const std::string& directory) {
       if (!std::getline(in, line)) fail("the dump ends in the middle of a table");
       table.read_line(i, line);
     }
+    if (!listed(header)) continue;
     files.try_emplace(header.family, directory, header.family).first->second.add(header, table);
   }
   if (line != "end " + std::to_string(lines)) fail("the dump does not end with `end " + std::to_string(lines) + "`");
