@@ -9,7 +9,6 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 using Fan = detail::InteriorFan<Halfedge>;
-constexpr std::size_t to_the_end = std::numeric_limits<std::size_t>::max();
 
 /// Answers with the local rule, and asks the linked one beside it. With every strip followed to its end the linked rule
 /// is the best in this mesh (docs/trust.md).
@@ -19,21 +18,26 @@ struct Comparison {
 
   Rule split(const StripMesh& mesh, Halfedge left, const Fan& fan) const {
     const Rule local = detail::LocalRules{}.split(mesh, left, fan);
-    if (fan.k <= table_max_k) note(*splits, local, detail::LinkedRules{to_the_end}.split(mesh, left, fan));
+    if (fan.k <= table_max_k) note(*splits, local, linked.split(mesh, left, fan), best.split(mesh, left, fan));
     return local;
   }
   Rule collapse(const StripMesh& mesh, Halfedge chord, const Fan& fan, Word ring) const {
     const Rule local = detail::LocalRules{}.collapse(mesh, chord, fan, ring);
-    if (fan.k <= table_max_k) note(*collapses, local, detail::LinkedRules{to_the_end}.collapse(mesh, chord, fan, ring));
+    if (fan.k <= table_max_k)
+      note(*collapses, local, linked.collapse(mesh, chord, fan, ring), best.collapse(mesh, chord, fan, ring));
     return local;
   }
 
  private:
-  static void note(Boldness& counts, const Rule& local, const Rule& best) {
+  static constexpr detail::LinkedRules linked{default_reach};
+  static constexpr detail::LinkedRules best{std::numeric_limits<std::size_t>::max()};  // to the ends of the strips
+
+  static void note(Boldness& counts, const Rule& local, const Rule& linked_rule, const Rule& best_rule) {
     ++counts.operations;
     counts.costing += local.strips > 0 ? 1 : 0;
-    counts.costing_at_best += best.strips > 0 ? 1 : 0;
-    counts.bolder += best.strips < local.strips ? 1 : 0;
+    counts.costing_at_best += best_rule.strips > 0 ? 1 : 0;
+    counts.bolder += best_rule.strips < local.strips ? 1 : 0;
+    counts.missed_by_linked += best_rule.strips < linked_rule.strips ? 1 : 0;
   }
 };
 

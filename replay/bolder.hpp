@@ -13,9 +13,10 @@ namespace restrip::replay {
 /// Operations of one kind, splits or collapses, on closed fans that the tables cover.
 struct Boldness {
   std::size_t operations = 0;
-  std::size_t costing = 0;          ///< the local rule adds a strip, compared with the change in triangles alone
-  std::size_t costing_at_best = 0;  ///< so does the best recolouring of the patch that is valid in this mesh
-  std::size_t bolder = 0;           ///< that one keeps more strips together than the local rule
+  std::size_t costing = 0;           ///< the local rule adds a strip, compared with the change in triangles alone
+  std::size_t costing_at_best = 0;   ///< so does the best recolouring of the patch that is valid in this mesh
+  std::size_t bolder = 0;            ///< that one keeps more strips together than the local rule
+  std::size_t missed_by_linked = 0;  ///< and more than the linked rule, which follows strips only so far
 };
 
 struct BoldnessReport {

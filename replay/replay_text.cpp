@@ -36,7 +36,8 @@ Json json_of(const Boldness& counts) {
   return {{"operations", counts.operations},
           {"adding_strip", counts.costing},
           {"adding_strip_at_best", counts.costing_at_best},
-          {"bolder", counts.bolder}};
+          {"bolder", counts.bolder},
+          {"missed_by_linked", counts.missed_by_linked}};
 }
 
 double ratio(std::size_t a, std::size_t b) { return b == 0 ? 0.0 : static_cast<double>(a) / static_cast<double>(b); }
