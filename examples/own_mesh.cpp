@@ -1,0 +1,79 @@
+// A mesh of your own: six small functions around a half-edge structure that you have already, and restrip keeps its
+// strips while you flip edges. Splits and collapses need one more function each (mesh.hpp).
+#include <cstdio>
+#include <restrip/restrip.hpp>
+#include <utility>
+#include <vector>
+
+/// Halfedges 3t, 3t + 1, 3t + 2 run counter-clockwise around triangle t. The halfedge on the other side of a boundary
+/// edge is named ~h.
+class MyMesh {
+ public:
+  using Halfedge = int;
+
+  explicit MyMesh(std::vector<int> corners) : from_(std::move(corners)), twin_(from_.size()), solid_(from_.size()) {
+    const int n = static_cast<int>(from_.size());
+    for (int h = 0; h < n; ++h) {
+      twin(h) = ~h;
+      for (int g = 0; g < n; ++g)
+        if (from(g) == from(next(h)) && from(next(g)) == from(h)) twin(h) = g;
+    }
+  }
+
+  // What restrip asks for.
+  [[nodiscard]] int next(int h) const { return h % 3 == 2 ? h - 2 : h + 1; }
+  [[nodiscard]] int opposite(int h) const { return h < 0 ? ~h : twin_[static_cast<std::size_t>(h)]; }
+  [[nodiscard]] bool on_boundary(int h) const { return h < 0; }
+  [[nodiscard]] bool solid(int h) const { return solid_[static_cast<std::size_t>(h < 0 ? ~h : h)]; }
+  void set_solid(int h, bool solid) {
+    solid_[static_cast<std::size_t>(h)] = solid;
+    solid_[static_cast<std::size_t>(opposite(h))] = solid;
+  }
+  /// The edge u v between triangles (u, v, l) and (v, u, r) becomes r l between (r, l, u) and (l, r, v).
+  int turn_edge(int h) {
+    const int g = opposite(h);
+    const Side v_l = side(next(h));
+    const Side l_u = side(next(next(h)));
+    const Side u_r = side(next(g));
+    const Side r_v = side(next(next(g)));
+    from(h) = r_v.from;
+    from(g) = l_u.from;
+    put(next(h), l_u);
+    put(next(next(h)), u_r);
+    put(next(g), r_v);
+    put(next(next(g)), v_l);
+    return h;
+  }
+
+ private:
+  struct Side {
+    int name, from, twin;
+    bool solid;
+  };
+  [[nodiscard]] Side side(int h) { return {h, from(h), twin(h), solid(h)}; }
+  void put(int h, const Side& side) {
+    const bool alone = side.twin == ~side.name;
+    from(h) = side.from;
+    solid_[static_cast<std::size_t>(h)] = side.solid;
+    twin(h) = alone ? ~h : side.twin;
+    if (!alone) twin(side.twin) = h;
+  }
+  int& from(int h) { return from_[static_cast<std::size_t>(h)]; }
+  int& twin(int h) { return twin_[static_cast<std::size_t>(h)]; }
+
+  std::vector<int> from_, twin_;
+  std::vector<bool> solid_;
+};
+static_assert(restrip::FlippableMesh<MyMesh>);
+
+int main() {
+  // Six triangles around vertex 0, the first five of them one strip.
+  MyMesh mesh({0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 6, 0, 6, 1});
+  for (int t = 0; t < 4; ++t) mesh.set_solid(3 * t + 2, true);
+  int strips = 2;
+  for (const int h : {2, 8, 5}) {
+    const auto done = restrip::flip(mesh, h);
+    strips += done.strips;
+    std::printf("a flip changed the number of strips by %+d: now %d\n", done.strips, strips);
+  }
+}
