@@ -54,15 +54,15 @@ class Page:
         return ", ".join(f"{mesh} {self.r.median(f'replay/{mesh}/local', 'triangles'):,.0f}" for mesh in self.meshes)
 
     # ---- the goals
-    def cheaper(self, mesh, percent, way, rival):
+    def cheaper(self, mesh, percent, way, other):
         stem = f"level/{mesh}/{percent}/"
-        return self.r.median(stem + rival, "up_ns") / self.r.median(stem + way, "up_ns")
+        return self.r.median(stem + other, "up_ns") / self.r.median(stem + way, "up_ns")
 
-    def all_cheaper(self, way, rival):
-        return [self.cheaper(m, p, way, rival) for m, p in self.levels if self.r.has(f"level/{m}/{p}/{way}")]
+    def all_cheaper(self, way, other):
+        return [self.cheaper(m, p, way, other) for m, p in self.levels if self.r.has(f"level/{m}/{p}/{way}")]
 
     def with_buffer(self, way):
-        """The same with an index buffer, which the rival's result is."""
+        """The same with an index buffer, which the other library's result is."""
         return [self.r.median(f"level/{m}/{p}/meshopt_ordered", "up_ns") / self.r.median(f"level/{m}/{p}/{way}", "up_with_buffer_ns")
                 for m, p in self.levels if self.r.has(f"level/{m}/{p}/{way}")]
 
@@ -72,7 +72,7 @@ class Page:
         return f"{plain(min(moves), 2)} % to {plain(max(moves), 2)} %"
 
     def fewer(self, way):
-        """Strips of the rival for one of ours, over all meshes and levels."""
+        """Strips of the other library for one of ours, over all meshes and levels."""
         return [self.r.median(f"level/{m}/{p}/meshopt_ordered", "strips") / self.r.median(f"level/{m}/{p}/{way}", "strips")
                 for m, p in self.levels if self.r.has(f"level/{m}/{p}/{way}")]
 
@@ -106,16 +106,16 @@ class Page:
         met = [way for way in WAYS if self.upkeep(way, "split") and max(self.upkeep(way, "split")) <= UPKEEP_GOAL]
         down = [way for way in WAYS if self.upkeep(way, "collapse") and max(self.upkeep(way, "collapse")) <= UPKEEP_GOAL]
         hot = times(self.r.ratio("operation/local", "split_ns", "split_bare_ns"))
-        return (f"for splits met on every mesh by {self.listed(met)}; for collapses by {self.listed(down)}. On the smallest of grounds, all in "
-                f"the cache and the spokes known before, a `local` split is {hot} bare (below)")
+        return (f"for splits met on every mesh by {self.listed(met)}; for collapses by {self.listed(down)}. In the best case, all in cache "
+                f"and the spokes known before, a `local` split is {hot} bare (below)")
 
     def goal_move(self):
-        def met(rival):
-            return [way for way in WAYS if self.all_cheaper(way, rival) and min(self.all_cheaper(way, rival)) >= MOVE_GOAL
+        def met(other):
+            return [way for way in WAYS if self.all_cheaper(way, other) and min(self.all_cheaper(way, other)) >= MOVE_GOAL
                     and min(self.fewer(way)) > 1]
         buffered = [way for way in met("meshopt_ordered") if min(self.with_buffer(way)) >= MOVE_GOAL]
         return (f"with the order that its manual asks for counted, met on every mesh and level by "
-                f"{self.listed(met('meshopt_ordered'))}; with that order as a gift, by {self.listed(met('meshopt_order_given'))}; "
+                f"{self.listed(met('meshopt_ordered'))}; with that order not counted, by {self.listed(met('meshopt_order_given'))}; "
                 f"with the order counted and an index buffer kept in step on our side, by {self.listed(buffered)}")
 
     def goal_strips(self):
