@@ -19,6 +19,11 @@ struct SimplifyOptions {
   BoundaryPolicy boundary = BoundaryPolicy::move;
 };
 
+/// A vertex with more neighbours than this is neither collapsed nor collapsed into: each such operation would turn
+/// around it, on the way down and on every way up. Its neighbours collapse into each other instead, which costs it a
+/// triangle each time and nothing else; once it has few enough, it takes part. Meshes that are no fans never come near.
+inline constexpr std::size_t most_neighbors = 1024;
+
 /// What no operation touches.
 struct LeftOut {
   std::size_t degenerate_triangles = 0;  ///< they are in no mesh at all
@@ -30,10 +35,12 @@ struct Simplification {
   ProgressiveMesh mesh;
   std::size_t wanted_triangles = 0;  ///< mesh.base has more when no further collapse is legal
   LeftOut left_out;
+  std::size_t large_vertices = 0;  ///< of mesh.base: those with more than most_neighbors neighbours
+  std::size_t steps = 0;           ///< edges considered, and spokes that were walked over to judge them
 };
 
 /// Never changes the soup's surface on its way: the splits lead back to exactly its triangles. About 10 microseconds a
-/// collapse, 300 bytes a triangle while it runs. Deterministic.
+/// collapse, 300 bytes a triangle while it runs. O(n log n) for n triangles, whatever the valences. Deterministic.
 [[nodiscard]] Simplification simplify(const Soup& soup, const SimplifyOptions& options = {});
 
 }  // namespace restrip::replay

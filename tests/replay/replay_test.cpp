@@ -1,9 +1,10 @@
-// Claims: a replay gives back the original triangles in valid strips, its counts add up, and a wrong progressive mesh
-// is found out.
+// Claims: a replay gives back the original triangles in valid strips, its counts add up, a wrong progressive mesh is
+// found out, and what the splits walk over grows as the mesh does, whatever its valences.
 #include "replay.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numeric>
 
 #include "made_mesh.hpp"
@@ -99,6 +100,37 @@ TEST(Replay, FindsASplitThatDoesNotFit) {
   const ReplayReport report = replay(mesh, soup.triangles, quick);
   EXPECT_GT(report.operations_without_rule, 0U);
   EXPECT_FALSE(report.valid());
+}
+
+/// Triangles around the vertices that are split.
+std::size_t walked(const ReplayReport& report) {
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < report.by_valence.size(); ++k) sum += k * report.by_valence[k];
+  return sum;
+}
+
+TEST(Replay, LargeFansCostAsMuchAsTheirTriangles) {
+  for (Soup (*const make)(std::uint32_t) : {double_cone, open_cone, cylinder}) {
+    std::array<std::size_t, 2> sum{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const ReplayReport report = replay_of(make(i == 0 ? 4000 : 16'000), BoundaryPolicy::move);
+      EXPECT_TRUE(report.valid());
+      EXPECT_GT(report.operations, 0U);
+      sum[i] = walked(report);
+    }
+    EXPECT_GT(sum[0], 0U);
+    EXPECT_LT(sum[1], 6 * sum[0]) << "four times as many triangles";
+  }
+}
+
+TEST(Replay, LargeFansUnderEveryPolicy) {
+  const Soup soup = double_cone(2000);
+  const Simplification simplification = simplify(soup);
+  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+    const ReplayReport report = replay(simplification.mesh, soup.triangles, {10, 0, 1, policy});
+    EXPECT_TRUE(report.valid());
+    EXPECT_EQ(report.triangles, 4000U);
+  }
 }
 
 struct Real {

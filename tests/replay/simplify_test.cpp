@@ -1,8 +1,11 @@
 // Claims: simplification reaches its target where collapses allow it, its splits lead back to exactly the triangles of
-// the soup, and what is no manifold is left alone and counted.
+// the soup, what is no manifold is left alone and counted, and its cost grows as the mesh does, whatever the valences.
 #include "simplify.hpp"
 
 #include <gtest/gtest.h>
+
+#include <array>
+#include <string>
 
 #include "coloring_check.hpp"
 #include "made_mesh.hpp"
@@ -85,6 +88,46 @@ TEST(Simplify, IsDeterministic) {
   const Soup soup = make_mesh(2000);
   EXPECT_EQ(simplify(soup).mesh.splits, simplify(soup).mesh.splits);
 }
+
+struct Fan {
+  const char* name;
+  Soup (*make)(std::uint32_t spokes);
+};
+class LargeFans : public testing::TestWithParam<Fan> {};
+
+TEST_P(LargeFans, CostAsMuchAsTheirTriangles) {
+  std::array<std::size_t, 2> steps{};
+  std::array<std::size_t, 2> triangles{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Soup soup = GetParam().make(i == 0 ? 4000 : 16'000);
+    const Simplification result = simplify(soup, {0.02, BoundaryPolicy::move});
+    EXPECT_LE(result.mesh.base.size(), result.wanted_triangles);
+    EXPECT_EQ(result.large_vertices, 0U);
+    expect_leads_back(result.mesh, soup);
+    steps[i] = result.steps;
+    triangles[i] = soup.triangles.size();
+  }
+  EXPECT_GT(steps[0], 3 * triangles[0]);
+  EXPECT_LT(steps[1], 6 * steps[0]) << "four times as many triangles";
+}
+
+TEST_P(LargeFans, AreSplitFromSmallOnesOnly) {
+  const Soup soup = GetParam().make(8000);
+  const Simplification result = simplify(soup, {0.3, BoundaryPolicy::move});
+  EXPECT_LE(result.mesh.base.size(), result.wanted_triangles);
+  EXPECT_GT(result.large_vertices, 0U);
+  StripMesh mesh = StripMesh::build(result.mesh.base, result.mesh.points.size());
+  for (const Record& record : result.mesh.splits) {
+    ASSERT_LE(detail::spokes(mesh, record.v_s), 2 * most_neighbors);
+    mesh.insert_vertex(spokes_of(mesh, record), record.v_t);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Simplify, LargeFans,
+                         testing::Values(Fan{"double cone", double_cone}, Fan{"open cone", open_cone},
+                                         Fan{"cylinder", cylinder},
+                                         Fan{"disc", [](std::uint32_t n) { return disc(n, 3); }}),
+                         [](const auto& of) { return std::to_string(of.index); });
 
 class RealMeshes : public testing::TestWithParam<const char*> {};
 

@@ -287,6 +287,17 @@ TEST(Operations, RefusedOperationsSayWhy) {
   EXPECT_EQ(check_collapse(bow_tie, bow_tie.spoke(0)), Refusal::irregular_vertex);
   const StripMesh one = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}}, 3);
   EXPECT_EQ(check_collapse(one, StripMesh::halfedge(0, 0)), Refusal::dangling_edge);
+  // Two hubs side by side, 0 and 1, amid a ring of 80 that begins at vertex 2: 2 ... 42 are around 0, 42 ... 81 and 2
+  // around 1. Then one vertex of the ring stands for two, so that both hubs have it.
+  for (const Vertex both : {none, Vertex{22}}) {
+    std::vector<sample::Corners> fans{{0, 1, 2}, {1, 0, 42}};
+    const auto ring = [both](Vertex i) { return i == 60 && both != none ? both : i % 80 + 2; };
+    for (Vertex i = 0; i < 80; ++i) fans.push_back({i < 40 ? 0U : 1U, ring(i), ring(i + 1)});
+    const StripMesh hubs = StripMesh::build(fans, 82);
+    const Refusal expected = both == none ? Refusal::granted : Refusal::link_condition;
+    EXPECT_EQ(check_collapse(hubs, hubs.spoke(0, 1)), expected);
+    EXPECT_EQ(check_collapse(hubs, hubs.spoke(1, 0)), expected);
+  }
   for (const Refusal r : {Refusal::granted, Refusal::no_such_edge, Refusal::link_condition, Refusal::edge_exists})
     EXPECT_FALSE(std::string(describe(r)).empty());
 }

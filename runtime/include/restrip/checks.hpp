@@ -4,8 +4,10 @@
 // was made; call these for operations of unknown origin.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <tuple>
+#include <vector>
 
 #include "restrip/strip_mesh.hpp"
 
@@ -80,15 +82,50 @@ inline std::size_t spokes(const StripMesh& mesh, Vertex v) {
   return n;
 }
 
+/// The number of spokes of v, or `most` if there are more: O(most), so that a fan of any size can be asked.
+inline std::size_t spokes_up_to(const StripMesh& mesh, Vertex v, std::size_t most) {
+  const StripMesh::Halfedge first = mesh.spoke(v);
+  StripMesh::Halfedge h = first;
+  for (std::size_t n = 1; n < most; ++n) {
+    if (StripMesh::on_boundary(h)) return n;
+    h = turn_ccw(mesh, h);
+    if (h == first) return n;
+  }
+  return most;
+}
+
 /// Triangles around the vertex that h leaves stay at least three when `fewer` of them go, or the vertex is on the
-/// boundary.
+/// boundary. Constant time.
 inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size_t fewer) {
-  return mesh.leaves_boundary(h) || spokes(mesh, mesh.from(h)) >= 3 + fewer;
+  return mesh.leaves_boundary(h) || spokes_up_to(mesh, mesh.from(h), 3 + fewer) == 3 + fewer;
+}
+
+/// Is a vertex other than v_l and v_r a neighbour of both v_s and v_t? O(sum of their valences), times the logarithm of
+/// the smaller one where both exceed `few`; only then it allocates.
+inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
+  constexpr std::size_t few = 32;
+  const auto other = [=](Vertex w) { return w != v_s && w != v_t && w != v_l && w != v_r; };
+  bool shared = false;
+  const bool s_has_few = spokes_up_to(mesh, v_s, few + 1) <= few;
+  if (s_has_few || spokes_up_to(mesh, v_t, few + 1) <= few) {
+    const Vertex many = s_has_few ? v_t : v_s;
+    for_each_spoke(mesh, s_has_few ? v_s : v_t, [&](StripMesh::Halfedge h) {
+      if (!shared && other(mesh.to(h)) && mesh.spoke(many, mesh.to(h)).id != none) shared = true;
+    });
+    return shared;
+  }
+  std::vector<Vertex> around;
+  for_each_spoke(mesh, v_s, [&](StripMesh::Halfedge h) { around.push_back(mesh.to(h)); });
+  std::sort(around.begin(), around.end());
+  for_each_spoke(mesh, v_t, [&](StripMesh::Halfedge h) {
+    if (other(mesh.to(h)) && std::binary_search(around.begin(), around.end(), mesh.to(h))) shared = true;
+  });
+  return shared;
 }
 
 }  // namespace detail
 
-/// May the vertex be split there? O(valence).
+/// May the vertex be split there? Constant time.
 [[nodiscard]] inline Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where) {
   using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
   const bool both = where.spokes == Spokes::both;
@@ -98,13 +135,17 @@ inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size
   if (both && where.left == where.right) return Refusal::same_spoke;
   if (mesh.irregular(mesh.from(first))) return Refusal::irregular_vertex;
   if (!both && !mesh.leaves_boundary(first)) return Refusal::spoke_on_boundary;
-  if (!mesh.leaves_boundary(first) && detail::spokes(mesh, mesh.from(first)) < 3) return Refusal::too_few_triangles;
+  if (!mesh.leaves_boundary(first) && detail::spokes_up_to(mesh, mesh.from(first), 3) < 3)
+    return Refusal::too_few_triangles;
   return Refusal::granted;
 }
 
-/// May the edge of `chord` be collapsed (link condition: Dey, Edelsbrunner, Guha, Nekhayev 1999)? O(product of the
-/// valences) at worst, a few steps on ordinary meshes.
-[[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord) {
+namespace detail {
+
+/// check_collapse for callers with an answer of their own to "is a vertex other than v_l and v_r a neighbour of both
+/// v_s and v_t?": shared(v_s, v_t, v_l, v_r). It is asked last; all the rest takes constant time.
+template <class Shared>
+[[nodiscard]] Refusal check_collapse_with(const StripMesh& mesh, StripMesh::Halfedge chord, Shared&& shared) {
   if (!mesh.alive(chord)) return Refusal::no_such_edge;
   const StripMesh::Halfedge back = mesh.opposite(chord);
   const Vertex v_s = mesh.from(chord);
@@ -126,21 +167,26 @@ inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size
     if (StripMesh::on_boundary(mesh.opposite(up)) && StripMesh::on_boundary(mesh.opposite(down)))
       return Refusal::dangling_edge;
     if (mesh.irregular(*apex)) return Refusal::irregular_vertex;
-    if (!detail::keeps_enough(mesh, down, 1)) return Refusal::too_few_triangles;
+    if (!keeps_enough(mesh, down, 1)) return Refusal::too_few_triangles;
   }
   if (v_l == v_r) return Refusal::link_condition;
 
-  const std::size_t around_s = detail::spokes(mesh, v_s);
-  const std::size_t around_t = detail::spokes(mesh, v_t);
-  if (!tail_on_boundary && !head_on_boundary && around_s + around_t < 3 + 4) return Refusal::too_few_triangles;
-  const Vertex few = around_s < around_t ? v_s : v_t;
-  const Vertex many = around_s < around_t ? v_t : v_s;
-  bool folds = false;
-  detail::for_each_spoke(mesh, few, [&](StripMesh::Halfedge h) {
-    const Vertex w = mesh.to(h);
-    if (w != many && w != v_l && w != v_r && mesh.spoke(many, w).id != none) folds = true;
+  constexpr std::size_t enough = 3 + 4;
+  if (!tail_on_boundary && !head_on_boundary &&
+      spokes_up_to(mesh, v_s, enough) + spokes_up_to(mesh, v_t, enough) < enough)
+    return Refusal::too_few_triangles;
+  return shared(v_s, v_t, v_l, v_r) ? Refusal::link_condition : Refusal::granted;
+}
+
+}  // namespace detail
+
+/// May the edge of `chord` be collapsed (link condition: Dey, Edelsbrunner, Guha, Nekhayev 1999)? A few steps on
+/// ordinary meshes; at worst O(n log n) for n = the sum of the valences of its two ends. Allocates only where both of
+/// them exceed 32.
+[[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord) {
+  return detail::check_collapse_with(mesh, chord, [&mesh](Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
+    return detail::share_neighbor(mesh, v_s, v_t, v_l, v_r);
   });
-  return folds ? Refusal::link_condition : Refusal::granted;
 }
 
 /// May the edge of h be flipped? O(valence).
