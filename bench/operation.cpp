@@ -116,14 +116,20 @@ void parts(benchmark::State& state) {
     pass(0, [&](Work& w, const Site& site) { detail::read_ring(mesh, site.chord, w.fan, w.ring); });
     pass(1, [&](Work& w, const Site&) { w.rule = collapse_rule({w.fan.k, w.fan.a}, w.ring, w.fan.ports); });
     pass(2, [&](Work& w, const Site& site) { w.at = mesh.remove_vertex(site.chord, moved(w)); });
-    pass(3, [&](Work& w, const Site&) { detail::recolor_fan(mesh, w.fan, w.at, w.rule.colors); });
+    pass(3, [&](Work& w, const Site&) {
+      w.fan.dash(mesh, w.rule.colors);
+      detail::light_fan(mesh, w.fan, w.at, w.rule.colors);
+    });
     for (std::size_t i = 0; i < n; ++i) work[i] = {undo(mesh, g.sites[i]), {}, 0, {}, {}};
     pass(4, [&](Work& w, const Site&) { detail::read_interior_fan(mesh, w.where.left, w.where.right, w.fan); });
     pass(5, [&](Work& w, const Site&) { w.rule = split_rule({w.fan.k, w.fan.a}, w.fan.loop, w.fan.ports); });
     pass(6, [&](Work& w, const Site& site) {
       w.at = mesh.insert_vertex(w.where.left, w.where.right, site.v_t, moved(w));
     });
-    pass(7, [&](Work& w, const Site&) { detail::recolor_ring(mesh, w.fan, w.at, w.rule.colors); });
+    pass(7, [&](Work& w, const Site&) {
+      w.fan.dash(mesh, detail::kept_loop(w.fan.k, w.fan.a, w.rule.colors));
+      detail::light_ring(mesh, w.fan, w.at, w.rule.colors);
+    });
     state.SetIterationTime(1e-9 * (times[4].nanoseconds() + times[5].nanoseconds() + times[7].nanoseconds()));
   }
   const char* names[] = {"collapse_gather_ns", "collapse_lookup_ns", "collapse_mesh_ns", "collapse_scatter_ns",

@@ -13,13 +13,13 @@ using Json = nlohmann::ordered_json;
 
 Json json_of(const WalkTaken& walk) {
   const WalkReport& report = walk.report;
-  return {{"steps", walk.options.steps},   {"seed", walk.options.seed},
-          {"splits", report.splits},       {"collapses", report.collapses},
-          {"flips", report.flips},         {"refused", report.refused},
-          {"isolating", report.isolating}, {"flips_isolating", report.flips_isolating},
-          {"triangles", report.triangles}, {"strips", report.strips},
-          {"fault", report.fault},         {"fault_step", report.fault_step},
-          {"trace", report.trace}};
+  return {{"steps", walk.options.steps},     {"seed", walk.options.seed},
+          {"splits", report.splits},         {"collapses", report.collapses},
+          {"flips", report.flips},           {"refused", report.refused},
+          {"isolating", report.isolating},   {"flips_isolating", report.flips_isolating},
+          {"triangles", report.triangles},   {"strips", report.strips},
+          {"isolated", report.isolated},     {"fault", report.fault},
+          {"fault_step", report.fault_step}, {"trace", report.trace}};
 }
 
 Json json_of(const std::vector<Level>& levels) {
@@ -133,8 +133,8 @@ std::string as_text(const WalkTaken& walk) {
       walk.options.steps, walk.options.seed, report.splits, report.collapses, report.flips, report.refused,
       report.isolating, report.flips_isolating);
   if (report.fault.empty())
-    return text +
-           fmt::format("  checked: no fault; {} triangles in {} strips at the end\n", report.triangles, report.strips);
+    return text + fmt::format("  checked: no fault; {} triangles in {} strips at the end, {} isolated\n",
+                              report.triangles, report.strips, report.isolated);
   text += fmt::format("  FAULT at step {}: {}\n  the shortest way there that was found:\n", report.fault_step,
                       report.fault);
   for (const std::string& line : report.trace) text += "    " + line + "\n";

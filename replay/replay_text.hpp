@@ -21,8 +21,8 @@
 //  - ns_per_collapse, ns_per_collapse_bare: the same for the way down
 //  - buffer_bytes: the live index buffer at the finest level
 //  - buffer_bytes_written_per_operation: what a split rewrites of it
-//  - walk: {steps, seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, fault,
-//    fault_step, trace}; when there was one
+//  - walk: {steps, seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, isolated,
+//    fault, fault_step, trace}; when there was one
 //  - left_out: {degenerate_triangles, irregular_vertices, frozen_vertices}, what no operation touches
 //  - valid, faults: every check held; what did not
 #pragma once

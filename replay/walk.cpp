@@ -18,6 +18,20 @@ namespace {
 using Halfedge = StripMesh::Halfedge;
 using Split = VertexSplit<Halfedge>;
 
+/// Strips and isolated triangles: of a mesh, or by how many they change.
+struct Account {
+  std::int64_t strips = 0;
+  std::int64_t isolated = 0;
+  friend Account operator+(const Account& a, const Account& b) {
+    return {a.strips + b.strips, a.isolated + b.isolated};
+  }
+};
+
+Account count(const StripMesh& mesh) {
+  const ColoringReport report = check_coloring(mesh);
+  return {static_cast<std::int64_t>(report.strips), static_cast<std::int64_t>(report.isolated)};
+}
+
 /// Takes steps on one mesh. A step is its number: what it does follows from the seed, the number and the mesh, so that
 /// steps can be left out and the others still mean something.
 class Walker {
@@ -39,19 +53,23 @@ class Walker {
     return try_flip(h);
   }
 
-  /// Checks the whole mesh, that the operations told the truth about the strips, and what they keep beside it.
-  /// `strips_at_start`: before the first step.
-  [[nodiscard]] std::string whole_fault(std::int64_t strips_at_start) const {
+  /// Checks the whole mesh, that the operations told the truth about strips and isolated triangles, and what they keep
+  /// beside it. `start`: the numbers before the first step.
+  [[nodiscard]] std::string whole_fault(const Account& start) const {
     const std::vector<std::string> faults = find_faults(mesh_);
     if (!faults.empty()) return faults.front();
-    const auto there = static_cast<std::int64_t>(check_coloring(mesh_).strips);
-    if (there != strips_at_start + strips)
-      return fmt::format("{} strips, but the operations' own account says {}", there, strips_at_start + strips);
+    const Account there = count(mesh_);
+    const Account expected = start + told;
+    if (there.strips != expected.strips)
+      return fmt::format("{} strips, but the operations' own account says {}", there.strips, expected.strips);
+    if (there.isolated != expected.isolated)
+      return fmt::format("{} isolated triangles, but the operations' own account says {}", there.isolated,
+                         expected.isolated);
     return operations_.fault ? operations_.fault() : std::string();
   }
 
   WalkReport report;
-  std::int64_t strips = 0;  ///< change in the number of strips, as the operations told it
+  Account told;  ///< the changes, as the operations told them
 
   [[nodiscard]] const std::string& last() const noexcept { return last_; }
 
@@ -113,7 +131,7 @@ class Walker {
   }
 
   std::string settle(const Rewrite<Halfedge>& done, const std::array<Vertex, 4>& around) {
-    strips += done.strips;
+    told = told + Account{done.strips, done.isolated};
     for (const Vertex v : around) {
       if (v == none) continue;
       if (std::string fault = find_fault_around(mesh_, v); !fault.empty()) return fault;
@@ -132,7 +150,7 @@ class Walker {
 /// The mesh of the last whole check, from which a failure can be repeated.
 struct Camp {
   StripMesh mesh;
-  std::int64_t strips = 0;
+  Account account;
   std::uint64_t step = 0;
 };
 
@@ -151,7 +169,7 @@ std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_ste
       if (!walker.last().empty()) done.push_back(walker.last());
       if (!fault.empty()) break;
     }
-    if (fault.empty()) fault = walker.whole_fault(camp.strips);
+    if (fault.empty()) fault = walker.whole_fault(camp.account);
     if (fault.empty()) return false;
     done.push_back("then: " + fault);
     trace = std::move(done);
@@ -188,8 +206,8 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginOperatio
   }
   const std::size_t home_size = mesh.triangle_count();
   Walker walker(mesh, options.seed, home_size, begin);
-  Camp camp{mesh, static_cast<std::int64_t>(check_coloring(mesh).strips), 0};
-  const std::int64_t strips_at_start = camp.strips;
+  const Account start = count(mesh);
+  Camp camp{mesh, start, 0};
   std::string fault;
   std::uint64_t step = 0;
   Progress progress("walking", options.steps);
@@ -197,9 +215,9 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginOperatio
     fault = walker.step(step);
     progress.at(step);
     const bool whole = (step + 1) % options.whole_check_every == 0 || step + 1 == options.steps;
-    if (fault.empty() && whole) fault = walker.whole_fault(strips_at_start);
+    if (fault.empty() && whole) fault = walker.whole_fault(start);
     if (!fault.empty()) break;
-    if (whole) camp = {mesh, strips_at_start + walker.strips, step + 1};
+    if (whole) camp = {mesh, start + walker.told, step + 1};
   }
   WalkReport report = walker.report;
   report.fault = fault;
@@ -209,7 +227,9 @@ WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginOperatio
     return report;
   }
   report.triangles = mesh.triangle_count();
-  report.strips = check_coloring(mesh).strips;
+  const Account end = start + walker.told;  // a recount has just agreed
+  report.strips = static_cast<std::size_t>(end.strips);
+  report.isolated = static_cast<std::size_t>(end.isolated);
   return report;
 }
 

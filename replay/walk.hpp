@@ -44,11 +44,12 @@ struct WalkReport {
   std::uint64_t splits = 0;
   std::uint64_t collapses = 0;
   std::uint64_t flips = 0;
-  std::uint64_t refused = 0;    ///< steps whose operation was not possible where they wanted it
-  std::uint64_t isolating = 0;  ///< splits and collapses that introduced an isolated triangle
-  std::uint64_t flips_isolating = 0;
-  std::size_t triangles = 0;  ///< at the end
+  std::uint64_t refused = 0;          ///< steps whose operation was not possible where they wanted it
+  std::uint64_t isolating = 0;        ///< splits and collapses that added isolated triangles, anywhere in the mesh
+  std::uint64_t flips_isolating = 0;  ///< flips that did
+  std::size_t triangles = 0;          ///< at the end
   std::size_t strips = 0;
+  std::size_t isolated = 0;
   std::string fault;             ///< empty when every check held
   std::uint64_t fault_step = 0;  ///< where it was found
   std::vector<std::string>

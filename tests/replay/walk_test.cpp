@@ -9,6 +9,7 @@
 #include "coloring_check.hpp"
 #include "made_mesh.hpp"
 #include "restrip/stripify.hpp"
+#include "restrip/strips.hpp"
 #include "shapes.hpp"
 #include "shrink.hpp"
 
@@ -111,6 +112,33 @@ TEST(Walk, FindsAnOperationThatMiscountsItsStrips) {
   StripMesh mesh = stripified(make_mesh(1000));
   EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, [&](StripMesh&) { return operations; }).fault.find("strips, but"),
             std::string::npos);
+}
+
+TEST(Walk, FindsAnOperationThatMiscountsItsIsolatedTriangles) {
+  Operations operations;
+  operations.flip = [](StripMesh& mesh, StripMesh::Halfedge h) {
+    auto done = restrip::flip_and_adopt(mesh, h);
+    if (done.valence == 4 && mesh.solid(h)) --done.isolated;
+    return done;
+  };
+  StripMesh mesh = stripified(make_mesh(1000));
+  EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, [&](StripMesh&) { return operations; }).fault.find("isolated triangles, but"),
+            std::string::npos);
+}
+
+// Bare flips isolate triangles behind the ports that they give up; the account counts those too.
+TEST(Walk, BareRulesTellOfEveryTriangleThatTheyIsolate) {
+  for (const Soup& soup : {make_mesh(1000), sheet(15)}) {
+    Operations bare;
+    bare.split = [](StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where) { return split(mesh, where); };
+    bare.collapse = [](StripMesh& mesh, StripMesh::Halfedge chord) { return collapse(mesh, chord); };
+    bare.flip = [](StripMesh& mesh, StripMesh::Halfedge h) { return flip(mesh, h); };
+    StripMesh mesh = stripified(soup);
+    const WalkReport report = walk(mesh, {10'000, 8, 100}, [&](StripMesh&) { return bare; });
+    EXPECT_EQ(report.fault, "");
+    EXPECT_GT(report.flips_isolating, 50U);
+    EXPECT_EQ(report.isolated, check_coloring(mesh).isolated);
+  }
 }
 
 TEST(Walk, RefusesAMeshThatIsFaultyFromTheStart) {

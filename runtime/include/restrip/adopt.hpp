@@ -150,7 +150,7 @@ Rewrite<typename Mesh::Halfedge> collapse_and_adopt(Mesh& mesh, typename Mesh::H
   return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
 }
 
-/// flip(), then adoption. The Rewrite's `isolated` counts what adoption saved outside the patch too.
+/// flip(), then adoption. The Rewrite tells what both did.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_adopt(Mesh& mesh, typename Mesh::Halfedge h) {
   const auto done = flip(mesh, h);

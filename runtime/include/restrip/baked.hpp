@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "restrip/adopt.hpp"
+#include "restrip/bits.hpp"
 #include "restrip/mesh.hpp"
 #include "restrip/operations.hpp"
 
@@ -51,15 +52,25 @@ struct BakedRecords {
 
 namespace detail {
 
-/// Flips colours; returns how many more dual edges are solid.
+/// Records of more flips allocate a bit for each.
+inline constexpr std::size_t flips_without_allocation = 512;
+
+/// Flips colours, those that become dashed first; returns how many more dual edges are solid.
 template <class Mesh>
 int flip_colors(Mesh& mesh, std::span<const typename Mesh::Halfedge> flips) {
+  Word few[flips_without_allocation / word_bits] = {};
+  std::vector<Word> many;
+  if (flips.size() > flips_without_allocation) many.resize(flips.size() / word_bits + 1, 0);
+  const std::span<Word> dashed = many.empty() ? std::span<Word>(few) : std::span<Word>(many);
   int more = 0;
-  for (const auto h : flips) {
-    const bool solid = !mesh.solid(h);
-    mesh.set_solid(h, solid);
-    more += solid ? 1 : -1;
+  for (std::size_t i = 0; i < flips.size(); ++i) {
+    const bool solid = mesh.solid(flips[i]);
+    if (!solid) dashed[i / word_bits] |= bit(i % word_bits);
+    more += solid ? -1 : 1;
   }
+  for (const bool light : {false, true})
+    for (std::size_t i = 0; i < flips.size(); ++i)
+      if (has(dashed[i / word_bits], i % word_bits) == light) mesh.set_solid(flips[i], light);
   return more;
 }
 
@@ -88,7 +99,8 @@ struct FallingEdge {
 /// Splits a vertex, colours the mesh plainly and flips `flips`, halfedges of the mesh after the split. Preconditions:
 /// those of the mesh operation, and the mesh in the state that the flips were baked for; neither is tested. `name`: the
 /// new vertex, for meshes that let the caller name it. Constant time but for the mesh operation and the flips; nothing
-/// is allocated but what the mesh allocates to grow.
+/// is allocated but what the mesh allocates to grow, and one bit for each flip of a record with more than 512. After an
+/// exception the colouring is valid (mesh.hpp), but not one that further flips were baked for.
 template <SplittableMesh Mesh, class... Name>
 BakedRewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                                   std::span<const typename Mesh::Halfedge> flips, Name... name) {
@@ -149,10 +161,13 @@ class BakedPlayer {
   }
   [[nodiscard]] bool can_collapse(std::size_t record) const noexcept { return in_step_ && record + 1 == level_; }
 
+  /// After an exception the player is out of step.
   BakedRewrite<Halfedge> split(std::size_t record, const VertexSplit<Halfedge>& where, auto... name) {
     if (can_split(record)) {
-      ++level_;
-      return split_baked(*mesh_, where, (*records_)[record], name...);
+      leave_step();
+      const auto done = split_baked(*mesh_, where, (*records_)[record], name...);
+      restart(level_ + 1);
+      return done;
     }
     leave_step();
     const auto done = split_and_adopt(*mesh_, where, name...);
@@ -160,8 +175,10 @@ class BakedPlayer {
   }
   BakedRewrite<Halfedge> collapse(std::size_t record, Halfedge chord) {
     if (can_collapse(record)) {
-      --level_;
-      return collapse_baked(*mesh_, chord, (*records_)[record]);
+      leave_step();
+      const auto done = collapse_baked(*mesh_, chord, (*records_)[record]);
+      restart(level_ - 1);
+      return done;
     }
     leave_step();
     const auto done = collapse_and_adopt(*mesh_, chord);

@@ -3,6 +3,18 @@
 // Nobody has to adopt our mesh. Write an adapter with the members below around your own structure
 // (adapters/openmesh.hpp and adapters/cgal.hpp are two, StripMesh models the concepts directly) and hand it to split(),
 // collapse() and flip().
+//
+// Exceptions. Any function of a mesh may throw, and the exception comes out of the operation that called it. If the
+// mesh keeps two promises, then after an exception its colouring is valid, perhaps not optimal: some dual edges may be
+// dashed that could be solid, and the next operations go on from there.
+//  1. insert_vertex, remove_vertex and turn_edge do their work or throw and leave the mesh and its colours as they
+//  were,
+//     and set_solid changes one dual edge, for both its halfedges, or none. (What a Rewrite would have told is lost:
+//     whoever adds up strips counts them anew.)
+//  2. insert_vertex leaves the dual edges of the new triangles dashed, and remove_vertex those that fall together.
+// restrip keeps its part by reading everything it needs, then making dashed what becomes dashed, then changing the
+// mesh, then making solid what becomes solid: on the way every colouring is the old or the new one with fewer solid
+// edges.
 #pragma once
 
 #include <concepts>
@@ -46,7 +58,7 @@ struct VertexSplit {
 
 /// A mesh that can split a vertex: insert the triangles described at VertexSplit and return the halfedge v_s -> v_t
 /// (the chord). Other halfedges around the vertex, but for those of the two spokes, stay valid handles of the same mesh
-/// edges, and all dual edges but those of the new triangles keep their colours.
+/// edges, and all dual edges but those of the new triangles keep their colours; those are dashed.
 template <class Mesh>
 concept SplittableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where) {
   { mesh.insert_vertex(where) } -> std::same_as<typename Mesh::Halfedge>;
@@ -56,7 +68,7 @@ concept SplittableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<t
 /// return a halfedge that leaves v_s: the one to v_l, the apex of the triangle to the left, or where there is none the
 /// one to v_r. Other halfedges around the two vertices, but for those of the removed triangles and of the edges that
 /// fall together, stay valid handles of the same mesh edges, and all dual edges but those that fall together keep their
-/// colours.
+/// colours; those are dashed.
 template <class Mesh>
 concept CollapsibleMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, typename Mesh::Halfedge chord) {
   { mesh.remove_vertex(chord) } -> std::same_as<typename Mesh::Halfedge>;

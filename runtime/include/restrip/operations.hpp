@@ -8,6 +8,7 @@
 // here.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +29,7 @@ struct Rewrite {
                         ///< turned edge
   std::uint32_t valence = 0;  ///< k of the fan that was split or that the collapse left; 4 for a flip
   int strips = 0;             ///< change in the number of strips
-  int isolated = 0;           ///< change in the number of isolated triangles of the patch
+  int isolated = 0;           ///< change in the number of isolated triangles of the whole mesh
 };
 
 namespace detail {
@@ -122,14 +123,32 @@ inline Answer<LongBits> answer_split(Fan<LongBits>& fan, bool both) {
                      [&](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_boundary_split(k, low, p, j, out); });
 }
 
+template <class Bits>
+Layout layout_after_split(const Fan<Bits>& fan, bool both) noexcept {
+  const auto [low, high] = std::minmax({fan.left, fan.right});
+  if (fan.closed) return ring_with_chord(fan.k, fan.right);
+  return both ? path_with_chord(fan.k, low, high) : path(fan.k, low);
+}
+
 /// `name`: the new vertex, for meshes that let the caller name it; else nothing.
 template <class Mesh, class Bits, class... Name>
 Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                              Fan<Bits>& fan, bool both, Name... name) {
   const auto rule = answer_split(fan, both);
+  const Layout after = layout_after_split(fan, both);
+  const bool from_right = where.spokes == VertexSplit<typename Mesh::Halfedge>::Spokes::right_only;
+  walk_fan(mesh, from_right ? where.right : where.left, fan.closed, fan.k, fan.left, [&](std::size_t i, auto h) {
+    const std::size_t edge = after.element(i);
+    const bool is_cut = i + 1 == fan.k || after.element(i + 1) != edge + 1;
+    if (!is_cut && fan.loop.get(i) && !rule.colors.get(edge)) mesh.set_solid(h, false);
+  });
   const auto chord = mesh.insert_vertex(where, name...);
   walk_patch(
-      mesh, chord, [&](std::size_t j, auto h) { mesh.set_solid(h, rule.colors.get(j)); }, [](std::size_t, auto) {});
+      mesh, chord,
+      [&](std::size_t j, auto h) {
+        if (rule.colors.get(j)) mesh.set_solid(h, true);
+      },
+      [](std::size_t, auto) {});
   return {chord, static_cast<std::uint32_t>(fan.k), rule.strips, rule.isolated};
 }
 
@@ -153,6 +172,7 @@ Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typen
   const std::size_t a = fan.a;
   const int isolated =
       count_difference(isolated_ring(k, a, rule.colors, fan.ports), isolated_closed(k, fan.loop, fan.ports));
+  fan.dash(mesh, kept_loop(k, a, rule.colors));
   const auto chord = [&] {
     // A mesh that can use the walk we have done already need not turn around the vertex again.
     const std::span<const typename Mesh::Halfedge> moved(fan.spokes + a - 1, k - a);
@@ -161,7 +181,7 @@ Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typen
     else
       return mesh.insert_vertex(where, name...);
   }();
-  recolor_ring(mesh, fan, chord, rule.colors);
+  light_ring(mesh, fan, chord, rule.colors);
   return {chord, static_cast<std::uint32_t>(k), rule.strips, isolated};
 }
 
@@ -225,12 +245,34 @@ PatchPlace read_patch(const Mesh& mesh, typename Mesh::Halfedge chord, Bits& inn
       [&](std::size_t i, auto h) { ports.put(i, mesh.solid(h)); });
 }
 
+inline Layout layout_before_collapse(const PatchPlace& at) noexcept {
+  switch (at.kind) {
+    case PatchPlace::Kind::ring:
+      return ring_with_chord(at.k, at.a);
+    case PatchPlace::Kind::path_with_chord:
+      return path_with_chord(at.k, at.i, at.j);
+    case PatchPlace::Kind::path:
+      break;
+  }
+  return path(at.k, at.i);
+}
+
 template <class Mesh, class Bits>
 Rewrite<typename Mesh::Halfedge> apply_collapse(Mesh& mesh, typename Mesh::Halfedge chord, const PatchPlace& at,
                                                 Bits& inner, Bits& ports) {
   const auto rule = answer_collapse(at, inner, ports);
+  const Layout before = layout_before_collapse(at);
+  walk_patch(
+      mesh, chord,
+      [&](std::size_t j, auto h) {
+        const bool stays = j + 1 < before.size() && before.is_fan(j) && before.is_fan(j + 1);
+        if (stays && inner.get(j) && !rule.colors.get(before.port(j))) mesh.set_solid(h, false);
+      },
+      [](std::size_t, auto) {});
   const auto spoke = mesh.remove_vertex(chord);
-  write_fan(mesh, spoke, at.kind == PatchPlace::Kind::ring, at.k, at.left, rule.colors);
+  walk_fan(mesh, spoke, at.kind == PatchPlace::Kind::ring, at.k, at.left, [&](std::size_t i, auto h) {
+    if (rule.colors.get(i)) mesh.set_solid(h, true);
+  });
   return {spoke, static_cast<std::uint32_t>(at.k), rule.strips, rule.isolated};
 }
 
@@ -243,6 +285,7 @@ Rewrite<typename Mesh::Halfedge> collapse_with(const Rules& rules, Mesh& mesh, t
     const Rule rule = rules.collapse(mesh, chord, interior, ring);
     const int isolated =
         count_difference(isolated_closed(k, rule.colors, interior.ports), isolated_ring(k, a, ring, interior.ports));
+    interior.dash(mesh, rule.colors);
     const auto left = [&] {
       const std::span<const typename Mesh::Halfedge> moved(interior.spokes + a - 1, k - a);
       if constexpr (requires { mesh.remove_vertex(chord, moved); })
@@ -250,7 +293,7 @@ Rewrite<typename Mesh::Halfedge> collapse_with(const Rules& rules, Mesh& mesh, t
       else
         return mesh.remove_vertex(chord);
     }();
-    recolor_fan(mesh, interior, left, rule.colors);
+    light_fan(mesh, interior, left, rule.colors);
     return {left, static_cast<std::uint32_t>(k), rule.strips, isolated};
   }
   WordBits inner;
@@ -285,32 +328,57 @@ Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge ch
   return detail::collapse_with(detail::LocalRules{}, mesh, chord);
 }
 
+namespace detail {
+
+/// Isolated triangles behind the ports that a flip gives up: those left without a solid edge when the dual edges of
+/// `given_up` (halfedges of triangles outside the patch) are dashed.
+template <class Mesh>
+int isolated_behind(const Mesh& mesh, std::span<const typename Mesh::Halfedge> given_up) {
+  int isolated = 0;
+  for (std::size_t i = 0; i < given_up.size(); ++i) {
+    bool counts = true;
+    for (auto side = mesh.next(given_up[i]); !(side == given_up[i]); side = mesh.next(side)) {
+      const auto found = std::find(given_up.begin(), given_up.end(), side) - given_up.begin();
+      const bool goes_too = static_cast<std::size_t>(found) < given_up.size();
+      if (goes_too ? static_cast<std::size_t>(found) < i : bool{mesh.solid(side)}) counts = false;
+    }
+    isolated += counts ? 1 : 0;  // a triangle behind two of them once, for the first
+  }
+  return isolated;
+}
+
+}  // namespace detail
+
 /// Flips the interior mesh edge of h and recolours the patch; a port is given up only where no sound recolouring keeps
-/// it.
+/// it, and then the triangle behind it may be left isolated, which Rewrite::isolated counts.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip(Mesh& mesh, typename Mesh::Halfedge h) {
-  const auto read = [&](typename Mesh::Halfedge g) { return static_cast<unsigned>(mesh.solid(g)); };
-  const auto g = mesh.opposite(h);
-  const unsigned ports = read(mesh.next(h)) | read(mesh.next(mesh.next(h))) << 1 | read(mesh.next(g)) << 2 |
-                         read(mesh.next(mesh.next(g))) << 3;
+  using Halfedge = typename Mesh::Halfedge;
+  const Halfedge g = mesh.opposite(h);
+  const Halfedge first = mesh.next(h);
+  const Halfedge third = mesh.next(g);
+  const Halfedge port[4] = {first, mesh.next(first), third, mesh.next(third)};
+  unsigned ports = 0;
+  for (unsigned i = 0; i < 4; ++i) ports |= static_cast<unsigned>(mesh.solid(port[i])) << i;
   const bool inner = mesh.solid(h);
   const FlipRule rule = flip_rule(inner, ports);
-  h = mesh.turn_edge(h);
-  mesh.set_solid(h, rule.inner);
+  const auto lonely = [](bool edge, unsigned p, unsigned one, unsigned other) {
+    return edge || (p >> one & 1U) != 0 || (p >> other & 1U) != 0 ? 0 : 1;
+  };
   // The new triangles own ports 1, 2 and 3, 0.
-  const auto back = mesh.opposite(h);
-  const auto give_up = [&](unsigned port, typename Mesh::Halfedge outer) {
-    if ((ports >> port & 1U) != 0 && (rule.ports >> port & 1U) == 0) mesh.set_solid(outer, false);
-  };
-  give_up(1, mesh.next(h));
-  give_up(2, mesh.next(mesh.next(h)));
-  give_up(3, mesh.next(back));
-  give_up(0, mesh.next(mesh.next(back)));
-  const auto lonely = [](bool edge, unsigned p, unsigned first, unsigned second) {
-    return edge || (p >> first & 1U) != 0 || (p >> second & 1U) != 0 ? 0 : 1;
-  };
-  const int isolated = lonely(rule.inner, rule.ports, 1, 2) + lonely(rule.inner, rule.ports, 3, 0) -
-                       lonely(inner, ports, 0, 1) - lonely(inner, ports, 2, 3);
+  int isolated = lonely(rule.inner, rule.ports, 1, 2) + lonely(rule.inner, rule.ports, 3, 0) -
+                 lonely(inner, ports, 0, 1) - lonely(inner, ports, 2, 3);
+  if (const unsigned given_up = ports & ~rule.ports; given_up != 0) {
+    Halfedge outer[4];
+    std::size_t n = 0;
+    for (unsigned i = 0; i < 4; ++i)
+      if ((given_up >> i & 1U) != 0) outer[n++] = mesh.opposite(port[i]);
+    isolated += detail::isolated_behind(mesh, std::span<const Halfedge>(outer, n));
+    for (std::size_t i = 0; i < n; ++i) mesh.set_solid(outer[i], false);
+  }
+  if (inner && !rule.inner) mesh.set_solid(h, false);
+  h = mesh.turn_edge(h);
+  if (rule.inner) mesh.set_solid(h, true);
   return {h, 4, rule.strips, isolated};
 }
 

@@ -23,14 +23,21 @@ struct InteriorFan {
   Halfedge spokes[max_interior_valence];  ///< the mesh edge that loop edge i crosses, seen from the vertex; not those
                                           ///< next to A and D, which an operation makes or removes
 
-  /// Gives the kept loop edges the colours `now`, writing only those that change.
+  /// Give the kept loop edges the colours `now`, in two steps: those that become dashed before the mesh changes, those
+  /// that become solid after it. So the colouring is valid all the time (mesh.hpp, "Exceptions").
   template <ColoredMesh Mesh>
-  void recolor(Mesh& mesh, Word now) const {
+  void dash(Mesh& mesh, Word now) const {
+    write(mesh, loop & ~now, false);
+  }
+  template <ColoredMesh Mesh>
+  void light(Mesh& mesh, Word now) const {
+    write(mesh, now & ~loop, true);
+  }
+  template <ColoredMesh Mesh>
+  void write(Mesh& mesh, Word edges, bool solid) const {
     const Word made = bit(a - 1) | bit(k - 1);
-    for (Word changed = (loop ^ now) & ~made; changed != 0; changed &= changed - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(changed));
-      mesh.set_solid(spokes[i], has(now, i));
-    }
+    for (Word rest = edges & ~made; rest != 0; rest &= rest - 1)
+      mesh.set_solid(spokes[static_cast<std::size_t>(std::countr_zero(rest))], solid);
   }
 };
 
@@ -59,11 +66,12 @@ constexpr Word kept_loop(std::size_t k, std::size_t a, Word inner) noexcept {
   return (inner >> 1 & low_bits(a - 1)) | (inner >> (a + 2) & low_bits(k - a - 1)) << a;
 }
 
-/// Colours the patch of a split of an interior vertex: the ring with chord around the new mesh edge.
+/// Lights the patch of a split of an interior vertex: the ring with chord around the new mesh edge. What becomes dashed
+/// is dashed already.
 template <ColoredMesh Mesh>
-void recolor_ring(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
-                  Word inner) {
-  fan.recolor(mesh, kept_loop(fan.k, fan.a, inner));
+void light_ring(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
+                Word inner) {
+  fan.light(mesh, kept_loop(fan.k, fan.a, inner));
   const auto back = mesh.opposite(chord);
   const auto above_left = mesh.next(chord);
   const auto below_right = mesh.next(back);
@@ -106,10 +114,10 @@ bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<type
   return true;
 }
 
-/// Colours the fan that a collapse leaves; `left` is its spoke to v_l.
+/// Lights the fan that a collapse leaves; `left` is its spoke to v_l. What becomes dashed is dashed already.
 template <ColoredMesh Mesh>
-void recolor_fan(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left, Word loop) {
-  fan.recolor(mesh, loop);
+void light_fan(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left, Word loop) {
+  fan.light(mesh, loop);
   mesh.set_solid(left, has(loop, fan.k - 1));
   mesh.set_solid(turn_ccw(mesh, fan.a > 1 ? fan.spokes[fan.a - 2] : left), has(loop, fan.a - 1));
 }

@@ -24,7 +24,11 @@ struct Layout {
 
   constexpr bool is_fan(std::size_t element) const noexcept { return element != inserted && element != opposite; }
 
-  // The port of an element of the fan.
+  // The element of the triangle that owns a port, and back.
+  constexpr std::size_t element(std::size_t port) const noexcept {
+    const std::size_t below_d = port + (port >= inserted);
+    return below_d + (below_d >= opposite);
+  }
   constexpr std::size_t port(std::size_t element) const noexcept {
     return element - (element > inserted) - (element > opposite);
   }

@@ -201,31 +201,32 @@ PatchPlace walk_patch(const Mesh& mesh, typename Mesh::Halfedge chord, Edge&& ed
   return place;
 }
 
-/// Writes the loop edges of the fan around the vertex that `spoke` leaves. Closed: edge k - 1 crosses `spoke`, edges
-/// count up from there. Open: `spoke` lies in gap `gap`, which carries edge gap - 1.
-template <ColoredMesh Mesh, class Bits>
-void write_fan(Mesh& mesh, typename Mesh::Halfedge spoke, bool closed, std::size_t k, std::size_t gap,
-               const Bits& loop) {
+/// Visits the loop edges of the fan around the vertex that `spoke` leaves: edge(i, h), loop edge i crosses the mesh
+/// edge of h. Closed: edge k - 1 crosses `spoke`, edges count up from there. Open: `spoke` lies in gap `gap`, which
+/// carries edge gap - 1. The mesh is not changed by the walk; edge() may change colours.
+template <ColoredMesh Mesh, class Edge>
+void walk_fan(const Mesh& mesh, typename Mesh::Halfedge spoke, bool closed, std::size_t k, std::size_t gap,
+              Edge&& edge) {
   if (closed) {
-    mesh.set_solid(spoke, loop.get(k - 1));
+    edge(k - 1, spoke);
     auto h = spoke;
     for (std::size_t i = 0; i + 1 < k; ++i) {
       h = turn_ccw(mesh, h);
-      mesh.set_solid(h, loop.get(i));
+      edge(i, h);
     }
     return;
   }
   // Gap g carries edge g - 1; gaps 0 and k are boundary.
-  if (gap > 0 && gap < k) mesh.set_solid(spoke, loop.get(gap - 1));
+  if (gap > 0 && gap < k) edge(gap - 1, spoke);
   auto h = spoke;
   for (std::size_t g = gap; g > 1; --g) {
     h = turn_cw(mesh, h);
-    mesh.set_solid(h, loop.get(g - 2));
+    edge(g - 2, h);
   }
   h = spoke;
   for (std::size_t g = gap + 1; g < k; ++g) {
     h = turn_ccw(mesh, h);
-    mesh.set_solid(h, loop.get(g - 1));
+    edge(g - 1, h);
   }
 }
 
