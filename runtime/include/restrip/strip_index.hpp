@@ -7,10 +7,12 @@
 // salesmen", 1995).
 //
 // Costs, for a strip of n triangles: position() two memory reads; cut and link O(chunk_limit + n / chunk_limit), the
-// smaller part alone; a local rewrite O(triangles of the patch), one cut for each strip that it cuts, and
-// O(n / chunk_limit) when a chunk has grown too large. The default limit is made for strips of a few hundred triangles;
-// about half the square root of n is best for longer ones. Memory: 12 bytes a triangle and about one byte for chunks.
-// Nothing is allocated once the arrays have grown.
+// smaller part alone, and link now and then the ranks of the larger part, amortised O(1) for each chunk of the smaller
+// one; a local rewrite O(triangles of the patch), one cut for each strip that it cuts, and, amortised, O(chunk_limit)
+// for each chunk whose labels run out and O(log n) for each chunk added when one has grown too large. The default limit
+// is made for strips of a few hundred triangles; about half the square root of n is best for longer ones. Memory: 12
+// bytes a triangle and about one byte for chunks. Nothing is allocated once the arrays have grown. After an exception
+// (std::bad_alloc) of any function the mesh's colouring is valid, and the index is to be rebuilt.
 //
 // Labels live on the mesh's own links: the index walks solid edges when it splits or renumbers a chunk, so colours and
 // index have to change together. Colour dual edges through cut() and link(), and bracket every local operation by
@@ -21,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "restrip/detail/chunk_lists.hpp"
@@ -93,8 +96,17 @@ class StripIndex {
     Halfedge out{};
     bool up_in = false;  // labels grow across `in`, from the outside triangle into the patch
     bool up_out = false;
+    bool passes = false;      // before the rewrite: it still leads from `in` to `out` after it
+    bool pending = false;     // before the rewrite: its triangles have no place at the moment
     std::uint32_t first = 0;  // its triangles in strand_nodes_
     std::uint32_t last = 0;
+  };
+
+  /// An `in` or `out` of a strand before the rewrite. An outside triangle has two at most; marks_ leads to the first.
+  struct End {
+    Halfedge at{};
+    std::uint32_t strand = 0;
+    std::uint32_t other = none;  // in ends_
   };
 
   // ---- chunks and their labels (detail/strip_index.hpp)
@@ -102,7 +114,7 @@ class StripIndex {
   [[nodiscard]] bool labels_grow(const StripMesh& mesh, Halfedge h) const noexcept;
   [[nodiscard]] bool is_last(const StripMesh& mesh, Triangle end) const noexcept;
   void renumber(const StripMesh& mesh, Halfedge h, bool up);
-  void append(const StripMesh& mesh, Halfedge h, bool up, std::span<const Triangle> nodes);
+  [[nodiscard]] bool append(Halfedge h, bool up, std::span<const Triangle> nodes);
   void separate(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b);
   void split_chunk(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b);
   void move_to(ChunkId to, ChunkId from, std::span<const Triangle> nodes) noexcept;
@@ -111,19 +123,25 @@ class StripIndex {
 
   // ---- patches (detail/strip_patch.hpp)
   void find_strands(const StripMesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands);
-  [[nodiscard]] bool grew(Halfedge h) const noexcept;
-  void place_strand(const StripMesh& mesh, const Strand& strand);
+  void add_end(Halfedge at, std::uint32_t strand);
+  [[nodiscard]] Strand* strand_at(Halfedge h) noexcept;
+  [[nodiscard]] bool grew(Halfedge h) noexcept;
+  void place_strand(const Strand& strand);
+  void renumber_later(Halfedge h, bool up);
 
   std::vector<Place> places_;
   detail::ChunkLists lists_;
   std::uint32_t chunk_limit_;
   std::vector<Triangle> moving_;
   std::vector<Triangle> renumbered_;
-  std::vector<std::uint32_t> marks_;  // patch membership: the value of mark_
+  std::vector<std::uint32_t> marks_;  // of a patch and its ends: values above those of all earlier patches
   std::uint32_t mark_ = 0;
+  std::uint32_t first_end_ = 0;  // marks_ of the triangle of ends_[i] is first_end_ + i, for the first of a triangle
   std::vector<Strand> strands_before_;
   std::vector<Strand> strands_after_;
-  std::vector<std::uint32_t> pending_;  // strands before the rewrite whose triangles have no place at the moment
+  std::vector<End> ends_;
+  std::size_t pending_ = 0;  // number of strands that are
+  std::vector<std::pair<Halfedge, bool>> crowded_;
   std::vector<Triangle> strand_nodes_;
   std::vector<ChunkId> touched_;
 };

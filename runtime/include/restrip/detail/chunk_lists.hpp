@@ -2,12 +2,16 @@
 //
 // A chunk knows its list, its rank in it, its two neighbours and whether it reads backwards, so a look costs one memory
 // read. Cutting and joining rewrite the smaller part, which two walkers that start at the cut at the same time find;
-// and now and then, when they have drifted far, the ranks of the larger one. (The upper level of the two-level lists of
-// Fredman, Johnson, McGeoch, Ostheimer, "Data structures for traveling salesmen", 1995. They reverse a list by one bit;
-// here the smaller part is written anew in any case. The smaller half is the rule of Even and Shiloach, "An on-line
-// edge-deletion problem", 1981.)
+// and now and then, when they have drifted far, the ranks of the larger one, once for at least half as many chunks
+// joined to it. A chunk added in the middle takes the rank between those of its neighbours; where there is none, the
+// smallest stretch of the list with room is spread out: amortised O(log n) ranks for each chunk added. (Bender, Cole,
+// Demaine, Farach-Colton, Zito, "Two simplified algorithms for maintaining order in a list", 2002. The upper level of
+// the two-level lists of Fredman, Johnson, McGeoch, Ostheimer, "Data structures for traveling salesmen", 1995. They
+// reverse a list by one bit; here the smaller part is written anew in any case. The smaller half is the rule of Even
+// and Shiloach, "An on-line edge-deletion problem", 1981.)
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -28,14 +32,16 @@ class ChunkLists {
     std::uint32_t rank = middle;  // grows along the list
     std::uint32_t count = 0;      // of triangles, for the owner's use
     bool backwards = false;       // the chunk's own order is the reverse of the list's
+    bool crowded = false;         // for the owner's use, too
   };
 
-  /// Joining spreads the ranks of a list anew when they would be further than `reach` from the middle of their range.
-  /// Smaller values are for tests.
+  /// Joining and adding spread the ranks of a list anew when they would be further than `reach` from the middle of
+  /// their range. A power of two; smaller values are for tests.
   explicit ChunkLists(std::uint32_t reach = middle / 2) : reach_(reach) {}
 
   [[nodiscard]] const Chunk& operator[](Id c) const noexcept { return chunks_[c]; }
   [[nodiscard]] std::uint32_t& count(Id c) noexcept { return chunks_[c].count; }
+  [[nodiscard]] bool& crowded(Id c) noexcept { return chunks_[c].crowded; }
   [[nodiscard]] bool in_use(Id c) const noexcept { return chunks_[c].list != nobody; }
   /// Number of lists.
   [[nodiscard]] std::size_t lists() const noexcept { return sizes_.size() - free_lists_.size(); }
@@ -61,8 +67,7 @@ class ChunkLists {
     chunks_[c].list = new_list(1);
     return c;
   }
-  /// A new chunk beside c, in the same list, that reads as c does. O(chunks) at worst: those that stand in the way move
-  /// on by one rank.
+  /// A new chunk beside c, in the same list, that reads as c does. Amortised O(log(chunks of the list)).
   Id add_beside(Id c, bool after) {
     const Id fresh = new_chunk();
     Chunk& chunk = chunks_[fresh];
@@ -70,13 +75,21 @@ class ChunkLists {
     const Id next = towards(by, after);
     chunk.list = by.list;
     chunk.backwards = by.backwards;
-    chunk.rank = after ? by.rank + 1 : by.rank - 1;
+    const std::uint32_t rank = by.rank;
+    chunk.rank = rank;
     connect(c, fresh, after);
     connect(fresh, next, after);
-    ++sizes_[by.list];
-    std::uint32_t taken = chunk.rank;
-    for (Id at = next; at != nobody && chunks_[at].rank == taken; at = towards(chunks_[at], after))
-      chunks_[at].rank = taken = after ? taken + 1 : taken - 1;
+    const std::uint32_t size = ++sizes_[chunk.list];
+    if (next == nobody) {
+      if (from_middle(rank) + stride(size) > reach_)
+        spread(fresh);
+      else
+        chunk.rank = after ? rank + stride(size) : rank - stride(size);
+    } else {
+      const std::uint32_t there = chunks_[next].rank;
+      chunk.rank = after ? rank + (there - rank) / 2 : rank - (rank - there) / 2;
+      if (chunk.rank == rank) make_room(fresh);
+    }
     return fresh;
   }
   /// Takes a chunk out of its list. A list without chunks is none.
@@ -125,15 +138,15 @@ class ChunkLists {
     const std::uint32_t list = chunks_[a].list;
     const std::uint32_t gone = chunks_[b].list;
     const std::uint32_t moving = sizes_[gone];
-    const std::uint32_t at_a = chunks_[a].rank;
-    if ((at_a < middle ? middle - at_a : at_a - middle) + moving > reach_) spread(a, a_last);
+    const std::uint32_t step = stride(sizes_[list] + moving);
+    if (from_middle(chunks_[a].rank) + std::uint64_t{moving} * step > reach_) spread(a, step);
     const bool turn = a_last == b_last;
     std::uint32_t rank = chunks_[a].rank;
     for (Id last = a, at = b; at != nobody;) {
       Chunk& chunk = chunks_[at];
       const Id next = towards(chunk, !b_last);
       chunk.list = list;
-      chunk.rank = rank = a_last ? rank + 1 : rank - 1;
+      chunk.rank = rank = a_last ? rank + step : rank - step;
       chunk.backwards = chunk.backwards != turn;
       connect(last, at, a_last);
       (a_last ? chunk.after : chunk.before) = nobody;
@@ -156,11 +169,50 @@ class ChunkLists {
     if (a != nobody) (after ? chunks_[a].after : chunks_[a].before) = b;
     if (b != nobody) (after ? chunks_[b].before : chunks_[b].after) = a;
   }
-  // Ranks one by one again, about the middle; c is at an end.
-  void spread(Id c, bool is_last) noexcept {
-    const std::uint32_t half = sizes_[chunks_[c].list] / 2;
-    std::uint32_t rank = is_last ? middle + half : middle - half;
-    for (Id at = c; at != nobody; at = towards(chunks_[at], !is_last)) chunks_[at].rank = is_last ? rank-- : rank++;
+  [[nodiscard]] static std::uint32_t from_middle(std::uint32_t rank) noexcept {
+    return rank < middle ? middle - rank : rank - middle;
+  }
+  // Between ranks at an end of a list of so many chunks, or in all of it after spread(): then half the reach is left at
+  // both ends.
+  [[nodiscard]] std::uint32_t stride(std::uint32_t chunks) const noexcept {
+    return std::clamp(reach_ / (chunks + 1), 1U, 1U << 16);
+  }
+  // Evenly spaced ranks about the middle, for the list of c.
+  void spread(Id c) noexcept { spread(c, stride(sizes_[chunks_[c].list])); }
+  void spread(Id c, std::uint32_t step) noexcept {
+    while (chunks_[c].before != nobody) c = chunks_[c].before;
+    std::uint32_t rank = middle - sizes_[chunks_[c].list] / 2 * step;
+    for (; c != nobody; c = chunks_[c].after, rank += step) chunks_[c].rank = rank;
+  }
+  // Gives c, whose rank is that of a neighbour, one of its own: the ranks of the smallest aligned range around it that
+  // is sparse enough are spaced evenly. A range of 2^i ranks is sparse when it holds no more than (2 / 1.25)^i chunks.
+  void make_room(Id c) noexcept {
+    const std::uint64_t rank = chunks_[c].rank;
+    Id low = c;
+    Id high = c;
+    std::uint64_t count = 1;
+    double sparse = 1;
+    for (unsigned bits = 1;; ++bits) {
+      sparse *= 2 / 1.25;
+      const std::uint64_t from = rank >> bits << bits;
+      const std::uint64_t to = from + (std::uint64_t{1} << bits);
+      if (from < middle - reach_ || to > std::uint64_t{middle} + reach_) return spread(c);
+      for (Id next = chunks_[low].before; next != nobody && chunks_[next].rank >= from; next = chunks_[low].before) {
+        low = next;
+        ++count;
+      }
+      for (Id next = chunks_[high].after; next != nobody && chunks_[next].rank < to; next = chunks_[high].after) {
+        high = next;
+        ++count;
+      }
+      if (static_cast<double>(count) > sparse) continue;
+      const std::uint64_t step = (to - from) / count;
+      std::uint64_t fresh = from + step / 2;
+      for (Id at = low;; at = chunks_[at].after, fresh += step) {
+        chunks_[at].rank = static_cast<std::uint32_t>(fresh);
+        if (at == high) return;
+      }
+    }
   }
   std::uint32_t new_list(std::uint32_t size) {
     if (free_lists_.empty()) {

@@ -12,10 +12,11 @@ namespace restrip {
 // Goes on along the strip from t, which was entered over side `entry` (3: nowhere). While a patch is rewritten, its
 // strands that are not placed yet are jumped over.
 inline bool StripIndex::step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept {
-  for (const std::uint32_t i : pending_) {
-    const Strand& strand = strands_before_[i];
-    for (const auto& [from, to] : {std::pair{strand.in, strand.out}, {strand.out, strand.in}}) {
-      if (StripMesh::triangle(from) != t || StripMesh::side(from) == entry) continue;
+  if (pending_ != 0 && marks_[t] - first_end_ < ends_.size()) {
+    for (std::uint32_t e = marks_[t] - first_end_; e != none; e = ends_[e].other) {
+      const Strand& strand = strands_before_[ends_[e].strand];
+      if (!strand.pending || StripMesh::side(ends_[e].at) == entry) continue;
+      const Halfedge to = ends_[e].at == strand.in ? strand.out : strand.in;
       t = StripMesh::triangle(to);
       entry = StripMesh::side(to);
       return true;
@@ -79,8 +80,9 @@ inline void StripIndex::renumber(const StripMesh& mesh, Halfedge h, bool up) {
   }
 }
 
-// Places nodes that follow h's triangle across h, one after the other, in its chunk.
-inline void StripIndex::append(const StripMesh& mesh, Halfedge h, bool up, std::span<const Triangle> nodes) {
+// Places nodes that follow h's triangle across h, one after the other, in its chunk. False: there was no room for their
+// labels, and the chunk is to be renumbered.
+inline bool StripIndex::append(Halfedge h, bool up, std::span<const Triangle> nodes) {
   const Triangle at = StripMesh::triangle(h);
   const ChunkId c = places_[at].chunk;
   lists_.count(c) += static_cast<std::uint32_t>(nodes.size());
@@ -91,7 +93,7 @@ inline void StripIndex::append(const StripMesh& mesh, Halfedge h, bool up, std::
     label = up ? label + label_step : label - label_step;
     places_[t] = {c, label};
   }
-  if (!fits) renumber(mesh, h, up);
+  return fits;
 }
 
 // Cuts the strip between the triangles of a and b: b's follows a's across a, though triangles of a patch may have been
@@ -127,35 +129,34 @@ inline void StripIndex::move_to(ChunkId to, ChunkId from, std::span<const Triang
   lists_.count(from) -= static_cast<std::uint32_t>(nodes.size());
 }
 
-// Divides a chunk that has grown too large, until none is.
+// Divides a chunk that has grown too large: goes once from one of its ends to the other and leaves pieces behind.
 inline void StripIndex::divide(const StripMesh& mesh, Triangle member) {
   const ChunkId c = places_[member].chunk;
+  Triangle t = member;
+  Triangle last = none;
+  unsigned entry = 3;
+  do {
+    last = t;
+  } while (step(mesh, t, entry) && places_[t].chunk == c);
+  // `last` is an end of the chunk; come back from it over the side towards the chunk.
+  t = last;
+  const auto inside = [&](unsigned side) {
+    const Halfedge h = StripMesh::halfedge(t, side);
+    return mesh.solid(h) && places_[StripMesh::triangle(mesh.opposite(h))].chunk == c;
+  };
+  unsigned s = 0;
+  while (!inside(s)) ++s;
+  entry = (s + 1) % 3;
+  if (!mesh.solid(StripMesh::halfedge(t, entry))) entry = (s + 2) % 3;
   while (lists_[c].count > chunk_limit_) {
-    Triangle t = member;
-    unsigned entry = 3;
-    Triangle last = none;
-    do {
-      last = t;
-    } while (step(mesh, t, entry) && places_[t].chunk == c);
-    // `last` is an end of the chunk; come back from it over the side towards the chunk.
+    const std::uint32_t piece = std::min(lists_[c].count / 2, chunk_limit_ / 2);
     moving_.clear();
-    const std::uint32_t half = std::min(lists_[c].count / 2, chunk_limit_ / 2);
-    t = last;
-    unsigned s = 0;
-    const auto inside = [&](unsigned side) {
-      const Halfedge h = StripMesh::halfedge(t, side);
-      return mesh.solid(h) && places_[StripMesh::triangle(mesh.opposite(h))].chunk == c;
-    };
-    while (!inside(s)) ++s;
-    entry = (s + 1) % 3;
-    if (!mesh.solid(StripMesh::halfedge(t, entry))) entry = (s + 2) % 3;
-    while (moving_.size() < half) {
+    while (moving_.size() < piece) {
       moving_.push_back(t);
       step(mesh, t, entry);
     }
-    const bool fresh_first = (places_[last].label < places_[t].label) != lists_[c].backwards;
-    move_to(lists_.add_beside(c, !fresh_first), c, moving_);
-    if (places_[member].chunk != c) member = t;
+    const bool piece_first = (places_[last].label < places_[t].label) != lists_[c].backwards;
+    move_to(lists_.add_beside(c, !piece_first), c, moving_);
   }
 }
 
@@ -177,7 +178,7 @@ inline void StripIndex::join_chunks(const StripMesh& mesh, Halfedge h) {
   do moving_.push_back(t);
   while (step(mesh, t, entry) && places_[t].chunk == gone);
   lists_.erase(gone);
-  append(mesh, h, up, moving_);
+  if (!append(h, up, moving_)) renumber(mesh, h, up);
 }
 
 inline void StripIndex::cut(StripMesh& mesh, Halfedge h) {
@@ -209,6 +210,9 @@ inline void StripIndex::rebuild(const StripMesh& mesh) {
   places_.assign(mesh.triangle_bound(), {});
   marks_.assign(mesh.triangle_bound(), 0);
   mark_ = 0;
+  ends_.clear();
+  crowded_.clear();
+  pending_ = 0;
   lists_.clear();
   std::vector<Triangle> strip;
   for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {

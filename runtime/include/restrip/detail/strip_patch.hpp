@@ -19,10 +19,6 @@ inline void StripIndex::find_strands(const StripMesh& mesh, std::span<const Tria
   strands.clear();
   strand_nodes_.clear();
   if (marks_.size() < mesh.triangle_bound()) marks_.resize(mesh.triangle_bound(), 0);
-  if (mark_ > none - 2) {  // marks are about to begin anew: forget the old ones
-    std::fill(marks_.begin(), marks_.end(), 0U);
-    mark_ = 0;
-  }
   const std::uint32_t waiting = ++mark_;
   const std::uint32_t done = ++mark_;
   for (const Triangle t : patch) marks_[t] = waiting;
@@ -71,11 +67,24 @@ inline void StripIndex::find_strands(const StripMesh& mesh, std::span<const Tria
 }
 
 inline void StripIndex::before_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
-  find_strands(mesh, patch, strands_before_);
-  for (Strand& strand : strands_before_) {
-    if (strand.in.id != none) strand.up_in = labels_grow(mesh, strand.in);
-    if (strand.out.id != none) strand.up_out = labels_grow(mesh, strand.out);
+  // Marks that this rewrite needs: two for the patch before and two after it, two for the ends of each strand.
+  if ((none - mark_) / 2 < patch.size() + 2) {
+    std::fill(marks_.begin(), marks_.end(), 0U);
+    mark_ = 0;
   }
+  find_strands(mesh, patch, strands_before_);
+  first_end_ = mark_ + 1;
+  ends_.clear();
+  for (std::uint32_t i = 0; i < strands_before_.size(); ++i) {
+    Strand& strand = strands_before_[i];
+    if (strand.in.id == none) continue;
+    strand.up_in = labels_grow(mesh, strand.in);
+    add_end(strand.in, i);
+    if (strand.out.id == none) continue;
+    strand.up_out = labels_grow(mesh, strand.out);
+    add_end(strand.out, i);
+  }
+  mark_ += static_cast<std::uint32_t>(ends_.size());
   touched_.clear();
   for (const Triangle t : patch) {
     const ChunkId c = places_[t].chunk;
@@ -85,16 +94,39 @@ inline void StripIndex::before_patch(const StripMesh& mesh, std::span<const Tria
   }
 }
 
-// Did labels grow across h, into the patch, before the rewrite?
-inline bool StripIndex::grew(Halfedge h) const noexcept {
-  for (const Strand& strand : strands_before_) {
-    if (strand.in == h) return strand.up_in;
-    if (strand.out == h) return strand.up_out;
-  }
-  return false;
+inline void StripIndex::add_end(Halfedge at, std::uint32_t strand) {
+  const auto name = static_cast<std::uint32_t>(ends_.size());
+  std::uint32_t& mark = marks_[StripMesh::triangle(at)];
+  ends_.push_back({at, strand, none});
+  if (mark - first_end_ < name)
+    ends_[mark - first_end_].other = name;
+  else
+    mark = first_end_ + name;
 }
 
-inline void StripIndex::place_strand(const StripMesh& mesh, const Strand& strand) {
+// The strand before the rewrite that h led into; null if there was none.
+inline StripIndex::Strand* StripIndex::strand_at(Halfedge h) noexcept {
+  std::uint32_t e = marks_[StripMesh::triangle(h)] - first_end_;
+  if (e >= ends_.size()) return nullptr;
+  while (e != none && !(ends_[e].at == h)) e = ends_[e].other;
+  return e == none ? nullptr : &strands_before_[ends_[e].strand];
+}
+
+// Did labels grow across h, into the patch, before the rewrite?
+inline bool StripIndex::grew(Halfedge h) noexcept {
+  const Strand* const strand = strand_at(h);
+  return strand != nullptr && (strand->in == h ? strand->up_in : strand->up_out);
+}
+
+// Once for each chunk, when all strands have their places: until then only labels outside the patch are looked at.
+inline void StripIndex::renumber_later(Halfedge h, bool up) {
+  bool& crowded = lists_.crowded(places_[StripMesh::triangle(h)].chunk);
+  if (crowded) return;
+  crowded_.emplace_back(h, up);
+  crowded = true;
+}
+
+inline void StripIndex::place_strand(const Strand& strand) {
   const std::span<const Triangle> nodes{strand_nodes_.data() + strand.first, strand_nodes_.data() + strand.last};
   if (strand.in.id == none) {
     const ChunkId c = lists_.add();
@@ -111,7 +143,7 @@ inline void StripIndex::place_strand(const StripMesh& mesh, const Strand& strand
   const Place from = places_[StripMesh::triangle(strand.in)];
   const bool up = grew(strand.in);
   if (strand.out.id == none || places_[StripMesh::triangle(strand.out)].chunk != from.chunk) {
-    append(mesh, strand.in, up, nodes);
+    if (!append(strand.in, up, nodes)) renumber_later(strand.in, up);
     return;
   }
   const Label to = places_[StripMesh::triangle(strand.out)].label;
@@ -122,38 +154,49 @@ inline void StripIndex::place_strand(const StripMesh& mesh, const Strand& strand
     places_[t] = {from.chunk, label};
   }
   lists_.count(from.chunk) += static_cast<std::uint32_t>(nodes.size());
-  if (gap == 0) renumber(mesh, strand.in, up);
+  if (gap == 0) renumber_later(strand.in, up);
 }
 
 inline void StripIndex::after_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
   if (places_.size() < mesh.triangle_bound()) places_.resize(mesh.triangle_bound());
   find_strands(mesh, patch, strands_after_);
-  const auto same = [](const Strand& a, const Strand& b) {
-    return (a.in == b.in && a.out == b.out) || (a.in == b.out && a.out == b.in);
+  pending_ = 0;
+  for (Strand& old : strands_before_) {
+    old.pending = old.out.id != none;
+    pending_ += old.pending ? 1U : 0U;
+  }
+  const auto placed = [this](Strand& old) {
+    old.pending = false;
+    --pending_;
   };
-  const auto no_longer_pending = [this](std::uint32_t i) { std::erase(pending_, i); };
-  pending_.clear();
-  for (std::uint32_t i = 0; i < strands_before_.size(); ++i)
-    if (strands_before_[i].out.id != none) pending_.push_back(i);
+  // The strand that led from the one end to the other before the rewrite, too.
+  const auto same_before = [this](const Strand& strand) -> Strand* {
+    Strand* const old = strand.out.id == none ? nullptr : strand_at(strand.in);
+    const bool same = old != nullptr && (old->in == strand.in ? old->out == strand.out : old->in == strand.out);
+    return same ? old : nullptr;
+  };
+  for (const Strand& strand : strands_after_)
+    if (Strand* const old = same_before(strand)) old->passes = true;
   // Strips that the patch cuts.
-  for (std::uint32_t i = 0; i < strands_before_.size(); ++i) {
-    const Strand& old = strands_before_[i];
-    if (old.out.id == none) continue;
-    bool kept = false;
-    for (const Strand& strand : strands_after_) kept = kept || same(strand, old);
-    if (kept) continue;
-    no_longer_pending(i);
+  for (Strand& old : strands_before_) {
+    if (!old.pending || old.passes) continue;
+    placed(old);
     separate(mesh, old.in, old.up_in, old.out);
   }
   // Strips that pass through as before.
   for (const Strand& strand : strands_after_) {
     if (strand.out.id == none) continue;
-    for (std::uint32_t i = 0; i < strands_before_.size(); ++i)
-      if (same(strand, strands_before_[i])) no_longer_pending(i);
-    place_strand(mesh, strand);
+    if (Strand* const old = same_before(strand)) placed(*old);
+    place_strand(strand);
   }
   for (const Strand& strand : strands_after_)
-    if (strand.out.id == none) place_strand(mesh, strand);
+    if (strand.out.id == none) place_strand(strand);
+  ends_.clear();
+  for (const auto& [h, up] : crowded_) {
+    lists_.crowded(places_[StripMesh::triangle(h)].chunk) = false;
+    renumber(mesh, h, up);
+  }
+  crowded_.clear();
   for (const ChunkId c : touched_)
     if (lists_[c].count == 0 && lists_.in_use(c)) lists_.erase(c);
   for (const Triangle t : patch)

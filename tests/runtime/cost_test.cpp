@@ -1,0 +1,254 @@
+// What the headers promise about cost: an operation takes time linear in the valence, under every policy and however
+// many strands pass through the patch; dividing, cutting and linking long strips, looking along strips and updating
+// buffers take what their headers say; and what is said to allocate nothing does not.
+//
+// Steps are counted (step_counter.hpp) at two sizes, one twice the other.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "restrip/keeper.hpp"
+#include "restrip/linked.hpp"
+#include "restrip/strip_buffer.hpp"
+#include "restrip/stripify.hpp"
+#include "restrip/strips.hpp"
+#include "sample_meshes.hpp"
+#include "step_counter.hpp"
+
+namespace restrip {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+using Where = VertexSplit<Halfedge>;
+using counter::Cost;
+using counter::cost_of;
+
+::testing::AssertionResult grows_at_most(double times, const Cost& once, const Cost& twice) {
+  if (once.steps < 20) return ::testing::AssertionFailure() << "nothing was counted: " << once.steps << " steps";
+  const double ratio = static_cast<double>(twice.steps) / static_cast<double>(once.steps);
+  if (ratio <= times) return ::testing::AssertionSuccess() << once.steps << " steps, then " << twice.steps;
+  return ::testing::AssertionFailure() << once.steps << " steps, then " << twice.steps << ": " << ratio << " times";
+}
+constexpr double linear = 2.4;
+constexpr double constant = 1.25;
+
+/// A cone over a cone, coloured as one strip that leaves the upper cone after every second triangle: k / 2 strands pass
+/// through the fan of vertex 0.
+StripMesh zigzag(Vertex k) {
+  StripMesh mesh = sample::double_cone(k);
+  // Triangles 2 i and 2 i + 1 are the upper and the lower one beside rim edge i.
+  for (Vertex i = 0; i < k; ++i) {
+    mesh.set_solid(StripMesh::halfedge(2 * i, 1), true);
+    if (i + 1 < k) mesh.set_solid(i % 2 == 0 ? StripMesh::halfedge(2 * i, 2) : StripMesh::halfedge(2 * i + 1, 0), true);
+  }
+  return mesh;
+}
+
+Where middle_of_the_fan(const StripMesh& mesh, Vertex k) {
+  return {mesh.spoke(0, 2), mesh.spoke(0, 2 + k / 2), Where::Spokes::both};
+}
+
+TEST(Cost, OperationsAreLinearInTheValenceUnderEveryPolicy) {
+  constexpr Policy policies[] = {Policy::local, Policy::linked, Policy::quick, Policy::full};
+  for (const bool zigzags : {true, false}) {
+    Cost split[std::size(policies)][2];
+    Cost collapse[std::size(policies)][2];
+    for (const unsigned size : {0U, 1U}) {
+      const Vertex k = 16'000U << size;
+      StripMesh start = zigzags ? zigzag(k) : sample::double_cone(k);
+      if (!zigzags) stripify(start);
+      ASSERT_TRUE(check_coloring(start).valid);
+      if (zigzags) {
+        ASSERT_EQ(check_coloring(start).strips, 1U);
+      }
+      for (std::size_t p = 0; p < std::size(policies); ++p) {
+        StripMesh mesh = start;
+        StripKeeper keeper(mesh, policies[p]);
+        Halfedge chord;
+        split[p][size] = cost_of([&] { chord = keeper.split(middle_of_the_fan(mesh, k)).halfedge; });
+        collapse[p][size] = cost_of([&] { keeper.collapse(chord); });
+        ASSERT_TRUE(check_coloring(mesh).valid);
+        ASSERT_EQ(keeper.strips(), check_coloring(mesh).strips);
+      }
+    }
+    for (std::size_t p = 0; p < std::size(policies); ++p) {
+      SCOPED_TRACE("policy " + std::to_string(p) + (zigzags ? ", zigzag" : ", stripified"));
+      EXPECT_TRUE(grows_at_most(linear, split[p][0], split[p][1]));
+      EXPECT_TRUE(grows_at_most(linear, collapse[p][0], collapse[p][1]));
+    }
+  }
+}
+
+/// 2 n triangles in one strip between two rows of vertices.
+StripMesh ladder(Vertex n) {
+  std::vector<sample::Corners> triangles;
+  for (Vertex x = 0; x < n; ++x) {
+    triangles.push_back({2 * x, 2 * x + 2, 2 * x + 1});
+    triangles.push_back({2 * x + 1, 2 * x + 2, 2 * x + 3});
+  }
+  StripMesh mesh = StripMesh::build(triangles, 2 * n + 2);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned side = 0; side < 3; ++side) {
+      const Halfedge h = StripMesh::halfedge(t, side);
+      if (!StripMesh::on_boundary(mesh.opposite(h))) mesh.set_solid(h, true);
+    }
+  return mesh;
+}
+
+// The middle of a long strip grows, its chunk is divided again and again, and the strip's length does not matter.
+TEST(Cost, DividingTheMiddleOfAStripDoesNotDependOnItsLength) {
+  Cost growing[2];
+  for (const unsigned size : {0U, 1U}) {
+    const Vertex n = 40'000U << size;
+    StripMesh mesh = ladder(n);
+    mesh.reserve(2 * n + 2'000, 2 * n + 2'000);
+    StripIndex index(mesh, 8);
+    index.reserve(2 * n + 2'000);
+    ASSERT_EQ(index.strips(), 1U);
+    std::vector<Triangle> patch;
+    for (Vertex i = 0; i < 1'000; ++i) {
+      const Halfedge h = mesh.spoke(n);
+      const Where where{h, turn_ccw(mesh, h), Where::Spokes::right_only};
+      growing[size].steps += cost_of([&] {
+                               detail::fan_triangles(mesh, where.right, patch);
+                               index.before_patch(mesh, patch);
+                               const auto done = split(mesh, where);
+                               detail::edge_triangles(mesh, done.halfedge, patch);
+                               index.after_patch(mesh, patch);
+                             }).steps;
+    }
+    EXPECT_EQ(index.strips(), 1U);
+  }
+  EXPECT_TRUE(grows_at_most(constant, growing[0], growing[1]));
+}
+
+TEST(Cost, AddingChunksInTheMiddleOfAListIsLogarithmic) {
+  Cost adding[2];
+  for (const unsigned size : {0U, 1U}) {
+    detail::ChunkLists lists;
+    lists.reserve(100'000, 1);
+    auto last = lists.add();
+    auto middle = last;
+    for (unsigned i = 0; i < 20'000U << size; ++i) {
+      last = lists.add_beside(last, true);
+      if (i == 10'000U << size) middle = last;
+    }
+    adding[size] = cost_of([&] {
+      for (int i = 0; i < 10'000; ++i) lists.add_beside(middle, i % 3 == 0);
+    });
+    EXPECT_LT(adding[size].steps, 10'000U * 400);
+    EXPECT_EQ(adding[size].allocations, 0U);
+  }
+  EXPECT_TRUE(grows_at_most(constant, adding[0], adding[1]));
+}
+
+TEST(Cost, CuttingAndLinkingALongStripRewritesChunksNotTriangles) {
+  Cost cut[2];
+  Cost link[2];
+  for (const unsigned size : {0U, 1U}) {
+    const Vertex n = 50'000U << size;
+    StripMesh mesh = ladder(n);
+    StripIndex index(mesh);
+    index.reserve(2 * n);
+    const Halfedge h = mesh.spoke(n, n + 1).id != none ? mesh.spoke(n, n + 1) : mesh.spoke(n + 1, n);
+    for (int round = 0; round < 2; ++round) {  // the second one after warm-up
+      cut[size] = cost_of([&] { index.cut(mesh, h); });
+      ASSERT_EQ(index.strips(), 2U);
+      link[size] = cost_of([&] { index.link(mesh, h); });
+      ASSERT_EQ(index.strips(), 1U);
+    }
+    EXPECT_EQ(cut[size].allocations + link[size].allocations, 0U);
+    EXPECT_LT(cut[size].steps + link[size].steps, std::uint64_t{n});
+  }
+  EXPECT_TRUE(grows_at_most(linear, cut[0], cut[1]));
+  EXPECT_TRUE(grows_at_most(linear, link[0], link[1]));
+}
+
+TEST(Cost, LooksAlongAStripEndAfterReach) {
+  Cost looking[2];
+  for (const unsigned size : {0U, 1U}) {
+    const Vertex n = 10'000U << size;
+    StripMesh mesh = ladder(n);
+    mesh.set_solid(mesh.spoke(n, n + 1).id != none ? mesh.spoke(n, n + 1) : mesh.spoke(n + 1, n), false);
+    const Halfedge end = mesh.spoke(n, n + 1).id != none ? mesh.spoke(n, n + 1) : mesh.spoke(n + 1, n);
+    looking[size] = cost_of([&] { link_end(mesh, end); });
+    EXPECT_EQ(looking[size].allocations, 0U);
+  }
+  EXPECT_TRUE(grows_at_most(1.0, looking[0], looking[1]));
+}
+
+TEST(Cost, ABufferRewritesTheRunsAroundAChange) {
+  Cost updating[2];
+  for (const unsigned size : {0U, 1U}) {
+    const Vertex n = 10'000U << size;
+    StripMesh mesh = ladder(n);
+    StripBuffer buffer(mesh);
+    std::vector<Triangle> changed;
+    mesh.watch(&changed);
+    const Halfedge h = StripMesh::halfedge(n, 0);
+    const Halfedge inner = mesh.solid(h) ? h : StripMesh::next(h);
+    for (const bool solid : {false, true, false, true}) {  // the last one after warm-up
+      mesh.set_solid(inner, solid);
+      updating[size] = cost_of([&] { buffer.update(mesh, changed); });
+      changed.clear();
+    }
+    EXPECT_EQ(updating[size].allocations, 0U);
+  }
+  EXPECT_TRUE(grows_at_most(constant, updating[0], updating[1]));
+}
+
+// Searches of twice as many states take little more than twice the steps: chains get longer by a move or two.
+TEST(Cost, SearchesAreLinearInTheirStates) {
+  Cost searching[2];
+  for (const unsigned size : {0U, 1U}) {
+    StripMesh torus = sample::torus(60, 60);
+    stripify(torus, Effort::full);
+    StripIndex index(torus);
+    Tunnel tunnel;
+    std::size_t searches = 0;
+    for (Triangle t = 0; t < torus.triangle_bound() && index.strips() < 3; t += 500)
+      for (unsigned side = 0; side < 3; ++side)
+        if (torus.solid(StripMesh::halfedge(t, side))) index.cut(torus, StripMesh::halfedge(t, side));
+    searching[size] = cost_of([&] {
+      for (Triangle t = 0; t < torus.triangle_bound(); ++t)
+        if (torus.solid_degree(t) == 1) {
+          tunnel.join(torus, index, t, 200U << size, Tunnel::OnFailure::wander);
+          ++searches;
+        }
+    });
+    EXPECT_GT(searches, 0U);
+    EXPECT_LE(tunnel.counts().states, tunnel.counts().searches * (200U << size));
+    // Per state, since a search that succeeds ends early.
+    searching[size].steps /= tunnel.counts().states / 100 + 1;
+  }
+  EXPECT_TRUE(grows_at_most(linear, searching[0], searching[1]));
+}
+
+TEST(Cost, OperationsAllocateNothing) {
+  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+    StripMesh mesh = sample::double_cone(40);
+    stripify(mesh);
+    mesh.reserve(200, 200);
+    StripKeeper keeper(mesh, policy);
+    keeper.reserve(200);
+    std::uint64_t allocations = 0;
+    for (int round = 0; round < 40; ++round) {
+      const Where where{mesh.spoke(0), turn_ccw(mesh, turn_ccw(mesh, mesh.spoke(0))), Where::Spokes::both};
+      const Cost cost = cost_of([&] {
+        const Halfedge chord = keeper.split(where).halfedge;
+        const Halfedge turned = keeper.flip(mesh.spoke(1)).halfedge;
+        keeper.flip(turned);
+        keeper.collapse(chord);
+      });
+      if (round >= 20) allocations += cost.allocations;
+    }
+    EXPECT_EQ(allocations, 0U) << "policy " << static_cast<int>(policy);
+  }
+}
+
+}  // namespace
+}  // namespace restrip
