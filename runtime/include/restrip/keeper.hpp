@@ -17,6 +17,10 @@
 // searches; their mean number of states is bounded by policy, not by the size of the mesh, and so is the mean length of
 // the strips, on which the index depends, once they have the length that the policy keeps. After warm-up nothing is
 // allocated but what the mesh itself allocates to grow.
+//
+// Exceptions (std::bad_alloc alone). The mesh and its colouring are valid after one: the operation, or the mending that
+// follows it, is done as a whole, in part or not at all. What the keeper knows beside the mesh is out of date:
+// up_to_date() is false, index() null and strips() stale until rebuild(), which the next operation calls by itself.
 #pragma once
 
 #include <cstddef>
@@ -96,6 +100,7 @@ class StripKeeper {
   /// joined as well, so it is often negative; `isolated` what tunnelling and adoption saved.
   Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none) {
     using Spokes = VertexSplit<Halfedge>::Spokes;
+    begin();
     if (!tunnels())
       return counted(linked_ ? split_and_link(*mesh_, where, new_vertex) : split_and_adopt(*mesh_, where, new_vertex));
     detail::fan_triangles(*mesh_, where.spokes == Spokes::right_only ? where.right : where.left, patch_);
@@ -106,6 +111,7 @@ class StripKeeper {
     return finish(done);
   }
   Rewrite<Halfedge> collapse(Halfedge chord) {
+    begin();
     if (!tunnels()) return counted(linked_ ? collapse_and_link(*mesh_, chord) : collapse_and_adopt(*mesh_, chord));
     detail::edge_triangles(*mesh_, chord, patch_);
     index_.before_patch(*mesh_, patch_);
@@ -114,34 +120,41 @@ class StripKeeper {
     return finish(done);
   }
   Rewrite<Halfedge> flip(Halfedge h) {
+    begin();
     if (!tunnels()) return counted(linked_ ? flip_and_link(*mesh_, h) : flip_and_adopt(*mesh_, h));
     patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_->opposite(h))});
     index_.before_patch(*mesh_, patch_);
     Rewrite<Halfedge> done = finish(restrip::flip(*mesh_, h));
+    up_to_date_ = false;
     // A flip may give ports up, and so isolate a triangle beside the patch.
     for (const Triangle t : patch_)
       for (unsigned side = 0; side < 3; ++side)
         if (const Halfedge across = mesh_->opposite(StripMesh::halfedge(t, side)); !StripMesh::on_boundary(across))
           adopt_isolated(done, across);
+    up_to_date_ = true;
     return done;
   }
 
   /// Background work: goes on with rounds over all strip ends (rounds.hpp), looking at about `budget` states. Returns
   /// the number of strips it saved.
   std::size_t improve(std::size_t budget) {
+    begin();
     if (!tunnels()) index_.rebuild(*mesh_);
     const std::size_t before = index_.strips();
     rounds_.run(*mesh_, index_, tunnel_, budget);
     strips_ = index_.strips();
+    up_to_date_ = true;
     return before - strips_;
   }
 
   /// Reads the mesh anew. Linear time.
   void rebuild() {
+    up_to_date_ = false;
     rounds_.restart();
     if (tunnels()) {
       index_.rebuild(*mesh_);
       strips_ = index_.strips();
+      up_to_date_ = true;
       return;
     }
     // A strip has one triangle more than it has edges.
@@ -149,16 +162,24 @@ class StripKeeper {
     for (Triangle t = 0; t < mesh_->triangle_bound(); ++t)
       if (mesh_->alive(t)) degrees += mesh_->solid_degree(t);
     strips_ = mesh_->triangle_count() - degrees / 2;
+    up_to_date_ = true;
   }
   void reserve(std::size_t triangles) { index_.reserve(triangles); }
 
   [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
   [[nodiscard]] const StripMesh& mesh() const noexcept { return *mesh_; }
-  /// Null under policies without an index.
-  [[nodiscard]] const StripIndex* index() const noexcept { return tunnels() ? &index_ : nullptr; }
+  /// False after an exception, until rebuild() or the next operation.
+  [[nodiscard]] bool up_to_date() const noexcept { return up_to_date_; }
+  /// Null under policies without an index, and while it is not up to date.
+  [[nodiscard]] const StripIndex* index() const noexcept { return tunnels() && up_to_date_ ? &index_ : nullptr; }
   [[nodiscard]] const TunnelCounts& counts() const noexcept { return tunnel_.counts(); }
 
  private:
+  // An operation that ends by an exception leaves up_to_date_ false.
+  void begin() {
+    if (!up_to_date_) rebuild();
+    up_to_date_ = false;
+  }
   [[nodiscard]] bool tunnels() const noexcept { return search_.states != 0; }
   // For the next operation. The longer the strips, the more states it takes to find an end; a high power of the length
   // keeps all levels of detail close to `enough`.
@@ -171,6 +192,7 @@ class StripKeeper {
   }
   Rewrite<Halfedge> counted(const Rewrite<Halfedge>& done) {
     strips_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(strips_) + done.strips);
+    up_to_date_ = true;
     return done;
   }
   Rewrite<Halfedge> finish(Rewrite<Halfedge> done) {
@@ -186,6 +208,7 @@ class StripKeeper {
     if (done.isolated > 0)
       for (const Triangle t : patch_) adopt_isolated(done, StripMesh::halfedge(t, 0));
     strips_ = index_.strips();
+    up_to_date_ = true;
     return done;
   }
   void adopt_isolated(Rewrite<Halfedge>& done, Halfedge h) {
@@ -202,6 +225,7 @@ class StripKeeper {
   Search search_;
   bool linked_;
   std::size_t strips_ = 0;
+  bool up_to_date_ = false;
   std::vector<Triangle> patch_;
 };
 

@@ -152,6 +152,8 @@ class StripMesh {
   /// given back.
   [[nodiscard]] Room take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex = none);
   void give_back(const Room& room);
+  /// Room for the handles that this many removals give back, so that give_back does not throw.
+  void expect_back(std::size_t removals);
   /// As above, into room taken before.
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept;
   Halfedge insert_vertex(Halfedge left, Halfedge right, const Room& room, std::span<const Halfedge> moved) noexcept;
@@ -162,7 +164,7 @@ class StripMesh {
   // ---- what has changed
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
   /// appended to *changed, some of them more than once. Null: no longer. A copy of the mesh is not watched. Not for
-  /// batches.
+  /// batches. When *changed cannot grow for want of memory, std::terminate is called.
   void watch(std::vector<Triangle>* changed) noexcept { watch_.changed = changed; }
 
   // ---- extent
@@ -217,6 +219,8 @@ class StripMesh {
   [[nodiscard]] std::uint32_t link_of(Halfedge h) const noexcept { return triangles_[triangle(h)].link[side(h)]; }
   [[nodiscard]] std::uint32_t& link_of(Halfedge h) noexcept { return triangles_[triangle(h)].link[side(h)]; }
   void join(Halfedge g, Halfedge h) noexcept;  // g or h may be on the boundary; dashed
+  template <class Vector>
+  static void make_room(Vector& vector, std::size_t more);
   Triangle take_triangle();
   void place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept;
   Halfedge insert_both(Halfedge left, Halfedge right, Vertex v_s, const Room& room) noexcept;

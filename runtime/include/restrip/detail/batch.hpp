@@ -223,6 +223,7 @@ inline BatchReport collapse_batch(StripMesh& mesh, std::span<const StripMesh::Ha
   if (report.fault != BatchFault::done) return report;
   report.rewrites.resize(chords.size());
   std::vector<StripMesh::Room> freed(chords.size());
+  mesh.expect_back(chords.size());
   detail::run_batch(chords.size(), options.threads, report, [&](std::size_t i) {
     detail::KeepingFreed view(mesh, freed[i]);
     return collapse(view, chords[i]);

@@ -30,6 +30,12 @@ inline void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) 
   touch(t);
 }
 
+/// Room for `more` elements, so that appending them throws nothing.
+template <class Vector>
+void StripMesh::make_room(Vector& vector, std::size_t more) {
+  if (vector.capacity() - vector.size() < more) vector.reserve(std::max(vector.size() + more, 2 * vector.capacity()));
+}
+
 inline Vertex StripMesh::new_vertex(Vertex wanted) {
   if (wanted == none) {
     // Vertices that were named by a caller in the meantime are in use again: skip them.
@@ -41,6 +47,7 @@ inline Vertex StripMesh::new_vertex(Vertex wanted) {
     wanted = static_cast<Vertex>(spoke_.size());
   }
   if (wanted >= spoke_.size()) {
+    make_room(irregular_, wanted + std::size_t{1} - irregular_.size());
     spoke_.resize(wanted + std::size_t{1}, none);
     irregular_.resize(spoke_.size(), 0);
   }
@@ -50,6 +57,8 @@ inline Vertex StripMesh::new_vertex(Vertex wanted) {
 inline StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex wanted) {
   using Spokes = VertexSplit<Halfedge>::Spokes;
   Room room;
+  // What may throw comes first: then either everything has been taken or nothing.
+  if (free_.size() < 2) make_room(triangles_, 2);
   room.vertex = new_vertex(wanted);
   if (spokes != Spokes::right_only) room.left = take_triangle();
   if (spokes != Spokes::left_only) room.right = take_triangle();
@@ -200,7 +209,13 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>&
   return chord;
 }
 
+inline void StripMesh::expect_back(std::size_t removals) {
+  make_room(free_, 2 * removals);
+  make_room(free_vertices_, removals);
+}
+
 inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
+  expect_back(1);
   Room freed;
   const Halfedge merged = remove_vertex(chord, freed);
   give_back(freed);
@@ -236,6 +251,7 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed)
 }
 
 inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
+  expect_back(1);
   Room freed;
   const Halfedge merged = remove_vertex(chord, moved, freed);
   give_back(freed);

@@ -1,0 +1,316 @@
+// After an exception the colouring is valid: whichever call of a mesh throws, in every operation, over closed, open and
+// long fans; and whichever allocation fails under a keeper.
+//
+// Every operation is begun again and again from the same mesh, and fails at its first call, its second, its third,
+// until it comes to its end. What a mesh must look like then is worked out here from the triangles alone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <new>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "index_agrees.hpp"
+#include "naive_patch.hpp"
+#include "restrip/baked.hpp"
+#include "restrip/checks.hpp"
+#include "restrip/keeper.hpp"
+#include "restrip/linked.hpp"
+#include "restrip/strips.hpp"
+#include "sample_meshes.hpp"
+
+namespace {
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+std::size_t allocations_left = never;
+}  // namespace
+
+// Not inlined, or the compiler takes the pair of malloc and free below for a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  if (allocations_left == 0) throw std::bad_alloc();
+  if (allocations_left != never) --allocations_left;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace restrip {
+namespace {
+
+using Where = VertexSplit<StripMesh::Halfedge>;
+
+struct Injected : std::runtime_error {
+  Injected() : std::runtime_error("injected") {}
+};
+
+/// A mesh of a user's: the five functions and no more, each of which may throw.
+class Throwing {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+  /// Throws in call number `at`, counted from 0. `late`: a set_solid that throws has done its work.
+  Throwing(StripMesh& mesh, std::size_t at, bool late) : mesh_(mesh), left_(at), late_(late) {}
+
+  Halfedge next(Halfedge h) const { return count(), StripMesh::next(h); }
+  Halfedge opposite(Halfedge h) const { return count(), mesh_.opposite(h); }
+  bool on_boundary(Halfedge h) const { return count(), StripMesh::on_boundary(h); }
+  bool solid(Halfedge h) const { return count(), mesh_.solid(h); }
+  void set_solid(Halfedge h, bool solid) {
+    if (!late_) count();
+    EXPECT_FALSE(StripMesh::on_boundary(h) || StripMesh::on_boundary(mesh_.opposite(h)));
+    mesh_.set_solid(h, solid);
+    if (late_) count();
+  }
+  Halfedge insert_vertex(const Where& where) { return count(), mesh_.insert_vertex(where); }
+  Halfedge remove_vertex(Halfedge chord) { return count(), mesh_.remove_vertex(chord); }
+  Halfedge turn_edge(Halfedge h) { return count(), mesh_.turn_edge(h); }
+
+ private:
+  void count() const {
+    if (left_-- == 0) throw Injected();
+  }
+  StripMesh& mesh_;
+  mutable std::size_t left_;
+  bool late_;
+};
+
+/// Any valid colouring: edges in any order, each with probability `percent`, if it may be solid.
+void color_at_random(StripMesh& mesh, std::mt19937& random, unsigned percent) {
+  mesh.clear_colors();
+  std::vector<StripMesh::Halfedge> edges;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned side = 0; side < 3 && mesh.alive(t); ++side) edges.push_back(StripMesh::halfedge(t, side));
+  std::shuffle(edges.begin(), edges.end(), random);
+  naive::UnionFind strips(mesh.triangle_bound());
+  for (const auto h : edges) {
+    const auto g = mesh.opposite(h);
+    if (StripMesh::on_boundary(g) || random() % 100 >= percent) continue;
+    const Triangle a = StripMesh::triangle(h);
+    const Triangle b = StripMesh::triangle(g);
+    if (!mesh.solid(h) && mesh.solid_degree(a) < 2 && mesh.solid_degree(b) < 2 && strips.unite(a, b))
+      mesh.set_solid(h, true);
+  }
+}
+
+/// A double cone from which a wedge is cut: both apexes have open fans of k triangles, with triangles behind all ports.
+StripMesh open_cone(Vertex k) {
+  std::vector<sample::Corners> triangles;
+  for (Vertex i = 0; i < k; ++i) {
+    triangles.push_back({0, 2 + i, 3 + i});
+    triangles.push_back({1, 3 + i, 2 + i});
+  }
+  return StripMesh::build(triangles, k + 3);
+}
+
+std::vector<std::array<Vertex, 3>> corners(const StripMesh& mesh) {
+  std::vector<std::array<Vertex, 3>> all;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) all.push_back(mesh.corners(t));
+  return all;
+}
+
+using Operation = std::function<void(Throwing&)>;
+
+/// Begins the operation with every call failing in turn; returns how many failed.
+std::size_t fail_everywhere(const StripMesh& start, const Operation& operation, bool late) {
+  StripMesh after = start;
+  {
+    Throwing mesh(after, never, false);
+    operation(mesh);
+  }
+  for (std::size_t call = 0;; ++call) {
+    StripMesh now = start;
+    Throwing mesh(now, call, late);
+    try {
+      operation(mesh);
+    } catch (const Injected&) {
+      EXPECT_TRUE(check_coloring(now).valid) << "call " << call;
+      EXPECT_TRUE(corners(now) == corners(start) || corners(now) == corners(after)) << "call " << call;
+      if (!testing::Test::HasFailure()) continue;
+    }
+    return call;
+  }
+}
+
+/// Everything that may be done at a halfedge.
+std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge h, std::mt19937& random) {
+  std::vector<Operation> all;
+  const auto add = [&](auto&& bare, auto&& adopting, auto&& linking) {
+    all.emplace_back(bare);
+    all.emplace_back(adopting);
+    all.emplace_back(linking);
+  };
+  if (check_collapse(mesh, h) == Refusal::granted)
+    add([h](Throwing& m) { collapse(m, h); }, [h](Throwing& m) { collapse_and_adopt(m, h); },
+        [h](Throwing& m) { collapse_and_link(m, h); });
+  if (check_flip(mesh, h) == Refusal::granted)
+    add([h](Throwing& m) { flip(m, h); }, [h](Throwing& m) { flip_and_adopt(m, h); },
+        [h](Throwing& m) { flip_and_link(m, h); });
+  std::vector<StripMesh::Halfedge> spokes;
+  detail::for_each_spoke(mesh, mesh.from(h), [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
+  const Where::Spokes kinds[] = {Where::Spokes::both, Where::Spokes::left_only, Where::Spokes::right_only};
+  for (const Where::Spokes kind : kinds) {
+    const Where where{h, spokes[random() % spokes.size()], kind};
+    if (check_split(mesh, where) != Refusal::granted) continue;
+    add([where](Throwing& m) { split(m, where); }, [where](Throwing& m) { split_and_adopt(m, where); },
+        [where](Throwing& m) { split_and_link(m, where); });
+  }
+  return all;
+}
+
+TEST(Exceptions, OfEveryCallLeaveAValidColoring) {
+  std::mt19937 random(1);
+  std::size_t failed = 0;
+  for (const StripMesh& start : sample::meshes()) {
+    StripMesh mesh = start;
+    for (int round = 0; round < 12; ++round) {
+      color_at_random(mesh, random, 40 + 20 * static_cast<unsigned>(round % 4));
+      const auto t = static_cast<Triangle>(random() % mesh.triangle_bound());
+      auto h = StripMesh::halfedge(t, static_cast<unsigned>(random() % 3));
+      if (random() % 4 == 0) h = mesh.opposite(h);
+      for (const Operation& operation : operations_at(mesh, h, random))
+        failed += fail_everywhere(mesh, operation, round % 2 == 0);
+      ASSERT_FALSE(HasFailure());
+    }
+  }
+  EXPECT_GT(failed, 10'000U);
+}
+
+// Fans that go the general way, and those of more than max_word_valence triangles, which take bit strings.
+TEST(Exceptions, InLongFansLeaveAValidColoring) {
+  std::mt19937 random(2);
+  for (const StripMesh& start :
+       {sample::double_cone(20), open_cone(20), sample::double_cone(70), open_cone(70), open_cone(3)}) {
+    StripMesh mesh = start;
+    for (const unsigned percent : {60U, 95U}) {
+      color_at_random(mesh, random, percent);
+      std::vector<StripMesh::Halfedge> spokes;
+      detail::for_each_spoke(mesh, 0, [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
+      const auto h = spokes[spokes.size() / 3];
+      const auto all = operations_at(mesh, h, random);
+      ASSERT_GE(all.size(), 3U);
+      for (std::size_t i = 0; i < all.size(); i += 3) fail_everywhere(mesh, all[i], true);
+      ASSERT_FALSE(HasFailure());
+    }
+  }
+}
+
+TEST(Exceptions, WhilePlayingBakedFlipsLeaveAValidColoring) {
+  std::mt19937 random(3);
+  for (const StripMesh& start : sample::meshes()) {
+    for (int round = 0; round < 6; ++round) {
+      StripMesh mesh = start;
+      color_at_random(mesh, random, 80);
+      const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % mesh.triangle_bound()), 0);
+      const Where where{h, turn_ccw(mesh, h), Where::Spokes::both};
+      if (check_split(mesh, where) != Refusal::granted) continue;
+      StripMesh plain = mesh;
+      const auto chord = split_baked(plain, where, {}).halfedge;
+      StripMesh wanted = plain;
+      color_at_random(wanted, random, 90);
+      std::vector<StripMesh::Halfedge> flips;
+      for (Triangle t = 0; t < plain.triangle_bound(); ++t)
+        for (unsigned side = 0; side < 3 && plain.alive(t); ++side) {
+          const auto g = StripMesh::halfedge(t, side);
+          if (g.id < plain.opposite(g).id && plain.solid(g) != wanted.solid(g)) flips.push_back(g);
+        }
+      fail_everywhere(
+          mesh, [&](Throwing& m) { split_baked(m, where, flips); }, round % 2 == 0);
+      fail_everywhere(
+          wanted, [&](Throwing& m) { collapse_baked(m, chord, flips); }, round % 2 == 0);
+      ASSERT_FALSE(HasFailure());
+    }
+  }
+}
+
+// A record of more flips than fit without allocation.
+TEST(Exceptions, WhilePlayingManyFlipsLeaveAValidColoring) {
+  std::mt19937 random(4);
+  StripMesh mesh = sample::torus(20, 20);
+  color_at_random(mesh, random, 80);
+  const Where where{StripMesh::halfedge(0, 0), turn_ccw(mesh, turn_ccw(mesh, StripMesh::halfedge(0, 0))),
+                    Where::Spokes::both};
+  StripMesh plain = mesh;
+  split_baked(plain, where, {});
+  StripMesh wanted = plain;
+  color_at_random(wanted, random, 90);
+  std::vector<StripMesh::Halfedge> flips;
+  for (Triangle t = 0; t < plain.triangle_bound(); ++t)
+    for (unsigned side = 0; side < 3; ++side) {
+      const auto g = StripMesh::halfedge(t, side);
+      if (g.id < plain.opposite(g).id && plain.solid(g) != wanted.solid(g)) flips.push_back(g);
+    }
+  ASSERT_GT(flips.size(), detail::flips_without_allocation);
+  Throwing played(mesh, never, false);
+  split_baked(played, where, flips);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) EXPECT_EQ(mesh.solid_sides(t), wanted.solid_sides(t));
+}
+
+// Every allocation of a keeper and its mesh fails in turn.
+TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
+  std::mt19937 random(5);
+  std::size_t failed = 0;
+  std::vector<StripMesh> starts = sample::meshes();
+  starts.push_back(sample::double_cone(70));
+  for (const StripMesh& start : starts) {
+    for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
+      for (int round = 0; round < 6; ++round) {
+        StripMesh colored = start;
+        color_at_random(colored, random, 70);
+        const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % colored.triangle_bound()), 1);
+        const Where where{h, turn_ccw(colored, h), Where::Spokes::both};
+        const bool possible = round % 3 == 0   ? check_split(colored, where) == Refusal::granted
+                              : round % 3 == 1 ? check_collapse(colored, h) == Refusal::granted
+                                               : check_flip(colored, h) == Refusal::granted;
+        if (!possible) continue;
+        for (std::size_t allocation = 0;; ++allocation) {
+          StripMesh mesh = colored;
+          StripKeeper keeper(mesh, policy);
+          const auto operate = [&] {
+            if (round % 3 == 0) keeper.split(where);
+            if (round % 3 == 1) keeper.collapse(h);
+            if (round % 3 == 2) keeper.flip(h);
+          };
+          allocations_left = allocation;
+          bool threw = false;
+          try {
+            operate();
+          } catch (const std::bad_alloc&) {
+            threw = true;
+          }
+          allocations_left = never;
+          const ColoringReport report = check_coloring(mesh);
+          ASSERT_TRUE(report.valid) << "allocation " << allocation;
+          ASSERT_EQ(keeper.up_to_date(), !threw);
+          if (threw) {
+            ++failed;
+            ASSERT_EQ(keeper.index(), nullptr);
+            // The mesh may be as it was or changed; the next operation is one that is possible there.
+            if (corners(mesh) == corners(colored) && allocation % 2 == 0)
+              operate();
+            else
+              keeper.rebuild();
+          }
+          ASSERT_TRUE(keeper.up_to_date());
+          ASSERT_TRUE(check_coloring(mesh).valid);
+          ASSERT_EQ(keeper.strips(), check_coloring(mesh).strips);
+          if (keeper.index() != nullptr) {
+            ASSERT_TRUE(agrees(*keeper.index(), mesh));
+          }
+          if (!threw) break;
+        }
+      }
+    }
+  }
+  EXPECT_GT(failed, 200U);
+}
+
+}  // namespace
+}  // namespace restrip
