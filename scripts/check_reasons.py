@@ -6,9 +6,15 @@ lists of linked rules, which are held against all recolourings.
   scripts/check_reasons.py tables/certificates/*.cert
 
 Prints a line for each file. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot be read.
-Which rows there must be is not checked here.
+Every section must be there, with each claim once and its rows in ascending order. Of splits and the flip the rows must be
+those of all valid configurations, of linked rules all lists must be there. Claims are recounted as far as this takes no
+walk over the configurations of collapses: "configurations" in all families, "valid" of splits and the flip, all of
+linked rules. Which rows a collapse must have, and the other claims, are not checked here.
 """
 import sys
+
+CLAIMS = ("configurations", "valid", "orbits", "valid-orbits", "costing", "worst-strips", "worst-isolated")
+LINKED_CLAIMS = ("lists", "alternatives", "longest")
 
 
 class Wrong(Exception):
@@ -56,6 +62,110 @@ def patch_of(family, position):
     a, d = {"split": [0] + places, "open-split": places, "boundary-split": places + [None]}[family]
     order = [n for i in range(k + 1) for n in (["A"] * (i == a) + ["D"] * (i == d) + fan[i:i + 1])]
     return Patch(order, family == "split", family != "boundary-split", fan)
+
+
+def positions(family, max_k):
+    """The words behind "section" in all sections that a certificate must have, in order."""
+    if family == "flip":
+        return ["flip"]
+    closed = family.replace("linked-", "") in ("split", "collapse")
+    found = []
+    for k in range(3 if closed else 1, max_k + 1):
+        if family in ("split", "linked-split"):
+            found += ["k %d a %d" % (k, a) for a in range(1, k // 2 + 1)]
+        elif family in ("collapse", "linked-collapse", "fan-collapse"):
+            found.append("k %d" % k)
+        elif family == "open-split":
+            found += ["k %d gaps %d %d" % (k, i, j) for i in range(k + 1) for j in range(i + 1, k - i + 1)]
+        elif family == "boundary-split":
+            found += ["k %d gap %d" % (k, i) for i in range(k // 2 + 1)]
+        else:
+            raise Wrong("there is no family " + family)
+    return found
+
+
+def configurations(family, position):
+    """How many there are before the operation, all positions of the section together."""
+    if family == "flip":
+        return 32
+    k = int(position.split()[1])
+    if family == "collapse":
+        return k // 2 << 2 * k + 3
+    if family == "fan-collapse":
+        pairs = sum(1 for i in range(k + 1) for j in range(i + 1, k + 1) if i + j <= k)
+        return (pairs << 2 * k + 2) + (k // 2 + 1 << 2 * k)
+    return 1 << (2 * k if family == "split" else 2 * k - 1)
+
+
+def valid_keys(family, position, known={}):
+    """How many valid configurations a split or the flip has, and their keys."""
+    k = None if family == "flip" else int(position.split()[1])
+    ring = family == "split"
+    if (ring, k) not in known:
+        fan = ["t%d" % i for i in range(k)] if k else []
+        before = Patch(fan, ring, False, fan) if k else Patch(["L", "R"], False, False, ["L", "L", "R", "R"])
+        inner, count, keys = len(before.inner), 0, set()
+        for edges in range(1 << inner + len(before.owners)):
+            strips = before.strips(edges)
+            if strips is None:
+                continue
+            count += 1
+            ports = edges >> inner
+            joined = edges & 1
+            if k:
+                solid = [p for p in range(k) if ports >> p & 1]
+                # The solid port before the first one is the last one, in a ring only, and never the port itself.
+                joined = sum(1 << p for i, p in enumerate(solid)
+                             if (i or ring) and len(solid) > 1 and frozenset((p, solid[i - 1])) in strips)
+            keys.add((ports, joined))
+        known[ring, k] = count, keys
+    return known[ring, k]
+
+
+class Section:
+    """What a section has been seen to have: claims and rows. Closed, it must have had all of them."""
+
+    def __init__(self, family, position):
+        self.family, self.position, self.claims, self.keys = family, position, {}, []
+        self.lists, self.rows, self.longest, self.here, self.last = 0, 0, 0, 0, None
+
+    def claim(self, word, number):
+        if word not in (LINKED_CLAIMS if self.family.startswith("linked-") else CLAIMS) or word in self.claims:
+            raise Wrong("unknown claim, or made twice")
+        if self.keys or self.rows:
+            raise Wrong("a claim after the rows")
+        self.claims[word] = int(number)
+
+    def row(self, key):
+        if self.keys and self.keys[-1] >= key:
+            raise Wrong("rows are not in ascending order, or one is there twice")
+        self.keys.append(key)
+
+    def alternative(self, ports):
+        self.rows += 1
+        self.here = self.here + 1 if ports == self.last else 1
+        self.lists += ports != self.last
+        self.last, self.longest = ports, max(self.longest, self.here)
+
+    def close(self):
+        if self.family.startswith("linked-"):
+            counted = {"lists": self.lists, "alternatives": self.rows, "longest": self.longest}
+            missing = set(LINKED_CLAIMS) - set(self.claims)
+        else:
+            counted = {"configurations": configurations(self.family, self.position)}
+            missing = set(CLAIMS) - set(self.claims)
+            if not self.family.endswith("collapse"):
+                counted["valid"], keys = valid_keys(self.family, self.position)
+                for key in sorted(keys.symmetric_difference(self.keys)):
+                    raise Wrong("section %s above: the key %x %x %s" % (
+                        (self.position,) + key + ("has no row" if key in keys else "is of no valid configuration",)))
+            if not self.keys:
+                raise Wrong("section %s above has no row" % self.position)
+        if missing:
+            raise Wrong("section %s above: claim %s is missing" % (self.position, min(missing)))
+        for word, number in counted.items():
+            if self.claims[word] != number:
+                raise Wrong("section %s above: claim %s %d, recounted %d" % (self.position, word, self.claims[word], number))
 
 
 class Row:
@@ -168,24 +278,30 @@ class Lists:
             raise Wrong("the lists above end with the ports %x" % self.ports)
 
 
-def check(path):
+def check(path, max_k=8):
     with open(path, "rb") as file:
         lines = file.read().split(b"\n")
-    family, lists, rules, copies, alternatives = "", None, 0, 0, 0
+    family, lists, section, rules, copies, alternatives = "", None, None, 0, 0, 0
     for number, line in enumerate(lines, 1):
         words = line.decode("ascii", "replace").split(" ")
         try:
             if number == 1 and words != ["restrip-certificate", "2"]:
                 raise Wrong("not a certificate of version 2")
             if words[0] == "family":
-                family = words[1]
+                family, waiting = words[1], positions(words[1], max_k)
             elif words[0] == "section":
                 if lists:
                     lists.close((1 << len(patch.owners)) - 1)
+                if section:
+                    section.close()
+                if not waiting or " ".join(words[1:]) != waiting[0]:
+                    raise Wrong("expected " + ("section " + waiting[0] if waiting else "end"))
+                section = Section(family, waiting.pop(0))
                 patch, proved = patch_of(family.replace("linked-", ""), words[1:]), {}
                 lists = Lists(patch) if family.startswith("linked-") else None
             elif words[0] in ("rule", "copy") and not lists:
                 row = Row(family, patch, words)
+                section.row((int(words[1], 16), int(words[2], 16)))
                 rest = words[5 if family == "flip" else 4:]
                 if words[0] == "rule" and rest.pop(0) == "because":
                     row.prove(rest)
@@ -199,10 +315,14 @@ def check(path):
                     raise Wrong("more words than a row has")
             elif words[0] == "alternative":
                 lists.add(*(int(word, 16) for word in words[1:]))
+                section.alternative(int(words[1], 16))
                 alternatives += 1
             elif words[0] == "end":
                 if lists:
                     lists.close((1 << len(patch.owners)) - 1)
+                if waiting:
+                    raise Wrong("expected section " + waiting[0])
+                section.close()
                 above = b"".join(text + b"\n" for text in lines[:number - 1])
                 sums = [rules + copies + alternatives, sum(above), sum(place * byte for place, byte in enumerate(above, 1))]
                 if [int(word) for word in words[1:]] != sums or lines[number:] != [b""]:
@@ -210,7 +330,9 @@ def check(path):
                 if alternatives:
                     return "%s: %d alternatives, the lists are complete" % (path, alternatives)
                 return "%s: %d rules are sound and have their reasons, %d copies follow" % (path, rules, copies)
-            elif words[0] != "claim" and number > 1:
+            elif words[0] == "claim" and len(words) == 3:
+                section.claim(words[1], words[2])
+            elif number > 1:
                 raise Wrong("unknown line")
         except (Wrong, ValueError, IndexError, KeyError, AttributeError, TypeError, UnboundLocalError) as error:
             raise Wrong("%s:%d: %s" % (path, number, error)) from None
