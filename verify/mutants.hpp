@@ -1,7 +1,7 @@
 #pragma once
-// Deliberate faults of this checker, chosen by the compile definition RESTRIP_MUTANT. The shipped program is built
-// without it. Each fault is built as a program of its own by tests/verify, which must notice every one of them:
-// a checker that nobody has seen reject is no checker.
+// Deliberate faults of this checker. The shipped program is built without any: there `mutated` is false at compile
+// time. With RESTRIP_MUTANTS a program chooses one when it starts; tests/verify builds the checker so, and must notice
+// every fault: a checker that nobody has seen reject is no checker.
 
 namespace restrip::verify {
 
@@ -76,12 +76,12 @@ enum class Mutant {
   local_unequal            // any alternative is as good as the local rule
 };
 
-#ifdef RESTRIP_MUTANT
-inline constexpr Mutant active_mutant = Mutant::RESTRIP_MUTANT;
+#ifdef RESTRIP_MUTANTS
+inline Mutant active_mutant = Mutant::none;  // set at most once, before the checker is called
+inline bool mutated(Mutant mutant) { return active_mutant == mutant; }
 #else
 inline constexpr Mutant active_mutant = Mutant::none;
-#endif
-
 constexpr bool mutated(Mutant mutant) { return active_mutant == mutant; }
+#endif
 
 }  // namespace restrip::verify

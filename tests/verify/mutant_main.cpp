@@ -1,15 +1,42 @@
-// Linked with a checker that has one deliberate fault: tells the first table of the corpus that shows it. Linked with
-// the true checker (the mutant `none`) it must find no such table.
+// Gives the checker one deliberate fault, named by the argument, and tells the first table of the corpus that shows it.
+// With the fault `none` it must find no such table.
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
+#include <string_view>
+
 #include "bad_tables.hpp"
 #include "corpus.hpp"
+#include "mutant_names.hpp"
+#include "mutants.hpp"
 #include "verdict.hpp"
 
 namespace {
 
 using namespace restrip::verify::test;
+using restrip::verify::Mutant;
+
+// Without a default case: the compiler warns about a fault that is not among the names.
+constexpr std::string_view name_of(Mutant mutant) {
+  switch (mutant) {
+#define RESTRIP_CASE(name) \
+  case Mutant::name:       \
+    return #name;
+    RESTRIP_EACH_MUTANT(RESTRIP_CASE)
+#undef RESTRIP_CASE
+  }
+  return {};
+}
+
+std::optional<Mutant> mutant_named(std::string_view name) {
+#define RESTRIP_ITEM(name) Mutant::name,
+  for (const Mutant mutant : {RESTRIP_EACH_MUTANT(RESTRIP_ITEM)})
+    if (name_of(mutant) == name) return mutant;
+#undef RESTRIP_ITEM
+  return std::nullopt;
+}
 
 std::string first_good_table_rejected() {
   for (const NaiveFamily& family : naive_families(corpus_max_k))
@@ -52,7 +79,13 @@ std::string first_damage_accepted() {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  const std::optional<Mutant> mutant = argc == 2 ? mutant_named(argv[1]) : std::nullopt;
+  if (!mutant) {
+    fmt::print(stderr, "usage: verify_mutants NAME, with a name from verify/mutants.hpp\n");
+    return 2;
+  }
+  restrip::verify::active_mutant = *mutant;
   for (const auto search :
        {first_damage_accepted, first_good_table_rejected, first_list_misjudged, first_bad_table_accepted})
     if (const std::string killer = search(); !killer.empty()) {
