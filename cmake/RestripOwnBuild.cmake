@@ -6,6 +6,16 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 option(RESTRIP_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(RESTRIP_WARNINGS_AS_ERRORS "A warning of the compiler is an error" OFF)
+option(RESTRIP_ALLOW_MISSING "Leave tests out whose packages are missing, instead of stopping" OFF)
+
+# restrip_without(PACKAGE LEFT_OUT): call it where a package was not found. Nothing is left out unless that was asked for.
+function(restrip_without package left_out)
+  if(NOT RESTRIP_ALLOW_MISSING)
+    message(FATAL_ERROR "${package} is missing. Install it, or configure with -DRESTRIP_ALLOW_MISSING=ON and do without: ${left_out}")
+  endif()
+  message(WARNING "${package} is missing. Left out: ${left_out}")
+endfunction()
 
 find_package(fmt REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
@@ -14,7 +24,13 @@ find_package(Threads REQUIRED)
 add_library(restrip_own_flags INTERFACE)
 # The same floating-point results, and so the same simplified meshes, on every processor.
 target_compile_options(restrip_own_flags INTERFACE -ffp-contract=off)
-target_compile_options(restrip_own_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Werror)
+target_compile_options(restrip_own_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion)
+if(NOT CMAKE_UNITY_BUILD)  # where sources share a unit, a local name may be that of another file
+  target_compile_options(restrip_own_flags INTERFACE -Wshadow)
+endif()
+if(RESTRIP_WARNINGS_AS_ERRORS)
+  target_compile_options(restrip_own_flags INTERFACE -Werror)
+endif()
 if(RESTRIP_SANITIZE)
   target_compile_options(restrip_own_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(restrip_own_flags INTERFACE -fsanitize=address,undefined)

@@ -11,8 +11,8 @@
 namespace restrip::replay {
 namespace {
 
-constexpr std::string_view magic = "ProgMesh";
-constexpr std::size_t header_bytes = 20;
+constexpr std::string_view pm_magic = "ProgMesh";
+constexpr std::size_t pm_header_bytes = 20;
 constexpr std::size_t vertex_bytes = 12;
 constexpr std::size_t face_bytes = 12;
 constexpr std::size_t split_bytes = 24;
@@ -54,14 +54,14 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
         fmt::format("{}: a progressive mesh in Hoppe's format (with wedges and materials), which is not read; give the "
                     "mesh itself (OBJ, OFF, PLY, STL) or a progressive mesh of OpenMesh",
                     name));
-  if (!bytes.starts_with(magic))
-    throw BadInput(fmt::format("{}: no progressive mesh of OpenMesh: it does not begin with '{}'", name, magic));
-  if (bytes.size() < header_bytes) throw BadInput(fmt::format("{}: ends inside its header; is it complete?", name));
-  Bytes in(bytes.substr(magic.size()));
+  if (!bytes.starts_with(pm_magic))
+    throw BadInput(fmt::format("{}: no progressive mesh of OpenMesh: it does not begin with '{}'", name, pm_magic));
+  if (bytes.size() < pm_header_bytes) throw BadInput(fmt::format("{}: ends inside its header; is it complete?", name));
+  Bytes in(bytes.substr(pm_magic.size()));
   const std::size_t vertices = in.u32();
   const std::size_t faces = in.u32();
   const std::size_t splits = in.u32();
-  const std::size_t expected = header_bytes + vertices * vertex_bytes + faces * face_bytes + splits * split_bytes;
+  const std::size_t expected = pm_header_bytes + vertices * vertex_bytes + faces * face_bytes + splits * split_bytes;
   if (bytes.size() != expected)
     throw BadInput(
         fmt::format("{}: {} vertices, {} faces and {} splits take {} bytes, but the file has {}; is it complete?", name,
@@ -130,7 +130,7 @@ ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh) {
 
 std::string pm_bytes(const ProgressiveMesh& any) {
   const ProgressiveMesh mesh = numbered_by_appearance(any);
-  std::string bytes(magic);
+  std::string bytes(pm_magic);
   const auto put = [&bytes](std::uint32_t value) {
     for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
   };

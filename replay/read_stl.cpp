@@ -14,7 +14,7 @@
 namespace restrip::replay {
 namespace {
 
-constexpr std::size_t header_bytes = 84;
+constexpr std::size_t stl_header_bytes = 84;
 constexpr std::size_t facet_bytes = 50;
 
 std::uint32_t read_u32(std::string_view bytes, std::size_t at) {
@@ -65,7 +65,7 @@ class Welder {
 
 Soup read_binary(std::string_view bytes, const std::string& name) {
   Welder welder(name);
-  for (std::size_t at = header_bytes; at < bytes.size(); at += facet_bytes)
+  for (std::size_t at = stl_header_bytes; at < bytes.size(); at += facet_bytes)
     for (std::size_t corner = 0; corner < 3; ++corner) {
       std::array<float, 3> xyz{};
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -102,9 +102,9 @@ Soup read_text(std::string_view bytes, const std::string& name) {
 }  // namespace
 
 Soup read_stl(std::string_view bytes, const std::string& name) {
-  const bool may_be_binary = bytes.size() >= header_bytes;
-  const std::size_t facets = may_be_binary ? read_u32(bytes, header_bytes - 4) : 0;
-  if (may_be_binary && bytes.size() == header_bytes + facets * facet_bytes) return read_binary(bytes, name);
+  const bool may_be_binary = bytes.size() >= stl_header_bytes;
+  const std::size_t facets = may_be_binary ? read_u32(bytes, stl_header_bytes - 4) : 0;
+  if (may_be_binary && bytes.size() == stl_header_bytes + facets * facet_bytes) return read_binary(bytes, name);
   TextCursor cursor(bytes);
   if (cursor.word_on_any_line() == "solid") return read_text(bytes, name);
   throw BadInput(fmt::format(

@@ -9,10 +9,10 @@ source scripts/setup.sh
 need "${build_packages[@]}"
 
 say "building"
-cmake --preset release >/dev/null
-cmake --build --preset release --target restrip-generate restrip-dump-tables restrip-verify restrip
+cmake --preset programs >/dev/null
+cmake --build --preset programs --target restrip-generate restrip-dump-tables restrip-verify restrip
 
-bin=build/release/bin
+bin=build/programs/bin
 say "generating the tables by exhaustive search, and comparing them with those checked in"
 rm -rf build/demo
 $bin/restrip-generate tables --out build/demo/tables --threads "$(nproc)"

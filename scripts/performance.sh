@@ -32,7 +32,7 @@ done
 if [ -z "$bin" ]; then
   need "${build_packages[@]}" "${bench_packages[@]}"
   say "building"
-  cmake --preset release -DRESTRIP_BUILD_BENCH=ON >/dev/null
+  cmake --preset release -DRESTRIP_BUILD_BENCH=ON -DRESTRIP_ALLOW_MISSING=ON >/dev/null
   cmake --build --preset release
   bin=build/release/bin
 fi

@@ -20,8 +20,11 @@ need() {
     command -v sudo >/dev/null || { echo "these packages are missing, and there is neither root nor sudo: ${missing[*]}" >&2; return 1; }
     as_root=(sudo)
   fi
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  # A machine that has just started may be installing something itself: wait for that.
+  local started=$SECONDS apt=(env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600)
+  "${as_root[@]}" "${apt[@]}" update
+  "${as_root[@]}" "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >/dev/null
+  echo "installed in $((SECONDS - started)) s"
 }
 
 build_packages=(g++ cmake ninja-build libboost-graph-dev libnauty2-dev libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev

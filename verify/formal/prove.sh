@@ -27,8 +27,8 @@ started=$SECONDS
 need "${build_packages[@]}" coq make time
 
 say "building restrip-dump-tables"
-cmake --preset release >/dev/null
-cmake --build --preset release --target restrip-dump-tables >/dev/null
+cmake --preset programs >/dev/null
+cmake --build --preset programs --target restrip-dump-tables >/dev/null
 
 say "building the printers"
 mkdir -p "$out/coq" "$out/fresh"
@@ -38,7 +38,7 @@ done
 
 say "printing the tables and the certificates"
 rm -f "$out"/fresh/*.v
-build/release/bin/restrip-dump-tables >"$out/tables.dump"
+build/programs/bin/restrip-dump-tables >"$out/tables.dump"
 "$out/print_tables" "$out/fresh" <"$out/tables.dump"
 for family in "${certificates[@]}"; do
   "$out/print_rows" "$out/fresh" <"tables/certificates/$family.cert"
