@@ -75,7 +75,7 @@ class Baker {
   void split_plainly(std::size_t i) {
     const Record& record = baked_.mesh.splits[i];
     const auto where = spokes_of(mesh_, record);
-    const Refusal refusal = mesh_.spoke(record.v_t).id != none ? Refusal::no_such_edge : check_split(mesh_, where);
+    const Refusal refusal = check_split(mesh_, where, record.v_t);
     if (refusal != Refusal::granted)
       throw BadInput(
           fmt::format("split {} ({} -> {}) is not possible: {}", i, record.v_s, record.v_t, describe(refusal)));

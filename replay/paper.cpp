@@ -135,7 +135,7 @@ Soup top_of(const ProgressiveMesh& source, const std::string& name) {
   for (std::size_t i = 0; i < source.splits.size(); ++i) {
     const Record& record = source.splits[i];
     const auto where = spokes_of(mesh, record);
-    const Refusal refusal = mesh.spoke(record.v_t).id != none ? Refusal::no_such_edge : check_split(mesh, where);
+    const Refusal refusal = check_split(mesh, where, record.v_t);
     if (refusal != Refusal::granted)
       throw BadInput(
           fmt::format("{}: split {} ({} -> {}) is not possible: {}; make the file anew with restrip simplify", name, i,

@@ -150,7 +150,7 @@ class Replay {
 
   void split_and_count(const Record& record, std::size_t index) {
     const auto where = spokes_of(mesh_, record);
-    const Refusal refusal = mesh_.spoke(record.v_t).id != none ? Refusal::no_such_edge : check_split(mesh_, where);
+    const Refusal refusal = check_split(mesh_, where, record.v_t);
     if (refusal != Refusal::granted) {
       if (report_.operations_without_rule++ == 0)
         report_.faults.push_back(

@@ -212,6 +212,73 @@ TEST(Operations, AnyValence) {
   }
 }
 
+// A fan of k triangles around vertex 0, with one triangle behind each: a boundary vertex of a chosen valence.
+StripMesh open_fan(Vertex k) {
+  std::vector<sample::Corners> triangles;
+  for (Vertex i = 1; i <= k; ++i) {
+    triangles.push_back({0, i, i + 1});
+    triangles.push_back({i + 1, i, k + 1 + i});
+  }
+  return StripMesh::build(triangles, 2 * k + 2);
+}
+
+// Rule::valid promises that a patch with colours that no strips have becomes dashed, its ports left as they are. Here
+// patches get a triangle of three solid edges or a solid cycle, and nothing but the patch is solid.
+TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
+  for (const Vertex k : {5U, 12U, 40U, 61U, 62U, 100U, 1000U}) {
+    for (const bool closed : {true, false}) {
+      for (const bool cycle : {true, false}) {
+        if (cycle && !closed) continue;  // an open fan has none
+        for (const bool collapses : {true, false}) {
+          SCOPED_TRACE(testing::Message() << k << (closed ? " closed" : " open") << (cycle ? " cycle" : " degree")
+                                          << (collapses ? " collapse" : " split"));
+          StripMesh mesh = closed ? sample::double_cone(k) : open_fan(k);
+          std::vector<Halfedge> spokes;
+          detail::for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
+          const Where where{spokes[k / 2], spokes[1]};
+          Halfedge chord{};
+          if (collapses) {
+            chord = split(mesh, where).halfedge;
+            mesh.clear_colors();
+            spokes.clear();
+            // One end of the new mesh edge is inside.
+            const Vertex center = mesh.leaves_boundary(chord) ? mesh.to(chord) : mesh.from(chord);
+            detail::for_each_spoke(mesh, center, [&](Halfedge h) { spokes.push_back(h); });
+          }
+          if (cycle) {
+            for (const Halfedge h : spokes) mesh.set_solid(h, true);
+          } else {
+            // A triangle of the fan, not one of the two that come and go, with a neighbour on every side.
+            const auto in_patch = [&](Triangle t) {
+              const auto c = mesh.corners(t);
+              const auto has = [&](Vertex v) { return std::find(c.begin(), c.end(), v) != c.end(); };
+              return collapses ? has(mesh.from(chord)) != has(mesh.to(chord)) : has(0);
+            };
+            const auto inside = [&](Triangle t) {
+              return !StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, 0))) &&
+                     !StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, 1))) &&
+                     !StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, 2)));
+            };
+            Triangle t = 0;
+            while (!in_patch(t) || !inside(t)) ASSERT_LT(++t, mesh.triangle_bound());
+            for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(t, side), true);
+          }
+          const ColoringReport before = check_coloring(mesh);
+          ASSERT_FALSE(before.valid);
+          const std::size_t ports = cycle ? 0 : 1;
+          const std::size_t solid = cycle ? spokes.size() : 3;
+          const auto done = collapses ? collapse(mesh, chord) : split(mesh, where);
+          const ColoringReport after = check_coloring(mesh);
+          EXPECT_TRUE(after.valid);
+          EXPECT_EQ(after.strips, after.triangles - ports);
+          EXPECT_EQ(done.strips, (collapses ? -2 : 2) + static_cast<int>(solid - ports));
+          EXPECT_EQ(done.valence, k);
+        }
+      }
+    }
+  }
+}
+
 TEST(Operations, AdoptionLeavesFewAlone) {
   StripMesh mesh = sample::rectangle(20, 20);
   Walk walk(mesh, 3, 1000000);

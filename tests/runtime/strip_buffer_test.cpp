@@ -126,6 +126,58 @@ TEST(StripBuffer, RunsDoNotCrumble) {
   EXPECT_LT(buffer.indices().size(), 2 * buffer.used() + 2048);
 }
 
+// Runs have at least two triangles, whatever is asked for.
+TEST(StripBuffer, RunsAreNeverShorterThanTwo) {
+  StripMesh mesh = sample::torus(12, 9);
+  stripify(mesh);
+  const StripBuffer two(mesh, 2);
+  EXPECT_GE(two.runs(), mesh.triangle_count() / 2);
+  EXPECT_EQ(drawn(two.indices()), triangles_of(mesh));
+  for (const std::uint32_t max_run : {0U, 1U}) {
+    const StripBuffer buffer(mesh, max_run);
+    EXPECT_TRUE(
+        std::equal(buffer.indices().begin(), buffer.indices().end(), two.indices().begin(), two.indices().end()));
+  }
+}
+
+// A watch goes where its mesh is moved, and nowhere else.
+TEST(StripMesh, AWatchMovesWithItsMesh) {
+  const auto changes = [](StripMesh& mesh, const std::vector<Triangle>& list) {
+    const std::size_t before = list.size();
+    const StripMesh::Halfedge h = mesh.spoke(0);
+    mesh.set_solid(h, !mesh.solid(h));
+    return list.size() - before;
+  };
+  std::vector<Triangle> list;
+  std::vector<Triangle> other_list;
+  StripMesh mesh = sample::torus(4, 3);
+  mesh.watch(&list);
+  EXPECT_EQ(changes(mesh, list), 2U);
+
+  StripMesh moved = std::move(mesh);
+  EXPECT_EQ(changes(moved, list), 2U);
+  mesh = sample::octahedron();  // no longer watched, and a new mesh is not either
+  EXPECT_EQ(changes(mesh, list), 0U);
+
+  moved = sample::octahedron();  // a mesh without a watch is assigned: moved keeps its own
+  EXPECT_EQ(changes(moved, list), 2U);
+  const StripMesh original = sample::octahedron();
+  moved = original;
+  EXPECT_EQ(changes(moved, list), 2U);
+
+  mesh.watch(&other_list);
+  std::swap(mesh, moved);
+  EXPECT_EQ(changes(mesh, list), 2U);
+  EXPECT_EQ(changes(moved, other_list), 2U);
+
+  moved = std::move(mesh);  // two watches, one mesh: the one that comes along stays
+  EXPECT_EQ(changes(moved, list), 2U);
+  EXPECT_EQ(changes(moved, other_list), 0U);
+
+  StripMesh copy = moved;
+  EXPECT_EQ(changes(copy, list), 0U);
+}
+
 TEST(StripMesh, ACopyIsNotWatched) {
   StripMesh mesh = sample::torus(5, 5);
   std::vector<Triangle> changed;

@@ -81,6 +81,7 @@ Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
 /// well, nothing has changed.
 template <ColoredMesh Mesh>
 Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
+  RESTRIP_ASSERT(detail::knows(mesh, h), "adopt", describe(Refusal::no_such_edge));
   return detail::adopt_with(mesh, h, depth, [&mesh](auto g, bool solid) { mesh.set_solid(g, solid); });
 }
 
@@ -109,12 +110,14 @@ Mending mend_around(const Mesh& mesh, typename Mesh::Halfedge h, Mend&& mend) {
 /// spoke).
 template <ColoredMesh Mesh>
 Mending adopt_around(Mesh& mesh, typename Mesh::Halfedge h) {
+  RESTRIP_ASSERT(detail::knows(mesh, h), "adopt_around", describe(Refusal::no_such_edge));
   return detail::mend_around(mesh, h, [&](typename Mesh::Halfedge g) { return adopt(mesh, g); });
 }
 
 /// Adopts what a flip isolated: its two triangles and the four around them. h is the turned edge.
 template <ColoredMesh Mesh>
 Mending adopt_after_flip(Mesh& mesh, typename Mesh::Halfedge h) {
+  RESTRIP_ASSERT(detail::knows(mesh, h), "adopt_after_flip", describe(Refusal::no_such_edge));
   Mending sum;
   for (const auto inner : {h, mesh.opposite(h)}) {
     if (mesh.on_boundary(inner)) continue;
@@ -139,6 +142,8 @@ Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Mending mending) {
 template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_and_adopt(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                                  Name... name) {
+  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_and_adopt",
+                 describe(detail::refusal_of_split(mesh, where, name...)));
   const auto done = split(mesh, where, name...);
   return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
 }
@@ -146,6 +151,8 @@ Rewrite<typename Mesh::Halfedge> split_and_adopt(Mesh& mesh, const VertexSplit<t
 /// collapse(), then adoption where the rule isolated somebody.
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_and_adopt(Mesh& mesh, typename Mesh::Halfedge chord) {
+  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_and_adopt",
+                 describe(detail::refusal_of_collapse(mesh, chord)));
   const auto done = collapse(mesh, chord);
   return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
 }
@@ -153,6 +160,8 @@ Rewrite<typename Mesh::Halfedge> collapse_and_adopt(Mesh& mesh, typename Mesh::H
 /// flip(), then adoption. The Rewrite tells what both did.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_adopt(Mesh& mesh, typename Mesh::Halfedge h) {
+  RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_adopt",
+                 describe(detail::refusal_of_flip(mesh, h)));
   const auto done = flip(mesh, h);
   return detail::with(done, adopt_after_flip(mesh, done.halfedge));
 }

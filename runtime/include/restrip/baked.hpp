@@ -64,6 +64,9 @@ int flip_colors(Mesh& mesh, std::span<const typename Mesh::Halfedge> flips) {
   const std::span<Word> dashed = many.empty() ? std::span<Word>(few) : std::span<Word>(many);
   int more = 0;
   for (std::size_t i = 0; i < flips.size(); ++i) {
+    RESTRIP_ASSERT(knows(mesh, flips[i]), "flips of a baked record", describe(Refusal::no_such_edge));
+    RESTRIP_ASSERT(!mesh.on_boundary(flips[i]) && !mesh.on_boundary(mesh.opposite(flips[i])), "flips of a baked record",
+                   describe(Refusal::boundary_edge));
     const bool solid = mesh.solid(flips[i]);
     if (!solid) dashed[i / word_bits] |= bit(i % word_bits);
     more += solid ? -1 : 1;
@@ -97,13 +100,16 @@ struct FallingEdge {
 }  // namespace detail
 
 /// Splits a vertex, colours the mesh plainly and flips `flips`, halfedges of the mesh after the split. Preconditions:
-/// those of the mesh operation, and the mesh in the state that the flips were baked for; neither is tested. `name`: the
-/// new vertex, for meshes that let the caller name it. Constant time but for the mesh operation and the flips; nothing
-/// is allocated but what the mesh allocates to grow, and one bit for each flip of a record with more than 512. After an
-/// exception the colouring is valid (mesh.hpp), but not one that further flips were baked for.
+/// those of split(), and the mesh in the state that the flips were baked for; of the latter debug builds check only
+/// that each flip is a dual edge of the mesh. `name`: the new vertex, for meshes that let the caller name it. Constant
+/// time but for the mesh operation and the flips; nothing is allocated but what the mesh allocates to grow, and one bit
+/// for each flip of a record with more than 512. After an exception the colouring is valid (mesh.hpp), but not one that
+/// further flips were baked for.
 template <SplittableMesh Mesh, class... Name>
 BakedRewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                                   std::span<const typename Mesh::Halfedge> flips, Name... name) {
+  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_baked",
+                 describe(detail::refusal_of_split(mesh, where, name...)));
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   const bool left = where.spokes != Spokes::right_only && mesh.solid(where.left);
   const bool right = where.spokes != Spokes::left_only && mesh.solid(where.right);
@@ -124,6 +130,8 @@ BakedRewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<
 template <CollapsibleMesh Mesh>
 BakedRewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::Halfedge chord,
                                                      std::span<const typename Mesh::Halfedge> flips) {
+  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_baked",
+                 describe(detail::refusal_of_collapse(mesh, chord)));
   const int more = detail::flip_colors(mesh, flips);
   const detail::FallingEdge<Mesh> left(mesh, chord);
   const detail::FallingEdge<Mesh> right(mesh, mesh.opposite(chord));
@@ -163,6 +171,8 @@ class BakedPlayer {
 
   /// After an exception the player is out of step.
   BakedRewrite<Halfedge> split(std::size_t record, const VertexSplit<Halfedge>& where, auto... name) {
+    RESTRIP_ASSERT(detail::refusal_of_split(*mesh_, where, name...) == Refusal::granted, "BakedPlayer::split",
+                   describe(detail::refusal_of_split(*mesh_, where, name...)));
     if (can_split(record)) {
       leave_step();
       const auto done = split_baked(*mesh_, where, (*records_)[record], name...);
@@ -174,6 +184,8 @@ class BakedPlayer {
     return {done.halfedge, done.strips};
   }
   BakedRewrite<Halfedge> collapse(std::size_t record, Halfedge chord) {
+    RESTRIP_ASSERT(detail::refusal_of_collapse(*mesh_, chord) == Refusal::granted, "BakedPlayer::collapse",
+                   describe(detail::refusal_of_collapse(*mesh_, chord)));
     if (can_collapse(record)) {
       leave_step();
       const auto done = collapse_baked(*mesh_, chord, (*records_)[record]);

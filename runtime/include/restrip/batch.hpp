@@ -32,7 +32,8 @@ struct SplitRequest {
 struct BatchOptions {
   /// 1: this thread alone; 0: as many as the machine runs. Batches of a few operations stay in this thread.
   unsigned threads = 1;
-  /// True: the caller knows that every operation is granted and that no two overlap (PatchClaims); nothing is checked.
+  /// True: the caller knows that every operation is granted and that no two overlap (PatchClaims); nothing is checked,
+  /// but in debug builds (precondition.hpp).
   bool checked = false;
 };
 
@@ -104,8 +105,7 @@ struct Overlap {
 /// Two operations overlap when they claim the same triangle or the same vertex:
 ///  - a split claims the triangles around v_s. It reads the colour of a port in its own triangle and writes no link of
 ///    the triangle across, so that one stays free. It claims the vertex that a spoke without left triangle enters,
-///    whose first spoke moves (that vertex may join several fans where the mesh is no manifold), and the new vertex if
-///    named;
+///    whose first spoke moves, and the new vertex if named;
 ///  - a collapse claims the triangles around v_s and v_t, and the apexes v_l and v_r, whose first spokes it reads and
 ///    may write.
 /// Operations that do not overlap, each granted by its check, stay granted when others of them have been done.

@@ -1,7 +1,16 @@
-// Preconditions of split, collapse and flip on a StripMesh: may this operation be done, and if not, why not.
+// Preconditions of split, collapse and flip on a StripMesh: is this operation legal, and if not, why?
 //
-// A check changes nothing. Operations do not check by themselves, because a progressive mesh has been checked when it
-// was made; call these for operations of unknown origin.
+// A check changes nothing. An operation is granted exactly when all of this holds:
+//  - its halfedges are those of the mesh, and the vertices v_h, v_s, v_t, v_l, v_r that it names are regular
+//    (StripMesh::irregular), but for the new one, which has no triangle yet;
+//  - closed fans that are split have three triangles or more;
+//  - the mesh after it is as good as the one before: no edge of three triangles, no new irregular vertex, every
+//  interior
+//    vertex of the operation with three triangles or more, no vertex lost but the one that a collapse removes, the same
+//    topology.
+//
+// In debug builds (precondition.hpp) operations call these and abort on a refusal; with NDEBUG they check nothing. For
+// operations of unknown origin call these first, or checked_split() and friends (checked.hpp).
 #pragma once
 
 #include <algorithm>
@@ -9,58 +18,10 @@
 #include <tuple>
 #include <vector>
 
+#include "restrip/refusal.hpp"
 #include "restrip/strip_mesh.hpp"
 
 namespace restrip {
-
-/// Why an operation is refused.
-enum class Refusal {
-  granted,             ///< it may be done
-  no_such_edge,        ///< the halfedge is not one of the mesh
-  different_vertices,  ///< the two spokes of a split do not leave the same vertex
-  same_spoke,          ///< the two spokes of a split are the same
-  irregular_vertex,    ///< a vertex of the operation is one where the mesh is no manifold
-                       ///< (BuildReport::irregular_vertices)
-  boundary_edge,       ///< a flip needs a triangle on both sides
-  spoke_on_boundary,   ///< a one-sided split needs a boundary vertex
-  joins_boundaries,  ///< the edge is interior, but both its ends are on the boundary: the collapse would pinch the mesh
-  link_condition,    ///< the ends of the edge have a common neighbour besides the apexes: the collapse would fold the
-                     ///< mesh
-  too_few_triangles,  ///< a closed fan of fewer than three triangles would remain
-  dangling_edge,      ///< a triangle to be removed hangs on the others by the collapsed edge alone
-  edge_exists         ///< the flipped edge is in the mesh already
-};
-
-/// One sentence for a person.
-[[nodiscard]] constexpr const char* describe(Refusal refusal) noexcept {
-  switch (refusal) {
-    case Refusal::granted:
-      return "the operation is possible";
-    case Refusal::no_such_edge:
-      return "the halfedge is not one of this mesh";
-    case Refusal::different_vertices:
-      return "the two spokes do not leave the same vertex";
-    case Refusal::same_spoke:
-      return "the two spokes are the same";
-    case Refusal::irregular_vertex:
-      return "the mesh is not a manifold at one of the vertices";
-    case Refusal::boundary_edge:
-      return "the edge lies on the boundary";
-    case Refusal::spoke_on_boundary:
-      return "a split with one spoke needs a vertex on the boundary";
-    case Refusal::joins_boundaries:
-      return "an interior edge between two boundary vertices: collapsing it would pinch the mesh";
-    case Refusal::link_condition:
-      return "the ends of the edge have another common neighbour: collapsing it would fold the mesh";
-    case Refusal::too_few_triangles:
-      return "fewer than three triangles would remain around a vertex";
-    case Refusal::dangling_edge:
-      return "a triangle beside the edge has no other neighbour: collapsing it would leave a dangling edge";
-    case Refusal::edge_exists:
-      return "the flipped edge exists already";
-  }
-  return "unknown";
-}
 
 namespace detail {
 
@@ -125,18 +86,26 @@ inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex
 
 }  // namespace detail
 
-/// May the vertex be split there? Constant time.
-[[nodiscard]] inline Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where) {
+/// May the vertex be split there? `new_vertex`: what the caller names the vertex to be made, or `none` for the next
+/// free one. O(1).
+[[nodiscard]] inline Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
+                                         Vertex new_vertex = none) {
   using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
-  const bool both = where.spokes == Spokes::both;
-  const StripMesh::Halfedge first = where.spokes == Spokes::right_only ? where.right : where.left;
-  if (!mesh.alive(first) || (both && !mesh.alive(where.right))) return Refusal::no_such_edge;
-  if (both && mesh.from(where.left) != mesh.from(where.right)) return Refusal::different_vertices;
-  if (both && where.left == where.right) return Refusal::same_spoke;
-  if (mesh.irregular(mesh.from(first))) return Refusal::irregular_vertex;
-  if (!both && !mesh.leaves_boundary(first)) return Refusal::spoke_on_boundary;
-  if (!mesh.leaves_boundary(first) && detail::spokes_up_to(mesh, mesh.from(first), 3) < 3)
-    return Refusal::too_few_triangles;
+  const bool has_left = where.spokes != Spokes::right_only;
+  const bool has_right = where.spokes != Spokes::left_only;
+  if ((has_left && !mesh.alive(where.left)) || (has_right && !mesh.alive(where.right))) return Refusal::no_such_edge;
+  const StripMesh::Halfedge first = has_left ? where.left : where.right;
+  if (has_left && has_right) {
+    if (mesh.from(where.left) != mesh.from(where.right)) return Refusal::different_vertices;
+    if (where.left == where.right) return Refusal::same_spoke;
+  }
+  if (mesh.irregular(mesh.from(first)) || (has_left && mesh.irregular(mesh.to(where.left))) ||
+      (has_right && mesh.irregular(mesh.to(where.right))))
+    return Refusal::irregular_vertex;
+  if (!(has_left && has_right) && !mesh.leaves_boundary(first)) return Refusal::spoke_on_boundary;
+  if (!detail::keeps_enough(mesh, first, 0)) return Refusal::too_few_triangles;
+  // `none` is above every bound.
+  if (new_vertex < mesh.vertex_bound() && mesh.spoke(new_vertex).id != none) return Refusal::vertex_in_use;
   return Refusal::granted;
 }
 
@@ -169,12 +138,7 @@ template <class Shared>
     if (mesh.irregular(*apex)) return Refusal::irregular_vertex;
     if (!keeps_enough(mesh, down, 1)) return Refusal::too_few_triangles;
   }
-  if (v_l == v_r) return Refusal::link_condition;
-
-  constexpr std::size_t enough = 3 + 4;
-  if (!tail_on_boundary && !head_on_boundary &&
-      spokes_up_to(mesh, v_s, enough) + spokes_up_to(mesh, v_t, enough) < enough)
-    return Refusal::too_few_triangles;
+  // Of a fan of three triangles or more, because in the one other case, a tetrahedron, the apexes have too few.
   return shared(v_s, v_t, v_l, v_r) ? Refusal::link_condition : Refusal::granted;
 }
 
@@ -198,9 +162,8 @@ template <class Shared>
   const Vertex r = mesh.to(StripMesh::next(back));
   for (const Vertex v : {mesh.from(h), mesh.to(h), l, r})
     if (mesh.irregular(v)) return Refusal::irregular_vertex;
-  if (l == r || mesh.spoke(l, r).id != none) return Refusal::edge_exists;
-  if (!detail::keeps_enough(mesh, h, 1) || !detail::keeps_enough(mesh, back, 1)) return Refusal::too_few_triangles;
-  return Refusal::granted;
+  // The ends of the edge keep enough triangles: where one has three, l and r are neighbours; where it has two, l is r.
+  return l == r || mesh.spoke(l, r).id != none ? Refusal::edge_exists : Refusal::granted;
 }
 
 }  // namespace restrip

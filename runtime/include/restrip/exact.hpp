@@ -11,7 +11,7 @@
 // closed fan either bit stands for the pair. Bits of `joined` without a solid port are ignored. Any pair of masks is
 // safe: a key that no valid configuration has still gets the best recolouring that joins no other pairs. Positions are
 // any: 1 <= a < k, gaps i < j, not only those listed in docs/notation.md. A position out of range is a programming
-// error, asserted. k is less than 2^26.
+// error, found in debug builds (precondition.hpp). k is less than 2^26.
 //
 // Cost. Time linear in k. On words, and on bit strings with k <= 64: no allocation, nothing thrown. Longer bit strings:
 // one allocation of about four bytes for each triangle.
@@ -21,7 +21,6 @@
 // detail/strand_sweep.hpp.
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 #include <vector>
 
@@ -29,6 +28,7 @@
 #include "restrip/detail/best_recoloring.hpp"
 #include "restrip/detail/layout.hpp"
 #include "restrip/key.hpp"
+#include "restrip/precondition.hpp"
 
 namespace restrip::exact {
 
@@ -60,13 +60,11 @@ constexpr Value value_of(engine::Score score) noexcept {
 }
 
 constexpr Value on_stack(const Layout& patch, BitSpan ports, BitSpan joined, MutableBitSpan colors) noexcept {
-  assert(patch.k <= max_stack_valence);
   engine::Step steps[2 * (max_stack_valence + 2)];
   return value_of(engine::best_recoloring(patch, ports, joined, steps, colors));
 }
 
 constexpr Recoloring on_word(const Layout& patch, Word ports, Word joined) noexcept {
-  assert(patch.k <= max_word_valence);
   Recoloring result;
   result.value = on_stack(patch, BitSpan::of(ports), BitSpan::of(joined), MutableBitSpan::of(result.colors));
   return result;
@@ -84,26 +82,31 @@ inline Value on_bits(const Layout& patch, BitSpan ports, BitSpan joined, Mutable
 
 /// Closed fan to ring with chord, k >= 2, 1 <= a < k: `colors` is `inner`, k + 3 bits.
 constexpr Recoloring best_split(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "exact::best_split", restrip::detail::no_such_arc);
   return detail::on_word(restrip::detail::ring_with_chord(k, a), ports, joined);
 }
 
 /// Ring with chord to closed fan, k >= 1, whatever the position: `colors` is `loop`, k bits.
 constexpr Recoloring best_collapse(std::size_t k, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_collapse", restrip::detail::no_such_fan);
   return detail::on_word(restrip::detail::closed_fan(k), ports, joined);
 }
 
 /// Open fan to path with chord, 0 <= i < j <= k: `colors` is `inner`, k + 2 bits.
 constexpr Recoloring best_open_split(std::size_t k, std::size_t i, std::size_t j, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "exact::best_open_split", restrip::detail::no_such_gaps);
   return detail::on_word(restrip::detail::path_with_chord(k, i, j), ports, joined);
 }
 
 /// Open fan to path, k >= 1, 0 <= i <= k: `colors` is `inner`, k bits.
 constexpr Recoloring best_boundary_split(std::size_t k, std::size_t i, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "exact::best_boundary_split", restrip::detail::no_such_gap);
   return detail::on_word(restrip::detail::path(k, i), ports, joined);
 }
 
 /// Path, with chord or without, to open fan, k >= 1, whatever the position: `colors` is `loop`, k - 1 bits.
 constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_fan_collapse", restrip::detail::no_such_fan);
   return detail::on_word(restrip::detail::open_fan(k), ports, joined);
 }
 
@@ -113,27 +116,32 @@ constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined) n
 
 /// `inner` has k + 3 bits.
 inline Value best_split(std::size_t k, std::size_t a, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
+  RESTRIP_ASSERT(1 <= a && a < k, "exact::best_split", restrip::detail::no_such_arc);
   return detail::on_bits(restrip::detail::ring_with_chord(k, a), ports, joined, inner);
 }
 
 /// `loop` has k bits.
 inline Value best_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
+  RESTRIP_ASSERT(k >= 1, "exact::best_collapse", restrip::detail::no_such_fan);
   return detail::on_bits(restrip::detail::closed_fan(k), ports, joined, loop);
 }
 
 /// `inner` has k + 2 bits.
 inline Value best_open_split(std::size_t k, std::size_t i, std::size_t j, BitSpan ports, BitSpan joined,
                              MutableBitSpan inner) {
+  RESTRIP_ASSERT(i < j && j <= k, "exact::best_open_split", restrip::detail::no_such_gaps);
   return detail::on_bits(restrip::detail::path_with_chord(k, i, j), ports, joined, inner);
 }
 
 /// `inner` has k bits.
 inline Value best_boundary_split(std::size_t k, std::size_t i, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
+  RESTRIP_ASSERT(k >= 1 && i <= k, "exact::best_boundary_split", restrip::detail::no_such_gap);
   return detail::on_bits(restrip::detail::path(k, i), ports, joined, inner);
 }
 
 /// `loop` has k - 1 bits; nothing is written when k = 1.
 inline Value best_fan_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
+  RESTRIP_ASSERT(k >= 1, "exact::best_fan_collapse", restrip::detail::no_such_fan);
   return detail::on_bits(restrip::detail::open_fan(k), ports, joined, loop);
 }
 

@@ -34,6 +34,7 @@
 #include "restrip/rounds.hpp"
 #include "restrip/strip_index.hpp"
 #include "restrip/strip_mesh.hpp"
+#include "restrip/strips.hpp"
 #include "restrip/tunnel.hpp"
 
 namespace restrip {
@@ -74,7 +75,9 @@ struct Search {
 }
 
 /// Keeps the strips of one mesh. While a keeper is in use, colour and change the mesh through it alone; after any other
-/// change call rebuild(). The mesh must outlive the keeper and have a valid colouring (all dashed is one).
+/// change call rebuild(). The mesh must outlive the keeper and have a valid colouring (all dashed is one;
+/// check_coloring in strips.hpp tells). Where the keeper reads the whole mesh anew, it throws std::invalid_argument
+/// when the colouring is not valid.
 class StripKeeper {
  public:
   using Halfedge = StripMesh::Halfedge;
@@ -100,6 +103,8 @@ class StripKeeper {
   /// joined as well, so it is often negative; `isolated` what tunnelling and adoption saved.
   Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none) {
     using Spokes = VertexSplit<Halfedge>::Spokes;
+    RESTRIP_ASSERT(check_split(*mesh_, where, new_vertex) == Refusal::granted, "StripKeeper::split",
+                   describe(check_split(*mesh_, where, new_vertex)));
     begin();
     if (!tunnels())
       return counted(linked_ ? split_and_link(*mesh_, where, new_vertex) : split_and_adopt(*mesh_, where, new_vertex));
@@ -111,6 +116,8 @@ class StripKeeper {
     return finish(done);
   }
   Rewrite<Halfedge> collapse(Halfedge chord) {
+    RESTRIP_ASSERT(check_collapse(*mesh_, chord) == Refusal::granted, "StripKeeper::collapse",
+                   describe(check_collapse(*mesh_, chord)));
     begin();
     if (!tunnels()) return counted(linked_ ? collapse_and_link(*mesh_, chord) : collapse_and_adopt(*mesh_, chord));
     detail::edge_triangles(*mesh_, chord, patch_);
@@ -120,6 +127,7 @@ class StripKeeper {
     return finish(done);
   }
   Rewrite<Halfedge> flip(Halfedge h) {
+    RESTRIP_ASSERT(check_flip(*mesh_, h) == Refusal::granted, "StripKeeper::flip", describe(check_flip(*mesh_, h)));
     begin();
     if (!tunnels()) return counted(linked_ ? flip_and_link(*mesh_, h) : flip_and_adopt(*mesh_, h));
     patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_->opposite(h))});
@@ -147,21 +155,17 @@ class StripKeeper {
     return before - strips_;
   }
 
-  /// Reads the mesh anew. Linear time.
+  /// Reads the mesh anew. Linear time. Throws std::invalid_argument when its colouring is not valid; the keeper must
+  /// not be used then until rebuild() succeeds.
   void rebuild() {
     up_to_date_ = false;
     rounds_.restart();
     if (tunnels()) {
       index_.rebuild(*mesh_);
       strips_ = index_.strips();
-      up_to_date_ = true;
-      return;
+    } else {
+      strips_ = count_strips(*mesh_);
     }
-    // A strip has one triangle more than it has edges.
-    std::size_t degrees = 0;
-    for (Triangle t = 0; t < mesh_->triangle_bound(); ++t)
-      if (mesh_->alive(t)) degrees += mesh_->solid_degree(t);
-    strips_ = mesh_->triangle_count() - degrees / 2;
     up_to_date_ = true;
   }
   void reserve(std::size_t triangles) { index_.reserve(triangles); }

@@ -15,17 +15,18 @@
 // Each function comes twice. On masks it takes constant time, allocates nothing, and is constexpr; it serves
 // k <= max_word_valence. On bit strings it serves any k in time linear in k and allocates nothing either.
 //
-// Bad input. A position out of range or k beyond the limit is a programming error, asserted. The joined_ functions want
+// Bad input. A position out of range or k beyond the limit is a programming error, found in debug builds
+// (precondition.hpp). The joined_ functions want
 // valid colours; for others their result has no meaning, but they return, and stay inside their arguments.
 #pragma once
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cstddef>
 
 #include "restrip/bits.hpp"
 #include "restrip/detail/layout.hpp"
+#include "restrip/precondition.hpp"
 
 namespace restrip {
 
@@ -67,7 +68,7 @@ constexpr Word joined_by_chord(const Layout& patch, Word edges, Word ports) noex
 /// carry through the run of solid edges, which are ones, and it comes to rest on the element where the run ends. Valid
 /// colours have at most one start in a run, and it sits at the run's lower end.
 constexpr Word joined(const Layout& patch, Word inner, Word fan_ports) noexcept {
-  assert(patch.k <= max_word_valence);
+  RESTRIP_ASSERT(patch.k <= max_word_valence, "key of a mask", no_such_fan);
   const Word ports = patch.spread(fan_ports);
   const Word edges = inner & low_bits(patch.edges());
   Word ends = edges + (ports & edges);
@@ -78,7 +79,7 @@ constexpr Word joined(const Layout& patch, Word inner, Word fan_ports) noexcept 
 }
 
 constexpr bool valid(const Layout& patch, Word inner, Word fan_ports) noexcept {
-  assert(patch.k <= max_word_valence);
+  RESTRIP_ASSERT(patch.k <= max_word_valence, "key of a mask", no_such_fan);
   if ((inner & ~low_bits(patch.colors())) != 0 || (fan_ports & ~low_bits(patch.k)) != 0) return false;
   const Word edges = inner & low_bits(patch.edges());
   const Word below = (edges << 1) | (patch.ring ? edges >> (patch.size() - 1) : 0);
@@ -102,10 +103,12 @@ constexpr bool valid(const Layout& patch, Word inner, Word fan_ports) noexcept {
 
 // Closed fan, k >= 3: loop has k bits.
 constexpr Word joined_closed(std::size_t k, Word loop, Word ports) noexcept {
+  RESTRIP_ASSERT(k >= 3 && k <= max_word_valence, "joined_closed", detail::no_such_closed_fan);
   const Word ends = loop + (ports & loop);
   return ((ends & low_bits(k)) + (ends >> k)) & ~loop & ports;
 }
 constexpr bool valid_closed(std::size_t k, Word loop, Word ports) noexcept {
+  RESTRIP_ASSERT(k >= 3 && k <= max_word_valence, "valid_closed", detail::no_such_closed_fan);
   const Word all = low_bits(k);
   const Word below = loop << 1 | loop >> (k - 1);
   return ((loop | ports) & ~all) == 0 && (loop & below & ports) == 0 && loop != all;
@@ -113,9 +116,11 @@ constexpr bool valid_closed(std::size_t k, Word loop, Word ports) noexcept {
 
 // Open fan, k >= 1: loop has k - 1 bits.
 constexpr Word joined_open(std::size_t k, Word loop, Word ports) noexcept {
+  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "joined_open", detail::no_such_fan);
   return detail::joined(detail::open_fan(k), loop, ports);
 }
 constexpr bool valid_open(std::size_t k, Word loop, Word ports) noexcept {
+  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "valid_open", detail::no_such_fan);
   return detail::valid(detail::open_fan(k), loop, ports);
 }
 
@@ -126,6 +131,7 @@ constexpr Word ring_ports(std::size_t a, Word ports) noexcept {
 
 // Ring with chord, 1 <= a < k: inner has k + 3 bits.
 constexpr Word joined_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+  RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "joined_ring", detail::no_such_arc);
   const Word edges = inner & low_bits(k + 2);
   const Word elements = ring_ports(a, ports);
   const Word ends = edges + (elements & edges);
@@ -134,6 +140,7 @@ constexpr Word joined_ring(std::size_t k, std::size_t a, Word inner, Word ports)
   return (result >> 1 & low_bits(a)) | (result >> (a + 2)) << a;
 }
 constexpr bool valid_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+  RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "valid_ring", detail::no_such_arc);
   const Word all = low_bits(k + 2);
   const Word edges = inner & all;
   const Word chord = inner >> (k + 2) & 1;
@@ -147,17 +154,21 @@ constexpr bool valid_ring(std::size_t k, std::size_t a, Word inner, Word ports) 
 
 // Path with chord, 0 <= i < j <= k: inner has k + 2 bits.
 constexpr Word joined_path_with_chord(std::size_t k, std::size_t i, std::size_t j, Word inner, Word ports) noexcept {
+  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "joined_path_with_chord", detail::no_such_gaps);
   return detail::joined(detail::path_with_chord(k, i, j), inner, ports);
 }
 constexpr bool valid_path_with_chord(std::size_t k, std::size_t i, std::size_t j, Word inner, Word ports) noexcept {
+  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "valid_path_with_chord", detail::no_such_gaps);
   return detail::valid(detail::path_with_chord(k, i, j), inner, ports);
 }
 
 /// Path, 0 <= i <= k: inner has k bits.
 constexpr Word joined_path(std::size_t k, std::size_t i, Word inner, Word ports) noexcept {
+  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "joined_path", detail::no_such_gap);
   return detail::joined(detail::path(k, i), inner, ports);
 }
 constexpr bool valid_path(std::size_t k, std::size_t i, Word inner, Word ports) noexcept {
+  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "valid_path", detail::no_such_gap);
   return detail::valid(detail::path(k, i), inner, ports);
 }
 

@@ -154,6 +154,7 @@ constexpr Word first_sound(const Table& table, std::size_t k, std::size_t place,
 template <class LookOut>
 [[nodiscard]] constexpr Rule linked_split_rule(SplitPosition at, Word loop, Word ports, LookOut&& look_out) {
   const auto [k, a] = at;
+  RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "linked_split_rule", detail::no_such_split);
   if (k > table_max_k || !valid_closed(k, loop, ports)) return split_rule(at, loop, ports);
   const bool exchange = 2 * a > k;  // as in split_cell
   const std::size_t by = exchange ? a : 0;
@@ -170,6 +171,7 @@ template <class LookOut>
 template <class LookOut>
 [[nodiscard]] constexpr Rule linked_collapse_rule(SplitPosition at, Word inner, Word ports, LookOut&& look_out) {
   const auto [k, a] = at;
+  RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "linked_collapse_rule", detail::no_such_split);
   if (k > table_max_k || !valid_ring(k, a, inner, ports)) return collapse_rule(at, inner, ports);
   detail::Outlook<std::remove_reference_t<LookOut>> outlook(k, 0, ports, joined_ring(k, a, inner, ports),
                                                             detail::pair_over_chord(k, a, inner, ports), look_out);
@@ -262,6 +264,7 @@ Side same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Half
 /// triangles are looked at for each.
 template <ColoredMesh Mesh>
 Mending link_end(Mesh& mesh, typename Mesh::Halfedge h, std::size_t reach = default_reach) {
+  RESTRIP_ASSERT(detail::knows(mesh, h), "link_end", describe(Refusal::no_such_edge));
   int degree = detail::solid_degree(mesh, h);
   Mending done;
   for (int side = 0; side < 3 && degree < 2; ++side, h = mesh.next(h)) {
@@ -291,6 +294,8 @@ Mending link_ends_around(Mesh& mesh, typename Mesh::Halfedge h) {
 template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_and_link(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                                 Name... name) {
+  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_and_link",
+                 describe(detail::refusal_of_split(mesh, where, name...)));
   auto done = detail::split_with(detail::LinkedRules{default_reach}, mesh, where, name...);
   done = detail::with(done, detail::link_ends_around(mesh, done.halfedge));
   done = detail::with(done, detail::link_ends_around(mesh, mesh.opposite(done.halfedge)));
@@ -300,6 +305,8 @@ Rewrite<typename Mesh::Halfedge> split_and_link(Mesh& mesh, const VertexSplit<ty
 /// collapse() by linked rules.
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_and_link(Mesh& mesh, typename Mesh::Halfedge chord) {
+  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_and_link",
+                 describe(detail::refusal_of_collapse(mesh, chord)));
   auto done = detail::collapse_with(detail::LinkedRules{default_reach}, mesh, chord);
   done = detail::with(done, detail::link_ends_around(mesh, done.halfedge));
   return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
@@ -308,6 +315,8 @@ Rewrite<typename Mesh::Halfedge> collapse_and_link(Mesh& mesh, typename Mesh::Ha
 /// flip(), then links; a port that the local rule gave up without need comes back this way.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_link(Mesh& mesh, typename Mesh::Halfedge h) {
+  RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_link",
+                 describe(detail::refusal_of_flip(mesh, h)));
   auto done = flip(mesh, h);
   for (const auto inner : {done.halfedge, mesh.opposite(done.halfedge)}) {
     done = detail::with(done, link_end(mesh, inner));

@@ -27,7 +27,8 @@ namespace restrip {
 /// The *colour of a halfedge* is the colour of the dual edge that crosses its mesh edge: a halfedge and its opposite
 /// always answer the same, and a boundary edge answers false (dashed). A mesh that can tell in constant time whether
 /// the vertex of a halfedge lies on the boundary may offer `bool leaves_boundary(h)`; otherwise restrip turns around
-/// the vertex.
+/// the vertex. A mesh that can tell whether a handle is one of its own, for any handle, may offer `bool alive(h)`;
+/// debug builds ask it before each operation.
 template <class Mesh>
 concept ColoredMesh = std::regular<typename Mesh::Halfedge> &&
     requires(const Mesh& mesh, Mesh& writable, typename Mesh::Halfedge h, bool solid) {
@@ -44,8 +45,17 @@ concept ColoredMesh = std::regular<typename Mesh::Halfedge> &&
 /// Where a vertex v_h is split: along its spokes to v_l and v_r, given as halfedges that leave v_h.
 ///
 /// v_h stays as v_s; the new vertex v_t takes the triangles met when turning counter-clockwise from `right` to `left`.
-/// With both spokes, two triangles A = (v_s, v_t, v_l) and D = (v_t, v_s, v_r) are inserted. On the boundary one spoke
-/// may be missing; then the new mesh edge is itself on the boundary and one triangle is inserted:
+/// With both spokes, two triangles A = (v_s, v_t, v_l) and D = (v_t, v_s, v_r) are inserted. On a boundary vertex the
+/// order of the two spokes says which of the two vertices stays there. Turning counter-clockwise from one boundary edge
+/// of the fan to the other,
+///  - where `right` comes first, v_t takes the triangles between the spokes and is interior; v_s is on the boundary;
+///  - where `left` comes first, the turn from `right` to `left` goes on across the boundary: v_t takes the triangles at
+///    both ends of the fan and is on the boundary; v_s keeps those between the spokes and is interior.
+/// Both make the same mesh but for the names, and both are needed: each undoes a collapse of an edge with one end on
+/// the boundary, the first into that end, the second into the interior one.
+///
+/// On the boundary one spoke may be missing; then the new mesh edge is itself on the boundary, one triangle is
+/// inserted, and the other spoke is not looked at:
 ///  - left only: v_t takes the triangles clockwise of `left`, A is inserted;
 ///  - right only: v_t takes the triangles counter-clockwise of `right`, D is inserted.
 template <class Halfedge>

@@ -4,8 +4,10 @@
 // the colours after. Nothing outside the patch is read or written, so operations on disjoint patches commute. No state
 // but the colours, no allocation for fans of at most max_word_valence triangles; time linear in the valence.
 //
-// Preconditions are those of the mesh operation itself (checks.hpp has functions for StripMesh); they are not tested
-// here.
+// Preconditions are those of the mesh operation itself. Debug builds check them first and abort with the reason
+// (precondition.hpp): for a StripMesh all of checks.hpp, for other meshes what a walk around the patch tells, and
+// `bool alive(h)` where the mesh has it, or its own check_split(mesh, where), check_collapse(mesh, chord) and
+// check_flip(mesh, h), which return a Refusal, where it has those.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +18,10 @@
 #include <utility>
 
 #include "restrip/detail/interior_fan.hpp"
+#include "restrip/detail/patch_checks.hpp"
 #include "restrip/detail/patch_walk.hpp"
 #include "restrip/mesh.hpp"
+#include "restrip/precondition.hpp"
 #include "restrip/rules.hpp"
 
 namespace restrip {
@@ -75,13 +79,17 @@ inline int isolated(const Layout& patch, const LongBits& inner, const LongBits& 
   return n;
 }
 
-template <class Joined, class Best>
+// Colours that no valid stripification has get all edges dashed, as in Rule.
+template <class Best>
 Answer<LongBits> long_answer(const Layout& before, LongBits& old_colors, const Layout& after, LongBits& ports,
-                             Joined&& joined_of, Best&& best) {
+                             Best&& best) {
   Answer<LongBits> result;
-  LongBits joined;
-  joined_of(old_colors.span(before.colors()), ports.span(before.k), joined.span(before.k));
-  best(ports.span(before.k), joined.span(before.k), result.colors.span(after.colors()));
+  const Walker walker{before, old_colors.span(before.colors()), ports.span(before.k)};
+  if (walker.valid()) {
+    LongBits joined;
+    walker.joined(joined.span(before.k));
+    best(ports.span(before.k), joined.span(before.k), result.colors.span(after.colors()));
+  }
   const int nodes = static_cast<int>(after.size()) - static_cast<int>(before.size());
   result.strips = nodes - (count(result.colors) - count(old_colors));
   result.isolated = isolated(after, result.colors, ports) - isolated(before, old_colors, ports);
@@ -108,18 +116,14 @@ inline Answer<LongBits> answer_split(Fan<LongBits>& fan, bool both) {
   const std::size_t k = fan.k;
   const std::size_t low = fan.left < fan.right ? fan.left : fan.right;
   const std::size_t high = fan.left < fan.right ? fan.right : fan.left;
-  const auto of_closed = [k](BitSpan loop, BitSpan ports, MutableBitSpan joined) {
-    joined_closed(k, loop, ports, joined);
-  };
-  const auto of_open = [k](BitSpan loop, BitSpan ports, MutableBitSpan joined) { joined_open(k, loop, ports, joined); };
   if (fan.closed)
-    return long_answer(closed_fan(k), fan.loop, ring_with_chord(k, fan.right), fan.ports, of_closed,
+    return long_answer(closed_fan(k), fan.loop, ring_with_chord(k, fan.right), fan.ports,
                        [&](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_split(k, fan.right, p, j, out); });
   if (both)
     return long_answer(
-        open_fan(k), fan.loop, path_with_chord(k, low, high), fan.ports, of_open,
+        open_fan(k), fan.loop, path_with_chord(k, low, high), fan.ports,
         [&](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_open_split(k, low, high, p, j, out); });
-  return long_answer(open_fan(k), fan.loop, path(k, low), fan.ports, of_open,
+  return long_answer(open_fan(k), fan.loop, path(k, low), fan.ports,
                      [&](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_boundary_split(k, low, p, j, out); });
 }
 
@@ -221,21 +225,14 @@ inline Answer<LongBits> answer_collapse(const PatchPlace& at, LongBits& inner, L
   const auto onto_open = [k](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_fan_collapse(k, p, j, out); };
   switch (at.kind) {
     case PatchPlace::Kind::ring:
-      return long_answer(
-          ring_with_chord(k, at.a), inner, closed_fan(k), ports,
-          [&](BitSpan in, BitSpan p, MutableBitSpan joined) { joined_ring(k, at.a, in, p, joined); },
-          [k](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_collapse(k, p, j, out); });
+      return long_answer(ring_with_chord(k, at.a), inner, closed_fan(k), ports,
+                         [k](BitSpan p, BitSpan j, MutableBitSpan out) { exact::best_collapse(k, p, j, out); });
     case PatchPlace::Kind::path_with_chord:
-      return long_answer(
-          path_with_chord(k, at.i, at.j), inner, open_fan(k), ports,
-          [&](BitSpan in, BitSpan p, MutableBitSpan joined) { joined_path_with_chord(k, at.i, at.j, in, p, joined); },
-          onto_open);
+      return long_answer(path_with_chord(k, at.i, at.j), inner, open_fan(k), ports, onto_open);
     case PatchPlace::Kind::path:
       break;
   }
-  return long_answer(
-      path(k, at.i), inner, open_fan(k), ports,
-      [&](BitSpan in, BitSpan p, MutableBitSpan joined) { joined_path(k, at.i, in, p, joined); }, onto_open);
+  return long_answer(path(k, at.i), inner, open_fan(k), ports, onto_open);
 }
 
 template <class Bits, class Mesh>
@@ -311,6 +308,8 @@ Rewrite<typename Mesh::Halfedge> collapse_with(const Rules& rules, Mesh& mesh, t
 /// Splits a vertex and recolours the patch (see VertexSplit for what goes where).
 template <SplittableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where) == Refusal::granted, "split",
+                 describe(detail::refusal_of_split(mesh, where)));
   return detail::split_with(detail::LocalRules{}, mesh, where);
 }
 
@@ -319,12 +318,16 @@ template <SplittableMesh Mesh, class Vertex>
 requires requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where, Vertex v) { mesh.insert_vertex(where, v); }
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                        Vertex new_vertex) {
+  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, new_vertex) == Refusal::granted, "split",
+                 describe(detail::refusal_of_split(mesh, where, new_vertex)));
   return detail::split_with(detail::LocalRules{}, mesh, where, new_vertex);
 }
 
 /// Collapses the mesh edge of `chord` = v_s -> v_t into v_s and recolours the patch.
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
+  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse",
+                 describe(detail::refusal_of_collapse(mesh, chord)));
   return detail::collapse_with(detail::LocalRules{}, mesh, chord);
 }
 
@@ -353,6 +356,8 @@ int isolated_behind(const Mesh& mesh, std::span<const typename Mesh::Halfedge> g
 /// it, and then the triangle behind it may be left isolated, which Rewrite::isolated counts.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip(Mesh& mesh, typename Mesh::Halfedge h) {
+  RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip",
+                 describe(detail::refusal_of_flip(mesh, h)));
   using Halfedge = typename Mesh::Halfedge;
   const Halfedge g = mesh.opposite(h);
   const Halfedge first = mesh.next(h);

@@ -7,6 +7,7 @@
 
 #include "restrip/adopt.hpp"
 #include "restrip/baked.hpp"
+#include "restrip/checked.hpp"
 #include "restrip/checks.hpp"
 #include "restrip/exact.hpp"
 #include "restrip/keeper.hpp"
@@ -14,6 +15,8 @@
 #include "restrip/linked.hpp"
 #include "restrip/mesh.hpp"
 #include "restrip/operations.hpp"
+#include "restrip/precondition.hpp"
+#include "restrip/refusal.hpp"
 #include "restrip/rules.hpp"
 #include "restrip/strip_mesh.hpp"
 #include "restrip/stripify.hpp"

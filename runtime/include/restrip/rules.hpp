@@ -7,8 +7,9 @@
 // of the idea: Porcu, Sanna, Scateni, "Rewriting rules for the dual graph of a stripified CLOD mesh". Bits are numbered
 // in docs/notation.md.
 //
-// Colours that no valid stripification has (a triangle of three solid edges, a solid cycle) get `valid = false` and all
-// edges dashed, which is always sound to apply.
+// Positions: those of SplitPosition, GapPair and Gap, k <= max_word_valence; others are a programming error, found in
+// debug builds (precondition.hpp). Colours that no valid stripification has (a triangle of three solid edges, a solid
+// cycle) get `valid = false` and all edges dashed, which is always sound to apply.
 #pragma once
 
 #include <bit>
@@ -18,6 +19,7 @@
 #include "restrip/detail/shortened.hpp"
 #include "restrip/exact.hpp"
 #include "restrip/key.hpp"
+#include "restrip/precondition.hpp"
 #include "restrip/tables/boundary_split.hpp"
 #include "restrip/tables/collapse.hpp"
 #include "restrip/tables/fan_collapse.hpp"
@@ -138,6 +140,7 @@ constexpr Word large_collapse(std::size_t k, Word ports, Word joined) noexcept {
 /// Split of a closed fan: `loop` and `ports` have k bits, the answer k + 3. k <= max_word_valence.
 [[nodiscard]] constexpr Rule split_rule(SplitPosition at, Word loop, Word ports) noexcept {
   const auto [k, a] = at;
+  RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "split_rule", detail::no_such_split);
   if (!valid_closed(k, loop, ports)) return {0, 2 + count_bits(loop), false};
   const Word joined = joined_closed(k, loop, ports);
   return detail::rule(
@@ -147,6 +150,7 @@ constexpr Word large_collapse(std::size_t k, Word ports, Word joined) noexcept {
 /// Collapse onto a closed fan: `inner` has k + 3 bits, `ports` k, the answer k. k <= max_word_valence.
 [[nodiscard]] constexpr Rule collapse_rule(SplitPosition at, Word inner, Word ports) noexcept {
   const auto [k, a] = at;
+  RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "collapse_rule", detail::no_such_split);
   if (!valid_ring(k, a, inner, ports)) return {0, count_bits(inner) - 2, false};
   const Word joined = joined_ring(k, a, inner, ports);
   const Word loop = k > table_max_k ? detail::large_collapse(k, ports, joined)
@@ -157,6 +161,7 @@ constexpr Word large_collapse(std::size_t k, Word ports, Word joined) noexcept {
 /// Split of an open fan, two triangles: `loop` has k - 1 bits, `ports` k, the answer k + 2. k <= max_word_valence.
 [[nodiscard]] constexpr Rule open_split_rule(GapPair at, Word loop, Word ports) noexcept {
   const auto [k, i, j] = at;
+  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "open_split_rule", detail::no_such_gaps);
   if (!valid_open(k, loop, ports)) return {0, 2 + count_bits(loop), false};
   if (k > table_max_k)
     return detail::rule(exact::best_open_split(k, i, j, ports, joined_open(k, loop, ports)).colors, loop, 2);
@@ -177,6 +182,7 @@ constexpr Word large_collapse(std::size_t k, Word ports, Word joined) noexcept {
 /// max_word_valence.
 [[nodiscard]] constexpr Rule boundary_split_rule(Gap at, Word loop, Word ports) noexcept {
   const auto [k, i] = at;
+  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "boundary_split_rule", detail::no_such_gap);
   if (!valid_open(k, loop, ports)) return {0, 1 + count_bits(loop), false};
   if (k > table_max_k)
     return detail::rule(exact::best_boundary_split(k, i, ports, joined_open(k, loop, ports)).colors, loop, 1);
@@ -200,6 +206,7 @@ constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexc
 /// Collapse onto an open fan, two triangles removed: `inner` has k + 2 bits, `ports` k, the answer k - 1.
 [[nodiscard]] constexpr Rule open_collapse_rule(GapPair at, Word inner, Word ports) noexcept {
   const auto [k, i, j] = at;
+  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "open_collapse_rule", detail::no_such_gaps);
   if (!valid_path_with_chord(k, i, j, inner, ports)) return {0, count_bits(inner) - 2, false};
   return detail::rule(detail::fan_collapse_colors(k, ports, joined_path_with_chord(k, i, j, inner, ports)), inner, -2);
 }
@@ -207,6 +214,7 @@ constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexc
 /// Collapse onto an open fan, one triangle removed: `inner` and `ports` have k bits, the answer k - 1.
 [[nodiscard]] constexpr Rule boundary_collapse_rule(Gap at, Word inner, Word ports) noexcept {
   const auto [k, i] = at;
+  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "boundary_collapse_rule", detail::no_such_gap);
   if (!valid_path(k, i, inner, ports)) return {0, count_bits(inner) - 1, false};
   return detail::rule(detail::fan_collapse_colors(k, ports, joined_path(k, i, inner, ports)), inner, -1);
 }

@@ -17,6 +17,7 @@
 // the runs around it, however long the strip.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -36,8 +37,10 @@ class StripBuffer {
     friend constexpr bool operator==(const Range&, const Range&) = default;
   };
 
-  /// Writes the strips of a valid colouring. Linear time. `max_run` is at least 2.
-  explicit StripBuffer(const StripMesh& mesh, std::uint32_t max_run = 64) : max_run_(max_run) { rebuild(mesh); }
+  /// Writes the strips of a valid colouring. Linear time. Where `max_run` is less than 2, 2 is taken.
+  explicit StripBuffer(const StripMesh& mesh, std::uint32_t max_run = 64) : max_run_(std::max(max_run, 2U)) {
+    rebuild(mesh);
+  }
 
   /// Writes everything anew, without unused places.
   void rebuild(const StripMesh& mesh);

@@ -50,11 +50,12 @@ class StripIndex {
   /// Chunks hold at most `chunk_limit` triangles; below 8 and above 1024 these are taken.
   explicit StripIndex(std::uint32_t chunk_limit = default_chunk_limit)
       : chunk_limit_(std::clamp(chunk_limit, 8U, room_for_labels)) {}
-  /// Indexes a valid colouring. Linear time.
+  /// Indexes a valid colouring; throws std::invalid_argument when it is not. Linear time.
   explicit StripIndex(const StripMesh& mesh, std::uint32_t chunk_limit = default_chunk_limit)
       : StripIndex(chunk_limit) {
     rebuild(mesh);
   }
+  /// The same. After an exception the index must not be used until rebuild() succeeds.
   void rebuild(const StripMesh& mesh);
 
   /// False when the index has never heard of a triangle, because the mesh changed behind its back.
@@ -63,6 +64,8 @@ class StripIndex {
   [[nodiscard]] Position position(Triangle t) const noexcept;
   /// Number of strips.
   [[nodiscard]] std::size_t strips() const noexcept { return lists_.lists(); }
+
+  // Preconditions are checked in debug builds (precondition.hpp).
 
   /// Makes the solid dual edge of h dashed.
   void cut(StripMesh& mesh, Halfedge h);

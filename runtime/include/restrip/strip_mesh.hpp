@@ -11,15 +11,24 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "restrip/mesh.hpp"
+#include "restrip/precondition.hpp"
+#include "restrip/refusal.hpp"
 
 namespace restrip {
 
 using Vertex = std::uint32_t;    ///< index of a vertex
 using Triangle = std::uint32_t;  ///< index of a triangle
 inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+#ifndef RESTRIP_MAX_TRIANGLES
+/// The most triangles that a StripMesh holds, 2^29 - 1: a halfedge has 29 bits for its triangle. Tests define it
+/// smaller.
+#define RESTRIP_MAX_TRIANGLES ((std::size_t{1} << 29) - 1)
+#endif
 
 /// What StripMesh::build found in its input. Nothing is repaired in silence: every triangle of the input is either in
 /// the mesh or counted here as left out.
@@ -35,7 +44,10 @@ struct BuildReport {
 /// An indexed triangle mesh with colored dual edges. Models SplittableMesh, CollapsibleMesh and FlippableMesh.
 ///
 /// Triangle handles are stable until the triangle is removed; a removed handle is used again by the next insertion
-/// (last out, first in), so that going down and up again gives the same handles. At most 2^29 - 1 triangles.
+/// (last out, first in), so that going down and up again gives the same handles. At most `max_triangles` triangles.
+///
+/// Preconditions. Handles given to a function must be those of the mesh as it is now, unless the function says
+/// otherwise; debug builds check that (precondition.hpp).
 class StripMesh {
  public:
   /// A directed mesh edge: side s of triangle t runs from corner s to corner s + 1. On the boundary the halfedge
@@ -45,11 +57,15 @@ class StripMesh {
     friend constexpr bool operator==(Halfedge, Halfedge) = default;
   };
 
+  static constexpr std::size_t max_triangles = RESTRIP_MAX_TRIANGLES;
+  static_assert(max_triangles < std::size_t{1} << 29);
+
   StripMesh() = default;
 
   /// Builds adjacency for triangles given as corner triples, counter-clockwise; all dual edges dashed. Linear time.
   /// `vertex_count`: valid corners are 0 … vertex_count - 1. `origin`, if given, receives for each triangle of the mesh
-  /// its index in `triangles` (they differ only when some are left out).
+  /// its index in `triangles` (they differ only when some are left out). Throws std::length_error, before anything is
+  /// read, when there are more than `max_triangles` triangles or more than 2^32 - 1 vertices.
   [[nodiscard]] static StripMesh build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
                                        BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr);
 
@@ -61,26 +77,34 @@ class StripMesh {
   [[nodiscard]] static constexpr bool on_boundary(Halfedge h) noexcept { return (h.id & outside) != 0; }
   [[nodiscard]] static constexpr Halfedge next(Halfedge h) noexcept { return {(h.id & ~3U) | side_after(side(h))}; }
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::opposite", describe(Refusal::no_such_edge));
     if (on_boundary(h)) return {h.id & ~outside};
     const std::uint32_t link = link_of(h);
     return {link == edge_of_mesh ? h.id | outside : link >> 1};
   }
   /// The vertex that h leaves.
   [[nodiscard]] Vertex from(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::from", describe(Refusal::no_such_edge));
     return on_boundary(h) ? corner_of({h.id & ~outside}, 1) : corner_of(h, 0);
   }
   /// The vertex that h enters.
   [[nodiscard]] Vertex to(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::to", describe(Refusal::no_such_edge));
     return on_boundary(h) ? corner_of({h.id & ~outside}, 0) : corner_of(h, 1);
   }
   /// A halfedge that leaves v, or {none} when v has no triangle. On the boundary it is the one from which turning
   /// counter-clockwise meets every triangle of v.
-  [[nodiscard]] Halfedge spoke(Vertex v) const noexcept { return {spoke_[v]}; }
+  [[nodiscard]] Halfedge spoke(Vertex v) const noexcept {
+    RESTRIP_ASSERT(v < spoke_.size(), "StripMesh::spoke", no_such_vertex);
+    return {spoke_[v]};
+  }
   /// The halfedge v -> w, or {none}. O(valence of v). Boundary halfedges are found too.
   [[nodiscard]] Halfedge spoke(Vertex v, Vertex w) const noexcept;
 
   /// See restrip::fan_step: one look at the triangle's record.
   [[nodiscard]] FanStep<Halfedge> fan_step(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::fan_step", describe(Refusal::no_such_edge));
+    RESTRIP_ASSERT(!on_boundary(h), "StripMesh::fan_step", describe(Refusal::boundary_edge));
     const Record& record = triangles_[triangle(h)];
     const unsigned s = side(h);
     const unsigned before = side_before(s);
@@ -99,8 +123,15 @@ class StripMesh {
   [[nodiscard]] bool leaves_boundary(Halfedge h) const noexcept { return on_boundary(opposite(spoke(from(h)))); }
 
   // ---- colours
-  [[nodiscard]] bool solid(Halfedge h) const noexcept { return (link_of({h.id & ~outside}) & 1U) != 0; }
+  [[nodiscard]] bool solid(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::solid", describe(Refusal::no_such_edge));
+    return (link_of({h.id & ~outside}) & 1U) != 0;
+  }
+  /// The edge must not be on the boundary.
   void set_solid(Halfedge h, bool solid) noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::set_solid", describe(Refusal::no_such_edge));
+    RESTRIP_ASSERT(!on_boundary(h) && link_of(h) != edge_of_mesh, "StripMesh::set_solid",
+                   describe(Refusal::boundary_edge));
     std::uint32_t& link = link_of(h);
     link = (link & ~1U) | static_cast<std::uint32_t>(solid);
     std::uint32_t& back = link_of({link >> 1});
@@ -110,12 +141,14 @@ class StripMesh {
   }
   /// Number of solid dual edges of t: 0 (isolated), 1 (end of a strip) or 2 in a valid coloring.
   [[nodiscard]] unsigned solid_degree(Triangle t) const noexcept {
+    RESTRIP_ASSERT(alive(t), "StripMesh::solid_degree", no_such_triangle);
     unsigned degree = 0;
     for (const std::uint32_t link : triangles_[t].link) degree += link & 1U;
     return degree;
   }
   /// The sides of t whose dual edges are solid: bit s for side s.
   [[nodiscard]] unsigned solid_sides(Triangle t) const noexcept {
+    RESTRIP_ASSERT(alive(t), "StripMesh::solid_sides", no_such_triangle);
     const auto& link = triangles_[t].link;
     return (link[0] & 1U) | (link[1] & 1U) << 1 | (link[2] & 1U) << 2;
   }
@@ -123,18 +156,19 @@ class StripMesh {
   void clear_colors() noexcept;
 
   // ---- operations on the mesh alone (restrip::split and friends keep the strips as well)
-  /// See SplittableMesh. The new vertex is `new_vertex`, or the next free one when none is given.
-  /// Preconditions: see check_split() in checks.hpp; not tested here.
+  /// See SplittableMesh. The new vertex is `new_vertex`, or the next free one when none is given; vertices up to it are
+  /// allocated. Precondition: check_split() grants it. Throws std::length_error when the mesh has no room for another
+  /// triangle or vertex, or std::bad_alloc; nothing has changed then. The same holds for the other operations.
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
   /// The same for an interior vertex whose fan has been walked already: `moved` are the spokes whose left triangles go
   /// to the new vertex, counter-clockwise from `right`.
   Halfedge insert_vertex(Halfedge left, Halfedge right, Vertex new_vertex, std::span<const Halfedge> moved);
-  /// See CollapsibleMesh. Preconditions: see check_collapse() in checks.hpp; not tested here.
+  /// See CollapsibleMesh. Precondition: check_collapse() grants it.
   Halfedge remove_vertex(Halfedge chord);
   /// The same for a mesh edge with interior ends whose fans have been walked already: `moved` are the spokes of v_t
   /// whose left triangles stay, counter-clockwise.
   Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved);
-  /// See FlippableMesh. Preconditions: see check_flip() in checks.hpp; not tested here.
+  /// See FlippableMesh. Precondition: check_flip() grants it.
   Halfedge turn_edge(Halfedge h);
 
   // ---- insertion and removal in two steps, for batches (batch.hpp): one thread takes handles and gives them back, in
@@ -149,12 +183,12 @@ class StripMesh {
     friend constexpr bool operator==(const Room&, const Room&) = default;
   };
   /// The handles that insert_vertex would use now. They are the caller's until an insertion fills them or they are
-  /// given back.
+  /// given back. Throws as insert_vertex does.
   [[nodiscard]] Room take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex = none);
   void give_back(const Room& room);
   /// Room for the handles that this many removals give back, so that give_back does not throw.
   void expect_back(std::size_t removals);
-  /// As above, into room taken before.
+  /// As above, into room taken before. What a check would read outside the patch is not checked here.
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept;
   Halfedge insert_vertex(Halfedge left, Halfedge right, const Room& room, std::span<const Halfedge> moved) noexcept;
   /// As above; `freed` receives the handles that become free and are still to be given back.
@@ -163,8 +197,12 @@ class StripMesh {
 
   // ---- what has changed
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
-  /// appended to *changed, some of them more than once. Null: no longer. A copy of the mesh is not watched. Not for
-  /// batches. When *changed cannot grow for want of memory, std::terminate is called.
+  /// appended to *changed, some of them more than once. Null: no longer. Not for batches. When
+  /// *changed cannot grow for want of memory, std::terminate is called.
+  ///
+  /// A copy of the mesh is not watched. Moving the mesh takes its watch along: the new mesh is watched, the one moved
+  /// from no longer. A mesh that is assigned to keeps its own watch, unless a watched mesh is moved into it. The
+  /// assignment itself is not reported: all triangles may have changed.
   void watch(std::vector<Triangle>* changed) noexcept { watch_.changed = changed; }
 
   // ---- extent
@@ -180,13 +218,25 @@ class StripMesh {
   [[nodiscard]] bool alive(Halfedge h) const noexcept {
     return side(h) < 3 && alive(triangle(h)) && (!on_boundary(h) || link_of({h.id & ~outside}) == edge_of_mesh);
   }
-  [[nodiscard]] std::array<Vertex, 3> corners(Triangle t) const noexcept { return triangles_[t].corner; }
+  /// Counter-clockwise. A removed triangle has `none` for corners.
+  [[nodiscard]] std::array<Vertex, 3> corners(Triangle t) const noexcept {
+    RESTRIP_ASSERT(t < triangles_.size(), "StripMesh::corners", no_such_triangle);
+    return triangles_[t].corner;
+  }
   /// True for vertices that no operation may touch (see BuildReport::irregular_vertices).
-  [[nodiscard]] bool irregular(Vertex v) const noexcept { return irregular_[v] != 0; }
+  [[nodiscard]] bool irregular(Vertex v) const noexcept {
+    RESTRIP_ASSERT(v < irregular_.size(), "StripMesh::irregular", no_such_vertex);
+    return irregular_[v] != 0;
+  }
   /// Room for this many triangles and vertices, so that insertions up to there do not allocate.
   void reserve(std::size_t triangles, std::size_t vertices);
 
  private:
+  static constexpr const char* no_such_vertex = "the vertex is not one of this mesh";
+  static constexpr const char* no_such_triangle = "the triangle is not one of this mesh";
+  // A side of a triangle alive, seen from either side: alive(h), but while an operation is under way.
+  [[nodiscard]] bool is_side(Halfedge h) const noexcept { return side(h) < 3 && alive(triangle(h)); }
+
   // Sides are as good as random: a branch would be guessed wrong one time in three.
   [[nodiscard]] static constexpr unsigned side_after(unsigned s) noexcept { return 0b00'10'01U >> (2 * s) & 3U; }
   [[nodiscard]] static constexpr unsigned side_before(unsigned s) noexcept { return 0b01'00'10U >> (2 * s) & 3U; }
@@ -198,12 +248,17 @@ class StripMesh {
     std::array<std::uint32_t, 3> link;  // opposite halfedge << 1 | solid, or edge_of_mesh
   };
 
-  // Who watches a mesh watches this one, not what is copied from it or into it.
+  // Whoever watches a mesh watches this one, wherever it is moved, not what is copied from it or into it.
   struct Watch {
     std::vector<Triangle>* changed = nullptr;
     Watch() = default;
     Watch(const Watch& /*other*/) noexcept {}
+    Watch(Watch&& other) noexcept : changed(std::exchange(other.changed, nullptr)) {}
     Watch& operator=(const Watch& /*other*/) noexcept { return *this; }  // NOLINT(bugprone-unhandled-self-assignment)
+    Watch& operator=(Watch&& other) noexcept {
+      if (other.changed != nullptr) changed = std::exchange(other.changed, nullptr);
+      return *this;
+    }
     ~Watch() = default;
   };
   void touch(Triangle t) noexcept {
@@ -237,6 +292,13 @@ class StripMesh {
   Watch watch_;
 };
 
+// What the operations ask first in debug builds; defined in checks.hpp.
+[[nodiscard]] inline Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
+                                         Vertex new_vertex);
+[[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
+[[nodiscard]] inline Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
+
 }  // namespace restrip
 
+#include "restrip/checks.hpp"
 #include "restrip/detail/strip_mesh.hpp"

@@ -33,6 +33,10 @@ struct ColoringReport {
 /// Checks a whole colouring from its definition. Close to linear time, 4 bytes of memory a triangle.
 [[nodiscard]] ColoringReport check_coloring(const StripMesh& mesh);
 
+/// Number of strips of a valid colouring. Linear time, a bit a triangle. Throws std::invalid_argument when the
+/// colouring is not valid.
+[[nodiscard]] std::size_t count_strips(const StripMesh& mesh);
+
 /// The strips of a mesh: strip s is order[start[s]] … order[start[s + 1] - 1], each triangle next to the following one.
 struct Strips {
   std::vector<Triangle> order;
@@ -45,7 +49,8 @@ struct Strips {
 };
 
 /// Lists the strips of a valid colouring. A strip begins at the one of its two ends with the lower handle, and strips
-/// follow each other by that handle: equal meshes give equal lists. Triangles on solid cycles (invalid) are left out.
+/// follow each other by that handle: equal meshes give equal lists. Where the colouring is not valid each triangle is
+/// listed once at most, and triangles on solid cycles are left out.
 [[nodiscard]] Strips extract_strips(const StripMesh& mesh);
 
 /// The index between two strips of an index buffer.
@@ -54,7 +59,7 @@ inline constexpr std::uint32_t restart_index = 0xFFFFFFFFU;
 /// The index buffer of the strips, in their order, restart_index between them and neither before nor after. It draws
 /// each triangle exactly once with the winding it has in the mesh; indices are vertex numbers. Each strip is written
 /// from the end that needs fewer indices: a strip of n triangles takes n + 2 and one for each swap. `strips` must be
-/// those of the mesh as it is now.
+/// those of the mesh as it is now: debug builds check that triangles that follow each other share a solid dual edge.
 [[nodiscard]] std::vector<std::uint32_t> strip_indices(const StripMesh& mesh, const Strips& strips);
 
 /// strip_indices(mesh, strips).size() without writing it.

@@ -147,6 +147,14 @@ void find_fault(const StripMesh& mesh, std::span<const Request> requests, unsign
   }
 }
 
+/// The same for debug builds, in this thread.
+template <class Request>
+BatchFault fault_in(const StripMesh& mesh, std::span<const Request> requests) {
+  BatchReport report;
+  find_fault(mesh, requests, 1, report);
+  return report.fault;
+}
+
 template <class Request>
 std::optional<Overlap> first_overlap(const StripMesh& mesh, std::span<const Request> requests) {
   PatchClaims claims(mesh);
@@ -188,9 +196,13 @@ std::optional<std::size_t> PatchClaims::claim_patch(const Operation& operation, 
 }
 
 inline std::optional<std::size_t> PatchClaims::claim(const SplitRequest& request, std::size_t number) {
+  RESTRIP_ASSERT(detail::check_request(mesh_, request) == Refusal::granted, "PatchClaims::claim",
+                 describe(detail::check_request(mesh_, request)));
   return claim_patch(request, number);
 }
 inline std::optional<std::size_t> PatchClaims::claim(StripMesh::Halfedge chord, std::size_t number) {
+  RESTRIP_ASSERT(detail::check_request(mesh_, chord) == Refusal::granted, "PatchClaims::claim",
+                 describe(detail::check_request(mesh_, chord)));
   return claim_patch(chord, number);
 }
 
@@ -205,6 +217,8 @@ inline std::optional<Overlap> overlapping_operations(const StripMesh& mesh,
 inline BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> requests, const BatchOptions& options) {
   BatchReport report;
   if (!options.checked) detail::find_fault(mesh, requests, options.threads, report);
+  RESTRIP_ASSERT(!options.checked || detail::fault_in(mesh, requests) == BatchFault::done, "split_batch",
+                 describe(detail::fault_in(mesh, requests)));
   if (report.fault != BatchFault::done) return report;
   report.rewrites.resize(requests.size());
   std::vector<StripMesh::Room> rooms;
@@ -220,6 +234,8 @@ inline BatchReport collapse_batch(StripMesh& mesh, std::span<const StripMesh::Ha
                                   const BatchOptions& options) {
   BatchReport report;
   if (!options.checked) detail::find_fault(mesh, chords, options.threads, report);
+  RESTRIP_ASSERT(!options.checked || detail::fault_in(mesh, chords) == BatchFault::done, "collapse_batch",
+                 describe(detail::fault_in(mesh, chords)));
   if (report.fault != BatchFault::done) return report;
   report.rewrites.resize(chords.size());
   std::vector<StripMesh::Room> freed(chords.size());

@@ -3,12 +3,21 @@
 // well. With a chord, its bit follows the edges. Open and closed fans are rows without inserted elements.
 #pragma once
 
-#include <cassert>
 #include <cstddef>
 
 #include "restrip/bits.hpp"
+#include "restrip/precondition.hpp"
 
 namespace restrip::detail {
+
+// Positions that no patch has are a programming error, found in debug builds.
+inline constexpr const char* no_such_fan = "k is out of range: 1 <= k; on masks, k <= max_word_valence";
+inline constexpr const char* no_such_closed_fan = "k is out of range: 3 <= k; on masks, k <= max_word_valence";
+inline constexpr const char* no_such_split = "the position is out of range: 3 <= k <= max_word_valence, 1 <= a < k";
+inline constexpr const char* no_such_arc = "the position is out of range: 1 <= a < k; on masks, k <= max_word_valence";
+inline constexpr const char* no_such_gaps = "the position is out of range: i < j <= k; on masks, k <= max_word_valence";
+inline constexpr const char* no_such_gap =
+    "the position is out of range: 1 <= k, i <= k; on masks, k <= max_word_valence";
 
 struct Layout {
   std::size_t k = 0;               // triangles of the fan, that is, ports
@@ -39,27 +48,27 @@ struct Layout {
 };
 
 constexpr Layout closed_fan(std::size_t k) noexcept {
-  assert(k >= 1);
+  RESTRIP_ASSERT(k >= 1, "closed fan", no_such_fan);
   return {k, nowhere, nowhere, true};
 }
 
 constexpr Layout open_fan(std::size_t k) noexcept {
-  assert(k >= 1);
+  RESTRIP_ASSERT(k >= 1, "open fan", no_such_fan);
   return {k, nowhere, nowhere, false};
 }
 
 constexpr Layout ring_with_chord(std::size_t k, std::size_t a) noexcept {
-  assert(1 <= a && a < k);
+  RESTRIP_ASSERT(1 <= a && a < k, "ring with chord", no_such_arc);
   return {k, 0, a + 1, true};
 }
 
 constexpr Layout path_with_chord(std::size_t k, std::size_t i, std::size_t j) noexcept {
-  assert(i < j && j <= k);
+  RESTRIP_ASSERT(i < j && j <= k, "path with chord", no_such_gaps);
   return {k, i, j + 1, false};
 }
 
 constexpr Layout path(std::size_t k, std::size_t i) noexcept {
-  assert(k >= 1 && i <= k);
+  RESTRIP_ASSERT(k >= 1 && i <= k, "path", no_such_gap);
   return {k, i, nowhere, false};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "restrip/detail/invalid_coloring.hpp"
 #include "restrip/strip_index.hpp"
 
 namespace restrip {
@@ -29,6 +30,7 @@ inline bool StripIndex::step(const StripMesh& mesh, Triangle& t, unsigned& entry
 }
 
 inline StripIndex::Position StripIndex::position(Triangle t) const noexcept {
+  RESTRIP_ASSERT(knows(t), "StripIndex::position", "the index does not know the triangle");
   const Place place = places_[t];
   const auto& chunk = lists_[place.chunk];
   const Label label = chunk.backwards ? ~place.label : place.label;
@@ -182,12 +184,23 @@ inline void StripIndex::join_chunks(const StripMesh& mesh, Halfedge h) {
 }
 
 inline void StripIndex::cut(StripMesh& mesh, Halfedge h) {
+  RESTRIP_ASSERT(mesh.alive(h), "StripIndex::cut", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(mesh.solid(h), "StripIndex::cut", "the dual edge is dashed already");
   const bool up = labels_grow(mesh, h);
   mesh.set_solid(h, false);
   separate(mesh, h, up, mesh.opposite(h));
 }
 
 inline void StripIndex::link(StripMesh& mesh, Halfedge h) {
+  RESTRIP_ASSERT(mesh.alive(h), "StripIndex::link", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(!StripMesh::on_boundary(h) && !StripMesh::on_boundary(mesh.opposite(h)), "StripIndex::link",
+                 describe(Refusal::boundary_edge));
+  RESTRIP_ASSERT(!mesh.solid(h), "StripIndex::link", "the dual edge is solid already");
+  RESTRIP_ASSERT(
+      mesh.solid_degree(StripMesh::triangle(h)) < 2 && mesh.solid_degree(StripMesh::triangle(mesh.opposite(h))) < 2,
+      "StripIndex::link", "a triangle beside the dual edge is not the end of a strip");
+  RESTRIP_ASSERT(position(StripMesh::triangle(h)).strip != position(StripMesh::triangle(mesh.opposite(h))).strip,
+                 "StripIndex::link", "the dual edge joins the two ends of one strip");
   const Triangle a = StripMesh::triangle(h);
   const Triangle b = StripMesh::triangle(mesh.opposite(h));
   lists_.join(places_[a].chunk, is_last(mesh, a), places_[b].chunk, is_last(mesh, b));
@@ -214,7 +227,10 @@ inline void StripIndex::rebuild(const StripMesh& mesh) {
   crowded_.clear();
   pending_ = 0;
   lists_.clear();
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t) && mesh.solid_degree(t) > 2) detail::throw_three_solid_edges();
   std::vector<Triangle> strip;
+  std::size_t placed = 0;
   for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {
     if (!mesh.alive(start) || places_[start].chunk != none || mesh.solid_degree(start) > 1) continue;
     strip.clear();
@@ -222,6 +238,7 @@ inline void StripIndex::rebuild(const StripMesh& mesh) {
     unsigned entry = 3;
     do strip.push_back(t);
     while (step(mesh, t, entry));
+    placed += strip.size();
     ChunkId last = none;
     for (std::size_t i = 0; i < strip.size();) {
       const std::size_t n = std::min<std::size_t>(chunk_limit_ / 2, strip.size() - i);
@@ -233,6 +250,8 @@ inline void StripIndex::rebuild(const StripMesh& mesh) {
       i += n;
     }
   }
+  // Where nobody has three solid edges, a strip without an end is a cycle.
+  if (placed != mesh.triangle_count()) detail::throw_solid_cycle();
 }
 
 }  // namespace restrip

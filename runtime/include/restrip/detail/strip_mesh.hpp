@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "restrip/strip_mesh.hpp"
@@ -44,9 +45,11 @@ inline Vertex StripMesh::new_vertex(Vertex wanted) {
       free_vertices_.pop_back();
       if (spoke_[v] == none) return v;
     }
+    if (spoke_.size() >= none) throw std::length_error("restrip: a StripMesh has at most 2^32 - 1 vertices");
     wanted = static_cast<Vertex>(spoke_.size());
   }
   if (wanted >= spoke_.size()) {
+    make_room(spoke_, wanted + std::size_t{1} - spoke_.size());
     make_room(irregular_, wanted + std::size_t{1} - irregular_.size());
     spoke_.resize(wanted + std::size_t{1}, none);
     irregular_.resize(spoke_.size(), 0);
@@ -56,9 +59,15 @@ inline Vertex StripMesh::new_vertex(Vertex wanted) {
 
 inline StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex wanted) {
   using Spokes = VertexSplit<Halfedge>::Spokes;
-  Room room;
+  RESTRIP_ASSERT(wanted >= spoke_.size() || spoke_[wanted] == none, "StripMesh::take_room",
+                 describe(Refusal::vertex_in_use));
   // What may throw comes first: then either everything has been taken or nothing.
-  if (free_.size() < 2) make_room(triangles_, 2);
+  const std::size_t needed = spokes == Spokes::both ? 2 : 1;
+  const std::size_t fresh = needed - std::min(needed, free_.size());
+  if (fresh > max_triangles - triangles_.size())
+    throw std::length_error("restrip: the mesh has as many triangles as a StripMesh can hold");
+  make_room(triangles_, fresh);
+  Room room;
   room.vertex = new_vertex(wanted);
   if (spokes != Spokes::right_only) room.left = take_triangle();
   if (spokes != Spokes::left_only) room.right = take_triangle();
@@ -101,6 +110,8 @@ inline StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
 
 inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, Vertex wanted,
                                                     std::span<const Halfedge> moved) {
+  RESTRIP_ASSERT(check_split(*this, {left, right}, wanted) == Refusal::granted, "StripMesh::insert_vertex",
+                 describe(check_split(*this, {left, right}, wanted)));
   return insert_vertex(left, right, take_room(VertexSplit<Halfedge>::Spokes::both, wanted), moved);
 }
 
@@ -133,6 +144,8 @@ inline StripMesh::Halfedge StripMesh::insert_both(Halfedge left, Halfedge right,
 }
 
 inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
+  RESTRIP_ASSERT(check_split(*this, where, wanted) == Refusal::granted, "StripMesh::insert_vertex",
+                 describe(check_split(*this, where, wanted)));
   return insert_vertex(where, take_room(where.spokes, wanted));
 }
 
@@ -215,6 +228,8 @@ inline void StripMesh::expect_back(std::size_t removals) {
 }
 
 inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
+  RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
+                 describe(check_collapse(*this, chord)));
   expect_back(1);
   Room freed;
   const Halfedge merged = remove_vertex(chord, freed);
@@ -251,6 +266,8 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed)
 }
 
 inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
+  RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
+                 describe(check_collapse(*this, chord)));
   expect_back(1);
   Room freed;
   const Halfedge merged = remove_vertex(chord, moved, freed);
@@ -303,6 +320,7 @@ inline StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool
 }
 
 inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
+  RESTRIP_ASSERT(check_flip(*this, h) == Refusal::granted, "StripMesh::turn_edge", describe(check_flip(*this, h)));
   const Halfedge g = opposite(h);
   const Halfedge vl = next(h);
   const Halfedge lu = next(vl);
@@ -352,6 +370,8 @@ inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
 
 inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
                                   BuildReport* report_out, std::vector<std::uint32_t>* origin) {
+  if (triangles.size() > max_triangles) throw std::length_error("restrip: more triangles than a StripMesh can hold");
+  if (vertex_count > none) throw std::length_error("restrip: a StripMesh has at most 2^32 - 1 vertices");
   StripMesh mesh;
   BuildReport report;
   mesh.spoke_.assign(vertex_count, none);

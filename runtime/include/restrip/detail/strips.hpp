@@ -5,6 +5,7 @@
 #include <bit>
 #include <numeric>
 
+#include "restrip/detail/invalid_coloring.hpp"
 #include "restrip/strips.hpp"
 
 namespace restrip {
@@ -24,6 +25,23 @@ inline StripMesh::Halfedge exit_to(const StripMesh& mesh, Triangle t, Triangle u
 inline std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t t) noexcept {
   while (parent[t] != t) t = parent[t] = parent[parent[t]];
   return t;
+}
+
+inline constexpr const char* not_strips = "the strips are not those of the mesh as it is now";
+
+// Are all triangles alive, and those that follow each other in a strip joined by a solid dual edge?
+inline bool are_strips_of(const StripMesh& mesh, const Strips& strips) {
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    const std::span<const Triangle> strip = strips[s];
+    if (strip.empty()) return false;
+    for (const Triangle t : strip)
+      if (!mesh.alive(t)) return false;
+    for (std::size_t i = 0; i + 1 < strip.size(); ++i) {
+      const StripMesh::Halfedge h = exit_to(mesh, strip[i], strip[i + 1]);
+      if (!mesh.solid(h) || StripMesh::triangle(mesh.opposite(h)) != strip[i + 1]) return false;
+    }
+  }
+  return true;
 }
 
 // A way through a strip: forwards or backwards.
@@ -126,6 +144,25 @@ inline ColoringReport check_coloring(const StripMesh& mesh) {
   return report;
 }
 
+inline std::size_t count_strips(const StripMesh& mesh) {
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t) && mesh.solid_degree(t) > 2) detail::throw_three_solid_edges();
+  std::vector<bool> met(mesh.triangle_bound(), false);
+  std::size_t strips = 0;
+  std::size_t triangles = 0;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t) || met[t] || mesh.solid_degree(t) > 1) continue;
+    ++strips;
+    for (StripStep<StripMesh::Halfedge> at{true, StripMesh::halfedge(t, 3)}; at.goes_on; at = mesh.strip_step(at.in)) {
+      met[StripMesh::triangle(at.in)] = true;
+      ++triangles;
+    }
+  }
+  // Where nobody has three solid edges, a strip without an end is a cycle.
+  if (triangles != mesh.triangle_count()) detail::throw_solid_cycle();
+  return strips;
+}
+
 inline Strips extract_strips(const StripMesh& mesh) {
   Strips strips;
   strips.order.reserve(mesh.triangle_count());
@@ -144,12 +181,14 @@ inline Strips extract_strips(const StripMesh& mesh) {
 }
 
 inline std::size_t strip_index_count(const StripMesh& mesh, const Strips& strips) {
+  RESTRIP_ASSERT(detail::are_strips_of(mesh, strips), "strip_index_count", detail::not_strips);
   std::size_t count = strips.order.size() + strips.size() * 2;
   for (std::size_t s = 0; s < strips.size(); ++s) count += detail::count_swaps(mesh, strips[s]);
   return strips.size() == 0 ? 0 : count + strips.size() - 1;
 }
 
 inline std::vector<std::uint32_t> strip_indices(const StripMesh& mesh, const Strips& strips) {
+  RESTRIP_ASSERT(detail::are_strips_of(mesh, strips), "strip_indices", detail::not_strips);
   std::vector<std::uint32_t> indices;
   indices.reserve(strip_index_count(mesh, strips));
   for (std::size_t s = 0; s < strips.size(); ++s) {

@@ -10,6 +10,8 @@ namespace restrip {
 
 inline bool Tunnel::join(StripMesh& mesh, StripIndex& index, Triangle end, std::uint32_t max_states,
                          OnFailure on_failure) {
+  RESTRIP_ASSERT(mesh.alive(end) && index.knows(end), "Tunnel::join",
+                 "the triangle is not one of this mesh, or the index does not know it");
   if (max_states == 0 || index.strips() < 2 || mesh.solid_degree(end) > 1) return false;
   ++counts_.searches;
   max_states_ = max_states;

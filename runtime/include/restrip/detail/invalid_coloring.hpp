@@ -1,0 +1,15 @@
+// What is thrown where a whole colouring is read and is not valid.
+#pragma once
+
+#include <stdexcept>
+
+namespace restrip::detail {
+
+[[noreturn]] inline void throw_three_solid_edges() {
+  throw std::invalid_argument("restrip: the colouring is not valid: a triangle has three solid dual edges");
+}
+[[noreturn]] inline void throw_solid_cycle() {
+  throw std::invalid_argument("restrip: the colouring is not valid: solid dual edges close a cycle");
+}
+
+}  // namespace restrip::detail

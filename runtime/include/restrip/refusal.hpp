@@ -1,0 +1,59 @@
+// Why an operation is refused: the answer of the checks (checks.hpp), and the sentence with which a debug build aborts
+// (precondition.hpp).
+#pragma once
+
+namespace restrip {
+
+/// Why an operation is refused.
+enum class Refusal {
+  granted,             ///< it may be done
+  no_such_edge,        ///< the halfedge is not one of the mesh
+  different_vertices,  ///< the two spokes of a split do not leave the same vertex
+  same_spoke,          ///< the two spokes of a split are the same
+  irregular_vertex,    ///< a vertex of the operation is one where the mesh is no manifold
+                       ///< (BuildReport::irregular_vertices)
+  boundary_edge,       ///< a flip needs a triangle on both sides
+  spoke_on_boundary,   ///< a one-sided split needs a boundary vertex
+  joins_boundaries,  ///< the edge is interior, but both its ends are on the boundary: the collapse would pinch the mesh
+  link_condition,    ///< the ends of the edge have a common neighbour besides the apexes: the collapse would fold the
+                     ///< mesh
+  too_few_triangles,  ///< a closed fan of fewer than three triangles would remain
+  dangling_edge,      ///< a triangle to be removed hangs on the others by the collapsed edge alone
+  edge_exists,        ///< the flipped edge is in the mesh already
+  vertex_in_use       ///< the vertex named for a split has triangles already
+};
+
+/// One sentence for a person.
+[[nodiscard]] constexpr const char* describe(Refusal refusal) noexcept {
+  switch (refusal) {
+    case Refusal::granted:
+      return "the operation is possible";
+    case Refusal::no_such_edge:
+      return "the halfedge is not one of this mesh";
+    case Refusal::different_vertices:
+      return "the two spokes do not leave the same vertex";
+    case Refusal::same_spoke:
+      return "the two spokes are the same";
+    case Refusal::irregular_vertex:
+      return "the mesh is not a manifold at one of the vertices";
+    case Refusal::boundary_edge:
+      return "the edge lies on the boundary";
+    case Refusal::spoke_on_boundary:
+      return "a split with one spoke needs a vertex on the boundary";
+    case Refusal::joins_boundaries:
+      return "an interior edge between two boundary vertices: collapsing it would pinch the mesh";
+    case Refusal::link_condition:
+      return "the ends of the edge have another common neighbour: collapsing it would fold the mesh";
+    case Refusal::too_few_triangles:
+      return "fewer than three triangles would remain around a vertex";
+    case Refusal::dangling_edge:
+      return "a triangle beside the edge has no other neighbour: collapsing it would leave a dangling edge";
+    case Refusal::edge_exists:
+      return "the flipped edge exists already";
+    case Refusal::vertex_in_use:
+      return "the vertex named for the split is in use already";
+  }
+  return "unknown";
+}
+
+}  // namespace restrip

@@ -1,0 +1,382 @@
+// check_split, check_collapse and check_flip refuse an operation if and only if it is bad.
+//
+// Bad is what triangle_list.hpp says, which does the operation on the list of vertex triples and looks at the outcome:
+// every vertex that was one fan still is, nothing vanished, the topology is the same. All operations are asked for, on
+// every edge, between every two spokes and under every vertex name, on every list of few triangles over four and five
+// vertices, on random lists (mostly no manifolds), and on meshes with and without boundary and what random operations
+// make of them. Granted operations are done, and the mesh must be the list that the other side made.
+#include "restrip/checks.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+
+#include <array>
+#include <cstddef>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "restrip/checked.hpp"
+#include "restrip/operations.hpp"
+#include "sample_meshes.hpp"
+#include "triangle_list.hpp"
+
+namespace restrip {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+using Where = VertexSplit<Halfedge>;
+
+bare::List list_of(const StripMesh& mesh) {
+  bare::List list;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) list.push_back(mesh.corners(t));
+  return bare::sorted(list);
+}
+
+// All that the mesh has, those on the boundary included.
+std::vector<Halfedge> halfedges_of(const StripMesh& mesh) {
+  std::vector<Halfedge> all;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned side = 0; mesh.alive(t) && side < 3; ++side) {
+      const Halfedge h = StripMesh::halfedge(t, side);
+      all.push_back(h);
+      if (StripMesh::on_boundary(mesh.opposite(h))) all.push_back(mesh.opposite(h));
+    }
+  return all;
+}
+
+std::string text(const bare::List& list) {
+  std::string all;
+  for (const bare::Corners& c : list)
+    all += " " + std::to_string(c[0]) + "," + std::to_string(c[1]) + "," + std::to_string(c[2]);
+  return all;
+}
+
+// Compares one operation: what the check says, and what comes out.
+class Comparison {
+ public:
+  std::size_t granted = 0;
+  std::size_t refused = 0;
+  std::array<std::size_t, 16> reasons{};
+
+  void all_operations(const StripMesh& mesh) {
+    mesh_ = &mesh;
+    list_ = list_of(mesh);
+    shape_ = bare::shape_of(list_);
+    for (Vertex v = 0; v < mesh.vertex_bound(); ++v)
+      ASSERT_EQ(mesh.irregular(v), shape_.irregular.contains(v)) << "vertex " << v << " of" << text(list_);
+    const std::vector<Halfedge> all = halfedges_of(mesh);
+    for (const Halfedge h : all) {
+      ASSERT_TRUE(mesh.alive(h));
+      const Vertex a = mesh.from(h);
+      const Vertex b = mesh.to(h);
+      compare("collapse", h, h, check_collapse(mesh, h), bare::collapse(list_, shape_, a, b),
+              [h](StripMesh& copy) { collapse(copy, h); });
+      compare("flip", h, h, check_flip(mesh, h), bare::flip(list_, shape_, a, b),
+              [h](StripMesh& copy) { flip(copy, h); });
+      one_split({h, {}, Where::Spokes::left_only}, b, {}, fresh());
+      one_split({{}, h, Where::Spokes::right_only}, {}, b, fresh());
+      for (const Halfedge g : all) one_split({h, g, Where::Spokes::both}, b, mesh.to(g), fresh());
+    }
+  }
+
+  void all_collapses(const StripMesh& mesh) {
+    mesh_ = &mesh;
+    list_ = list_of(mesh);
+    shape_ = bare::shape_of(list_);
+    for (const Halfedge h : halfedges_of(mesh))
+      compare("collapse", h, h, check_collapse(mesh, h), bare::collapse(list_, shape_, mesh.from(h), mesh.to(h)),
+              [h](StripMesh& copy) { collapse(copy, h); });
+  }
+
+  // Every split of the vertex of h that is not one-sided, under every name that is in use and some that are free.
+  void all_names(const StripMesh& mesh) {
+    mesh_ = &mesh;
+    list_ = list_of(mesh);
+    shape_ = bare::shape_of(list_);
+    const std::vector<Halfedge> all = halfedges_of(mesh);
+    for (const Halfedge h : all)
+      for (const Halfedge g : all)
+        for (Vertex v = 0; mesh.from(h) == mesh.from(g) && v < mesh.vertex_bound() + 3; ++v)
+          one_split({h, g, Where::Spokes::both}, mesh.to(h), mesh.to(g), v);
+  }
+
+ private:
+  [[nodiscard]] Vertex fresh() const { return static_cast<Vertex>(mesh_->vertex_bound()); }
+
+  void one_split(const Where& where, std::optional<Vertex> v_l, std::optional<Vertex> v_r, Vertex v_t) {
+    const Halfedge first = v_l ? where.left : where.right;
+    const Vertex v_h = mesh_->from(first);
+    const bool one_vertex = !v_l || !v_r || v_h == mesh_->from(where.right);
+    const auto expected = one_vertex ? bare::split(list_, shape_, v_h, v_l, v_r, v_t) : std::nullopt;
+    compare("split", where.left, where.right, check_split(*mesh_, where, v_t), expected,
+            [&](StripMesh& copy) { split(copy, where, v_t); });
+    if (v_t == fresh()) {
+      ASSERT_EQ(check_split(*mesh_, where), check_split(*mesh_, where, v_t));
+    }
+  }
+
+  template <class Operation>
+  void compare(const char* name, Halfedge g, Halfedge h, Refusal refusal, const std::optional<bare::List>& expected,
+               const Operation& operation) {
+    ++reasons.at(static_cast<std::size_t>(refusal));
+    ++(expected ? granted : refused);
+    if ((refusal == Refusal::granted) != expected.has_value()) {
+      ADD_FAILURE() << name << " at " << g.id << ", " << h.id << " of" << text(list_) << ": the check says \""
+                    << describe(refusal) << "\", the list " << (expected ? "good" : "bad");
+      return;
+    }
+    if (!expected) return;
+    StripMesh copy = *mesh_;
+    operation(copy);
+    if (list_of(copy) != bare::sorted(*expected))
+      ADD_FAILURE() << name << " at " << g.id << ", " << h.id << " of" << text(list_) << " makes"
+                    << text(list_of(copy));
+  }
+
+  const StripMesh* mesh_ = nullptr;
+  bare::List list_;
+  bare::Shape shape_;
+};
+
+// The triangles over n vertices, each turned both ways.
+std::vector<bare::Corners> triangles_over(Vertex n) {
+  std::vector<bare::Corners> all;
+  for (Vertex a = 0; a < n; ++a)
+    for (Vertex b = a + 1; b < n; ++b)
+      for (Vertex c = b + 1; c < n; ++c) {
+        all.push_back({a, b, c});
+        all.push_back({a, c, b});
+      }
+  return all;
+}
+
+TEST(Checks, AgreeOnEveryListOverFourVertices) {
+  Comparison comparison;
+  const std::vector<bare::Corners> all = triangles_over(4);
+  ASSERT_EQ(all.size(), 8U);
+  for (unsigned chosen = 0; chosen < 256; ++chosen) {
+    std::vector<bare::Corners> triangles;
+    for (unsigned i = 0; i < 8; ++i)
+      if ((chosen >> i & 1U) != 0) triangles.push_back(all[i]);
+    const StripMesh mesh = StripMesh::build(triangles, 4);
+    comparison.all_operations(mesh);
+    comparison.all_names(mesh);
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(comparison.granted, 500U);
+  EXPECT_GT(comparison.refused, 5000U);
+}
+
+TEST(Checks, AgreeOnEveryListOfFourTrianglesOverFiveVertices) {
+  Comparison comparison;
+  const std::vector<bare::Corners> all = triangles_over(5);
+  ASSERT_EQ(all.size(), 20U);
+  std::size_t meshes = 0;
+  for (std::size_t a = 0; a < 20; ++a)
+    for (std::size_t b = a + 1; b < 20; ++b)
+      for (std::size_t c = b + 1; c < 20; ++c)
+        for (std::size_t d = c + 1; d < 20; ++d) {
+          const std::array<bare::Corners, 4> triangles{all[a], all[b], all[c], all[d]};
+          comparison.all_operations(StripMesh::build(triangles, 5));
+          ++meshes;
+          if (HasFailure()) return;
+        }
+  EXPECT_EQ(meshes, 4845U);  // 20 over 4
+  EXPECT_GT(comparison.granted, 10000U);
+}
+
+TEST(Checks, AgreeOnRandomLists) {
+  Comparison comparison;
+  std::mt19937 random(20);
+  for (int n = 0; n < 400; ++n) {
+    const auto vertices = static_cast<Vertex>(5 + random() % 3);
+    const std::vector<bare::Corners> all = triangles_over(vertices);
+    std::vector<bare::Corners> triangles;
+    for (std::size_t i = 0, count = 4 + random() % 7; i < count; ++i) triangles.push_back(all[random() % all.size()]);
+    comparison.all_operations(StripMesh::build(triangles, vertices));
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(comparison.granted, 200U);
+}
+
+// Meshes of a few triangles: closed, open, in several components, with handles, with holes, and not manifold.
+std::vector<StripMesh> small_meshes() {
+  std::vector<StripMesh> all;
+  const auto add = [&](const std::vector<bare::Corners>& list, std::size_t vertices) {
+    all.push_back(StripMesh::build(list, vertices));
+  };
+  const std::vector<bare::Corners> tetrahedron{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  add(tetrahedron, 4);
+  add({{0, 1, 2}}, 3);
+  all.push_back(sample::octahedron());
+  for (Vertex k = 3; k < 8; ++k) all.push_back(sample::double_cone(k));
+  all.push_back(sample::rectangle(1, 1));
+  all.push_back(sample::rectangle(3, 2));
+  all.push_back(sample::rectangle(5, 1, 3));
+  all.push_back(sample::tube(3, 1));
+  all.push_back(sample::tube(3, 2));
+  all.push_back(sample::tube(4, 2));
+  all.push_back(sample::torus(3, 3));
+  // The torus of seven vertices: every two are neighbours.
+  std::vector<bare::Corners> csaszar;
+  for (Vertex v = 0; v < 7; ++v) {
+    csaszar.push_back({v, (v + 1) % 7, (v + 3) % 7});
+    csaszar.push_back({v, (v + 3) % 7, (v + 2) % 7});
+  }
+  add(csaszar, 7);
+  // A square with a square hole; two components that share names with nobody; two tetrahedra with a vertex, an edge in
+  // common; three triangles on an edge; a Möbius strip.
+  add({{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}}, 8);
+  add({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {4, 5, 6}, {4, 6, 7}, {4, 7, 8}}, 9);
+  add({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}}, 7);
+  add({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 1, 4}, {0, 4, 5}, {0, 5, 1}, {1, 5, 4}}, 6);
+  add({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {2, 1, 5}, {2, 5, 6}, {3, 0, 7}}, 8);
+  add({{0, 1, 2}, {1, 3, 2}, {2, 3, 4}, {3, 0, 4}, {4, 0, 1}}, 5);
+  for (StripMesh& mesh : sample::meshes())
+    if (mesh.triangle_count() < 30) all.push_back(std::move(mesh));
+  return all;
+}
+
+TEST(Checks, AgreeOnSmallMeshesAndWhatOperationsMakeOfThem) {
+  Comparison comparison;
+  std::mt19937 random(21);
+  for (const StripMesh& start : small_meshes()) {
+    comparison.all_operations(start);
+    comparison.all_names(start);
+    StripMesh mesh = start;
+    for (int n = 0; n < 3; ++n) {
+      for (int tries = 0; tries < 12; ++tries) {
+        const std::vector<Halfedge> all = halfedges_of(mesh);
+        const Halfedge g = all[random() % all.size()];
+        const Halfedge h = all[random() % all.size()];
+        if (random() % 4 == 0)
+          checked_flip(mesh, h);
+        else if (mesh.triangle_count() > 14 || random() % 2 == 0)
+          checked_collapse(mesh, h);
+        else
+          checked_split(mesh, {g, mesh.spoke(mesh.from(g)), static_cast<Where::Spokes>(random() % 3)});
+      }
+      comparison.all_operations(mesh);
+    }
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(comparison.granted, 10000U);
+  // Each reason but that of a handle that is none; those have a test of their own.
+  for (const Refusal reason :
+       {Refusal::granted, Refusal::different_vertices, Refusal::same_spoke, Refusal::irregular_vertex,
+        Refusal::boundary_edge, Refusal::spoke_on_boundary, Refusal::joins_boundaries, Refusal::link_condition,
+        Refusal::too_few_triangles, Refusal::dangling_edge, Refusal::edge_exists, Refusal::vertex_in_use})
+    EXPECT_GT(comparison.reasons.at(static_cast<std::size_t>(reason)), 0U) << describe(reason);
+}
+
+// Three vertices of more than 32 triangles, every two of them neighbours in the end: a cone whose apex is split,
+// and an edge of the rim turned on either side, so that both halves reach the other apex.
+TEST(Checks, AgreeBetweenVerticesOfHighValence) {
+  constexpr Vertex k = 72;
+  StripMesh mesh = sample::double_cone(k);
+  Comparison comparison;
+  const Checked up = checked_split(mesh, {mesh.spoke(0, 2), mesh.spoke(0, 2 + k / 2)});
+  ASSERT_TRUE(up);
+  const Vertex v_s = mesh.from(up.rewrite.halfedge);
+  const Vertex v_t = mesh.to(up.rewrite.halfedge);
+  EXPECT_EQ(check_collapse(mesh, mesh.spoke(v_s, v_t)), Refusal::granted);
+  ASSERT_TRUE(checked_flip(mesh, mesh.spoke(2 + k / 4, 3 + k / 4)));
+  EXPECT_EQ(check_collapse(mesh, mesh.spoke(v_s, v_t)), Refusal::granted);
+  ASSERT_TRUE(checked_flip(mesh, mesh.spoke(2 + 3 * k / 4, 3 + 3 * k / 4)));
+  comparison.all_collapses(mesh);
+  for (const Vertex v : {v_s, v_t, Vertex{1}}) ASSERT_GT(bare::link_of(list_of(mesh), v)->triangles(), 32U);
+  EXPECT_EQ(check_collapse(mesh, mesh.spoke(v_s, v_t)), Refusal::link_condition);
+  EXPECT_EQ(check_collapse(mesh, mesh.spoke(v_t, v_s)), Refusal::link_condition);
+}
+
+TEST(Checks, HandlesThatAreNoneAreRefused) {
+  StripMesh mesh = sample::rectangle(2, 2);
+  ASSERT_TRUE(checked_collapse(mesh, mesh.spoke(0)));  // leaves a handle free
+  std::vector<bool> real;
+  std::size_t alive = 0;
+  const std::vector<Halfedge> all = halfedges_of(mesh);
+  for (const std::uint32_t above : {0U, 1U << 31, 1U << 30})
+    for (std::uint32_t id = 0; id < 4 * (mesh.triangle_bound() + 2); ++id) {
+      const Halfedge h{id | above};
+      const bool is_one = std::find(all.begin(), all.end(), h) != all.end();
+      ASSERT_EQ(mesh.alive(h), is_one) << h.id;
+      alive += is_one ? 1U : 0U;
+      if (is_one) continue;
+      EXPECT_EQ(check_collapse(mesh, h), Refusal::no_such_edge);
+      EXPECT_EQ(check_flip(mesh, h), Refusal::no_such_edge);
+      for (const Where& where : {Where{h, all[0]}, Where{all[0], h}, Where{h, {}, Where::Spokes::left_only},
+                                 Where{{}, h, Where::Spokes::right_only}})
+        EXPECT_EQ(check_split(mesh, where), Refusal::no_such_edge);
+    }
+  EXPECT_EQ(alive, all.size());
+  EXPECT_EQ(check_collapse(mesh, {}), Refusal::no_such_edge);
+}
+
+// On the boundary the order of the two spokes says who stays there; either way the collapse of the new mesh edge gives
+// the mesh back, and so does the split undo the collapse of an edge with one end inside, whichever end stays.
+TEST(Checks, BoundarySplitsInEitherOrderAreUndone) {
+  std::size_t inside_stays = 0;
+  for (const StripMesh& mesh : {sample::rectangle(3, 2), sample::tube(4, 2), sample::rectangle(2, 1)})
+    for (const Halfedge left : halfedges_of(mesh))
+      for (const Halfedge right : halfedges_of(mesh)) {
+        if (!mesh.leaves_boundary(left) || check_split(mesh, {left, right}) != Refusal::granted) continue;
+        StripMesh copy = mesh;
+        const Halfedge chord = split(copy, Where{left, right}).halfedge;
+        ASSERT_NE(copy.leaves_boundary(chord), copy.leaves_boundary(copy.opposite(chord)));
+        inside_stays += copy.leaves_boundary(chord) ? 0U : 1U;
+        ASSERT_EQ(check_collapse(copy, chord), Refusal::granted);
+        collapse(copy, chord);
+        ASSERT_EQ(list_of(copy), list_of(mesh));
+      }
+  EXPECT_GT(inside_stays, 50U);
+}
+
+TEST(Checks, CheckedOperationsDoAllOrNothing) {
+  StripMesh mesh = sample::rectangle(4, 4);
+  StripKeeper keeper(mesh, Policy::linked);
+  const bare::List before = list_of(mesh);
+  const Halfedge edge = mesh.spoke(0);
+  EXPECT_EQ(checked_flip(mesh, edge).refusal, Refusal::boundary_edge);
+  EXPECT_EQ(checked_flip(keeper, edge).refusal, Refusal::boundary_edge);
+  EXPECT_EQ(checked_collapse(mesh, {}).refusal, Refusal::no_such_edge);
+  EXPECT_EQ(checked_collapse(keeper, {}).refusal, Refusal::no_such_edge);
+  const Halfedge inside = mesh.spoke(6);
+  EXPECT_EQ(checked_split(mesh, {inside, inside}).refusal, Refusal::same_spoke);
+  EXPECT_EQ(checked_split(mesh, {inside, turn_ccw(mesh, inside)}, 3).refusal, Refusal::vertex_in_use);
+  EXPECT_EQ(checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 3).refusal, Refusal::vertex_in_use);
+  EXPECT_EQ(list_of(mesh), before);
+  const Checked up = checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 30);
+  ASSERT_TRUE(up);
+  EXPECT_EQ(mesh.to(up.rewrite.halfedge), 30U);
+  EXPECT_TRUE(checked_collapse(keeper, up.rewrite.halfedge));
+  EXPECT_EQ(list_of(mesh), before);
+}
+
+// A range of addresses that nobody may read: whoever looked at a triangle before its count would end there.
+TEST(StripMesh, MoreTrianglesThanItHoldsAreRefusedUnread) {
+  const std::size_t count = StripMesh::max_triangles + 1;
+  EXPECT_EQ(count, std::size_t{1} << 29);
+  void* const range =
+      mmap(nullptr, count * sizeof(bare::Corners), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  ASSERT_NE(range, MAP_FAILED);
+  const std::span<const bare::Corners> triangles(static_cast<const bare::Corners*>(range), count);
+  EXPECT_THROW((void)StripMesh::build(triangles, 3), std::length_error);
+  munmap(range, count * sizeof(bare::Corners));
+  EXPECT_THROW((void)StripMesh::build({}, std::size_t{1} << 32), std::length_error);
+}
+
+#ifdef NDEBUG
+// A condition that does not hold costs nothing in release builds, because nobody looks at it.
+TEST(Preconditions, AreNotEvaluatedWithNdebug) {
+  int evaluated = 0;
+  RESTRIP_ASSERT(++evaluated == 0, "nobody", "asks");
+  EXPECT_EQ(evaluated, 0);
+}
+#endif
+
+}  // namespace
+}  // namespace restrip

@@ -1,0 +1,378 @@
+// Whoever breaks a precondition in a debug build is told which one: the function, and the sentence of describe().
+//
+// Built without NDEBUG in every preset. Each refusal of split, collapse and flip is provoked, then each other public
+// entry, in a process that must die of it with the sentence on its standard error; and with a limit of a few triangles
+// (RESTRIP_MAX_TRIANGLES) the mesh says that it is full and stays as it is.
+#ifdef NDEBUG
+#error "build this test without NDEBUG"
+#endif
+
+#include "restrip/precondition.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "restrip/batch.hpp"
+#include "restrip/restrip.hpp"
+#include "restrip/strip_buffer.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+using Where = VertexSplit<Halfedge>;
+using sample::Corners;
+
+// What restrip writes before it aborts. The sentences hold no characters that a regular expression would read.
+#define EXPECT_REFUSED(statement, function, refusal) \
+  EXPECT_DEATH(statement, std::string("restrip: ") + (function) + ": " + describe(Refusal::refusal))
+#define EXPECT_FAILED(statement, text) EXPECT_DEATH(statement, text)
+
+StripMesh build(const std::vector<Corners>& triangles, std::size_t vertices) {
+  return StripMesh::build(triangles, vertices);
+}
+StripMesh tetrahedron() { return build({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, 4); }
+StripMesh two_triangles() { return build({{0, 1, 2}, {0, 2, 3}}, 4); }
+StripMesh bow_tie() { return build({{0, 1, 2}, {0, 3, 4}}, 5); }
+// An annulus of six triangles: its edge 0 - 1 has the common neighbour 2 on the other side of the hole.
+StripMesh ring() { return sample::tube(3, 1); }
+
+TEST(PreconditionDeathTest, ASpokeThatIsNotThere) {
+  StripMesh mesh = sample::octahedron();
+  ASSERT_EQ(mesh.spoke(4, 5).id, none);
+  EXPECT_REFUSED(split(mesh, {mesh.spoke(4, 0), mesh.spoke(4, 5)}), "split", no_such_edge);
+  EXPECT_REFUSED(split(mesh, {mesh.spoke(4, 0), mesh.spoke(4, 9)}), "split", no_such_edge);
+}
+
+TEST(PreconditionDeathTest, ADeadHandle) {
+  StripMesh mesh = sample::rectangle(3, 3);
+  const Halfedge dead = mesh.spoke(5, 6);
+  ASSERT_EQ(check_collapse(mesh, dead), Refusal::granted);
+  collapse(mesh, dead);
+  EXPECT_REFUSED(collapse(mesh, dead), "collapse", no_such_edge);
+  EXPECT_REFUSED(flip(mesh, dead), "flip", no_such_edge);
+  EXPECT_REFUSED(split(mesh, {dead, mesh.spoke(5)}), "split", no_such_edge);
+  EXPECT_REFUSED((void)mesh.opposite(dead), "StripMesh::opposite", no_such_edge);
+  EXPECT_REFUSED((void)mesh.from(dead), "StripMesh::from", no_such_edge);
+  EXPECT_REFUSED((void)mesh.to(dead), "StripMesh::to", no_such_edge);
+  EXPECT_REFUSED((void)mesh.solid(dead), "StripMesh::solid", no_such_edge);
+  EXPECT_REFUSED((void)mesh.fan_step(dead), "StripMesh::fan_step", no_such_edge);
+  EXPECT_REFUSED(mesh.set_solid(dead, true), "StripMesh::set_solid", no_such_edge);
+  EXPECT_REFUSED(adopt(mesh, dead), "adopt", no_such_edge);
+  EXPECT_REFUSED(adopt_around(mesh, dead), "adopt_around", no_such_edge);
+  EXPECT_REFUSED(adopt_after_flip(mesh, dead), "adopt_after_flip", no_such_edge);
+  EXPECT_REFUSED(link_end(mesh, dead), "link_end", no_such_edge);
+}
+
+TEST(PreconditionDeathTest, EveryRefusalOfASplit) {
+  StripMesh mesh = sample::octahedron();
+  const Halfedge h = mesh.spoke(4);
+  EXPECT_REFUSED(split(mesh, {h, mesh.opposite(h)}), "split", different_vertices);
+  EXPECT_REFUSED(split(mesh, {h, h}), "split", same_spoke);
+  EXPECT_REFUSED(split(mesh, {h, {}, Where::Spokes::left_only}), "split", spoke_on_boundary);
+  EXPECT_REFUSED(split(mesh, {h, turn_ccw(mesh, h)}, 5U), "split", vertex_in_use);
+  StripMesh tie = bow_tie();
+  EXPECT_REFUSED(split(tie, {tie.spoke(0), {}, Where::Spokes::left_only}), "split", irregular_vertex);
+  EXPECT_REFUSED(split(tie, {tie.spoke(1, 0), {}, Where::Spokes::left_only}), "split", irregular_vertex);
+  StripMesh two = build({{0, 1, 2}, {1, 0, 2}}, 3);
+  EXPECT_REFUSED(split(two, {two.spoke(0, 1), two.spoke(0, 2)}), "split", too_few_triangles);
+}
+
+TEST(PreconditionDeathTest, EveryRefusalOfACollapse) {
+  StripMesh mesh = tetrahedron();
+  EXPECT_REFUSED(collapse(mesh, mesh.spoke(0)), "collapse", too_few_triangles);
+  StripMesh pair = two_triangles();
+  EXPECT_REFUSED(collapse(pair, pair.spoke(0, 2)), "collapse", joins_boundaries);
+  StripMesh one = build({{0, 1, 2}}, 3);
+  EXPECT_REFUSED(collapse(one, one.spoke(0)), "collapse", dangling_edge);
+  StripMesh tie = bow_tie();
+  EXPECT_REFUSED(collapse(tie, tie.spoke(0)), "collapse", irregular_vertex);
+  StripMesh hole = ring();
+  EXPECT_REFUSED(collapse(hole, hole.spoke(0, 1)), "collapse", link_condition);
+}
+
+TEST(PreconditionDeathTest, EveryRefusalOfAFlip) {
+  StripMesh mesh = tetrahedron();
+  EXPECT_REFUSED(flip(mesh, mesh.spoke(0)), "flip", edge_exists);
+  StripMesh pair = two_triangles();
+  EXPECT_REFUSED(flip(pair, pair.spoke(0, 1)), "flip", boundary_edge);
+  StripMesh fins = build({{0, 1, 2}, {0, 2, 3}, {0, 4, 5}}, 6);
+  EXPECT_REFUSED(flip(fins, fins.spoke(2, 0)), "flip", irregular_vertex);
+  // Valence three at 3: after the flip it would be two.
+  StripMesh cone = build({{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, 4);
+  EXPECT_REFUSED(flip(cone, cone.spoke(3, 0)), "flip", edge_exists);
+}
+
+TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
+  StripMesh mesh = sample::octahedron();
+  const Where same{mesh.spoke(4), mesh.spoke(4)};
+  EXPECT_REFUSED(split_and_adopt(mesh, same), "split_and_adopt", same_spoke);
+  EXPECT_REFUSED(split_and_link(mesh, same), "split_and_link", same_spoke);
+  EXPECT_REFUSED(split_baked(mesh, same, {}), "split_baked", same_spoke);
+  EXPECT_REFUSED(mesh.insert_vertex(same), "StripMesh::insert_vertex", same_spoke);
+  EXPECT_REFUSED((void)mesh.take_room(Where::Spokes::both, 3), "StripMesh::take_room", vertex_in_use);
+  EXPECT_REFUSED(collapse_and_adopt(mesh, {}), "collapse_and_adopt", no_such_edge);
+  EXPECT_REFUSED(collapse_and_link(mesh, {}), "collapse_and_link", no_such_edge);
+  EXPECT_REFUSED(collapse_baked(mesh, {}, {}), "collapse_baked", no_such_edge);
+  EXPECT_REFUSED(mesh.remove_vertex({}), "StripMesh::remove_vertex", no_such_edge);
+  EXPECT_REFUSED(flip_and_adopt(mesh, {}), "flip_and_adopt", no_such_edge);
+  EXPECT_REFUSED(flip_and_link(mesh, {}), "flip_and_link", no_such_edge);
+  EXPECT_REFUSED(mesh.turn_edge({}), "StripMesh::turn_edge", no_such_edge);
+  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
+    StripKeeper keeper(mesh, policy);
+    EXPECT_REFUSED(keeper.split(same), "StripKeeper::split", same_spoke);
+    EXPECT_REFUSED(keeper.split({mesh.spoke(4, 0), mesh.spoke(4, 1)}, 2), "StripKeeper::split", vertex_in_use);
+    EXPECT_REFUSED(keeper.collapse({}), "StripKeeper::collapse", no_such_edge);
+    EXPECT_REFUSED(keeper.flip({}), "StripKeeper::flip", no_such_edge);
+  }
+  const BakedRecords<Halfedge> records;
+  BakedPlayer player(mesh, records);
+  EXPECT_REFUSED(player.split(0, same), "BakedPlayer::split", same_spoke);
+  EXPECT_REFUSED(player.collapse(0, {}), "BakedPlayer::collapse", no_such_edge);
+  const std::array<Halfedge, 1> dead{Halfedge{}};
+  EXPECT_REFUSED(split_baked(mesh, {mesh.spoke(4, 0), mesh.spoke(4, 1)}, dead), "flips of a baked record",
+                 no_such_edge);
+  const std::array<SplitRequest, 1> requests{SplitRequest{same}};
+  EXPECT_FAILED(split_batch(mesh, requests, {1, true}), "split_batch: an operation of the batch is not possible");
+  EXPECT_FAILED(collapse_batch(mesh, dead, {1, true}), "collapse_batch: an operation of the batch is not possible");
+}
+
+TEST(PreconditionDeathTest, EveryLookAtAMesh) {
+  StripMesh mesh = two_triangles();
+  EXPECT_FAILED((void)mesh.spoke(4), "StripMesh::spoke: the vertex is not one of this mesh");
+  EXPECT_FAILED((void)mesh.spoke(none, 0), "StripMesh::spoke: the vertex is not one of this mesh");
+  EXPECT_FAILED((void)mesh.irregular(4), "StripMesh::irregular: the vertex is not one of this mesh");
+  EXPECT_FAILED((void)mesh.corners(2), "StripMesh::corners: the triangle is not one of this mesh");
+  EXPECT_FAILED((void)mesh.solid_degree(2), "StripMesh::solid_degree: the triangle is not one of this mesh");
+  EXPECT_FAILED((void)mesh.solid_sides(2), "StripMesh::solid_sides: the triangle is not one of this mesh");
+  EXPECT_REFUSED(mesh.set_solid(mesh.spoke(0, 1), true), "StripMesh::set_solid", boundary_edge);
+  EXPECT_REFUSED(mesh.set_solid(mesh.opposite(mesh.spoke(0, 1)), true), "StripMesh::set_solid", boundary_edge);
+  EXPECT_REFUSED((void)mesh.fan_step(mesh.spoke(0, 3)), "StripMesh::fan_step", boundary_edge);
+}
+
+TEST(PreconditionDeathTest, StripsThatAreOutOfDate) {
+  StripMesh mesh = sample::rectangle(3, 3);
+  stripify(mesh);
+  const Strips strips = extract_strips(mesh);
+  Halfedge solid = StripMesh::halfedge(strips.order[0], 0);
+  while (!mesh.solid(solid)) solid = StripMesh::next(solid);
+  mesh.set_solid(solid, false);
+  EXPECT_FAILED((void)strip_indices(mesh, strips), "strip_indices: the strips are not those of the mesh as it is now");
+  EXPECT_FAILED((void)strip_index_count(mesh, strips), "strip_index_count: the strips are not those of the mesh");
+}
+
+TEST(PreconditionDeathTest, TheIndexOfStrips) {
+  StripMesh mesh = two_triangles();
+  StripIndex index(mesh);
+  const Halfedge inside = mesh.spoke(0, 2);
+  EXPECT_FAILED((void)index.position(7), "StripIndex::position: the index does not know the triangle");
+  EXPECT_FAILED(index.cut(mesh, inside), "StripIndex::cut: the dual edge is dashed already");
+  EXPECT_REFUSED(index.cut(mesh, {}), "StripIndex::cut", no_such_edge);
+  EXPECT_REFUSED(index.link(mesh, {}), "StripIndex::link", no_such_edge);
+  EXPECT_REFUSED(index.link(mesh, mesh.spoke(0, 1)), "StripIndex::link", boundary_edge);
+  index.link(mesh, inside);
+  EXPECT_FAILED(index.link(mesh, inside), "StripIndex::link: the dual edge is solid already");
+  // Around vertex 3, three triangles in a row: the edge that is left would close the ring.
+  StripMesh cone = build({{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 4}}, 5);
+  StripIndex of_cone(cone);
+  of_cone.link(cone, cone.spoke(3, 1));
+  of_cone.link(cone, cone.spoke(3, 2));
+  EXPECT_FAILED(of_cone.link(cone, cone.spoke(3, 0)),
+                "StripIndex::link: the dual edge joins the two ends of one strip");
+  StripMesh row = build({{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {1, 5, 3}}, 6);
+  StripIndex of_row(row);
+  of_row.link(row, row.spoke(1, 2));
+  of_row.link(row, row.spoke(2, 3));
+  EXPECT_FAILED(of_row.link(row, row.spoke(1, 3)),
+                "StripIndex::link: a triangle beside the dual edge is not the end of a strip");
+}
+
+TEST(PreconditionDeathTest, EveryLookUp) {
+  const auto nobody = [](std::size_t) { return strip_ends; };
+  const std::string split_position = "the position is out of range: 3 <= k <= max_word_valence, 1 <= a < k";
+  for (const SplitPosition at : {SplitPosition{4, 0}, {4, 4}, {2, 1}, {62, 3}}) {
+    EXPECT_FAILED((void)split_rule(at, 0, 0), "restrip: split_rule: " + split_position);
+    EXPECT_FAILED((void)collapse_rule(at, 0, 0), "restrip: collapse_rule: " + split_position);
+    EXPECT_FAILED((void)linked_split_rule(at, 0, 0, nobody), "restrip: linked_split_rule: " + split_position);
+    EXPECT_FAILED((void)linked_collapse_rule(at, 0, 0, nobody), "restrip: linked_collapse_rule: " + split_position);
+  }
+  for (const GapPair at : {GapPair{4, 2, 2}, {4, 3, 5}, {62, 1, 2}}) {
+    EXPECT_FAILED((void)open_split_rule(at, 0, 0), "open_split_rule: the position is out of range: i < j <= k");
+    EXPECT_FAILED((void)open_collapse_rule(at, 0, 0), "open_collapse_rule: the position is out of range: i < j <= k");
+  }
+  for (const Gap at : {Gap{0, 0}, {4, 5}, {62, 1}}) {
+    EXPECT_FAILED((void)boundary_split_rule(at, 0, 0), "boundary_split_rule: the position is out of range");
+    EXPECT_FAILED((void)boundary_collapse_rule(at, 0, 0), "boundary_collapse_rule: the position is out of range");
+  }
+  EXPECT_FAILED((void)exact::best_split(4, 4, 0, 0), "exact::best_split: the position is out of range: 1 <= a < k");
+  EXPECT_FAILED((void)exact::best_collapse(0, 0, 0), "exact::best_collapse: k is out of range: 1 <= k");
+  EXPECT_FAILED((void)exact::best_open_split(4, 3, 3, 0, 0), "exact::best_open_split: the position is out of range");
+  EXPECT_FAILED((void)exact::best_boundary_split(4, 5, 0, 0), "exact::best_boundary_split: the position is out");
+  EXPECT_FAILED((void)exact::best_fan_collapse(62, 0, 0), "exact::best_fan_collapse: k is out of range");
+  Word word = 0;
+  const BitSpan none_solid = BitSpan::of(word);
+  Word out = 0;
+  const MutableBitSpan result = MutableBitSpan::of(out);
+  EXPECT_FAILED(exact::best_split(4, 4, none_solid, none_solid, result), "exact::best_split: the position is out");
+  EXPECT_FAILED(exact::best_collapse(0, none_solid, none_solid, result), "exact::best_collapse: k is out of range");
+  EXPECT_FAILED((void)valid_closed(2, 0, 0), "valid_closed: k is out of range: 3 <= k");
+  EXPECT_FAILED((void)joined_closed(62, 0, 0), "joined_closed: k is out of range: 3 <= k");
+  EXPECT_FAILED((void)valid_open(0, 0, 0), "valid_open: k is out of range: 1 <= k");
+  EXPECT_FAILED((void)joined_ring(4, 0, 0, 0), "joined_ring: the position is out of range: 1 <= a < k");
+  EXPECT_FAILED((void)valid_path(4, 5, 0, 0), "valid_path: the position is out of range");
+  EXPECT_FAILED((void)valid_path_with_chord(4, 2, 2, none_solid, none_solid), "valid_path_with_chord: the position");
+}
+
+// The checks are there, and the look-ups are still what they promise to be.
+static_assert(noexcept(split_rule({4, 2}, 0, 0)) && split_rule({4, 2}, 0, 0).valid);
+static_assert(noexcept(flip_rule(false, 0)) && flip_rule(false, 0).valid);
+static_assert(noexcept(exact::best_split(12, 5, 0, 0)) && exact::best_split(12, 5, 0, 0).value.solid == 13);
+static_assert(noexcept(valid_closed(5, 0, 0)) && valid_closed(5, 0, 0));
+
+// A mesh that offers no more than the concepts ask for.
+class Plain {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+  explicit Plain(StripMesh& mesh) : mesh_(mesh) {}
+  [[nodiscard]] Halfedge next(Halfedge h) const { return StripMesh::next(h); }
+  [[nodiscard]] Halfedge opposite(Halfedge h) const { return mesh_.opposite(h); }
+  [[nodiscard]] bool on_boundary(Halfedge h) const { return StripMesh::on_boundary(h); }
+  [[nodiscard]] bool solid(Halfedge h) const { return mesh_.solid(h); }
+  void set_solid(Halfedge h, bool solid) { mesh_.set_solid(h, solid); }
+  Halfedge insert_vertex(const Where& where) { return mesh_.insert_vertex(where); }
+  Halfedge remove_vertex(Halfedge chord) { return mesh_.remove_vertex(chord); }
+  Halfedge turn_edge(Halfedge h) { return mesh_.turn_edge(h); }
+
+ private:
+  StripMesh& mesh_;
+};
+
+// One that knows its handles, and one that has checks of its own.
+class Knowing : public Plain {
+ public:
+  using Plain::Plain;
+  [[nodiscard]] bool alive(Halfedge h) const { return h.id != none; }
+};
+class Checking : public Plain {
+ public:
+  using Plain::Plain;
+  friend Refusal check_split(const Checking& /*mesh*/, const Where& /*where*/) { return Refusal::vertex_in_use; }
+  friend Refusal check_collapse(const Checking& /*mesh*/, Halfedge /*h*/) { return Refusal::link_condition; }
+  friend Refusal check_flip(const Checking& /*mesh*/, Halfedge /*h*/) { return Refusal::edge_exists; }
+};
+
+TEST(PreconditionDeathTest, MeshesOfTheUsersOwn) {
+  StripMesh octahedron = sample::octahedron();
+  Plain plain(octahedron);
+  const Halfedge h = octahedron.spoke(4);
+  EXPECT_REFUSED(split(plain, {h, h}), "split", same_spoke);
+  EXPECT_REFUSED(split(plain, {h, octahedron.opposite(h)}), "split", different_vertices);
+  EXPECT_REFUSED(split(plain, {h, {}, Where::Spokes::left_only}), "split", spoke_on_boundary);
+  StripMesh four = tetrahedron();
+  Plain plain_four(four);
+  EXPECT_REFUSED(collapse(plain_four, four.spoke(0)), "collapse", too_few_triangles);
+  EXPECT_REFUSED(flip(plain_four, four.spoke(0)), "flip", too_few_triangles);
+  StripMesh two = build({{0, 1, 2}, {1, 0, 2}}, 3);
+  Plain plain_two(two);
+  EXPECT_REFUSED(split(plain_two, {two.spoke(0, 1), two.spoke(0, 2)}), "split", too_few_triangles);
+  StripMesh pair = two_triangles();
+  Plain plain_pair(pair);
+  EXPECT_REFUSED(collapse(plain_pair, pair.spoke(0, 2)), "collapse", joins_boundaries);
+  EXPECT_REFUSED(flip(plain_pair, pair.spoke(0, 1)), "flip", boundary_edge);
+  StripMesh one = build({{0, 1, 2}}, 3);
+  Plain plain_one(one);
+  EXPECT_REFUSED(collapse_and_link(plain_one, one.spoke(0)), "collapse_and_link", dangling_edge);
+  Knowing knowing(octahedron);
+  EXPECT_REFUSED(split(knowing, {h, {}}), "split", no_such_edge);
+  EXPECT_REFUSED(collapse(knowing, {}), "collapse", no_such_edge);
+  EXPECT_REFUSED(flip(knowing, {}), "flip", no_such_edge);
+  Checking checking(octahedron);
+  EXPECT_REFUSED(split(checking, {h, turn_ccw(octahedron, h)}), "split", vertex_in_use);
+  EXPECT_REFUSED(collapse(checking, h), "collapse", link_condition);
+  EXPECT_REFUSED(flip(checking, h), "flip", edge_exists);
+}
+
+// ---- errors of every build
+
+// Built with RESTRIP_MAX_TRIANGLES = 40.
+TEST(StripMeshLimit, AFullMeshSaysSoAndStaysAsItIs) {
+  ASSERT_EQ(StripMesh::max_triangles, 40U);
+  const std::vector<Corners> grid = sample::grid(5, 4, false, false, 1);
+  ASSERT_EQ(grid.size(), 40U);
+  std::vector<Corners> more = grid;
+  more.push_back({0, 1, 30});
+  EXPECT_THROW((void)StripMesh::build(more, 31), std::length_error);
+  StripMesh mesh = StripMesh::build(grid, 30);
+  stripify(mesh);
+  const auto state = [&] {
+    std::vector<std::array<std::uint32_t, 7>> all;
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+      const auto c = mesh.corners(t);
+      const auto across = [&](unsigned side) { return mesh.opposite(StripMesh::halfedge(t, side)).id; };
+      all.push_back({c[0], c[1], c[2], across(0), across(1), across(2), mesh.alive(t) ? mesh.solid_sides(t) : 0});
+    }
+    return all;
+  };
+  const auto before = state();
+  const Where where{mesh.spoke(7), turn_ccw(mesh, mesh.spoke(7))};
+  EXPECT_THROW(split(mesh, where), std::length_error);
+  const Where beside{mesh.spoke(0), {}, Where::Spokes::left_only};
+  EXPECT_THROW(split(mesh, beside), std::length_error);
+  EXPECT_EQ(mesh.triangle_count(), 40U);
+  EXPECT_EQ(state(), before);
+  // What a collapse gives back can be taken again; one triangle free is not enough for two.
+  const Halfedge edge = mesh.spoke(0, 1);
+  ASSERT_EQ(check_collapse(mesh, edge), Refusal::granted);
+  collapse(mesh, edge);
+  ASSERT_EQ(mesh.triangle_count(), 39U);
+  const Where inside{mesh.spoke(14), turn_ccw(mesh, mesh.spoke(14))};
+  EXPECT_THROW(split(mesh, inside), std::length_error);
+  EXPECT_EQ(mesh.triangle_count(), 39U);
+  split(mesh, {mesh.spoke(0), {}, Where::Spokes::left_only});
+  EXPECT_EQ(mesh.triangle_count(), 40U);
+  EXPECT_TRUE(check_coloring(mesh).valid);
+}
+
+// A ring of solid edges has no end to index a strip from, and a triangle of three solid edges no strip.
+TEST(InvalidColorings, AreRefusedByWhoeverReadsTheWholeMesh) {
+  for (const bool cycle : {true, false}) {
+    StripMesh mesh = sample::rectangle(3, 3);
+    if (cycle) {
+      detail::for_each_spoke(mesh, 5, [&](Halfedge h) { mesh.set_solid(h, true); });
+    } else {
+      Triangle t = 0;
+      const auto inner = [&](unsigned side) {
+        return !StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, side)));
+      };
+      while (!inner(0) || !inner(1) || !inner(2)) ++t;
+      for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(t, side), true);
+    }
+    ASSERT_FALSE(check_coloring(mesh).valid);
+    const auto message = [&](const auto& read) -> std::string {
+      try {
+        read();
+      } catch (const std::invalid_argument& error) {
+        return error.what();
+      }
+      return "nothing thrown";
+    };
+    const std::string expected = std::string("restrip: the colouring is not valid: ") +
+                                 (cycle ? "solid dual edges close a cycle" : "a triangle has three solid dual edges");
+    for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full})
+      EXPECT_EQ(message([&] { const StripKeeper keeper(mesh, policy); }), expected);
+    EXPECT_EQ(message([&] { const StripIndex index(mesh); }), expected);
+    EXPECT_EQ(message([&] { (void)count_strips(mesh); }), expected);
+    mesh.clear_colors();
+    StripKeeper keeper(mesh);
+    EXPECT_EQ(keeper.strips(), mesh.triangle_count());
+    EXPECT_EQ(count_strips(mesh), mesh.triangle_count());
+  }
+}
+
+}  // namespace
+}  // namespace restrip
