@@ -53,9 +53,8 @@ constexpr Word ends_over_chord(const Layout& patch, Word edges, Word ports) noex
   return one != two && has(ports, one) && has(ports, two) ? bit(one) | bit(two) : 0;
 }
 
-/// The pair that the chord joins, by the bit that names it in a key; zero when it joins none that the key can name.
-constexpr Word joined_by_chord(const Layout& patch, Word edges, Word ports) noexcept {
-  const Word ends = ends_over_chord(patch, edges, ports);
+/// The bit that names a joined pair in a key; zero when there is none, or none that a key can name.
+constexpr Word name_of_pair(const Layout& patch, Word ends, Word ports) noexcept {
   if (ends == 0) return 0;
   const Word high = std::bit_floor(ends);
   const Word low = ends ^ high;
@@ -74,7 +73,8 @@ constexpr Word joined(const Layout& patch, Word inner, Word fan_ports) noexcept 
   Word ends = edges + (ports & edges);
   if (patch.ring) ends = (ends & low_bits(patch.size())) + (ends >> patch.size());  // the carry goes round
   Word result = ends & ~edges & ports;
-  if (patch.has_chord() && has(inner, patch.chord())) result |= joined_by_chord(patch, edges, ports);
+  if (patch.has_chord() && has(inner, patch.chord()))
+    result |= name_of_pair(patch, ends_over_chord(patch, edges, ports), ports);
   return patch.gather(result);
 }
 
@@ -129,15 +129,34 @@ constexpr Word ring_ports(std::size_t a, Word ports) noexcept {
   return (ports & low_bits(a)) << 1 | (ports >> a) << (a + 2);
 }
 
-// Ring with chord, 1 <= a < k: inner has k + 3 bits.
-constexpr Word joined_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
-  RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "joined_ring", detail::no_such_arc);
+namespace detail {
+
+/// What a ring with chord joins: the pairs that a key names, and the two ports that a path over the chord joins, which
+/// need not be neighbours; zero when there are none.
+struct RingPairs {
+  Word joined = 0;
+  Word over_chord = 0;
+};
+
+/// Both in one go. (GCC 12 at -O3 has been seen to get `over_chord` wrong where it was computed again on its own.)
+constexpr RingPairs ring_pairs(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
   const Word edges = inner & low_bits(k + 2);
   const Word elements = ring_ports(a, ports);
   const Word ends = edges + (elements & edges);
-  Word result = ((ends & low_bits(k + 2)) + (ends >> (k + 2))) & ~edges & elements;
-  if (has(inner, k + 2)) result |= detail::joined_by_chord(detail::ring_with_chord(k, a), edges, elements);
-  return (result >> 1 & low_bits(a)) | (result >> (a + 2)) << a;
+  const auto back = [a](Word of_elements) { return (of_elements >> 1 & low_bits(a)) | (of_elements >> (a + 2)) << a; };
+  const Word along = ((ends & low_bits(k + 2)) + (ends >> (k + 2))) & ~edges & elements;
+  if (!has(inner, k + 2)) return {back(along), 0};
+  const Layout ring = ring_with_chord(k, a);
+  const Word pair = ends_over_chord(ring, edges, elements);
+  return {back(along | name_of_pair(ring, pair, elements)), back(pair)};
+}
+
+}  // namespace detail
+
+// Ring with chord, 1 <= a < k: inner has k + 3 bits.
+constexpr Word joined_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+  RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "joined_ring", detail::no_such_arc);
+  return detail::ring_pairs(k, a, inner, ports).joined;
 }
 constexpr bool valid_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
   RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "valid_ring", detail::no_such_arc);

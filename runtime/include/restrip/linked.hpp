@@ -128,14 +128,6 @@ class Outlook {
   std::int8_t beyond_[8] = {};
 };
 
-/// The ports that a path over the chord joins before a collapse: the one pair that need not be of neighbours.
-constexpr Word pair_over_chord(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
-  const Layout ring = ring_with_chord(k, a);
-  return has(inner, ring.chord())
-             ? ring.gather(ends_over_chord(ring, inner & low_bits(ring.edges()), ring.spread(ports)))
-             : 0;
-}
-
 /// The first recolouring of a list that is sound.
 template <class Table, class LookOut>
 constexpr Word first_sound(const Table& table, std::size_t k, std::size_t place, Word ports, Outlook<LookOut> outlook) {
@@ -173,8 +165,8 @@ template <class LookOut>
   const auto [k, a] = at;
   RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "linked_collapse_rule", detail::no_such_split);
   if (k > table_max_k || !valid_ring(k, a, inner, ports)) return collapse_rule(at, inner, ports);
-  detail::Outlook<std::remove_reference_t<LookOut>> outlook(k, 0, ports, joined_ring(k, a, inner, ports),
-                                                            detail::pair_over_chord(k, a, inner, ports), look_out);
+  const detail::RingPairs before = detail::ring_pairs(k, a, inner, ports);
+  detail::Outlook<std::remove_reference_t<LookOut>> outlook(k, 0, ports, before.joined, before.over_chord, look_out);
   return detail::rule(detail::first_sound(tables::linked_collapse, k, 0, ports, outlook), inner, -2);
 }
 
