@@ -9,20 +9,27 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "count.hpp"
+#include "digest.hpp"
 #include "dump.hpp"
 #include "emit.hpp"
+#include "files/output.hpp"
+#include "files/system_calls.hpp"
 #include "part.hpp"
 #include "shard.hpp"
 #include "share.hpp"
-#include "whole_file.hpp"
 
 namespace {
 
 using namespace restrip::generator;
+namespace files = restrip::files;
 
 struct TablesOptions {
   std::string out;
@@ -48,7 +55,29 @@ void solve_parts(std::vector<Part>& all, std::vector<std::size_t> places, unsign
   if (terminal) fmt::print(stderr, "\r{:40}\r", "");
 }
 
-void write_tables(const std::string& out, std::vector<Part> all, unsigned max_k) {
+const std::string headers = "include/restrip/tables/";
+
+std::string header_path(const std::string& family) {
+  std::string file = family;
+  std::replace(file.begin(), file.end(), '-', '_');
+  return headers + file + ".hpp";
+}
+
+std::string certificate_path(const std::string& family) { return "certificates/" + family + ".cert"; }
+
+/// The files that write_tables writes, whatever the largest valence; MANIFEST, which vouches for the others, last.
+files::OutputSet table_files(const std::string& out) {
+  std::set<std::filesystem::path> names{headers + "rows.hpp", headers + "linked.hpp"};
+  for (const Part& part : parts(3)) {
+    names.insert(certificate_path(part.family));
+    if (std::holds_alternative<Section>(part.section)) names.insert(header_path(part.family));
+  }
+  std::vector<std::filesystem::path> in_order(names.begin(), names.end());
+  in_order.emplace_back("MANIFEST");
+  return files::OutputSet(out, in_order);
+}
+
+void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) {
   std::vector<SolvedFamily> families;
   std::vector<LinkedFamily> linked;
   for (Part& part : all) {
@@ -72,34 +101,36 @@ void write_tables(const std::string& out, std::vector<Part> all, unsigned max_k)
   const Packing closed_packing = pack(closed_sections, max_k);
   const Packing open_packing = pack(open_sections, max_k);
 
-  std::map<std::string, std::string> files;
+  std::map<std::string, std::string> texts;
   std::map<std::string, std::size_t> rows;
   std::map<std::string, std::size_t> bytes;
-  const std::string headers = "include/restrip/tables/";
-  files[headers + "rows.hpp"] = rows_header(closed_packing, open_packing, max_k);
+  texts[headers + "rows.hpp"] = rows_header(closed_packing, open_packing, max_k);
   for (const SolvedFamily& family : families) {
-    std::string file = family.name;
-    std::replace(file.begin(), file.end(), '-', '_');
+    const std::string file = header_path(family.name);
+    const std::string proof = certificate_path(family.name);
     const bool on_closed = closed(family.sections[0].position.family);
     const RulesHeader header = rules_header(family, on_closed ? closed_packing : open_packing, max_k);
-    files[headers + file + ".hpp"] = header.text;
+    texts[file] = header.text;
     bytes[family.name] = header.bytes;
-    files["certificates/" + family.name + ".cert"] = certificate(family.name, family.texts, family.rows());
-    rows[headers + file + ".hpp"] = rows["certificates/" + family.name + ".cert"] = family.rows();
+    texts[proof] = certificate(family.name, family.texts, family.rows());
+    rows[file] = rows[proof] = family.rows();
   }
   const RulesHeader linked_rules = linked_header(linked, max_k);
-  files[headers + "linked.hpp"] = linked_rules.text;
+  texts[headers + "linked.hpp"] = linked_rules.text;
   for (const LinkedFamily& family : linked) {
-    const std::string path = "certificates/linked-" + family.name + ".cert";
-    files[path] = certificate("linked-" + family.name, family.texts, family.alternatives());
+    const std::string path = certificate_path("linked-" + family.name);
+    texts[path] = certificate("linked-" + family.name, family.texts, family.alternatives());
     rows[path] = family.alternatives();
     rows[headers + "linked.hpp"] += family.alternatives();
   }
   std::string manifest = "restrip-manifest 1\n";
-  for (const auto& [path, contents] : files)
+  std::vector<files::NamedBytes> files;
+  for (auto& [path, contents] : texts) {
     manifest += fmt::format("{} {} {} {}\n", sha256(contents), contents.size(), rows[path], path);
-  files["MANIFEST"] = manifest;
-  write_all(out, files);
+    files.push_back({path, std::move(contents)});
+  }
+  files.push_back({"MANIFEST", manifest});
+  out.write(files);
 
   for (const SolvedFamily& family : families)
     fmt::print("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", family.name, family.sections.size(), family.rows(),
@@ -110,15 +141,17 @@ void write_tables(const std::string& out, std::vector<Part> all, unsigned max_k)
 }
 
 void make_tables(const TablesOptions& options) {
+  files::OutputSet out = table_files(options.out);
   std::vector<Part> all = parts(options.max_k, options.goal);
   std::vector<std::size_t> everything(all.size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
   solve_parts(all, everything, options.threads);
-  write_tables(options.out, std::move(all), options.max_k);
+  write_tables(out, std::move(all), options.max_k);
 }
 
 void make_shard(const TablesOptions& options) {
   const Shard shard = shard_named(options.shard);
+  files::OutputSet out(options.out, {file_name(shard)});
   const std::string id = generator_id(RESTRIP_VERSION);
   std::vector<Part> all = parts(options.max_k);
   const std::vector<std::size_t> places = share_of(all, shard.index, shard.count);
@@ -130,12 +163,13 @@ void make_shard(const TablesOptions& options) {
     rows += rows_of(all[i]);
   }
   const std::string text = shard_text(shard, options.max_k, id, solved);
-  write_all(options.out, {{file_name(shard), text}});
+  out.write({{file_name(shard), text}});
   fmt::print("shard {} of {}: {} of {} sections, {} rows, {} bytes\n", shard.index, shard.count, solved.size(),
              all.size(), rows, text.size());
 }
 
-void merge(const std::string& in, const std::string& out) {
+void merge(const std::string& in, const std::string& folder) {
+  files::OutputSet out = table_files(folder);
   Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
   write_tables(out, std::move(merged.parts), merged.max_k);
 }
@@ -143,6 +177,7 @@ void merge(const std::string& in, const std::string& out) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  restrip::files::ignore_file_size_signal();
   CLI::App app{
       "Writes restrip's rewriting tables by exhaustive search.\n\nExample:\n  restrip-generate tables --out "
       "/tmp/tables\n"};

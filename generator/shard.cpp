@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 
+#include "digest.hpp"
 #include "emit.hpp"
-#include "whole_file.hpp"
+#include "files/reading.hpp"
 
 namespace restrip::generator {
 
@@ -144,10 +143,9 @@ struct File {
 };
 
 /// The file with its head understood and its digest checked.
-File open_shard(const fs::path& path, const std::string& id) {
-  std::ifstream in(path, std::ios::binary);
-  File file{path, {std::istreambuf_iterator<char>(in), {}}, {}, 0};
-  if (!in) throw std::runtime_error(fmt::format("{}: cannot be read; look at its permissions", path.string()));
+File open_shard(const ShardBytes& shard_file, const std::string& id) {
+  const fs::path& path = shard_file.path;
+  File file{path, shard_file.text, {}, 0};
   const std::string& text = file.text;
   const auto refuse = [&](const std::string& why) {
     throw std::runtime_error(fmt::format("{}: {}", path.string(), why));
@@ -230,11 +228,17 @@ Merged read_shards(const fs::path& directory, const std::string& id) {
         fmt::format("{}: holds no shard; first run restrip-generate tables --shard 1/N --out {}, and so on to N/N",
                     directory.string(), directory.string()));
   std::sort(paths.begin(), paths.end());
+  std::vector<ShardBytes> shards;
+  for (const fs::path& path : paths) shards.push_back({path, files::read_whole(path)});
+  return merge_shards(shards, id, directory);
+}
 
+Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id, const fs::path& directory) {
   Merged merged;
   std::vector<fs::path> seen;
-  for (const fs::path& path : paths) {
-    const File file = open_shard(path, id);
+  for (const ShardBytes& bytes : shards) {
+    const fs::path& path = bytes.path;
+    const File file = open_shard(bytes, id);
     const Shard& shard = file.shard;
     if (seen.empty()) {
       merged = {file.max_k, parts(file.max_k)};
@@ -244,7 +248,7 @@ Merged read_shards(const fs::path& directory, const std::string& id) {
       throw std::runtime_error(fmt::format(
           "{}: is shard {} of {} with --max-k {}, but {} is one of {} with --max-k {}; keep one set of "
           "shards in a directory",
-          path.string(), shard.index, shard.count, file.max_k, paths[0].string(), seen.size(), merged.max_k));
+          path.string(), shard.index, shard.count, file.max_k, shards[0].path.string(), seen.size(), merged.max_k));
     if (!seen[shard.index - 1].empty())
       throw std::runtime_error(fmt::format("{}: is shard {} of {}, and so is {}; remove one of them", path.string(),
                                            shard.index, shard.count, seen[shard.index - 1].string()));

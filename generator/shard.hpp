@@ -38,4 +38,12 @@ struct Merged {
 /// missing, there twice, truncated or altered, or does not fit to the others or to this generator.
 [[nodiscard]] Merged read_shards(const std::filesystem::path& directory, const std::string& id);
 
+/// The same of files that have been read, one at least; `directory` is for the remedies.
+struct ShardBytes {
+  std::filesystem::path path;
+  std::string text;
+};
+[[nodiscard]] Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id,
+                                  const std::filesystem::path& directory);
+
 }  // namespace restrip::generator

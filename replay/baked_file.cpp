@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "bad_input.hpp"
 #include "coloring_check.hpp"
 #include "dual_order.hpp"
+#include "files/reading.hpp"
 #include "pm_file.hpp"
 #include "restrip/checks.hpp"
-#include "whole_file.hpp"
 
 namespace restrip::replay {
 namespace {
@@ -205,7 +206,10 @@ class Reader {
   }
   Point point() {
     Point p;
-    for (float* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(u32());
+    for (float* coordinate : {&p.x, &p.y, &p.z}) {
+      *coordinate = std::bit_cast<float>(u32());
+      if (!std::isfinite(*coordinate)) fail("a coordinate in it is infinite or not a number");
+    }
     return p;
   }
   std::uint64_t number() {
@@ -302,14 +306,8 @@ class Reader {
 
 BakedMesh parse_baked(std::string_view bytes, const std::string& name) { return Reader(bytes, name).run(); }
 
-BakedMesh read_baked(const std::filesystem::path& file) { return parse_baked(read_whole_file(file), file.string()); }
+BakedMesh read_baked(const std::filesystem::path& file) { return parse_baked(files::read_whole(file), file.string()); }
 
 std::string baked_bytes(const BakedMesh& baked) { return Writer(baked).run(); }
-
-std::size_t write_baked(const std::filesystem::path& file, const BakedMesh& baked) {
-  const std::string bytes = baked_bytes(baked);
-  write_whole_file(file, bytes);
-  return bytes.size();
-}
 
 }  // namespace restrip::replay

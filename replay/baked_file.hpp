@@ -17,8 +17,7 @@ inline constexpr std::string_view baked_extension = ".baked";
 [[nodiscard]] BakedMesh read_baked(const std::filesystem::path& file);
 [[nodiscard]] BakedMesh parse_baked(std::string_view bytes, const std::string& name);
 
-/// Renumbers the vertices in order of appearance, as write_pm does. Whole file or none. Returns the size in bytes.
-std::size_t write_baked(const std::filesystem::path& file, const BakedMesh& baked);
+/// Renumbers the vertices in order of appearance, as pm_bytes does.
 [[nodiscard]] std::string baked_bytes(const BakedMesh& baked);
 
 /// FNV-1a, 64 bits (Fowler, Noll, Vo): every step is a bijection of its state, so no change of a single byte goes

@@ -10,6 +10,8 @@
 #include "baked_file.hpp"
 #include "coloring_check.hpp"
 #include "draw.hpp"
+#include "files/output.hpp"
+#include "files/reading.hpp"
 #include "mesh_file.hpp"
 #include "mesh_report.hpp"
 #include "pm_file.hpp"
@@ -19,16 +21,13 @@
 #include "restrip/strips.hpp"
 #include "stopwatch.hpp"
 #include "walk.hpp"
-#include "whole_file.hpp"
 
 namespace restrip::replay {
 namespace {
 
-bool is_progressive(const std::filesystem::path& file) {
-  return file.extension() == ".pm" || file.extension() == ".PM";
-}
+bool is_progressive(const std::filesystem::path& file) { return files::extension_of(file) == ".pm"; }
 
-bool is_baked(const std::filesystem::path& file) { return file.extension() == baked_extension; }
+bool is_baked(const std::filesystem::path& file) { return files::extension_of(file) == baked_extension; }
 
 void refuse_simplifying(const std::filesystem::path& file, bool given) {
   if (given)
@@ -136,6 +135,10 @@ int run(const StatsCommand& command) {
 }
 
 int run(const ReplayCommand& command) {
+  const bool to_stdout = command.json == "-";
+  std::optional<files::Output> json_file;
+  if (!command.json.empty() && !to_stdout)
+    json_file.emplace(command.json, files::OutputRules{{".json"}, {command.mesh}});
   Source source = command.built_in
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
                       : source_of(command.mesh, command.simplify, command.simplify_given);
@@ -159,10 +162,10 @@ int run(const ReplayCommand& command) {
   if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command, options.policy);
 
   const std::string json = command.json.empty() ? "" : as_json(report, source.subject, walk);
-  if (command.json == "-") {
+  if (to_stdout) {
     fmt::print("{}", json);
   } else {
-    if (!command.json.empty()) write_whole_file(command.json, json);
+    if (json_file) json_file->write(json);
     fmt::print("{}", as_text(report, source.subject));
     if (walk) fmt::print("{}", as_text(*walk));
   }
@@ -170,8 +173,9 @@ int run(const ReplayCommand& command) {
 }
 
 int run(const SimplifyCommand& command) {
+  const files::Output out(command.out, {{".pm"}, {command.mesh}});
   const Simplification result = simplify(read_mesh(command.mesh), command.simplify);
-  write_pm(command.out, result.mesh);
+  out.write(pm_bytes(result.mesh));
   fmt::print("{}: {} triangles and {} splits to {}\n", command.out.string(), result.mesh.base.size(),
              result.mesh.splits.size(), result.mesh.fine_triangles());
   if (result.mesh.base.size() > result.wanted_triangles)
@@ -180,10 +184,13 @@ int run(const SimplifyCommand& command) {
 }
 
 int run(const BakeCommand& command) {
+  const files::Output out(command.out, {{std::string(baked_extension)}, {command.mesh}});
   Source source = source_of(command.mesh, command.simplify, command.simplify_given);
   BakeReport report;
   const BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
-  const std::size_t bytes = write_baked(command.out, baked);
+  const std::string file = baked_bytes(baked);
+  const std::size_t bytes = file.size();
+  out.write(file);
   const std::size_t records = baked.records.size();
   const auto each = static_cast<double>(std::max<std::size_t>(records, 1));
   const BakedCosts costs = costs_of(baked, report.seconds);
@@ -220,8 +227,13 @@ int run(const BakeCommand& command) {
 }
 
 int run(const MakeMeshCommand& command) {
+  const files::Output out(command.out, {written_mesh_extensions(), {}});
+  const std::string format = files::extension_of(command.out);
+  if (format.empty())  // a device
+    throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}",
+                               command.out.string(), fmt::join(written_mesh_extensions(), ", ")));
   const Soup soup = make_mesh(command.triangles, command.seed);
-  write_mesh(command.out, soup);
+  out.write(mesh_bytes(soup, format));
   fmt::print("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size());
   return 0;
 }
@@ -258,6 +270,7 @@ int run(const StripifyCommand& command) {
 }
 
 int run(const DrawCommand& command) {
+  const files::Output out(command.out, {{".svg"}, {command.mesh}});
   constexpr std::size_t triangles_in_a_picture = 2400;
   Soup soup = command.mesh.empty() ? make_mesh(triangles_in_a_picture) : read_mesh(command.mesh);
   if (command.mesh.empty()) smooth(soup, 4);
@@ -269,9 +282,9 @@ int run(const DrawCommand& command) {
   constexpr SplitPosition at{6, 3};
   constexpr Word loop = 0b001111;
   constexpr Word ports = 0b110001;
-  write_whole_file(command.out, svg_of({{draw_mesh(mesh, source.points), "a mesh coloured by strip"},
-                                        {draw_fan(at, loop, ports), "a 6-vertex; solid: strip, dashed: no strip"},
-                                        {draw_split(at, loop, ports), "split, and repaired by its rule"}}));
+  out.write(svg_of({{draw_mesh(mesh, source.points), "a mesh coloured by strip"},
+                    {draw_fan(at, loop, ports), "a 6-vertex; solid: strip, dashed: no strip"},
+                    {draw_split(at, loop, ports), "split, and repaired by its rule"}}));
   return 0;
 }
 

@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <new>
@@ -10,7 +12,11 @@
 
 #include "bad_input.hpp"
 #include "commands.hpp"
+#include "files/reading.hpp"
+#include "files/system_calls.hpp"
 #include "policies.hpp"
+#include "soup_builder.hpp"
+#include "text_cursor.hpp"
 
 namespace {
 
@@ -18,8 +24,24 @@ using namespace restrip::replay;
 
 constexpr int exit_bad_input = 2;
 
+/// CLI11 takes -1 for the largest number there is, and a number that is too large as well.
+const CLI::Validator whole_number(
+    [](std::string& word) {
+      return parse<std::uint64_t>(word) ? std::string() : fmt::format("{} is no whole number below 2^64", word);
+    },
+    "", "whole number");
+
+/// A range admits what is no number at all.
+const CLI::Validator true_number(
+    [](std::string& word) {
+      const auto number = parse<double>(word);
+      return number && std::isfinite(*number) ? std::string() : fmt::format("{} is no number", word);
+    },
+    "", "number");
+
 void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
   app.add_option("--base", options.base, "share of the triangles that the coarsest level keeps")
+      ->check(true_number)
       ->check(CLI::Range(1e-9, 1.0))
       ->capture_default_str();
   app.add_option_function<std::string>(
@@ -61,7 +83,7 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
-      ->check(CLI::NonNegativeNumber)
+      ->check(whole_number)
       ->capture_default_str();
   std::vector<std::string> policies{"baked"};
   for (const auto& policy : policy_names()) policies.push_back(policy.first);
@@ -85,8 +107,9 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
       ->default_str("strips");
   CLI::Option* walk =
       sub->add_option("--walk", command.walk_steps,
-                      "then that many random splits, collapses and flips on the full mesh, under the policy");
-  sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->capture_default_str();
+                      "then that many random splits, collapses and flips on the full mesh, under the policy")
+          ->check(whole_number);
+  sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->check(whole_number)->capture_default_str();
   sub->add_option("--json", command.json, "write the report as JSON to a file, or - for standard output");
   sub->callback([sub, mesh, built_in, &command] {
     if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
@@ -130,7 +153,7 @@ CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
   sub->add_option("--triangles", command.triangles, "about how many")
       ->check(CLI::Range(least_made_triangles, most_made_triangles))
       ->capture_default_str();
-  sub->add_option("--seed", command.seed, "of its irregularities")->capture_default_str();
+  sub->add_option("--seed", command.seed, "of its irregularities")->check(whole_number)->capture_default_str();
   sub->footer("Example: restrip make-mesh --triangles 1000000 -o torus.ply");
   return sub;
 }
@@ -173,9 +196,14 @@ int run_command_line(int argc, char** argv) {
   CLI::App app{"Triangle strips kept while the mesh changes, by local repairs proven optimal", "restrip"};
   app.set_version_flag("--version", std::string("restrip ") + RESTRIP_VERSION);
   app.require_subcommand(1);
+  constexpr restrip::files::ReadLimits limits;
   app.footer(
-      "Exit codes: 0 all is well, 1 a check failed, 2 the input or the command line is at fault.\nExample: restrip "
-      "replay --built-in");
+      fmt::format("Exit codes: 0 all is well, 1 a check failed, 2 the input or the command line is at fault.\n"
+                  "Limits: files of {}, pipes and devices of {}, lines of text of {}.\n"
+                  "Outputs appear whole or not at all; they must not be inputs and must end as their format does.\n"
+                  "Example: restrip replay --built-in",
+                  restrip::files::size_in_words(limits.regular), restrip::files::size_in_words(limits.endless),
+                  restrip::files::size_in_words(longest_line)));
   StatsCommand stats;
   ReplayCommand replay;
   SimplifyCommand simplify;
@@ -210,6 +238,7 @@ int run_command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  restrip::files::ignore_file_size_signal();
   try {
     const int code = run_command_line(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;

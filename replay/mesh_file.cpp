@@ -4,21 +4,14 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <iterator>
 
 #include "bad_input.hpp"
+#include "files/reading.hpp"
 #include "soup_builder.hpp"
-#include "whole_file.hpp"
 
 namespace restrip::replay {
 namespace {
-
-std::string extension_of(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
 
 std::string obj_of(const Soup& soup) {
   std::string text;
@@ -57,31 +50,34 @@ std::string ply_of(const Soup& soup) {
 }  // namespace
 
 Soup read_mesh(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
+  const std::string extension = files::extension_of(file);
   const auto reader = extension == ".obj"   ? read_obj
                       : extension == ".off" ? read_off
                       : extension == ".ply" ? read_ply
                       : extension == ".stl" ? read_stl
                                             : nullptr;
-  const std::string bytes = read_whole_file(file);
-  if (reader == nullptr)
+  const auto refuse_extension = [&] {
     throw BadInput(fmt::format("{}: unknown extension '{}'; meshes are read from .obj, .off, .ply and .stl",
                                file.string(), extension));
+  };
+  std::error_code error;
+  const auto kind = std::filesystem::status(file, error).type();
+  const bool there = kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::directory;
+  if (reader == nullptr && there) refuse_extension();  // before it is read, as it may never end
+  const std::string bytes = files::read_whole(file);
+  if (reader == nullptr) refuse_extension();
   if (bytes.empty()) throw BadInput(fmt::format("{}: the file is empty", file.string()));
   return reader(bytes, file.string());
 }
 
-void write_mesh(const std::filesystem::path& file, const Soup& soup) {
-  const std::string extension = extension_of(file);
-  if (extension == ".obj")
-    write_whole_file(file, obj_of(soup));
-  else if (extension == ".off")
-    write_whole_file(file, off_of(soup));
-  else if (extension == ".ply")
-    write_whole_file(file, ply_of(soup));
-  else
-    throw BadInput(
-        fmt::format("{}: unknown extension '{}'; meshes are written as .obj, .off or .ply", file.string(), extension));
+std::vector<std::string> written_mesh_extensions() { return {".obj", ".off", ".ply"}; }
+
+std::string mesh_bytes(const Soup& soup, const std::string& extension) {
+  if (extension == ".obj") return obj_of(soup);
+  if (extension == ".off") return off_of(soup);
+  if (extension == ".ply") return ply_of(soup);
+  throw BadInput(fmt::format("unknown extension '{}'; meshes are written as {}", extension,
+                             fmt::join(written_mesh_extensions(), ", ")));
 }
 
 }  // namespace restrip::replay

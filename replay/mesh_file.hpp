@@ -9,16 +9,20 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "soup.hpp"
 
 namespace restrip::replay {
 
-/// Reads a mesh; the format is that of the file's extension, in any case. Throws BadInput.
+/// Reads a mesh; the format is that of the file's extension, in any case. Throws BadInput, or files::FileError when the
+/// file itself cannot be read.
 [[nodiscard]] Soup read_mesh(const std::filesystem::path& file);
 
-/// Writes a mesh, whole or not at all; .obj, .off or .ply (binary). Throws BadInput.
-void write_mesh(const std::filesystem::path& file, const Soup& soup);
+/// The extensions of the formats in which meshes are written; PLY is binary.
+[[nodiscard]] std::vector<std::string> written_mesh_extensions();
+/// The bytes of a mesh file with this extension, in lower case. Throws BadInput when it is none of those.
+[[nodiscard]] std::string mesh_bytes(const Soup& soup, const std::string& extension);
 
 /// The readers, one a format, on the bytes of a file. `name` is for messages.
 [[nodiscard]] Soup read_obj(std::string_view bytes, const std::string& name);

@@ -7,6 +7,7 @@
 
 #include "bad_input.hpp"
 #include "coloring_check.hpp"
+#include "files/reading.hpp"
 #include "mesh_file.hpp"
 #include "paper_policy.hpp"
 #include "pm_file.hpp"
@@ -178,7 +179,7 @@ std::vector<ValenceRow> valence_rows(const PaperMesh& mesh) {
 PaperSubject read_subject(const std::filesystem::path& file) {
   PaperSubject subject;
   subject.name = file.filename().string();
-  if (file.extension() == ".pm" || file.extension() == ".PM") {
+  if (files::extension_of(file) == ".pm") {
     subject.progressive = read_pm(file);
     subject.soup = top_of(*subject.progressive, file.string());
   } else {

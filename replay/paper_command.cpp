@@ -1,36 +1,34 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
-#include "bad_input.hpp"
 #include "commands.hpp"
 #include "paper_report.hpp"
-#include "whole_file.hpp"
 
 namespace restrip::replay {
 
 int run(const PaperCommand& command) {
-  std::error_code error;
-  std::filesystem::create_directories(command.out, error);
-  if (!std::filesystem::is_directory(command.out))
-    throw BadInput(fmt::format("{}: cannot be made a folder: {}; name another one", command.out.string(),
-                               error ? error.message() : "a file of that name is in the way"));
-  const auto write = [&](const std::vector<NamedFile>& files) {
-    for (const NamedFile& file : files) write_whole_file(command.out / file.name, file.bytes);
+  // The page comes last: it vouches for the figures.
+  const auto with_page = [](std::vector<files::NamedBytes> files, std::vector<files::NamedBytes> more,
+                            std::string page) {
+    std::move(more.begin(), more.end(), std::back_inserter(files));
+    files.push_back({"index.html", std::move(page)});
+    return files;
   };
+  std::vector<std::filesystem::path> names;
+  for (const files::NamedBytes& file : with_page(csv_files(RuleFigures{}), csv_files(std::vector<PaperMesh>{}), ""))
+    names.push_back(file.name);
+  files::OutputSet out(command.out, names, {{}, command.meshes});
   std::vector<PaperSubject> subjects;
   for (const std::filesystem::path& mesh : command.meshes) subjects.push_back(read_subject(mesh));
   const RuleFigures figures = rule_figures();
-  write(csv_files(figures));  // before the long work, which would be lost if the folder took no files
   std::vector<PaperMesh> meshes;
   for (PaperSubject& subject : subjects) {
     meshes.push_back(measure(subject, command.options));
     subject = {};
   }
-  // Never a page beside figures that are not its own.
-  std::filesystem::remove(command.out / "index.html", error);
-  write(csv_files(meshes));
-  write({{"index.html", as_html(figures, meshes, command.options)}});
+  out.write(with_page(csv_files(figures), csv_files(meshes), as_html(figures, meshes, command.options)));
   fmt::print("{}", command.json ? as_json(figures, meshes) : as_text(meshes));
   return std::all_of(meshes.begin(), meshes.end(), [](const PaperMesh& mesh) { return mesh.faults.empty(); }) ? 0 : 1;
 }

@@ -26,7 +26,7 @@ void add_row(std::string& csv, const char* format, const Fields&... fields) {
 
 }  // namespace
 
-std::vector<NamedFile> csv_files(const RuleFigures& figures) {
+std::vector<files::NamedBytes> csv_files(const RuleFigures& figures) {
   std::string positions = "k,a,b\n";
   for (const SplitPosition& at : figures.positions) add_row(positions, "{},{},{}", at.k, at.a, at.k - at.a);
 
@@ -49,7 +49,7 @@ std::vector<NamedFile> csv_files(const RuleFigures& figures) {
   return {{"positions.csv", positions}, {"rules-4.csv", rules}, {"lonely-counts.csv", counts}, {"lonely.csv", lonely}};
 }
 
-std::vector<NamedFile> csv_files(const std::vector<PaperMesh>& meshes) {
+std::vector<files::NamedBytes> csv_files(const std::vector<PaperMesh>& meshes) {
   std::string valence = "mesh,triangles_per_vertex,vertices,percent,paper_vertices\n";
   std::string isolating = "mesh,policy,splits,isolating,percent\n";
   std::string strips = "mesh,policy,triangles,strips,isolated\n";

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "bad_input.hpp"
-#include "whole_file.hpp"
+#include "files/reading.hpp"
 
 namespace restrip::replay {
 namespace {
@@ -76,7 +77,15 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
   mesh.points.reserve(vertices + splits);
   mesh.base.resize(faces);
   mesh.splits.reserve(splits);
-  for (std::size_t v = 0; v < vertices; ++v) mesh.points.push_back(in.point());
+  const auto add_point = [&](const Point& p) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      throw BadInput(
+          fmt::format("{}: vertex {} has a coordinate that is infinite or not a number; write it again from the mesh "
+                      "(restrip simplify)",
+                      name, mesh.points.size()));
+    mesh.points.push_back(p);
+  };
+  for (std::size_t v = 0; v < vertices; ++v) add_point(in.point());
   for (Corners& triangle : mesh.base)
     for (Vertex& corner : triangle) {
       corner = in.u32();
@@ -91,7 +100,7 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
                     name));
   for (std::size_t i = 0; i < splits; ++i) {
     const auto v_t = static_cast<Vertex>(vertices + i);
-    mesh.points.push_back(in.point());
+    add_point(in.point());
     const Vertex v_s = in.u32();
     const Vertex v_r = in.u32();
     const Vertex v_l = in.u32();
@@ -104,7 +113,7 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
   return mesh;
 }
 
-ProgressiveMesh read_pm(const std::filesystem::path& file) { return parse_pm(read_whole_file(file), file.string()); }
+ProgressiveMesh read_pm(const std::filesystem::path& file) { return parse_pm(files::read_whole(file), file.string()); }
 
 ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh) {
   ProgressiveMesh out;
@@ -151,10 +160,6 @@ std::string pm_bytes(const ProgressiveMesh& any) {
     put(record.v_l);
   }
   return bytes;
-}
-
-void write_pm(const std::filesystem::path& file, const ProgressiveMesh& mesh) {
-  write_whole_file(file, pm_bytes(mesh));
 }
 
 }  // namespace restrip::replay

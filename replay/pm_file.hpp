@@ -21,8 +21,7 @@ namespace restrip::replay {
 /// then the one that each split adds. Vertices that nothing uses are left out.
 [[nodiscard]] ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh);
 
-/// Renumbers the vertices in order of appearance and leaves out those that no triangle uses. Whole file or none.
-void write_pm(const std::filesystem::path& file, const ProgressiveMesh& mesh);
+/// Renumbers the vertices in order of appearance and leaves out those that no triangle uses.
 [[nodiscard]] std::string pm_bytes(const ProgressiveMesh& mesh);
 
 }  // namespace restrip::replay

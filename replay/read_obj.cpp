@@ -12,6 +12,7 @@
 namespace restrip::replay {
 
 Soup read_obj(std::string_view bytes, const std::string& name) {
+  refuse_long_lines(bytes, name);
   SoupBuilder soup(name);
   std::vector<std::uint32_t> corners;
   const auto coordinate = [&](TextCursor& cursor) {

@@ -80,6 +80,9 @@ class OffReader {
 
 }  // namespace
 
-Soup read_off(std::string_view bytes, const std::string& name) { return OffReader(bytes, name).read(); }
+Soup read_off(std::string_view bytes, const std::string& name) {
+  refuse_long_lines(bytes, name);
+  return OffReader(bytes, name).read();
+}
 
 }  // namespace restrip::replay

@@ -55,6 +55,7 @@ class PlyReader {
   Soup read() {
     read_header();
     bytes_ = cursor_.rest();
+    if (encoding_ == Encoding::text) refuse_long_lines(bytes_, name_);
     for (const Element& element : elements_) {
       if (element.properties.empty()) continue;
       check_room(element);

@@ -76,6 +76,7 @@ Soup read_binary(std::string_view bytes, const std::string& name) {
 }
 
 Soup read_text(std::string_view bytes, const std::string& name) {
+  refuse_long_lines(bytes, name);
   Welder welder(name);
   TextCursor cursor(bytes);
   for (; !cursor.at_end(); cursor.next_line()) {

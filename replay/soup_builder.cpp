@@ -2,11 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bad_input.hpp"
+#include "files/reading.hpp"
 
 namespace restrip::replay {
+
+void refuse_long_lines(std::string_view text, const std::string& name, std::size_t limit) {
+  for (std::size_t line = 1; text.size() > limit; ++line) {
+    const std::size_t stop = std::min(text.find('\n'), text.size());
+    if (stop > limit)
+      throw BadInput(fmt::format("{}:{}: a line of more than {}, the limit; write a line for each vertex and face",
+                                 name, line, files::size_in_words(limit)));
+    text.remove_prefix(stop + 1);
+  }
+}
 
 void SoupBuilder::add_point(double x, double y, double z) {
   const Point point{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};

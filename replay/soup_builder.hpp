@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "soup.hpp"
 
@@ -12,6 +13,11 @@ namespace restrip::replay {
 /// Triangles that a mesh can have (StripMesh keeps a handle and three flags in 32 bits), and vertices.
 inline constexpr std::size_t max_triangles = (std::size_t{1} << 29) - 1;
 inline constexpr std::size_t max_vertices = (std::size_t{1} << 32) - 2;
+
+/// Throws BadInput when a line of a text file is longer than `limit` bytes: no line of a mesh is, and what is made of
+/// it would take many times its size. `name` is the file.
+inline constexpr std::size_t longest_line = std::size_t{64} << 20;
+void refuse_long_lines(std::string_view text, const std::string& name, std::size_t limit = longest_line);
 
 class SoupBuilder {
  public:

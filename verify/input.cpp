@@ -2,11 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
-#include <iterator>
 
 namespace restrip::verify {
+namespace {
+
+// Limits of what is read, in bytes, so that input without an end is refused. The longest line of the shipped tables has
+// a few hundred.
+constexpr std::size_t largest_file = std::size_t{1} << 28U;
+constexpr std::size_t longest_line = std::size_t{1} << 16U;
+
+}  // namespace
 
 InputError::InputError(const std::string& file, unsigned line, const std::string& what)
     : std::runtime_error(line == 0 ? fmt::format("{}: {}", file, what) : fmt::format("{}:{}: {}", file, line, what)) {}
@@ -19,6 +27,8 @@ void LineReader::next(const std::string& expected) {
   ++line_;
   if (at_end()) fail(fmt::format("expected {}, found the end of the file", expected));
   const std::size_t end = text_.find('\n', position_);
+  if (std::min(end, text_.size()) - position_ > longest_line)
+    fail(fmt::format("expected {}, found a line of more than {} bytes, the limit", expected, longest_line));
   if (end == std::string::npos) fail(fmt::format("expected {} and a newline, found an unfinished line", expected));
   const std::string_view whole = std::string_view(text_).substr(position_, end - position_);
   line_start_ = position_;
@@ -70,7 +80,13 @@ Mask LineReader::mask(std::size_t index, unsigned bits) const {
 std::string read_file(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream) throw InputError(path, 0, "cannot be opened");
-  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  std::string text;
+  std::string block(std::size_t{1} << 20U, '\0');
+  while (stream.read(block.data(), static_cast<std::streamsize>(block.size())) || stream.gcount() > 0) {
+    text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > largest_file)
+      throw InputError(path, 0, fmt::format("is larger than {} bytes, the limit; does it ever end?", largest_file));
+  }
   if (stream.bad()) throw InputError(path, 0, "cannot be read");
   return text;
 }

@@ -15,6 +15,12 @@
 namespace restrip::verify {
 namespace {
 
+/// A line that has no place in a dump.
+class BadDump : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Lines of a stream. Millions of them: no allocation for each line.
 class StreamLines {
  public:
@@ -41,7 +47,8 @@ class StreamLines {
               buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
     end_ -= start_;
     start_ = 0;
-    if (end_ == buffer_.size()) return false;  // no line is that long
+    if (end_ == buffer_.size())
+      throw BadDump(fmt::format("line {}: longer than {} bytes, the limit", number_ + 1, buffer_.size()));
     const std::size_t count = std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, stream_);
     end_ += count;
     return count != 0;
@@ -78,12 +85,6 @@ void write_expected(std::string& line, const Operation& operation, Mask inner, M
     append_mask(line, high_part(answer, operation.after.inner_edges()));
   }
 }
-
-/// A line that has no place in a dump.
-class BadDump : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 std::string_view line_or_fail(StreamLines& lines, const std::string& expected) {
   const std::optional<std::string_view> line = lines.next();

@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "whole_file.hpp"
+#include "digest.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -34,7 +34,10 @@ class Shards : public testing::Test {
   }
   void TearDown() override { fs::remove_all(directory_); }
 
-  void put(unsigned index, const std::string& text) const { write_all(directory_, {{file_name({index, 2}), text}}); }
+  void put(unsigned index, const std::string& text) const {
+    fs::create_directories(directory_);
+    std::ofstream(directory_ / file_name({index, 2})) << text;
+  }
 
   /// What is said of the directory; empty when all is well.
   [[nodiscard]] std::string complaint(const std::string& own_id = id) const {

@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
+#include <tuple>
+#include <vector>
 
 #include "run_program.hpp"
 #include "scratch_folder.hpp"
@@ -148,10 +153,10 @@ TEST_F(Program, SimplifyingWhatIsProgressiveIsRefused) {
 
 TEST_F(Program, AnOutputThatIsNoFileIsWrittenTo) {
   std::ofstream(file("target")) << "old";
-  std::filesystem::create_symlink(file("target"), file("link"));
-  ASSERT_EQ(run_program(fmt::format("replay --built-in --triangles 500 --repeats 0 --json '{}'", file("link"))).code,
-            0);
-  EXPECT_TRUE(std::filesystem::is_symlink(file("link")));
+  std::filesystem::create_symlink(file("target"), file("link.json"));
+  ASSERT_EQ(
+      run_program(fmt::format("replay --built-in --triangles 500 --repeats 0 --json '{}'", file("link.json"))).code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(file("link.json")));
   std::ifstream in(file("target"));
   EXPECT_TRUE(nlohmann::json::parse(in).at("valid"));
   // A pipe: what goes in comes out, and the pipe is still there.
@@ -203,13 +208,174 @@ TEST_F(Program, AProgressiveMeshThatDoesNotFitIsOne) {
   EXPECT_NE(replay.out.find("FAULT"), std::string::npos);
 }
 
-TEST_F(Program, AFailedWriteLeavesTheTargetAlone) {
-  std::ofstream(file("a.obj")) << "mine";
-  std::filesystem::create_directory(file("a.obj.part"));  // in the way of the half-written file
-  EXPECT_EQ(run_program(fmt::format("make-mesh -o '{}'", file("a.obj"))).code, 2);
-  std::stringstream kept;
-  kept << std::ifstream(file("a.obj")).rdbuf();
-  EXPECT_EQ(kept.str(), "mine");
+/// What is said of a command that is refused: exit code 2 and one line.
+std::string refusal(const std::string& arguments) {
+  const Outcome refused = run_program(arguments, true);
+  EXPECT_EQ(refused.code, 2) << arguments << '\n' << refused.out;
+  EXPECT_EQ(refused.out.find('\n'), refused.out.size() - 1) << refused.out;
+  return refused.out;
+}
+
+std::string bytes_of(const std::string& name) {
+  std::stringstream bytes;
+  bytes << std::ifstream(name).rdbuf();
+  return bytes.str();
+}
+
+/// A mesh in three forms.
+class Meshes : public ScratchFolder {
+ protected:
+  void SetUp() override {
+    ScratchFolder::SetUp();
+    ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 500 -o '{}'", file("a.obj"))).code, 0);
+    ASSERT_EQ(run_program(fmt::format("simplify '{}' -o '{}'", file("a.obj"), file("a.pm"))).code, 0);
+    ASSERT_EQ(run_program(fmt::format("bake '{}' -o '{}'", file("a.pm"), file("a.baked"))).code, 0);
+  }
+};
+
+TEST_F(Meshes, AnInputIsNoOutput) {
+  std::filesystem::create_symlink("a.obj", file("link.pm"));
+  std::filesystem::create_hard_link(file("a.obj"), file("hard.svg"));
+  std::filesystem::create_hard_link(file("a.pm"), file("hard.baked"));
+  std::filesystem::create_hard_link(file("a.obj"), file("hard.json"));
+  std::filesystem::create_directory(file("report"));
+  std::filesystem::create_hard_link(file("a.obj"), folder_ / "report" / "strips.csv");
+  const std::string mesh = bytes_of(file("a.obj"));
+  const std::string progressive = bytes_of(file("a.pm"));
+  const std::string baked = bytes_of(file("a.baked"));
+  for (const auto& [command, in, out] : std::vector<std::array<const char*, 3>>{
+           {"simplify '{}' -o '{}'", "a.obj", "a.obj"},
+           {"simplify '{}' -o '{}'", "a.obj", "link.pm"},
+           {"bake '{}' -o '{}'", "a.pm", "a.pm"},
+           {"bake '{}' -o '{}'", "a.pm", "hard.baked"},
+           {"bake '{}' -o '{}'", "a.baked", "./a.baked"},
+           {"draw '{}' -o '{}'", "a.obj", "hard.svg"},
+           {"replay '{}' --json '{}'", "a.obj", "hard.json"},
+           {"paper '{}' --out '{}'", "a.obj", "report"},
+       })
+    EXPECT_NE(refusal(fmt::format(fmt::runtime(command), file(in), file(out))).find("is the input"), std::string::npos)
+        << command << out;
+  EXPECT_EQ(bytes_of(file("a.obj")), mesh);
+  EXPECT_EQ(bytes_of(file("a.pm")), progressive);
+  EXPECT_EQ(bytes_of(file("a.baked")), baked);
+}
+
+TEST_F(Meshes, AnOutputIsOfItsFormat) {
+  for (const auto& [command, out] : std::vector<std::array<const char*, 2>>{
+           {"simplify '{0}/a.obj' -o '{0}/{1}'", "b.obj"},
+           {"bake '{0}/a.pm' -o '{0}/{1}'", "b.pm"},
+           {"draw -o '{0}/{1}'", "x.png"},
+           {"make-mesh -o '{0}/{1}'", "x.stl"},
+           {"make-mesh -o '{0}/{1}'", "x"},
+           {"replay --built-in --json '{0}/{1}'", "b.baked"},
+       }) {
+    EXPECT_NE(refusal(fmt::format(fmt::runtime(command), folder_.string(), out)).find("has the extension"),
+              std::string::npos)
+        << command;
+    EXPECT_FALSE(std::filesystem::exists(file(out)));
+  }
+}
+
+TEST_F(Meshes, OutputsAreTestedBeforeTheWork) {
+  // So a bad output is named even where the input would be at fault as well.
+  std::filesystem::create_directory(file("folder.pm"));
+  for (const auto& [command, complaint] : std::vector<std::array<const char*, 2>>{
+           {"simplify '{0}/none.obj' -o '{0}/none/b.pm'", "there is no folder"},
+           {"simplify '{0}/none.obj' -o '{0}/folder.pm'", "it is a folder; name a file inside it"},
+           {"simplify '{0}/none.obj' -o '{0}/a.pm/b.pm'", "Not a directory"},
+           {"bake '{0}/none.pm' -o '{0}/none/b.baked'", "there is no folder"},
+           {"draw '{0}/none.obj' -o '{0}/none/b.svg'", "there is no folder"},
+           {"replay '{0}/none.obj' --json '{0}/none/b.json'", "there is no folder"},
+           {"replay '{0}/none.obj' --json /proc/self/b.json", "name a file in a folder that you may write to"},
+           {"paper '{0}/none.obj' --out '{0}/a.obj'", "Not a directory; name a file in a folder"},
+           {"paper '{0}/none.obj' --out /proc/self/report", "name a folder that you may write to"},
+       })
+    EXPECT_NE(refusal(fmt::format(fmt::runtime(command), folder_.string())).find(complaint), std::string::npos)
+        << command;
+}
+
+TEST_F(Meshes, InputsThatCannotBeReadAreNamed) {
+  std::ofstream(file("bad.obj")) << "v 0 0 1e300\n";
+  std::string unfinished = bytes_of(file("a.pm"));
+  const std::uint32_t not_a_number = 0x7FC00000U;
+  std::memcpy(unfinished.data() + 20, &not_a_number, 4);
+  std::ofstream(file("nan.pm"), std::ios::binary) << unfinished;
+  std::filesystem::create_directory(file("folder.obj"));
+  std::filesystem::create_symlink("/dev/zero", file("zero.xyz"));
+  for (const auto& [command, complaint] : std::vector<std::array<const char*, 2>>{
+           {"stats '{0}/none.obj'", "none.obj: no such file; check the path"},
+           {"stats '{0}/folder.obj'", "folder.obj: is a directory; name a file inside it"},
+           {"stats '{0}'", "is a directory"},
+           {"stats '{0}/bad.obj'", "vertex 0 has a coordinate that is infinite or not a number; mend or remove it"},
+           {"stats '{0}/nan.pm'", "vertex 0 has a coordinate that is infinite or not a number"},
+           {"stats '{0}/zero.xyz'", "unknown extension '.xyz'; meshes are read from"},
+           {"stats /dev/zero", "unknown extension ''"},
+           {"replay '{0}/none.pm'", "none.pm: no such file"},
+           {"bake '{0}/none.baked' -o '{0}/b.baked'", "none.baked: no such file"},
+           {"paper '{0}/none.obj' --out '{0}/report'", "none.obj: no such file"},
+       })
+    EXPECT_NE(refusal(fmt::format(fmt::runtime(command), folder_.string())).find(complaint), std::string::npos)
+        << command;
+  EXPECT_FALSE(std::filesystem::exists(file("report")));  // made for the test of the output, and gone again
+}
+
+TEST_F(Meshes, InputWithoutEndIsRefusedWithTheLimit) {
+  std::filesystem::create_symlink("/dev/zero", file("zero.obj"));
+  EXPECT_NE(refusal(fmt::format("stats '{}'", file("zero.obj"))).find("larger than 256 MiB, the limit"),
+            std::string::npos);
+  // A line of a gigabyte, and a file of a terabyte: both hold nothing, and take no room on the disk.
+  for (const auto& [name, bytes, limit] : std::vector<std::tuple<const char*, std::uintmax_t, const char*>>{
+           {"line.off", std::uintmax_t{65} << 20, "line.off:1: a line of more than 64 MiB, the limit"},
+           {"huge.ply", std::uintmax_t{1} << 40, "huge.ply: is larger than 16 GiB, the limit for a file"}}) {
+    std::ofstream(file(name)).flush();
+    std::filesystem::resize_file(file(name), bytes);
+    EXPECT_NE(refusal(fmt::format("stats '{}'", file(name))).find(limit), std::string::npos) << name;
+  }
+}
+
+TEST_F(Meshes, AFullDiskLeavesTheTargetAlone) {
+  std::ofstream(file("old.json")) << "mine";
+  std::filesystem::create_symlink("old.json", file("link.json"));
+  // The limit on the size of files, a kilobyte at most, stands for the end of the disk.
+  for (const char* name : {"old.json", "link.json"}) {
+    const Outcome full =
+        run_command(fmt::format("ulimit -f 1; '{}' replay --built-in --triangles 500 --repeats 0 --json '{}' 2>&1",
+                                RESTRIP_PROGRAM, file(name)));
+    EXPECT_EQ(full.code, 2);
+    EXPECT_NE(full.out.find("cannot be written: File too large"), std::string::npos) << full.out;
+  }
+  EXPECT_EQ(bytes_of(file("old.json")), "mine");
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) names.insert(entry.path().filename());
+  EXPECT_EQ(names, (std::set<std::string>{"a.baked", "a.obj", "a.pm", "link.json", "old.json"}));
+}
+
+TEST_F(Meshes, BystandersAndTheNamesOfOldStay) {
+  for (const char* name : {"b.pm.part", "b.pm.partial"}) std::ofstream(file(name)) << "mine";
+  EXPECT_EQ(run_program(fmt::format("simplify '{}' -o '{}'", file("a.obj"), file("b.pm"))).code, 0);
+  EXPECT_EQ(bytes_of(file("b.pm")), bytes_of(file("a.pm")));
+  for (const char* name : {"b.pm.part", "b.pm.partial"}) EXPECT_EQ(bytes_of(file(name)), "mine");
+}
+
+TEST(Numbers, BadOnesAreNamed) {
+  for (const auto& [arguments, named] : std::vector<std::array<const char*, 2>>{
+           {"replay --built-in --base nan", "--base"},
+           {"replay --built-in --walk -1", "--walk"},
+           {"replay --built-in --base -1", "--base"},
+           {"replay --built-in --base 1e999", "--base"},
+           {"replay --built-in --levels 1e3", "--levels"},
+           {"replay --built-in --cycles -1", "--cycles"},
+           {"replay --built-in --walk x", "--walk"},
+           {"replay --built-in --walk 5 --seed -1", "--seed"},
+           {"replay --built-in --policy full --states 0", "--states"},
+           {"replay --built-in --triangles 99999999999999999999", "--triangles"},
+           {"make-mesh -o x.obj --seed 99999999999999999999", "--seed"},
+           {"bake x.pm -o x.baked --effort 0", "--effort"},
+       }) {
+    const Outcome refused = run_program(arguments, true);
+    EXPECT_EQ(refused.code, 2) << arguments;
+    EXPECT_NE(refused.out.find(named), std::string::npos) << arguments << '\n' << refused.out;
+  }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "dump_judge.hpp"
+#include "input.hpp"
 #include "naive_tables.hpp"
 
 namespace restrip::verify {
@@ -250,6 +251,32 @@ TEST(TableDump, FormIsChecked) {
   EXPECT_NE(difference(tables, replaced(good, "table flip", "table flop")), "");
   EXPECT_NE(difference(tables, replaced(good, "table collapse k 3 a 1", "table split k 3 a 1")), "");
   EXPECT_NE(difference(tables, replaced(good, "end ", "end 1")), "");
+}
+
+TEST(TableDump, ALineWithoutEndIsRefused) {
+  const Tables tables;
+  EXPECT_NE(difference(tables, "restrip-table-dump 2\n" + std::string(1U << 19U, '1')).find("the limit"),
+            std::string::npos);
+  EXPECT_NE(compare_dump_of("cat /dev/zero", tables.expected).fault.find("the limit"), std::string::npos);
+}
+
+TEST(Input, WithoutEndIsRefused) {
+  const auto complaint = [](const auto& read) {
+    try {
+      read();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(
+      complaint([] { (void)read_file("/dev/zero"); }).find("/dev/zero: is larger than 268435456 bytes, the limit"),
+      std::string::npos);
+  LineReader lines("f", "a b\n" + std::string(1U << 17U, 'c') + "\n");
+  lines.next("two words");
+  EXPECT_NE(
+      complaint([&] { lines.next("a word"); }).find("f:2: expected a word, found a line of more than 65536 bytes"),
+      std::string::npos);
 }
 
 TEST(TableDump, AFailingProgramIsNoticed) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "files/system_calls.hpp"
 #include "input.hpp"
 #include "prove.hpp"
 
@@ -112,6 +113,7 @@ int check_one(const std::string& formula, const std::string& proof) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  restrip::files::ignore_file_size_signal();
   sat::Options options;
   bool as_json = false;
   std::vector<std::string> files;

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "files/output.hpp"
+
 namespace restrip::verify::sat {
 
 class WorkFolder {
@@ -18,11 +20,12 @@ class WorkFolder {
 
   std::string path(const std::string& name) const { return (temporary_ / name).string(); }
   void write(const std::string& name, const std::string& bytes) const;
-  /// Moves the file to where it is kept, or removes it when nothing is.
+  /// Moves the file to where it is kept, synced, or removes it when nothing is.
   void finish(const std::string& name) const;
 
  private:
   std::filesystem::path kept_;
+  files::MadeFolders made_;  ///< on the way to it; they go with this folder when nothing is in them
   std::filesystem::path temporary_;
 };
 

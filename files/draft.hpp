@@ -1,0 +1,58 @@
+#pragma once
+// A file under a name of its own beside the one that it shall get: written and synced there, then renamed.
+
+#include <sys/types.h>
+
+#include <csignal>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "files/descriptor.hpp"
+
+namespace restrip::files {
+
+/// Keeps the signals that end a program by request (interrupt, hang-up, quit, terminate) waiting while it lives, so
+/// that none of them leaves a draft behind.
+class SignalPause {
+ public:
+  SignalPause() noexcept;
+  ~SignalPause();
+  SignalPause(const SignalPause&) = delete;
+  SignalPause& operator=(const SignalPause&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// Goes away with its owner unless it was published.
+class Draft {
+ public:
+  /// A new file in the folder of `target`, which is no link. Its name was nobody's before. Throws FileError about
+  /// `shown`, the name by which the user knows the target.
+  Draft(std::filesystem::path target, std::string shown);
+  ~Draft();
+  Draft(Draft&& other) noexcept;
+  Draft& operator=(Draft&&) = delete;
+
+  /// Writes all bytes and makes sure that they are on the disk, with the owner and permissions of the target if that
+  /// is there, otherwise as the umask says. Throws FileError.
+  void fill(std::string_view bytes);
+  /// Removes the target if it is there. Throws FileError.
+  void remove_target() const;
+  /// Takes the target's name. Throws FileError; then the target is as it was.
+  void publish();
+
+ private:
+  [[noreturn]] void fail(int error) const;
+
+  std::filesystem::path target_;
+  std::string shown_;
+  std::string name_;  ///< empty when there is nothing to remove
+  Descriptor file_;
+};
+
+/// Throws FileError: `shown` cannot be written because of `error`, and what to do.
+[[noreturn]] void fail_to_write(const std::string& shown, int error);
+
+}  // namespace restrip::files

@@ -1,0 +1,14 @@
+#pragma once
+// What is thrown when a file cannot be used.
+
+#include <stdexcept>
+
+namespace restrip::files {
+
+/// One line that names the file, what is wrong with it, and the remedy.
+class FileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace restrip::files

@@ -1,0 +1,202 @@
+#include "files/output.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <optional>
+
+#include "files/file_error.hpp"
+#include "files/reading.hpp"
+
+namespace restrip::files {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::optional<struct stat> status_of(const fs::path& file) {
+  struct stat status {};
+  return ::stat(file.c_str(), &status) == 0 ? std::optional(status) : std::nullopt;
+}
+
+fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+/// Where the links end, and the descriptor if they end among this process's own (/dev/stdout, /dev/fd/3).
+struct Destination {
+  fs::path file;
+  int descriptor = -1;
+};
+
+Destination follow_links(const fs::path& file) {
+  constexpr unsigned most_links = 40;  // as the kernel has it
+  Destination end{file};
+  for (unsigned links = 0; links <= most_links; ++links) {
+    std::error_code error;
+    const std::string last = end.file.filename().string();
+    int number = -1;
+    const auto [stop, bad] = std::from_chars(last.data(), last.data() + last.size(), number);
+    if (bad == std::errc{} && stop == last.data() + last.size() &&
+        fs::equivalent(folder_of(end.file), "/proc/self/fd", error) && !error) {
+      end.descriptor = number;
+      return end;
+    }
+    if (!fs::is_symlink(end.file, error)) return end;
+    const fs::path to = fs::read_symlink(end.file, error);
+    if (error) break;
+    end.file = to.is_absolute() ? to : folder_of(end.file) / to;
+  }
+  throw FileError(fmt::format("{}: cannot be written: its links lead nowhere; name a file", file.string()));
+}
+
+[[noreturn]] void refuse_extension(const fs::path& file, const fs::path& target,
+                                   const std::vector<std::string>& wanted) {
+  const std::string which =
+      file == target ? file.string() : fmt::format("{}: leads to {}", file.string(), target.string());
+  throw FileError(fmt::format("{}: has the extension '{}', but what is written is {}; name a file that ends so", which,
+                              extension_of(target), fmt::join(wanted, " or ")));
+}
+
+void check_extension(const fs::path& file, const fs::path& target, const std::vector<std::string>& wanted) {
+  if (wanted.empty()) return;
+  const auto is_wanted = [&](const std::string& extension) {
+    return std::find(wanted.begin(), wanted.end(), extension) != wanted.end();
+  };
+  if (!is_wanted(extension_of(file))) refuse_extension(file, file, wanted);
+  // A link may lead to a store of files without extensions, but not to a file of another format.
+  const std::string extension = extension_of(target);
+  if (!extension.empty() && !is_wanted(extension)) refuse_extension(file, target, wanted);
+}
+
+void check_inputs(const fs::path& file, const std::optional<struct stat>& status, const std::vector<fs::path>& inputs) {
+  if (!status || S_ISCHR(status->st_mode)) return;  // a terminal may well be both
+  for (const fs::path& input : inputs)
+    if (const auto other = status_of(input);
+        other && other->st_dev == status->st_dev && other->st_ino == status->st_ino)
+      throw FileError(fmt::format("{}: is the input {} itself, which would be lost; name another file", file.string(),
+                                  input.string()));
+}
+
+/// By trying: permissions, read-only disks and quotas are not all visible beforehand.
+void check_folder(const fs::path& file, const fs::path& target) {
+  const fs::path folder = folder_of(target);
+  if (!status_of(folder))
+    throw FileError(
+        fmt::format("{}: cannot be written: there is no folder {}; make it first", file.string(), folder.string()));
+  const SignalPause pause;
+  const Draft probe(target, file.string());
+}
+
+void check_protection(const fs::path& file, const fs::path& target) {
+  if (::access(target.c_str(), W_OK) != 0 && errno != ENOENT) fail_to_write(file.string(), errno);
+}
+
+/// Writes to what is there, and is no regular file.
+void write_through(const std::string& shown, int descriptor, std::string_view bytes) {
+  Descriptor out(descriptor >= 0 ? ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0)
+                                 : system_calls().open(shown.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC, 0));
+  if (!out.is_open() || !write_fully(out.get(), bytes.data(), bytes.size()) || !out.close())
+    fail_to_write(shown, errno);
+}
+
+}  // namespace
+
+Output::Output(const fs::path& file, const OutputRules& rules) : file_(file) {
+  const std::string shown = file.string();
+  if (file.empty()) throw FileError("the name of an output is empty; name a file");
+  const Destination end = follow_links(file);
+  const auto status = status_of(file);
+  check_inputs(file, status, rules.inputs);
+  if (end.descriptor >= 0) {
+    const int flags = ::fcntl(end.descriptor, F_GETFL);
+    if (flags < 0) fail_to_write(shown, errno);
+    if ((flags & O_ACCMODE) == O_RDONLY) fail_to_write(shown, EBADF);
+    descriptor_ = end.descriptor;
+    return;
+  }
+  if (!status && errno != ENOENT) fail_to_write(shown, errno);
+  if (status && S_ISDIR(status->st_mode))
+    throw FileError(fmt::format("{}: cannot be written: it is a folder; name a file inside it", shown));
+  if (status && (S_ISBLK(status->st_mode) || S_ISSOCK(status->st_mode)))
+    throw FileError(fmt::format("{}: cannot be written: it is a {}; name a file", shown,
+                                S_ISBLK(status->st_mode) ? "disk" : "socket"));
+  if (status && !S_ISREG(status->st_mode)) {
+    check_protection(file, file);
+    return;
+  }
+  if (file.filename().empty()) fail_to_write(shown, EISDIR);
+  check_extension(file, end.file, rules.extensions);
+  check_folder(file, end.file);
+  check_protection(file, end.file);
+  target_ = end.file;
+}
+
+void Output::write(std::string_view bytes) const {
+  if (target_.empty()) return write_through(file_.string(), descriptor_, bytes);
+  const SignalPause pause;
+  Draft draft(target_, file_.string());
+  draft.fill(bytes);
+  draft.publish();
+}
+
+void write_scratch(const fs::path& file, std::string_view bytes) {
+  Descriptor out(system_calls().open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (!out.is_open() || !write_fully(out.get(), bytes.data(), bytes.size()) || !out.close())
+    fail_to_write(file.string(), errno);
+}
+
+void move_into_place(const fs::path& from, const fs::path& to) {
+  Descriptor file(system_calls().open(from.c_str(), O_RDONLY | O_CLOEXEC, 0));
+  if (!file.is_open() || system_calls().fsync(file.get()) != 0 || !file.close() ||
+      system_calls().rename(from.c_str(), to.c_str()) != 0)
+    fail_to_write(to.string(), errno);
+}
+
+MadeFolders::~MadeFolders() {
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
+}
+
+void MadeFolders::make(const fs::path& folder) {
+  if (folder.empty() || status_of(folder)) return;
+  make(folder.parent_path());
+  made_.reserve(made_.size() + 1);
+  std::string name = folder.string();
+  if (system_calls().mkdir(name.c_str(), 0777) == 0)
+    made_.push_back(std::move(name));
+  else if (errno != EEXIST)
+    throw FileError(fmt::format("{}: cannot be made: {}; name a folder that you may write to", folder.string(),
+                                std::strerror(errno)));
+}
+
+OutputSet::OutputSet(fs::path folder, const std::vector<fs::path>& names, const OutputRules& rules)
+    : folder_(std::move(folder)) {
+  if (folder_.empty()) throw FileError("the name of the folder for the output is empty; name one");
+  for (const fs::path& name : names) {
+    const fs::path file = folder_ / name;
+    made_.make(folder_of(file));
+    const Output tested(file, rules);
+    if (tested.target_.empty())
+      throw FileError(fmt::format("{}: cannot be written: it is no regular file; remove it", file.string()));
+  }
+}
+
+void OutputSet::write(const std::vector<NamedBytes>& files) {
+  const SignalPause pause;
+  std::vector<Draft> drafts;
+  drafts.reserve(files.size());
+  for (const NamedBytes& file : files) {
+    const fs::path path = folder_ / file.name;
+    made_.make(folder_of(path));
+    drafts.emplace_back(follow_links(path).file, path.string());
+    drafts.back().fill(file.bytes);
+  }
+  if (drafts.size() > 1) drafts.back().remove_target();
+  made_.keep();
+  for (Draft& draft : drafts) draft.publish();
+}
+
+}  // namespace restrip::files

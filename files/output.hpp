@@ -1,0 +1,88 @@
+#pragma once
+// The one way in which our programs write files. An output is tested before the work that makes it, and appears whole
+// or not at all: drafted beside the file that it names (through links), synced, renamed.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/draft.hpp"
+
+namespace restrip::files {
+
+/// What an output has to be.
+struct OutputRules {
+  std::vector<std::string> extensions;        ///< one of these (".pm"), in any case; none: all are welcome
+  std::vector<std::filesystem::path> inputs;  ///< must not be one of these, under whatever name
+};
+
+/// A file to be written. What is there and not a regular file (a terminal, a pipe, /dev/null, /dev/stdout) is written
+/// to as it is, under any name: replacing it would take it away from everybody else.
+class Output {
+ public:
+  /// Throws FileError unless the file can be written: its folder is there and takes files, it is no folder and not
+  /// protected, and the rules hold.
+  explicit Output(const std::filesystem::path& file, const OutputRules& rules = {});
+
+  /// Writes the file whole; its permissions are those of the file that it replaces, or as the umask says. Throws
+  /// FileError; then a regular file is as it was and nothing else is left behind.
+  void write(std::string_view bytes) const;
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return file_; }
+
+ private:
+  friend class OutputSet;
+
+  std::filesystem::path file_;    ///< as the user named it
+  std::filesystem::path target_;  ///< the regular file that it leads to; empty for everything else
+  int descriptor_ = -1;           ///< for /dev/stdout and the like: one that is open already
+};
+
+/// Writes a file in a folder that only this program uses: neither drafted nor synced. Throws FileError.
+void write_scratch(const std::filesystem::path& file, std::string_view bytes);
+
+/// Syncs a file that another program wrote and renames it, in the same file system. Throws FileError; then both are as
+/// they were.
+void move_into_place(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Folders made on the way to an output. Those that are empty go again with their owner, unless kept.
+class MadeFolders {
+ public:
+  MadeFolders() = default;
+  ~MadeFolders();
+  MadeFolders(const MadeFolders&) = delete;
+  MadeFolders& operator=(const MadeFolders&) = delete;
+
+  /// Makes the folder and those around it, where they are not there. Throws FileError.
+  void make(const std::filesystem::path& folder);
+  void keep() noexcept { made_.clear(); }
+
+ private:
+  std::vector<std::string> made_;
+};
+
+struct NamedBytes {
+  std::filesystem::path name;  ///< below the folder of the set
+  std::string bytes;
+};
+
+/// Several files of one folder. The last one vouches for the others (a manifest, a page of figures): it never stands
+/// beside files that are not its own, whatever fails.
+class OutputSet {
+ public:
+  /// Makes the folders of these files, which go again if nothing is written. Throws FileError unless each file can be
+  /// written and is, if it is there, a regular one.
+  OutputSet(std::filesystem::path folder, const std::vector<std::filesystem::path>& names,
+            const OutputRules& rules = {});
+
+  /// First all files are drafted; a failure up to there changes nothing. Then the old file of the last name goes, and
+  /// the new ones get their names in order. Throws FileError. Names must be among those of the constructor.
+  void write(const std::vector<NamedBytes>& files);
+
+ private:
+  std::filesystem::path folder_;
+  MadeFolders made_;
+};
+
+}  // namespace restrip::files

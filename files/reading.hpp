@@ -1,0 +1,26 @@
+#pragma once
+// Files read as a whole, up to a limit.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace restrip::files {
+
+/// Bytes that are read at most. A regular file says its size beforehand; a pipe or a device may never end.
+struct ReadLimits {
+  std::uint64_t regular = std::uint64_t{16} << 30;
+  std::uint64_t endless = std::uint64_t{256} << 20;
+};
+
+/// All bytes of a file, a pipe or a device. Throws FileError when it cannot be read or is larger than the limit, which
+/// the message states; then at most that many bytes have been read.
+[[nodiscard]] std::string read_whole(const std::filesystem::path& file, const ReadLimits& limits = {});
+
+/// The extension in lower case, with its dot; empty when there is none.
+[[nodiscard]] std::string extension_of(const std::filesystem::path& file);
+
+/// A number of bytes in words: "16 GiB", "300 bytes".
+[[nodiscard]] std::string size_in_words(std::uint64_t bytes);
+
+}  // namespace restrip::files

@@ -1,0 +1,223 @@
+// Claim: whichever system call or allocation fails while a file is read or written, the result is an error, every file
+// is whole, old or new, nothing else is left behind, and no descriptor stays open. Each is made to fail in turn, until
+// a run meets no failure any more.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <functional>
+#include <string_view>
+
+#include "files/file_error.hpp"
+#include "files/output.hpp"
+#include "files/reading.hpp"
+#include "files/system_calls.hpp"
+#include "folder_contents.hpp"
+#include "replay/scratch_folder.hpp"
+#include "support/failing_new.hpp"
+
+namespace restrip::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+int countdown = 0;  // to the call that fails; 0: none does
+bool hit = false;
+bool hit_closing = false;
+
+/// Whether this call fails; errno is set.
+bool fails(int error) {
+  if (countdown == 0 || --countdown != 0) return false;
+  hit = true;
+  errno = error;
+  return true;
+}
+
+/// The true calls, but for the one that the countdown ends at.
+SystemCalls with_faults() {
+  return {
+      .open = [](const char* path, int flags, mode_t mode) { return fails(ENOSPC) ? -1 : ::open(path, flags, mode); },
+      .read = [](int file, void* bytes, std::size_t size) { return fails(EIO) ? -1 : ::read(file, bytes, size); },
+      .write =
+          [](int file, const void* bytes, std::size_t size) {
+            // In pieces, so that there is something half-written.
+            return fails(ENOSPC) ? -1 : ::write(file, bytes, std::min<std::size_t>(size, 3));
+          },
+      .fchmod = [](int file, mode_t mode) { return fails(EPERM) ? -1 : ::fchmod(file, mode); },
+      .fsync = [](int file) { return fails(EIO) ? -1 : ::fsync(file); },
+      .close =
+          [](int file) {
+            const bool failed = fails(EIO);  // and closed all the same, as Linux does
+            hit_closing = hit_closing || failed;
+            ::close(file);
+            return failed ? -1 : 0;
+          },
+      .rename = [](const char* from, const char* to) { return fails(EACCES) ? -1 : ::rename(from, to); },
+      // A draft that cannot be removed is beyond help; what is there to be replaced is another matter.
+      .unlink =
+          [](const char* path) {
+            const bool draft = std::string_view(path).find("/.restrip-") != std::string_view::npos;
+            return !draft && fails(EACCES) ? -1 : ::unlink(path);
+          },
+      .mkdir = [](const char* path, mode_t mode) { return fails(ENOSPC) ? -1 : ::mkdir(path, mode); },
+  };
+}
+
+std::size_t open_descriptors() {
+  const fs::directory_iterator all("/proc/self/fd");
+  return static_cast<std::size_t>(std::distance(fs::begin(all), fs::end(all)));
+}
+
+class Faults : public replay::ScratchFolder {
+ protected:
+  void SetUp() override {
+    ScratchFolder::SetUp();
+    usual_ = system_calls();
+    system_calls() = with_faults();
+  }
+  void TearDown() override {
+    system_calls() = usual_;
+    ScratchFolder::TearDown();
+  }
+
+  using Contents = std::map<std::string, std::string>;
+
+  /// Does the work in a folder that `prepare` fills anew, each time with another failure. `may_be` tells whether the
+  /// folder may look so after a failure; without one it looks like `wanted`. Returns the number of system calls.
+  int each_in_turn(const std::function<void()>& prepare, const std::function<void()>& work,
+                   const std::function<bool(const Contents&)>& may_be, const Contents& wanted) {
+    const auto anew = [&] {
+      fs::remove_all(folder_);
+      fs::create_directories(folder_);
+      prepare();
+    };
+    anew();
+    const std::size_t descriptors = open_descriptors();
+    const auto check = [&](bool refused) {
+      EXPECT_EQ(open_descriptors(), descriptors);
+      const Contents found = contents_of(folder_);
+      if (refused ? may_be(found) : found == wanted) return;
+      ADD_FAILURE() << (refused ? "refused" : "done") << ", and the folder holds " << testing::PrintToString(found);
+    };
+    const std::size_t allocations = testing_support::for_each_allocation(work, [&] {
+      check(true);
+      anew();
+    });
+    EXPECT_GT(allocations, 0U);
+    for (int n = 1;; ++n) {
+      SCOPED_TRACE(fmt::format("system call {}", n));
+      anew();
+      hit = hit_closing = false;
+      countdown = n;
+      bool refused = false;
+      try {
+        work();
+      } catch (const FileError& error) {
+        refused = true;
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+      }
+      countdown = 0;
+      check(refused);
+      // Nothing is lost when a file that was only looked at, or a probe, cannot be closed. All else must be noticed.
+      EXPECT_TRUE(refused || !hit || hit_closing) << "a failure that nobody noticed";
+      if (!hit) return n - 1;
+    }
+  }
+
+  SystemCalls usual_{};
+};
+
+TEST_F(Faults, WritingOneFile) {
+  const auto write = [&] { Output(file("a")).write("the new text"); };
+  const Contents old{{"a", "the old text"}};
+  const Contents wanted{{"a", "the new text"}};
+  // Probe: open, close. Draft: open, permissions, four pieces, sync, close, rename.
+  EXPECT_EQ(each_in_turn([&] { put(file("a"), "the old text"); }, write,
+                         [&](const Contents& found) { return found == old; }, wanted),
+            11);
+  EXPECT_EQ(each_in_turn([] {}, write, [](const Contents& found) { return found.empty(); }, wanted), 10);
+}
+
+TEST_F(Faults, WritingThroughALink) {
+  const Contents old{{"a", "-> b"}, {"b", "the old text"}};
+  const Contents wanted{{"a", "-> b"}, {"b", "the new text"}};
+  const auto prepare = [&] {
+    put(file("b"), "the old text");
+    fs::create_symlink("b", file("a"));
+  };
+  EXPECT_EQ(each_in_turn(
+                prepare, [&] { Output(file("a")).write("the new text"); },
+                [&](const Contents& found) { return found == old; }, wanted),
+            11);
+}
+
+TEST_F(Faults, WritingASet) {
+  const auto prepare = [&] {
+    put(file("a"), "old a");
+    put(file("index"), "old index");
+  };
+  const auto work = [&] {
+    OutputSet set(folder_, {"a", "more/b", "index"});
+    set.write({{"a", "new a"}, {"more/b", "new b"}, {"index", "new index"}});
+  };
+  const Contents old{{"a", "old a"}, {"index", "old index"}};
+  const Contents wanted{{"a", "new a"}, {"more", "no file"}, {"more/b", "new b"}, {"index", "new index"}};
+  bool in_between = false;
+  const auto may_be = [&](const Contents& found) {
+    if (found == old) return true;
+    // Nothing vouches for a mixture.
+    in_between = true;
+    if (found.contains("index")) return false;
+    for (const auto& [name, bytes] : found)
+      if (!(old.contains(name) && old.at(name) == bytes) && !(wanted.contains(name) && wanted.at(name) == bytes))
+        return false;
+    return true;
+  };
+  EXPECT_GT(each_in_turn(prepare, work, may_be, wanted), 25);
+  EXPECT_TRUE(in_between);
+}
+
+TEST_F(Faults, MovingWhatAnotherProgramWrote) {
+  const auto prepare = [&] {
+    put(file("from"), "new");
+    put(file("to"), "old");
+  };
+  const Contents old{{"from", "new"}, {"to", "old"}};
+  EXPECT_EQ(each_in_turn(
+                prepare, [&] { move_into_place(file("from"), file("to")); },
+                [&](const Contents& found) { return found == old; }, {{"to", "new"}}),
+            4);
+}
+
+TEST_F(Faults, WritingAScratchFile) {
+  EXPECT_EQ(each_in_turn([] {}, [&] { write_scratch(file("a"), "text"); }, [](const Contents&) { return true; },
+                         {{"a", "text"}}),
+            4);
+}
+
+TEST_F(Faults, Reading) {
+  const Contents there{{"a", "text"}};
+  const auto read = [&] { EXPECT_EQ(read_whole(file("a")), "text"); };
+  EXPECT_EQ(
+      each_in_turn([&] { put(file("a"), "text"); }, read, [&](const Contents& found) { return found == there; }, there),
+      4);
+}
+
+TEST_F(Faults, InterruptedCallsGoOn) {
+  static int turn;
+  turn = 0;
+  system_calls().write = [](int file, const void* bytes, std::size_t size) -> ssize_t {
+    errno = EINTR;
+    return ++turn % 2 == 1 ? -1 : ::write(file, bytes, std::min<std::size_t>(size, 1));
+  };
+  system_calls().read = [](int file, void* bytes, std::size_t size) -> ssize_t {
+    errno = EINTR;
+    return ++turn % 2 == 1 ? -1 : ::read(file, bytes, std::min<std::size_t>(size, 1));
+  };
+  Output(file("a")).write("letter by letter");
+  EXPECT_EQ(read_whole(file("a")), "letter by letter");
+}
+
+}  // namespace
+}  // namespace restrip::files

@@ -1,0 +1,275 @@
+// Claims: an output appears whole under the name that was meant, through links, with the right permissions, and beside
+// it nothing changes; what cannot or must not be written is refused before the work, in one line with a remedy.
+#include "files/output.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "files/file_error.hpp"
+#include "files/system_calls.hpp"
+#include "folder_contents.hpp"
+#include "replay/scratch_folder.hpp"
+
+namespace restrip::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Outputs : public replay::ScratchFolder {
+ protected:
+  [[nodiscard]] fs::path at(const char* name) const { return folder_ / name; }
+  /// What is said of this output before anything is written; the folder must stay as it is.
+  [[nodiscard]] std::string complaint(const fs::path& file, const OutputRules& rules = {}) const {
+    const auto before = contents_of(folder_);
+    std::string said;
+    try {
+      const Output output(file, rules);
+    } catch (const FileError& error) {
+      said = error.what();
+    }
+    EXPECT_EQ(contents_of(folder_), before);
+    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    return said;
+  }
+  static mode_t mode_of(const fs::path& file) {
+    struct stat status {};
+    return ::stat(file.c_str(), &status) == 0 ? status.st_mode & 0777U : 0;
+  }
+};
+
+#define EXPECT_SAYS(said, wanted) \
+  EXPECT_NE(std::string(said).find(wanted), std::string::npos) << "it says: '" << (said) << "'"
+
+TEST_F(Outputs, AreWhatWasWritten) {
+  const std::string large(3'000'000, 'x');
+  for (const std::string& bytes : {std::string("new"), std::string(), large}) {
+    Output(at("a")).write(bytes);
+    EXPECT_EQ(contents_of(folder_), (std::map<std::string, std::string>{{"a", bytes}}));
+  }
+  // Names may be as long as the file system has them.
+  const std::string longest(255, 'n');
+  Output(folder_ / longest).write("long");
+  EXPECT_EQ(bytes_of(folder_ / longest), "long");
+  EXPECT_SAYS(complaint(folder_ / (longest + "n")), "File name too long");
+}
+
+TEST_F(Outputs, ARelativeNameIsBelowTheWorkingFolder) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  Output("a").write("new");
+  fs::current_path(before);
+  EXPECT_EQ(bytes_of(at("a")), "new");
+}
+
+TEST_F(Outputs, PermissionsAreTheUmasksOrThoseOfTheReplacedFile) {
+  const mode_t before = ::umask(027);
+  Output(at("fresh")).write("x");
+  ::umask(before);
+  EXPECT_EQ(mode_of(at("fresh")), 0640U);
+  put(at("secret"), "old");
+  fs::permissions(at("secret"), fs::perms::owner_read | fs::perms::owner_write);
+  Output(at("secret")).write("new");
+  EXPECT_EQ(mode_of(at("secret")), 0600U);
+  EXPECT_EQ(bytes_of(at("secret")), "new");
+}
+
+TEST_F(Outputs, GoThroughLinks) {
+  fs::create_directory(at("store"));
+  put(at("store/file"), "old");
+  fs::create_symlink("file", at("store/inner"));
+  fs::create_symlink("store/inner", at("outer"));
+  fs::create_symlink("store/fresh", at("dangling"));
+  Output(at("outer")).write("new");
+  Output(at("dangling")).write("first");
+  EXPECT_EQ(contents_of(folder_), (std::map<std::string, std::string>{{"dangling", "-> store/fresh"},
+                                                                      {"outer", "-> store/inner"},
+                                                                      {"store", "no file"},
+                                                                      {"store/file", "new"},
+                                                                      {"store/fresh", "first"},
+                                                                      {"store/inner", "-> file"}}));
+  fs::create_symlink("loop", at("loop"));
+  EXPECT_SAYS(complaint(at("loop")), "loop: cannot be written: its links lead nowhere");
+  fs::create_symlink("no/such/folder", at("lost"));
+  EXPECT_SAYS(complaint(at("lost")), "there is no folder");
+}
+
+TEST_F(Outputs, BystandersStay) {
+  // Whatever name a draft has, somebody may have been there before.
+  put(at("precious"), "precious");
+  for (int i = 0; i < 5; ++i) {
+    const fs::path name = folder_ / fmt::format(".restrip-{}-{}", ::getpid(), i);
+    if (i % 2 == 0)
+      put(name, "mine");
+    else
+      fs::create_symlink("precious", name);
+  }
+  for (const char* name : {"a.part", "a.partial", "a.tmp"}) put(at(name), "mine");
+  auto wanted = contents_of(folder_);
+  Output(at("a")).write("new");
+  wanted["a"] = "new";
+  EXPECT_EQ(contents_of(folder_), wanted);
+}
+
+TEST_F(Outputs, TwoWritersDoNotMeet) {
+  std::vector<std::string> texts;
+  std::vector<std::thread> writers;
+  for (char c = 'a'; c < 'e'; ++c) texts.emplace_back(100'000, c);
+  for (const std::string& text : texts)
+    writers.emplace_back([&] {
+      for (int i = 0; i < 20; ++i) Output(at("out")).write(text);
+    });
+  for (std::thread& writer : writers) writer.join();
+  const auto contents = contents_of(folder_);
+  ASSERT_EQ(contents.size(), 1U);
+  EXPECT_NE(std::find(texts.begin(), texts.end(), contents.at("out")), texts.end());
+}
+
+TEST_F(Outputs, MustNotBeInputs) {
+  put(at("in"), "input");
+  fs::create_symlink("in", at("link"));
+  fs::create_hard_link(at("in"), at("hard"));
+  fs::create_directory(at("sub"));
+  for (const char* same : {"in", "link", "hard", "sub/../in"}) {
+    EXPECT_SAYS(complaint(at(same), {{}, {at("in")}}), "is the input");
+    EXPECT_SAYS(complaint(at("in"), {{}, {at("sub"), at(same)}}), "name another file");
+  }
+  EXPECT_EQ(complaint(at("other"), {{}, {at("in"), at("none")}}), "");
+  EXPECT_EQ(complaint("/dev/null", {{}, {"/dev/null"}}), "");
+}
+
+TEST_F(Outputs, MustBeOfTheFormat) {
+  const OutputRules rules{{".pm", ".svg"}, {}};
+  EXPECT_EQ(complaint(at("a.pm"), rules), "");
+  EXPECT_EQ(complaint(at("a.SVG"), rules), "");
+  EXPECT_SAYS(complaint(at("a.obj"), rules), "a.obj: has the extension '.obj', but what is written is .pm or .svg");
+  EXPECT_SAYS(complaint(at("a"), rules), "has the extension ''");
+  // Neither by the back door; a store of files without extensions is welcome.
+  put(at("mesh.obj"), "precious");
+  put(at("store"), "");
+  fs::create_symlink("mesh.obj", at("b.pm"));
+  fs::create_symlink("store", at("c.pm"));
+  EXPECT_SAYS(complaint(at("b.pm"), rules), "leads to");
+  EXPECT_EQ(complaint(at("c.pm"), rules), "");
+  EXPECT_EQ(complaint("/dev/null", rules), "");
+}
+
+TEST_F(Outputs, WhatCannotBeWrittenIsNamedBeforehand) {
+  put(at("file"), "x");
+  EXPECT_SAYS(complaint(""), "is empty; name a file");
+  EXPECT_SAYS(complaint(folder_), "it is a folder; name a file inside it");
+  EXPECT_SAYS(complaint(folder_ / ""), "it is a folder; name a file inside it");
+  EXPECT_SAYS(complaint(at("none/a")), "there is no folder");
+  EXPECT_SAYS(complaint(at("none/")), "cannot be written");
+  EXPECT_SAYS(complaint(at("file/a")), "Not a directory; name a file in a folder that you may write to");
+  EXPECT_SAYS(complaint("/proc/self/a"), "cannot be written");  // not even by root
+  if (::geteuid() == 0) return;                                 // who may write everywhere else
+  put(at("protected"), "x");
+  fs::permissions(at("protected"), fs::perms::owner_read);
+  EXPECT_SAYS(complaint(at("protected")), "Permission denied");
+  fs::create_directory(at("locked"));
+  fs::permissions(at("locked"), fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_SAYS(complaint(at("locked/a")), "Permission denied");
+  fs::permissions(at("locked"), fs::perms::owner_all);
+}
+
+TEST_F(Outputs, DevicesAndPipesAreWrittenThrough) {
+  Output("/dev/null").write("x");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  ASSERT_EQ(mkfifo(at("pipe").c_str(), 0600), 0);
+  const Output output(at("pipe"));
+  std::string read;
+  std::thread reader([&] { read = bytes_of(at("pipe")); });
+  const std::string large(1'000'000, 'x');
+  output.write(large);
+  reader.join();
+  EXPECT_EQ(read, large);
+  EXPECT_TRUE(fs::is_fifo(at("pipe")));
+}
+
+TEST_F(Outputs, ADescriptorThatIsOpenIsUsed) {
+  // As /dev/stdout is when it was sent to a file: what follows on the same descriptor comes behind.
+  const int open = ::open(at("out").c_str(), O_WRONLY | O_CREAT, 0600);
+  ASSERT_GE(open, 0);
+  ASSERT_EQ(::write(open, "one ", 4), 4);
+  Output(fmt::format("/dev/fd/{}", open)).write("two ");
+  ASSERT_EQ(::write(open, "three", 5), 5);
+  ::close(open);
+  EXPECT_EQ(bytes_of(at("out")), "one two three");
+  const int reading = ::open(at("out").c_str(), O_RDONLY);
+  EXPECT_SAYS(complaint(fmt::format("/dev/fd/{}", reading)), "Bad file descriptor");
+  ::close(reading);
+  EXPECT_SAYS(complaint(fmt::format("/dev/fd/{}", reading)), "Bad file descriptor");
+}
+
+TEST_F(Outputs, AFullDiskLeavesTheOldFile) {
+  ignore_file_size_signal();
+  put(at("target"), "old");
+  fs::create_symlink("target", at("link"));
+  const auto before = contents_of(folder_);
+  rlimit usual{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &usual), 0);
+  const rlimit small{1000, usual.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  std::string said;
+  for (const char* name : {"target", "link", "fresh"}) {
+    try {
+      Output(at(name)).write(std::string(1001, 'x'));
+    } catch (const FileError& error) {
+      said = error.what();
+    }
+  }
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &usual), 0);
+  EXPECT_SAYS(said, "fresh: cannot be written: File too large; raise the limit");
+  EXPECT_EQ(contents_of(folder_), before);
+}
+
+TEST_F(Outputs, SignalsWaitUntilTheFileIsThere) {
+  // Interrupted in the middle of writing, a child process first finishes the file.
+  put(at("a"), "old");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    system_calls().fsync = [](int file) {
+      ::raise(SIGINT);
+      return ::fsync(file);
+    };
+    Output(at("a")).write("new");
+    ::_exit(0);
+  }
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
+  EXPECT_EQ(contents_of(folder_), (std::map<std::string, std::string>{{"a", "new"}}));
+}
+
+// ---- sets
+
+TEST_F(Outputs, ASetIsWrittenWithItsFolders) {
+  OutputSet set(at("x/y"), {"a", "z/b", "index"});
+  set.write({{"a", "1"}, {"z/b", "2"}, {"index", "3"}});
+  EXPECT_EQ(contents_of(at("x/y")),
+            (std::map<std::string, std::string>{{"a", "1"}, {"z", "no file"}, {"z/b", "2"}, {"index", "3"}}));
+}
+
+TEST_F(Outputs, ASetThatIsNotWrittenLeavesNothing) {
+  put(at("file"), "x");
+  const auto before = contents_of(folder_);
+  { const OutputSet set(at("x/y"), {"a", "z/b", "index"}); }
+  EXPECT_EQ(contents_of(folder_), before);
+  EXPECT_THROW(OutputSet(at("x/y"), {"a", "../../file/b"}), FileError);
+  EXPECT_THROW(OutputSet(at("file"), {"a"}), FileError);
+  EXPECT_THROW(OutputSet("", {"a"}), FileError);
+  EXPECT_THROW(OutputSet("/dev", {"null"}), FileError);
+  EXPECT_THROW(OutputSet(folder_, {"a", "file"}, {{}, {at("file")}}), FileError);
+  EXPECT_EQ(contents_of(folder_), before);
+}
+
+}  // namespace
+}  // namespace restrip::files
