@@ -1,0 +1,46 @@
+// The generator's shards.
+#include <set>
+
+#include "digest.hpp"
+#include "part.hpp"
+#include "shard.hpp"
+#include "target.hpp"
+
+namespace restrip::fuzz {
+namespace {
+
+using namespace generator;
+
+const std::string id = "1.2.3 abc";
+
+/// With the digest that the lines above ask for, so that alterations reach the reader.
+std::string sealed(std::string_view text) {
+  const std::string above(text.substr(0, text.rfind("end ")));
+  return above + "end " + sha256(above) + "\n";
+}
+
+bool read(std::string_view bytes) {
+  try {
+    const Merged merged = merge_shards({{"f", sealed(bytes)}}, id, "folder");
+    for (const Part& part : merged.parts) promise(rows_of(part) > 0, "every part of one shard of one has rows");
+    return true;
+  } catch (const std::logic_error&) {
+    throw;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+std::vector<Target> shard_targets() {
+  std::vector<Part> all = parts(3);
+  std::vector<const Part*> share;
+  for (Part& part : all) {
+    solve(part);
+    share.push_back(&part);
+  }
+  return {{"shard", {shard_text({1, 1}, 3, id, share)}, read, 500}};
+}
+
+}  // namespace restrip::fuzz

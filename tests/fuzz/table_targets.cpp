@@ -1,0 +1,151 @@
+// What the verifier reads: certificates of rules and of linked rules, dumps of tables, formulas and proofs.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "certificate.hpp"
+#include "cnf.hpp"
+#include "drat_proof.hpp"
+#include "input.hpp"
+#include "linked_certificate.hpp"
+#include "sums.hpp"
+#include "table_dump.hpp"
+#include "target.hpp"
+
+namespace restrip::fuzz {
+namespace {
+
+using namespace verify;
+
+constexpr unsigned small_max_k = 4;  // of the tables in tests/corpus
+
+/// With the sums in its last line that the lines above ask for, so that alterations reach the reader.
+std::string sealed(std::string_view text) {
+  const std::size_t end = text.rfind("end ");
+  if (end == std::string_view::npos) return std::string(text);
+  const std::string_view above = text.substr(0, end);
+  const std::string_view rows = text.substr(end + 4, text.find(' ', end + 4) - end - 4);
+  const ByteSums sums = sums_of(above);
+  return fmt::format("{}end {} {} {}\n", above, rows, sums.plain, sums.weighted);
+}
+
+std::vector<std::string> lines_of(std::string_view text) {  // a stream would take a shortage of memory for the end
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size(); at += lines.back().size() + 1)
+    lines.emplace_back(text.substr(at, text.find('\n', at) - at));
+  return lines;
+}
+
+template <class Read>
+std::function<bool(std::string_view)> refusing(Read&& read) {
+  return [read](std::string_view bytes) {
+    try {
+      return read(bytes);
+    } catch (const InputError&) {
+      return false;
+    }
+  };
+}
+
+/// One target for each certificate of the small tables.
+Target certificate_target(const Family& family) {
+  const auto read = [family](std::string_view bytes) {
+    const std::string text = sealed(bytes);
+    const Certificate certificate = parse_certificate("f", text, family);
+    const std::vector<std::string> lines = lines_of(text);
+    for (std::size_t i = 0; i < certificate.sections.size(); ++i)
+      for (const Row& row : certificate.sections[i].rows)
+        promise(text_of(row, family.sections[i].operations.front().gives_ports_up) == lines.at(row.line - 1),
+                "a row is its line");
+    return true;
+  };
+  return {"certificate-" + family.name,
+          {read_file(RESTRIP_SMALL_TABLES "/certificates/" + family.name + ".cert")},
+          refusing(read),
+          2000};
+}
+
+Target linked_target(const LinkedFamily& family) {
+  const auto read = [family](std::string_view bytes) {
+    const std::string text = sealed(bytes);
+    const LinkedCertificate certificate = parse_linked_certificate("f", text, family);
+    const std::vector<std::string> lines = lines_of(text);
+    for (const SectionLists& section : certificate.sections)
+      for (const Alternative& row : section.rows)
+        promise(row.text() == lines.at(row.line - 1), "an alternative is its line");
+    return true;
+  };
+  return {"certificate-" + family.name,
+          {read_file(RESTRIP_SMALL_TABLES "/certificates/" + family.name + ".cert")},
+          refusing(read),
+          4000};
+}
+
+/// A dump of flips and of one table of lists, which are read and not compared, and of splits, which are judged.
+Target dump_target() {
+  struct Expected {
+    std::vector<Family> families = all_families(3);
+    std::vector<LinkedFamily> linked = linked_families(3);
+    ExpectedDump dump;
+  };
+  auto expected = std::make_shared<Expected>();
+  std::string seed = "restrip-table-dump 2\n";
+  std::size_t entries = 0;
+  for (const Family& family : expected->families) {
+    if (family.name != "flip" && family.name != "split") continue;
+    const Operation& operation = family.sections.front().operations.front();
+    expected->dump.tables.push_back(
+        {&operation, family.name == "flip" ? Against::nothing : Against::own_patch, nullptr});
+    seed += fmt::format("table {}\n", operation.name());
+    for (Mask inner = 0; inner < mask_count(operation.before.inner_edges()); ++inner)
+      for (Mask ports = 0; ports < mask_count(operation.before.ports()); ++ports, ++entries)
+        seed += fmt::format("{:x} {:x} -\n", inner, ports);
+  }
+  const LinkedFamily& lists = expected->linked.front();
+  const Section& section = lists.local.sections.front();
+  expected->dump.lists.push_back({lists.name, section.position, section.ports, nullptr});
+  seed += fmt::format("table {} {}\n", lists.name, section.position);
+  for (Mask ports = 0; ports < mask_count(section.ports); ++ports, ++entries) seed += fmt::format("{:x} 0 0\n", ports);
+  seed += fmt::format("end {}\n", entries);
+  const auto read = [expected](std::string_view bytes) {
+    std::string text(bytes);
+    if (text.empty()) return false;  // fmemopen takes no less
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(fmemopen(text.data(), text.size(), "r"), std::fclose);
+    promise(stream != nullptr, "a stream of bytes opens");
+    return compare_dump(stream.get(), expected->dump).fault.empty();
+  };
+  return {"dump", {seed}, read, 4000};
+}
+
+}  // namespace
+
+std::vector<Target> table_targets() {
+  std::vector<Target> targets;
+  for (const Family& family : all_families(small_max_k))
+    if (family.name != "open-split") targets.push_back(certificate_target(family));  // which is long, and nothing new
+  for (const LinkedFamily& family : linked_families(small_max_k)) targets.push_back(linked_target(family));
+  targets.push_back(dump_target());
+  targets.push_back({"formula",
+                     {"c f\np cnf 3 2\n1 -2 0\n2 3 0\n", sat::dimacs_of({3, {{1, 2}, {-1, 3}, {-3}}}, "g")},
+                     refusing([](std::string_view bytes) {
+                       const sat::Cnf cnf = sat::parse_dimacs("f", std::string(bytes));
+                       const sat::Cnf again = sat::parse_dimacs("g", sat::dimacs_of(cnf, "again"));
+                       promise(again.variables == cnf.variables && again.clauses == cnf.clauses,
+                               "a formula that was written is read");
+                       return true;
+                     }),
+                     10000});
+  targets.push_back({"proof",
+                     {"1 -2 0\nd 1 -2 0\n0\n", "3 0\n-1 2 3 0\nd 3 0\n"},
+                     refusing([](std::string_view bytes) {
+                       for (const auto& line : sat::parse_proof("f", std::string(bytes), 3))
+                         for (const int literal : line.clause)
+                           promise(literal != 0 && literal >= -3 && literal <= 3, "a literal has a variable");
+                       return true;
+                     }),
+                     10000});
+  return targets;
+}
+
+}  // namespace restrip::fuzz
