@@ -2,7 +2,6 @@
 // kept by a policy, and only the parts of the index buffer that changed are uploaded.
 #include <cstdio>
 #include <restrip/restrip.hpp>
-#include <restrip/strip_buffer.hpp>
 #include <vector>
 
 namespace {

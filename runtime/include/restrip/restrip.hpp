@@ -18,6 +18,7 @@
 #include "restrip/precondition.hpp"
 #include "restrip/refusal.hpp"
 #include "restrip/rules.hpp"
+#include "restrip/strip_buffer.hpp"
 #include "restrip/strip_mesh.hpp"
 #include "restrip/stripify.hpp"
 #include "restrip/strips.hpp"
