@@ -7,11 +7,10 @@
 // Exceptions. Any function of a mesh may throw, and the exception comes out of the operation that called it. If the
 // mesh keeps two promises, then after an exception its colouring is valid, perhaps not optimal: some dual edges may be
 // dashed that could be solid, and the next operations go on from there.
-//  1. insert_vertex, remove_vertex and turn_edge do their work or throw and leave the mesh and its colours as they
-//  were,
-//     and set_solid changes one dual edge, for both its halfedges, or none. (What a Rewrite would have told is lost:
-//     whoever adds up strips counts them anew.)
-//  2. insert_vertex leaves the dual edges of the new triangles dashed, and remove_vertex those that fall together.
+//  - insert_vertex, remove_vertex and turn_edge do their work, or throw and leave the mesh and its colours as they
+//    were; set_solid changes one dual edge, for both its halfedges, or none.
+//  - insert_vertex leaves the dual edges of the new triangles dashed, and remove_vertex those that fall together.
+// What the Rewrite would have told is lost: after an exception count the strips anew.
 // restrip keeps its part by reading everything it needs, then making dashed what becomes dashed, then changing the
 // mesh, then making solid what becomes solid: on the way every colouring is the old or the new one with fewer solid
 // edges.

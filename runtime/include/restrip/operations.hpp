@@ -150,7 +150,7 @@ Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typen
   walk_patch(
       mesh, chord,
       [&](std::size_t j, auto h) {
-        if (rule.colors.get(j)) mesh.set_solid(h, true);
+        if (rule.colors.get(j) != mesh.solid(h)) mesh.set_solid(h, rule.colors.get(j));
       },
       [](std::size_t, auto) {});
   return {chord, static_cast<std::uint32_t>(fan.k), rule.strips, rule.isolated};
@@ -268,7 +268,7 @@ Rewrite<typename Mesh::Halfedge> apply_collapse(Mesh& mesh, typename Mesh::Halfe
       [](std::size_t, auto) {});
   const auto spoke = mesh.remove_vertex(chord);
   walk_fan(mesh, spoke, at.kind == PatchPlace::Kind::ring, at.k, at.left, [&](std::size_t i, auto h) {
-    if (rule.colors.get(i)) mesh.set_solid(h, true);
+    if (rule.colors.get(i) != mesh.solid(h)) mesh.set_solid(h, rule.colors.get(i));
   });
   return {spoke, static_cast<std::uint32_t>(at.k), rule.strips, rule.isolated};
 }

@@ -54,8 +54,17 @@ class SurfaceMeshStrips {
     const Halfedge back = CGAL::Euler::split_vertex(into_left, into_right, mesh_);
     const Halfedge chord = mesh_.opposite(back);
     mesh_.point(mesh_.target(chord)) = point;
-    if (has_left) close_corner(left_tip, chord);
-    if (has_right) close_corner(right_tip, back);
+    // The edge of a spoke is now one of the new triangle's, and has the spoke's colour.
+    if (has_left) {
+      close_corner(left_tip, chord);
+      set_solid(mesh_.next(chord), false);
+      set_solid(mesh_.prev(chord), false);
+    }
+    if (has_right) {
+      close_corner(right_tip, back);
+      set_solid(mesh_.next(back), false);
+      set_solid(mesh_.prev(back), false);
+    }
     return chord;
   }
   /// The new vertex is put where v_s is.
