@@ -17,6 +17,7 @@
 #include "pm_file.hpp"
 #include "policies.hpp"
 #include "replay_text.hpp"
+#include "report_output.hpp"
 #include "restrip/operations.hpp"
 #include "restrip/strips.hpp"
 #include "stopwatch.hpp"
@@ -69,7 +70,7 @@ Source source_of(const std::filesystem::path& file, const SimplifyOptions& optio
   source.mesh = read_pm(file);
   BuildReport report;
   const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
-  source.subject.left_out = {report.degenerate_triangles, report.irregular_vertices, 0};
+  source.subject.left_out = {report.degenerate_triangles, report.irregular_vertices, 0, 0};
   return source;
 }
 
@@ -118,6 +119,7 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command, Policy p
 }  // namespace
 
 int run(const StatsCommand& command) {
+  const ReportOutput out(command.json, {command.mesh});
   if (is_progressive(command.mesh) || is_baked(command.mesh)) {
     // The base is a mesh like any other.
     ProgressiveMesh mesh = is_baked(command.mesh) ? read_baked(command.mesh).mesh : read_pm(command.mesh);
@@ -126,19 +128,16 @@ int run(const StatsCommand& command) {
     soup.points.resize(soup.points.size() - mesh.splits.size());
     soup.triangles = std::move(mesh.base);
     const MeshReport report = report_on(soup);
-    fmt::print("{}", command.json ? as_json(report) : as_text(report, command.mesh.string() + " (its base)"));
+    out.print(as_text(report, command.mesh.string() + " (its base)"), as_json(report));
     return 0;
   }
   const MeshReport report = report_on(read_mesh(command.mesh));
-  fmt::print("{}", command.json ? as_json(report) : as_text(report, command.mesh.string()));
+  out.print(as_text(report, command.mesh.string()), as_json(report));
   return 0;
 }
 
 int run(const ReplayCommand& command) {
-  const bool to_stdout = command.json == "-";
-  std::optional<files::Output> json_file;
-  if (!command.json.empty() && !to_stdout)
-    json_file.emplace(command.json, files::OutputRules{{".json"}, {command.mesh}});
+  const ReportOutput out(command.json, {command.mesh});
   Source source = command.built_in
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
                       : source_of(command.mesh, command.simplify, command.simplify_given);
@@ -161,30 +160,31 @@ int run(const ReplayCommand& command) {
   std::optional<WalkTaken> walk;
   if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command, options.policy);
 
-  const std::string json = command.json.empty() ? "" : as_json(report, source.subject, walk);
-  if (to_stdout) {
-    fmt::print("{}", json);
-  } else {
-    if (json_file) json_file->write(json);
-    fmt::print("{}", as_text(report, source.subject));
-    if (walk) fmt::print("{}", as_text(*walk));
-  }
+  out.print(as_text(report, source.subject) + (walk ? as_text(*walk) : ""), as_json(report, source.subject, walk));
   return report.valid() && (!walk || walk->report.fault.empty()) ? 0 : 1;
 }
 
 int run(const SimplifyCommand& command) {
   const files::Output out(command.out, {{".pm"}, {command.mesh}});
+  const ReportOutput report(command.json, {command.mesh, command.out});
   const Simplification result = simplify(read_mesh(command.mesh), command.simplify);
   out.write(pm_bytes(result.mesh));
-  fmt::print("{}: {} triangles and {} splits to {}\n", command.out.string(), result.mesh.base.size(),
-             result.mesh.splits.size(), result.mesh.fine_triangles());
+  std::string text = fmt::format("{}: {} triangles and {} splits to {}\n", command.out.string(),
+                                 result.mesh.base.size(), result.mesh.splits.size(), result.mesh.fine_triangles());
   if (result.mesh.base.size() > result.wanted_triangles)
-    fmt::print("a base of {} triangles was wanted; no further collapse is legal\n", result.wanted_triangles);
+    text += fmt::format("a base of {} triangles was wanted; {}\n", result.wanted_triangles,
+                        why_no_coarser(result.left_out));
+  const nlohmann::ordered_json json{{"base_triangles", result.mesh.base.size()},
+                                    {"wanted_base_triangles", result.wanted_triangles},
+                                    {"splits", result.mesh.splits.size()},
+                                    {"triangles", result.mesh.fine_triangles()}};
+  report.print(text, json.dump(2) + "\n");
   return 0;
 }
 
 int run(const BakeCommand& command) {
   const files::Output out(command.out, {{std::string(baked_extension)}, {command.mesh}});
+  const ReportOutput told(command.json, {command.mesh, command.out});
   Source source = source_of(command.mesh, command.simplify, command.simplify_given);
   BakeReport report;
   const BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
@@ -194,51 +194,51 @@ int run(const BakeCommand& command) {
   const std::size_t records = baked.records.size();
   const auto each = static_cast<double>(std::max<std::size_t>(records, 1));
   const BakedCosts costs = costs_of(baked, report.seconds);
-  if (command.json) {
-    const nlohmann::ordered_json json{{"base_triangles", baked.base.triangle_count()},
-                                      {"triangles", baked.mesh.fine_triangles()},
-                                      {"records", records},
-                                      {"pieces", report.pieces},
-                                      {"base_strips", report.base_strips},
-                                      {"top_strips", report.top_strips},
-                                      {"top_at_least", report.top_at_least},
-                                      {"most_strips", report.most_strips},
-                                      {"levels_with_fewest", report.fewest_levels},
-                                      {"flips_per_record", costs.flips_per_record},
-                                      {"bytes_per_record", costs.bytes_per_record},
-                                      {"bytes", bytes},
-                                      {"states", report.states},
-                                      {"seconds", report.seconds}};
-    fmt::print("{}\n", json.dump(2));
-    return 0;
-  }
-  fmt::print(
+  const nlohmann::ordered_json json{{"base_triangles", baked.base.triangle_count()},
+                                    {"triangles", baked.mesh.fine_triangles()},
+                                    {"records", records},
+                                    {"pieces", report.pieces},
+                                    {"base_strips", report.base_strips},
+                                    {"top_strips", report.top_strips},
+                                    {"top_at_least", report.top_at_least},
+                                    {"most_strips", report.most_strips},
+                                    {"levels_with_fewest", report.fewest_levels},
+                                    {"flips_per_record", costs.flips_per_record},
+                                    {"bytes_per_record", costs.bytes_per_record},
+                                    {"bytes", bytes},
+                                    {"states", report.states},
+                                    {"seconds", report.seconds}};
+  const std::string text = fmt::format(
       "{}: {} triangles and {} records to {}\n"
-      "{} strips at the base, {} at the finest level (where {} are needed at least), {} at most; {} connected pieces, "
-      "{:.2f} % of the levels in as "
-      "many "
-      "strips\n"
+      "{} strips at the base, {} at the finest level (where {} are needed at least), {} at most; {} connected "
+      "components, {:.2f} % of the levels in as many strips\n"
       "{:.2f} flips and {:.1f} bytes a record, {} bytes in all; {:.1f} seconds\n",
       command.out.string(), baked.base.triangle_count(), records, baked.mesh.fine_triangles(), report.base_strips,
       report.top_strips, report.top_at_least, report.most_strips, report.pieces,
       100.0 * static_cast<double>(report.fewest_levels) / (each + 1), costs.flips_per_record, costs.bytes_per_record,
       bytes, report.seconds);
+  told.print(text, json.dump(2) + "\n");
   return 0;
 }
 
 int run(const MakeMeshCommand& command) {
   const files::Output out(command.out, {written_mesh_extensions(), {}});
+  const ReportOutput report(command.json, {command.out});
   const std::string format = files::extension_of(command.out);
   if (format.empty())  // a device
     throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}",
                                command.out.string(), fmt::join(written_mesh_extensions(), ", ")));
   const Soup soup = make_mesh(command.triangles, command.seed);
   out.write(mesh_bytes(soup, format));
-  fmt::print("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size());
+  const nlohmann::ordered_json json{{"vertices", soup.points.size()}, {"triangles", soup.triangles.size()}};
+  report.print(
+      fmt::format("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size()),
+      json.dump(2) + "\n");
   return 0;
 }
 
 int run(const StripifyCommand& command) {
+  const ReportOutput out(command.json, {command.mesh});
   const Soup soup = read_mesh(command.mesh);
   BuildReport report;
   StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size(), &report);
@@ -249,28 +249,26 @@ int run(const StripifyCommand& command) {
   const std::vector<std::string> faults = find_faults(mesh);
   const std::size_t left_out = report.degenerate_triangles + report.out_of_range_triangles;
   const double seconds = clock.nanoseconds() * 1e-9;
-  if (command.json) {
-    const nlohmann::ordered_json json{{"triangles", mesh.triangle_count()},
-                                      {"left_out", left_out},
-                                      {"strips", strips.size()},
-                                      {"pieces", connected_pieces(mesh)},
-                                      {"indices", indices},
-                                      {"seconds", seconds},
-                                      {"valid", faults.empty()}};
-    fmt::print("{}\n", json.dump(2));
-  } else {
-    fmt::print(
-        "{}: {} triangles ({} degenerate ones left out) in {} strips, {} connected pieces\n"
-        "{:.3f} indices per triangle, {:.3f} seconds\n",
-        command.mesh.string(), mesh.triangle_count(), left_out, strips.size(), connected_pieces(mesh),
-        static_cast<double>(indices) / static_cast<double>(std::max<std::size_t>(mesh.triangle_count(), 1)), seconds);
-  }
+  const nlohmann::ordered_json json{{"triangles", mesh.triangle_count()},
+                                    {"left_out", left_out},
+                                    {"strips", strips.size()},
+                                    {"pieces", connected_pieces(mesh)},
+                                    {"indices", indices},
+                                    {"seconds", seconds},
+                                    {"valid", faults.empty()}};
+  const auto triangles = static_cast<double>(std::max<std::size_t>(mesh.triangle_count(), 1));
+  out.print(fmt::format("{}: {} triangles ({} degenerate ones left out) in {} strips, {} connected components\n"
+                        "{:.3f} indices per triangle, {:.3f} seconds\n",
+                        command.mesh.string(), mesh.triangle_count(), left_out, strips.size(), connected_pieces(mesh),
+                        static_cast<double>(indices) / triangles, seconds),
+            json.dump(2) + "\n");
   for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
   return faults.empty() ? 0 : 1;
 }
 
 int run(const DrawCommand& command) {
   const files::Output out(command.out, {{".svg"}, {command.mesh}});
+  const ReportOutput report(command.json, {command.mesh, command.out});
   constexpr std::size_t triangles_in_a_picture = 2400;
   Soup soup = command.mesh.empty() ? make_mesh(triangles_in_a_picture) : read_mesh(command.mesh);
   if (command.mesh.empty()) smooth(soup, 4);
@@ -285,6 +283,8 @@ int run(const DrawCommand& command) {
   out.write(svg_of({{draw_mesh(mesh, source.points), "a mesh coloured by strip"},
                     {draw_fan(at, loop, ports), "a 6-vertex; solid: strip, dashed: no strip"},
                     {draw_split(at, loop, ports), "split, and repaired by its rule"}}));
+  const nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", extract_strips(mesh).size()}};
+  report.print("", json.dump(2) + "\n");
   return 0;
 }
 

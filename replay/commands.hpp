@@ -1,5 +1,6 @@
 // The subcommands of `restrip`, free of any command line: what each wants to know, and what it does. Each returns the
-// exit code: 0, or 1 when a check failed; bad input is thrown (BadInput).
+// exit code: 0, or 1 when a check failed; bad input is thrown (BadInput). `json` is the argument of --json
+// (report_output.hpp): a file, - for standard output, or empty.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@ namespace restrip::replay {
 
 struct StatsCommand {
   std::filesystem::path mesh;
-  bool json = false;
+  std::string json;
 };
 int run(const StatsCommand& command);
 
@@ -34,7 +35,7 @@ struct ReplayCommand {
   TieBreak tie_break = TieBreak::strips;  ///< of these searches
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
-  std::string json;  ///< a file; - for standard output, which then has nothing else; empty for none
+  std::string json;
 };
 int run(const ReplayCommand& command);
 
@@ -42,6 +43,7 @@ struct SimplifyCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;
   SimplifyOptions simplify;
+  std::string json;
 };
 int run(const SimplifyCommand& command);
 
@@ -51,7 +53,7 @@ struct BakeCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;
   BakeOptions bake;
-  bool json = false;
+  std::string json;
 };
 int run(const BakeCommand& command);
 
@@ -59,13 +61,14 @@ struct MakeMeshCommand {
   std::filesystem::path out;
   std::size_t triangles = default_made_triangles;
   std::uint64_t seed = 1;
+  std::string json;
 };
 int run(const MakeMeshCommand& command);
 
 struct StripifyCommand {
   std::filesystem::path mesh;
   Effort effort = Effort::fast;
-  bool json = false;
+  std::string json;
 };
 int run(const StripifyCommand& command);
 
@@ -73,6 +76,7 @@ int run(const StripifyCommand& command);
 struct DrawCommand {
   std::filesystem::path mesh;  ///< empty: the built-in mesh
   std::filesystem::path out;
+  std::string json;
 };
 int run(const DrawCommand& command);
 
@@ -81,7 +85,7 @@ struct PaperCommand {
   std::filesystem::path out;  ///< a folder; made when it is not there
   std::vector<std::filesystem::path> meshes;
   PaperOptions options;
-  bool json = false;
+  std::string json;
 };
 int run(const PaperCommand& command);
 

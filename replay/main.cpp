@@ -56,10 +56,15 @@ void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
 
 bool simplify_options_given(const CLI::App& app) { return app.count("--base") + app.count("--boundary") != 0; }
 
+void add_json_option(CLI::App& app, std::string& json) {
+  app.add_option("--json", json, "write the report as JSON to this file; - for standard output, in place of the text")
+      ->option_text("FILE");
+}
+
 CLI::App* add_stats(CLI::App& app, StatsCommand& command) {
   CLI::App* sub = app.add_subcommand("stats", "Count what a mesh has: triangles per vertex, boundary, faults");
   sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or .pm (its base)")->required();
-  sub->add_flag("--json", command.json, "print a JSON object");
+  add_json_option(*sub, command.json);
   sub->footer("Example: restrip stats bunny.obj");
   return sub;
 }
@@ -110,7 +115,7 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
                       "then that many random splits, collapses and flips on the full mesh, under the policy")
           ->check(whole_number);
   sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->check(whole_number)->capture_default_str();
-  sub->add_option("--json", command.json, "write the report as JSON to a file, or - for standard output");
+  add_json_option(*sub, command.json);
   sub->callback([sub, mesh, built_in, &command] {
     if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
     command.simplify_given = simplify_options_given(*sub);
@@ -127,6 +132,7 @@ CLI::App* add_simplify(CLI::App& app, SimplifyCommand& command) {
   sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl")->required();
   sub->add_option("-o,--output", command.out, "the .pm file")->required();
   add_simplify_options(*sub, command.simplify);
+  add_json_option(*sub, command.json);
   sub->footer("Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
   return sub;
 }
@@ -140,7 +146,7 @@ CLI::App* add_bake(CLI::App& app, BakeCommand& command) {
   sub->add_option("--effort", command.bake.effort, "edges walked to save one strip, before search goes further away")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
       ->capture_default_str();
-  sub->add_flag("--json", command.json, "print a JSON object");
+  add_json_option(*sub, command.json);
   sub->callback([sub, &command] { command.simplify_given = simplify_options_given(*sub); });
   sub->footer("Example: restrip bake bunny.obj -o bunny.baked");
   return sub;
@@ -154,6 +160,7 @@ CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
       ->check(CLI::Range(least_made_triangles, most_made_triangles))
       ->capture_default_str();
   sub->add_option("--seed", command.seed, "of its irregularities")->check(whole_number)->capture_default_str();
+  add_json_option(*sub, command.json);
   sub->footer("Example: restrip make-mesh --triangles 1000000 -o torus.ply");
   return sub;
 }
@@ -165,7 +172,7 @@ CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, restrip::Effort>{{"fast", restrip::Effort::fast}, {"full", restrip::Effort::full}}))
       ->default_str("fast");
-  sub->add_flag("--json", command.json, "print a JSON object");
+  add_json_option(*sub, command.json);
   sub->footer("Example: restrip stripify bunny.obj --effort full");
   return sub;
 }
@@ -174,6 +181,7 @@ CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
   CLI::App* sub = app.add_subcommand("draw", "Draw a mesh coloured by strip, and a rule before and after, as SVG");
   sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl, best of a few thousand triangles; else a torus");
   sub->add_option("-o,--output", command.out, "the .svg file")->required();
+  add_json_option(*sub, command.json);
   sub->footer("Example: restrip draw -o picture.svg");
   return sub;
 }
@@ -187,7 +195,7 @@ CLI::App* add_paper(CLI::App& app, PaperCommand& command) {
   sub->add_option("--levels", command.options.levels, "levels of detail to count strips at")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
-  sub->add_flag("--json", command.json, "print a JSON object");
+  add_json_option(*sub, command.json);
   sub->footer("Example: restrip paper --out report bunny.obj");
   return sub;
 }

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "paper_report.hpp"
+#include "report_output.hpp"
 
 namespace restrip::replay {
 
@@ -20,6 +21,7 @@ int run(const PaperCommand& command) {
   for (const files::NamedBytes& file : with_page(csv_files(RuleFigures{}), csv_files(std::vector<PaperMesh>{}), ""))
     names.push_back(file.name);
   files::OutputSet out(command.out, names, {{}, command.meshes});
+  const ReportOutput report(command.json, command.meshes);
   std::vector<PaperSubject> subjects;
   for (const std::filesystem::path& mesh : command.meshes) subjects.push_back(read_subject(mesh));
   const RuleFigures figures = rule_figures();
@@ -29,7 +31,7 @@ int run(const PaperCommand& command) {
     subject = {};
   }
   out.write(with_page(csv_files(figures), csv_files(meshes), as_html(figures, meshes, command.options)));
-  fmt::print("{}", command.json ? as_json(figures, meshes) : as_text(meshes));
+  report.print(as_text(meshes), as_json(figures, meshes));
   return std::all_of(meshes.begin(), meshes.end(), [](const PaperMesh& mesh) { return mesh.faults.empty(); }) ? 0 : 1;
 }
 

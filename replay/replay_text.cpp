@@ -51,8 +51,8 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   fmt::format_to(out, "  {} triangles, {} splits, {} triangles\n", report.base_triangles, report.operations,
                  report.triangles);
   if (subject.wanted_triangles != 0 && report.base_triangles > subject.wanted_triangles)
-    fmt::format_to(out, "  (a base of {} triangles was wanted; no further collapse is legal)\n",
-                   subject.wanted_triangles);
+    fmt::format_to(out, "  (a base of {} triangles was wanted; {})\n", subject.wanted_triangles,
+                   why_no_coarser(subject.left_out));
   const LeftOut& left = subject.left_out;
   if (left.degenerate_triangles != 0)
     fmt::format_to(out, "  left out: {} degenerate triangles\n", left.degenerate_triangles);
@@ -182,7 +182,8 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"left_out",
        {{"degenerate_triangles", subject.left_out.degenerate_triangles},
         {"irregular_vertices", subject.left_out.irregular_vertices},
-        {"frozen_vertices", subject.left_out.frozen_vertices}}},
+        {"frozen_vertices", subject.left_out.frozen_vertices},
+        {"large_vertices", subject.left_out.large_vertices}}},
       {"valid", report.valid() && (!walk || walk->report.fault.empty())},
       {"faults", report.faults},
   };

@@ -1,5 +1,7 @@
 #include "simplify.hpp"
 
+#include <fmt/format.h>
+
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
@@ -308,10 +310,16 @@ class RecordedMesh : public KernelMesh {
 
 }  // namespace
 
+std::string why_no_coarser(const LeftOut& left_out) {
+  if (left_out.large_vertices == 0) return "no further collapse is legal";
+  return fmt::format("what is left is not legal, or at one of {} vertices with more than {} neighbours",
+                     left_out.large_vertices, most_neighbors);
+}
+
 Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
   RecordedMesh mesh(soup, options.boundary);
   Simplification result;
-  result.left_out = {mesh.report().degenerate_triangles, mesh.report().irregular_vertices, mesh.frozen_vertices()};
+  result.left_out = {mesh.report().degenerate_triangles, mesh.report().irregular_vertices, mesh.frozen_vertices(), 0};
   const std::size_t triangles = mesh.strips().triangle_count();
   result.wanted_triangles = static_cast<std::size_t>(std::ceil(options.base * static_cast<double>(triangles)));
 
@@ -327,7 +335,7 @@ Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
     decimater.decimate_to_faces(0, result.wanted_triangles - std::min(missing, result.wanted_triangles));
     mesh.progress = nullptr;
   }
-  result.large_vertices = mesh.large_vertices();
+  result.left_out.large_vertices = mesh.large_vertices();
   result.steps = mesh.steps();
 
   result.mesh.points = soup.points;

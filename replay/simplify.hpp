@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "progressive_mesh.hpp"
 #include "soup.hpp"
@@ -21,7 +22,7 @@ struct SimplifyOptions {
 
 /// A vertex with more neighbours than this is neither collapsed nor collapsed into: each such operation would turn
 /// around it, on the way down and on every way up. Its neighbours collapse into each other instead, which costs it a
-/// triangle each time and nothing else; once it has few enough, it takes part. Meshes that are no fans never come near.
+/// triangle each time and nothing else; once it has few enough, it takes part.
 inline constexpr std::size_t most_neighbors = 1024;
 
 /// What no operation touches.
@@ -29,14 +30,17 @@ struct LeftOut {
   std::size_t degenerate_triangles = 0;  ///< they are in no mesh at all
   std::size_t irregular_vertices = 0;    ///< where the soup is no manifold
   std::size_t frozen_vertices = 0;       ///< regular, but beside a triangle that OpenMesh cannot hold
+  std::size_t large_vertices = 0;        ///< of the base: those with more than most_neighbors neighbours
 };
+
+/// Why the base has more triangles than were wanted, for a reader.
+[[nodiscard]] std::string why_no_coarser(const LeftOut& left_out);
 
 struct Simplification {
   ProgressiveMesh mesh;
-  std::size_t wanted_triangles = 0;  ///< mesh.base has more when no further collapse is legal
+  std::size_t wanted_triangles = 0;  ///< mesh.base has more where why_no_coarser() says why
   LeftOut left_out;
-  std::size_t large_vertices = 0;  ///< of mesh.base: those with more than most_neighbors neighbours
-  std::size_t steps = 0;           ///< edges considered, and spokes that were walked over to judge them
+  std::size_t steps = 0;  ///< edges considered, and spokes that were walked over to judge them
 };
 
 /// Never changes the soup's surface on its way: the splits lead back to exactly its triangles. About 10 microseconds a

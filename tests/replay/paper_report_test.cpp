@@ -91,7 +91,7 @@ TEST_F(PaperReport, PageAndFiguresAgree) {
   const std::string mesh = file("a<b>&\"c\",d.ply");  // as awkward as a name may be
   const std::string in_csv = "\"a<b>&\"\"c\"\",d.ply\"";
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 3000 -o '{}'", mesh)).code, 0);
-  const Outcome paper = run_program(fmt::format("paper --out '{}' --base 0.05 --json '{}'", file("one"), mesh));
+  const Outcome paper = run_program(fmt::format("paper --out '{}' --base 0.05 --json - '{}'", file("one"), mesh));
   ASSERT_EQ(paper.code, 0);
   const auto json = nlohmann::json::parse(paper.out);
   const std::string html = bytes_of(folder_ / "one" / "index.html");
@@ -175,7 +175,7 @@ TEST_F(PaperReport, BadInputLeavesNoPage) {
 TEST_F(PaperReport, AProgressiveMeshIsReplayedAsItIs) {
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 1000 -o '{}'", file("a.off"))).code, 0);
   ASSERT_EQ(run_program(fmt::format("simplify '{}' --base 0.3 -o '{}'", file("a.off"), file("a.pm"))).code, 0);
-  const Outcome paper = run_program(fmt::format("paper --json --out '{}' '{}'", file("out"), file("a.pm")));
+  const Outcome paper = run_program(fmt::format("paper --json - --out '{}' '{}'", file("out"), file("a.pm")));
   ASSERT_EQ(paper.code, 0);
   const auto mesh = nlohmann::json::parse(paper.out).at("meshes").at(0);
   EXPECT_GT(mesh.at("base_triangles").get<int>(), 250);

@@ -44,7 +44,7 @@ TEST_F(Program, WrongUsageIsTwo) {
 
 TEST_F(Program, FullCircle) {
   EXPECT_EQ(run_program(fmt::format("make-mesh --triangles 2000 -o '{}'", file("a.ply"))).code, 0);
-  const Outcome stats = run_program(fmt::format("stats '{}' --json", file("a.ply")));
+  const Outcome stats = run_program(fmt::format("stats '{}' --json -", file("a.ply")));
   EXPECT_EQ(stats.code, 0);
   EXPECT_EQ(nlohmann::json::parse(stats.out).at("genus"), 1);
   EXPECT_EQ(run_program(fmt::format("simplify '{}' --base 0.1 -o '{}'", file("a.ply"), file("a.pm"))).code, 0);
@@ -83,9 +83,9 @@ TEST_F(Program, IndicesMayBreakTies) {
 
 TEST_F(Program, StripifyCountsStrips) {
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 4000 -o '{}'", file("a.off"))).code, 0);
-  const auto fast = nlohmann::json::parse(run_program(fmt::format("stripify '{}' --json", file("a.off"))).out);
+  const auto fast = nlohmann::json::parse(run_program(fmt::format("stripify '{}' --json -", file("a.off"))).out);
   const auto full =
-      nlohmann::json::parse(run_program(fmt::format("stripify '{}' --effort full --json", file("a.off"))).out);
+      nlohmann::json::parse(run_program(fmt::format("stripify '{}' --effort full --json -", file("a.off"))).out);
   EXPECT_TRUE(fast.at("valid"));
   EXPECT_TRUE(full.at("valid"));
   EXPECT_LT(full.at("strips"), fast.at("strips"));
@@ -110,7 +110,7 @@ TEST_F(Program, PoliciesKeepLongerStrips) {
 
 TEST_F(Program, BakedStripsArePlayed) {
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 3000 -o '{}'", file("a.ply"))).code, 0);
-  const Outcome bake = run_program(fmt::format("bake '{}' --base 0.1 -o '{}' --json", file("a.ply"), file("a.baked")));
+  const Outcome bake = run_program(fmt::format("bake '{}' --base 0.1 -o '{}' --json -", file("a.ply"), file("a.baked")));
   ASSERT_EQ(bake.code, 0);
   const auto made = nlohmann::json::parse(bake.out);
   EXPECT_EQ(made.at("most_strips"), 1);
