@@ -1,9 +1,11 @@
 // restrip-dump-tables: prints what the compiled rules answer to every configuration, valid or not, in every position,
 // so that those who trust neither the generator nor the look-up in the tables can compare (docs/certificate.md, "Table
-// dump").
+// dump", and "Dump of linked rules", the output with --linked).
 #include <cstdio>
 #include <string>
+#include <string_view>
 
+#include "dump_output.hpp"
 #include "restrip/linked.hpp"
 #include "restrip/rules.hpp"
 
@@ -11,76 +13,39 @@ namespace {
 
 using restrip::Word;
 
-class Output {
- public:
-  explicit Output(std::FILE* file) : file_(file) { text_.reserve(size); }
+using restrip::dump::Output;
 
-  void line(const std::string& words) {
-    text_ += words;
-    text_ += '\n';
-    flush_if_full();
+void configuration(Output& out, Word before, Word ports, const restrip::Rule& rule) {
+  out.hex(before, ' ');
+  out.hex(ports, ' ');
+  if (rule.valid) {
+    out.hex(rule.colors, '\n');
+  } else {
+    out.text('-');
+    out.text('\n');
   }
-  void hex(Word value, char after) {
-    char digits[16];
-    int n = 0;
-    do {
-      digits[n++] = "0123456789abcdef"[value & 15U];
-      value >>= 4;
-    } while (value != 0);
-    while (n > 0) text_ += digits[--n];
-    text_ += after;
-  }
-  void configuration(Word before, Word ports, const restrip::Rule& rule) {
-    hex(before, ' ');
-    hex(ports, ' ');
-    if (rule.valid)
-      hex(rule.colors, '\n');
-    else
-      text_ += "-\n";
-    entry_done();
-  }
-  void flip(bool inner, unsigned ports, const restrip::FlipRule& rule) {
-    hex(inner ? 1 : 0, ' ');
-    hex(ports, ' ');
-    if (rule.valid) {
-      hex(rule.inner ? 1 : 0, ' ');
-      hex(rule.ports, '\n');
-    } else {
-      text_ += "-\n";
-    }
-    entry_done();
-  }
-  void entry_done() {
-    ++lines_;
-    flush_if_full();
-  }
-  /// False when not everything could be written.
-  bool finish() {
-    line("end " + std::to_string(lines_));
-    flush();
-    return std::fflush(file_) == 0 && std::ferror(file_) == 0;
-  }
+  out.entry_done();
+}
 
- private:
-  static constexpr std::size_t size = std::size_t{1} << 16;
-  void flush() {
-    std::fwrite(text_.data(), 1, text_.size(), file_);
-    text_.clear();
+void flip(Output& out, bool inner, unsigned ports, const restrip::FlipRule& rule) {
+  out.hex(inner ? 1 : 0, ' ');
+  out.hex(ports, ' ');
+  if (rule.valid) {
+    out.hex(rule.inner ? 1 : 0, ' ');
+    out.hex(rule.ports, '\n');
+  } else {
+    out.text('-');
+    out.text('\n');
   }
-  void flush_if_full() {
-    if (text_.size() > size - 4096) flush();
-  }
-  std::FILE* file_;
-  std::string text_;
-  std::size_t lines_ = 0;
-};
+  out.entry_done();
+}
 
 /// Every pair of masks, in ascending order.
 template <class Rule>
 void all(Output& out, std::size_t before_bits, std::size_t port_bits, Rule&& rule) {
   for (Word before = 0; before < restrip::bit(before_bits); ++before)
     for (Word ports = 0; ports < restrip::bit(port_bits); ++ports)
-      out.configuration(before, ports, rule(before, ports));
+      configuration(out, before, ports, rule(before, ports));
 }
 
 template <class Table>
@@ -97,13 +62,8 @@ void lists(Output& out, const std::string& heading, const Table& table, std::siz
   }
 }
 
-}  // namespace
-
-int main() {
+void tables(Output& out, std::size_t max_k) {
   using std::to_string;
-  Output out(stdout);
-  out.line("restrip-table-dump 2");
-  const std::size_t max_k = restrip::table_max_k;
   for (const bool collapse : {false, true}) {
     for (std::size_t k = 3; k <= max_k; ++k) {
       for (std::size_t a = 1; a < k; ++a) {
@@ -149,6 +109,31 @@ int main() {
     lists(out, "table linked-collapse k " + to_string(k), restrip::tables::linked_collapse, k, 0);
   out.line("table flip");
   for (const bool inner : {false, true})
-    for (unsigned ports = 0; ports < 16; ++ports) out.flip(inner, ports, restrip::flip_rule(inner, ports));
+    for (unsigned ports = 0; ports < 16; ++ports) flip(out, inner, ports, restrip::flip_rule(inner, ports));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  bool linked = false;
+  std::size_t max_k = restrip::table_max_k;
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--linked") {
+      linked = true;
+    } else if (word == "--max-k" && i + 1 < argc && std::string_view(argv[i + 1]).size() == 1 &&
+               argv[i + 1][0] >= '3' && argv[i + 1][0] <= static_cast<char>('0' + restrip::table_max_k)) {
+      max_k = static_cast<std::size_t>(argv[++i][0] - '0');
+    } else {
+      std::fprintf(stderr,
+                   "usage: restrip-dump-tables [--linked] [--max-k K]\n"
+                   "  what the compiled rules answer; with --linked, what the linked look-up picks; 3 <= K <= %u\n",
+                   static_cast<unsigned>(restrip::table_max_k));
+      return 2;
+    }
+  }
+  Output out(stdout);
+  out.line(linked ? "restrip-linked-dump 1" : "restrip-table-dump 2");
+  linked ? restrip::dump::linked_rules(out, max_k) : tables(out, max_k);
   return out.finish() ? 0 : 1;
 }

@@ -62,6 +62,11 @@ rung search "every rule is sound and optimal; the shipped headers give it, in ev
   "C++ compiler, Boost.Graph, verify/" \
   's/^verified: (.*)$/\1/p' \
   $bin/restrip-verify --all --dump-command $bin/restrip-dump-tables
+rung linked "what the linked look-up picks is the best, in every position, whatever is known of the outside" \
+  "every recolouring beside every set of pairs that the strips outside may join" \
+  "C++ compiler, Boost.Graph, verify/" \
+  's/^answers of the shipped headers proved: (.*)$/\1/p' \
+  $bin/restrip-verify --headers --linked-dump-command "$bin/restrip-dump-tables --linked"
 rung reasons "every rule in the certificates is sound and optimal" \
   "the certificates' reasons, without any search" \
   "Python, scripts/check_reasons.py" \
@@ -94,6 +99,7 @@ What each rung covers. "listed": the positions that docs/notation.md lists; "eve
 
 rung      families                    k       positions  sound  best  complete  linked rules     shipped headers
 search    all six                     <= 8    every      yes    yes   yes       lists            yes
+linked    linked splits, collapses    <= 8    every      yes    yes   yes       lists, look-up   yes
 reasons   all six                     <= 8    listed     yes    yes   splits*   lists            no
 sat       all six                     <= 8    listed     no     yes   yes       no               no
 compiler  split, collapse, flip       3, 4    every      yes    yes   yes       no               yes

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "draw.hpp"
@@ -21,7 +22,9 @@ class SliceJudge {
     if (answer == not_valid) return before.survey.valid ? "no answer to a valid configuration" : "";
     if (!before.survey.valid)
       return "an answer to a configuration that is not valid: " + fault_of(operation_.before, before.colors);
-    const SurveyedColoring& after = slice_.after[answer];
+    const SurveyedColoring* const found = recoloring(answer);
+    if (found == nullptr) return "unsound: it makes a dashed port solid";
+    const SurveyedColoring& after = *found;
     if (!after.survey.valid) return "unsound: " + fault_of(operation_.after, after.colors);
     const PortPairs joined = before.survey.joined;
     if (!after.survey.joined.within(joined))
@@ -30,11 +33,19 @@ class SliceJudge {
     const Merit own = merit_of(after.survey, after.colors, slice_.ports);
     const Merit best = best_for(joined);
     if (own == best) return {};
-    return fmt::format("not optimal: {} solid edges and {} isolated triangles where {} and {} are possible", own.solid,
-                       -own.fewer_isolated, best.solid, -best.fewer_isolated);
+    return fmt::format(
+        "not optimal: {} solid edges, {} isolated triangles, {} ports kept where {}, {} and {} are possible", own.solid,
+        -own.fewer_isolated, own.ports_kept, best.solid, -best.fewer_isolated, best.ports_kept);
   }
 
  private:
+  const SurveyedColoring* recoloring(Answer answer) const {
+    if (!operation_.gives_ports_up) return &slice_.after[answer];
+    const auto found = std::find_if(slice_.after.begin(), slice_.after.end(), [&](const SurveyedColoring& one) {
+      return packed(one.colors, operation_) == answer;
+    });
+    return found == slice_.after.end() ? nullptr : &*found;
+  }
   Merit best_for(PortPairs joined) {
     const auto [place, is_new] = best_.try_emplace(joined, Merit{-1, 0, 0});
     if (is_new)

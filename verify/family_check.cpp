@@ -12,6 +12,8 @@ namespace {
 struct FamilyTally {
   std::uint64_t valid = 0;
   std::uint64_t configurations = 0;
+  std::uint64_t with_row = 0;
+  std::uint64_t with_sound_row = 0;
   std::uint64_t pairs = 0;
   std::array<Failures, row_claim_count> row_failures;
   Failures extra;
@@ -67,6 +69,8 @@ void check_facts(const Operation& operation, const Judgment& judgment, FamilyTal
 void add(const OperationCheck& check, const Operation& operation, FamilyTally& tally) {
   tally.valid += check.judgment.valid;
   tally.configurations += check.judgment.configurations;
+  tally.with_row += check.judgment.with_row;
+  tally.with_sound_row += check.judgment.with_sound_row;
   tally.pairs += check.judgment.pairs;
   for (std::size_t i = 0; i < row_claim_count; ++i) tally.row_failures[i].add(check.judgment.failures[i]);
   if (check.burnside != check.nauty)
@@ -120,10 +124,10 @@ void report_family(const Family& family, const Certificate& certificate, const s
   };
   const auto rows = [&](RowClaim claim) { return tally.row_failures[static_cast<std::size_t>(claim)]; };
 
-  report("every valid configuration has a row", "all configurations as graphs", tally.configurations, 0,
+  report("every valid configuration has a row", "all configurations as graphs", tally.valid, 0,
          rows(RowClaim::covered));
   report("every row has a valid configuration", "all configurations as graphs", certificate.rows, 0, tally.extra);
-  report("every row is sound", "strips walked, ports joined compared", tally.valid, 0, rows(RowClaim::sound));
+  report("every row is sound", "strips walked, ports joined compared", tally.with_row, 0, rows(RowClaim::sound));
   report("no sound recolouring has more solid edges", "search of all recolourings", tally.pairs, tally.judging,
          rows(RowClaim::most_solid));
   report("none with as many isolates fewer triangles", "the same search", tally.pairs, 0,
@@ -149,7 +153,7 @@ void report_family(const Family& family, const Certificate& certificate, const s
   report(fmt::format("no rule costs above {} strips, isolates above {}", tally.worst_strips, tally.worst_isolated),
          family.name == "split" ? "maximum; at most 1 and 0, no strip if a = 1"
                                 : (family.name == "collapse" ? "maximum; at most 1 and 0" : "maximum"),
-         tally.valid, 0, tally.cost);
+         tally.with_sound_row, 0, tally.cost);
   if (tally.reference_cases != 0)
     report("the published counts", "docs/theory.md, section 5", tally.reference_cases, 0, tally.reference);
 }

@@ -75,7 +75,6 @@ void Judge::judge(const PortSlice& slice) {
     if (!configuration.survey.valid) continue;
     if (mutated(Mutant::skip_first_configuration) && slice.ports == 0 && configuration.colors.inner == 0) continue;
     ++judgment_.valid;
-    judgment_.pairs += slice.after.size();
     judge_configuration(slice, configuration);
   }
 }
@@ -99,6 +98,7 @@ void Judge::judge_configuration(const PortSlice& slice, const SurveyedColoring& 
   }
   judgment_.row_used[static_cast<std::size_t>(row - rows_.rows.data())] = true;
   answer = packed(row->after, operation_);
+  ++judgment_.with_row;
 
   const PortPairs joined_before = configuration.survey.joined;
   const SurveyedColoring* own = find(slice, row->after, operation_.gives_ports_up);
@@ -106,6 +106,8 @@ void Judge::judge_configuration(const PortSlice& slice, const SurveyedColoring& 
     fail(RowClaim::sound, row, [&] { return "unsound row: " + unsoundness(own, joined_before, operation_.after); });
     return;
   }
+  ++judgment_.with_sound_row;
+  judgment_.pairs += slice.after.size();
   const Merit merit = merit_of(own->survey, own->colors, slice.ports);
   const Best best = search(slice, joined_before, operation_.after);
   const auto inferior = [&](RowClaim claim, const char* crime, int found, const char* what, int possible) {

@@ -43,7 +43,9 @@ inline Answer packed(Coloring after, const Operation& operation) {
 struct Judgment {
   std::uint64_t configurations = 0;
   std::uint64_t valid = 0;
-  std::uint64_t pairs = 0;  ///< (valid configuration, recolouring)
+  std::uint64_t with_row = 0;        ///< valid ones that have a row: whose row was tested for soundness
+  std::uint64_t with_sound_row = 0;  ///< those of them whose row was held against all recolourings
+  std::uint64_t pairs = 0;           ///< (configuration with a sound row, recolouring)
   std::uint64_t costing = 0;
   std::optional<int> worst_strips;
   std::optional<int> worst_isolated;

@@ -47,6 +47,13 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--dump-command", options.dump_command,
                  "A program that prints the compiled tables; they are compared with the certificates");
+  app.add_option("--linked-dump-command", options.linked_dump_command,
+                 "A program that prints what the linked look-up picks; all of it is judged");
+  app.add_flag("--headers", options.headers_only,
+               "Read no certificates: judge what the dump commands print in every position by itself");
+  app.add_option("--max-k", options.max_k, "With --headers: the largest fans that the dumps have")
+      ->capture_default_str()
+      ->check(CLI::Range(3U, restrip::verify::largest_fan));
   app.add_flag("--all", options.second_formulation,
                "Check also that a second formulation (forbidden sets, no strip walked) agrees everywhere");
   app.add_flag("--json", as_json, "Print the claims as JSON");
@@ -58,6 +65,14 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
+  }
+  if (options.max_k != restrip::verify::largest_fan && !options.headers_only) {
+    fmt::print(stderr, "restrip-verify: --max-k needs --headers: the certificates go to k = 8\n");
+    return bad_input;
+  }
+  if (options.headers_only && options.dump_command.empty() && options.linked_dump_command.empty()) {
+    fmt::print(stderr, "restrip-verify: --headers needs --dump-command, --linked-dump-command or both\n");
+    return bad_input;
   }
 
   try {

@@ -11,55 +11,10 @@
 #include <string_view>
 
 #include "dump_judge.hpp"
+#include "stream_lines.hpp"
 
 namespace restrip::verify {
 namespace {
-
-/// A line that has no place in a dump.
-class BadDump : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Lines of a stream. Millions of them: no allocation for each line.
-class StreamLines {
- public:
-  explicit StreamLines(std::FILE* stream) : stream_(stream), buffer_(1U << 18U) {}
-
-  /// The next line without its newline; nullopt at the end. A last line without a newline is not a line.
-  std::optional<std::string_view> next() {
-    while (true) {
-      const std::string_view waiting(buffer_.data() + start_, end_ - start_);
-      if (const std::size_t newline = waiting.find('\n'); newline != std::string_view::npos) {
-        start_ += newline + 1;
-        ++number_;
-        return waiting.substr(0, newline);
-      }
-      if (!refill()) return {};
-    }
-  }
-  std::uint64_t number() const { return number_; }
-  bool left_over() const { return start_ != end_; }
-
- private:
-  bool refill() {
-    std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(start_),
-              buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
-    end_ -= start_;
-    start_ = 0;
-    if (end_ == buffer_.size())
-      throw BadDump(fmt::format("line {}: longer than {} bytes, the limit", number_ + 1, buffer_.size()));
-    const std::size_t count = std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, stream_);
-    end_ += count;
-    return count != 0;
-  }
-
-  std::FILE* stream_;
-  std::vector<char> buffer_;
-  std::size_t start_ = 0;
-  std::size_t end_ = 0;
-  std::uint64_t number_ = 0;
-};
 
 void append_mask(std::string& text, Mask mask) {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -92,23 +47,33 @@ std::string_view line_or_fail(StreamLines& lines, const std::string& expected) {
   return *line;
 }
 
-/// The answer on a line of a fan's table, the first two masks of which are in `prefix`.
-Answer answer_on(std::string_view line, std::string_view prefix, const Operation& operation, std::uint64_t number) {
-  const auto fail = [&] {
-    throw BadDump(fmt::format("line {}, table {}: expected \"{}\" and \"-\" or a mask, found \"{}\"", number,
-                              operation.name(), prefix, line));
-  };
-  if (!line.starts_with(prefix)) fail();
-  const std::string_view word = line.substr(prefix.size());
-  if (word == "-") return not_valid;
-  unsigned mask = 0;
+/// A mask as certificates write it.
+std::optional<Mask> mask_of(std::string_view word, unsigned bits) {
+  Mask mask = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), mask, 16);
   const bool canonical = !word.empty() && (word.front() != '0' || word.size() == 1) &&
                          std::none_of(word.begin(), word.end(), [](char c) { return c >= 'A' && c <= 'F'; });
-  if (error != std::errc{} || end != word.data() + word.size() || !canonical ||
-      mask >= mask_count(operation.after.inner_edges()))
-    fail();
-  return static_cast<Answer>(mask);
+  if (error != std::errc{} || end != word.data() + word.size() || !canonical || mask >= mask_count(bits)) return {};
+  return mask;
+}
+
+/// The answer on a line, the first two masks of which are in `prefix`; nullopt when there is none.
+std::optional<Answer> answer_on(std::string_view line, std::string_view prefix, const Operation& operation) {
+  if (!line.starts_with(prefix)) return {};
+  std::string_view word = line.substr(prefix.size());
+  if (word == "-") return not_valid;
+  Coloring after;
+  if (operation.gives_ports_up) {
+    const std::size_t space = std::min(word.find(' '), word.size() - 1);
+    const std::optional<Mask> kept = mask_of(word.substr(space + 1), operation.after.ports());
+    if (!kept) return {};
+    after.ports = *kept;
+    word = word.substr(0, space);
+  }
+  const std::optional<Mask> inner = mask_of(word, operation.after.inner_edges());
+  if (!inner) return {};
+  after.inner = *inner;
+  return packed(after, operation);
 }
 
 class Comparison {
@@ -186,11 +151,11 @@ class Comparison {
         append_mask(prefix, ports);
         prefix += ' ';
         const std::string_view line = line_or_fail(lines_, prefix);
-        if (!operation.gives_ports_up)
-          answers.push_back(answer_on(line, prefix, operation, lines_.number()));
-        else if (!line.starts_with(prefix))
-          throw BadDump(fmt::format("line {}, table {}: expected \"{}\", found \"{}\"", lines_.number(),
+        const std::optional<Answer> answer = answer_on(line, prefix, operation);
+        if (!answer)
+          throw BadDump(fmt::format("line {}, table {}: expected \"{}\" and an answer, found \"{}\"", lines_.number(),
                                     operation.name(), prefix, line));
+        answers.push_back(*answer);
         ++result_.lines;
       }
     if (against == Against::nothing) return;

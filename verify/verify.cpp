@@ -8,6 +8,7 @@
 
 #include "family_check.hpp"
 #include "input.hpp"
+#include "linked_dump.hpp"
 #include "linked_report.hpp"
 #include "manifest.hpp"
 #include "table_dump.hpp"
@@ -100,8 +101,10 @@ void check_dump(const Options& options, const ExpectedDump& expected, const Clai
               std::exchange(seconds, 0), failures.count, failures.first});
   };
   report(comparison.of(Against::certificate), "in the certificates' positions they give its rules", "their dump");
-  report(comparison.of(Against::own_patch), "in all other positions every answer is sound and best",
-         "all recolourings");
+  report(
+      comparison.of(Against::own_patch),
+      options.headers_only ? "every answer is sound and best" : "in all other positions every answer is sound and best",
+      "all recolourings");
   report(comparison.of_lists(Against::certificate), "their lists of alternatives are the certificates'", "their dump");
   for (const Compared* compared : {&comparison.of(Against::certificate), &comparison.of(Against::own_patch)})
     for (const auto& [family, count] : compared->families) {
@@ -114,6 +117,35 @@ void check_dump(const Options& options, const ExpectedDump& expected, const Clai
       totals.not_compared[family].positions += count.positions;
       totals.not_compared[family].entries += count.entries;
     }
+}
+
+/// Runs the dump program of linked rules and claims that what it picks is the best.
+void check_linked_picks(const Options& options, const ClaimListener& listener, Totals& totals) {
+  const double start = thread_seconds();
+  const LinkedDumpCheck check = check_linked_dump_of(options.linked_dump_command, options.max_k);
+  Failures failures = check.wrong;
+  if (!check.fault.empty()) failures.add(check.fault);
+  if (!check.holds() && failures.count == 0) failures.add("nothing was picked");
+  listener({"linked look-up", "the best for all that is known of the outside",
+            fmt::format("{} configurations, {} positions", check.configurations, check.positions), check.leaves,
+            thread_seconds() - start, failures.count, failures.first});
+  if (check.holds()) totals.answers["linked look-up"] = {check.positions, check.leaves};
+}
+
+/// The tables of the shipped headers: what they must say when there is no certificate.
+ExpectedDump expected_without_certificates(const std::vector<Family>& families, const std::vector<LinkedFamily>& linked,
+                                           const Options& options) {
+  ExpectedDump expected;
+  for (const Family& family : families) {
+    const Against against = chosen(family.name, options) ? Against::own_patch : Against::nothing;
+    for (const Section& section : family.sections)
+      for (const Operation& operation : section.operations) expected.tables.push_back({&operation, against, nullptr});
+    for (const Operation& operation : family.unlisted) expected.tables.push_back({&operation, against, nullptr});
+  }
+  for (const LinkedFamily& family : linked)
+    for (const Section& section : family.local.sections)
+      expected.lists.push_back({family.name, section.position, section.ports, nullptr});
+  return expected;
 }
 
 }  // namespace
@@ -134,6 +166,13 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
     if (std::none_of(all.begin(), all.end(), is_called(name)) &&
         std::none_of(all_linked.begin(), all_linked.end(), is_called(name)))
       throw InputError("--family", 0, fmt::format("there is no family \"{}\"", name));
+
+  if (options.headers_only) {
+    if (!options.dump_command.empty())
+      check_dump(options, expected_without_certificates(all, all_linked, options), listener, totals);
+    if (!options.linked_dump_command.empty()) check_linked_picks(options, listener, totals);
+    return totals;
+  }
 
   const std::vector<ManifestLine> manifest = read_manifest(options.tables_dir);
   check_manifest(options, manifest, listener);
@@ -190,22 +229,19 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
     std::vector<std::vector<std::string>> dump = check_linked_family(input, listener);
     for (std::size_t i = 0; i < dump.size(); ++i) lists[&input.family->local.sections[i]] = std::move(dump[i]);
   }
+  if (!options.linked_dump_command.empty()) check_linked_picks(options, listener, totals);
   if (options.dump_command.empty()) return totals;
-  ExpectedDump expected;
-  for (const Family& family : all) {
-    for (const Section& section : family.sections)
-      for (const Operation& operation : section.operations) expected.tables.push_back({&operation});
-    for (const Operation& operation : family.unlisted)
-      expected.tables.push_back({&operation, chosen(family.name, options) ? Against::own_patch : Against::nothing});
-  }
+  ExpectedDump expected = expected_without_certificates(all, all_linked, options);
   for (ExpectedTable& table : expected.tables)
     for (std::size_t i = 0; i < tasks.size(); ++i)
       if (tasks[i].operation == table.operation)
         table = {table.operation, Against::certificate, &checks[i].judgment.answers};
+  auto list = expected.lists.begin();
   for (const LinkedFamily& family : all_linked)
-    for (const Section& section : family.local.sections)
-      expected.lists.push_back(
-          {family.name, section.position, section.ports, lists.contains(&section) ? &lists.at(&section) : nullptr});
+    for (const Section& section : family.local.sections) {
+      if (lists.contains(&section)) list->lines = &lists.at(&section);
+      ++list;
+    }
   check_dump(options, expected, listener, totals);
   return totals;
 }

@@ -12,6 +12,8 @@ namespace restrip::verify {
 struct Options {
   std::string tables_dir = "tables";
   std::string dump_command;           ///< prints the compiled tables; empty: not compared
+  std::string linked_dump_command;    ///< prints what the linked look-up picks; empty: not judged
+  bool headers_only = false;          ///< no certificates are read: the dumps are judged by themselves
   std::vector<std::string> families;  ///< of certificates; empty: all
   bool second_formulation = false;
   unsigned threads = 2;

@@ -1,0 +1,61 @@
+// Lines of a dump, fast: millions of them go through one buffer.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <string>
+
+#include "restrip/bits.hpp"
+
+namespace restrip::dump {
+
+class Output {
+ public:
+  explicit Output(std::FILE* file) : file_(file) { text_.reserve(size); }
+
+  void line(const std::string& words) {
+    text_ += words;
+    text_ += '\n';
+    flush_if_full();
+  }
+  void text(char c) { text_ += c; }
+  void hex(Word value, char after) {
+    char digits[16];
+    int n = 0;
+    do {
+      digits[n++] = "0123456789abcdef"[value & 15U];
+      value >>= 4;
+    } while (value != 0);
+    while (n > 0) text_ += digits[--n];
+    text_ += after;
+  }
+  /// After each entry line.
+  void entry_done() {
+    ++lines_;
+    flush_if_full();
+  }
+  /// False when not everything could be written.
+  bool finish() {
+    line("end " + std::to_string(lines_));
+    flush();
+    return std::fflush(file_) == 0 && std::ferror(file_) == 0;
+  }
+
+ private:
+  static constexpr std::size_t size = std::size_t{1} << 16;
+  void flush() {
+    std::fwrite(text_.data(), 1, text_.size(), file_);
+    text_.clear();
+  }
+  void flush_if_full() {
+    if (text_.size() > size - 4096) flush();
+  }
+  std::FILE* file_;
+  std::string text_;
+  std::size_t lines_ = 0;
+};
+
+/// The trees of linked_split_rule() and linked_collapse_rule() (docs/certificate.md, "Dump of linked rules").
+void linked_rules(Output& out, std::size_t max_k);
+
+}  // namespace restrip::dump

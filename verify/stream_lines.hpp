@@ -1,0 +1,62 @@
+#pragma once
+// The lines of a dump, which is too long to be kept.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+namespace restrip::verify {
+
+/// A line that has no place in a dump.
+class BadDump : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Lines of a stream. Millions of them: no allocation for each line.
+class StreamLines {
+ public:
+  explicit StreamLines(std::FILE* stream) : stream_(stream), buffer_(1U << 18U) {}
+
+  /// The next line without its newline; nullopt at the end. A last line without a newline is not a line.
+  std::optional<std::string_view> next() {
+    while (true) {
+      const std::string_view waiting(buffer_.data() + start_, end_ - start_);
+      if (const std::size_t newline = waiting.find('\n'); newline != std::string_view::npos) {
+        start_ += newline + 1;
+        ++number_;
+        return waiting.substr(0, newline);
+      }
+      if (!refill()) return {};
+    }
+  }
+  std::uint64_t number() const { return number_; }
+  bool left_over() const { return start_ != end_; }
+
+ private:
+  bool refill() {
+    std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(start_),
+              buffer_.begin() + static_cast<std::ptrdiff_t>(end_), buffer_.begin());
+    end_ -= start_;
+    start_ = 0;
+    if (end_ == buffer_.size())
+      throw BadDump(fmt::format("line {}: longer than {} bytes, the limit", number_ + 1, buffer_.size()));
+    const std::size_t count = std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, stream_);
+    end_ += count;
+    return count != 0;
+  }
+
+  std::FILE* stream_;
+  std::vector<char> buffer_;
+  std::size_t start_ = 0;
+  std::size_t end_ = 0;
+  std::uint64_t number_ = 0;
+};
+
+}  // namespace restrip::verify
