@@ -99,7 +99,7 @@ What each rung covers. "listed": the positions that docs/notation.md lists; "eve
 
 rung      families                    k       positions  sound  best  complete  linked rules     shipped headers
 search    all six                     <= 8    every      yes    yes   yes       lists            yes
-linked    linked splits, collapses    <= 8    every      yes    yes   yes       lists, look-up   yes
+linked    linked splits, collapses    <= 8    every      yes    yes   yes       look-up          yes
 reasons   all six                     <= 8    listed     yes    yes   splits*   lists            no
 sat       all six                     <= 8    listed     no     yes   yes       no               no
 compiler  split, collapse, flip       3, 4    every      yes    yes   yes       no               yes
