@@ -5,10 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <initializer_list>
 #include <random>
 #include <vector>
 
 #include "naive_patch.hpp"
+#include "restrip/checks.hpp"
+#include "restrip/strips.hpp"
+#include "sample_meshes.hpp"
 
 namespace restrip {
 namespace {
@@ -240,6 +244,52 @@ TEST(LinkedRules, LargerFansThanTheTablesTakeTheLocalRule) {
   const Rule local = split_rule({9, 4}, 0b101, 0b110001010);
   EXPECT_EQ(linked.colors, local.colors);
   EXPECT_EQ(linked.strips, local.strips);
+}
+
+// Of the triangles around these vertices, which lie beside one that they could be linked with? Strips are short here,
+// so that one walk tells where each goes.
+std::size_t left_to_link(const StripMesh& mesh, std::initializer_list<Vertex> vertices) {
+  const Strips strips = extract_strips(mesh);
+  std::vector<std::size_t> strip_of(mesh.triangle_bound(), 0);
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    EXPECT_LT(strips[s].size(), default_reach);
+    for (const Triangle t : strips[s]) strip_of[t] = s;
+  }
+  std::size_t n = 0;
+  for (const Vertex v : vertices)
+    detail::for_each_spoke(mesh, v, [&](StripMesh::Halfedge spoke) {
+      if (StripMesh::on_boundary(spoke)) return;
+      const Triangle t = StripMesh::triangle(spoke);
+      for (unsigned side = 0; side < 3; ++side) {
+        const auto across = mesh.opposite(StripMesh::halfedge(t, side));
+        if (StripMesh::on_boundary(across)) continue;
+        const Triangle u = StripMesh::triangle(across);
+        n += mesh.solid_degree(t) < 2 && mesh.solid_degree(u) < 2 && strip_of[t] != strip_of[u] ? 1U : 0U;
+      }
+    });
+  return n;
+}
+
+// All triangles are isolated before; so nothing is adopted afterwards, which could make new ends.
+TEST(LinkedOperations, LeaveNothingToLinkAroundThem) {
+  std::size_t operations = 0;
+  for (const StripMesh& mesh : {sample::rectangle(3, 3), sample::tube(4, 3), sample::torus(4, 4), sample::octahedron()})
+    for (Vertex v = 0; v < mesh.vertex_bound(); ++v)
+      detail::for_each_spoke(mesh, v, [&](StripMesh::Halfedge h) {
+        const VertexSplit<StripMesh::Halfedge> where{h, mesh.spoke(v)};
+        if (check_split(mesh, where) == Refusal::granted) {
+          StripMesh copy = mesh;
+          const auto chord = split_and_link(copy, where).halfedge;
+          EXPECT_EQ(left_to_link(copy, {copy.from(chord), copy.to(chord)}), 0U);
+          ++operations;
+        }
+        if (check_collapse(mesh, h) == Refusal::granted) {
+          StripMesh copy = mesh;
+          EXPECT_EQ(left_to_link(copy, {copy.from(collapse_and_link(copy, h).halfedge)}), 0U);
+          ++operations;
+        }
+      });
+  EXPECT_GT(operations, 100U);
 }
 
 static_assert(linked_split_rule({4, 2}, 0, 0b1111, [](std::size_t) { return strip_ends; }).strips <

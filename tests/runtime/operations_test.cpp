@@ -2,7 +2,8 @@
 //
 // After every operation the mesh around it is compared with what the operation promises, and the strips and isolated
 // triangles of the whole mesh with a count from scratch (small meshes) or every few hundred operations (the larger
-// ones): the sum of what all operations told is the change that the count finds.
+// ones): the sum of what all operations told is the change that the count finds. Fans that do not fit into words are
+// compared with a second search for the best recolouring.
 #include "restrip/operations.hpp"
 
 #include <gtest/gtest.h>
@@ -15,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "frontier_search.hpp"
+#include "naive_patch.hpp"
 #include "restrip/adopt.hpp"
 #include "restrip/checks.hpp"
 #include "restrip/strips.hpp"
@@ -263,8 +266,14 @@ TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
             while (!in_patch(t) || !inside(t)) ASSERT_LT(++t, mesh.triangle_bound());
             for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(t, side), true);
           }
-          const ColoringReport before = check_coloring(mesh);
-          ASSERT_FALSE(before.valid);
+          ASSERT_FALSE(check_coloring(mesh).valid);
+          const auto isolated = [&mesh] {
+            int n = 0;
+            for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+              n += mesh.alive(t) && mesh.solid_degree(t) == 0 ? 1 : 0;
+            return n;
+          };
+          const int isolated_before = isolated();
           const std::size_t ports = cycle ? 0 : 1;
           const std::size_t solid = cycle ? spokes.size() : 3;
           const auto done = collapses ? collapse(mesh, chord) : split(mesh, where);
@@ -272,11 +281,179 @@ TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
           EXPECT_TRUE(after.valid);
           EXPECT_EQ(after.strips, after.triangles - ports);
           EXPECT_EQ(done.strips, (collapses ? -2 : 2) + static_cast<int>(solid - ports));
+          EXPECT_EQ(done.isolated, isolated() - isolated_before);
           EXPECT_EQ(done.valence, k);
         }
       }
     }
   }
+}
+
+// A fan of any size under random colours, as docs/notation.md has it: its triangles in order, and what a list of edges
+// and union-find say of them.
+class LargeFan {
+ public:
+  // Counter-clockwise from where the spokes begin; one spoke more than triangles where the fan is open.
+  LargeFan(const std::vector<Halfedge>& spokes, bool closed) : closed_(closed), k_(spokes.size() - (closed ? 0U : 1U)) {
+    for (std::size_t i = 0; i < k_; ++i) {
+      triangles_.push_back(StripMesh::triangle(spokes[i]));
+      ports_.push_back(StripMesh::next(spokes[i]));
+    }
+    fan_ = closed ? naive::closed_fan(k_) : naive::open_fan(k_);
+    split_ = fan_;
+    split_triangles_ = triangles_;
+  }
+
+  // After a split: the new triangles stand before these triangles of the fan, the lower position first.
+  void insert(std::vector<std::pair<std::size_t, Triangle>> added) {
+    split_triangles_ = triangles_;
+    for (std::size_t n = added.size(); n-- > 0;)
+      split_triangles_.insert(split_triangles_.begin() + static_cast<std::ptrdiff_t>(added[n].first), added[n].second);
+    split_ = closed_            ? naive::ring_with_chord(k_, added[1].first)
+             : added.size() > 1 ? naive::path_with_chord(k_, added[0].first, added[1].first)
+                                : naive::path(k_, added[0].first);
+  }
+
+  [[nodiscard]] naive::Analysis fan(const StripMesh& mesh) const { return analysis(mesh, fan_, triangles_); }
+  [[nodiscard]] naive::Analysis split(const StripMesh& mesh) const { return analysis(mesh, split_, split_triangles_); }
+  [[nodiscard]] long best_fan(const StripMesh& mesh, const naive::Analysis& before) const {
+    return best(mesh, fan_, before);
+  }
+  [[nodiscard]] long best_split(const StripMesh& mesh, const naive::Analysis& before) const {
+    return best(mesh, split_, before);
+  }
+
+ private:
+  [[nodiscard]] naive::Bits solid_ports(const StripMesh& mesh) const {
+    naive::Bits solid;
+    for (const Halfedge h : ports_) solid.push_back(mesh.solid(h));
+    return solid;
+  }
+  [[nodiscard]] naive::Analysis analysis(const StripMesh& mesh, const naive::Patch& patch,
+                                         const std::vector<Triangle>& nodes) const {
+    naive::Bits inner;
+    for (const auto& [u, v] : patch.edges) {
+      bool solid = false;
+      bool found = false;
+      for (unsigned side = 0; side < 3; ++side) {
+        const Halfedge h = StripMesh::halfedge(nodes[u], side);
+        const Halfedge across = mesh.opposite(h);
+        if (StripMesh::on_boundary(across) || StripMesh::triangle(across) != nodes[v]) continue;
+        found = true;
+        solid = mesh.solid(h);
+      }
+      EXPECT_TRUE(found) << "no dual edge from node " << u << " to node " << v;
+      inner.push_back(solid);
+    }
+    return naive::analyze(patch, inner, solid_ports(mesh));
+  }
+  [[nodiscard]] long best(const StripMesh& mesh, const naive::Patch& after, const naive::Analysis& before) const {
+    const naive::Bits ports = solid_ports(mesh);
+    return naive::FrontierSearch(after, ports, naive::key_of(fan_, ports, before.joined)).best();
+  }
+
+  bool closed_;
+  std::size_t k_;
+  std::vector<Triangle> triangles_;
+  std::vector<Halfedge> ports_;
+  naive::Patch fan_;
+  naive::Patch split_;
+  std::vector<Triangle> split_triangles_;
+};
+
+// Dual edges become solid in random order, as far as that makes no triangle of three solid edges and no cycle.
+void color_at_random(StripMesh& mesh, std::mt19937& random) {
+  mesh.clear_colors();
+  std::vector<Halfedge> all;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned side = 0; mesh.alive(t) && side < 3; ++side)
+      if (!StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, side))))
+        all.push_back(StripMesh::halfedge(t, side));
+  std::shuffle(all.begin(), all.end(), random);
+  all.resize(all.size() * (1 + random() % 8) / 8);
+  naive::UnionFind strips(mesh.triangle_bound());
+  for (const Halfedge h : all) {
+    const Triangle t = StripMesh::triangle(h);
+    const Triangle u = StripMesh::triangle(mesh.opposite(h));
+    if (mesh.solid_degree(t) < 2 && mesh.solid_degree(u) < 2 && strips.unite(t, u)) mesh.set_solid(h, true);
+  }
+}
+
+// What an operation told is what a count finds, and the patch is as good as the second search says.
+void expect_best(const ColoringReport& before, const StripMesh& mesh, const Rewrite<Halfedge>& told,
+                 const naive::Analysis& outcome, long best) {
+  const ColoringReport after = check_coloring(mesh);
+  ASSERT_TRUE(after.valid);
+  ASSERT_TRUE(outcome.valid);
+  EXPECT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + told.strips);
+  EXPECT_EQ(static_cast<long>(after.isolated), static_cast<long>(before.isolated) + told.isolated);
+  EXPECT_EQ(outcome.solid * 1000000L - outcome.isolated, best);
+}
+
+TEST(Operations, LargeFansGetTheBestColors) {
+  std::mt19937 random(14);
+  std::size_t splits = 0;
+  for (int n = 0; n < 60; ++n) {
+    const Vertex k = n % 2 == 0 ? 63 + static_cast<Vertex>(random() % 8) : 126 + static_cast<Vertex>(random() % 8);
+    const bool closed = n % 3 == 0;
+    SCOPED_TRACE(testing::Message() << "number " << n << (closed ? " closed " : " open ") << k);
+    StripMesh mesh = closed ? sample::double_cone(k) : open_fan(k);
+    color_at_random(mesh, random);
+    std::vector<Halfedge> spokes;
+    detail::for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
+    Where where;
+    std::size_t left = random() % spokes.size();
+    std::size_t right = (left + 1 + random() % (spokes.size() - 1)) % spokes.size();
+    if (closed) {  // a closed fan begins at the left spoke
+      std::rotate(spokes.begin(), spokes.begin() + static_cast<std::ptrdiff_t>(left), spokes.end());
+      right = (right + spokes.size() - left) % spokes.size();
+      left = 0;
+    }
+    where = {spokes[left], spokes[right]};
+    if (n % 3 == 1) where.spokes = n % 2 == 0 ? Where::Spokes::left_only : Where::Spokes::right_only;
+    if (check_split(mesh, where) != Refusal::granted) continue;
+    LargeFan fan(spokes, closed);
+    const naive::Analysis fan_before = fan.fan(mesh);
+    ASSERT_TRUE(fan_before.valid);
+    const ColoringReport before = check_coloring(mesh);
+    const auto up = split(mesh, where);
+    std::vector<std::pair<std::size_t, Triangle>> added;
+    if (where.spokes != Where::Spokes::right_only) added.emplace_back(left, StripMesh::triangle(up.halfedge));
+    if (where.spokes != Where::Spokes::left_only)
+      added.emplace_back(right, StripMesh::triangle(mesh.opposite(up.halfedge)));
+    std::sort(added.begin(), added.end());
+    fan.insert(added);
+    expect_best(before, mesh, up, fan.split(mesh), fan.best_split(mesh, fan_before));
+    if (HasFailure()) return;
+    ++splits;
+
+    color_at_random(mesh, random);
+    const naive::Analysis split_before = fan.split(mesh);
+    ASSERT_TRUE(split_before.valid);
+    const ColoringReport between = check_coloring(mesh);
+    const auto down = collapse(mesh, up.halfedge);
+    expect_best(between, mesh, down, fan.fan(mesh), fan.best_fan(mesh, split_before));
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(splits, 50U);
+}
+
+// All triangles are isolated; whoever is adopted finds an isolated neighbour. So nobody around the vertex stays alone,
+// whichever spoke it begins at.
+TEST(Operations, AdoptionGoesAroundTheWholeFan) {
+  for (const StripMesh& mesh : {sample::rectangle(4, 3), sample::tube(5, 2), sample::octahedron()})
+    for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
+      std::vector<Halfedge> spokes;
+      detail::for_each_spoke(mesh, v, [&](Halfedge h) { spokes.push_back(h); });
+      for (const Halfedge start : spokes) {
+        StripMesh copy = mesh;
+        const Mending done = adopt_around(copy, start);
+        EXPECT_EQ(static_cast<long>(check_coloring(copy).isolated),
+                  static_cast<long>(mesh.triangle_count()) + done.isolated);
+        for (const Halfedge h : spokes)
+          EXPECT_TRUE(StripMesh::on_boundary(h) || copy.solid_degree(StripMesh::triangle(h)) > 0) << "vertex " << v;
+      }
+    }
 }
 
 TEST(Operations, AdoptionLeavesFewAlone) {
