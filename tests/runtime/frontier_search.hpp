@@ -88,6 +88,7 @@ class FrontierSearch {
     if (degree > 2) return;
     if (here.size() == 2 && state[static_cast<std::size_t>(here[0])] == here[1]) return;  // a cycle
     std::vector<int> ends;
+    ends.reserve(here.size() + 1);
     for (const int half : here) ends.push_back(state[static_cast<std::size_t>(half)]);
     for (const int half : here) state[static_cast<std::size_t>(half)] = absent;
     if (port >= 0) ends.push_back(port);
