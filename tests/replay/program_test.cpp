@@ -110,7 +110,8 @@ TEST_F(Program, PoliciesKeepLongerStrips) {
 
 TEST_F(Program, BakedStripsArePlayed) {
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 3000 -o '{}'", file("a.ply"))).code, 0);
-  const Outcome bake = run_program(fmt::format("bake '{}' --base 0.1 -o '{}' --json -", file("a.ply"), file("a.baked")));
+  const Outcome bake =
+      run_program(fmt::format("bake '{}' --base 0.1 -o '{}' --json -", file("a.ply"), file("a.baked")));
   ASSERT_EQ(bake.code, 0);
   const auto made = nlohmann::json::parse(bake.out);
   EXPECT_EQ(made.at("most_strips"), 1);
