@@ -395,3 +395,53 @@ Section Checker.
     destruct (V H) as (y & F & _ & S & A & _). rewrite E in F. injection F as <-. now split.
   Qed.
 End Checker.
+
+(** ** One drawing by itself
+
+    Where there are few colourings, or little to be asked of them, each is drawn from the beginning. *)
+(** Ports first; [None] when it is not valid. *)
+Definition drawn (d : side) (s x : coloring) : option state :=
+  match draw (port_edges d) s (blank (size d)) with Some st => draw (inner_edges d) x st | None => None end.
+Lemma drawn_ok p d s x : well_formed_side p d = true ->
+  match drawn d s x with
+  | Some st => describes (size d) st (drawing d s x) /\ valid (drawing d s x)
+  | None => ~ valid (drawing d s x)
+  end.
+Proof.
+  intros W. unfold drawn. pose proof (draw_ports p d s W) as D.
+  destruct (draw (port_edges d) s (blank (size d))) as [st|].
+  - destruct D as [D V]. pose proof (draw_ok (size d) (inner_edges d) x st _ D V (inside_inner p d W)) as E.
+    destruct (draw (inner_edges d) x st) as [st'|].
+    + destruct E as [E F]. split; [eapply describes_perm|eapply valid_perm]; try apply drawing_perm; assumption.
+    + intros Q. apply E. eapply valid_perm; [symmetry; apply drawing_perm|exact Q].
+  - intros Q. apply D. apply valid_suffix with (solid (inner_edges d) x).
+    eapply valid_perm; [symmetry; apply drawing_perm|exact Q].
+Qed.
+
+(** The labels before are given; legal or not? *)
+Definition legalb (p : patch) (l : list nat) (s x : coloring) : bool :=
+  (length x =? length (inner (after p))) &&
+  match drawn (after p) s x with Some st => refines (labels (ports p) st) l | None => false end.
+Lemma legalb_ok p s c x st : well_formed_side p (before p) = true -> well_formed_side p (after p) = true ->
+  describes (size (before p)) st (drawing (before p) s c) -> (legalb p (labels (ports p) st) s x = true <-> legal p s c x).
+Proof.
+  intros W0 W1 D. unfold legalb, legal, sound. rewrite andb_true_iff, Nat.eqb_eq.
+  pose proof (drawn_ok p (after p) s x W1) as E. destruct (drawn (after p) s x) as [st'|].
+  - destruct E as [E V].
+    assert (O1 : length (owner (after p)) = ports p).
+    { unfold well_formed_side in W1. rewrite !andb_true_iff, Nat.eqb_eq in W1. tauto. }
+    rewrite (labels_below p (before p) st _ (after p) st' _ eq_refl O1 D E). tauto.
+  - split; [intros [_ F]; discriminate|]. intros (_ & V & _). contradiction.
+Qed.
+
+Fixpoint all_colorings (n : nat) : list coloring :=
+  match n with 0 => [[]] | S n' => map (cons false) (all_colorings n') ++ map (cons true) (all_colorings n') end.
+Lemma all_colorings_ok n : forall c, In c (all_colorings n) <-> length c = n.
+Proof.
+  induction n as [|n IH]; intros c; simpl.
+  - destruct c; simpl; intuition discriminate.
+  - rewrite in_app_iff, !in_map_iff. split.
+    + intros [(d & <- & I)|(d & <- & I)]; simpl; f_equal; now apply IH.
+    + destruct c as [|[|] c]; simpl; intros E; try discriminate; injection E as E; [right|left]; exists c;
+        (split; [reflexivity|now apply IH]).
+Qed.

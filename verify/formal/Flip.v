@@ -7,41 +7,6 @@ Require Import Spec Graph Locality Table Drawing Checker Rows Tables_flip.
 
 Definition full : trie := Tables_flip.table [].
 
-Fixpoint all_colorings (n : nat) : list coloring :=
-  match n with 0 => [[]] | S n' => map (cons false) (all_colorings n') ++ map (cons true) (all_colorings n') end.
-Lemma all_colorings_ok n : forall c, In c (all_colorings n) <-> length c = n.
-Proof.
-  induction n as [|n IH]; intros c; simpl.
-  - destruct c; simpl; intuition discriminate.
-  - rewrite in_app_iff, !in_map_iff. split.
-    + intros [(d & <- & I)|(d & <- & I)]; simpl; f_equal; now apply IH.
-    + destruct c as [|[|] c]; simpl; intros E; try discriminate; injection E as E; [right|left]; exists c;
-        (split; [reflexivity|now apply IH]).
-Qed.
-
-(** A drawing, ports first; [None] when it is not valid. *)
-Definition drawn (d : side) (s x : coloring) : option state :=
-  match draw (port_edges d) s (blank (size d)) with Some st => draw (inner_edges d) x st | None => None end.
-
-Definition sides_well_formed : bool :=
-  well_formed_side flip (before flip) && well_formed_side flip (after flip).
-
-Lemma drawn_ok d s x : well_formed_side flip d = true ->
-  match drawn d s x with
-  | Some st => describes (size d) st (drawing d s x) /\ valid (drawing d s x)
-  | None => ~ valid (drawing d s x)
-  end.
-Proof.
-  intros W. unfold drawn. pose proof (draw_ports flip d s W) as D.
-  destruct (draw (port_edges d) s (blank (size d))) as [st|].
-  - destruct D as [D V]. pose proof (draw_ok (size d) (inner_edges d) x st _ D V (inside_inner flip d W)) as E.
-    destruct (draw (inner_edges d) x st) as [st'|].
-    + destruct E as [E F]. split; [eapply describes_perm|eapply valid_perm]; try apply drawing_perm; assumption.
-    + intros Q. apply E. eapply valid_perm; [symmetry; apply drawing_perm|exact Q].
-  - intros Q. apply D. apply valid_suffix with (solid (inner_edges d) x).
-    eapply valid_perm; [symmetry; apply drawing_perm|exact Q].
-Qed.
-
 Fixpoint keptb (s s' : coloring) : bool :=
   match s, s' with
   | [], [] => true
@@ -69,7 +34,7 @@ Lemma flip_legalb_ok st s c s' x : describes (size (before flip)) st (drawing (b
   (flip_legalb (labels 4 st) s s' x = true <-> flip_legal s c s' x).
 Proof.
   intros D. unfold flip_legalb, flip_legal, sound. rewrite !andb_true_iff, keptb_ok, Nat.eqb_eq.
-  pose proof (drawn_ok (after flip) s' x eq_refl) as E. destruct (drawn (after flip) s' x) as [st'|].
+  pose proof (drawn_ok flip (after flip) s' x eq_refl) as E. destruct (drawn (after flip) s' x) as [st'|].
   - destruct E as [E V]. rewrite (labels_below flip (before flip) st _ (after flip) st' _ eq_refl eq_refl D E). simpl. tauto.
   - split; [intros [_ F]; discriminate|]. intros (_ & _ & V & _). contradiction.
 Qed.
@@ -110,7 +75,7 @@ Proof.
   intros Ls Lc. pose proof all_checked as A. rewrite forallb_forall in A.
   specialize (A s (proj2 (all_colorings_ok 4 s) Ls)). rewrite forallb_forall in A.
   specialize (A c (proj2 (all_colorings_ok 1 c) Lc)). unfold judge_flip in A.
-  pose proof (drawn_ok (before flip) s c eq_refl) as D. destruct (drawn (before flip) s c) as [st|].
+  pose proof (drawn_ok flip (before flip) s c eq_refl) as D. destruct (drawn (before flip) s c) as [st|].
   - destruct D as [D V]. split; [|contradiction]. intros _. destruct (lookup full s c) as [[|b s']|]; try discriminate.
     exists b, s'. split; [reflexivity|]. rewrite !andb_true_iff, !Nat.leb_le in A. destruct A as [[[L S] I] B].
     split; [|split; assumption].

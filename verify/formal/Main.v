@@ -6,13 +6,16 @@
     - _rules_: the table answers exactly the valid configurations, and its answer is legal and best;
     - _safe_: every answer keeps every mesh around the patch valid;
     - _facts_: how many strips and isolated triangles an answer may add;
-    - _reduced_: the certificate's rows, found by key and through their symmetries, say the same as the full table.
+    - _reduced_: the certificate's rows, found by key and through their symmetries, say the same as the full table, in
+      the positions that certificates have (a <= k / 2, and the like).
+
+    The first three hold in every position, for every answer that the shipped headers give.
 
     After each theorem Coq prints what it assumes; scripts/prove.sh wants to see "Closed under the global context". *)
-Require Import Arith Bool List NArith.
+Require Import Arith Bool List NArith ZArith.
 Import ListNotations.
-Require Import Spec Graph Locality Strips Table Rows.
-Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects.
+Require Import Spec Graph Locality Strips Table Rows Linked Sequences.
+Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped LowerBound.
 
 (** ** Graphs *)
 Theorem locality : forall p, sensible p (before p) -> sensible p (after p) -> forall s c x,
@@ -29,18 +32,18 @@ Proof. exact Strips.valid_is_stripped. Qed.
 Print Assumptions valid_is_stripped.
 
 (** ** Closed fans, splits *)
-Theorem split_rules : forall k a, 3 <= k <= 8 -> 1 <= a -> 2 * a <= k ->
+Theorem split_rules : forall k a, 3 <= k <= 8 -> 1 <= a < k ->
   correct (split k a) (lookup (Split.full k a)).
-Proof. intros k a H0 H1 H2. apply (check_proves _ _ _ _ _ _ (Split.checked k a H0 H1 H2)). Qed.
+Proof. intros k a H0 H1. apply (Split.every_position k a H0 H1). Qed.
 Print Assumptions split_rules.
-Theorem split_safe : forall k a, 3 <= k <= 8 -> 1 <= a -> 2 * a <= k ->
+Theorem split_safe : forall k a, 3 <= k <= 8 -> 1 <= a < k ->
   safe (split k a) (lookup (Split.full k a)).
-Proof. intros k a H0 H1 H2. apply (check_proves _ _ _ _ _ _ (Split.checked k a H0 H1 H2)). Qed.
+Proof. intros k a H0 H1. apply (Split.every_position k a H0 H1). Qed.
 Print Assumptions split_safe.
-(** At most one strip more, none when a = 1; isolated triangles never increase. *)
-Theorem split_facts : forall k a, 3 <= k <= 8 -> 1 <= a -> 2 * a <= k ->
-  within (split k a) (lookup (Split.full k a)) (if a =? 1 then 0 else 1) 0.
-Proof. intros k a H0 H1 H2. apply (check_proves _ _ _ _ _ _ (Split.checked k a H0 H1 H2)). Qed.
+(** At most one strip more, none when one of the arcs is a single triangle; isolated triangles never increase. *)
+Theorem split_facts : forall k a, 3 <= k <= 8 -> 1 <= a < k ->
+  within (split k a) (lookup (Split.full k a)) (if Nat.min a (k - a) =? 1 then 0 else 1) 0.
+Proof. intros k a H0 H1. apply (Split.every_position k a H0 H1). Qed.
 Print Assumptions split_facts.
 Theorem split_reduced : forall k a, 3 <= k <= 8 -> 1 <= a -> 2 * a <= k ->
   reduces_to (split k a) true (lookup (Split.full k a)) (lookup (Split.by_key k a)).
@@ -48,18 +51,18 @@ Proof. intros k a H0 H1 H2. apply (check_proves _ _ _ _ _ _ (Split.checked k a H
 Print Assumptions split_reduced.
 
 (** ** Closed fans, collapses *)
-Theorem collapse_rules : forall k a, 3 <= k <= 8 -> 1 <= a -> 2 * a <= k ->
+Theorem collapse_rules : forall k a, 3 <= k <= 8 -> 1 <= a < k ->
   correct (collapse k a) (lookup (Collapse.full k a)).
-Proof. intros k a H0 H1 H2. apply (check_proves _ _ _ _ _ _ (Collapse.checked k a H0 H1 H2)). Qed.
+Proof. intros k a H0 H1. apply (Collapse.every_position k a H0 H1). Qed.
 Print Assumptions collapse_rules.
-Theorem collapse_safe : forall k a, 3 <= k <= 8 -> 1 <= a -> 2 * a <= k ->
+Theorem collapse_safe : forall k a, 3 <= k <= 8 -> 1 <= a < k ->
   safe (collapse k a) (lookup (Collapse.full k a)).
-Proof. intros k a H0 H1 H2. apply (check_proves _ _ _ _ _ _ (Collapse.checked k a H0 H1 H2)). Qed.
+Proof. intros k a H0 H1. apply (Collapse.every_position k a H0 H1). Qed.
 Print Assumptions collapse_safe.
 (** At most one strip more; isolated triangles never increase. *)
-Theorem collapse_facts : forall k a, 3 <= k <= 8 -> 1 <= a -> 2 * a <= k ->
+Theorem collapse_facts : forall k a, 3 <= k <= 8 -> 1 <= a < k ->
   within (collapse k a) (lookup (Collapse.full k a)) 1 0.
-Proof. intros k a H0 H1 H2. apply (check_proves _ _ _ _ _ _ (Collapse.checked k a H0 H1 H2)). Qed.
+Proof. intros k a H0 H1. apply (Collapse.every_position k a H0 H1). Qed.
 Print Assumptions collapse_facts.
 Theorem collapse_reduced : forall k a, 3 <= k <= 8 -> 1 <= a -> 2 * a <= k ->
   reduces_to (collapse k a) true (lookup (Collapse.full k a)) (lookup (Collapse.by_key k)).
@@ -67,18 +70,18 @@ Proof. intros k a H0 H1 H2. apply (check_proves _ _ _ _ _ _ (Collapse.checked k 
 Print Assumptions collapse_reduced.
 
 (** ** Open fans, splits *)
-Theorem open_split_rules : forall k i j, 1 <= k <= 8 -> i < j -> i + j <= k ->
+Theorem open_split_rules : forall k i j, 1 <= k <= 8 -> i < j <= k ->
   correct (open_split k i j) (lookup (OpenSplit.full k i j)).
-Proof. intros k i j H0 H1 H2. apply (check_proves _ _ _ _ _ _ (OpenSplit.checked k i j H0 H1 H2)). Qed.
+Proof. intros k i j H0 H1. apply (OpenSplit.every_position k i j H0 H1). Qed.
 Print Assumptions open_split_rules.
-Theorem open_split_safe : forall k i j, 1 <= k <= 8 -> i < j -> i + j <= k ->
+Theorem open_split_safe : forall k i j, 1 <= k <= 8 -> i < j <= k ->
   safe (open_split k i j) (lookup (OpenSplit.full k i j)).
-Proof. intros k i j H0 H1 H2. apply (check_proves _ _ _ _ _ _ (OpenSplit.checked k i j H0 H1 H2)). Qed.
+Proof. intros k i j H0 H1. apply (OpenSplit.every_position k i j H0 H1). Qed.
 Print Assumptions open_split_safe.
 (** At most one strip more, none for neighbouring gaps; isolated triangles never increase. *)
-Theorem open_split_facts : forall k i j, 1 <= k <= 8 -> i < j -> i + j <= k ->
+Theorem open_split_facts : forall k i j, 1 <= k <= 8 -> i < j <= k ->
   within (open_split k i j) (lookup (OpenSplit.full k i j)) (if j =? S i then 0 else 1) 0.
-Proof. intros k i j H0 H1 H2. apply (check_proves _ _ _ _ _ _ (OpenSplit.checked k i j H0 H1 H2)). Qed.
+Proof. intros k i j H0 H1. apply (OpenSplit.every_position k i j H0 H1). Qed.
 Print Assumptions open_split_facts.
 Theorem open_split_reduced : forall k i j, 1 <= k <= 8 -> i < j -> i + j <= k ->
   reduces_to (open_split k i j) false (lookup (OpenSplit.full k i j)) (lookup (OpenSplit.by_key k i j)).
@@ -86,18 +89,18 @@ Proof. intros k i j H0 H1 H2. apply (check_proves _ _ _ _ _ _ (OpenSplit.checked
 Print Assumptions open_split_reduced.
 
 (** ** Open fans, collapses *)
-Theorem open_collapse_rules : forall k i j, 1 <= k <= 8 -> i < j -> i + j <= k ->
+Theorem open_collapse_rules : forall k i j, 1 <= k <= 8 -> i < j <= k ->
   correct (open_collapse k i j) (lookup (OpenCollapse.full k i j)).
-Proof. intros k i j H0 H1 H2. apply (check_proves _ _ _ _ _ _ (OpenCollapse.checked k i j H0 H1 H2)). Qed.
+Proof. intros k i j H0 H1. apply (OpenCollapse.every_position k i j H0 H1). Qed.
 Print Assumptions open_collapse_rules.
-Theorem open_collapse_safe : forall k i j, 1 <= k <= 8 -> i < j -> i + j <= k ->
+Theorem open_collapse_safe : forall k i j, 1 <= k <= 8 -> i < j <= k ->
   safe (open_collapse k i j) (lookup (OpenCollapse.full k i j)).
-Proof. intros k i j H0 H1 H2. apply (check_proves _ _ _ _ _ _ (OpenCollapse.checked k i j H0 H1 H2)). Qed.
+Proof. intros k i j H0 H1. apply (OpenCollapse.every_position k i j H0 H1). Qed.
 Print Assumptions open_collapse_safe.
 (** At most one strip more; one isolated triangle more at most, and only when k is odd. *)
-Theorem open_collapse_facts : forall k i j, 1 <= k <= 8 -> i < j -> i + j <= k ->
+Theorem open_collapse_facts : forall k i j, 1 <= k <= 8 -> i < j <= k ->
   within (open_collapse k i j) (lookup (OpenCollapse.full k i j)) 1 (if Nat.even k then 0 else 1).
-Proof. intros k i j H0 H1 H2. apply (check_proves _ _ _ _ _ _ (OpenCollapse.checked k i j H0 H1 H2)). Qed.
+Proof. intros k i j H0 H1. apply (OpenCollapse.every_position k i j H0 H1). Qed.
 Print Assumptions open_collapse_facts.
 Theorem open_collapse_reduced : forall k i j, 1 <= k <= 8 -> i < j -> i + j <= k ->
   reduces_to (open_collapse k i j) false (lookup (OpenCollapse.full k i j)) (lookup (OpenCollapse.by_key k)).
@@ -105,19 +108,19 @@ Proof. intros k i j H0 H1 H2. apply (check_proves _ _ _ _ _ _ (OpenCollapse.chec
 Print Assumptions open_collapse_reduced.
 
 (** ** Open fans, splits on the boundary *)
-Theorem boundary_split_rules : forall k i, 1 <= k <= 8 -> 2 * i <= k ->
+Theorem boundary_split_rules : forall k i, 1 <= k <= 8 -> i <= k ->
   correct (boundary_split k i) (lookup (BoundarySplit.full k i)).
-Proof. intros k i H0 H1. apply (check_proves _ _ _ _ _ _ (BoundarySplit.checked k i H0 H1)). Qed.
+Proof. intros k i H0 H1. apply (BoundarySplit.every_position k i H0 H1). Qed.
 Print Assumptions boundary_split_rules.
-Theorem boundary_split_safe : forall k i, 1 <= k <= 8 -> 2 * i <= k ->
+Theorem boundary_split_safe : forall k i, 1 <= k <= 8 -> i <= k ->
   safe (boundary_split k i) (lookup (BoundarySplit.full k i)).
-Proof. intros k i H0 H1. apply (check_proves _ _ _ _ _ _ (BoundarySplit.checked k i H0 H1)). Qed.
+Proof. intros k i H0 H1. apply (BoundarySplit.every_position k i H0 H1). Qed.
 Print Assumptions boundary_split_safe.
-(** At most one strip more, none at gap 1; one isolated triangle more at most, and only when k and the gap are even. *)
-Theorem boundary_split_facts : forall k i, 1 <= k <= 8 -> 2 * i <= k ->
+(** At most one strip more, none at gaps 1 and k - 1; one isolated triangle more at most, and only when k and the gap are even. *)
+Theorem boundary_split_facts : forall k i, 1 <= k <= 8 -> i <= k ->
   within (boundary_split k i) (lookup (BoundarySplit.full k i))
-    (if i =? 1 then 0 else 1) (if Nat.even k && Nat.even i then 1 else 0).
-Proof. intros k i H0 H1. apply (check_proves _ _ _ _ _ _ (BoundarySplit.checked k i H0 H1)). Qed.
+    (if Nat.min i (k - i) =? 1 then 0 else 1) (if Nat.even k && Nat.even i then 1 else 0).
+Proof. intros k i H0 H1. apply (BoundarySplit.every_position k i H0 H1). Qed.
 Print Assumptions boundary_split_facts.
 Theorem boundary_split_reduced : forall k i, 1 <= k <= 8 -> 2 * i <= k ->
   reduces_to (boundary_split k i) false (lookup (BoundarySplit.full k i)) (lookup (BoundarySplit.by_key k i)).
@@ -125,18 +128,18 @@ Proof. intros k i H0 H1. apply (check_proves _ _ _ _ _ _ (BoundarySplit.checked 
 Print Assumptions boundary_split_reduced.
 
 (** ** Open fans, collapses on the boundary *)
-Theorem boundary_collapse_rules : forall k i, 1 <= k <= 8 -> 2 * i <= k ->
+Theorem boundary_collapse_rules : forall k i, 1 <= k <= 8 -> i <= k ->
   correct (boundary_collapse k i) (lookup (BoundaryCollapse.full k i)).
-Proof. intros k i H0 H1. apply (check_proves _ _ _ _ _ _ (BoundaryCollapse.checked k i H0 H1)). Qed.
+Proof. intros k i H0 H1. apply (BoundaryCollapse.every_position k i H0 H1). Qed.
 Print Assumptions boundary_collapse_rules.
-Theorem boundary_collapse_safe : forall k i, 1 <= k <= 8 -> 2 * i <= k ->
+Theorem boundary_collapse_safe : forall k i, 1 <= k <= 8 -> i <= k ->
   safe (boundary_collapse k i) (lookup (BoundaryCollapse.full k i)).
-Proof. intros k i H0 H1. apply (check_proves _ _ _ _ _ _ (BoundaryCollapse.checked k i H0 H1)). Qed.
+Proof. intros k i H0 H1. apply (BoundaryCollapse.every_position k i H0 H1). Qed.
 Print Assumptions boundary_collapse_safe.
-(** At most one strip more; one isolated triangle more at most, and only when k is odd. *)
-Theorem boundary_collapse_facts : forall k i, 1 <= k <= 8 -> 2 * i <= k ->
-  within (boundary_collapse k i) (lookup (BoundaryCollapse.full k i)) 1 (if Nat.even k then 0 else 1).
-Proof. intros k i H0 H1. apply (check_proves _ _ _ _ _ _ (BoundaryCollapse.checked k i H0 H1)). Qed.
+(** Never a strip more; one isolated triangle more at most, and only when k is odd. *)
+Theorem boundary_collapse_facts : forall k i, 1 <= k <= 8 -> i <= k ->
+  within (boundary_collapse k i) (lookup (BoundaryCollapse.full k i)) 0 (if Nat.even k then 0 else 1).
+Proof. intros k i H0 H1. apply (BoundaryCollapse.every_position k i H0 H1). Qed.
 Print Assumptions boundary_collapse_facts.
 Theorem boundary_collapse_reduced : forall k i, 1 <= k <= 8 -> 2 * i <= k ->
   reduces_to (boundary_collapse k i) false (lookup (BoundaryCollapse.full k i)) (lookup (BoundaryCollapse.by_key k)).
@@ -154,6 +157,91 @@ Print Assumptions flip_safe.
 Theorem flip_facts : flip_within (lookup Flip.full) 1 2.
 Proof. exact Flip.flip_facts. Qed.
 Print Assumptions flip_facts.
+
+(** ** All of it together
+
+    Every answer of the shipped headers to a fan of at most eight triangles, position by position; [Answers.counts] says
+    how many there are. *)
+Theorem answers : Forall (fun '(k, a) => correct (split k a) (lookup (Split.full k a))) Answers.arcs /\
+  Forall (fun '(k, a) => correct (collapse k a) (lookup (Collapse.full k a))) Answers.arcs /\
+  Forall (fun '(k, i, j) => correct (open_split k i j) (lookup (OpenSplit.full k i j))) Answers.gap_pairs /\
+  Forall (fun '(k, i, j) => correct (open_collapse k i j) (lookup (OpenCollapse.full k i j))) Answers.gap_pairs /\
+  Forall (fun '(k, i) => correct (boundary_split k i) (lookup (BoundarySplit.full k i))) Answers.gaps /\
+  Forall (fun '(k, i) => correct (boundary_collapse k i) (lookup (BoundaryCollapse.full k i))) Answers.gaps.
+Proof. exact Answers.all_correct. Qed.
+Print Assumptions answers.
+
+(** ** Linked rules
+
+    Beside every outside the first alternative that is valid is as good as every recolouring that is valid there; and
+    the pairs that an alternative joins, together with those that the outside joins, tell whether it is valid. *)
+Theorem linked_split_best : forall k a, 3 <= k <= 8 -> 1 <= a -> 2 * a <= k ->
+  linked_best (split k a) (LinkedTables.split_lists k a).
+Proof. intros k a H0 H1 H2. exact (lists_best _ _ (LinkedTables.split_checked k a H0 H1 H2)). Qed.
+Print Assumptions linked_split_best.
+Theorem linked_split_pairs : forall k a, 3 <= k <= 8 -> 1 <= a -> 2 * a <= k ->
+  pairs_tell (split k a) (LinkedTables.split_lists k a).
+Proof. intros k a H0 H1 H2. exact (lists_tell _ _ (LinkedTables.split_checked k a H0 H1 H2)). Qed.
+Print Assumptions linked_split_pairs.
+Theorem linked_collapse_best : forall k a, 3 <= k <= 8 -> 1 <= a < k ->
+  linked_best (collapse k a) (LinkedTables.collapse_lists k).
+Proof. intros k a H0 H1. exact (lists_best _ _ (LinkedTables.collapse_checked k a H0 H1)). Qed.
+Print Assumptions linked_collapse_best.
+Theorem linked_collapse_pairs : forall k a, 3 <= k <= 8 -> 1 <= a < k ->
+  pairs_tell (collapse k a) (LinkedTables.collapse_lists k).
+Proof. intros k a H0 H1. exact (lists_tell _ _ (LinkedTables.collapse_checked k a H0 H1)). Qed.
+Print Assumptions linked_collapse_pairs.
+
+(** ** Sequences of operations
+
+    [Sequences.v] says what a mesh and an operation are. The rules are the shipped local ones for fans of at most eight
+    triangles; flips are left out. A valid mesh stays valid, and what the rules say of the number of strips adds up to the
+    truth. Where no operation is of an edge on the boundary, or a collapse into a boundary vertex, a mesh without isolated
+    triangles stays one, and then it never has more strips than half its triangles. *)
+Theorem sequence_valid : forall M told M', sequence Shipped.local M told M' -> valid (edges M) -> valid (edges M').
+Proof. exact Shipped.stays_valid. Qed.
+Print Assumptions sequence_valid.
+Theorem sequence_told : forall M told M', sequence Shipped.local M told M' -> (strips_of M' = strips_of M + told)%Z.
+Proof. exact Shipped.strips_told. Qed.
+Print Assumptions sequence_told.
+Theorem strips_counted : forall M strips, stripped (nodes M) (edges M) strips -> strips_of M = Z.of_nat (length strips).
+Proof. exact Sequences.strips_counted. Qed.
+Print Assumptions strips_counted.
+Theorem sequence_never_isolated : forall M told M', sequence Shipped.local_inside M told M' ->
+  none_isolated M -> none_isolated M'.
+Proof. exact Shipped.never_isolated. Qed.
+Print Assumptions sequence_never_isolated.
+Theorem half_as_many_strips : forall M told M', sequence Shipped.local_inside M told M' -> sane M -> none_isolated M ->
+  (2 * strips_of M' <= Z.of_nat (length (nodes M')))%Z.
+Proof. exact Shipped.half_as_many_strips. Qed.
+Print Assumptions half_as_many_strips.
+
+(** ** A lower bound
+
+    A fan of k = 4, split at a = 2, of which no rule that reads only its patch and keeps its ports avoids a strip more. *)
+Theorem every_rule_pays : forall (T : table) x, safe (split 4 2) T -> length x = 7 ->
+  T [true; false; false; true] [true; true; true; false] = Some x ->
+  triangles (after (split 4 2)) + solids [true; true; true; false] >= triangles (before (split 4 2)) + solids x + 1.
+Proof. exact LowerBound.every_rule_pays. Qed.
+Print Assumptions every_rule_pays.
+(** A mesh of n such fans ([LowerBound.v] draws it) is one strip before; after a split of each by such a rule it has at
+    least n + 1; but the mesh after could be one strip. *)
+Theorem one_strip_before : forall n, 0 < n ->
+  exists strip, stripped (LowerBound.all_triangles (before (split 4 2)) n)
+    (LowerBound.solid_edges (before (split 4 2)) (repeat [true; true; true; false] n)) [strip].
+Proof. intros n H. eexists. exact (LowerBound.one_strip_before n H). Qed.
+Print Assumptions one_strip_before.
+Theorem no_rule_competes : forall n (T : table) x strips, 0 < n -> safe (split 4 2) T -> length x = 7 ->
+  T [true; false; false; true] [true; true; true; false] = Some x ->
+  stripped (LowerBound.all_triangles (after (split 4 2)) n) (LowerBound.solid_edges (after (split 4 2)) (repeat x n)) strips ->
+  n + 1 <= length strips.
+Proof. exact LowerBound.no_rule_competes. Qed.
+Print Assumptions no_rule_competes.
+Theorem one_strip_would_do : forall n, 0 < n -> exists G,
+  incl (map undirected G) (map undirected (LowerBound.dual_edges (after (split 4 2)) n)) /\
+  exists strip, stripped (LowerBound.all_triangles (after (split 4 2)) n) G [strip].
+Proof. exact LowerBound.one_strip_would_do. Qed.
+Print Assumptions one_strip_would_do.
 
 (** ** The known counts, for k = 3, 4, ... and a = 1, 2, ...: valid configurations, and those that cost a strip *)
 Theorem valid_splits : map (fun k => map (fun a => Figures.valid_configurations k (Split.full k a)) (seq 1 (k / 2))) (seq 3 6) =
@@ -180,3 +268,17 @@ Print Assumptions wrong_tables_refused.
 Theorem wrong_rows_refused : Rejects.rows_refused 3 1 && Rejects.rows_refused 4 2 = true.
 Proof. exact Rejects.wrong_rows_refused. Qed.
 Print Assumptions wrong_rows_refused.
+Theorem wrong_images_refused : Rejects.image_refused 3 2 = true.
+Proof. exact Rejects.wrong_images_refused. Qed.
+Print Assumptions wrong_images_refused.
+Theorem careless_images_refused :
+  forallb (fun '(k, a) => Split.compares (k, a) &&
+      negb (Symmetry.compare (Symmetry.turned k a) (split k a) (split k (k - a)) (Split.full k (k - a))
+              (Rejects.with_answers (Rejects.turned_too_little k) (Split.full k a))))
+    [(3, 2); (4, 3); (5, 3); (5, 4)] &&
+  forallb (fun '(k, (i, j)) => OpenSplit.compares (k, (i, j)) &&
+      negb (Symmetry.compare (Symmetry.mirrored k [k + 1; k]) (open_split k i j) (open_split k (k - j) (k - i)) (OpenSplit.full k (k - j) (k - i))
+              (Rejects.with_answers (Rejects.reversed_too_short k) (OpenSplit.full k i j))))
+    [(2, (1, 2)); (3, (2, 3)); (3, (1, 3)); (4, (3, 4))] = true.
+Proof. exact Rejects.careless_images_refused. Qed.
+Print Assumptions careless_images_refused.

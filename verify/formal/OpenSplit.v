@@ -3,7 +3,7 @@
     None adds an isolated triangle; with neighbouring gaps none costs a strip. *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Table Checker Rows Tables_open_split Rows_open_split.
+Require Import Spec Table Checker Rows Symmetry Tables_open_split Rows_open_split.
 
 Definition full (k i j : nat) : trie := Tables_open_split.table [k; i; j].
 Definition by_key (k i j : nat) : trie :=
@@ -23,4 +23,25 @@ Proof.
   intros Hk Hi Hj. apply (proj1 (forallb_forall checks positions) all_checked). apply filter_In. split.
   - apply in_prod; [|apply in_prod]; apply in_seq; lia.
   - apply andb_true_intro. split; [now apply Nat.ltb_lt|now apply Nat.leb_le].
+Qed.
+
+(** The other positions: the fan is mirrored, and A and D change places. *)
+Definition others : list (nat * (nat * nat)) :=
+  filter (fun '(k, (i, j)) => (i <? j) && (j <=? k) && (k <? i + j)) (list_prod (seq 1 8) (list_prod (seq 0 9) (seq 0 9))).
+Definition compares (at_ : nat * (nat * nat)) : bool :=
+  let '(k, (i, j)) := at_ in
+  compare (mirrored k [k + 1; k]) (open_split k i j) (open_split k (k - j) (k - i)) (full k (k - j) (k - i)) (full k i j).
+
+Theorem all_compared : forallb compares others = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+
+Theorem every_position k i j : 1 <= k <= 8 -> i < j <= k -> holds (open_split k i j) (if j =? S i then 0 else 1) 0 (full k i j).
+Proof.
+  intros Hk Hj. destruct (le_lt_dec (i + j) k) as [H|H].
+  - eapply check_holds. apply (checked k i j); lia.
+  - apply compare_holds with (mirrored k [k + 1; k]) (open_split k (k - j) (k - i)) (full k (k - j) (k - i)).
+    + apply (proj1 (forallb_forall compares others) all_compared (k, (i, j))). apply filter_In.
+      split; [apply in_prod; [|apply in_prod]; apply in_seq; lia|]. rewrite !andb_true_iff, !Nat.ltb_lt, Nat.leb_le. lia.
+    + replace (j =? S i) with (k - i =? S (k - j)); [eapply check_holds; apply (checked k (k - j) (k - i)); lia|].
+      destruct (Nat.eqb_spec j (S i)), (Nat.eqb_spec (k - i) (S (k - j))); lia.
 Qed.

@@ -2,11 +2,14 @@
 
     That it accepts nothing wrong is proved; here it is seen. Every answer of the tables of k = 3 and of k = 4, a = 2
     is taken out, or has one of its bits flipped, and every configuration without an answer is given one: each of the
-    tables that arise is refused. So is each reduced table with one bit of a row flipped. *)
+    tables that arise is refused. So is each reduced table with one bit of a row flipped.
+
+    The positions that are compared with the image of others get the same treatment, and two faults that code for them
+    could easily have: a ring turned by one place too few, a path reversed as if it had an edge less. *)
 Require Import Arith Bool List.
 Import ListNotations.
-Require Import Spec Table Checker Rows.
-Require Split Flip.
+Require Import Spec Table Checker Rows Symmetry.
+Require Split OpenSplit.
 
 Fixpoint put (t : trie) (c : coloring) (answer : option coloring) : trie :=
   match c with
@@ -28,7 +31,7 @@ Definition silenced_or_invented (width : nat) (t : trie) (c : coloring) : list t
 
 Definition wrong_tables (k a : nat) : list trie :=
   flat_map (fun c => flipped (k + 3) (Split.full k a) c ++ silenced_or_invented (k + 3) (Split.full k a) c)
-    (Flip.all_colorings (2 * k)).
+    (all_colorings (2 * k)).
 Definition refused (k a : nat) : bool :=
   forallb (fun t => negb (check (split k a) 1 0 (fun _ _ _ => true) t)) (wrong_tables k a).
 
@@ -37,9 +40,30 @@ Proof. split; vm_compute; reflexivity. Qed.
 
 (** Keys that no configuration has carry no row, so every row matters. *)
 Definition wrong_rows (k a : nat) : list trie :=
-  flat_map (flipped (k + 3) (Split.by_key k a)) (Flip.all_colorings (2 * k)).
+  flat_map (flipped (k + 3) (Split.by_key k a)) (all_colorings (2 * k)).
 Definition rows_refused (k a : nat) : bool :=
   forallb (fun r => negb (check (split k a) 1 0 (agrees true r) (Split.full k a))) (wrong_rows k a).
 
 Theorem wrong_rows_refused : rows_refused 3 1 && rows_refused 4 2 = true.
+Proof. vm_compute. reflexivity. Qed.
+
+Definition image_refused (k a : nat) : bool :=
+  forallb (fun t => negb (compare (turned k a) (split k a) (split k (k - a)) (Split.full k (k - a)) t)) (wrong_tables k a).
+Theorem wrong_images_refused : image_refused 3 2 = true.
+Proof. vm_compute. reflexivity. Qed.
+
+Fixpoint with_answers (f : coloring -> coloring) (t : trie) : trie :=
+  match t with Nothing => Nothing | Answer x => Answer (f x) | Fork d s => Fork (with_answers f d) (with_answers f s) end.
+(** The last edge of the list is the chord. *)
+Definition turned_too_little (k : nat) (x : coloring) : coloring := skipn (k + 1) (firstn (k + 2) x) ++ firstn (k + 1) x ++ skipn (k + 2) x.
+Definition reversed_too_short (k : nat) (x : coloring) : coloring := skipn 1 (firstn (k + 1) x) ++ [false] ++ skipn (k + 1) x.
+Theorem careless_images_refused :
+  forallb (fun '(k, a) => Split.compares (k, a) &&
+      negb (compare (turned k a) (split k a) (split k (k - a)) (Split.full k (k - a))
+              (with_answers (turned_too_little k) (Split.full k a))))
+    [(3, 2); (4, 3); (5, 3); (5, 4)] &&
+  forallb (fun '(k, (i, j)) => OpenSplit.compares (k, (i, j)) &&
+      negb (compare (mirrored k [k + 1; k]) (open_split k i j) (open_split k (k - j) (k - i)) (OpenSplit.full k (k - j) (k - i))
+              (with_answers (reversed_too_short k) (OpenSplit.full k i j))))
+    [(2, (1, 2)); (3, (2, 3)); (3, (1, 3)); (4, (3, 4))] = true.
 Proof. vm_compute. reflexivity. Qed.

@@ -1,7 +1,7 @@
 (** * Vertex splits of closed fans, k = 3 ... 8 *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Table Checker Rows Tables_split Rows_split.
+Require Import Spec Table Checker Rows Symmetry Tables_split Rows_split.
 
 (** The shipped table of position (k, a), and the certificate's rows for it. *)
 Definition full (k a : nat) : trie := Tables_split.table [k; a].
@@ -19,4 +19,23 @@ Proof.
   intros Hk Ha Hka. apply (proj1 (forallb_forall checks positions) all_checked). apply filter_In. split.
   - apply in_prod; apply in_seq; lia.
   - now apply Nat.leb_le.
+Qed.
+
+(** The other positions: the fan is turned so that A and D change places. *)
+Definition others : list (nat * nat) := filter (fun '(k, a) => (a <? k) && (k <? 2 * a)) (list_prod (seq 3 6) (seq 1 7)).
+Definition compares (at_ : nat * nat) : bool :=
+  let '(k, a) := at_ in compare (turned k a) (split k a) (split k (k - a)) (full k (k - a)) (full k a).
+
+Theorem all_compared : forallb compares others = true.
+Proof. vm_cast_no_check (eq_refl true). Qed.
+
+Theorem every_position k a : 3 <= k <= 8 -> 1 <= a < k ->
+  holds (split k a) (if Nat.min a (k - a) =? 1 then 0 else 1) 0 (full k a).
+Proof.
+  intros Hk Ha. destruct (le_lt_dec (2 * a) k) as [H|H].
+  - replace (Nat.min a (k - a)) with a by lia. eapply check_holds. apply (checked k a); lia.
+  - apply compare_holds with (turned k a) (split k (k - a)) (full k (k - a)).
+    + apply (proj1 (forallb_forall compares others) all_compared (k, a)). apply filter_In.
+      split; [apply in_prod; apply in_seq; lia|]. apply andb_true_intro. split; apply Nat.ltb_lt; lia.
+    + replace (Nat.min a (k - a)) with (k - a) by lia. eapply check_holds. apply (checked k (k - a)); lia.
 Qed.

@@ -2,7 +2,7 @@
 
     A table of answers, indexed by the colours of the ports and then of the inner edges before, dashed to the left and
     solid to the right. [Nothing] stands for a whole subtree without an answer. *)
-Require Import Bool List NArith FMapPositive.
+Require Import Bool List NArith FMapPositive Number Hexadecimal.
 Import ListNotations.
 Require Import Spec.
 
@@ -40,18 +40,33 @@ Fixpoint coloring_of (m : nat) (x : N) : coloring :=
 (** ** The form in which tables are printed
 
     Equal subtrees are printed once. Node 0 is [Nothing]; the list names nodes 1, 2, 3 ... in turn, each a leaf with the
-    mask of its answer or a fork of two earlier nodes; the last one is the whole table. *)
-Inductive node := Mask (x : N) | Node (dashed solid : N).
+    mask of its answer or a fork of two earlier nodes; the last one is the whole table. A node is eight hexadecimal
+    digits, four for each branch of a fork; ffff and the mask for a leaf. *)
+Fixpoint numbers (digits : Hexadecimal.uint) (more : nat) (n : N) : list N :=
+  let next rest digit :=
+    let n' := (16 * n + digit)%N in match more with 0 => n' :: numbers rest 3 0%N | S m => numbers rest m n' end in
+  match digits with
+  | Nil => []
+  | D0 r => next r 0%N | D1 r => next r 1%N | D2 r => next r 2%N | D3 r => next r 3%N
+  | D4 r => next r 4%N | D5 r => next r 5%N | D6 r => next r 6%N | D7 r => next r 7%N
+  | D8 r => next r 8%N | D9 r => next r 9%N | Da r => next r 10%N | Db r => next r 11%N
+  | Dc r => next r 12%N | Dd r => next r 13%N | De r => next r 14%N | Df r => next r 15%N
+  end.
+(** A text begins with a 1, so that no zero is lost, and has a few hundred nodes. *)
+Definition read (text : Number.uint) : list N :=
+  match text with Number.UIntHexadecimal (D1 digits) => numbers digits 3 0%N | _ => [] end.
+
 Definition named (nodes : PositiveMap.t trie) (n : N) : trie :=
   match n with
   | N0 => Nothing
   | Npos p => match PositiveMap.find p nodes with Some t => t | None => Nothing end
   end.
-Fixpoint unfold_nodes (width : nat) (l : list node) (next : positive) (nodes : PositiveMap.t trie) (last : trie) : trie :=
+Fixpoint unfold_nodes (width : nat) (l : list N) (next : positive) (nodes : PositiveMap.t trie) (last : trie) : trie :=
   match l with
-  | [] => last
-  | n :: l' =>
-      let t := match n with Mask x => Answer (coloring_of width x) | Node d s => Fork (named nodes d) (named nodes s) end in
+  | d :: s :: l' =>
+      let t := if N.eqb d 65535 then Answer (coloring_of width s) else Fork (named nodes d) (named nodes s) in
       unfold_nodes width l' (Pos.succ next) (PositiveMap.add next t nodes) t
+  | _ => last
   end.
-Definition table_of (width : nat) (l : list node) : trie := unfold_nodes width l 1 (PositiveMap.empty _) Nothing.
+Definition table_of (width : nat) (texts : list Number.uint) : trie :=
+  unfold_nodes width (flat_map read texts) 1 (PositiveMap.empty _) Nothing.

@@ -5,13 +5,15 @@
 // The dump is text: `restrip-table-dump 2`, then for each table its header and one line `before ports after` for each
 // configuration, ascending by (before, ports), hexadecimal, `-` for no answer; at last `end N`, N the number of
 // configuration lines. A flip's line is `inner ports inner ports` (or `inner ports -`), and its answer's mask
-// is inner | ports << 1. Tables of linked rules, and those of positions that notation.md does not list, which nothing
-// is proved of here, are read and left out.
+// is inner | ports << 1. A table of linked rules has a line `ports (recolouring partners)+` for each port mask.
 //
-// A table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read. At the
-// end of a file stands the function from positions, lists of numbers such as [8; 3], to the family's tables.
+// A table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read, and
+// Linked.v how the lists of linked rules are. At the end of a file stands the function from positions, lists of numbers
+// such as [8; 3], to the family's tables. Printed to the standard output: each family, how many positions it has, and
+// how many answers (of linked rules: lists).
 // Anything unexpected ends the program with a message and exit code 1.
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
@@ -37,6 +39,7 @@ struct Header {
   unsigned before = 0;
   unsigned after = 0;
 
+  bool linked() const { return family.rfind("linked_", 0) == 0; }
   std::string joined_by(const std::string& separator) const {
     std::string text;
     for (const unsigned n : position) text += (text.empty() ? "" : separator) + std::to_string(n);
@@ -67,6 +70,7 @@ Header read_header(const std::string& line) {
       {"split", {k, k + 3}},          {"collapse", {k + 3, k}},
       {"open-split", {k - 1, k + 2}}, {"open-collapse", {k + 2, k - 1}},
       {"boundary-split", {k - 1, k}}, {"boundary-collapse", {k, k - 1}},
+      {"linked-split", {0, k + 3}},   {"linked-collapse", {0, k}},
   };
   const auto found = bits.find(family);
   if (found == bits.end()) fail("unknown family: " + line);
@@ -80,6 +84,44 @@ constexpr long no_answer = -1;
 // A fork of two nodes, by number; or a leaf: no_answer and the mask.
 using Node = std::array<long, 2>;
 
+std::string hexadecimal(std::size_t number, int digits) {
+  std::string text;
+  for (int shift = 4 * digits - 4; shift >= 0; shift -= 4) text += "0123456789abcdef"[number >> shift & 15];
+  return text;
+}
+
+// The words of a line of masks.
+class Masks {
+ public:
+  explicit Masks(const std::string& line) : line_(line) {}
+
+  std::size_t next() {
+    begin_word();
+    const char* const begin = line_.data() + at_;
+    std::size_t mask = 0;
+    const auto [stop, error] = std::from_chars(begin, line_.data() + line_.size(), mask, 16);
+    if (error != std::errc{}) fail("bad line: " + line_);
+    at_ += static_cast<std::size_t>(stop - begin);
+    return mask;
+  }
+  // Is all that remains a -?
+  bool none() const { return line_.compare(at_, std::string::npos, " -") == 0; }
+  bool done() const { return at_ == line_.size(); }
+  void end() const {
+    if (!done()) fail("bad line: " + line_);
+  }
+
+ private:
+  void begin_word() {
+    if (at_ == 0) return;
+    if (at_ >= line_.size() || line_[at_] != ' ') fail("bad line: " + line_);
+    ++at_;
+  }
+
+  const std::string& line_;
+  std::size_t at_ = 0;
+};
+
 class Table {
  public:
   explicit Table(const Header& header)
@@ -87,46 +129,35 @@ class Table {
 
   std::size_t configurations() const { return answers_.size(); }
 
-  // The number-th line of the table.
+  // The number-th line of the table: hexadecimal masks with one space between them, or a - for no answer.
   void read_line(std::size_t number, const std::string& line) {
-    std::istringstream words(line);
-    std::string before, ports, after, kept, rest;
-    words >> before >> ports >> after;
-    const bool flip = header_.family == "flip";
-    if (flip) words >> kept;
-    const bool answered = after != "-";
-    if (after.empty() || words >> rest || (flip && answered && kept.empty()) ||
-        (!answered && kept != "" && kept != "-"))
-      fail(header_.family + ": bad line: " + line);
-    const std::size_t b = std::stoul(before, nullptr, 16);
-    const std::size_t p = std::stoul(ports, nullptr, 16);
-    if (b != number >> header_.ports || p != (number & ((std::size_t{1} << header_.ports) - 1)))
+    Masks masks(line);
+    const std::size_t before = masks.next();
+    const std::size_t ports = masks.next();
+    if (before != number >> header_.ports || ports != (number & ((std::size_t{1} << header_.ports) - 1)))
       fail(header_.family + ": line out of order: " + line);
-    if (!answered) return;
-    answers_[number] = static_cast<long>(std::stoul(after, nullptr, 16));
-    if (flip) answers_[number] |= static_cast<long>(std::stoul(kept, nullptr, 16) << 1);
-    if (answers_[number] >> header_.after != 0) fail(header_.family + ": answer too wide: " + line);
+    if (masks.none()) return;
+    std::size_t answer = masks.next();
+    if (header_.family == "flip") answer |= masks.next() << 1;
+    masks.end();
+    if (answer >> header_.after != 0) fail(header_.family + ": answer too wide: " + line);
+    answers_[number] = static_cast<long>(answer);
   }
 
-  void print(std::ostream& out) {
+  // The nodes, eight digits each.
+  std::string digits() {
     node(0, 0);
-    constexpr std::size_t chunk = 500;
-    const std::string name = header_.joined_by("_");
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      if (i % chunk == 0) out << "Definition nodes_" << name << "_part_" << i / chunk << " : list node := [\n";
-      const auto [dashed, solid] = nodes_[i];
-      if (dashed == no_answer)
-        out << "Mask " << solid;
-      else
-        out << "Node " << dashed << ' ' << solid;
-      out << (i % chunk + 1 == chunk || i + 1 == nodes_.size() ? "].\n" : i % 8 == 7 ? ";\n" : "; ");
-    }
-    out << "Definition table_" << name << " : trie := table_of " << header_.after << " (";
-    for (std::size_t c = 0; c * chunk < nodes_.size(); ++c) out << "nodes_" << name << "_part_" << c << " ++ ";
-    out << "[]).\n";
+    if (nodes_.size() >= leaf) fail(header_.family + ": too many nodes for four digits");
+    std::string text;
+    for (const auto [dashed, solid] : nodes_)
+      text += hexadecimal(dashed == no_answer ? leaf : static_cast<std::size_t>(dashed), 4) +
+              hexadecimal(static_cast<std::size_t>(solid), 4);
+    return text;
   }
 
  private:
+  static constexpr std::size_t leaf = 0xffff;
+
   // The number of the subtrie in which the first `depth` bits are `bits`: ports first, then `before`, lowest bits
   // first.
   long node(unsigned depth, std::size_t bits) {
@@ -150,51 +181,74 @@ class Table {
   std::map<Node, long> numbers_;
 };
 
-// Positions are [k; a], [k; i; j] or [k; i]; the others are mirror images or half turns of these.
-bool listed(const Header& header) {
-  unsigned sum = 0;
-  for (std::size_t i = 1; i < header.position.size(); ++i) sum += header.position[i];
-  return header.family == "flip" || (header.position.size() == 3 ? sum : 2 * sum) <= header.position[0];
-}
-
-// The file of one family.
+// The file of one family. A table is a text of hexadecimal digits, cut into pieces, and what is made of it.
 class File {
  public:
-  File(const std::string& directory, const std::string& family)
-      : path_(directory + "/Tables_" + family + ".v"), out_(path_) {
+  File(const std::string& directory, const Header& header)
+      : path_(directory + "/Tables_" + header.family + ".v"),
+        out_(path_),
+        type_(header.linked() ? "list (list alternative)" : "trie"),
+        nothing_(header.linked() ? "[]" : "Nothing") {
     out_ << "(* Printed by print_tables from a table dump. *)\n"
-            "Require Import NArith List.\nImport ListNotations.\nRequire Import Table.\nLocal Open Scope N_scope.\n";
+            "Require Import List Number.\nImport ListNotations.\nRequire Import "
+         << (header.linked() ? "Linked" : "Table")
+         << ".\n"
+
+            "Local Open Scope hex_uint_scope.\n";
   }
-  void add(const Header& header, Table& table) {
-    table.print(out_);
-    cases_ += "  | [" + header.joined_by("; ") + "] => table_" + header.joined_by("_") + "\n";
+  // `digits` becomes the list of texts that `reader` is given.
+  void add(const Header& header, const std::string& digits, const std::string& reader) {
+    constexpr std::size_t piece = 2000;
+    const std::string name = header.joined_by("_");
+    std::string texts;
+    for (std::size_t at = 0; at < digits.size(); at += piece) {
+      const std::string text = "text_" + name + "_" + std::to_string(at / piece);
+      out_ << "Definition " << text << " : Number.uint := 0x1" << digits.substr(at, piece) << ".\n";
+      texts += (at == 0 ? "" : "; ") + text;
+    }
+    out_ << "Definition table_" << name << " : " << type_ << " := " << reader << " [" << texts << "].\n";
+    cases_ += "  | [" + header.joined_by("; ") + "]%nat => table_" + name + "\n";
+    ++positions_;
+    answers_ += std::size_t{1} << (header.ports + header.before);
   }
   void close() {
-    out_ << "Definition table (position : list nat) : trie :=\n  match position with\n"
-         << cases_ << "  | _ => Nothing\n  end%nat.\n";
+    out_ << "Definition table (position : list nat) : " << type_ << " :=\n  match position with\n"
+         << cases_ << "  | _ => " << nothing_ << "\n  end.\n";
     out_.close();
     if (!out_) fail("cannot write " + path_);
   }
+  std::string counts() const { return std::to_string(positions_) + ' ' + std::to_string(answers_); }
 
  private:
   std::string path_;
   std::ofstream out_;
+  std::string type_;
+  std::string nothing_;  // for positions without a table
   std::string cases_;
+  std::size_t positions_ = 0;
+  std::size_t answers_ = 0;
 };
 
-// Passes over a table of lists, one line for each of 2^k port masks; returns how many there were.
-std::size_t skip_lists(std::istream& in, const std::string& header) {
-  std::istringstream words(header);
-  std::string table, family, word;
-  unsigned k = 0;
-  words >> table >> family >> word >> k;
-  if (word != "k" || k < 1 || k > 12) fail("no header: " + header);
+// All lists of a position, for ascending port masks, as numbers of four digits: the length of a list, then for each
+// alternative its recolouring and its partners, high half first.
+std::string read_lists(std::istream& in, const Header& header) {
+  std::string digits;
   std::string line;
-  for (std::size_t ports = 0; ports < std::size_t{1} << k; ++ports) {
+  for (std::size_t ports = 0; ports < std::size_t{1} << header.ports; ++ports) {
     if (!std::getline(in, line)) fail("the dump ends in the middle of a table");
-    if (std::stoul(line, nullptr, 16) != ports) fail(family + ": line out of order: " + line);
+    Masks masks(line);
+    if (masks.next() != ports) fail(header.family + ": line out of order: " + line);
+    std::string alternatives;
+    std::size_t count = 0;
+    for (; !masks.done(); ++count) {
+      const std::size_t recoloring = masks.next();
+      const std::size_t partners = masks.next();
+      if (recoloring >> header.after != 0 || partners >> 32 != 0) fail(header.family + ": mask too wide: " + line);
+      alternatives += hexadecimal(recoloring, 4) + hexadecimal(partners, 8);
+    }
+    digits += hexadecimal(count, 4) + alternatives;
   }
-  return std::size_t{1} << k;
+  return digits;
 }
 
 void print_all(std::istream& in, const std::string& directory) {
@@ -202,22 +256,27 @@ void print_all(std::istream& in, const std::string& directory) {
   if (!std::getline(in, line) || line != "restrip-table-dump 2") fail("not a table dump");
   std::size_t lines = 0;
   std::map<std::string, File> files;
+  std::vector<std::string> families;  // in the order of the dump
   while (std::getline(in, line) && line.rfind("table ", 0) == 0) {
-    if (line.rfind("table linked-", 0) == 0) {
-      lines += skip_lists(in, line);
+    const Header header = read_header(line);
+    const auto [place, fresh] = files.try_emplace(header.family, directory, header);
+    if (fresh) families.push_back(header.family);
+    File& file = place->second;
+    if (header.linked()) {
+      file.add(header, read_lists(in, header), "lists_of " + std::to_string(header.after) + "%nat");
+      lines += std::size_t{1} << header.ports;
       continue;
     }
-    const Header header = read_header(line);
     Table table(header);
     for (std::size_t i = 0; i < table.configurations(); ++i, ++lines) {
       if (!std::getline(in, line)) fail("the dump ends in the middle of a table");
       table.read_line(i, line);
     }
-    if (!listed(header)) continue;
-    files.try_emplace(header.family, directory, header.family).first->second.add(header, table);
+    file.add(header, table.digits(), "table_of " + std::to_string(header.after) + "%nat");
   }
   if (line != "end " + std::to_string(lines)) fail("the dump does not end with `end " + std::to_string(lines) + "`");
   for (auto& [family, file] : files) file.close();
+  for (const std::string& family : families) std::cout << family << ' ' << files.at(family).counts() << '\n';
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ done
 say "printing the tables and the certificates"
 rm -f "$out"/fresh/*.v
 build/programs/bin/restrip-dump-tables >"$out/tables.dump"
-"$out/print_tables" "$out/fresh" <"$out/tables.dump"
+"$out/print_tables" "$out/fresh" <"$out/tables.dump" >"$out/printed"
 for family in "${certificates[@]}"; do
   "$out/print_rows" "$out/fresh" <"tables/certificates/$family.cert"
 done
@@ -86,13 +86,30 @@ for line in "${said[@]}"; do
   fi
 done
 
+# What the printer has read, family by family, against what the theorems speak of.
+printf '%s\n' 'From Coq Require Import NArith List.' 'From Restrip Require Import Answers.' 'Set Printing Width 1000.' 'Eval vm_compute in counts.' >"$out/counts.v"
+(cd "$out" && coqc -R coq Restrip counts.v) >"$out/counts"
+mapfile -t proved < <(grep -o '[0-9]*%N' "$out/counts" | paste - - | tr -d 'N%')
+mapfile -t printed < <(cat "$out/printed")
+if [ ${#proved[@]} -eq 0 ] || [ ${#proved[@]} -ne ${#printed[@]} ]; then
+  echo "the theorems speak of ${#proved[@]} families, the dump of ${#printed[@]}" >&2
+  false
+fi
+for i in "${!proved[@]}"; do
+  read -r family positions answers <<<"${printed[i]}"
+  if [ "$positions"$'\t'"$answers" != "${proved[i]}" ]; then
+    echo "$family: the dump has $positions positions and $answers answers, the theorems speak of ${proved[i]}" >&2
+    false
+  fi
+done
+
 # took FILE…: the seconds of the files together.
 took() {
   awk -v files=" $* " 'index(files, " " $1 " ") { sum += $2 } END { printf "%.0f", sum }' "$out/seconds"
 }
 say "coqchk (log: $out/coqchk.log)"
 checking=$SECONDS
-modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Flip)
+modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.LowerBound Restrip.Flip)
 [ "$full" = no ] || modules=(Restrip.Main)
 coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
 grep -q '^\* Axioms: <none>' "$out/coqchk.log"
@@ -105,7 +122,11 @@ for i in "${!theorems[@]}"; do
     locality) files=(Graph Locality) ;;
     valid_is_stripped) files=(Graph Strips) ;;
     valid_* | costing_*) files=(Figures) ;;
-    wrong_*) files=(Rejects) ;;
+    wrong_* | careless_*) files=(Rejects) ;;
+    answers) files=(Answers) ;;
+    sequence_* | strips_counted | half_as_many_strips) files=(Sequences Shipped) ;;
+    linked_*) files=(Linked LinkedTables Tables_linked_split Tables_linked_collapse) ;;
+    every_rule_pays | one_strip_* | no_rule_competes) files=(LowerBound) ;;
     split_* | collapse_* | open_split_* | open_collapse_* | boundary_split_* | boundary_collapse_* | flip_*)
       family=${theorem%_*}
       files=("Tables_$family" "$(sed -E 's/(^|_)([a-z])/\u\2/g' <<<"$family")")
@@ -120,5 +141,21 @@ for i in "${!theorems[@]}"; do
   printf '%-26s %8s  %s\n' "$theorem" "$(took "${files[@]}")" "${said[i]}"
 done
 printf '%-26s %8s  %s\n' coqchk "$checked" "no axioms: ${modules[*]}"
+printf '\n%-26s %8s %12s  %s\n' "answers of the headers" positions proved "which positions"
+sum=0
+for line in "${printed[@]}"; do
+  read -r family positions answers <<<"$line"
+  case $family in
+    split | collapse) which="k = 3 ... 8, 1 <= a < k" ;;
+    open_*) which="k = 1 ... 8, gaps 0 <= i < j <= k" ;;
+    boundary_*) which="k = 1 ... 8, gap 0 <= i <= k" ;;
+    linked_split) which="lists: k = 3 ... 8, 1 <= a <= k / 2" ;;
+    linked_collapse) which="lists: k = 3 ... 8, each for 1 <= a < k" ;;
+    *) which="" ;;
+  esac
+  printf '%-26s %8s %12s  %s\n' "$family" "$positions" "$answers" "$which"
+  case $family in linked_*) ;; *) sum=$((sum + answers)) ;; esac
+done
+printf '%-26s %8s %12s  %s\n\n' "all but the lists" "" "$sum" "every position"
 echo "The theorems of a family come from one run of its checker; its seconds are given for each."
 echo "All proved in $((SECONDS - started)) s."
