@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""Copies the headers of the runtime and puts the deliberate faults of a list into the copy, each behind a question asked at run time.
+
+  mutate.py LIST HEADERS COPY
+
+LIST has a block of four lines for each fault, between blank lines; # begins a comment:
+
+  NAME FILE [endless | equivalent]
+    why it is wrong, or with `equivalent` why it changes nothing; `endless`: a loop that does not end
+    text of restrip/FILE, found there once, with the faulty expression in «»
+    the expression that takes its place
+
+An expression E becomes `(restrip_mutant(N) ? (F) : (E))`. Blanks and line breaks of the text need not be those of FILE. COPY
+gets mutants.hpp as well, with the names. Exit code 1: a block is malformed, or its text is not found exactly once.
+"""
+import re
+import sys
+from pathlib import Path
+
+HEADER = """#pragma once
+#include <type_traits>
+namespace restrip {{
+inline int active_mutant = 0;
+/// Never true where the compiler evaluates.
+constexpr bool restrip_mutant(int number) noexcept {{ return !std::is_constant_evaluated() && active_mutant == number; }}
+struct MutantName {{
+  const char* name;
+  bool endless;
+  bool equivalent;
+}};
+inline constexpr MutantName mutant_names[] = {{{names}}};
+}}  // namespace restrip
+"""
+
+
+class Malformed(Exception):
+    pass
+
+
+class Mutant:
+    def __init__(self, number, lines):
+        words = lines[0].split()
+        if len(lines) != 4 or len(words) not in (2, 3) or words[2:] not in ([], ["endless"], ["equivalent"]):
+            raise Malformed("'%s': a block is a line NAME FILE [endless | equivalent] and three more" % lines[0])
+        self.number, self.name, self.file, self.kind = number, words[0], "restrip/" + words[1], words[2] if words[2:] else ""
+        self.text, self.fault = lines[2].strip(), lines[3].strip()
+        if self.text.count("«") != 1 or self.text.count("»") != 1 or not re.fullmatch("[a-z0-9_]+", self.name):
+            raise Malformed("%s: the name has lower-case letters, the third line one «expression»" % self.name)
+
+    def place(self, source):
+        """Where the expression begins and ends in the source."""
+        before, rest = self.text.split("«")
+        inside, after = rest.split("»")
+        pattern = [r"\s*".join(map(re.escape, re.findall(r"\w+|[^\w\s]", part))) for part in (before, inside, after)]
+        found = list(re.finditer(r"%s\s*(%s)\s*%s" % tuple(pattern), source))
+        if len(found) != 1:
+            raise Malformed("%s: found %d times in %s: %s" % (self.name, len(found), self.file, self.text))
+        return found[0].span(1)
+
+
+def mutated(source, mutants, begin, end):
+    """The source from begin to end with these (place, mutant); those inside others are put in first."""
+    result, at = "", begin
+    mutants = sorted(mutants, key=lambda item: (item[0][0], -item[0][1]))
+    while mutants:
+        (first, last), mutant = mutants.pop(0)
+        inner = [item for item in mutants if item[0][0] < last]
+        mutants = mutants[len(inner):]
+        for (_, inner_last), other in inner:
+            if inner_last > last:
+                raise Malformed("%s and %s overlap" % (mutant.name, other.name))
+        result += source[at:first]
+        result += "(restrip_mutant(%d) ? (%s) : (%s))" % (mutant.number, mutant.fault, mutated(source, inner, first, last))
+        at = last
+    return result + source[at:end]
+
+
+def main(list_file, headers, copy):
+    text = re.sub(r"(?m)^#.*\n", "", Path(list_file).read_text(encoding="utf-8"))
+    blocks = [block.splitlines() for block in re.split(r"\n\s*\n", text) if block.strip()]
+    mutants = [Mutant(number, [line for line in lines if line.strip()]) for number, lines in enumerate(blocks, 1)]
+    if len({mutant.name for mutant in mutants}) != len(mutants) or not mutants:
+        raise Malformed("no fault, or two of the same name")
+    headers, copy = Path(headers), Path(copy)
+    sources = {path.relative_to(headers).as_posix(): path.read_text() for path in headers.rglob("*.hpp")}
+    placed, wrong = {}, []
+    for mutant in mutants:
+        try:
+            placed.setdefault(mutant.file, []).append((mutant.place(sources.get(mutant.file, "")), mutant))
+        except Malformed as error:
+            wrong.append(str(error))
+    if wrong:
+        raise Malformed("\n".join(wrong))
+    for file, faults in placed.items():
+        source = sources[file]
+        if "#pragma once\n" not in source:
+            raise Malformed("%s: without #pragma once" % file)
+        sources[file] = mutated(source, faults, 0, len(source)).replace("#pragma once\n", '#pragma once\n#include "mutants.hpp"\n', 1)
+    names = ", ".join('{"%s", %s, %s}' % (mutant.name, str(mutant.kind == "endless").lower(), str(mutant.kind == "equivalent").lower())
+                      for mutant in mutants)
+    sources["mutants.hpp"] = HEADER.format(names=names)
+    for file, source in sources.items():
+        path = copy / file
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.exists() or path.read_text() != source:
+            path.write_text(source)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    try:
+        main(*sys.argv[1:])
+    except Malformed as error:
+        sys.exit("mutate.py: %s: %s" % (sys.argv[1], error))
