@@ -52,6 +52,14 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   return restrip::testing_support::allocate(size, static_cast<std::size_t>(alignment));
 }
 void* operator new[](std::size_t size) { return restrip::testing_support::allocate(size, 1); }
+void* operator new(std::size_t size, const std::nothrow_t& /*tag*/) noexcept {
+  try {
+    return operator new(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+void operator delete(void* memory, const std::nothrow_t& /*tag*/) noexcept { operator delete(memory); }
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
