@@ -1,6 +1,6 @@
 // Batches of disjoint operations on one and two threads, against the plain loop. Real time: a batch is as slow as its
 // slowest thread.
-#include "restrip/batch.hpp"
+#include "restrip/operations/batch.hpp"
 
 #include <benchmark/benchmark.h>
 

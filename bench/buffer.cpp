@@ -3,10 +3,10 @@
 // operation, or after sixteen or 256 of them.
 #include <benchmark/benchmark.h>
 
-#include "restrip/strip_buffer.hpp"
-#include "restrip/strips.hpp"
+#include "common/stopwatch.hpp"
+#include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/strips.hpp"
 #include "settings.hpp"
-#include "stopwatch.hpp"
 #include "way.hpp"
 
 namespace restrip::bench {
@@ -18,8 +18,8 @@ void keep(benchmark::State& state, const std::string& name, Way way, std::size_t
   const std::size_t low = player.level_of(0.95);
   player.up_to(top);
   const StripMesh start = player.mesh();
-  replay::Medians with;
-  replay::Medians without;
+  tools::Medians with;
+  tools::Medians without;
   std::size_t bytes = 0;
   std::size_t ranges = 0;
   std::size_t rebuilt = 0;
@@ -68,7 +68,7 @@ void keep(benchmark::State& state, const std::string& name, Way way, std::size_t
 void write_whole(benchmark::State& state, const std::string& name, Way way) {
   Player player(name, way);
   player.up_to(subject(name).mesh.splits.size());
-  replay::Medians time;
+  tools::Medians time;
   std::size_t bytes = 0;
   for ([[maybe_unused]] auto _ : state) {
     time.time([&] { bytes = 4 * strip_indices(player.mesh(), extract_strips(player.mesh())).size(); });

@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "restrip/strips.hpp"
+#include "restrip/output/strips.hpp"
 
 namespace restrip::bench {
 

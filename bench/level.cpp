@@ -12,11 +12,11 @@
 #include <algorithm>
 #include <map>
 
+#include "common/stopwatch.hpp"
 #include "count.hpp"
-#include "restrip/strip_buffer.hpp"
-#include "restrip/stripify.hpp"
+#include "restrip/output/strip_buffer.hpp"
+#include "restrip/search/stripify.hpp"
 #include "settings.hpp"
-#include "stopwatch.hpp"
 #include "way.hpp"
 
 namespace restrip::bench {
@@ -48,9 +48,9 @@ const Below& below(const std::string& name, Way way, int percent) {
 void move(benchmark::State& state, const std::string& name, Way way, int percent) {
   const Below& start = below(name, way, percent);
   Player player(name, way);
-  replay::Medians up;
-  replay::Medians down;
-  replay::Medians with_buffer;
+  tools::Medians up;
+  tools::Medians down;
+  tools::Medians with_buffer;
   std::vector<Triangle> changed;
   for ([[maybe_unused]] auto _ : state) {
     player.restart(start.mesh, start.from);
@@ -133,7 +133,7 @@ void run_meshoptimizer(benchmark::State& state, const std::string& name, int per
   if (order == Order::given) find_order();
   std::vector<std::uint32_t> strips(meshopt_stripifyBound(list.indices.size()));
   std::size_t count = 0;
-  replay::Medians time;
+  tools::Medians time;
   for ([[maybe_unused]] auto _ : state) {
     time.time([&] {
       if (order == Order::found) find_order();
@@ -155,7 +155,7 @@ void run_openmesh(benchmark::State& state, const std::string& name, int percent)
   for (std::size_t i = 0; i < list.indices.size(); i += 3)
     mesh.add_face(vertices[list.indices[i]], vertices[list.indices[i + 1]], vertices[list.indices[i + 2]]);
   OpenMesh::StripifierT<Mesh> stripifier(mesh);
-  replay::Medians time;
+  tools::Medians time;
   for ([[maybe_unused]] auto _ : state) {
     time.time([&] { stripifier.stripify(); });
     state.SetIterationTime(1e-9 * time.nanoseconds());
@@ -168,8 +168,8 @@ void run_openmesh(benchmark::State& state, const std::string& name, int percent)
 
 void run_from_scratch(benchmark::State& state, const std::string& name, int percent) {
   StripMesh mesh = list_of(name, percent).mesh;
-  replay::Medians time;
-  replay::Medians indices;
+  tools::Medians time;
+  tools::Medians indices;
   for ([[maybe_unused]] auto _ : state) {
     time.time([&] { stripify_fast(mesh); });
     indices.time([&] { benchmark::DoNotOptimize(strip_indices(mesh, extract_strips(mesh)).data()); });

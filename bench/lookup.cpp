@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "restrip/rules.hpp"
+#include "restrip/rules/rules.hpp"
 
 namespace {
 

@@ -2,9 +2,9 @@
 // every way against the bare mesh update by turns; and the parts of a split one by one.
 #include <benchmark/benchmark.h>
 
+#include "common/stopwatch.hpp"
 #include "settings.hpp"
 #include "spread.hpp"
-#include "stopwatch.hpp"
 #include "way.hpp"
 
 namespace restrip::bench {
@@ -56,10 +56,10 @@ struct Pass {
     });
   }
 
-  replay::Medians split;
-  replay::Medians split_from_vertices;
-  replay::Medians collapse;
-  replay::Medians flip;
+  tools::Medians split;
+  tools::Medians split_from_vertices;
+  tools::Medians collapse;
+  tools::Medians flip;
   std::size_t flips = 1;
 
  private:
@@ -101,7 +101,7 @@ void parts(benchmark::State& state) {
     Rule rule;
     Halfedge at;
   };
-  std::array<replay::Medians, 8> times;
+  std::array<tools::Medians, 8> times;
   for ([[maybe_unused]] auto _ : state) {
     StripMesh mesh = g.mesh;
     std::vector<Work> work(n);

@@ -15,7 +15,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-HEADERS = ["restrip/rules.hpp", "restrip/operations.hpp", "restrip/linked.hpp", "restrip/keeper.hpp", "restrip/batch.hpp",
+HEADERS = ["restrip/rules/rules.hpp", "restrip/operations/operations.hpp", "restrip/operations/linked.hpp", "restrip/search/keeper.hpp", "restrip/operations/batch.hpp",
            "restrip/restrip.hpp"]
 
 

@@ -2,9 +2,9 @@
 // nanoseconds an operation.
 #include <benchmark/benchmark.h>
 
+#include "common/stopwatch.hpp"
 #include "count.hpp"
 #include "settings.hpp"
-#include "stopwatch.hpp"
 #include "way.hpp"
 
 namespace restrip::bench {
@@ -14,10 +14,10 @@ void replay(benchmark::State& state, const std::string& name, Way way) {
   Player with(name, way);
   Player bare(name, Way::bare);
   const std::size_t top = subject(name).mesh.splits.size();
-  replay::Medians up;
-  replay::Medians down;
-  replay::Medians up_bare;
-  replay::Medians down_bare;
+  tools::Medians up;
+  tools::Medians down;
+  tools::Medians up_bare;
+  tools::Medians down_bare;
   for ([[maybe_unused]] auto _ : state) {
     with.restart();
     up.time([&] { with.up_to(top); });

@@ -4,12 +4,12 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
-#include "made_mesh.hpp"
-#include "restrip/strip_buffer.hpp"
-#include "restrip/stripify.hpp"
+#include "common/stopwatch.hpp"
+#include "meshes/made_mesh.hpp"
+#include "restrip/output/strip_buffer.hpp"
+#include "restrip/search/stripify.hpp"
 #include "settings.hpp"
 #include "spread.hpp"
-#include "stopwatch.hpp"
 #include "way.hpp"
 
 namespace restrip::bench {
@@ -35,10 +35,10 @@ const LargeGround& ground(std::size_t triangles) {
   static LargeGround g;
   if (g.triangles == triangles) return g;
   g = {};
-  const replay::Soup soup = replay::make_mesh(triangles);
-  replay::Medians build;
+  const tools::Soup soup = tools::make_mesh(triangles);
+  tools::Medians build;
   build.time([&] { g.mesh = StripMesh::build(soup.triangles, soup.points.size()); });
-  replay::Medians greedy;
+  tools::Medians greedy;
   greedy.time([&] { stripify_fast(g.mesh); });
   const auto each = static_cast<double>(g.mesh.triangle_count());
   g.build_ns = build.nanoseconds() / each;
@@ -53,7 +53,7 @@ const LargeGround& ground(std::size_t triangles) {
 
 /// Down and up again over some sites, in nanoseconds an operation.
 void pass(const std::vector<Site>& sites, StripMesh& mesh, std::optional<StripKeeper>& keeper, Way way,
-          replay::Medians& down, replay::Medians& up) {
+          tools::Medians& down, tools::Medians& up) {
   with_operations(way, mesh, keeper, [&](const auto& operations) {
     down.time([&] {
       for (const Site& site : sites) operations.collapse(mesh.spoke(site.v_s, site.v_t));
@@ -75,8 +75,8 @@ void scale(benchmark::State& state, std::size_t triangles, Way way, bool side_by
   const double with_mesh = allocated_bytes();
   if (way != Way::bare) keeper.emplace(mesh, policy_of(way));
   const double with_keeper = allocated_bytes();
-  replay::Medians down;
-  replay::Medians up;
+  tools::Medians down;
+  tools::Medians up;
   for ([[maybe_unused]] auto _ : state) {
     pass(sites, mesh, keeper, way, down, up);
     state.SetIterationTime(1e-9 * (down.nanoseconds() + up.nanoseconds()));
@@ -98,7 +98,7 @@ void buffer_memory(benchmark::State& state, std::size_t triangles) {
   const LargeGround& g = ground(triangles);
   for ([[maybe_unused]] auto _ : state) {
     const double before = allocated_bytes();
-    replay::Medians time;
+    tools::Medians time;
     std::optional<StripBuffer> buffer;
     time.time([&] { buffer.emplace(g.mesh); });
     const auto all = static_cast<double>(g.mesh.triangle_count());

@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "made_mesh.hpp"
-#include "random.hpp"
-#include "restrip/batch.hpp"
-#include "restrip/checks.hpp"
-#include "restrip/rules.hpp"
-#include "restrip/strip_mesh.hpp"
-#include "restrip/stripify.hpp"
+#include "common/random.hpp"
+#include "meshes/made_mesh.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/batch.hpp"
+#include "restrip/rules/rules.hpp"
+#include "restrip/search/stripify.hpp"
 
 namespace restrip::bench {
 
@@ -30,7 +30,7 @@ struct Site {
 inline void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Halfedge chord, std::vector<Site>& sites) {
   if (check_collapse(mesh, chord) != Refusal::granted || mesh.leaves_boundary(chord) ||
       mesh.leaves_boundary(mesh.opposite(chord)) ||
-      detail::spokes(mesh, mesh.from(chord)) + detail::spokes(mesh, mesh.to(chord)) > table_max_k + 4 ||
+      spoke_count(mesh, mesh.from(chord)) + spoke_count(mesh, mesh.to(chord)) > table_max_k + 4 ||
       claims.claim(chord, sites.size()))
     return;
   const StripMesh::Halfedge back = mesh.opposite(chord);
@@ -40,7 +40,7 @@ inline void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Half
 
 /// Up to `count` disjoint legal collapses of interior edges, at random places in random order.
 [[nodiscard]] inline std::vector<Site> spread_out_sites(const StripMesh& mesh, std::size_t count) {
-  replay::Random random(1);
+  tools::Random random(1);
   PatchClaims claims(mesh);
   std::vector<Site> sites;
   const auto triangles = static_cast<std::uint32_t>(mesh.triangle_bound());
@@ -70,7 +70,7 @@ struct Ground {
   std::vector<Site> sites;
 };
 [[nodiscard]] inline Ground make_ground(std::size_t triangles, Effort effort, std::size_t sites) {
-  const replay::Soup soup = replay::make_mesh(triangles);
+  const tools::Soup soup = tools::make_mesh(triangles);
   Ground ground{StripMesh::build(soup.triangles, soup.points.size()), {}};
   stripify(ground.mesh, effort);
   ground.sites = spread_out_sites(ground.mesh, sites);

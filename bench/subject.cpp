@@ -2,11 +2,11 @@
 
 #include <map>
 
-#include "made_mesh.hpp"
-#include "mesh_file.hpp"
-#include "restrip/stripify.hpp"
+#include "lod/simplify.hpp"
+#include "meshes/made_mesh.hpp"
+#include "meshes/mesh_file.hpp"
+#include "restrip/search/stripify.hpp"
 #include "settings.hpp"
-#include "simplify.hpp"
 
 namespace restrip::bench {
 namespace {
@@ -15,14 +15,14 @@ std::filesystem::path file_of(const std::string& name) {
   return settings().meshes / (name == "dragon" ? "dragon_vrip.ply" : name + ".obj");
 }
 
-replay::Soup read(const std::string& name) {
-  if (name == "made") return replay::make_mesh(settings().quick ? 2'000 : replay::default_made_triangles);
-  return replay::read_mesh(file_of(name));
+tools::Soup read(const std::string& name) {
+  if (name == "made") return tools::make_mesh(settings().quick ? 2'000 : tools::default_made_triangles);
+  return tools::read_mesh(file_of(name));
 }
 
 Subject make(const std::string& name) {
   Subject made;
-  made.mesh = replay::simplify(read(name)).mesh;
+  made.mesh = tools::simplify(read(name)).mesh;
   made.base = StripMesh::build(made.mesh.base, made.mesh.points.size());
   stripify(made.base, Effort::full);
   made.triangles = made.mesh.fine_triangles();
@@ -47,10 +47,10 @@ const Subject& subject(const std::string& name) {
 
 bool has_baked(const std::string& name) { return name != "dragon"; }
 
-const replay::BakedMesh& baked_subject(const std::string& name) {
-  static std::map<std::string, replay::BakedMesh> made;
+const tools::BakedMesh& baked_subject(const std::string& name) {
+  static std::map<std::string, tools::BakedMesh> made;
   const auto found = made.find(name);
-  return found != made.end() ? found->second : made.emplace(name, replay::bake(subject(name).mesh)).first->second;
+  return found != made.end() ? found->second : made.emplace(name, tools::bake(subject(name).mesh)).first->second;
 }
 
 }  // namespace restrip::bench

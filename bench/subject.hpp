@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "bake.hpp"
-#include "progressive_mesh.hpp"
-#include "restrip/strip_mesh.hpp"
+#include "lod/bake.hpp"
+#include "lod/progressive_mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip::bench {
 
 struct Subject {
-  replay::ProgressiveMesh mesh;  ///< quadric collapses to 2 %
-  StripMesh base;                ///< with strips from scratch
-  std::size_t triangles = 0;     ///< of the finest level
+  tools::ProgressiveMesh mesh;  ///< quadric collapses to 2 %
+  StripMesh base;               ///< with strips from scratch
+  std::size_t triangles = 0;    ///< of the finest level
 };
 
 /// "made", and "bunny" and "dragon" where their files are.
@@ -23,6 +23,6 @@ struct Subject {
 
 /// Baking the dragon takes minutes (docs/baked.md has its figures), so it is left out here.
 [[nodiscard]] bool has_baked(const std::string& name);
-[[nodiscard]] const replay::BakedMesh& baked_subject(const std::string& name);
+[[nodiscard]] const tools::BakedMesh& baked_subject(const std::string& name);
 
 }  // namespace restrip::bench

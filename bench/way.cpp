@@ -12,7 +12,7 @@ std::size_t Player::level_of(double share) const {
   const auto wanted = static_cast<std::size_t>(share * static_cast<double>(subject_->triangles));
   std::size_t triangles = subject_->mesh.base.size();
   std::size_t level = 0;
-  for (const replay::Record& record : subject_->mesh.splits) {
+  for (const tools::Record& record : subject_->mesh.splits) {
     if (triangles >= wanted) break;
     triangles += record.v_l != none && record.v_r != none ? 2 : 1;
     ++level;
@@ -32,7 +32,7 @@ void Player::restart(const StripMesh& mesh, std::size_t level) {
 void Player::restart() { restart(way_ == Way::baked ? baked_->base : subject_->base, 0); }
 
 void Player::up_to(std::size_t level) {
-  const std::vector<replay::Record>& splits = subject_->mesh.splits;
+  const std::vector<tools::Record>& splits = subject_->mesh.splits;
   if (player_) {
     for (; level_ < level; ++level_) player_->split(level_, spokes_of(mesh_, splits[level_]), splits[level_].v_t);
     return;
@@ -43,7 +43,7 @@ void Player::up_to(std::size_t level) {
 }
 
 void Player::down_to(std::size_t level) {
-  const std::vector<replay::Record>& splits = subject_->mesh.splits;
+  const std::vector<tools::Record>& splits = subject_->mesh.splits;
   const auto chord = [&](std::size_t i) { return mesh_.spoke(splits[i].v_s, splits[i].v_t); };
   if (player_) {
     for (; level_ > level; --level_) player_->collapse(level_ - 1, chord(level_ - 1));

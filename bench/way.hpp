@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "restrip/baked.hpp"
-#include "restrip/keeper.hpp"
-#include "restrip/operations.hpp"
-#include "restrip/strip_mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/baked.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/search/keeper.hpp"
 #include "subject.hpp"
 
 namespace restrip::bench {
@@ -88,7 +88,7 @@ class Player {
 
  private:
   const Subject* subject_;
-  const replay::BakedMesh* baked_ = nullptr;
+  const tools::BakedMesh* baked_ = nullptr;
   Way way_;
   std::size_t level_ = 0;
   StripMesh mesh_;

@@ -1,4 +1,4 @@
-// Packs the keys of each valence into few cells by row displacement (see runtime/include/restrip/rule_table.hpp).
+// Packs the keys of each valence into few cells by row displacement (see tables/include/restrip/tables/format.hpp).
 #pragma once
 
 #include <map>

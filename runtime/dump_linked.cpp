@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dump_output.hpp"
-#include "restrip/linked.hpp"
+#include "restrip/operations/linked.hpp"
 
 namespace restrip::dump {
 namespace {

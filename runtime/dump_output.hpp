@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "restrip/bits.hpp"
+#include "restrip/rules/bits.hpp"
 
 namespace restrip::dump {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "dump_output.hpp"
-#include "restrip/linked.hpp"
-#include "restrip/rules.hpp"
+#include "restrip/operations/linked.hpp"
+#include "restrip/rules/rules.hpp"
 
 namespace {
 

@@ -69,12 +69,12 @@ for source in $(git ls-files 'tests/*.cpp' ':!tests/cross/consumer' ':!tests/gen
   grep -qF "/$source\"" build/release/compile_commands.json || { echo "test.sh: no test has $source" >&2; false; }
 done
 
-# The verifier's two exhaustive mutation tests and the two longest of replay/ take minutes when instrumented. GCC's
+# The verifier's two exhaustive mutation tests and the two longest of tools/ take minutes when instrumented. GCC's
 # sanitizers raise a false warning inside Boost.Graph, so this build is also the one that shows Clang compiles us.
 beside "building with Clang and its sanitizers" cmake --build --preset sanitize
 part "testing (release)" ctest --preset release -j "$(nproc)"
 joined
-part "testing with sanitizers" ctest --preset sanitize -j "$(nproc)" -E 'BitFlips|Targeted|replay.(simplify|replay)_test'
+part "testing with sanitizers" ctest --preset sanitize -j "$(nproc)" -E 'BitFlips|Targeted|tools.(simplify|replay)_test'
 
 # A test that wants something which is not there is skipped and counted; with RESTRIP_MESHES set nothing may be skipped.
 say "counting what was skipped"

@@ -1,5 +1,5 @@
 // CGAL's Euler operations on a Surface_mesh, with strips: the same as StripMesh, edge by edge.
-#include "restrip/adapters/cgal.hpp"
+#include "restrip/mesh/adapters/cgal.hpp"
 
 #include <CGAL/Simple_cartesian.h>
 

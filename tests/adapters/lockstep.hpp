@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/checks.hpp"
-#include "restrip/linked.hpp"
-#include "restrip/operations.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/operations/linked.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/output/strips.hpp"
 
 namespace restrip {
 
@@ -62,7 +62,7 @@ class Lockstep {
 
   void split_both() {
     std::vector<Halfedge> spokes;
-    detail::for_each_spoke(mesh_, mesh_.from(any()), [&](Halfedge h) { spokes.push_back(h); });
+    for_each_spoke(mesh_, mesh_.from(any()), [&](Halfedge h) { spokes.push_back(h); });
     VertexSplit<Halfedge> where{spokes[pick(spokes.size())], spokes[pick(spokes.size())]};
     using Spokes = VertexSplit<Halfedge>::Spokes;
     if (mesh_.leaves_boundary(where.left) && pick(2) == 0)

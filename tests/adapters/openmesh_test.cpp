@@ -1,5 +1,5 @@
 // OpenMesh's own vertex_split, collapse and flip, with strips: the same as StripMesh, edge by edge.
-#include "restrip/adapters/openmesh.hpp"
+#include "restrip/mesh/adapters/openmesh.hpp"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 

@@ -5,15 +5,61 @@ set(allowed_in_files "${std}|\"files/.*\"|<fmt/.*>|<(fcntl|signal|unistd|sys/sta
 set(allowed_in_generator "${std}|\"files/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
 set(allowed_in_verify "${std}|<(boost/graph|fmt|nauty|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
-set(allowed_in_tables "\"restrip/rule_table.hpp\"")
-set(allowed_in_replay "${std}|\"(files|restrip)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<unistd.h>")
+set(allowed_in_tables "${std}|\"restrip/tables/([a-z]+_)?format.hpp\"")
+set(allowed_in_tools "${std}|\"(files|restrip|common|meshes|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<unistd.h>")
+set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
+string(APPEND allowed_in_bench "|\"(files|common|meshes|lod|replay)/.*\"")  # bench/ measures the mesh programs too
 # Doors that are there on purpose: adapters to other libraries, the other backend of batches.
 set(door_adapters "<(OpenMesh|CGAL)/.*>")
 set(door_parallel_ranges "<tbb/.*>")
 # restrip-sat writes files as the other programs do. What the verifier reads, it reads by itself.
 set(door_sat "\"files/(output|system_calls).hpp\"")
-set(never_in_replay "restrip/tables/")
+set(never_in_tools "restrip/tables/")
+# Bodies are private to the floor whose manual lies beside them; see below.
+set(never_in_examples "/impl/")
+set(never_in_bench "/impl/")
+
+# The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
+set(floors_runtime tables precondition.hpp rules|mesh operations|output search restrip.hpp)
+set(floors_tools files|restrip common meshes lod replay paper app)
+
+# floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
+function(floor_of room folder out)
+  set(${out} -1 PARENT_SCOPE)
+  set(number 0)
+  foreach(floor IN LISTS floors_${room})
+    if(folder MATCHES "^(${floor})$")
+      set(${out} ${number} PARENT_SCOPE)
+    endif()
+    math(EXPR number "${number} + 1")
+  endforeach()
+endfunction()
+
+# judge_floor(ROOM FOLDER WHAT OUT): OUT is true when a file of FOLDER ("search", "search/impl") must not include WHAT for its floor.
+function(judge_floor room folder what out)
+  set(${out} FALSE PARENT_SCOPE)
+  if(NOT what MATCHES "^\"(restrip/)?([a-z_.]+)(/impl)?(/.*)?\"$")
+    return()
+  endif()
+  set(there ${CMAKE_MATCH_2})
+  set(body "${CMAKE_MATCH_3}")
+  if(room STREQUAL "tools" AND what MATCHES "^\"restrip/")
+    if(body)
+      set(${out} TRUE PARENT_SCOPE)
+    endif()
+    return()
+  endif()
+  string(REGEX REPLACE "/.*" "" here "${folder}")
+  if(here STREQUAL there)
+    return()
+  endif()
+  floor_of(${room} "${here}" from)
+  floor_of(${room} "${there}" to)
+  if(from EQUAL -1 OR to EQUAL -1 OR NOT to LESS from OR body)
+    set(${out} TRUE PARENT_SCOPE)
+  endif()
+endfunction()
 
 # judge(ROOM SOURCE LINE OUT): OUT is true when the include line breaks a wall.
 function(judge room source line out)
@@ -21,6 +67,17 @@ function(judge room source line out)
   string(REGEX REPLACE "^#include +([<\"][^>\"]+[>\"]).*$" "\\1" what "${line}")
   if(DEFINED never_in_${room} AND what MATCHES "${never_in_${room}}")
     return()
+  endif()
+  if(DEFINED floors_${room})
+    string(REGEX REPLACE "^${ROOT}/${room}/(include/restrip/)?" "" path "${source}")
+    # Programs that print what the headers answer lie above all floors; a file without a folder is a floor of its own.
+    if(path MATCHES "/" OR path MATCHES "^(restrip|precondition).hpp$")
+      string(REGEX REPLACE "/[^/]*$" "" folder "${path}")
+      judge_floor(${room} "${folder}" "${what}" wrong_floor)
+      if(wrong_floor)
+        return()
+      endif()
+    endif()
   endif()
   if(source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
      OR source MATCHES "/parallel_ranges" AND what MATCHES "^(${door_parallel_ranges})$"
@@ -35,15 +92,11 @@ function(judge room source line out)
     if(EXISTS "${folder}/${name}" OR EXISTS "${ROOT}/${room}/${name}")
       set(${out} FALSE PARENT_SCOPE)
     endif()
-    # bench/ measures the mesh programs too.
-    if(room STREQUAL "bench" AND EXISTS "${ROOT}/replay/${name}")
-      set(${out} FALSE PARENT_SCOPE)
-    endif()
   endif()
 endfunction()
 
 set(seen 0)
-foreach(room IN ITEMS files generator verify runtime tables replay bench)
+foreach(room IN ITEMS files generator verify runtime tables tools examples bench)
   file(GLOB_RECURSE sources ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/verify/formal/")  # printers of their own, compiled by its script
   foreach(source IN LISTS sources)
@@ -52,7 +105,7 @@ foreach(room IN ITEMS files generator verify runtime tables replay bench)
       math(EXPR seen "${seen} + 1")
       judge(${room} ${source} "${line}" broken)
       if(broken)
-        message(SEND_ERROR "${source}: ${line}: ${room}/ must not include this")
+        message(SEND_ERROR "${source}: ${line}: must not be included here (rooms and floors: CONTRIBUTING.md)")
       endif()
     endforeach()
   endforeach()
@@ -61,18 +114,48 @@ if(seen LESS 500)
   message(FATAL_ERROR "only ${seen} include lines were read; has a room moved?")
 endif()
 
-# The check itself must be able to fail, for every room.
-foreach(wrong IN ITEMS "generator|\"restrip/rules.hpp\"" "generator|<restrip/tables/split.hpp>" "verify|\"restrip/rules.hpp\""
-                       "verify|\"../generator/patch.hpp\"" "runtime|<fmt/format.h>" "runtime|<boost/graph/graph_traits.hpp>"
-                       "runtime|<OpenMesh/Core/Mesh/Handles.hh>" "tables|<vector>" "tables|\"restrip/rules.hpp\""
-                       "verify|\"files/output.hpp\"" "files|\"restrip/rules.hpp\"" "files|\"soup.hpp\""
-                       "replay|\"restrip/tables/split.hpp\"" "replay|\"section.hpp\"" "bench|\"judgment.hpp\"")
+# No test but those of the runtime itself includes a body, and those include only the one that has no manual.
+file(GLOB_RECURSE sources ${ROOT}/tests/*.hpp ${ROOT}/tests/*.cpp)
+foreach(source IN LISTS sources)
+  file(STRINGS ${source} includes REGEX "^ *# *include.*restrip/.*/impl/")
+  foreach(line IN LISTS includes)
+    if(NOT (source MATCHES "/tests/runtime/" AND line MATCHES "\"restrip/search/impl/chunk_lists.hpp\""))
+      message(SEND_ERROR "${source}: ${line}: a body is private to its floor")
+    endif()
+  endforeach()
+endforeach()
+
+# The check itself must be able to fail, for every room and floor: path from the top | what it may not include.
+foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generator/any.cpp|<restrip/tables/split.hpp>"
+                       "verify/any.cpp|\"restrip/rules/rules.hpp\"" "verify/any.cpp|\"../generator/patch.hpp\""
+                       "runtime/include/restrip/rules/any.hpp|<fmt/format.h>"
+                       "runtime/include/restrip/mesh/any.hpp|<boost/graph/graph_traits.hpp>"
+                       "runtime/include/restrip/mesh/any.hpp|<OpenMesh/Core/Mesh/Handles.hh>"
+                       "tables/include/restrip/tables/any.hpp|<fmt/format.h>" "tables/include/restrip/tables/any.hpp|\"restrip/rules/rules.hpp\""
+                       "verify/any.cpp|\"files/output.hpp\"" "files/any.cpp|\"restrip/rules/rules.hpp\""
+                       "files/any.cpp|\"meshes/soup.hpp\"" "tools/app/any.cpp|\"restrip/tables/split.hpp\""
+                       "tools/app/any.cpp|\"section.hpp\"" "bench/any.cpp|\"judgment.hpp\"" "examples/any.cpp|\"meshes/soup.hpp\""
+                       "runtime/include/restrip/rules/any.hpp|\"restrip/mesh/mesh.hpp\""
+                       "runtime/include/restrip/mesh/any.hpp|\"restrip/rules/rules.hpp\""
+                       "runtime/include/restrip/mesh/any.hpp|\"restrip/operations/operations.hpp\""
+                       "runtime/include/restrip/mesh/impl/any.hpp|\"restrip/operations/operations.hpp\""
+                       "runtime/include/restrip/operations/any.hpp|\"restrip/search/keeper.hpp\""
+                       "runtime/include/restrip/operations/any.hpp|\"restrip/output/strips.hpp\""
+                       "runtime/include/restrip/output/any.hpp|\"restrip/operations/operations.hpp\""
+                       "runtime/include/restrip/search/any.hpp|\"restrip/restrip.hpp\""
+                       "runtime/include/restrip/search/any.hpp|\"restrip/mesh/impl/strip_mesh.hpp\""
+                       "runtime/include/restrip/precondition.hpp|\"restrip/mesh/refusal.hpp\""
+                       "tools/common/any.cpp|\"meshes/soup.hpp\"" "tools/meshes/any.cpp|\"lod/simplify.hpp\""
+                       "tools/lod/any.cpp|\"replay/replay.hpp\"" "tools/replay/any.cpp|\"paper/paper.hpp\""
+                       "tools/paper/any.cpp|\"app/commands.hpp\"" "tools/app/any.cpp|\"restrip/search/impl/tunnel.hpp\""
+                       "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\"")
   string(REPLACE "|" ";" wrong "${wrong}")
-  list(GET wrong 0 room)
+  list(GET wrong 0 source)
   list(GET wrong 1 what)
-  judge(${room} ${ROOT}/${room}/any.cpp "#include ${what}" broken)
+  string(REGEX REPLACE "/.*" "" room "${source}")
+  judge(${room} ${ROOT}/${source} "#include ${what}" broken)
   if(NOT broken)
-    message(SEND_ERROR "the wall around ${room}/ lets ${what} through")
+    message(SEND_ERROR "${source} may include ${what}")
   endif()
 endforeach()
 message(STATUS "${seen} include lines, no wall broken")

@@ -14,8 +14,8 @@
 #include "files/reading.hpp"
 #include "files/system_calls.hpp"
 #include "folder_contents.hpp"
-#include "replay/scratch_folder.hpp"
 #include "support/failing_new.hpp"
+#include "tools/scratch_folder.hpp"
 
 namespace restrip::files {
 namespace {
@@ -69,7 +69,7 @@ std::size_t open_descriptors() {
   return static_cast<std::size_t>(std::distance(fs::begin(all), fs::end(all)));
 }
 
-class Faults : public replay::ScratchFolder {
+class Faults : public tools::ScratchFolder {
  protected:
   void SetUp() override {
     ScratchFolder::SetUp();

@@ -16,14 +16,14 @@
 #include "files/file_error.hpp"
 #include "files/system_calls.hpp"
 #include "folder_contents.hpp"
-#include "replay/scratch_folder.hpp"
+#include "tools/scratch_folder.hpp"
 
 namespace restrip::files {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Outputs : public replay::ScratchFolder {
+class Outputs : public tools::ScratchFolder {
  protected:
   [[nodiscard]] fs::path at(const char* name) const { return folder_ / name; }
   /// What is said of this output before anything is written; the folder must stay as it is.

@@ -9,12 +9,12 @@
 
 #include "files/file_error.hpp"
 #include "folder_contents.hpp"
-#include "replay/scratch_folder.hpp"
+#include "tools/scratch_folder.hpp"
 
 namespace restrip::files {
 namespace {
 
-using Reading = replay::ScratchFolder;
+using Reading = tools::ScratchFolder;
 
 std::string complaint(const std::filesystem::path& file, const ReadLimits& limits = {}) {
   try {

@@ -7,14 +7,14 @@
 #include <fstream>
 #include <iterator>
 
+#include "common/random.hpp"
 #include "fuzz.hpp"
-#include "random.hpp"
 #include "support/failing_new.hpp"
 
 namespace restrip::fuzz {
 namespace {
 
-using replay::Random;
+using tools::Random;
 
 std::string altered(std::string bytes, const std::string& other, Random& random) {
   const auto below = [&](std::size_t bound) { return random.below(static_cast<std::uint32_t>(bound)); };

@@ -1,21 +1,21 @@
 // Meshes and progressive meshes. Of an accepted mesh strips are made; an accepted baked one is written and read again.
 #include <fmt/format.h>
 
-#include "bad_input.hpp"
-#include "bake.hpp"
-#include "baked_file.hpp"
-#include "coloring_check.hpp"
-#include "mesh_file.hpp"
-#include "pm_file.hpp"
-#include "replay/shapes.hpp"
-#include "restrip/stripify.hpp"
-#include "simplify.hpp"
+#include "common/bad_input.hpp"
+#include "lod/bake.hpp"
+#include "lod/baked_file.hpp"
+#include "lod/coloring_check.hpp"
+#include "lod/pm_file.hpp"
+#include "lod/simplify.hpp"
+#include "meshes/mesh_file.hpp"
+#include "tools/shapes.hpp"
+#include "restrip/search/stripify.hpp"
 #include "target.hpp"
 
 namespace restrip::fuzz {
 namespace {
 
-using namespace replay;
+using namespace tools;
 
 bool play(const Soup& soup) {
   for (const Corners& t : soup.triangles)

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "restrip/exact.hpp"
+#include "restrip/rules/exact.hpp"
 #include "restrip/tables/boundary_split.hpp"
 #include "restrip/tables/collapse.hpp"
 #include "restrip/tables/fan_collapse.hpp"

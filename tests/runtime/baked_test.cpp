@@ -1,6 +1,6 @@
 // Baked flips give exactly the colouring they were taken from, and give it back; a sequence played up and down is the
 // same bit for bit; what is played out of order is noticed, done by the rules, and leaves a valid colouring.
-#include "restrip/baked.hpp"
+#include "restrip/operations/baked.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "restrip/checks.hpp"
-#include "restrip/stripify.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {

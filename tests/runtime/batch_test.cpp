@@ -4,7 +4,7 @@
 // What is compared is the whole mesh: corners, opposite halfedges, colours, first spokes, bounds, and the free lists by
 // taking every handle that is left. What operations overlap is known here from the corners of all triangles, read one
 // after the other, and from what an operation really writes when it is done alone.
-#include "restrip/batch.hpp"
+#include "restrip/operations/batch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/strips.hpp"
+#include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -79,7 +79,7 @@ class Chooser {
     const Vertex v = mesh.from(any_halfedge(mesh));
     if (mesh.irregular(v)) return std::nullopt;
     std::vector<Halfedge> spokes;
-    detail::for_each_spoke(mesh, v, [&](Halfedge h) { spokes.push_back(h); });
+    for_each_spoke(mesh, v, [&](Halfedge h) { spokes.push_back(h); });
     SplitRequest request;
     request.where = {spokes[pick(spokes.size())], spokes[pick(spokes.size())], Spokes::both};
     if (mesh.leaves_boundary(spokes[0]) && pick(3) == 0)

@@ -5,7 +5,7 @@
 // every edge, between every two spokes and under every vertex name, on every list of few triangles over four and five
 // vertices, on random lists (mostly no manifolds), and on meshes with and without boundary and what random operations
 // make of them. Granted operations are done, and the mesh must be the list that the other side made.
-#include "restrip/checks.hpp"
+#include "restrip/mesh/checks.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -18,8 +18,9 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/checked.hpp"
-#include "restrip/operations.hpp"
+#include "restrip/operations/checked.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
 #include "triangle_list.hpp"
 

@@ -1,6 +1,6 @@
 // ChunkLists against lists that are written out: the same neighbours, ranks that grow, the same directions, after any
 // mixture of operations; and with so little room for ranks that they have to be spread anew all the time.
-#include "restrip/detail/chunk_lists.hpp"
+#include "restrip/search/impl/chunk_lists.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "restrip/keeper.hpp"
-#include "restrip/linked.hpp"
-#include "restrip/strip_buffer.hpp"
-#include "restrip/stripify.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/operations/linked.hpp"
+#include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/keeper.hpp"
+#include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 #include "step_counter.hpp"
 
@@ -114,10 +114,10 @@ TEST(Cost, DividingTheMiddleOfAStripDoesNotDependOnItsLength) {
       const Halfedge h = mesh.spoke(n);
       const Where where{h, turn_ccw(mesh, h), Where::Spokes::right_only};
       growing[size].steps += cost_of([&] {
-                               detail::fan_triangles(mesh, where.right, patch);
+                               fan_triangles(mesh, where.right, patch);
                                index.before_patch(mesh, patch);
                                const auto done = split(mesh, where);
-                               detail::edge_triangles(mesh, done.halfedge, patch);
+                               edge_triangles(mesh, done.halfedge, patch);
                                index.after_patch(mesh, patch);
                              }).steps;
     }

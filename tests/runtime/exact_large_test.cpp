@@ -12,7 +12,7 @@
 
 #include "frontier_search.hpp"
 #include "naive_patch.hpp"
-#include "restrip/exact.hpp"
+#include "restrip/rules/exact.hpp"
 
 namespace {
 std::size_t allocations = 0;

@@ -2,7 +2,7 @@
 // position, valence by valence, against graphs with union-find.
 //
 // RESTRIP_EXHAUSTIVE=1 in the environment goes on to k = 12.
-#include "restrip/exact.hpp"
+#include "restrip/rules/exact.hpp"
 
 #include <gtest/gtest.h>
 

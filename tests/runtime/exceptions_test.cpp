@@ -20,11 +20,11 @@
 
 #include "index_agrees.hpp"
 #include "naive_patch.hpp"
-#include "restrip/baked.hpp"
-#include "restrip/checks.hpp"
-#include "restrip/keeper.hpp"
-#include "restrip/linked.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/operations/baked.hpp"
+#include "restrip/operations/linked.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
 
 namespace {
@@ -154,7 +154,7 @@ std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge 
     add([h](Throwing& m) { flip(m, h); }, [h](Throwing& m) { flip_and_adopt(m, h); },
         [h](Throwing& m) { flip_and_link(m, h); });
   std::vector<StripMesh::Halfedge> spokes;
-  detail::for_each_spoke(mesh, mesh.from(h), [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
+  for_each_spoke(mesh, mesh.from(h), [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
   const Where::Spokes kinds[] = {Where::Spokes::both, Where::Spokes::left_only, Where::Spokes::right_only};
   for (const Where::Spokes kind : kinds) {
     const Where where{h, spokes[random() % spokes.size()], kind};
@@ -192,7 +192,7 @@ TEST(Exceptions, InLongFansLeaveAValidColoring) {
     for (const unsigned percent : {60U, 95U}) {
       color_at_random(mesh, random, percent);
       std::vector<StripMesh::Halfedge> spokes;
-      detail::for_each_spoke(mesh, 0, [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
+      for_each_spoke(mesh, 0, [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
       const auto h = spokes[spokes.size() / 3];
       const auto all = operations_at(mesh, h, random);
       ASSERT_GE(all.size(), 3U);

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <set>
 
-#include "restrip/strip_index.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/strip_index.hpp"
 
 namespace restrip {
 

@@ -1,6 +1,6 @@
 // Tunnelling joins strips and never harms a colouring; a keeper's strips, counts and index are right after any mixture
 // of operations, and they stay few.
-#include "restrip/keeper.hpp"
+#include "restrip/search/keeper.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 #include "index_agrees.hpp"
 #include "random_operation.hpp"
-#include "restrip/stripify.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {

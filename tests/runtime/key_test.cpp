@@ -1,5 +1,5 @@
 // The key of every configuration, and its validity, against graphs with union-find; masks and bit strings alike.
-#include "restrip/key.hpp"
+#include "restrip/rules/key.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Linked rules against every recolouring there is: sound for whatever may lie out of sight, and none that is sound is
 // better. The test knows P' and Q as sets of pairs and follows them on a graph.
-#include "restrip/linked.hpp"
+#include "restrip/operations/linked.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "naive_patch.hpp"
-#include "restrip/checks.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -257,7 +257,7 @@ std::size_t left_to_link(const StripMesh& mesh, std::initializer_list<Vertex> ve
   }
   std::size_t n = 0;
   for (const Vertex v : vertices)
-    detail::for_each_spoke(mesh, v, [&](StripMesh::Halfedge spoke) {
+    for_each_spoke(mesh, v, [&](StripMesh::Halfedge spoke) {
       if (StripMesh::on_boundary(spoke)) return;
       const Triangle t = StripMesh::triangle(spoke);
       for (unsigned side = 0; side < 3; ++side) {
@@ -275,7 +275,7 @@ TEST(LinkedOperations, LeaveNothingToLinkAroundThem) {
   std::size_t operations = 0;
   for (const StripMesh& mesh : {sample::rectangle(3, 3), sample::tube(4, 3), sample::torus(4, 4), sample::octahedron()})
     for (Vertex v = 0; v < mesh.vertex_bound(); ++v)
-      detail::for_each_spoke(mesh, v, [&](StripMesh::Halfedge h) {
+      for_each_spoke(mesh, v, [&](StripMesh::Halfedge h) {
         const VertexSplit<StripMesh::Halfedge> where{h, mesh.spoke(v)};
         if (check_split(mesh, where) == Refusal::granted) {
           StripMesh copy = mesh;

@@ -4,7 +4,7 @@
 // triangles of the whole mesh with a count from scratch (small meshes) or every few hundred operations (the larger
 // ones): the sum of what all operations told is the change that the count finds. Fans that do not fit into words are
 // compared with a second search for the best recolouring.
-#include "restrip/operations.hpp"
+#include "restrip/operations/operations.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,9 @@
 
 #include "frontier_search.hpp"
 #include "naive_patch.hpp"
-#include "restrip/adopt.hpp"
-#include "restrip/checks.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/operations/adopt.hpp"
+#include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -50,7 +50,7 @@ std::string fault_of(const StripMesh& mesh) {
     if (corners[v] == 0 || mesh.irregular(v)) continue;
     if (!mesh.alive(mesh.spoke(v)) || mesh.from(mesh.spoke(v)) != v) return "a wrong first spoke";
     std::size_t met = 0;
-    detail::for_each_spoke(mesh, v, [&](Halfedge h) { met += StripMesh::on_boundary(h) ? 0U : 1U; });
+    for_each_spoke(mesh, v, [&](Halfedge h) { met += StripMesh::on_boundary(h) ? 0U : 1U; });
     if (met != corners[v]) return "a fan that is not whole from its first spoke";
   }
   return "";
@@ -105,7 +105,7 @@ class Walk {
 
   bool try_split() {
     std::vector<Halfedge> spokes;
-    detail::for_each_spoke(mesh, mesh.from(any_halfedge()), [&](Halfedge h) { spokes.push_back(h); });
+    for_each_spoke(mesh, mesh.from(any_halfedge()), [&](Halfedge h) { spokes.push_back(h); });
     Where where;
     where.left = spokes[pick(spokes.size())];
     where.right = spokes[pick(spokes.size())];
@@ -194,7 +194,7 @@ TEST(Operations, AnyValence) {
     // Give the fan some strips first, by operations of the rules themselves.
     for (unsigned round = 0; round < 3; ++round) {
       std::vector<Halfedge> spokes;
-      detail::for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
+      for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
       const Where where{spokes[1], spokes[1 + spokes.size() / (2 + round)], Where::Spokes::both};
       ASSERT_EQ(check_split(mesh, where), Refusal::granted);
       const ColoringReport before = check_coloring(mesh);
@@ -237,7 +237,7 @@ TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
                                           << (collapses ? " collapse" : " split"));
           StripMesh mesh = closed ? sample::double_cone(k) : open_fan(k);
           std::vector<Halfedge> spokes;
-          detail::for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
+          for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
           const Where where{spokes[k / 2], spokes[1]};
           Halfedge chord{};
           if (collapses) {
@@ -246,7 +246,7 @@ TEST(Operations, InvalidColorsBecomeDashedAtAnyValence) {
             spokes.clear();
             // One end of the new mesh edge is inside.
             const Vertex center = mesh.leaves_boundary(chord) ? mesh.to(chord) : mesh.from(chord);
-            detail::for_each_spoke(mesh, center, [&](Halfedge h) { spokes.push_back(h); });
+            for_each_spoke(mesh, center, [&](Halfedge h) { spokes.push_back(h); });
           }
           if (cycle) {
             for (const Halfedge h : spokes) mesh.set_solid(h, true);
@@ -400,7 +400,7 @@ TEST(Operations, LargeFansGetTheBestColors) {
     StripMesh mesh = closed ? sample::double_cone(k) : open_fan(k);
     color_at_random(mesh, random);
     std::vector<Halfedge> spokes;
-    detail::for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
+    for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
     Where where;
     std::size_t left = random() % spokes.size();
     std::size_t right = (left + 1 + random() % (spokes.size() - 1)) % spokes.size();
@@ -444,7 +444,7 @@ TEST(Operations, AdoptionGoesAroundTheWholeFan) {
   for (const StripMesh& mesh : {sample::rectangle(4, 3), sample::tube(5, 2), sample::octahedron()})
     for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
       std::vector<Halfedge> spokes;
-      detail::for_each_spoke(mesh, v, [&](Halfedge h) { spokes.push_back(h); });
+      for_each_spoke(mesh, v, [&](Halfedge h) { spokes.push_back(h); });
       for (const Halfedge start : spokes) {
         StripMesh copy = mesh;
         const Mending done = adopt_around(copy, start);
@@ -493,7 +493,7 @@ TEST(Operations, GoingDownAndUpGivesTheSameHandles) {
   // A split and its collapse leave the triangles as they were; so does the other order, after a first round has set the
   // handles.
   std::vector<Halfedge> spokes;
-  detail::for_each_spoke(mesh, mesh.from(h), [&](Halfedge s) { spokes.push_back(s); });
+  for_each_spoke(mesh, mesh.from(h), [&](Halfedge s) { spokes.push_back(s); });
   const auto first = split(mesh, Where{spokes[0], spokes[2], Where::Spokes::both});
   const auto up = corners();
   const Vertex v_s = mesh.from(first.halfedge);

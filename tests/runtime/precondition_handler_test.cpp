@@ -9,7 +9,7 @@ inline void report(const char* function, const char* sentence) {
 
 #include <gtest/gtest.h>
 
-#include "restrip/operations.hpp"
+#include "restrip/operations/operations.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {

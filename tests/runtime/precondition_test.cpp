@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
-#include "restrip/batch.hpp"
+#include "restrip/operations/batch.hpp"
+#include "restrip/output/strip_buffer.hpp"
 #include "restrip/restrip.hpp"
-#include "restrip/strip_buffer.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -343,7 +343,7 @@ TEST(InvalidColorings, AreRefusedByWhoeverReadsTheWholeMesh) {
   for (const bool cycle : {true, false}) {
     StripMesh mesh = sample::rectangle(3, 3);
     if (cycle) {
-      detail::for_each_spoke(mesh, 5, [&](Halfedge h) { mesh.set_solid(h, true); });
+      for_each_spoke(mesh, 5, [&](Halfedge h) { mesh.set_solid(h, true); });
     } else {
       Triangle t = 0;
       const auto inner = [&](unsigned side) {

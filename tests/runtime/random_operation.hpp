@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <random>
 
-#include "restrip/checks.hpp"
-#include "restrip/keeper.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/keeper.hpp"
 
 namespace restrip {
 

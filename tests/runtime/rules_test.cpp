@@ -1,9 +1,9 @@
 // The lookups: evaluated by the compiler, the same for mirrored and turned positions, sound and best by brute force.
-#include "restrip/rules.hpp"
+#include "restrip/rules/rules.hpp"
 
 #include <gtest/gtest.h>
 
-#include "restrip/operations.hpp"
+#include "restrip/operations/operations.hpp"
 
 namespace restrip {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "restrip/strip_mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip::sample {
 

@@ -5,7 +5,7 @@
 // RESTRIP_STATIC_PROOF_K is the largest k, 4 unless told otherwise.
 #include <gtest/gtest.h>
 
-#include "restrip/rules.hpp"
+#include "restrip/rules/rules.hpp"
 
 #ifndef RESTRIP_STATIC_PROOF_K
 #define RESTRIP_STATIC_PROOF_K 4

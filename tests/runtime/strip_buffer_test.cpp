@@ -1,5 +1,5 @@
 // The buffer draws the mesh after every update, and what is not reported has not changed.
-#include "restrip/strip_buffer.hpp"
+#include "restrip/output/strip_buffer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "random_operation.hpp"
-#include "restrip/keeper.hpp"
-#include "restrip/stripify.hpp"
+#include "restrip/search/keeper.hpp"
+#include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {

@@ -1,5 +1,5 @@
 // The index says of every triangle what walking its strip says, after any mixture of cuts, links and local rewrites.
-#include "restrip/strip_index.hpp"
+#include "restrip/search/strip_index.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,11 +8,11 @@
 
 #include "index_agrees.hpp"
 #include "random_operation.hpp"
-#include "restrip/checks.hpp"
-#include "restrip/detail/patch_triangles.hpp"
-#include "restrip/operations.hpp"
-#include "restrip/stripify.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/walks.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -46,10 +46,10 @@ void random_operation(StripIndex& index, StripMesh& mesh, std::mt19937& random, 
     index.after_patch(mesh, patch);
   } else if (!grow) {
     if (check_collapse(mesh, h) != Refusal::granted) return;
-    detail::edge_triangles(mesh, h, patch);
+    edge_triangles(mesh, h, patch);
     index.before_patch(mesh, patch);
     const auto done = collapse(mesh, h);
-    detail::fan_triangles(mesh, done.halfedge, patch);
+    fan_triangles(mesh, done.halfedge, patch);
     index.after_patch(mesh, patch);
   } else {
     using Spokes = VertexSplit<Halfedge>::Spokes;
@@ -60,10 +60,10 @@ void random_operation(StripIndex& index, StripMesh& mesh, std::mt19937& random, 
       where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
     if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return;
     if (check_split(mesh, where) != Refusal::granted) return;
-    detail::fan_triangles(mesh, h, patch);
+    fan_triangles(mesh, h, patch);
     index.before_patch(mesh, patch);
     const auto done = split(mesh, where);
-    detail::edge_triangles(mesh, done.halfedge, patch);
+    edge_triangles(mesh, done.halfedge, patch);
     index.after_patch(mesh, patch);
   }
 }

@@ -1,9 +1,9 @@
 // Strips from scratch are valid, the same every time, and few.
-#include "restrip/stripify.hpp"
+#include "restrip/search/stripify.hpp"
 
 #include <gtest/gtest.h>
 
-#include "restrip/strips.hpp"
+#include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {

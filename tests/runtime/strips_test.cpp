@@ -1,7 +1,7 @@
 // An index buffer, decoded the way a graphics card does it, gives back the mesh: each triangle once, oriented as
 // before. The decoder, the colouring check and the shortest encoding are computed here by other means than in the
 // library.
-#include "restrip/strips.hpp"
+#include "restrip/output/strips.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "restrip/strip_mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {

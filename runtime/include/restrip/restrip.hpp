@@ -1,24 +1,38 @@
 // restrip: triangle strips kept while the mesh changes, by local repairs proven optimal. Header-only, C++20, standard
 // library only.
 //
-// Start with operations.hpp (split, collapse, flip), mesh.hpp (what your mesh has to offer) and strip_mesh.hpp (a mesh
-// of ours).
+// Start with operations/operations.hpp (split, collapse, flip), mesh/mesh.hpp (what your mesh has to offer) and
+// mesh/strip_mesh.hpp (a mesh of ours). The folders are floors: each includes only those named before it here, and the
+// two of a line do not know each other.
+//
+//   rules/                   look a rule up: constexpr, knows no mesh
+//   mesh/                    what a mesh has to offer, a mesh of ours, checks of preconditions, walks
+//   operations/, output/     operations with strips kept; strips and index buffers out
+//   search/                  what looks further than a patch: strips from scratch, keepers with a policy
+//
+// Not included here: operations/batch.hpp (needs threads), mesh/adapters/ (need OpenMesh or CGAL).
 #pragma once
 
-#include "restrip/adopt.hpp"
-#include "restrip/baked.hpp"
-#include "restrip/checked.hpp"
-#include "restrip/checks.hpp"
-#include "restrip/exact.hpp"
-#include "restrip/keeper.hpp"
-#include "restrip/key.hpp"
-#include "restrip/linked.hpp"
-#include "restrip/mesh.hpp"
-#include "restrip/operations.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/mesh.hpp"
+#include "restrip/mesh/refusal.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
+#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/baked.hpp"
+#include "restrip/operations/checked.hpp"
+#include "restrip/operations/linked.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/strips.hpp"
 #include "restrip/precondition.hpp"
-#include "restrip/refusal.hpp"
-#include "restrip/rules.hpp"
-#include "restrip/strip_buffer.hpp"
-#include "restrip/strip_mesh.hpp"
-#include "restrip/stripify.hpp"
-#include "restrip/strips.hpp"
+#include "restrip/rules/bits.hpp"
+#include "restrip/rules/exact.hpp"
+#include "restrip/rules/key.hpp"
+#include "restrip/rules/rules.hpp"
+#include "restrip/search/greedy.hpp"
+#include "restrip/search/keeper.hpp"
+#include "restrip/search/rounds.hpp"
+#include "restrip/search/strip_index.hpp"
+#include "restrip/search/stripify.hpp"
+#include "restrip/search/tunnel.hpp"

@@ -1,9 +1,9 @@
 // Rules of the family collapse: 3471 in 6 blocks.
 // Written by `restrip-generate tables`. Do not edit: change the generator, then build the target `regenerate`.
-// Format 1, explained in restrip/rule_table.hpp.
+// Format 1, explained in restrip/tables/format.hpp.
 #pragma once
 
-#include "restrip/rule_table.hpp"
+#include "restrip/tables/format.hpp"
 
 namespace restrip::tables {
 

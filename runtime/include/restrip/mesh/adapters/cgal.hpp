@@ -1,0 +1,162 @@
+// restrip on a CGAL::Surface_mesh of triangles: CGAL's own Euler operations do the work, the strips are kept.
+//
+//   using Mesh = CGAL::Surface_mesh<Point>;
+//   restrip::SurfaceMeshStrips strips(mesh);                    // colours are an edge property map, all dashed
+//   restrip::collapse(strips, halfedge);                        // v_s -> v_t: v_t goes
+//   restrip::split(strips, {to_left, to_right}, point);         // point of the new vertex
+//
+// Include this header only where you have CGAL (5.4 or later).
+#pragma once
+
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <vector>
+
+#include "restrip/mesh/mesh.hpp"
+
+namespace restrip {
+
+/// Colours of the dual edges of a CGAL surface mesh. Models SplittableMesh, CollapsibleMesh and FlippableMesh. The mesh
+/// must outlive it.
+template <class Point>
+class SurfaceMeshStrips {
+ public:
+  using Mesh = CGAL::Surface_mesh<Point>;
+  using Halfedge = typename Mesh::Halfedge_index;
+  using Vertex = typename Mesh::Vertex_index;
+
+  explicit SurfaceMeshStrips(Mesh& mesh)
+      : mesh_(mesh),
+        solid_(mesh.template add_property_map<typename Mesh::Edge_index, bool>("e:restrip_solid", false).first) {}
+  ~SurfaceMeshStrips() { mesh_.remove_property_map(solid_); }
+  SurfaceMeshStrips(const SurfaceMeshStrips&) = delete;
+  SurfaceMeshStrips& operator=(const SurfaceMeshStrips&) = delete;
+
+  [[nodiscard]] Halfedge next(Halfedge h) const { return mesh_.next(h); }
+  [[nodiscard]] Halfedge opposite(Halfedge h) const { return mesh_.opposite(h); }
+  [[nodiscard]] bool on_boundary(Halfedge h) const { return mesh_.is_border(h); }
+  [[nodiscard]] bool solid(Halfedge h) const { return solid_[mesh_.edge(h)]; }
+  void set_solid(Halfedge h, bool solid) { solid_[mesh_.edge(h)] = solid; }
+
+  Halfedge insert_vertex(const VertexSplit<Halfedge>& where, const Point& point) {
+    using Spokes = typename VertexSplit<Halfedge>::Spokes;
+    const bool has_left = where.spokes != Spokes::right_only;
+    const bool has_right = where.spokes != Spokes::left_only;
+    const Vertex v_s = mesh_.source(has_left ? where.left : where.right);
+    // CGAL splits a vertex between two corners and leaves two gaps to be closed by A and D. A missing spoke's corner is
+    // outside.
+    const Halfedge into_left = has_left ? mesh_.opposite(where.left) : border_into(v_s);
+    const Halfedge into_right = has_right ? mesh_.opposite(where.right) : border_into(v_s);
+    if (into_left == into_right) return append(into_left, has_left, point);
+    const Halfedge left_tip = mesh_.prev(into_left);
+    const Halfedge right_tip = mesh_.prev(into_right);
+    const Halfedge back = CGAL::Euler::split_vertex(into_left, into_right, mesh_);
+    const Halfedge chord = mesh_.opposite(back);
+    mesh_.point(mesh_.target(chord)) = point;
+    // The edge of a spoke is now one of the new triangle's, and has the spoke's colour.
+    if (has_left) {
+      close_corner(left_tip, chord);
+      set_solid(mesh_.next(chord), false);
+      set_solid(mesh_.prev(chord), false);
+    }
+    if (has_right) {
+      close_corner(right_tip, back);
+      set_solid(mesh_.next(back), false);
+      set_solid(mesh_.prev(back), false);
+    }
+    return chord;
+  }
+  /// The new vertex is put where v_s is.
+  Halfedge insert_vertex(const VertexSplit<Halfedge>& where) {
+    using Spokes = typename VertexSplit<Halfedge>::Spokes;
+    const Halfedge spoke = where.spokes == Spokes::right_only ? where.right : where.left;
+    return insert_vertex(where, Point(mesh_.point(mesh_.source(spoke))));
+  }
+
+  Halfedge remove_vertex(Halfedge chord) {
+    const Halfedge back = mesh_.opposite(chord);
+    const bool has_left = !mesh_.is_border(chord);
+    const bool has_right = !mesh_.is_border(back);
+    // To the left the edge of v_t goes, to the right that of v_s, so that neither end loses its last triangle on the
+    // way; at the boundary the one that has a triangle beyond.
+    const auto open = [&](Halfedge h) { return mesh_.is_border(mesh_.opposite(h)); };
+    Halfedge left;
+    Halfedge right;
+    if (has_left) {
+      const Halfedge of_t = mesh_.next(chord);
+      const Halfedge of_s = mesh_.prev(chord);
+      const bool keep_t = !has_right && open(of_t);
+      left = keep_t ? of_t : mesh_.opposite(of_s);
+      CGAL::Euler::join_face(mesh_.opposite(keep_t ? of_s : of_t), mesh_);
+    }
+    if (has_right) {
+      const Halfedge of_s = mesh_.next(back);
+      const Halfedge of_t = mesh_.prev(back);
+      const bool keep_s = !has_left && open(of_s);
+      right = keep_s ? of_s : mesh_.opposite(of_t);
+      CGAL::Euler::join_face(mesh_.opposite(keep_s ? of_t : of_s), mesh_);
+    }
+    CGAL::Euler::join_vertex(back, mesh_);
+    // What fell together may lie on the boundary now, where nothing is solid.
+    if (has_left) set_solid(left, false);
+    if (has_right) set_solid(right, false);
+    return has_left ? left : right;
+  }
+
+  Halfedge turn_edge(Halfedge h) {
+    CGAL::Euler::flip_edge(h, mesh_);
+    return mesh_.opposite(h);
+  }
+
+ private:
+  /// The halfedge without a triangle that enters a boundary vertex.
+  [[nodiscard]] Halfedge border_into(Vertex v) const {
+    Halfedge h = mesh_.halfedge(v);
+    while (!mesh_.is_border(h)) h = mesh_.prev(mesh_.opposite(h));
+    return h;
+  }
+
+  /// Cuts the triangle off that lies between the apex, where `tip` ends, and the new mesh edge `side`.
+  void close_corner(Halfedge tip, Halfedge side) {
+    if (mesh_.is_border(tip))
+      CGAL::Euler::add_face_to_border(tip, side, mesh_);
+    else
+      CGAL::Euler::split_face(tip, side, mesh_);
+  }
+
+  /// Both corners are the same one: the new triangle hangs on the boundary edge of `border`.
+  Halfedge append(Halfedge border, bool fan_stays, const Point& point) {
+    const Vertex v_s = mesh_.target(border);
+    const Halfedge chord = CGAL::Euler::add_vertex_and_face_to_border(mesh_.prev(border), border, mesh_);
+    const Vertex v_t = mesh_.target(chord);
+    mesh_.point(v_t) = point;
+    if (fan_stays) return chord;
+    // The fan goes to v_t, and v_s keeps the new triangle alone: exchange the two vertices.
+    const std::vector<Halfedge> into_s = around(chord, true);
+    const std::vector<Halfedge> into_t = around(chord, false);
+    for (const Halfedge h : into_s) mesh_.set_target(h, v_t);
+    for (const Halfedge h : into_t) mesh_.set_target(h, v_s);
+    const Halfedge of_s = mesh_.halfedge(v_s);
+    mesh_.set_halfedge(v_s, mesh_.halfedge(v_t));
+    mesh_.set_halfedge(v_t, of_s);
+    return mesh_.opposite(chord);
+  }
+
+  /// The halfedges that enter one end of an edge: its source or its target.
+  [[nodiscard]] std::vector<Halfedge> around(Halfedge edge, bool source) const {
+    std::vector<Halfedge> list;
+    const Halfedge start = source ? mesh_.opposite(edge) : edge;
+    Halfedge h = start;
+    do {
+      list.push_back(h);
+      h = mesh_.opposite(mesh_.next(h));
+    } while (h != start);
+    return list;
+  }
+
+  Mesh& mesh_;
+  typename Mesh::template Property_map<typename Mesh::Edge_index, bool> solid_;
+};
+
+}  // namespace restrip

@@ -1,0 +1,152 @@
+// Preconditions of split, collapse and flip on a StripMesh: is this operation legal, and if not, why?
+//
+// A check changes nothing. An operation is granted exactly when all of this holds:
+//  - its halfedges are those of the mesh, and the vertices v_h, v_s, v_t, v_l, v_r that it names are regular
+//    (StripMesh::irregular), but for the new one, which has no triangle yet;
+//  - closed fans that are split have three triangles or more;
+//  - the mesh after it is as good as the one before: no edge of three triangles, no new irregular vertex, every
+//  interior
+//    vertex of the operation with three triangles or more, no vertex lost but the one that a collapse removes, the same
+//    topology.
+//
+// In debug builds (precondition.hpp) operations call these and abort on a refusal; with NDEBUG they check nothing. For
+// operations of unknown origin call these first, or checked_split() and friends (checked.hpp).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+#include "restrip/mesh/refusal.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
+
+namespace restrip {
+
+namespace detail {
+
+/// The number of spokes of v, or `most` if there are more: O(most), so that a fan of any size can be asked.
+inline std::size_t spokes_up_to(const StripMesh& mesh, Vertex v, std::size_t most) {
+  const StripMesh::Halfedge first = mesh.spoke(v);
+  StripMesh::Halfedge h = first;
+  for (std::size_t n = 1; n < most; ++n) {
+    if (StripMesh::on_boundary(h)) return n;
+    h = turn_ccw(mesh, h);
+    if (h == first) return n;
+  }
+  return most;
+}
+
+/// Triangles around the vertex that h leaves stay at least three when `fewer` of them go, or the vertex is on the
+/// boundary. Constant time.
+inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size_t fewer) {
+  return mesh.leaves_boundary(h) || spokes_up_to(mesh, mesh.from(h), 3 + fewer) == 3 + fewer;
+}
+
+/// Is a vertex other than v_l and v_r a neighbour of both v_s and v_t? O(sum of their valences), times the logarithm of
+/// the smaller one where both exceed `few`; only then it allocates.
+inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
+  constexpr std::size_t few = 32;
+  const auto other = [=](Vertex w) { return w != v_s && w != v_t && w != v_l && w != v_r; };
+  bool shared = false;
+  const bool s_has_few = spokes_up_to(mesh, v_s, few + 1) <= few;
+  if (s_has_few || spokes_up_to(mesh, v_t, few + 1) <= few) {
+    const Vertex many = s_has_few ? v_t : v_s;
+    for_each_spoke(mesh, s_has_few ? v_s : v_t, [&](StripMesh::Halfedge h) {
+      if (!shared && other(mesh.to(h)) && mesh.spoke(many, mesh.to(h)).id != none) shared = true;
+    });
+    return shared;
+  }
+  std::vector<Vertex> around;
+  for_each_spoke(mesh, v_s, [&](StripMesh::Halfedge h) { around.push_back(mesh.to(h)); });
+  std::sort(around.begin(), around.end());
+  for_each_spoke(mesh, v_t, [&](StripMesh::Halfedge h) {
+    if (other(mesh.to(h)) && std::binary_search(around.begin(), around.end(), mesh.to(h))) shared = true;
+  });
+  return shared;
+}
+
+}  // namespace detail
+
+/// May the vertex be split there? `new_vertex`: what the caller names the vertex to be made, or `none` for the next
+/// free one. O(1).
+[[nodiscard]] inline Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
+                                         Vertex new_vertex = none) {
+  using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
+  const bool has_left = where.spokes != Spokes::right_only;
+  const bool has_right = where.spokes != Spokes::left_only;
+  if ((has_left && !mesh.alive(where.left)) || (has_right && !mesh.alive(where.right))) return Refusal::no_such_edge;
+  const StripMesh::Halfedge first = has_left ? where.left : where.right;
+  if (has_left && has_right) {
+    if (mesh.from(where.left) != mesh.from(where.right)) return Refusal::different_vertices;
+    if (where.left == where.right) return Refusal::same_spoke;
+  }
+  if (mesh.irregular(mesh.from(first)) || (has_left && mesh.irregular(mesh.to(where.left))) ||
+      (has_right && mesh.irregular(mesh.to(where.right))))
+    return Refusal::irregular_vertex;
+  if (!(has_left && has_right) && !mesh.leaves_boundary(first)) return Refusal::spoke_on_boundary;
+  if (!detail::keeps_enough(mesh, first, 0)) return Refusal::too_few_triangles;
+  // `none` is above every bound.
+  if (new_vertex < mesh.vertex_bound() && mesh.spoke(new_vertex).id != none) return Refusal::vertex_in_use;
+  return Refusal::granted;
+}
+
+namespace detail {
+
+/// check_collapse for callers with an answer of their own to "is a vertex other than v_l and v_r a neighbour of both
+/// v_s and v_t?": shared(v_s, v_t, v_l, v_r). It is asked last; all the rest takes constant time.
+template <class Shared>
+[[nodiscard]] Refusal check_collapse_with(const StripMesh& mesh, StripMesh::Halfedge chord, Shared&& shared) {
+  if (!mesh.alive(chord)) return Refusal::no_such_edge;
+  const StripMesh::Halfedge back = mesh.opposite(chord);
+  const Vertex v_s = mesh.from(chord);
+  const Vertex v_t = mesh.to(chord);
+  if (mesh.irregular(v_s) || mesh.irregular(v_t)) return Refusal::irregular_vertex;
+  const bool left = !StripMesh::on_boundary(chord);
+  const bool right = !StripMesh::on_boundary(back);
+  const bool tail_on_boundary = mesh.leaves_boundary(chord);
+  const bool head_on_boundary = mesh.leaves_boundary(back);
+  if (left && right && tail_on_boundary && head_on_boundary) return Refusal::joins_boundaries;
+
+  Vertex v_l = none;
+  Vertex v_r = none;
+  for (const auto& [there, inward, apex] : {std::tuple{left, chord, &v_l}, {right, back, &v_r}}) {
+    if (!there) continue;
+    const StripMesh::Halfedge up = StripMesh::next(inward);
+    const StripMesh::Halfedge down = StripMesh::next(up);
+    *apex = mesh.from(down);
+    if (StripMesh::on_boundary(mesh.opposite(up)) && StripMesh::on_boundary(mesh.opposite(down)))
+      return Refusal::dangling_edge;
+    if (mesh.irregular(*apex)) return Refusal::irregular_vertex;
+    if (!keeps_enough(mesh, down, 1)) return Refusal::too_few_triangles;
+  }
+  // Of a fan of three triangles or more, because in the one other case, a tetrahedron, the apexes have too few.
+  return shared(v_s, v_t, v_l, v_r) ? Refusal::link_condition : Refusal::granted;
+}
+
+}  // namespace detail
+
+/// May the edge of `chord` be collapsed (link condition: Dey, Edelsbrunner, Guha, Nekhayev 1999)? A few steps on
+/// ordinary meshes; at worst O(n log n) for n = the sum of the valences of its two ends. Allocates only where both of
+/// them exceed 32.
+[[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord) {
+  return detail::check_collapse_with(mesh, chord, [&mesh](Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
+    return detail::share_neighbor(mesh, v_s, v_t, v_l, v_r);
+  });
+}
+
+/// May the edge of h be flipped? O(valence).
+[[nodiscard]] inline Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h) {
+  if (!mesh.alive(h)) return Refusal::no_such_edge;
+  const StripMesh::Halfedge back = mesh.opposite(h);
+  if (StripMesh::on_boundary(h) || StripMesh::on_boundary(back)) return Refusal::boundary_edge;
+  const Vertex l = mesh.to(StripMesh::next(h));
+  const Vertex r = mesh.to(StripMesh::next(back));
+  for (const Vertex v : {mesh.from(h), mesh.to(h), l, r})
+    if (mesh.irregular(v)) return Refusal::irregular_vertex;
+  // The ends of the edge keep enough triangles: where one has three, l and r are neighbours; where it has two, l is r.
+  return l == r || mesh.spoke(l, r).id != none ? Refusal::edge_exists : Refusal::granted;
+}
+
+}  // namespace restrip

@@ -1,0 +1,457 @@
+// StripMesh, member by member. Included by strip_mesh.hpp.
+#pragma once
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "restrip/mesh/strip_mesh.hpp"
+
+namespace restrip {
+
+inline void StripMesh::join(Halfedge g, Halfedge h) noexcept {
+  if (!on_boundary(g)) link_of(g) = on_boundary(h) ? edge_of_mesh : h.id << 1;
+  if (!on_boundary(h)) link_of(h) = on_boundary(g) ? edge_of_mesh : g.id << 1;
+  touch(triangle(g));
+  touch(triangle(h));
+}
+
+inline Triangle StripMesh::take_triangle() {
+  if (free_.empty()) {
+    triangles_.emplace_back();
+    return static_cast<Triangle>(triangles_.size() - 1);
+  }
+  const Triangle t = free_.back();
+  free_.pop_back();
+  return t;
+}
+
+inline void StripMesh::place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept {
+  triangles_[t] = {{a, b, c}, {edge_of_mesh, edge_of_mesh, edge_of_mesh}};
+  touch(t);
+}
+
+/// Room for `more` elements, so that appending them throws nothing.
+template <class Vector>
+void StripMesh::make_room(Vector& vector, std::size_t more) {
+  if (vector.capacity() - vector.size() < more) vector.reserve(std::max(vector.size() + more, 2 * vector.capacity()));
+}
+
+inline Vertex StripMesh::new_vertex(Vertex wanted) {
+  if (wanted == none) {
+    // Vertices that were named by a caller in the meantime are in use again: skip them.
+    while (!free_vertices_.empty()) {
+      const Vertex v = free_vertices_.back();
+      free_vertices_.pop_back();
+      if (spoke_[v] == none) return v;
+    }
+    if (spoke_.size() >= none) throw std::length_error("restrip: a StripMesh has at most 2^32 - 1 vertices");
+    wanted = static_cast<Vertex>(spoke_.size());
+  }
+  if (wanted >= spoke_.size()) {
+    make_room(spoke_, wanted + std::size_t{1} - spoke_.size());
+    make_room(irregular_, wanted + std::size_t{1} - irregular_.size());
+    spoke_.resize(wanted + std::size_t{1}, none);
+    irregular_.resize(spoke_.size(), 0);
+  }
+  return wanted;
+}
+
+inline StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex wanted) {
+  using Spokes = VertexSplit<Halfedge>::Spokes;
+  RESTRIP_ASSERT(wanted >= spoke_.size() || spoke_[wanted] == none, "StripMesh::take_room",
+                 describe(Refusal::vertex_in_use));
+  // What may throw comes first: then either everything has been taken or nothing.
+  const std::size_t needed = spokes == Spokes::both ? 2 : 1;
+  const std::size_t fresh = needed - std::min(needed, free_.size());
+  if (fresh > max_triangles - triangles_.size())
+    throw std::length_error("restrip: the mesh has as many triangles as a StripMesh can hold");
+  make_room(triangles_, fresh);
+  Room room;
+  room.vertex = new_vertex(wanted);
+  if (spokes != Spokes::right_only) room.left = take_triangle();
+  if (spokes != Spokes::left_only) room.right = take_triangle();
+  // In use from now on: a vertex that was named while it was free may be in the free list twice.
+  set_spoke(room.vertex, halfedge(room.left != none ? room.left : room.right, 0));
+  return room;
+}
+
+inline void StripMesh::give_back(const Room& room) {
+  if (room.right != none) free_.push_back(room.right);
+  if (room.left != none) free_.push_back(room.left);
+  free_vertices_.push_back(room.vertex);
+}
+
+inline void StripMesh::reserve(std::size_t triangles, std::size_t vertices) {
+  triangles_.reserve(triangles);
+  free_.reserve(triangles);
+  spoke_.reserve(vertices);
+  irregular_.reserve(vertices);
+  free_vertices_.reserve(vertices);
+}
+
+inline void StripMesh::clear_colors() noexcept {
+  for (Record& record : triangles_)
+    for (std::uint32_t& link : record.link)
+      if (link != edge_of_mesh) link &= ~1U;
+}
+
+inline StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
+  const Halfedge first = spoke(v);
+  if (first.id == none) return first;
+  Halfedge h = first;
+  do {
+    if (to(h) == w) return h;
+    if (on_boundary(h)) break;
+    h = turn_ccw(*this, h);
+  } while (!(h == first));
+  return {none};
+}
+
+inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, Vertex wanted,
+                                                    std::span<const Halfedge> moved) {
+  RESTRIP_ASSERT(check_split(*this, {left, right}, wanted) == Refusal::granted, "StripMesh::insert_vertex",
+                 describe(check_split(*this, {left, right}, wanted)));
+  return insert_vertex(left, right, take_room(VertexSplit<Halfedge>::Spokes::both, wanted), moved);
+}
+
+inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, const Room& room,
+                                                    std::span<const Halfedge> moved) noexcept {
+  const Vertex v_s = from(left);
+  const Vertex v_t = room.vertex;
+  for (const Halfedge h : moved) set_corner(h, v_t);
+  const Halfedge chord = insert_both(left, right, v_s, room);
+  const Halfedge back = opposite(chord);
+  set_spoke(v_t, back);
+  if (from(spoke(v_s)) != v_s) set_spoke(v_s, chord);
+  return chord;
+}
+
+inline StripMesh::Halfedge StripMesh::insert_both(Halfedge left, Halfedge right, Vertex v_s,
+                                                  const Room& room) noexcept {
+  const Halfedge before_left = opposite(left);
+  const Halfedge before_right = opposite(right);
+  const Triangle a = room.left;
+  const Triangle d = room.right;
+  place_triangle(a, v_s, room.vertex, from(before_left));
+  place_triangle(d, room.vertex, v_s, from(before_right));
+  join(halfedge(a, 2), left);
+  join(halfedge(a, 1), before_left);
+  join(halfedge(d, 2), right);
+  join(halfedge(d, 1), before_right);
+  join(halfedge(a, 0), halfedge(d, 0));
+  return halfedge(a, 0);
+}
+
+inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
+  RESTRIP_ASSERT(check_split(*this, where, wanted) == Refusal::granted, "StripMesh::insert_vertex",
+                 describe(check_split(*this, where, wanted)));
+  return insert_vertex(where, take_room(where.spokes, wanted));
+}
+
+inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept {
+  using Spokes = VertexSplit<Halfedge>::Spokes;
+  const bool has_left = where.spokes != Spokes::right_only;
+  const bool has_right = where.spokes != Spokes::left_only;
+  const Halfedge left = where.left;
+  const Halfedge right = where.right;
+  const Halfedge before_left = has_left ? opposite(left) : Halfedge{};
+  const Halfedge before_right = has_right ? opposite(right) : Halfedge{};
+  const Vertex v_s = from(has_left ? left : right);
+  const Vertex v_l = has_left ? to(left) : none;
+  const Vertex v_r = has_right ? to(right) : none;
+  const Vertex v_t = room.vertex;
+
+  // The triangles of v_t: counter-clockwise from `right`; where the boundary interrupts, the rest is clockwise of
+  // `left`.
+  const Halfedge old_spoke = spoke(v_s);
+  bool interrupted = !has_right;
+  if (has_right) {
+    Halfedge h = right;
+    while (!(has_left && h == left)) {
+      if (on_boundary(h)) {
+        interrupted = has_left;
+        break;
+      }
+      set_corner(h, v_t);
+      h = turn_ccw(*this, h);
+    }
+  }
+  if (interrupted) {
+    for (Halfedge back = opposite(left); !on_boundary(back); back = opposite(next(back))) {
+      const Halfedge h = next(back);  // leaves the vertex, its triangle is clockwise of the last one
+      set_corner(h, v_t);
+    }
+  }
+
+  Halfedge chord{};
+  if (has_left) {
+    const Triangle a = room.left;
+    place_triangle(a, v_s, v_t, v_l);
+    join(halfedge(a, 2), left);
+    join(halfedge(a, 1), before_left);
+    chord = halfedge(a, 0);
+    if (on_boundary(left) && spoke(v_l) == before_left) set_spoke(v_l, halfedge(a, 2));
+  }
+  if (has_right) {
+    const Triangle d = room.right;
+    place_triangle(d, v_t, v_s, v_r);
+    join(halfedge(d, 2), right);
+    join(halfedge(d, 1), before_right);
+    if (has_left)
+      join(halfedge(d, 0), chord);
+    else
+      chord = {halfedge(d, 0).id | outside};
+    if (on_boundary(right) && spoke(v_r) == before_right) set_spoke(v_r, halfedge(d, 2));
+  }
+
+  // First spokes. A boundary vertex must keep the one from which counter-clockwise turns meet all its triangles.
+  const Halfedge back = opposite(chord);
+  if (!interrupted) {
+    // v_t is interior, or (right only) starts at the chord.
+    set_spoke(v_t, back);
+    if (old_spoke == right && on_boundary(before_right))
+      set_spoke(v_s, next(back));
+    else if (from(old_spoke) != v_s)  // a closed fan's first spoke may have gone to v_t
+      set_spoke(v_s, has_left ? chord : old_spoke);
+  } else {
+    // v_s is interior, or (left only) starts at the chord.
+    set_spoke(v_s, chord);
+    set_spoke(v_t, old_spoke == left && on_boundary(before_left) ? next(chord) : old_spoke);
+  }
+  return chord;
+}
+
+inline void StripMesh::expect_back(std::size_t removals) {
+  make_room(free_, 2 * removals);
+  make_room(free_vertices_, removals);
+}
+
+inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
+  RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
+                 describe(check_collapse(*this, chord)));
+  expect_back(1);
+  Room freed;
+  const Halfedge merged = remove_vertex(chord, freed);
+  give_back(freed);
+  return merged;
+}
+
+inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, Room& freed) noexcept {
+  const Halfedge back = opposite(chord);
+  const bool has_left = !on_boundary(chord);
+  const bool has_right = !on_boundary(back);
+  const Vertex v_s = from(chord);
+  const Vertex v_t = to(chord);
+  const bool boundary_vertex = on_boundary(opposite(spoke(v_s))) || on_boundary(opposite(spoke(v_t)));
+
+  {
+    const Halfedge first = spoke(v_t);
+    Halfedge h = first;
+    do {
+      set_corner(h, v_s);
+      h = turn_ccw(*this, h);
+    } while (!(h == first) && !on_boundary(h));
+  }
+
+  const Halfedge merged = unlink(chord, back, has_left, has_right, freed);
+  freed.vertex = v_t;
+  set_spoke(v_t, {none});
+
+  Halfedge first = on_boundary(merged) ? next(opposite(merged)) : merged;
+  if (boundary_vertex)
+    while (!on_boundary(opposite(first))) first = turn_cw(*this, first);
+  set_spoke(v_s, first);
+  return merged;
+}
+
+inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved) {
+  RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
+                 describe(check_collapse(*this, chord)));
+  expect_back(1);
+  Room freed;
+  const Halfedge merged = remove_vertex(chord, moved, freed);
+  give_back(freed);
+  return merged;
+}
+
+inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<const Halfedge> moved,
+                                                    Room& freed) noexcept {
+  const Vertex v_s = from(chord);
+  const Vertex v_t = to(chord);
+  for (const Halfedge h : moved) set_corner(h, v_s);
+  const Halfedge merged = unlink(chord, opposite(chord), true, true, freed);
+  freed.vertex = v_t;
+  set_spoke(v_t, {none});
+  set_spoke(v_s, merged);
+  return merged;
+}
+
+/// Joins what lies on both sides of the triangles beside the chord, and empties these.
+inline StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right,
+                                             Room& freed) noexcept {
+  freed.left = freed.right = none;
+  Halfedge merged{};
+  if (has_right) {
+    const Halfedge to_right = next(back);         // v_s -> v_r
+    const Halfedge from_right = next(to_right);   // v_r -> v_t
+    const Halfedge below = opposite(to_right);    // v_r -> v_s
+    const Halfedge above = opposite(from_right);  // v_t -> v_r
+    const Vertex v_r = from(from_right);
+    join(below, above);
+    if (spoke(v_r) == from_right) set_spoke(v_r, below);
+    merged = on_boundary(above) ? opposite(below) : above;
+    freed.right = triangle(back);
+    place_triangle(freed.right, none, none, none);
+  }
+  if (has_left) {
+    const Halfedge to_left = next(chord);        // v_t -> v_l
+    const Halfedge from_left = next(to_left);    // v_l -> v_s
+    const Halfedge above = opposite(to_left);    // v_l -> v_t
+    const Halfedge below = opposite(from_left);  // v_s -> v_l
+    const Vertex v_l = from(from_left);
+    join(below, above);
+    if (spoke(v_l) == from_left) set_spoke(v_l, above);
+    merged = on_boundary(below) ? opposite(above) : below;
+    freed.left = triangle(chord);
+    place_triangle(freed.left, none, none, none);
+  }
+  return merged;
+}
+
+inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
+  RESTRIP_ASSERT(check_flip(*this, h) == Refusal::granted, "StripMesh::turn_edge", describe(check_flip(*this, h)));
+  const Halfedge g = opposite(h);
+  const Halfedge vl = next(h);
+  const Halfedge lu = next(vl);
+  const Halfedge ur = next(g);
+  const Halfedge rv = next(ur);
+  const Vertex u = from(h);
+  const Vertex v = from(g);
+  const Vertex l = from(lu);
+  const Vertex r = from(rv);
+  const std::array<Halfedge, 4> out{opposite(vl), opposite(lu), opposite(ur), opposite(rv)};
+  const std::array<bool, 4> color{solid(vl), solid(lu), solid(ur), solid(rv)};
+  const bool inner = solid(h);
+  const std::array<Halfedge, 4> old{vl, lu, ur, rv};
+
+  // h: r -> l, then l -> u, u -> r;  g: l -> r, then r -> v, v -> l.
+  const std::array<Halfedge, 4> now{next(next(g)), next(h), next(next(h)), next(g)};
+  const auto place = [this](Halfedge at, Vertex a, Vertex b, Vertex c) {
+    set_corner(at, a);
+    set_corner(next(at), b);
+    set_corner(next(next(at)), c);
+  };
+  place(h, r, l, u);
+  place(g, l, r, v);
+  join(h, g);
+  for (unsigned i = 0; i < 4; ++i) {
+    // Two sides of the quadrilateral may be neighbours of each other: follow them to where they are now.
+    Halfedge other = out[i];
+    for (unsigned j = 0; j < 4; ++j)
+      if (out[i] == old[j]) other = now[j];
+    join(now[i], other);
+    if (!on_boundary(other) && color[i]) set_solid(now[i], true);
+  }
+  if (inner) set_solid(h, true);
+  // First spokes that were halfedges of the two triangles now start elsewhere; v -> l and u -> r moved across.
+  for (const auto& [vertex, spoke_now] : {std::pair{u, now[2]}, {v, now[0]}, {l, now[1]}, {r, now[3]}}) {
+    const Triangle t = triangle(spoke(vertex));
+    if (t != triangle(h) && t != triangle(g)) continue;
+    Halfedge first = spoke_now;
+    while (!on_boundary(opposite(first))) {
+      first = turn_cw(*this, first);
+      if (first == spoke_now) break;
+    }
+    set_spoke(vertex, first);
+  }
+  return h;
+}
+
+inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
+                                  BuildReport* report_out, std::vector<std::uint32_t>* origin) {
+  if (triangles.size() > max_triangles) throw std::length_error("restrip: more triangles than a StripMesh can hold");
+  if (vertex_count > none) throw std::length_error("restrip: a StripMesh has at most 2^32 - 1 vertices");
+  StripMesh mesh;
+  BuildReport report;
+  mesh.spoke_.assign(vertex_count, none);
+  mesh.irregular_.assign(vertex_count, 0);
+  mesh.triangles_.reserve(triangles.size());
+  if (origin != nullptr) origin->clear();
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& [a, b, c] = triangles[i];
+    if (a >= vertex_count || b >= vertex_count || c >= vertex_count) {
+      ++report.out_of_range_triangles;
+    } else if (a == b || b == c || c == a) {
+      ++report.degenerate_triangles;
+    } else {
+      mesh.triangles_.push_back({triangles[i], {edge_of_mesh, edge_of_mesh, edge_of_mesh}});
+      if (origin != nullptr) origin->push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+
+  // Halfedges sorted by their smaller vertex (counting sort); the few that share one are matched by their larger one.
+  std::vector<std::uint32_t> start(vertex_count + 1, 0);
+  const auto each_halfedge = [&mesh](auto&& visit) {
+    for (Triangle t = 0; t < mesh.triangles_.size(); ++t)
+      for (unsigned s = 0; s < 3; ++s) visit(halfedge(t, s));
+  };
+  const auto low = [&mesh](Halfedge h) { return std::min(mesh.from(h), mesh.to(h)); };
+  const auto high = [&mesh](Halfedge h) { return std::max(mesh.from(h), mesh.to(h)); };
+  each_halfedge([&](Halfedge h) { ++start[low(h) + 1]; });
+  for (std::size_t v = 0; v < vertex_count; ++v) start[v + 1] += start[v];
+  std::vector<Halfedge> sorted(mesh.triangles_.size() * 3);
+  {
+    std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
+    each_halfedge([&](Halfedge h) { sorted[fill[low(h)]++] = h; });
+  }
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    const auto begin = sorted.begin() + start[v];
+    const auto end = sorted.begin() + start[v + 1];
+    std::sort(begin, end, [&](Halfedge g, Halfedge h) { return std::pair{high(g), g.id} < std::pair{high(h), h.id}; });
+    for (auto group = begin; group != end;) {
+      auto stop = group;
+      while (stop != end && high(*stop) == high(*group)) ++stop;
+      const auto size = stop - group;
+      if (size == 1) {
+        ++report.boundary_edges;
+      } else if (size == 2 && mesh.from(group[0]) == mesh.to(group[1])) {
+        mesh.join(group[0], group[1]);
+      } else {
+        ++(size == 2 ? report.inconsistent_edges : report.non_manifold_edges);
+        mesh.irregular_[low(*group)] = mesh.irregular_[high(*group)] = 1;
+      }
+      group = stop;
+    }
+  }
+  mesh.find_irregular_vertices(report);
+  if (report_out != nullptr) *report_out = report;
+  return mesh;
+}
+
+inline void StripMesh::find_irregular_vertices(BuildReport& report) {
+  std::vector<std::uint32_t> corners(spoke_.size(), 0);
+  for (Triangle t = 0; t < triangles_.size(); ++t) {
+    for (unsigned s = 0; s < 3; ++s) {
+      const Halfedge h = halfedge(t, s);
+      const Vertex v = from(h);
+      ++corners[v];
+      // On the boundary the first spoke is the one with nothing clockwise of it.
+      if (spoke_[v] == none || on_boundary(opposite(h))) set_spoke(v, h);
+    }
+  }
+  for (Vertex v = 0; v < spoke_.size(); ++v) {
+    if (spoke_[v] == none) continue;
+    std::uint32_t met = 0;
+    const Halfedge first = spoke(v);
+    Halfedge h = first;
+    do {
+      ++met;
+      h = turn_ccw(*this, h);
+    } while (!on_boundary(h) && !(h == first));
+    if (met != corners[v]) irregular_[v] = 1;
+    report.irregular_vertices += irregular_[v];
+  }
+}
+
+}  // namespace restrip

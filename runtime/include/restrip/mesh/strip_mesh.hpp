@@ -1,0 +1,304 @@
+// StripMesh: a compact triangle mesh whose dual edges carry a colour, for replays and for users who have no mesh of
+// their own.
+//
+// Flat arrays: 12 bytes a triangle for adjacency and colours, 12 for its corners, 5 a vertex. The data structure is the
+// corner table with explicit links (Rossignac, "Edgebreaker", 1999; Campagna, Kobbelt, Seidel, "Directed edges", 1998).
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "restrip/mesh/mesh.hpp"
+#include "restrip/mesh/refusal.hpp"
+#include "restrip/precondition.hpp"
+
+namespace restrip {
+
+using Vertex = std::uint32_t;    ///< index of a vertex
+using Triangle = std::uint32_t;  ///< index of a triangle
+inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+#ifndef RESTRIP_MAX_TRIANGLES
+/// The most triangles that a StripMesh holds, 2^29 - 1: a halfedge has 29 bits for its triangle. Tests define it
+/// smaller.
+#define RESTRIP_MAX_TRIANGLES ((std::size_t{1} << 29) - 1)
+#endif
+
+/// What StripMesh::build found in its input. Nothing is repaired in silence: every triangle of the input is either in
+/// the mesh or counted here as left out.
+struct BuildReport {
+  std::size_t degenerate_triangles = 0;    ///< left out: a corner twice
+  std::size_t out_of_range_triangles = 0;  ///< left out: a corner that is no vertex
+  std::size_t boundary_edges = 0;          ///< edges of one triangle
+  std::size_t non_manifold_edges = 0;      ///< edges of three triangles or more: no strip crosses them
+  std::size_t inconsistent_edges = 0;  ///< edges of two triangles that disagree in orientation: no strip crosses them
+  std::size_t irregular_vertices = 0;  ///< vertices of several fans or on one of the edges above: never operated on
+};
+
+/// An indexed triangle mesh with colored dual edges. Models SplittableMesh, CollapsibleMesh and FlippableMesh.
+///
+/// Triangle handles are stable until the triangle is removed; a removed handle is used again by the next insertion
+/// (last out, first in), so that going down and up again gives the same handles. At most `max_triangles` triangles.
+///
+/// Preconditions. Handles given to a function must be those of the mesh as it is now, unless the function says
+/// otherwise; debug builds check that (precondition.hpp).
+class StripMesh {
+ public:
+  /// A directed mesh edge: side s of triangle t runs from corner s to corner s + 1. On the boundary the halfedge
+  /// without triangle is named by the one opposite to it.
+  struct Halfedge {
+    std::uint32_t id = none;
+    friend constexpr bool operator==(Halfedge, Halfedge) = default;
+  };
+
+  static constexpr std::size_t max_triangles = RESTRIP_MAX_TRIANGLES;
+  static_assert(max_triangles < std::size_t{1} << 29);
+
+  StripMesh() = default;
+
+  /// Builds adjacency for triangles given as corner triples, counter-clockwise; all dual edges dashed. Linear time.
+  /// `vertex_count`: valid corners are 0 … vertex_count - 1. `origin`, if given, receives for each triangle of the mesh
+  /// its index in `triangles` (they differ only when some are left out). Throws std::length_error, before anything is
+  /// read, when there are more than `max_triangles` triangles or more than 2^32 - 1 vertices.
+  [[nodiscard]] static StripMesh build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
+                                       BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr);
+
+  // ---- walking
+  [[nodiscard]] static constexpr Halfedge halfedge(Triangle t, unsigned side) noexcept { return {t << 2 | side}; }
+  /// The triangle to the left; for a boundary halfedge, the triangle to the right.
+  [[nodiscard]] static constexpr Triangle triangle(Halfedge h) noexcept { return (h.id & ~outside) >> 2; }
+  [[nodiscard]] static constexpr unsigned side(Halfedge h) noexcept { return h.id & 3U; }
+  [[nodiscard]] static constexpr bool on_boundary(Halfedge h) noexcept { return (h.id & outside) != 0; }
+  [[nodiscard]] static constexpr Halfedge next(Halfedge h) noexcept { return {(h.id & ~3U) | side_after(side(h))}; }
+  [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::opposite", describe(Refusal::no_such_edge));
+    if (on_boundary(h)) return {h.id & ~outside};
+    const std::uint32_t link = link_of(h);
+    return {link == edge_of_mesh ? h.id | outside : link >> 1};
+  }
+  /// The vertex that h leaves.
+  [[nodiscard]] Vertex from(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::from", describe(Refusal::no_such_edge));
+    return on_boundary(h) ? corner_of({h.id & ~outside}, 1) : corner_of(h, 0);
+  }
+  /// The vertex that h enters.
+  [[nodiscard]] Vertex to(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::to", describe(Refusal::no_such_edge));
+    return on_boundary(h) ? corner_of({h.id & ~outside}, 0) : corner_of(h, 1);
+  }
+  /// A halfedge that leaves v, or {none} when v has no triangle. On the boundary it is the one from which turning
+  /// counter-clockwise meets every triangle of v.
+  [[nodiscard]] Halfedge spoke(Vertex v) const noexcept {
+    RESTRIP_ASSERT(v < spoke_.size(), "StripMesh::spoke", no_such_vertex);
+    return {spoke_[v]};
+  }
+  /// The halfedge v -> w, or {none}. O(valence of v). Boundary halfedges are found too.
+  [[nodiscard]] Halfedge spoke(Vertex v, Vertex w) const noexcept;
+
+  /// See restrip::fan_step: one look at the triangle's record.
+  [[nodiscard]] FanStep<Halfedge> fan_step(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::fan_step", describe(Refusal::no_such_edge));
+    RESTRIP_ASSERT(!on_boundary(h), "StripMesh::fan_step", describe(Refusal::boundary_edge));
+    const Record& record = triangles_[triangle(h)];
+    const unsigned s = side(h);
+    const unsigned before = side_before(s);
+    const std::uint32_t port = record.link[3 - s - before];
+    const std::uint32_t edge = record.link[before];
+    const std::uint32_t spoke = edge == edge_of_mesh ? ((h.id & ~3U) | before | outside) : edge >> 1;
+    return {(port & 1U) != 0, (edge & 1U) != 0, {spoke}};
+  }
+  /// See restrip::strip_step. From a triangle that is entered from nowhere, halfedge(t, 3), over its lowest solid side.
+  [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const noexcept {
+    const unsigned ways = solid_sides(triangle(in)) & ~(1U << side(in));
+    if (ways == 0) return {};
+    return {true, {triangles_[triangle(in)].link[static_cast<unsigned>(std::countr_zero(ways))] >> 1}};
+  }
+  /// True when the vertex that h leaves lies on the boundary. Constant time.
+  [[nodiscard]] bool leaves_boundary(Halfedge h) const noexcept { return on_boundary(opposite(spoke(from(h)))); }
+
+  // ---- colours
+  [[nodiscard]] bool solid(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::solid", describe(Refusal::no_such_edge));
+    return (link_of({h.id & ~outside}) & 1U) != 0;
+  }
+  /// The edge must not be on the boundary.
+  void set_solid(Halfedge h, bool solid) noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::set_solid", describe(Refusal::no_such_edge));
+    RESTRIP_ASSERT(!on_boundary(h) && link_of(h) != edge_of_mesh, "StripMesh::set_solid",
+                   describe(Refusal::boundary_edge));
+    std::uint32_t& link = link_of(h);
+    link = (link & ~1U) | static_cast<std::uint32_t>(solid);
+    std::uint32_t& back = link_of({link >> 1});
+    back = (back & ~1U) | static_cast<std::uint32_t>(solid);
+    touch(triangle(h));
+    touch(triangle({link >> 1}));
+  }
+  /// Number of solid dual edges of t: 0 (isolated), 1 (end of a strip) or 2 in a valid coloring.
+  [[nodiscard]] unsigned solid_degree(Triangle t) const noexcept {
+    RESTRIP_ASSERT(alive(t), "StripMesh::solid_degree", no_such_triangle);
+    unsigned degree = 0;
+    for (const std::uint32_t link : triangles_[t].link) degree += link & 1U;
+    return degree;
+  }
+  /// The sides of t whose dual edges are solid: bit s for side s.
+  [[nodiscard]] unsigned solid_sides(Triangle t) const noexcept {
+    RESTRIP_ASSERT(alive(t), "StripMesh::solid_sides", no_such_triangle);
+    const auto& link = triangles_[t].link;
+    return (link[0] & 1U) | (link[1] & 1U) << 1 | (link[2] & 1U) << 2;
+  }
+  /// Colours every dual edge dashed.
+  void clear_colors() noexcept;
+
+  // ---- operations on the mesh alone (restrip::split and friends keep the strips as well)
+  /// See SplittableMesh. The new vertex is `new_vertex`, or the next free one when none is given; vertices up to it are
+  /// allocated. Precondition: check_split() grants it. Throws std::length_error when the mesh has no room for another
+  /// triangle or vertex, or std::bad_alloc; nothing has changed then. The same holds for the other operations.
+  Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
+  /// The same for an interior vertex whose fan has been walked already: `moved` are the spokes whose left triangles go
+  /// to the new vertex, counter-clockwise from `right`.
+  Halfedge insert_vertex(Halfedge left, Halfedge right, Vertex new_vertex, std::span<const Halfedge> moved);
+  /// See CollapsibleMesh. Precondition: check_collapse() grants it.
+  Halfedge remove_vertex(Halfedge chord);
+  /// The same for a mesh edge with interior ends whose fans have been walked already: `moved` are the spokes of v_t
+  /// whose left triangles stay, counter-clockwise.
+  Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved);
+  /// See FlippableMesh. Precondition: check_flip() grants it.
+  Halfedge turn_edge(Halfedge h);
+
+  // ---- insertion and removal in two steps, for batches (batch.hpp): one thread takes handles and gives them back, in
+  // a
+  // ---- fixed order; between the two, insertions and removals on disjoint patches may run at the same time
+  /// The handles that an insertion takes and a removal gives back; `none` for the triangle that a one-sided operation
+  /// does not have.
+  struct Room {
+    Vertex vertex = none;
+    Triangle left = none;
+    Triangle right = none;
+    friend constexpr bool operator==(const Room&, const Room&) = default;
+  };
+  /// The handles that insert_vertex would use now. They are the caller's until an insertion fills them or they are
+  /// given back. Throws as insert_vertex does.
+  [[nodiscard]] Room take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex = none);
+  void give_back(const Room& room);
+  /// Room for the handles that this many removals give back, so that give_back does not throw.
+  void expect_back(std::size_t removals);
+  /// As above, into room taken before. What a check would read outside the patch is not checked here.
+  Halfedge insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept;
+  Halfedge insert_vertex(Halfedge left, Halfedge right, const Room& room, std::span<const Halfedge> moved) noexcept;
+  /// As above; `freed` receives the handles that become free and are still to be given back.
+  Halfedge remove_vertex(Halfedge chord, Room& freed) noexcept;
+  Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved, Room& freed) noexcept;
+
+  // ---- what has changed
+  /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
+  /// appended to *changed, some of them more than once. Null: no longer. Not for batches. When
+  /// *changed cannot grow for want of memory, std::terminate is called.
+  ///
+  /// A copy of the mesh is not watched. Moving the mesh takes its watch along: the new mesh is watched, the one moved
+  /// from no longer. A mesh that is assigned to keeps its own watch, unless a watched mesh is moved into it. The
+  /// assignment itself is not reported: all triangles may have changed.
+  void watch(std::vector<Triangle>* changed) noexcept { watch_.changed = changed; }
+
+  // ---- extent
+  /// Number of triangles alive.
+  [[nodiscard]] std::size_t triangle_count() const noexcept { return triangles_.size() - free_.size(); }
+  /// Triangle handles are below this bound.
+  [[nodiscard]] std::size_t triangle_bound() const noexcept { return triangles_.size(); }
+  [[nodiscard]] bool alive(Triangle t) const noexcept {
+    return t < triangles_.size() && triangles_[t].corner[0] != none;
+  }
+  /// Vertices are below this bound.
+  [[nodiscard]] std::size_t vertex_bound() const noexcept { return spoke_.size(); }
+  [[nodiscard]] bool alive(Halfedge h) const noexcept {
+    return side(h) < 3 && alive(triangle(h)) && (!on_boundary(h) || link_of({h.id & ~outside}) == edge_of_mesh);
+  }
+  /// Counter-clockwise. A removed triangle has `none` for corners.
+  [[nodiscard]] std::array<Vertex, 3> corners(Triangle t) const noexcept {
+    RESTRIP_ASSERT(t < triangles_.size(), "StripMesh::corners", no_such_triangle);
+    return triangles_[t].corner;
+  }
+  /// True for vertices that no operation may touch (see BuildReport::irregular_vertices).
+  [[nodiscard]] bool irregular(Vertex v) const noexcept {
+    RESTRIP_ASSERT(v < irregular_.size(), "StripMesh::irregular", no_such_vertex);
+    return irregular_[v] != 0;
+  }
+  /// Room for this many triangles and vertices, so that insertions up to there do not allocate.
+  void reserve(std::size_t triangles, std::size_t vertices);
+
+ private:
+  static constexpr const char* no_such_vertex = "the vertex is not one of this mesh";
+  static constexpr const char* no_such_triangle = "the triangle is not one of this mesh";
+  // A side of a triangle alive, seen from either side: alive(h), but while an operation is under way.
+  [[nodiscard]] bool is_side(Halfedge h) const noexcept { return side(h) < 3 && alive(triangle(h)); }
+
+  // Sides are as good as random: a branch would be guessed wrong one time in three.
+  [[nodiscard]] static constexpr unsigned side_after(unsigned s) noexcept { return 0b00'10'01U >> (2 * s) & 3U; }
+  [[nodiscard]] static constexpr unsigned side_before(unsigned s) noexcept { return 0b01'00'10U >> (2 * s) & 3U; }
+  static constexpr std::uint32_t outside = 1U << 31;
+  static constexpr std::uint32_t edge_of_mesh = none - 1;  // link of a side without neighbour; reads as dashed
+
+  struct Record {
+    std::array<Vertex, 3> corner;
+    std::array<std::uint32_t, 3> link;  // opposite halfedge << 1 | solid, or edge_of_mesh
+  };
+
+  // Whoever watches a mesh watches this one, wherever it is moved, not what is copied from it or into it.
+  struct Watch {
+    std::vector<Triangle>* changed = nullptr;
+    Watch() = default;
+    Watch(const Watch& /*other*/) noexcept {}
+    Watch(Watch&& other) noexcept : changed(std::exchange(other.changed, nullptr)) {}
+    Watch& operator=(const Watch& /*other*/) noexcept { return *this; }  // NOLINT(bugprone-unhandled-self-assignment)
+    Watch& operator=(Watch&& other) noexcept {
+      if (other.changed != nullptr) changed = std::exchange(other.changed, nullptr);
+      return *this;
+    }
+    ~Watch() = default;
+  };
+  void touch(Triangle t) noexcept {
+    if (watch_.changed != nullptr) watch_.changed->push_back(t);
+  }
+  void set_corner(Halfedge h, Vertex v) noexcept {
+    triangles_[triangle(h)].corner[side(h)] = v;
+    touch(triangle(h));
+  }
+  [[nodiscard]] Vertex corner_of(Halfedge h, unsigned turn) const noexcept {
+    return triangles_[triangle(h)].corner[turn == 0 ? side(h) : side_after(side(h))];
+  }
+  [[nodiscard]] std::uint32_t link_of(Halfedge h) const noexcept { return triangles_[triangle(h)].link[side(h)]; }
+  [[nodiscard]] std::uint32_t& link_of(Halfedge h) noexcept { return triangles_[triangle(h)].link[side(h)]; }
+  void join(Halfedge g, Halfedge h) noexcept;  // g or h may be on the boundary; dashed
+  template <class Vector>
+  static void make_room(Vector& vector, std::size_t more);
+  Triangle take_triangle();
+  void place_triangle(Triangle t, Vertex a, Vertex b, Vertex c) noexcept;
+  Halfedge insert_both(Halfedge left, Halfedge right, Vertex v_s, const Room& room) noexcept;
+  Halfedge unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right, Room& freed) noexcept;
+  void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
+  Vertex new_vertex(Vertex wanted);
+  void find_irregular_vertices(BuildReport& report);
+
+  std::vector<Record> triangles_;
+  std::vector<Triangle> free_;
+  std::vector<std::uint32_t> spoke_;
+  std::vector<std::uint8_t> irregular_;
+  std::vector<Vertex> free_vertices_;
+  Watch watch_;
+};
+
+// What the operations ask first in debug builds; defined in checks.hpp.
+[[nodiscard]] inline Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
+                                         Vertex new_vertex);
+[[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
+[[nodiscard]] inline Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
+
+}  // namespace restrip
+
+#include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/impl/strip_mesh.hpp"

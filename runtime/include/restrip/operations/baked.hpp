@@ -1,0 +1,215 @@
+// Baked strips: strips decided offline, played back at the price of a copy.
+//
+// A progressive mesh is fixed long before it is shown, so its strips can be too. `restrip bake` decides the strips of
+// every level with long searches and keeps, for each record, the dual edges whose colour it flips. At run time a split
+// flips exactly those, a collapse flips them back: no rule, no search, no state, and the strips of a level are the same
+// bit for bit however often and from which side it is reached.
+//
+//   BakedPlayer player(mesh, records);                 // mesh: the base, coloured as it was baked
+//   player.split(i, where, v_t);                       // record i, as the level grows
+//   player.collapse(i, chord);                         // and as it shrinks
+//
+// What a record flips is counted from the *plain* colouring, which is valid by itself: a split gives both halves of an
+// edge that it cuts the colour of that edge, so an inserted triangle is part of the strip that it lands on; all other
+// new dual edges are dashed. A collapse reads the same colours the other way round.
+//
+// The flips of a record hold for one mesh in one state: all records before it played, none after it. Whoever plays out
+// of order, or changes the mesh in between, falls back on the rules of operations.hpp; BakedPlayer does so by itself.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "restrip/mesh/mesh.hpp"
+#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/rules/bits.hpp"
+
+namespace restrip {
+
+/// What a baked operation did.
+template <class Halfedge>
+struct BakedRewrite {
+  Halfedge halfedge{};  ///< split: the chord v_s -> v_t; collapse: a spoke of v_s (see CollapsibleMesh)
+  int strips = 0;       ///< change in the number of strips
+};
+
+/// The flips of all records, one after the other. Each is a halfedge of the mesh as it is after the split; a dual edge
+/// is named once, by either of its halfedges.
+template <class Halfedge>
+struct BakedRecords {
+  std::vector<Halfedge> flips;
+  std::vector<std::uint32_t> first{0};  ///< of record i in `flips`; one more than records
+
+  [[nodiscard]] std::size_t size() const noexcept { return first.size() - 1; }
+  [[nodiscard]] std::span<const Halfedge> operator[](std::size_t record) const noexcept {
+    return {flips.data() + first[record], flips.data() + first[record + 1]};
+  }
+};
+
+namespace detail {
+
+/// Records of more flips allocate a bit for each.
+inline constexpr std::size_t flips_without_allocation = 512;
+
+/// Flips colours, those that become dashed first; returns how many more dual edges are solid.
+template <class Mesh>
+int flip_colors(Mesh& mesh, std::span<const typename Mesh::Halfedge> flips) {
+  Word few[flips_without_allocation / word_bits] = {};
+  std::vector<Word> many;
+  if (flips.size() > flips_without_allocation) many.resize(flips.size() / word_bits + 1, 0);
+  const std::span<Word> dashed = many.empty() ? std::span<Word>(few) : std::span<Word>(many);
+  int more = 0;
+  for (std::size_t i = 0; i < flips.size(); ++i) {
+    RESTRIP_ASSERT(knows(mesh, flips[i]), "flips of a baked record", describe(Refusal::no_such_edge));
+    RESTRIP_ASSERT(!mesh.on_boundary(flips[i]) && !mesh.on_boundary(mesh.opposite(flips[i])), "flips of a baked record",
+                   describe(Refusal::boundary_edge));
+    const bool solid = mesh.solid(flips[i]);
+    if (!solid) dashed[i / word_bits] |= bit(i % word_bits);
+    more += solid ? -1 : 1;
+  }
+  for (const bool light : {false, true})
+    for (std::size_t i = 0; i < flips.size(); ++i)
+      if (has(dashed[i / word_bits], i % word_bits) == light) mesh.set_solid(flips[i], light);
+  return more;
+}
+
+/// Before a collapse: the two halves of an edge that falls together, on one side of the chord.
+template <class Mesh>
+struct FallingEdge {
+  bool triangle = false;  ///< the chord has one on this side
+  bool solid = false;
+  typename Mesh::Halfedge before{};  ///< the halfedge before the joined one, in a triangle that stays
+
+  FallingEdge(const Mesh& mesh, typename Mesh::Halfedge chord) {
+    if (mesh.on_boundary(chord)) return;
+    triangle = true;
+    const auto half = mesh.next(chord);
+    solid = mesh.solid(half);
+    // The joined edge keeps the name of one of its halves, and the mesh says which: ask a neighbour that stays.
+    if (solid) before = mesh.next(mesh.next(mesh.opposite(half)));
+  }
+  void color(Mesh& mesh) const {
+    if (solid) mesh.set_solid(mesh.next(before), true);
+  }
+};
+
+}  // namespace detail
+
+/// Splits a vertex, colours the mesh plainly and flips `flips`, halfedges of the mesh after the split. Preconditions:
+/// those of split(), and the mesh in the state that the flips were baked for; of the latter debug builds check only
+/// that each flip is a dual edge of the mesh. `name`: the new vertex, for meshes that let the caller name it. Constant
+/// time but for the mesh operation and the flips; nothing is allocated but what the mesh allocates to grow, and one bit
+/// for each flip of a record with more than 512. After an exception the colouring is valid (mesh.hpp), but not one that
+/// further flips were baked for.
+template <SplittableMesh Mesh, class... Name>
+BakedRewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                                                  std::span<const typename Mesh::Halfedge> flips, Name... name) {
+  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_baked",
+                 describe(detail::refusal_of_split(mesh, where, name...)));
+  using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
+  const bool left = where.spokes != Spokes::right_only && mesh.solid(where.left);
+  const bool right = where.spokes != Spokes::left_only && mesh.solid(where.right);
+  const auto chord = mesh.insert_vertex(where, name...);
+  const auto color_both_halves = [&mesh](typename Mesh::Halfedge side) {
+    const auto half = mesh.next(side);
+    mesh.set_solid(half, true);
+    mesh.set_solid(mesh.next(half), true);
+  };
+  if (left) color_both_halves(chord);
+  if (right) color_both_halves(mesh.opposite(chord));
+  const int triangles = where.spokes == Spokes::both ? 2 : 1;
+  return {chord, triangles - int{left} - int{right} - detail::flip_colors(mesh, flips)};
+}
+
+/// The way back: flips `flips`, collapses the edge of `chord` = v_s -> v_t into v_s, and gives each joined edge the
+/// colour that its halves have then. Preconditions and cost as above.
+template <CollapsibleMesh Mesh>
+BakedRewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::Halfedge chord,
+                                                     std::span<const typename Mesh::Halfedge> flips) {
+  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_baked",
+                 describe(detail::refusal_of_collapse(mesh, chord)));
+  const int more = detail::flip_colors(mesh, flips);
+  const detail::FallingEdge<Mesh> left(mesh, chord);
+  const detail::FallingEdge<Mesh> right(mesh, mesh.opposite(chord));
+  const auto spoke = mesh.remove_vertex(chord);
+  left.color(mesh);
+  right.color(mesh);
+  const int triangles = int{left.triangle} + int{right.triangle};
+  return {spoke, int{left.solid} + int{right.solid} - triangles - more};
+}
+
+/// Plays the records of one baked mesh, and knows whether their flips still hold.
+///
+/// In step, record `level()` may be split and record `level() - 1` collapsed, by their flips. Anything else is out of
+/// order: it is done by the rules (split_and_adopt, collapse_and_adopt), and so is everything after it, because then
+/// neither colours nor names are those that were baked. The colouring stays valid; its strips age as those of the rules
+/// do. To get back into step put the mesh and its colours back to a baked level (the base, most easily) and call
+/// restart().
+template <class Mesh>
+requires SplittableMesh<Mesh> && CollapsibleMesh<Mesh>
+class BakedPlayer {
+ public:
+  using Halfedge = typename Mesh::Halfedge;
+
+  /// Mesh and records must outlive the player. `level`: records played so far.
+  BakedPlayer(Mesh& mesh, const BakedRecords<Halfedge>& records, std::size_t level = 0) noexcept
+      : mesh_(&mesh), records_(&records), level_(level) {}
+
+  /// False once something was played out of order.
+  [[nodiscard]] bool in_step() const noexcept { return in_step_; }
+  /// Records played so far, while in step.
+  [[nodiscard]] std::size_t level() const noexcept { return level_; }
+  /// May this record be split (collapsed) by its flips?
+  [[nodiscard]] bool can_split(std::size_t record) const noexcept {
+    return in_step_ && record == level_ && record < records_->size();
+  }
+  [[nodiscard]] bool can_collapse(std::size_t record) const noexcept { return in_step_ && record + 1 == level_; }
+
+  /// After an exception the player is out of step.
+  BakedRewrite<Halfedge> split(std::size_t record, const VertexSplit<Halfedge>& where, auto... name) {
+    RESTRIP_ASSERT(detail::refusal_of_split(*mesh_, where, name...) == Refusal::granted, "BakedPlayer::split",
+                   describe(detail::refusal_of_split(*mesh_, where, name...)));
+    if (can_split(record)) {
+      leave_step();
+      const auto done = split_baked(*mesh_, where, (*records_)[record], name...);
+      restart(level_ + 1);
+      return done;
+    }
+    leave_step();
+    const auto done = split_and_adopt(*mesh_, where, name...);
+    return {done.halfedge, done.strips};
+  }
+  BakedRewrite<Halfedge> collapse(std::size_t record, Halfedge chord) {
+    RESTRIP_ASSERT(detail::refusal_of_collapse(*mesh_, chord) == Refusal::granted, "BakedPlayer::collapse",
+                   describe(detail::refusal_of_collapse(*mesh_, chord)));
+    if (can_collapse(record)) {
+      leave_step();
+      const auto done = collapse_baked(*mesh_, chord, (*records_)[record]);
+      restart(level_ - 1);
+      return done;
+    }
+    leave_step();
+    const auto done = collapse_and_adopt(*mesh_, chord);
+    return {done.halfedge, done.strips};
+  }
+
+  /// Call before changing the mesh or its colours by any other way.
+  void leave_step() noexcept { in_step_ = false; }
+  /// The mesh and its colours are again those of this baked level.
+  void restart(std::size_t level = 0) noexcept {
+    level_ = level;
+    in_step_ = true;
+  }
+
+ private:
+  Mesh* mesh_;
+  const BakedRecords<Halfedge>* records_;
+  std::size_t level_;
+  bool in_step_ = true;
+};
+
+}  // namespace restrip

@@ -1,0 +1,133 @@
+// Batches: many splits or many collapses of a StripMesh at the same time.
+//
+// A rule reads and writes nothing outside its patch, so operations on disjoint patches commute (docs/theory.md, the
+// locality lemma). A batch is a list of such operations. Its result is that of doing them one by one in the order of
+// the list, byte for byte: the same triangle and vertex handles, links, colours and first spokes, whatever the number
+// of threads and whichever operation happens to run first. Only handles depend on an order, so one thread takes them
+// before the parallel part (splits) or gives them back after it (collapses), in the order of the list.
+//
+// Threads are std::jthread, or oneTBB when RESTRIP_USE_TBB is defined (then link TBB::tbb; define it alike in all
+// sources of a program). With one thread, the default, none is started.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/operations.hpp"
+
+namespace restrip {
+
+/// One split of a batch. `new_vertex`: a free vertex, or `none` for the next free one. In one batch either all requests
+/// name their new vertex or none does: a vertex that one request picks could be the one that another names.
+struct SplitRequest {
+  VertexSplit<StripMesh::Halfedge> where;
+  Vertex new_vertex = none;
+};
+
+struct BatchOptions {
+  /// 1: this thread alone; 0: as many as the machine runs. Batches of a few operations stay in this thread.
+  unsigned threads = 1;
+  /// True: the caller knows that every operation is granted and that no two overlap (PatchClaims); nothing is checked,
+  /// but in debug builds (precondition.hpp).
+  bool checked = false;
+};
+
+/// Why a batch was not done.
+enum class BatchFault {
+  done,           ///< nothing stands in the way
+  refused,        ///< a request alone is not possible: BatchReport::refusal says why
+  overlap,        ///< the patches of two requests overlap
+  vertex_in_use,  ///< a request names a new vertex that has triangles already
+  mixed_names     ///< some requests name their new vertex and some do not
+};
+
+/// One sentence for a person.
+[[nodiscard]] constexpr const char* describe(BatchFault fault) noexcept {
+  switch (fault) {
+    case BatchFault::done:
+      return "the batch is done";
+    case BatchFault::refused:
+      return "an operation of the batch is not possible";
+    case BatchFault::overlap:
+      return "two operations of the batch overlap";
+    case BatchFault::vertex_in_use:
+      return "the vertex named for a split is in use";
+    case BatchFault::mixed_names:
+      return "either all splits of a batch name their new vertex, or none does";
+  }
+  return "unknown";
+}
+
+/// What a batch did; after a fault, what stood in the way of the first request that could not join those before it. A
+/// batch with a fault has changed nothing.
+struct BatchReport {
+  BatchFault fault = BatchFault::done;
+  std::size_t request = 0;             ///< the request at fault
+  std::size_t other = 0;               ///< the earlier request it does not go with; else the same as `request`
+  Refusal refusal = Refusal::granted;  ///< for BatchFault::refused
+  std::vector<Rewrite<StripMesh::Halfedge>> rewrites;  ///< one for each request
+  std::int64_t strips = 0;                             ///< change in the number of strips, all together
+  std::int64_t isolated = 0;                           ///< change in the number of isolated triangles, all together
+  [[nodiscard]] bool done() const noexcept { return fault == BatchFault::done; }
+};
+
+/// Does the splits. O(sum of valences), and with checks 4 bytes of memory, set once, for each triangle and vertex of
+/// the mesh. Checking (which costs more than the operations themselves) and splitting run in parallel, handles are
+/// taken in this thread. An exception in the parallel part (std::bad_alloc; only fans of more than max_word_valence
+/// triangles allocate) leaves the mesh unusable.
+BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> requests, const BatchOptions& options = {});
+
+/// Does the collapses, each given by its chord v_s -> v_t. Cost and exceptions as for split_batch.
+BatchReport collapse_batch(StripMesh& mesh, std::span<const StripMesh::Halfedge> chords,
+                           const BatchOptions& options = {});
+
+/// Two requests of a list, by their places in it.
+struct Overlap {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  friend constexpr bool operator==(const Overlap&, const Overlap&) = default;
+};
+
+/// The first request that overlaps one before it, with the first of those. Requests that are refused have no patch and
+/// overlap nothing. O(triangles of the mesh + sum of valences).
+[[nodiscard]] std::optional<Overlap> overlapping_operations(const StripMesh& mesh,
+                                                            std::span<const SplitRequest> requests);
+[[nodiscard]] std::optional<Overlap> overlapping_operations(const StripMesh& mesh,
+                                                            std::span<const StripMesh::Halfedge> chords);
+
+/// Who owns which part of a mesh: chooses operations for a batch, or tells which ones stand in each other's way.
+///
+/// Two operations overlap when they claim the same triangle or the same vertex:
+///  - a split claims the triangles around v_s. It reads the colour of a port in its own triangle and writes no link of
+///    the triangle across, so that one stays free. It claims the vertex that a spoke without left triangle enters,
+///    whose first spoke moves, and the new vertex if named;
+///  - a collapse claims the triangles around v_s and v_t, and the apexes v_l and v_r, whose first spokes it reads and
+///    may write.
+/// Operations that do not overlap, each granted by its check, stay granted when others of them have been done.
+/// The mesh must not change while it is claimed.
+class PatchClaims {
+ public:
+  explicit PatchClaims(const StripMesh& mesh)
+      : mesh_(mesh), triangles_(mesh.triangle_bound(), none), vertices_(mesh.vertex_bound(), none) {}
+  /// Claims the patch of an operation for `number` (below `none`). When it overlaps with earlier ones, it claims
+  /// nothing and returns their smallest number. Precondition: the operation is granted by its check. O(valence).
+  std::optional<std::size_t> claim(const SplitRequest& request, std::size_t number);
+  std::optional<std::size_t> claim(StripMesh::Halfedge chord, std::size_t number);
+
+ private:
+  template <class Operation>
+  std::optional<std::size_t> claim_patch(const Operation& operation, std::size_t number);
+
+  const StripMesh& mesh_;
+  std::vector<std::uint32_t> triangles_;  // the number of the owner, or none
+  std::vector<std::uint32_t> vertices_;
+};
+
+}  // namespace restrip
+
+#include "restrip/operations/impl/batch.hpp"

@@ -1,0 +1,125 @@
+// The common case, kept fast: an interior vertex of ordinary valence. One turn around the vertex reads all colours and
+// remembers the spokes; afterwards only dual edges whose colour really changes are written.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+
+#include "restrip/mesh/mesh.hpp"
+#include "restrip/rules/bits.hpp"
+
+namespace restrip::detail {
+
+/// Larger fans go the general way (patch_walk.hpp).
+inline constexpr std::size_t max_interior_valence = 16;
+
+/// The closed fan of a vertex before a split or after a collapse, numbered as in docs/notation.md.
+template <class Halfedge>
+struct InteriorFan {
+  std::size_t k = 0;
+  std::size_t a = 0;
+  Word loop = 0;  ///< colours of the loop; before a collapse, those of the edges that it keeps
+  Word ports = 0;
+  Halfedge spokes[max_interior_valence];  ///< the mesh edge that loop edge i crosses, seen from the vertex; not those
+                                          ///< next to A and D, which an operation makes or removes
+
+  /// Give the kept loop edges the colours `now`, in two steps: those that become dashed before the mesh changes, those
+  /// that become solid after it. So the colouring is valid all the time (mesh.hpp, "Exceptions").
+  template <ColoredMesh Mesh>
+  void dash(Mesh& mesh, Word now) const {
+    write(mesh, loop & ~now, false);
+  }
+  template <ColoredMesh Mesh>
+  void light(Mesh& mesh, Word now) const {
+    write(mesh, now & ~loop, true);
+  }
+  template <ColoredMesh Mesh>
+  void write(Mesh& mesh, Word edges, bool solid) const {
+    const Word made = bit(a - 1) | bit(k - 1);
+    for (Word rest = edges & ~made; rest != 0; rest &= rest - 1)
+      mesh.set_solid(spokes[static_cast<std::size_t>(std::countr_zero(rest))], solid);
+  }
+};
+
+/// Reads the fan between two spokes of an interior vertex. False when it is open or too large.
+template <ColoredMesh Mesh>
+bool read_interior_fan(const Mesh& mesh, typename Mesh::Halfedge left, typename Mesh::Halfedge right,
+                       InteriorFan<typename Mesh::Halfedge>& fan) {
+  auto h = left;
+  std::size_t i = 0;
+  do {
+    if (i == max_interior_valence || mesh.on_boundary(h)) return false;
+    const auto step = fan_step(mesh, h);
+    fan.ports |= Word{step.port} << i;
+    fan.loop |= Word{step.edge} << i;
+    h = step.spoke;
+    fan.spokes[i] = h;
+    ++i;
+    if (h == right) fan.a = i;
+  } while (!(h == left));
+  fan.k = i;
+  return true;
+}
+
+/// The inner edges of a ring with chord that lie between fan triangles, as loop edges.
+constexpr Word kept_loop(std::size_t k, std::size_t a, Word inner) noexcept {
+  return (inner >> 1 & low_bits(a - 1)) | (inner >> (a + 2) & low_bits(k - a - 1)) << a;
+}
+
+/// Lights the patch of a split of an interior vertex: the ring with chord around the new mesh edge. What becomes dashed
+/// is dashed already.
+template <ColoredMesh Mesh>
+void light_ring(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
+                Word inner) {
+  fan.light(mesh, kept_loop(fan.k, fan.a, inner));
+  const auto back = mesh.opposite(chord);
+  const auto above_left = mesh.next(chord);
+  const auto below_right = mesh.next(back);
+  mesh.set_solid(above_left, has(inner, fan.k + 1));
+  mesh.set_solid(mesh.next(above_left), has(inner, 0));
+  mesh.set_solid(below_right, has(inner, fan.a));
+  mesh.set_solid(mesh.next(below_right), has(inner, fan.a + 1));
+  mesh.set_solid(chord, has(inner, fan.k + 2));
+}
+
+/// Reads the ring with chord around an interior mesh edge whose ends are interior. False when they are not, or the fan
+/// is too large.
+template <ColoredMesh Mesh>
+bool read_ring(const Mesh& mesh, typename Mesh::Halfedge chord, InteriorFan<typename Mesh::Halfedge>& fan,
+               Word& inner) {
+  std::size_t i = 0;     // fan triangles met
+  std::size_t edge = 0;  // inner edges met
+  for (const auto start : {chord, mesh.opposite(chord)}) {
+    if (mesh.on_boundary(start)) return false;
+    const auto beside = fan_step(mesh, start);  // the triangle that goes
+    inner |= Word{beside.edge} << edge++;
+    auto h = beside.spoke;
+    for (;;) {
+      if (mesh.on_boundary(h)) return false;
+      const auto step = fan_step(mesh, h);
+      if (step.spoke == start) break;
+      if (i == max_interior_valence) return false;
+      if (i > 0) fan.spokes[i - 1] = h;
+      fan.ports |= Word{step.port} << i++;
+      inner |= Word{step.edge} << edge++;
+      h = step.spoke;
+    }
+    if (start == chord) fan.a = i;
+  }
+  fan.k = i;
+  inner |= Word{mesh.solid(chord)} << edge;
+  // Fewer than one triangle on a side is no patch of ours; the general way reports it.
+  if (fan.a == 0 || fan.a == fan.k) return false;
+  fan.loop = kept_loop(fan.k, fan.a, inner);
+  return true;
+}
+
+/// Lights the fan that a collapse leaves; `left` is its spoke to v_l. What becomes dashed is dashed already.
+template <ColoredMesh Mesh>
+void light_fan(Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left, Word loop) {
+  fan.light(mesh, loop);
+  mesh.set_solid(left, has(loop, fan.k - 1));
+  mesh.set_solid(turn_ccw(mesh, fan.a > 1 ? fan.spokes[fan.a - 2] : left), has(loop, fan.a - 1));
+}
+
+}  // namespace restrip::detail

@@ -1,0 +1,126 @@
+// What an operation asks of its caller, on any mesh. The concepts of mesh.hpp know no vertices, so of the questions of
+// checks.hpp only those can be asked that a walk around the patch answers; a mesh that has check_split(),
+// check_collapse() or check_flip() of its own, found by argument-dependent lookup, is asked those instead.
+//
+// Nothing outside the patch is read, so that operations on disjoint patches may be checked at the same time.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+
+#include "restrip/mesh/mesh.hpp"
+#include "restrip/mesh/refusal.hpp"
+
+namespace restrip::detail {
+
+template <ColoredMesh Mesh>
+bool knows(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if constexpr (requires { mesh.alive(h); }) return mesh.alive(h);
+  return true;
+}
+
+/// The triangles around the vertex that a halfedge leaves.
+struct FanSize {
+  std::size_t triangles = 0;
+  bool closed = false;
+  bool met = false;  ///< the other spoke leaves the same vertex
+};
+
+template <ColoredMesh Mesh>
+FanSize fan_size(const Mesh& mesh, typename Mesh::Halfedge start, typename Mesh::Halfedge other) {
+  FanSize fan{0, false, start == other};
+  for (auto h = start; !mesh.on_boundary(h);) {
+    h = turn_ccw(mesh, h);
+    ++fan.triangles;
+    if (h == start) {
+      fan.closed = true;
+      return fan;
+    }
+    if (h == other) fan.met = true;
+  }
+  for (auto h = start; !mesh.on_boundary(mesh.opposite(h));) {
+    h = turn_cw(mesh, h);
+    ++fan.triangles;
+    if (h == other) fan.met = true;
+  }
+  return fan;
+}
+
+template <ColoredMesh Mesh>
+Refusal check_split_patch(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+  using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
+  const bool both = where.spokes == Spokes::both;
+  const auto first = where.spokes == Spokes::right_only ? where.right : where.left;
+  if (!knows(mesh, first) || (both && !knows(mesh, where.right))) return Refusal::no_such_edge;
+  if (both && where.left == where.right) return Refusal::same_spoke;
+  const FanSize fan = fan_size(mesh, first, both ? where.right : first);
+  if (!fan.met) return Refusal::different_vertices;
+  if (!both && fan.closed) return Refusal::spoke_on_boundary;
+  return fan.closed && fan.triangles < 3 ? Refusal::too_few_triangles : Refusal::granted;
+}
+
+template <ColoredMesh Mesh>
+Refusal check_collapse_patch(const Mesh& mesh, typename Mesh::Halfedge chord) {
+  if (!knows(mesh, chord)) return Refusal::no_such_edge;
+  const auto back = mesh.opposite(chord);
+  const FanSize tail = fan_size(mesh, chord, chord);
+  const FanSize head = fan_size(mesh, back, back);
+  const bool interior = !mesh.on_boundary(chord) && !mesh.on_boundary(back);
+  if (interior && !tail.closed && !head.closed) return Refusal::joins_boundaries;
+  for (const auto inward : {chord, back}) {
+    if (mesh.on_boundary(inward)) continue;
+    const auto up = mesh.next(inward);
+    if (mesh.on_boundary(mesh.opposite(up)) && mesh.on_boundary(mesh.opposite(mesh.next(up))))
+      return Refusal::dangling_edge;
+  }
+  return tail.closed && head.closed && tail.triangles + head.triangles < 3 + 4 ? Refusal::too_few_triangles
+                                                                               : Refusal::granted;
+}
+
+template <ColoredMesh Mesh>
+Refusal check_flip_patch(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if (!knows(mesh, h)) return Refusal::no_such_edge;
+  const auto back = mesh.opposite(h);
+  if (mesh.on_boundary(h) || mesh.on_boundary(back)) return Refusal::boundary_edge;
+  for (const auto end : {h, back})
+    if (const FanSize fan = fan_size(mesh, end, end); fan.closed && fan.triangles < 3 + 1)
+      return Refusal::too_few_triangles;
+  return Refusal::granted;
+}
+
+/// What debug builds ask before split(), collapse() and flip(). `name`: what the caller calls the new vertex.
+template <ColoredMesh Mesh, class... Name>
+Refusal refusal_of_split(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const Name&... name) {
+  if constexpr (requires {
+                  { check_split(mesh, where, name...) } -> std::same_as<Refusal>;
+                })
+    return check_split(mesh, where, name...);
+  else if constexpr (requires {
+                       { check_split(mesh, where) } -> std::same_as<Refusal>;
+                     })
+    return check_split(mesh, where);
+  else
+    return check_split_patch(mesh, where);
+}
+
+template <ColoredMesh Mesh>
+Refusal refusal_of_collapse(const Mesh& mesh, typename Mesh::Halfedge chord) {
+  if constexpr (requires {
+                  { check_collapse(mesh, chord) } -> std::same_as<Refusal>;
+                })
+    return check_collapse(mesh, chord);
+  else
+    return check_collapse_patch(mesh, chord);
+}
+
+template <ColoredMesh Mesh>
+Refusal refusal_of_flip(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if constexpr (requires {
+                  { check_flip(mesh, h) } -> std::same_as<Refusal>;
+                })
+    return check_flip(mesh, h);
+  else
+    return check_flip_patch(mesh, h);
+}
+
+}  // namespace restrip::detail

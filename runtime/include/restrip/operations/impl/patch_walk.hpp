@@ -1,0 +1,233 @@
+// Walks around the vertices of an operation, in the order in which docs/notation.md numbers edges and ports. The same
+// walk reads the colours before and writes them after.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "restrip/mesh/mesh.hpp"
+#include "restrip/rules/bits.hpp"
+
+namespace restrip::detail {
+
+/// Bits of fans that fit one word; longer ones are dropped, and the caller, who counts, starts again with LongBits.
+struct WordBits {
+  Word word = 0;
+  void put(std::size_t i, bool value) noexcept { word |= value ? bit(i) : 0; }
+  [[nodiscard]] bool get(std::size_t i) const noexcept { return has(word, i); }
+  /// Bits below n in reversed order at the low end, `upper` above them.
+  static WordBits with_reversed_below(const WordBits& lower, std::size_t n, const WordBits& upper) noexcept {
+    WordBits all{n < word_bits ? upper.word << n : 0};
+    for (std::size_t i = 0; i < n; ++i) all.put(n - 1 - i, lower.get(i));
+    return all;
+  }
+};
+
+/// Bits of fans of any size.
+struct LongBits {
+  std::vector<Word> words;
+  void put(std::size_t i, bool value) {
+    if (i / word_bits >= words.size()) words.resize(i / word_bits + 1, 0);
+    if (value) words[i / word_bits] |= bit(i % word_bits);
+  }
+  [[nodiscard]] bool get(std::size_t i) const noexcept {
+    return i / word_bits < words.size() && has(words[i / word_bits], i % word_bits);
+  }
+  static LongBits with_reversed_below(const LongBits& lower, std::size_t n, const LongBits& upper) {
+    LongBits all;
+    for (std::size_t i = 0; i < n; ++i) all.put(n - 1 - i, lower.get(i));
+    for (std::size_t i = 0; i < upper.words.size() * word_bits; ++i)
+      if (upper.get(i)) all.put(n + i, true);
+    return all;
+  }
+  /// A view of n bits.
+  MutableBitSpan span(std::size_t n) {
+    words.resize(words_for(n == 0 ? 1 : n), 0);
+    return {words.data()};
+  }
+};
+
+/// The fan of a vertex before a split. `left`, `right`: the gaps (open) or, with `left` = 0, the places (closed) of the
+/// spokes.
+template <class Bits>
+struct Fan {
+  std::size_t k = 0;
+  bool closed = false;
+  std::size_t left = 0;
+  std::size_t right = 0;
+  Bits loop;
+  Bits ports;
+};
+
+/// Reads the fan around the vertex that `where` splits. A closed fan is numbered from the left spoke, an open one from
+/// the boundary.
+template <class Bits, ColoredMesh Mesh>
+Fan<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+  using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
+  using Halfedge = typename Mesh::Halfedge;
+  const Halfedge start = where.spokes == Spokes::right_only ? where.right : where.left;
+  const Halfedge other = where.spokes == Spokes::left_only ? where.left : where.right;
+  Fan<Bits> fan;
+  std::size_t ahead = 0;  // the other spoke, counted in triangles from the first one, either way
+  std::size_t behind = 0;
+  Halfedge h = start;
+  while (!mesh.on_boundary(h)) {
+    const Halfedge link = mesh.next(h);
+    const Halfedge spoke = mesh.next(link);
+    fan.ports.put(fan.k, mesh.solid(link));
+    fan.loop.put(fan.k, mesh.solid(spoke));
+    ++fan.k;
+    h = mesh.opposite(spoke);
+    if (h == other) ahead = fan.k;
+    if (h == start) {
+      fan.closed = true;
+      fan.right = ahead;
+      return fan;
+    }
+  }
+  Fan<Bits> lower;  // the rest, read backwards
+  for (h = start; !mesh.on_boundary(mesh.opposite(h));) {
+    lower.loop.put(lower.k, mesh.solid(h));
+    h = turn_cw(mesh, h);
+    lower.ports.put(lower.k, mesh.solid(mesh.next(h)));
+    ++lower.k;
+    if (h == other) behind = lower.k;
+  }
+  // Loop edge i lies between triangles i and i + 1: those read backwards end with the one across the first spoke.
+  fan.loop = Bits::with_reversed_below(lower.loop, lower.k, fan.loop);
+  fan.ports = Bits::with_reversed_below(lower.ports, lower.k, fan.ports);
+  fan.k += lower.k;
+  fan.left = lower.k;
+  fan.right = behind != 0 ? lower.k - behind : lower.k + ahead;
+  if (where.spokes == Spokes::right_only) fan.left = fan.right = lower.k;
+  return fan;
+}
+
+/// Visits the patch after a split, or before a collapse, whose chord is v_s -> v_t.
+///  edge(j, h): inner edge f_j crosses the mesh edge of h;  port(i, h): port p_i crosses the mesh edge of h.
+/// Returns the position. The mesh is not changed by the walk; edge() may change colours.
+struct PatchPlace {
+  enum class Kind { ring, path_with_chord, path };
+  Kind kind = Kind::ring;
+  std::size_t k = 0;
+  std::size_t a = 0;     ///< ring
+  std::size_t i = 0;     ///< path: the gap; path with chord: the lower gap
+  std::size_t j = 0;     ///< path with chord: the upper gap
+  std::size_t left = 0;  ///< open fans: the gap of the spoke to v_l, or where there is none to v_r
+};
+
+/// Visits spokes counter-clockwise from the one after `from`, until the boundary or `from` again; edge number
+/// `edge_index` counts up. Returns the number of fan triangles met (not those beside `from`).
+template <ColoredMesh Mesh, class Edge, class Port>
+std::size_t walk_up(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t edge_index, std::size_t port_index,
+                    Edge&& edge, Port&& port) {
+  std::size_t met = 0;
+  auto h = turn_ccw(mesh, from);
+  while (!mesh.on_boundary(h)) {
+    edge(edge_index++, h);
+    const auto after = turn_ccw(mesh, h);
+    if (after == from) break;
+    port(port_index + met, mesh.next(h));
+    ++met;
+    h = after;
+  }
+  return met;
+}
+
+/// Visits spokes clockwise from the one after `from` until the boundary; edges count down from `top` - 1.
+template <ColoredMesh Mesh, class Edge, class Port>
+void walk_down(const Mesh& mesh, typename Mesh::Halfedge from, std::size_t top, Edge&& edge, Port&& port) {
+  auto h = turn_cw(mesh, from);
+  while (!mesh.on_boundary(mesh.opposite(h))) {
+    --top;
+    edge(top, h);
+    h = turn_cw(mesh, h);
+    port(top, mesh.next(h));
+  }
+}
+
+/// Fan triangles clockwise of `from`, not counting the one beside it.
+template <ColoredMesh Mesh>
+std::size_t count_down(const Mesh& mesh, typename Mesh::Halfedge from) {
+  std::size_t count = 0;
+  walk_down(
+      mesh, from, static_cast<std::size_t>(-1), [&](std::size_t, auto) { ++count; }, [](std::size_t, auto) {});
+  return count;
+}
+
+/// True when the vertex that h leaves lies on the boundary. Linear in its valence, unless the mesh knows.
+template <ColoredMesh Mesh>
+bool leaves_boundary(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if constexpr (requires { mesh.leaves_boundary(h); }) return mesh.leaves_boundary(h);
+  auto g = h;
+  do {
+    if (mesh.on_boundary(g)) return true;
+    g = turn_ccw(mesh, g);
+  } while (!(g == h));
+  return false;
+}
+
+template <ColoredMesh Mesh, class Edge, class Port>
+PatchPlace walk_patch(const Mesh& mesh, typename Mesh::Halfedge chord, Edge&& edge, Port&& port) {
+  using Kind = PatchPlace::Kind;
+  const auto back = mesh.opposite(chord);
+  PatchPlace place;
+  if (mesh.on_boundary(chord) || mesh.on_boundary(back)) {
+    const auto inward = mesh.on_boundary(chord) ? back : chord;  // the triangle lies to its left
+    place.kind = Kind::path;
+    place.i = place.left = count_down(mesh, mesh.opposite(inward));
+    walk_down(mesh, mesh.opposite(inward), place.i, edge, port);
+    place.k = place.i + walk_up(mesh, inward, place.i, place.i, edge, port);
+    return place;
+  }
+  const bool tail_on_boundary = leaves_boundary(mesh, chord);
+  if (!tail_on_boundary && !leaves_boundary(mesh, back)) {
+    place.a = walk_up(mesh, chord, 0, 0, edge, port);
+    place.k = place.a + walk_up(mesh, back, place.a + 1, place.a, edge, port);
+    edge(place.k + 2, chord);
+    return place;
+  }
+  // One end is interior: its triangles lie between the gaps.
+  const auto inner = tail_on_boundary ? back : chord;
+  const auto outer = mesh.opposite(inner);
+  place.kind = Kind::path_with_chord;
+  place.i = count_down(mesh, outer);
+  walk_down(mesh, outer, place.i, edge, port);
+  place.j = place.i + walk_up(mesh, inner, place.i, place.i, edge, port);
+  place.k = place.j + walk_up(mesh, outer, place.j + 1, place.j, edge, port);
+  edge(place.k + 1, inner);
+  place.left = tail_on_boundary ? place.j : place.i;
+  return place;
+}
+
+/// Visits the loop edges of the fan around the vertex that `spoke` leaves: edge(i, h), loop edge i crosses the mesh
+/// edge of h. Closed: edge k - 1 crosses `spoke`, edges count up from there. Open: `spoke` lies in gap `gap`, which
+/// carries edge gap - 1. The mesh is not changed by the walk; edge() may change colours.
+template <ColoredMesh Mesh, class Edge>
+void walk_fan(const Mesh& mesh, typename Mesh::Halfedge spoke, bool closed, std::size_t k, std::size_t gap,
+              Edge&& edge) {
+  if (closed) {
+    edge(k - 1, spoke);
+    auto h = spoke;
+    for (std::size_t i = 0; i + 1 < k; ++i) {
+      h = turn_ccw(mesh, h);
+      edge(i, h);
+    }
+    return;
+  }
+  // Gap g carries edge g - 1; gaps 0 and k are boundary.
+  if (gap > 0 && gap < k) edge(gap - 1, spoke);
+  auto h = spoke;
+  for (std::size_t g = gap; g > 1; --g) {
+    h = turn_cw(mesh, h);
+    edge(g - 2, h);
+  }
+  h = spoke;
+  for (std::size_t g = gap + 1; g < k; ++g) {
+    h = turn_ccw(mesh, h);
+    edge(g - 1, h);
+  }
+}
+
+}  // namespace restrip::detail

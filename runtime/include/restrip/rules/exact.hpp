@@ -1,0 +1,148 @@
+// The exact best recolouring of a fan of any valence, computed from its key. This is the definition of a rule's cost;
+// the compiled tables hold its answers for small k.
+//
+// A recolouring is sound when every triangle keeps at most two solid edges, nothing inside is a solid cycle, and it
+// joins only ports that were joined before. Among the sound ones these functions return one with the most solid edges,
+// and with the fewest isolated triangles of those; docs/notation.md has the order of preference, the numbering of all
+// bits, and the proof that (ports, joined) is all that matters. What is left of the choice is made the same way on
+// every machine, but it is not the tie-break of the tables: compare costs with them, not colours.
+//
+// Input. `ports` has k bits. `joined` has k bits as restrip/rules/key.hpp computes them; with exactly two solid ports
+// in a closed fan either bit stands for the pair. Bits of `joined` without a solid port are ignored. Any pair of masks
+// is safe: a key that no valid configuration has still gets the best recolouring that joins no other pairs. Positions
+// are any: 1 <= a < k, gaps i < j, not only those listed in docs/notation.md. A position out of range is a programming
+// error, found in debug builds (precondition.hpp). k is less than 2^26.
+//
+// Cost. Time linear in k. On words, and on bit strings with k <= 64: no allocation, nothing thrown. Longer bit strings:
+// one allocation of about four bytes for each triangle.
+//
+// Method. A dynamic program around the ring. A strand between two ports passes no other port, so all that an arc of
+// triangles tells the rest is which port, if any, is reached over its first and its last edge: see
+// impl/strand_sweep.hpp.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "restrip/precondition.hpp"
+#include "restrip/rules/bits.hpp"
+#include "restrip/rules/impl/best_recoloring.hpp"
+#include "restrip/rules/impl/layout.hpp"
+#include "restrip/rules/key.hpp"
+
+namespace restrip::exact {
+
+/// What is best: solid inner edges, and isolated triangles in the patch, both after the operation.
+struct Value {
+  int solid = 0;
+  int isolated = 0;
+
+  friend constexpr bool operator==(const Value&, const Value&) noexcept = default;
+};
+
+/// A recolouring that fits one word, and its value.
+struct Recoloring {
+  Word colors = 0;
+  Value value;
+};
+
+namespace detail {
+
+namespace engine = restrip::detail;
+using engine::Layout;
+
+/// Up to here a bit string is answered on the stack.
+inline constexpr std::size_t max_stack_valence = 64;
+
+constexpr Value value_of(engine::Score score) noexcept {
+  const engine::Score solid = (score + engine::solid_edge - 1) / engine::solid_edge;  // rounded up; scores are > -2^32
+  return {static_cast<int>(solid), static_cast<int>(solid * engine::solid_edge - score)};
+}
+
+constexpr Value on_stack(const Layout& patch, BitSpan ports, BitSpan joined, MutableBitSpan colors) noexcept {
+  engine::Step steps[2 * (max_stack_valence + 2)];
+  return value_of(engine::best_recoloring(patch, ports, joined, steps, colors));
+}
+
+constexpr Recoloring on_word(const Layout& patch, Word ports, Word joined) noexcept {
+  Recoloring result;
+  result.value = on_stack(patch, BitSpan::of(ports), BitSpan::of(joined), MutableBitSpan::of(result.colors));
+  return result;
+}
+
+inline Value on_bits(const Layout& patch, BitSpan ports, BitSpan joined, MutableBitSpan colors) {
+  if (patch.k <= max_stack_valence) return on_stack(patch, ports, joined, colors);
+  std::vector<engine::Step> steps(engine::steps_for(patch));
+  return value_of(engine::best_recoloring(patch, ports, joined, steps.data(), colors));
+}
+
+}  // namespace detail
+
+// ---- Words: k <= max_word_valence, constexpr, noexcept ----
+
+/// Closed fan to ring with chord, k >= 2, 1 <= a < k: `colors` is `inner`, k + 3 bits.
+constexpr Recoloring best_split(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "exact::best_split", restrip::detail::no_such_arc);
+  return detail::on_word(restrip::detail::ring_with_chord(k, a), ports, joined);
+}
+
+/// Ring with chord to closed fan, k >= 1, whatever the position: `colors` is `loop`, k bits.
+constexpr Recoloring best_collapse(std::size_t k, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_collapse", restrip::detail::no_such_fan);
+  return detail::on_word(restrip::detail::closed_fan(k), ports, joined);
+}
+
+/// Open fan to path with chord, 0 <= i < j <= k: `colors` is `inner`, k + 2 bits.
+constexpr Recoloring best_open_split(std::size_t k, std::size_t i, std::size_t j, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "exact::best_open_split", restrip::detail::no_such_gaps);
+  return detail::on_word(restrip::detail::path_with_chord(k, i, j), ports, joined);
+}
+
+/// Open fan to path, k >= 1, 0 <= i <= k: `colors` is `inner`, k bits.
+constexpr Recoloring best_boundary_split(std::size_t k, std::size_t i, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "exact::best_boundary_split", restrip::detail::no_such_gap);
+  return detail::on_word(restrip::detail::path(k, i), ports, joined);
+}
+
+/// Path, with chord or without, to open fan, k >= 1, whatever the position: `colors` is `loop`, k - 1 bits.
+constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined) noexcept {
+  RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_fan_collapse", restrip::detail::no_such_fan);
+  return detail::on_word(restrip::detail::open_fan(k), ports, joined);
+}
+
+// ---- Bit strings: any k ----
+//
+// The colours go to the last argument; the words that hold them are overwritten and must not be those of the key.
+
+/// `inner` has k + 3 bits.
+inline Value best_split(std::size_t k, std::size_t a, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
+  RESTRIP_ASSERT(1 <= a && a < k, "exact::best_split", restrip::detail::no_such_arc);
+  return detail::on_bits(restrip::detail::ring_with_chord(k, a), ports, joined, inner);
+}
+
+/// `loop` has k bits.
+inline Value best_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
+  RESTRIP_ASSERT(k >= 1, "exact::best_collapse", restrip::detail::no_such_fan);
+  return detail::on_bits(restrip::detail::closed_fan(k), ports, joined, loop);
+}
+
+/// `inner` has k + 2 bits.
+inline Value best_open_split(std::size_t k, std::size_t i, std::size_t j, BitSpan ports, BitSpan joined,
+                             MutableBitSpan inner) {
+  RESTRIP_ASSERT(i < j && j <= k, "exact::best_open_split", restrip::detail::no_such_gaps);
+  return detail::on_bits(restrip::detail::path_with_chord(k, i, j), ports, joined, inner);
+}
+
+/// `inner` has k bits.
+inline Value best_boundary_split(std::size_t k, std::size_t i, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
+  RESTRIP_ASSERT(k >= 1 && i <= k, "exact::best_boundary_split", restrip::detail::no_such_gap);
+  return detail::on_bits(restrip::detail::path(k, i), ports, joined, inner);
+}
+
+/// `loop` has k - 1 bits; nothing is written when k = 1.
+inline Value best_fan_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
+  RESTRIP_ASSERT(k >= 1, "exact::best_fan_collapse", restrip::detail::no_such_fan);
+  return detail::on_bits(restrip::detail::open_fan(k), ports, joined, loop);
+}
+
+}  // namespace restrip::exact

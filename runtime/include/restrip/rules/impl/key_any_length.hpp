@@ -1,0 +1,140 @@
+// restrip/rules/key.hpp for bit strings of any length: the same questions answered by walking, one step an element.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include "restrip/rules/bits.hpp"
+#include "restrip/rules/impl/layout.hpp"
+
+namespace restrip {
+
+namespace detail {
+
+struct Walker {
+  Layout patch;
+  BitSpan inner;
+  BitSpan ports;
+
+  bool port(std::size_t element) const noexcept { return patch.is_fan(element) && ports[patch.port(element)]; }
+  bool above(std::size_t element) const noexcept { return element < patch.edges() && inner[element]; }
+  bool below(std::size_t element) const noexcept {
+    return element != 0 ? inner[element - 1] : patch.ring && inner[patch.edges() - 1];
+  }
+  bool chord() const noexcept { return patch.has_chord() && inner[patch.chord()]; }
+
+  // The far end of the strand at an element with exactly one solid edge in the row. Counting the steps keeps invalid
+  // colours from walking for ever.
+  std::size_t strand_end(std::size_t at) const noexcept {
+    const std::size_t n = patch.size();
+    const bool up = above(at);
+    for (std::size_t steps = 0; steps < n && (up ? above(at) : below(at)); ++steps) {
+      at = up ? (at + 1) % n : (at + n - 1) % n;
+    }
+    return at;
+  }
+
+  bool any_port(std::size_t from, std::size_t to) const noexcept {
+    for (std::size_t e = from; e < to; ++e) {
+      if (port(e)) return true;
+    }
+    return false;
+  }
+
+  bool all_solid(std::size_t from, std::size_t to) const noexcept {
+    for (std::size_t e = from; e < to; ++e) {
+      if (!inner[e]) return false;
+    }
+    return true;
+  }
+
+  void joined(MutableBitSpan result) const noexcept {
+    result.clear(patch.k);
+    const std::size_t n = patch.size();
+    bool live = false;  // a strand from a solid port comes in from below
+    // In a ring the first round only finds out what comes in at its start.
+    for (int round = patch.ring ? 0 : 1; round < 2; ++round) {
+      for (std::size_t e = 0; e < n; ++e) {
+        const bool solid_port = port(e);
+        if (round == 1 && live && solid_port) result.set(patch.port(e));
+        live = above(e) && (live || solid_port);
+      }
+    }
+    if (!chord()) return;
+    const std::size_t a = patch.inserted;
+    const std::size_t d = patch.opposite;
+    if (below(a) == above(a) || below(d) == above(d)) return;
+    const std::size_t one = strand_end(a);
+    const std::size_t two = strand_end(d);
+    const std::size_t low = std::min(one, two);
+    const std::size_t high = std::max(one, two);
+    if (low == high || !port(low) || !port(high)) return;
+    if (!any_port(low + 1, high)) {
+      result.set(patch.port(high));
+    } else if (patch.ring && !any_port(0, low) && !any_port(high + 1, n)) {
+      result.set(patch.port(low));
+    }
+  }
+
+  bool valid() const noexcept {
+    const std::size_t n = patch.size();
+    for (std::size_t e = 0; e < n; ++e) {
+      const bool third = patch.is_fan(e) ? port(e) : chord();
+      if (third && above(e) && below(e)) return false;
+    }
+    if (patch.ring && all_solid(0, patch.edges())) return false;
+    if (!chord()) return true;
+    if (all_solid(patch.inserted, patch.opposite)) return false;
+    return !patch.ring || !(all_solid(0, patch.inserted) && all_solid(patch.opposite, patch.edges()));
+  }
+};
+
+}  // namespace detail
+
+inline void joined_closed(std::size_t k, BitSpan loop, BitSpan ports, MutableBitSpan joined) noexcept {
+  RESTRIP_ASSERT(k >= 3, "joined_closed", detail::no_such_closed_fan);
+  detail::Walker{detail::closed_fan(k), loop, ports}.joined(joined);
+}
+inline bool valid_closed(std::size_t k, BitSpan loop, BitSpan ports) noexcept {
+  RESTRIP_ASSERT(k >= 3, "valid_closed", detail::no_such_closed_fan);
+  return detail::Walker{detail::closed_fan(k), loop, ports}.valid();
+}
+
+inline void joined_open(std::size_t k, BitSpan loop, BitSpan ports, MutableBitSpan joined) noexcept {
+  RESTRIP_ASSERT(k >= 1, "joined_open", detail::no_such_fan);
+  detail::Walker{detail::open_fan(k), loop, ports}.joined(joined);
+}
+inline bool valid_open(std::size_t k, BitSpan loop, BitSpan ports) noexcept {
+  RESTRIP_ASSERT(k >= 1, "valid_open", detail::no_such_fan);
+  return detail::Walker{detail::open_fan(k), loop, ports}.valid();
+}
+
+inline void joined_ring(std::size_t k, std::size_t a, BitSpan inner, BitSpan ports, MutableBitSpan joined) noexcept {
+  RESTRIP_ASSERT(1 <= a && a < k, "joined_ring", detail::no_such_arc);
+  detail::Walker{detail::ring_with_chord(k, a), inner, ports}.joined(joined);
+}
+inline bool valid_ring(std::size_t k, std::size_t a, BitSpan inner, BitSpan ports) noexcept {
+  RESTRIP_ASSERT(1 <= a && a < k, "valid_ring", detail::no_such_arc);
+  return detail::Walker{detail::ring_with_chord(k, a), inner, ports}.valid();
+}
+
+inline void joined_path_with_chord(std::size_t k, std::size_t i, std::size_t j, BitSpan inner, BitSpan ports,
+                                   MutableBitSpan joined) noexcept {
+  RESTRIP_ASSERT(i < j && j <= k, "joined_path_with_chord", detail::no_such_gaps);
+  detail::Walker{detail::path_with_chord(k, i, j), inner, ports}.joined(joined);
+}
+inline bool valid_path_with_chord(std::size_t k, std::size_t i, std::size_t j, BitSpan inner, BitSpan ports) noexcept {
+  RESTRIP_ASSERT(i < j && j <= k, "valid_path_with_chord", detail::no_such_gaps);
+  return detail::Walker{detail::path_with_chord(k, i, j), inner, ports}.valid();
+}
+
+inline void joined_path(std::size_t k, std::size_t i, BitSpan inner, BitSpan ports, MutableBitSpan joined) noexcept {
+  RESTRIP_ASSERT(k >= 1 && i <= k, "joined_path", detail::no_such_gap);
+  detail::Walker{detail::path(k, i), inner, ports}.joined(joined);
+}
+inline bool valid_path(std::size_t k, std::size_t i, BitSpan inner, BitSpan ports) noexcept {
+  RESTRIP_ASSERT(k >= 1 && i <= k, "valid_path", detail::no_such_gap);
+  return detail::Walker{detail::path(k, i), inner, ports}.valid();
+}
+
+}  // namespace restrip

@@ -1,0 +1,230 @@
+// Rules: from the colours before an operation to the best colours after it.
+//
+// For fans of up to table_max_k triangles the answer is read from the generated tables: constant time, no branch on
+// the colours, no allocation, constexpr. For larger fans the exact solver computes it (linear in k). Either way the
+// answer is sound whatever lies outside the patch, has the most solid edges of all sound ones, and the fewest isolated
+// triangles in the patch of those. For the tables this is proved (docs/trust.md), for larger fans it is tested. Source
+// of the idea: Porcu, Sanna, Scateni, "Rewriting rules for the dual graph of a stripified CLOD mesh". Bits are numbered
+// in docs/notation.md.
+//
+// Positions: those of SplitPosition, GapPair and Gap, k <= max_word_valence; others are a programming error, found in
+// debug builds (precondition.hpp). Colours that no valid stripification has (a triangle of three solid edges, a solid
+// cycle) get `valid = false` and all edges dashed, which is always sound to apply.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+
+#include "restrip/precondition.hpp"
+#include "restrip/rules/bits.hpp"
+#include "restrip/rules/exact.hpp"
+#include "restrip/rules/impl/shortened.hpp"
+#include "restrip/rules/key.hpp"
+#include "restrip/tables/boundary_split.hpp"
+#include "restrip/tables/collapse.hpp"
+#include "restrip/tables/fan_collapse.hpp"
+#include "restrip/tables/flip.hpp"
+#include "restrip/tables/open_split.hpp"
+#include "restrip/tables/rows.hpp"
+#include "restrip/tables/split.hpp"
+
+namespace restrip {
+
+/// The place of a split or collapse in a closed fan of k >= 3 triangles: A before t_0, D before t_a, 1 <= a < k.
+struct SplitPosition {
+  std::size_t k = 0;
+  std::size_t a = 0;
+};
+
+/// The place of a split or collapse in an open fan of k >= 1 triangles, two triangles in gaps i < j <= k.
+struct GapPair {
+  std::size_t k = 0;
+  std::size_t i = 0;
+  std::size_t j = 0;
+};
+
+/// The place of a split or collapse in an open fan of k >= 1 triangles, one triangle in gap i <= k.
+struct Gap {
+  std::size_t k = 0;
+  std::size_t i = 0;
+};
+
+/// What a rule says. `colors` are the inner edges after the operation, `strips` the change in the number of strips.
+struct Rule {
+  Word colors = 0;
+  int strips = 0;
+  bool valid = false;
+};
+
+/// What the rule of a flip says: the new inner edge, and which ports stay solid (a flip may have to give some up).
+struct FlipRule {
+  bool inner = false;
+  unsigned ports = 0;
+  int strips = 0;
+  bool valid = false;
+};
+
+namespace detail {
+
+/// Bit i of the result is bit n - 1 - i of the mask.
+constexpr Word reversed(Word mask, std::size_t n) noexcept {
+  mask = (mask & 0x5555555555555555U) << 1 | (mask >> 1 & 0x5555555555555555U);
+  mask = (mask & 0x3333333333333333U) << 2 | (mask >> 2 & 0x3333333333333333U);
+  mask = (mask & 0x0f0f0f0f0f0f0f0fU) << 4 | (mask >> 4 & 0x0f0f0f0f0f0f0f0fU);
+  mask = (mask & 0x00ff00ff00ff00ffU) << 8 | (mask >> 8 & 0x00ff00ff00ff00ffU);
+  mask = (mask & 0x0000ffff0000ffffU) << 16 | (mask >> 16 & 0x0000ffff0000ffffU);
+  mask = mask << 32 | mask >> 32;
+  return n == 0 ? 0 : mask >> (word_bits - n);
+}
+
+/// Turns an n-bit ring so that bit `by` becomes bit 0; 0 <= by < n < 64.
+constexpr Word turned_down(Word mask, std::size_t by, std::size_t n) noexcept {
+  return (mask >> by | mask << (n - by)) & low_bits(n);
+}
+
+/// The isolated triangles of a closed fan, and of a ring with chord (by element).
+constexpr Word isolated_closed(std::size_t k, Word loop, Word ports) noexcept {
+  return low_bits(k) & ~(loop | loop << 1 | loop >> (k - 1) | ports);
+}
+
+constexpr Word isolated_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+  const Word all = low_bits(k + 2);
+  const Word edges = inner & all;
+  const Word chord = inner >> (k + 2) & 1;
+  return all & ~(edges | edges << 1 | edges >> (k + 1) | ring_ports(a, ports) | chord | chord << (a + 1));
+}
+
+template <class Table>
+constexpr Word cell(const Table& table, const RowStarts<table_max_k>& rows, std::size_t k, std::size_t place,
+                    Word ports, Word joined) noexcept {
+  return table.rules[table.first[k] + place * table.cells[k] + rows[bit(k) | ports] + joined];
+}
+
+constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
+  return {colors, nodes - count_difference(colors, before), true};
+}
+
+/// The table's answer to a key of a closed fan of at most table_max_k triangles.
+constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
+  // The tables begin with the shorter arc. Where the first is the longer one, ask with A and D exchanged and turn the
+  // ring back; without branches, since which arc is shorter is as good as random.
+  const bool exchange = 2 * a > k;
+  const std::size_t by = exchange ? a : 0;
+  const std::size_t arc = exchange ? k - a : a;
+  const Word inner =
+      cell(tables::split, tables::closed_rows, k, arc - 1, turned_down(ports, by, k), turned_down(joined, by, k));
+  return turned_down(inner & low_bits(k + 2), exchange ? arc + 1 : 0, k + 2) | (inner & bit(k + 2));
+}
+
+/// A larger closed fan: by way of the tables where that is exact, else by the exact solver.
+constexpr Word large_split(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
+  Shortened fan(k, a, ports, joined);
+  if (fan.shorten(table_max_k)) {
+    Word inner = split_cell(fan.k(), fan.arc(), fan.ports(), fan.joined());
+    if (fan.put_back(inner) && isolated_ring(k, a, inner, ports) == 0) return inner;
+  }
+  return exact::best_split(k, a, ports, joined).colors;
+}
+
+constexpr Word large_collapse(std::size_t k, Word ports, Word joined) noexcept {
+  Shortened fan(k, 0, ports, joined);
+  if (fan.shorten(table_max_k)) {
+    Word loop = cell(tables::collapse, tables::closed_rows, fan.k(), 0, fan.ports(), fan.joined());
+    if (fan.put_back(loop) && isolated_closed(k, loop, ports) == 0) return loop;
+  }
+  return exact::best_collapse(k, ports, joined).colors;
+}
+
+}  // namespace detail
+
+/// Split of a closed fan: `loop` and `ports` have k bits, the answer k + 3. k <= max_word_valence.
+[[nodiscard]] constexpr Rule split_rule(SplitPosition at, Word loop, Word ports) noexcept {
+  const auto [k, a] = at;
+  RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "split_rule", detail::no_such_split);
+  if (!valid_closed(k, loop, ports)) return {0, 2 + count_bits(loop), false};
+  const Word joined = joined_closed(k, loop, ports);
+  return detail::rule(
+      k > table_max_k ? detail::large_split(k, a, ports, joined) : detail::split_cell(k, a, ports, joined), loop, 2);
+}
+
+/// Collapse onto a closed fan: `inner` has k + 3 bits, `ports` k, the answer k. k <= max_word_valence.
+[[nodiscard]] constexpr Rule collapse_rule(SplitPosition at, Word inner, Word ports) noexcept {
+  const auto [k, a] = at;
+  RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "collapse_rule", detail::no_such_split);
+  if (!valid_ring(k, a, inner, ports)) return {0, count_bits(inner) - 2, false};
+  const Word joined = joined_ring(k, a, inner, ports);
+  const Word loop = k > table_max_k ? detail::large_collapse(k, ports, joined)
+                                    : detail::cell(tables::collapse, tables::closed_rows, k, 0, ports, joined);
+  return detail::rule(loop, inner, -2);
+}
+
+/// Split of an open fan, two triangles: `loop` has k - 1 bits, `ports` k, the answer k + 2. k <= max_word_valence.
+[[nodiscard]] constexpr Rule open_split_rule(GapPair at, Word loop, Word ports) noexcept {
+  const auto [k, i, j] = at;
+  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "open_split_rule", detail::no_such_gaps);
+  if (!valid_open(k, loop, ports)) return {0, 2 + count_bits(loop), false};
+  if (k > table_max_k)
+    return detail::rule(exact::best_open_split(k, i, j, ports, joined_open(k, loop, ports)).colors, loop, 2);
+  const bool mirrored = i + j > k;
+  const std::size_t low = mirrored ? k - j : i;
+  const std::size_t high = mirrored ? k - i : j;
+  const Word seen_loop = mirrored ? detail::reversed(loop, k - 1) : loop;
+  const Word seen_ports = mirrored ? detail::reversed(ports, k) : ports;
+  // Places of a valence in ascending order: those with a smaller low gap, then those with a smaller high one.
+  const std::size_t place = low * (k + 1 - low) + (high - low - 1);
+  const Word seen =
+      detail::cell(tables::open_split, tables::open_rows, k, place, seen_ports, joined_open(k, seen_loop, seen_ports));
+  const Word inner = mirrored ? detail::reversed(seen & low_bits(k + 1), k + 1) | (seen & bit(k + 1)) : seen;
+  return detail::rule(inner, loop, 2);
+}
+
+/// Split of an open fan along its boundary, one triangle: `loop` has k - 1 bits, `ports` k, the answer k. k <=
+/// max_word_valence.
+[[nodiscard]] constexpr Rule boundary_split_rule(Gap at, Word loop, Word ports) noexcept {
+  const auto [k, i] = at;
+  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "boundary_split_rule", detail::no_such_gap);
+  if (!valid_open(k, loop, ports)) return {0, 1 + count_bits(loop), false};
+  if (k > table_max_k)
+    return detail::rule(exact::best_boundary_split(k, i, ports, joined_open(k, loop, ports)).colors, loop, 1);
+  const bool mirrored = 2 * i > k;
+  const Word seen_loop = mirrored ? detail::reversed(loop, k - 1) : loop;
+  const Word seen_ports = mirrored ? detail::reversed(ports, k) : ports;
+  const Word seen = detail::cell(tables::boundary_split, tables::open_rows, k, mirrored ? k - i : i, seen_ports,
+                                 joined_open(k, seen_loop, seen_ports));
+  return detail::rule(mirrored ? detail::reversed(seen, k) : seen, loop, 1);
+}
+
+namespace detail {
+
+constexpr Word fan_collapse_colors(std::size_t k, Word ports, Word joined) noexcept {
+  return k > table_max_k ? exact::best_fan_collapse(k, ports, joined).colors
+                         : cell(tables::fan_collapse, tables::open_rows, k, 0, ports, joined);
+}
+
+}  // namespace detail
+
+/// Collapse onto an open fan, two triangles removed: `inner` has k + 2 bits, `ports` k, the answer k - 1.
+[[nodiscard]] constexpr Rule open_collapse_rule(GapPair at, Word inner, Word ports) noexcept {
+  const auto [k, i, j] = at;
+  RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "open_collapse_rule", detail::no_such_gaps);
+  if (!valid_path_with_chord(k, i, j, inner, ports)) return {0, count_bits(inner) - 2, false};
+  return detail::rule(detail::fan_collapse_colors(k, ports, joined_path_with_chord(k, i, j, inner, ports)), inner, -2);
+}
+
+/// Collapse onto an open fan, one triangle removed: `inner` and `ports` have k bits, the answer k - 1.
+[[nodiscard]] constexpr Rule boundary_collapse_rule(Gap at, Word inner, Word ports) noexcept {
+  const auto [k, i] = at;
+  RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "boundary_collapse_rule", detail::no_such_gap);
+  if (!valid_path(k, i, inner, ports)) return {0, count_bits(inner) - 1, false};
+  return detail::rule(detail::fan_collapse_colors(k, ports, joined_path(k, i, inner, ports)), inner, -1);
+}
+
+/// Flip: four ports, counter-clockwise; p_0 and p_1 belong to one triangle before, p_1 and p_2 after.
+[[nodiscard]] constexpr FlipRule flip_rule(bool inner, unsigned ports) noexcept {
+  const unsigned entry = tables::flip[static_cast<std::size_t>(inner) << 4 | (ports & 15U)];
+  const int before = static_cast<int>(inner) + count_bits(ports & 15U);
+  if (entry == 0xff) return {false, 0, before, false};
+  return {(entry >> 4) != 0, entry & 15U, before - count_bits(entry), true};
+}
+
+}  // namespace restrip

@@ -1,0 +1,325 @@
+// Tunnel, member by member. Included by tunnel.hpp.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+
+#include "restrip/search/tunnel.hpp"
+
+namespace restrip {
+
+inline bool Tunnel::join(StripMesh& mesh, StripIndex& index, Triangle end, std::uint32_t max_states,
+                         OnFailure on_failure) {
+  RESTRIP_ASSERT(mesh.alive(end) && index.knows(end), "Tunnel::join",
+                 "the triangle is not one of this mesh, or the index does not know it");
+  if (max_states == 0 || index.strips() < 2 || mesh.solid_degree(end) > 1) return false;
+  ++counts_.searches;
+  max_states_ = max_states;
+  counts_swaps_ = on_failure == OnFailure::fewer_swaps;
+  start(mesh, index, end);
+  bool joined = false;
+  for (std::uint32_t s = 0; s < states_.size() && (s == 0 || states_.size() < max_states) && !joined; ++s) {
+    joined = expand(mesh, index, s);
+  }
+  counts_.states += states_.size();
+  counts_.joined += joined ? 1U : 0U;
+  if (joined) return true;
+  if (on_failure == OnFailure::wander) commit(mesh, index, static_cast<std::uint32_t>(states_.size() - 1));
+  if (on_failure == OnFailure::fewer_swaps) commit(mesh, index, straightest_);
+  return false;
+}
+
+inline void Tunnel::start(const StripMesh& mesh, const StripIndex& index, Triangle end) {
+  if (seen_.size() < mesh.triangle_bound()) seen_.resize(mesh.triangle_bound(), 0);
+  if (++search_ == 0) {
+    std::fill(seen_.begin(), seen_.end(), 0U);
+    search_ = 1;
+  }
+  states_.clear();
+  straightest_ = 0;
+  used_ = 0;
+  start_ = end;
+  seen_[end] = search_;
+  const StripIndex::Position at = index.position(end);
+  bool down = false;
+  for (unsigned s = 0; s < 3; ++s) {
+    const Halfedge h = StripMesh::halfedge(end, s);
+    if (mesh.solid(h)) down = index.position(StripMesh::triangle(mesh.opposite(h))).order < at.order;
+  }
+  states_.push_back({none, {}, {}, 0, 0, at.strip, false});
+  *room_for(states_.back(), 1, 1) = {down ? 0 : at.order, down ? at.order : ~Order{0}, at.strip,
+                                     (down ? Piece::down_flag : 0U) | Piece::last_flag};
+}
+
+// The sides over which a move may go. That of the cut is not among them: its colour is still solid.
+inline unsigned Tunnel::dashed_sides(const StripMesh& mesh, Triangle t) noexcept { return 7U & ~mesh.solid_sides(t); }
+inline StripMesh::Halfedge Tunnel::lowest(Triangle t, unsigned sides) noexcept {
+  return StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(sides)));
+}
+
+// Adds a state, unless its end has been one before. True when the new end lies beside the end of another strip, and the
+// two have been joined: most searches end here, so looking ahead spares expanding half of all states.
+inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state) {
+  const Triangle y = StripMesh::triangle(state.cut);
+  if (seen_[y] == search_ || states_.size() >= max_states_) return false;
+  seen_[y] = search_;
+  const auto s = static_cast<std::uint32_t>(states_.size());
+  states_.push_back(state);
+  if (counts_swaps_) {
+    states_[s].swaps = states_[state.parent].swaps + swaps_of_move(mesh, state);
+    if (states_[s].swaps < states_[straightest_].swaps && mesh.solid_degree(y) > 1) straightest_ = s;
+  }
+  for (unsigned dashed = dashed_sides(mesh, y); dashed != 0; dashed &= dashed - 1) {
+    const Halfedge join = lowest(y, dashed);
+    const Halfedge there = mesh.opposite(join);
+    if (StripMesh::on_boundary(there)) continue;
+    const Triangle x = StripMesh::triangle(there);
+    if (mesh.solid_degree(x) > 1) continue;
+    lay_out(s);
+    if (move(mesh, index, s, join, x)) return true;
+  }
+  return false;
+}
+
+namespace detail {
+
+// The solid side of the triangle of h other than its own: 0 there is none, 1 the next one, 2 the one before. At most
+// two are solid.
+constexpr unsigned turn_from(unsigned solid, StripMesh::Halfedge h) noexcept {
+  const StripMesh::Halfedge next = StripMesh::next(h);
+  const StripMesh::Halfedge before = StripMesh::next(next);
+  return (solid >> StripMesh::side(next) & 1U) | (solid >> StripMesh::side(before) & 1U) << 1;
+}
+
+// A solid dual edge is a swap when the strip turns the same way on both its sides: 1, else 0. Its two halfedges, each
+// with the solid sides of its triangle.
+constexpr int is_swap(unsigned solid_g, StripMesh::Halfedge g, unsigned solid_h, StripMesh::Halfedge h) noexcept {
+  return int{(turn_from(solid_g, g) ^ turn_from(solid_h, h)) == 3};
+}
+
+}  // namespace detail
+
+// By how many a move changes the swaps: those at its two edges and at their solid neighbours, as the mesh and the cut
+// before have them.
+inline int Tunnel::swaps_of_move(const StripMesh& mesh, const State& state) const noexcept {
+  const Halfedge join_x = mesh.opposite(state.join);
+  const Halfedge cut_x = mesh.opposite(state.cut);
+  const Triangle end = StripMesh::triangle(state.join);
+  const Triangle x = StripMesh::triangle(join_x);
+  const Triangle y = StripMesh::triangle(state.cut);
+  const auto with = [](unsigned sides, Halfedge h) { return sides | 1U << StripMesh::side(h); };
+  const auto without = [](unsigned sides, Halfedge h) { return sides & ~(1U << StripMesh::side(h)); };
+
+  const unsigned end_before =
+      state.parent == 0 ? mesh.solid_sides(end) : without(mesh.solid_sides(end), states_[state.parent].cut);
+  const unsigned end_after = with(end_before, state.join);
+  const unsigned x_before = mesh.solid_sides(x);
+  const unsigned x_after = with(without(x_before, cut_x), join_x);
+  const unsigned y_before = mesh.solid_sides(y);
+  int swaps =
+      detail::is_swap(end_after, state.join, x_after, join_x) - detail::is_swap(x_before, cut_x, y_before, state.cut);
+  // The other solid edge of each of the three.
+  const auto change = [&](Triangle t, unsigned other, unsigned before, unsigned after) {
+    if (other == 0) return;
+    const Halfedge h = lowest(t, other);
+    const Halfedge g = mesh.opposite(h);
+    const unsigned beyond = mesh.solid_sides(StripMesh::triangle(g));
+    swaps += detail::is_swap(after, h, beyond, g) - detail::is_swap(before, h, beyond, g);
+  };
+  change(end, end_before, end_before, end_after);
+  change(x, without(x_before, cut_x), x_before, x_after);
+  change(y, without(y_before, state.cut), y_before, without(y_before, state.cut));
+  return swaps;
+}
+
+// All moves from a state. True when one of them has joined two strips.
+inline bool Tunnel::expand(StripMesh& mesh, StripIndex& index, std::uint32_t s) {
+  if (s != 0) lay_out(s);
+  const Triangle end = s == 0 ? start_ : StripMesh::triangle(states_[s].cut);
+  for (unsigned dashed = dashed_sides(mesh, end); dashed != 0; dashed &= dashed - 1) {
+    const Halfedge join = lowest(end, dashed);
+    const Halfedge there = mesh.opposite(join);
+    if (!StripMesh::on_boundary(there) && move(mesh, index, s, join, StripMesh::triangle(there))) return true;
+  }
+  return false;
+}
+
+// The moves over one dashed edge, to x.
+inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge join, Triangle x) {
+  Neighbor next[3];  // two, where the colouring is valid
+  unsigned n = 0;
+  bool seen_all = true;
+  for (unsigned solid = mesh.solid_sides(x); solid != 0; solid &= solid - 1) {
+    next[n].towards_x = mesh.opposite(lowest(x, solid));
+    seen_all = seen_all && seen_[StripMesh::triangle(next[n].towards_x)] == search_;
+    ++n;
+  }
+  if (seen_all && n > 1) return false;
+  const StripIndex::Position at = index.position(x);
+  for (unsigned i = 0; i < n; ++i) next[i].order = index.position(StripMesh::triangle(next[i].towards_x)).order;
+
+  const Piece* const pieces = pieces_.data() + states_[s].pieces;
+  const std::uint32_t total = states_[s].total;
+  const std::uint32_t current = states_[s].current;
+  std::uint32_t f = 0;
+  while (f < total && (pieces[f].strip != at.strip || !pieces[f].has(at.order))) ++f;
+  if (f == total) {  // a strip that no move has touched
+    if (n < 2) {
+      commit(mesh, index, s, join);
+      return true;
+    }
+    for (unsigned i = 0; i < n; ++i)
+      if (reach(mesh, index, {s, join, next[i].towards_x, at.order, next[i].order, at.strip, false})) return true;
+    return false;
+  }
+  // Solid edges that the moves have cut do not count.
+  const Piece piece = pieces[f];
+  unsigned kept = 0;
+  for (unsigned i = 0; i < n; ++i)
+    if (piece.has(next[i].order)) next[kept++] = next[i];
+  if (f < current) {
+    // An earlier move may have made this very edge solid: then x comes next on the path.
+    if (f == 1 && pieces[0].low == pieces[0].high && piece.front() == at.order) return false;
+    for (unsigned i = 0; i < kept; ++i)
+      if ((next[i].order > at.order) == piece.down() &&
+          reach(mesh, index, {s, join, next[i].towards_x, at.order, next[i].order, f, true}))
+        return true;
+    return false;
+  }
+  const bool joined_in_front = f > current && !pieces[f - 1].last() && piece.front() == at.order;
+  const bool joined_behind = !piece.last() && piece.back() == at.order;
+  if (kept + (joined_in_front ? 1U : 0U) + (joined_behind ? 1U : 0U) < 2) {
+    commit(mesh, index, s, join);
+    return true;
+  }
+  for (unsigned i = 0; i < kept; ++i)
+    if (reach(mesh, index, {s, join, next[i].towards_x, at.order, next[i].order, f, true})) return true;
+  return false;
+}
+
+// Works out the paths of a state from those of its parent.
+inline void Tunnel::lay_out(std::uint32_t s) {
+  const State& state = states_[s];
+  if (state.total != 0) return;
+  if (!state.touched)
+    change_over_whole(s);
+  else if (state.where < states_[state.parent].current)
+    rotate(s);
+  else
+    change_over(s);
+}
+
+inline Tunnel::Piece* Tunnel::room_for(State& state, std::uint32_t current, std::uint32_t total) {
+  state.pieces = used_;
+  state.current = current;
+  state.total = total;
+  used_ += total;
+  if (used_ > pieces_.size()) pieces_.resize(std::max<std::size_t>(used_, pieces_.size() * 2 + 64));
+  return pieces_.data() + state.pieces;
+}
+
+// x is on the end's own path: what is before x turns round.
+inline void Tunnel::rotate(std::uint32_t s) {
+  State& state = states_[s];
+  const State& parent = states_[state.parent];
+  Piece* out = room_for(state, parent.current + 1, parent.total + 1);
+  const Piece* const old = pieces_.data() + parent.pieces;
+  const std::uint32_t f = state.where;
+  const bool down = old[f].down();
+  *out++ = old[f].from(state.y, down).turned();
+  for (std::uint32_t i = f; i-- > 0;) *out++ = old[i].turned();
+  *out++ = old[f].from(state.x, !down);
+  for (std::uint32_t i = f + 1; i < parent.total; ++i) *out++ = old[i];
+}
+
+// x is on a strip that was still whole. The part of it that x stays with is joined to the path so far; the other part,
+// which begins at y, is the path from now on.
+inline void Tunnel::change_over_whole(std::uint32_t s) {
+  State& state = states_[s];
+  const State& parent = states_[state.parent];
+  Piece* out = room_for(state, 1, parent.total + 2);
+  const Piece* const old = pieces_.data() + parent.pieces;
+  constexpr Order top = ~Order{0};
+  const bool y_lower = state.y < state.x;
+  *out++ = {y_lower ? 0 : state.y, y_lower ? state.y : top, state.where,
+            (y_lower ? Piece::down_flag : 0U) | Piece::last_flag};
+  for (std::uint32_t i = parent.current; i-- > 0;) *out++ = old[i].turned();
+  *out++ = {y_lower ? state.x : 0, y_lower ? top : state.x, state.where,
+            (y_lower ? 0U : Piece::down_flag) | Piece::last_flag};
+  for (std::uint32_t i = parent.current; i < parent.total; ++i) *out++ = old[i];
+}
+
+// The same when x is on a path that earlier moves have put together: pieces first ... last of the parent.
+inline void Tunnel::change_over(std::uint32_t s) {
+  State& state = states_[s];
+  const State& parent = states_[state.parent];
+  const std::uint32_t at = state.where;
+  std::uint32_t first = at;
+  std::uint32_t last = at;
+  {
+    const Piece* const old = pieces_.data() + parent.pieces;
+    while (first > parent.current && !old[first - 1].last()) --first;
+    while (!old[last].last()) ++last;
+  }
+  const bool y_lower = state.y < state.x;
+  const bool y_in_front = y_lower != pieces_[parent.pieces + at].down();
+  Piece* out = room_for(state, 1 + (y_in_front ? at - first : last - at), parent.total + 1);
+  const Piece* const old = pieces_.data() + parent.pieces;
+  const auto front_backwards = [&] {
+    for (std::uint32_t i = at; i-- > first;) *out++ = old[i].turned();
+  };
+  const auto rest_forwards = [&] {
+    for (std::uint32_t i = at + 1; i <= last; ++i) *out++ = old[i];
+  };
+  const Piece freed = old[at].from(state.y, !y_lower);
+  const Piece stays = old[at].from(state.x, y_lower);
+  if (y_in_front) {
+    *out++ = freed.turned();
+    front_backwards();
+  } else {
+    *out++ = freed;
+    rest_forwards();
+  }
+  out[-1].flags |= Piece::last_flag;
+  for (std::uint32_t i = parent.current; i-- > 0;) *out++ = old[i].turned();
+  if (y_in_front) {
+    *out++ = stays;
+    rest_forwards();
+  } else {
+    *out++ = stays.turned();
+    front_backwards();
+  }
+  out[-1].flags |= Piece::last_flag;
+  for (std::uint32_t i = parent.current; i < first; ++i) *out++ = old[i];
+  for (std::uint32_t i = last + 1; i < parent.total; ++i) *out++ = old[i];
+}
+
+inline void Tunnel::cut(StripMesh& mesh, StripIndex& index, Halfedge h) {
+  index.cut(mesh, h);
+  for (const Halfedge side : {h, mesh.opposite(h)})
+    counts_.isolated += mesh.solid_degree(StripMesh::triangle(side)) == 0 ? 1 : 0;
+}
+
+inline void Tunnel::link(StripMesh& mesh, StripIndex& index, Halfedge h) {
+  for (const Halfedge side : {h, mesh.opposite(h)})
+    counts_.isolated -= mesh.solid_degree(StripMesh::triangle(side)) == 0 ? 1 : 0;
+  index.link(mesh, h);
+  ++counts_.moves;
+}
+
+// Makes the moves that lead to a state; each leaves a valid colouring.
+inline void Tunnel::commit(StripMesh& mesh, StripIndex& index, std::uint32_t s) {
+  chain_.clear();
+  for (; states_[s].parent != none; s = states_[s].parent) chain_.push_back(s);
+  for (auto step = chain_.rbegin(); step != chain_.rend(); ++step) {
+    cut(mesh, index, states_[*step].cut);
+    link(mesh, index, states_[*step].join);
+  }
+}
+
+inline void Tunnel::commit(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge last_join) {
+  commit(mesh, index, s);
+  link(mesh, index, last_join);
+}
+
+}  // namespace restrip

@@ -1,0 +1,236 @@
+// StripKeeper: split, collapse and flip under a policy, with strips that do not age.
+//
+// The local rules (operations.hpp) see one patch and lose strips over thousands of operations. A policy says how much
+// more an operation looks at: the strips around the patch (linked.hpp), or, with an index of the strips beside the mesh
+// (strip_index.hpp), everything that tunnelling (tunnel.hpp) reaches from every strip end in the patch: the moment a
+// strip breaks its ends are at hand, and so are, somewhere near, the ends of others. (Porcu and Scateni call tunnelling
+// when isolated triangles pass a threshold; calling it at once and locally keeps every level of detail as good as
+// strips made from scratch.)
+//
+//   StripMesh mesh = ...;
+//   stripify(mesh, Effort::full);
+//   StripKeeper keeper(mesh, Policy::quick);
+//   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
+//   keeper.improve(10'000);                            // in idle time
+//
+// Cost. An operation costs its rule and, where the policy tunnels, time linear in the patch for the index, and the
+// searches; their mean number of states is bounded by policy, not by the size of the mesh, and so is the mean length of
+// the strips, on which the index depends, once they have the length that the policy keeps. After warm-up nothing is
+// allocated but what the mesh itself allocates to grow.
+//
+// Exceptions (std::bad_alloc alone). The mesh and its colouring are valid after one: the operation, or the mending that
+// follows it, is done as a whole, in part or not at all. What the keeper knows beside the mesh is out of date:
+// up_to_date() is false, index() null and strips() stale until rebuild(), which the next operation calls by itself.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
+#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/linked.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/rounds.hpp"
+#include "restrip/search/strip_index.hpp"
+#include "restrip/search/tunnel.hpp"
+
+namespace restrip {
+
+/// How far an operation looks for strips to join.
+enum class Policy {
+  local,   ///< not at all: the rules of operations.hpp, with adoption (adopt.hpp); no index
+  linked,  ///< along the strips that touch the patch (linked.hpp); no index
+  quick,   ///< tunnelling, for some 150 triangles per strip
+  full     ///< tunnelling, for several times as many
+};
+
+/// What to care for where strips come out equal; fewest strips are always first.
+enum class TieBreak {
+  strips,  ///< nothing else
+  indices  ///< few swaps (see Tunnel::OnFailure::fewer_swaps), by searches that find no strip to join
+};
+
+/// How large the searches from the strip ends in a patch are, and what for.
+struct Search {
+  std::uint32_t states = 0;  ///< that one search may look at; 0: none are made
+  std::uint32_t enough = 0;  ///< triangles per strip: searches get smaller while strips are longer on average. 0: never
+  TieBreak tie_break = TieBreak::strips;
+};
+
+/// Searches of n states keep about 3 n triangles per strip, where the holes and pieces of the mesh let them.
+[[nodiscard]] constexpr Search search_of(Policy policy) noexcept {
+  switch (policy) {
+    case Policy::local:
+    case Policy::linked:
+      return {};
+    case Policy::quick:
+      return {56, 150, TieBreak::strips};
+    case Policy::full:
+      return {320, 0, TieBreak::strips};
+  }
+  return {};
+}
+
+/// Keeps the strips of one mesh. While a keeper is in use, colour and change the mesh through it alone; after any other
+/// change call rebuild(). The mesh must outlive the keeper and have a valid colouring (all dashed is one;
+/// check_coloring in strips.hpp tells). Where the keeper reads the whole mesh anew, it throws std::invalid_argument
+/// when the colouring is not valid.
+class StripKeeper {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+
+  explicit StripKeeper(StripMesh& mesh, Policy policy = Policy::quick)
+      : mesh_(&mesh), search_(search_of(policy)), linked_(policy == Policy::linked) {
+    rebuild();
+  }
+
+  /// From the next operation on. Linear time when the index has to be made.
+  void set_policy(Policy policy) {
+    linked_ = policy == Policy::linked;
+    set_search(search_of(policy));
+  }
+  /// Searches of any size: larger ones keep longer strips and take proportionally longer.
+  void set_search(Search search) {
+    const bool had_index = tunnels();
+    search_ = search;
+    if (!had_index && tunnels()) rebuild();
+  }
+
+  /// The operations of operations.hpp, with the same preconditions. `strips` of the result counts what tunnelling
+  /// joined as well, so it is often negative; `isolated` what tunnelling and adoption saved.
+  Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none) {
+    using Spokes = VertexSplit<Halfedge>::Spokes;
+    RESTRIP_ASSERT(check_split(*mesh_, where, new_vertex) == Refusal::granted, "StripKeeper::split",
+                   describe(check_split(*mesh_, where, new_vertex)));
+    begin();
+    if (!tunnels())
+      return counted(linked_ ? split_and_link(*mesh_, where, new_vertex) : split_and_adopt(*mesh_, where, new_vertex));
+    fan_triangles(*mesh_, where.spokes == Spokes::right_only ? where.right : where.left, patch_);
+    index_.before_patch(*mesh_, patch_);
+    const Rewrite<Halfedge> done = restrip::split(*mesh_, where, new_vertex);
+    for (const Halfedge h : {done.halfedge, mesh_->opposite(done.halfedge)})
+      if (!StripMesh::on_boundary(h)) patch_.push_back(StripMesh::triangle(h));
+    return finish(done);
+  }
+  Rewrite<Halfedge> collapse(Halfedge chord) {
+    RESTRIP_ASSERT(check_collapse(*mesh_, chord) == Refusal::granted, "StripKeeper::collapse",
+                   describe(check_collapse(*mesh_, chord)));
+    begin();
+    if (!tunnels()) return counted(linked_ ? collapse_and_link(*mesh_, chord) : collapse_and_adopt(*mesh_, chord));
+    edge_triangles(*mesh_, chord, patch_);
+    index_.before_patch(*mesh_, patch_);
+    const Rewrite<Halfedge> done = restrip::collapse(*mesh_, chord);
+    std::erase_if(patch_, [this](Triangle t) { return !mesh_->alive(t); });
+    return finish(done);
+  }
+  Rewrite<Halfedge> flip(Halfedge h) {
+    RESTRIP_ASSERT(check_flip(*mesh_, h) == Refusal::granted, "StripKeeper::flip", describe(check_flip(*mesh_, h)));
+    begin();
+    if (!tunnels()) return counted(linked_ ? flip_and_link(*mesh_, h) : flip_and_adopt(*mesh_, h));
+    patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_->opposite(h))});
+    index_.before_patch(*mesh_, patch_);
+    Rewrite<Halfedge> done = finish(restrip::flip(*mesh_, h));
+    up_to_date_ = false;
+    // A flip may give ports up, and so isolate a triangle beside the patch.
+    for (const Triangle t : patch_)
+      for (unsigned side = 0; side < 3; ++side)
+        if (const Halfedge across = mesh_->opposite(StripMesh::halfedge(t, side)); !StripMesh::on_boundary(across))
+          adopt_isolated(done, across);
+    up_to_date_ = true;
+    return done;
+  }
+
+  /// Background work: goes on with rounds over all strip ends (rounds.hpp), looking at about `budget` states. Returns
+  /// the number of strips it saved.
+  std::size_t improve(std::size_t budget) {
+    begin();
+    if (!tunnels()) index_.rebuild(*mesh_);
+    const std::size_t before = index_.strips();
+    rounds_.run(*mesh_, index_, tunnel_, budget);
+    strips_ = index_.strips();
+    up_to_date_ = true;
+    return before - strips_;
+  }
+
+  /// Reads the mesh anew. Linear time. Throws std::invalid_argument when its colouring is not valid; the keeper must
+  /// not be used then until rebuild() succeeds.
+  void rebuild() {
+    up_to_date_ = false;
+    rounds_.restart();
+    if (tunnels()) {
+      index_.rebuild(*mesh_);
+      strips_ = index_.strips();
+    } else {
+      strips_ = count_strips(*mesh_);
+    }
+    up_to_date_ = true;
+  }
+  void reserve(std::size_t triangles) { index_.reserve(triangles); }
+
+  [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
+  [[nodiscard]] const StripMesh& mesh() const noexcept { return *mesh_; }
+  /// False after an exception, until rebuild() or the next operation.
+  [[nodiscard]] bool up_to_date() const noexcept { return up_to_date_; }
+  /// Null under policies without an index, and while it is not up to date.
+  [[nodiscard]] const StripIndex* index() const noexcept { return tunnels() && up_to_date_ ? &index_ : nullptr; }
+  [[nodiscard]] const TunnelCounts& counts() const noexcept { return tunnel_.counts(); }
+
+ private:
+  // An operation that ends by an exception leaves up_to_date_ false.
+  void begin() {
+    if (!up_to_date_) rebuild();
+    up_to_date_ = false;
+  }
+  [[nodiscard]] bool tunnels() const noexcept { return search_.states != 0; }
+  // For the next operation. The longer the strips, the more states it takes to find an end; a high power of the length
+  // keeps all levels of detail close to `enough`.
+  [[nodiscard]] std::uint32_t states_now() const noexcept {
+    const double short_of = static_cast<double>(search_.enough) * static_cast<double>(index_.strips()) /
+                            static_cast<double>(mesh_->triangle_count());
+    if (search_.enough == 0 || short_of >= 1) return search_.states;
+    const double square = short_of * short_of;
+    return static_cast<std::uint32_t>(square * square * search_.states);
+  }
+  Rewrite<Halfedge> counted(const Rewrite<Halfedge>& done) {
+    strips_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(strips_) + done.strips);
+    up_to_date_ = true;
+    return done;
+  }
+  Rewrite<Halfedge> finish(Rewrite<Halfedge> done) {
+    index_.after_patch(*mesh_, patch_);
+    const std::uint32_t states = states_now();
+    const auto on_failure =
+        search_.tie_break == TieBreak::indices ? Tunnel::OnFailure::fewer_swaps : Tunnel::OnFailure::stay;
+    const TunnelCounts before = tunnel_.counts();
+    for (const Triangle t : patch_)
+      if (mesh_->solid_degree(t) < 2) tunnel_.join(*mesh_, index_, t, states, on_failure);
+    done.strips -= static_cast<int>(tunnel_.counts().joined - before.joined);
+    done.isolated += static_cast<int>(tunnel_.counts().isolated - before.isolated);
+    if (done.isolated > 0)
+      for (const Triangle t : patch_) adopt_isolated(done, StripMesh::halfedge(t, 0));
+    strips_ = index_.strips();
+    up_to_date_ = true;
+    return done;
+  }
+  void adopt_isolated(Rewrite<Halfedge>& done, Halfedge h) {
+    const Mending mending = detail::adopt_with(
+        *mesh_, h, 4, [this](Halfedge g, bool solid) { solid ? index_.link(*mesh_, g) : index_.cut(*mesh_, g); });
+    done = detail::with(done, mending);
+    strips_ = index_.strips();
+  }
+
+  StripMesh* mesh_;
+  StripIndex index_;
+  Tunnel tunnel_;
+  TunnelRounds rounds_{256, 4096};
+  Search search_;
+  bool linked_;
+  std::size_t strips_ = 0;
+  bool up_to_date_ = false;
+  std::vector<Triangle> patch_;
+};
+
+}  // namespace restrip

@@ -1,0 +1,67 @@
+// Rounds of tunnelling from every strip end of a mesh: strips from scratch, and improvement in the background.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/search/strip_index.hpp"
+#include "restrip/search/tunnel.hpp"
+
+namespace restrip {
+
+/// Goes through the strip ends of a mesh in order of their handles, again and again, and searches from each
+/// (tunnel.hpp). A search starts small; after a round that joined too few strips, searches grow. Once they have reached
+/// their largest size, ends that find nothing wander, so that every round starts from other places.
+class TunnelRounds {
+ public:
+  /// The sizes of the searches: from `first_states` to `last_states`, four times as many after a poor round.
+  explicit TunnelRounds(std::uint32_t first_states = 64, std::uint32_t last_states = 4096)
+      : first_(first_states), last_(last_states), states_(first_states) {}
+
+  /// Goes on where the last call stopped, until about `budget` states have been looked at (one search may go beyond) or
+  /// there are no more than `enough` strips. Returns the number of states looked at. One state of the largest searches
+  /// costs a few hundred nanoseconds; walking past triangles inside strips counts as one state for every 64.
+  /// Deterministic: the same calls on the same mesh do the same.
+  std::size_t run(StripMesh& mesh, StripIndex& index, Tunnel& tunnel, std::size_t budget, std::size_t enough = 1) {
+    const std::size_t before = tunnel.counts().states;
+    std::size_t passed = 0;
+    const auto spent = [&] { return tunnel.counts().states - before + passed / 64; };
+    while (index.strips() > enough && spent() < budget) {
+      if (next_ >= mesh.triangle_bound()) {
+        finish_round(index.strips());
+        if (mesh.triangle_count() == 0) break;
+      }
+      const Triangle t = next_++;
+      ++passed;
+      if (!mesh.alive(t) || mesh.solid_degree(t) > 1) continue;
+      const auto on_failure = states_ >= last_ ? Tunnel::OnFailure::wander : Tunnel::OnFailure::stay;
+      tunnel.join(mesh, index, t, states_, on_failure);
+    }
+    return spent();
+  }
+
+  /// Starts small again: for a mesh that has changed a good deal.
+  void restart() noexcept {
+    states_ = first_;
+    next_ = 0;
+    strips_at_start_ = 0;
+  }
+
+ private:
+  void finish_round(std::size_t strips) noexcept {
+    const bool poor = strips + strips / 8 >= strips_at_start_;
+    if (poor) states_ = std::min(last_, states_ > last_ / 4 ? last_ : states_ * 4);
+    strips_at_start_ = strips;
+    next_ = 0;
+  }
+
+  std::uint32_t first_;
+  std::uint32_t last_;
+  std::uint32_t states_;
+  Triangle next_ = 0;
+  std::size_t strips_at_start_ = 0;
+};
+
+}  // namespace restrip

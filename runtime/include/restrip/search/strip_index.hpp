@@ -1,0 +1,155 @@
+// StripIndex: "same strip? which side?" without walking the strip, while strips are cut, linked, reversed and
+// rewritten.
+//
+// A strip is a list of *chunks* of at most `chunk_limit` triangles. A triangle knows its chunk and a label that grows
+// along the chunk; a chunk knows its strip, its rank and its direction (impl/chunk_lists.hpp). This is the two-level
+// list of the travelling-salesman codes (Fredman, Johnson, McGeoch, Ostheimer, "Data structures for traveling
+// salesmen", 1995).
+//
+// Costs, for a strip of n triangles: position() two memory reads; cut and link O(chunk_limit + n / chunk_limit), the
+// smaller part alone, and link now and then the ranks of the larger part, amortised O(1) for each chunk of the smaller
+// one; a local rewrite O(triangles of the patch), one cut for each strip that it cuts, and, amortised, O(chunk_limit)
+// for each chunk whose labels run out and O(log n) for each chunk added when one has grown too large. The default limit
+// is made for strips of a few hundred triangles; about half the square root of n is best for longer ones. Memory: 12
+// bytes a triangle and about one byte for chunks. Nothing is allocated once the arrays have grown. After an exception
+// (std::bad_alloc) of any function the mesh's colouring is valid, and the index is to be rebuilt.
+//
+// Labels live on the mesh's own links: the index walks solid edges when it splits or renumbers a chunk, so colours and
+// index have to change together. Colour dual edges through cut() and link(), and bracket every local operation by
+// before_patch() and after_patch().
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/search/impl/chunk_lists.hpp"
+
+namespace restrip {
+
+class StripIndex {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+
+  /// Where a triangle is: two triangles are in the same strip when `strip` is equal, and then `order` grows along it.
+  /// Names and orders are valid until the next change; the direction in which a strip is counted is arbitrary.
+  struct Position {
+    std::uint32_t strip = none;
+    std::uint64_t order = 0;
+    friend constexpr bool operator==(const Position&, const Position&) = default;
+  };
+
+  static constexpr std::uint32_t default_chunk_limit = 64;
+  /// The limit for a mesh whose strips are to become as long as the mesh allows.
+  [[nodiscard]] static std::uint32_t chunk_limit_for_long_strips(std::size_t triangles) noexcept;
+
+  /// Chunks hold at most `chunk_limit` triangles; below 8 and above 1024 these are taken.
+  explicit StripIndex(std::uint32_t chunk_limit = default_chunk_limit)
+      : chunk_limit_(std::clamp(chunk_limit, 8U, room_for_labels)) {}
+  /// Indexes a valid colouring; throws std::invalid_argument when it is not. Linear time.
+  explicit StripIndex(const StripMesh& mesh, std::uint32_t chunk_limit = default_chunk_limit)
+      : StripIndex(chunk_limit) {
+    rebuild(mesh);
+  }
+  /// The same. After an exception the index must not be used until rebuild() succeeds.
+  void rebuild(const StripMesh& mesh);
+
+  /// False when the index has never heard of a triangle, because the mesh changed behind its back.
+  [[nodiscard]] bool knows(Triangle t) const noexcept { return t < places_.size() && places_[t].chunk != none; }
+  /// The position of a triangle that is alive.
+  [[nodiscard]] Position position(Triangle t) const noexcept;
+  /// Number of strips.
+  [[nodiscard]] std::size_t strips() const noexcept { return lists_.lists(); }
+
+  // Preconditions are checked in debug builds (precondition.hpp).
+
+  /// Makes the solid dual edge of h dashed.
+  void cut(StripMesh& mesh, Halfedge h);
+  /// Makes the dashed dual edge of h solid. Both its triangles must be ends, of different strips.
+  void link(StripMesh& mesh, Halfedge h);
+
+  /// A local rewrite, in three steps: before_patch with the triangles about to be rewritten, the rewrite, after_patch
+  /// with the triangles that stand there now. Colours outside, and of the dual edges between outside and patch, may
+  /// only change from solid to dashed, and solid paths through the patch may only join dual edges into it that were
+  /// joined before (docs/theory.md: P' is part of P; every rule of operations.hpp is of this kind).
+  void before_patch(const StripMesh& mesh, std::span<const Triangle> patch);
+  void after_patch(const StripMesh& mesh, std::span<const Triangle> patch);
+
+  /// Room for this many triangles, so that operations up to there do not allocate.
+  void reserve(std::size_t triangles);
+
+ private:
+  using Label = std::uint32_t;
+  using ChunkId = detail::ChunkLists::Id;
+  static constexpr Label middle_label = 1U << 31;
+  static constexpr Label label_step = 1U << 21;
+  static constexpr std::uint32_t room_for_labels = middle_label / label_step;  // in one chunk
+
+  struct Place {
+    ChunkId chunk = none;
+    Label label = 0;
+  };
+  /// A solid path inside a patch: the halfedges that lead into it from outside, {none} at a strip's end.
+  struct Strand {
+    Halfedge in{};
+    Halfedge out{};
+    bool up_in = false;  // labels grow across `in`, from the outside triangle into the patch
+    bool up_out = false;
+    bool passes = false;      // before the rewrite: it still leads from `in` to `out` after it
+    bool pending = false;     // before the rewrite: its triangles have no place at the moment
+    std::uint32_t first = 0;  // its triangles in strand_nodes_
+    std::uint32_t last = 0;
+  };
+
+  /// An `in` or `out` of a strand before the rewrite. An outside triangle has two at most; marks_ leads to the first.
+  struct End {
+    Halfedge at{};
+    std::uint32_t strand = 0;
+    std::uint32_t other = none;  // in ends_
+  };
+
+  // ---- chunks and their labels (impl/strip_index.hpp)
+  bool step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept;
+  [[nodiscard]] bool labels_grow(const StripMesh& mesh, Halfedge h) const noexcept;
+  [[nodiscard]] bool is_last(const StripMesh& mesh, Triangle end) const noexcept;
+  void renumber(const StripMesh& mesh, Halfedge h, bool up);
+  [[nodiscard]] bool append(Halfedge h, bool up, std::span<const Triangle> nodes);
+  void separate(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b);
+  void split_chunk(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b);
+  void move_to(ChunkId to, ChunkId from, std::span<const Triangle> nodes) noexcept;
+  void divide(const StripMesh& mesh, Triangle member);
+  void join_chunks(const StripMesh& mesh, Halfedge h);
+
+  // ---- patches (impl/strip_patch.hpp)
+  void find_strands(const StripMesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands);
+  void add_end(Halfedge at, std::uint32_t strand);
+  [[nodiscard]] Strand* strand_at(Halfedge h) noexcept;
+  [[nodiscard]] bool grew(Halfedge h) noexcept;
+  void place_strand(const Strand& strand);
+  void renumber_later(Halfedge h, bool up);
+
+  std::vector<Place> places_;
+  detail::ChunkLists lists_;
+  std::uint32_t chunk_limit_;
+  std::vector<Triangle> moving_;
+  std::vector<Triangle> renumbered_;
+  std::vector<std::uint32_t> marks_;  // of a patch and its ends: values above those of all earlier patches
+  std::uint32_t mark_ = 0;
+  std::uint32_t first_end_ = 0;  // marks_ of the triangle of ends_[i] is first_end_ + i, for the first of a triangle
+  std::vector<Strand> strands_before_;
+  std::vector<Strand> strands_after_;
+  std::vector<End> ends_;
+  std::size_t pending_ = 0;  // number of strands that are
+  std::vector<std::pair<Halfedge, bool>> crowded_;
+  std::vector<Triangle> strand_nodes_;
+  std::vector<ChunkId> touched_;
+};
+
+}  // namespace restrip
+
+#include "restrip/search/impl/strip_index.hpp"
+#include "restrip/search/impl/strip_patch.hpp"

@@ -1,0 +1,136 @@
+// Tunnelling: make two strips one by a chain of alternating moves.
+//
+// From the end u of a strip go over a dashed edge to a triangle x, make that edge solid, and give up a solid edge (x,
+// y): y is the new end. Lies x on u's own strip, y must be the neighbour of x on u's side (a Pósa rotation); lies x on
+// another strip, either neighbour will do. No move adds a strip or closes a cycle, and when x is itself an end of
+// another strip nothing has to be given up: two strips have become one. (Pósa, "Hamiltonian circuits in random graphs",
+// 1976; Stewart, "Tunneling for triangle strips in continuous level-of-detail meshes", 2001; Porcu, Scateni, "An
+// iterative stripification algorithm based on dual graph operations", 2003.)
+//
+// The search is breadth-first over such chains, simulated: a state is a list of *pieces*, stretches of the strips as
+// the index knows them, in the order in which the moves so far would join them. No triangle becomes the new end twice,
+// so a search of n states has looked at n different ends, and on a mesh where one triangle in d is an end it takes
+// about d states to find one. Colours and index are only changed by the chain that succeeds, which is the shortest of
+// those tried; or, where that is asked for, by the chain to one state of a search that fails.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/search/strip_index.hpp"
+
+namespace restrip {
+
+/// What tunnelling has done so far.
+struct TunnelCounts {
+  std::size_t searches = 0;
+  std::size_t states = 0;       ///< looked at in all searches
+  std::size_t joined = 0;       ///< searches that joined two strips
+  std::size_t moves = 0;        ///< edges made solid
+  std::ptrdiff_t isolated = 0;  ///< by how many isolated triangles are more
+};
+
+/// The search, with its memory. One object serves any number of searches on any mesh, one after the other; nothing is
+/// allocated once its arrays have grown to the largest search.
+class Tunnel {
+ public:
+  enum class OnFailure {
+    stay,        ///< nothing changes
+    wander,      ///< the moves that led to the last state looked at are made, and the strip ends there
+    fewer_swaps  ///< the same with the state of fewest swaps, if they are fewer than now and no triangle is left alone
+  };
+
+  /// Tries to join the strip that ends at `end` with another one, looking at no more than `max_states` states. Returns
+  /// true when the mesh has one strip less. `index` must be that of the mesh. Deterministic.
+  ///
+  /// A search that fails leaves the number of strips as it is. After `wander` the next search starts from a place that
+  /// this one could only just reach. `fewer_swaps` costs half as much again for each state. A swap is two turns the
+  /// same way, which cost an index of a plain strip; they are counted as if a chain never came back to where it has
+  /// been, so that one time in a hundred they are a few more and not fewer.
+  ///
+  /// Cost: O(max_states * length of the chains), with chains as long as a search of that size gets (about 5 moves at
+  /// 100 states, 12 at 1,000, 25 at 10,000). Does nothing when `end` is inside a strip.
+  bool join(StripMesh& mesh, StripIndex& index, Triangle end, std::uint32_t max_states,
+            OnFailure on_failure = OnFailure::stay);
+
+  [[nodiscard]] const TunnelCounts& counts() const noexcept { return counts_; }
+
+ private:
+  using Halfedge = StripMesh::Halfedge;
+  using Order = std::uint64_t;
+
+  // A stretch of a strip: from low to high, or down from high to low. `last` of its path or not.
+  struct Piece {
+    Order low;
+    Order high;
+    std::uint32_t strip;
+    std::uint32_t flags;
+
+    static constexpr std::uint32_t down_flag = 1;
+    static constexpr std::uint32_t last_flag = 2;
+    [[nodiscard]] bool down() const noexcept { return (flags & down_flag) != 0; }
+    [[nodiscard]] bool last() const noexcept { return (flags & last_flag) != 0; }
+    [[nodiscard]] bool has(Order order) const noexcept { return low <= order && order <= high; }
+    [[nodiscard]] Order front() const noexcept { return down() ? high : low; }
+    [[nodiscard]] Order back() const noexcept { return down() ? low : high; }
+    // The same stretch the other way round, in the middle of a path.
+    [[nodiscard]] Piece turned() const noexcept { return {low, high, strip, (flags & down_flag) ^ down_flag}; }
+    [[nodiscard]] Piece from(Order x, bool upwards) const noexcept {
+      return {upwards ? x : low, upwards ? high : x, strip, flags};
+    }
+  };
+  // The paths after some moves: first the one that begins at `end`, then the others that are no longer as the index has
+  // them.
+  struct State {
+    std::uint32_t parent;
+    Halfedge join;  // the last move made the dual edge of `join` solid
+    Halfedge cut;   // and that of `cut`, a halfedge of the new end, dashed
+    Order x;        // of the last move
+    Order y;
+    std::uint32_t where;        // the piece of the parent that x is in, or the name of its strip if no move touched it
+    bool touched;               // which of the two
+    int swaps = 0;              // more than at the start, when they are counted
+    std::uint32_t pieces = 0;   // when it has: the first one in pieces_,
+    std::uint32_t current = 0;  // how many make up the path of the new end,
+    std::uint32_t total = 0;    // and all paths
+  };
+  // A triangle next to x in its strip: the halfedge that leads from it to x.
+  struct Neighbor {
+    Halfedge towards_x;
+    Order order = 0;
+  };
+  static unsigned dashed_sides(const StripMesh& mesh, Triangle t) noexcept;
+  static Halfedge lowest(Triangle t, unsigned sides) noexcept;
+  void start(const StripMesh& mesh, const StripIndex& index, Triangle end);
+  bool expand(StripMesh& mesh, StripIndex& index, std::uint32_t s);
+  bool move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge join, Triangle x);
+  bool reach(StripMesh& mesh, StripIndex& index, const State& state);
+  [[nodiscard]] int swaps_of_move(const StripMesh& mesh, const State& state) const noexcept;
+  void lay_out(std::uint32_t s);
+  Piece* room_for(State& state, std::uint32_t current, std::uint32_t total);
+  void rotate(std::uint32_t s);
+  void change_over_whole(std::uint32_t s);
+  void change_over(std::uint32_t s);
+  void cut(StripMesh& mesh, StripIndex& index, Halfedge h);
+  void link(StripMesh& mesh, StripIndex& index, Halfedge h);
+  void commit(StripMesh& mesh, StripIndex& index, std::uint32_t s);
+  void commit(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge last_join);
+
+  std::vector<State> states_;
+  std::vector<Piece> pieces_;  // as large as it ever had to be
+  std::uint32_t used_ = 0;     // of pieces_
+  Triangle start_ = none;
+  std::vector<std::uint32_t> seen_;
+  std::uint32_t search_ = 0;
+  std::uint32_t max_states_ = 0;
+  bool counts_swaps_ = false;
+  std::uint32_t straightest_ = 0;  // the state of fewest swaps
+  std::vector<std::uint32_t> chain_;
+  TunnelCounts counts_;
+};
+
+}  // namespace restrip
+
+#include "restrip/search/impl/tunnel.hpp"

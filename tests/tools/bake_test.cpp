@@ -1,0 +1,128 @@
+// Claims: the strips of every level are valid, as few as the report says, and those that the file gives back; a closed
+// mesh has one strip at every level.
+#include "lod/bake.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "common/bad_input.hpp"
+#include "lod/simplify.hpp"
+#include "meshes/made_mesh.hpp"
+#include "meshes/mesh_file.hpp"
+#include "real_meshes.hpp"
+#include "replay/replay.hpp"
+#include "restrip/output/strips.hpp"
+#include "shapes.hpp"
+
+namespace restrip::tools {
+namespace {
+
+TEST(Bake, ReportsWhatEveryLevelHas) {
+  for (const Soup& soup : {make_mesh(1500), sheet(18), tetrahedron()}) {
+    BakeReport report;
+    const BakedMesh baked = bake(simplify(soup, {0.05, BoundaryPolicy::move}).mesh, {20'000}, &report);
+    ASSERT_EQ(baked.records.size(), baked.mesh.splits.size());
+    StripMesh mesh = baked.base;
+    std::size_t strips = check_coloring(mesh).strips;
+    EXPECT_EQ(strips, report.base_strips);
+    std::size_t most = strips;
+    std::size_t fewest = strips == report.pieces ? 1 : 0;
+    for (std::size_t i = 0; i < baked.records.size(); ++i) {
+      const Record& record = baked.mesh.splits[i];
+      const auto done = split_baked(mesh, spokes_of(mesh, record), baked.records[i], record.v_t);
+      const ColoringReport level = check_coloring(mesh);
+      ASSERT_TRUE(level.valid);
+      ASSERT_EQ(static_cast<int>(level.strips), static_cast<int>(strips) + done.strips);
+      strips = level.strips;
+      most = std::max(most, strips);
+      fewest += strips == report.pieces ? 1U : 0U;
+    }
+    EXPECT_EQ(strips, report.top_strips);
+    EXPECT_GE(strips, report.top_at_least);
+    EXPECT_EQ(report.top_at_least, strips_at_least(mesh));
+    EXPECT_EQ(most, report.most_strips);
+    EXPECT_EQ(fewest, report.fewest_levels);
+    EXPECT_EQ(baked.records.flips.size(), report.flips);
+  }
+}
+
+TEST(Bake, AClosedMeshHasOneStripAtEveryLevel) {
+  BakeReport report;
+  const Soup soup = make_mesh(4000);
+  const BakedMesh baked = bake(simplify(soup, {0.02, BoundaryPolicy::move}).mesh, {}, &report);
+  EXPECT_EQ(report.most_strips, 1U);
+  ReplayOptions options;
+  options.repeats = 0;
+  options.cycles = 3;
+  options.baked = &baked;
+  const ReplayReport played = replay(baked.mesh, soup.triangles, options);
+  EXPECT_TRUE(played.valid());
+  EXPECT_EQ(played.most_strips, 1U);
+  EXPECT_EQ(played.operations_isolating, 0U);
+  EXPECT_EQ(played.levels_compared, 2 * 3 * played.levels.size());
+}
+
+TEST(Bake, ReplayNoticesStripsThatAreNotTheMeshs) {
+  const Soup soup = make_mesh(1000);
+  BakedMesh baked = bake(simplify(soup, {0.05, BoundaryPolicy::move}).mesh, {20'000});
+  ReplayOptions options;
+  options.repeats = 0;
+  options.baked = &baked;
+  EXPECT_TRUE(replay(baked.mesh, soup.triangles, options).valid());
+  // A flip in the last record that closes a cycle or gives a triangle three solid edges: all inner edges solid.
+  const StripMesh top = [&] {
+    StripMesh mesh = baked.base;
+    for (std::size_t i = 0; i < baked.records.size(); ++i)
+      split_baked(mesh, spokes_of(mesh, baked.mesh.splits[i]), baked.records[i], baked.mesh.splits[i].v_t);
+    return mesh;
+  }();
+  for (unsigned side = 0; side < 3; ++side)
+    if (!top.solid(StripMesh::halfedge(0, side))) baked.records.flips.push_back(StripMesh::halfedge(0, side));
+  baked.records.first.back() = static_cast<std::uint32_t>(baked.records.flips.size());
+  EXPECT_FALSE(replay(baked.mesh, soup.triangles, options).valid());
+}
+
+TEST(Bake, SomeStripsAreNeededWhateverTheColors) {
+  // A triangle and its three neighbours: three ends, so two strips.
+  const std::vector<Corners> star{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}};
+  EXPECT_EQ(strips_at_least(StripMesh::build(star, 6)), 2U);
+  EXPECT_EQ(strips_at_least(StripMesh::build(tetrahedron().triangles, 4)), 1U);
+  EXPECT_EQ(strips_at_least(StripMesh::build(std::vector<Corners>{{0, 1, 2}, {3, 4, 5}}, 6)), 2U);
+  // A sheet has two corners with one neighbour each: the ends of one strip.
+  const Soup square = sheet(5);
+  EXPECT_EQ(strips_at_least(StripMesh::build(square.triangles, square.points.size())), 1U);
+}
+
+TEST(Bake, IsReproducible) {
+  const ProgressiveMesh mesh = simplify(make_mesh(1000), {0.05, BoundaryPolicy::move}).mesh;
+  const BakedMesh one = bake(mesh, {20'000});
+  const BakedMesh other = bake(mesh, {20'000});
+  EXPECT_EQ(one.records.first, other.records.first);
+  EXPECT_TRUE(one.records.flips == other.records.flips);
+}
+
+TEST(Bake, NamesASplitThatDoesNotFit) {
+  ProgressiveMesh mesh = simplify(make_mesh(500)).mesh;
+  mesh.splits[7].v_l = mesh.splits.back().v_t;  // not there yet
+  try {
+    (void)bake(mesh);
+    FAIL();
+  } catch (const BadInput& error) {
+    EXPECT_NE(std::string(error.what()).find("split 7"), std::string::npos) << error.what();
+  }
+}
+
+class OneStrip : public testing::TestWithParam<const char*> {};
+
+TEST_P(OneStrip, AtEveryLevelOfARealMesh) {
+  if (real_mesh(GetParam()).empty()) GTEST_SKIP() << GetParam() << " is not to be had: set RESTRIP_MESHES";
+  BakeReport report;
+  (void)bake(simplify(read_mesh(real_mesh(GetParam())), {0.02, BoundaryPolicy::move}).mesh, {}, &report);
+  EXPECT_EQ(report.most_strips, 1U);
+}
+
+INSTANTIATE_TEST_SUITE_P(RealMeshes, OneStrip, testing::Values("fandisk.obj", "rocker-arm.obj"));
+
+}  // namespace
+}  // namespace restrip::tools

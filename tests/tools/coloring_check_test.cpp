@@ -1,0 +1,84 @@
+// Claims: the checks pass what is right and reject each kind of fault. A check that rejects nothing proves nothing.
+#include "lod/coloring_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
+#include "shapes.hpp"
+
+namespace restrip::tools {
+namespace {
+
+StripMesh mesh_of(const Soup& soup) { return StripMesh::build(soup.triangles, soup.points.size()); }
+
+/// Colours the fan of an interior vertex all solid: a cycle.
+void close_a_cycle(StripMesh& mesh, Vertex v) {
+  const StripMesh::Halfedge first = mesh.spoke(v);
+  StripMesh::Halfedge h = first;
+  do {
+    mesh.set_solid(h, true);
+    h = turn_ccw(mesh, h);
+  } while (!(h == first));
+}
+
+TEST(FindFaults, PassesGreedyStrips) {
+  for (const Soup& soup : {tetrahedron(), sheet(6), bow_tie()}) {
+    StripMesh mesh = mesh_of(soup);
+    stripify(mesh);
+    EXPECT_TRUE(find_faults(mesh).empty());
+    for (Vertex v = 0; v < mesh.vertex_bound(); ++v) EXPECT_EQ(find_fault_around(mesh, v), "");
+  }
+}
+
+TEST(FindFaults, RejectsThreeSolidEdges) {
+  StripMesh mesh = mesh_of(tetrahedron());
+  for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(0, side), true);
+  EXPECT_FALSE(find_faults(mesh).empty());
+  EXPECT_NE(find_fault_around(mesh, 0), "");
+}
+
+TEST(FindFaults, RejectsASolidCycle) {
+  StripMesh mesh = mesh_of(sheet(4));
+  const Vertex inner = 6;
+  close_a_cycle(mesh, inner);
+  EXPECT_FALSE(find_faults(mesh).empty());
+  EXPECT_NE(find_fault_around(mesh, inner).find("cycle"), std::string::npos);
+}
+
+TEST(FindFault, OfAnIndexThatIsNoLongerTrue) {
+  StripMesh mesh = mesh_of(tetrahedron());
+  mesh.set_solid(StripMesh::halfedge(0, 0), true);
+  const StripIndex index(mesh);
+  EXPECT_EQ(find_fault(mesh, index), "");
+  mesh.set_solid(StripMesh::halfedge(0, 0), false);
+  EXPECT_EQ(find_fault(mesh, index), "4 strips, but the index has 3");
+  mesh.set_solid(StripMesh::halfedge(0, 1), true);
+  EXPECT_NE(find_fault(mesh, index).find("in a wrong place"), std::string::npos);
+}
+
+TEST(DecodeStrips, FollowsTheRulesOfTheCard) {
+  // Two strips; the second turns twice the same way, so one index is there twice.
+  const std::vector<std::uint32_t> indices{0, 1, 2, 3, restart_index, 4, 5, 6, 5, 7};
+  EXPECT_EQ(decode_strips(indices), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}, {4, 5, 6}, {6, 5, 7}}));
+  EXPECT_TRUE(decode_strips(std::vector<std::uint32_t>{0, 1, restart_index, 2, 3}).empty());
+}
+
+TEST(DecodeStrips, GivesTheMeshBackAndNoticesAMissingIndex) {
+  StripMesh mesh = mesh_of(sheet(7));
+  stripify(mesh);
+  std::vector<std::uint32_t> indices = strip_indices(mesh, extract_strips(mesh));
+  const auto expected = sorted_triangles(sheet(7).triangles);
+  EXPECT_EQ(sorted_triangles(decode_strips(indices)), expected);
+  indices.pop_back();
+  EXPECT_NE(sorted_triangles(decode_strips(indices)), expected);
+}
+
+TEST(SortedTriangles, TellOrientationsApart) {
+  EXPECT_EQ(sorted_triangles({{1, 2, 0}}), sorted_triangles({{2, 0, 1}}));
+  EXPECT_NE(sorted_triangles({{1, 2, 0}}), sorted_triangles({{2, 1, 0}}));
+  EXPECT_TRUE(sorted_triangles({{1, 1, 0}}).empty());
+}
+
+}  // namespace
+}  // namespace restrip::tools

@@ -1,0 +1,131 @@
+// Claims: the counts are those of the definitions on meshes small enough to count by hand, and those of the paper's
+// tables on its own meshes.
+#include "meshes/mesh_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include "meshes/made_mesh.hpp"
+#include "meshes/mesh_file.hpp"
+#include "real_meshes.hpp"
+#include "shapes.hpp"
+
+namespace restrip::tools {
+namespace {
+
+TEST(MeshReport, Tetrahedron) {
+  const MeshReport r = report_on(tetrahedron());
+  EXPECT_EQ(r.edges, 6U);
+  EXPECT_EQ(r.boundary_edges, 0U);
+  EXPECT_EQ(r.components, 1U);
+  EXPECT_EQ(r.euler_characteristic, 2);
+  EXPECT_EQ(r.genus, 0);
+  EXPECT_EQ(r.triangles_per_vertex, (std::vector<std::size_t>{0, 0, 0, 4}));
+}
+
+TEST(MeshReport, SheetWithBoundary) {
+  Soup soup = sheet(3);
+  soup.points.push_back({9, 9, 9});
+  const MeshReport r = report_on(soup);
+  EXPECT_EQ(r.vertices, 17U);
+  EXPECT_EQ(r.used_vertices, 16U);
+  EXPECT_EQ(r.boundary_edges, 12U);
+  EXPECT_EQ(r.boundary_loops, 1U);
+  EXPECT_EQ(r.euler_characteristic, 1);
+  EXPECT_EQ(r.genus, 0);
+}
+
+TEST(MeshReport, Torus) {
+  const MeshReport r = report_on(make_mesh(2000));
+  EXPECT_EQ(r.euler_characteristic, 0);
+  EXPECT_EQ(r.genus, 1);
+}
+
+TEST(MeshReport, BowTie) {
+  const MeshReport r = report_on(bow_tie());
+  EXPECT_EQ(r.bow_tie_vertices, 1U);
+  EXPECT_EQ(r.components, 1U);
+  EXPECT_FALSE(r.manifold());
+}
+
+TEST(MeshReport, LoopsThatTouchAtABowTieAreTwo) {
+  // Two triangles with one vertex in common.
+  const MeshReport r = report_on({{{}, {}, {}, {}, {}}, {{0, 1, 2}, {0, 3, 4}}});
+  EXPECT_EQ(r.boundary_loops, 2U);
+  EXPECT_EQ(r.bow_tie_vertices, 1U);
+}
+
+TEST(MeshReport, Faults) {
+  Soup soup = tetrahedron();
+  soup.triangles.push_back({2, 1, 0});  // a duplicate, turned over
+  soup.triangles.push_back({1, 1, 3});  // degenerate
+  const MeshReport r = report_on(soup);
+  EXPECT_EQ(r.duplicate_faces, 1U);
+  EXPECT_EQ(r.degenerate_faces, 1U);
+  EXPECT_EQ(r.non_manifold_edges, 3U);
+  EXPECT_EQ(r.bow_tie_vertices, 0U);
+  Soup turned = tetrahedron();
+  std::swap(turned.triangles[0][0], turned.triangles[0][1]);
+  EXPECT_EQ(report_on(turned).inconsistent_edges, 3U);
+  EXPECT_FALSE(report_on(turned).manifold());
+}
+
+std::vector<std::size_t> from_one(const MeshReport& r) {
+  return {r.triangles_per_vertex.begin() + 1, r.triangles_per_vertex.end()};
+}
+
+TEST(PaperTables, Bunny) {
+  const auto file = REAL_MESH("bunny.obj");
+  const MeshReport r = report_on(read_mesh(file));
+  EXPECT_EQ(r.vertices, 35947U);
+  EXPECT_EQ(r.used_vertices, 34834U);
+  EXPECT_EQ(r.triangles, 69451U);
+  EXPECT_EQ(from_one(r), (std::vector<std::size_t>{2, 31, 111, 438, 3875, 26165, 3888, 298, 22, 3, 1}));
+  EXPECT_EQ(r.boundary_edges, 223U);
+  EXPECT_EQ(r.boundary_loops, 5U);
+  EXPECT_TRUE(r.manifold());
+}
+
+TEST(PaperTables, Dragon) {
+  const auto file = REAL_MESH("dragon_vrip.ply");
+  const MeshReport r = report_on(read_mesh(file));
+  EXPECT_EQ(r.vertices, 437645U);
+  EXPECT_EQ(r.triangles, 871414U);
+  EXPECT_EQ(from_one(r), (std::vector<std::size_t>{775, 1073, 2244, 39545, 119944, 141423, 83482, 34087, 10931, 3145,
+                                                   770, 170, 44, 10, 2}));
+  EXPECT_EQ(r.boundary_edges, 4270U);
+  EXPECT_EQ(r.boundary_loops, 407U);
+  EXPECT_EQ(r.components, 151U);
+  EXPECT_TRUE(r.manifold());
+}
+
+struct Known {
+  const char* file;
+  std::size_t boundary_edges, non_manifold_edges, inconsistent_edges, duplicate_faces, degenerate_faces,
+      bow_tie_vertices;
+};
+
+class KnownFaults : public testing::TestWithParam<Known> {};
+
+TEST_P(KnownFaults, AreFound) {
+  const Known& known = GetParam();
+  if (real_mesh(known.file).empty()) GTEST_SKIP() << known.file << " is not to be had: set RESTRIP_MESHES";
+  const MeshReport r = report_on(read_mesh(real_mesh(known.file)));
+  EXPECT_EQ(r.boundary_edges, known.boundary_edges);
+  EXPECT_EQ(r.non_manifold_edges, known.non_manifold_edges);
+  EXPECT_EQ(r.inconsistent_edges, known.inconsistent_edges);
+  EXPECT_EQ(r.duplicate_faces, known.duplicate_faces);
+  EXPECT_EQ(r.degenerate_faces, known.degenerate_faces);
+  EXPECT_EQ(r.bow_tie_vertices, known.bow_tie_vertices);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    RealMeshes, KnownFaults,
+    testing::Values(Known{"beetle_nm.obj", 296, 47, 0, 0, 0, 0}, Known{"dragon_vrip_res3.ply", 0, 2094, 0, 1254, 0, 5},
+                    Known{"teapot6320.obj", 1036, 0, 0, 0, 0, 38},
+                    Known{"bad/blobby-shuffled.off", 0, 0, 3069, 0, 0, 0}, Known{"bad/data_cow.obj", 0, 0, 0, 0, 0, 1},
+                    Known{"bad/testdata_deg_faces.obj", 5, 0, 0, 0, 1, 0},
+                    Known{"bad/testdata_test_nm.obj", 30, 0, 0, 0, 0, 2}, Known{"bad/venus.obj", 0, 3, 0, 1, 0, 0},
+                    Known{"bad/models_joined_tetrahedra.obj", 0, 3, 0, 1, 0, 0}));
+
+}  // namespace
+}  // namespace restrip::tools

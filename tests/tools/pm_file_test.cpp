@@ -1,0 +1,106 @@
+// Claims: OpenMesh's progressive meshes are read with the orientation they were written with, what is written is read
+// again, and nothing else is taken for one.
+#include "lod/pm_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "common/bad_input.hpp"
+#include "lod/simplify.hpp"
+#include "meshes/made_mesh.hpp"
+#include "real_meshes.hpp"
+#include "replay/replay.hpp"
+#include "shapes.hpp"
+
+namespace restrip::tools {
+namespace {
+
+std::string refusal(std::string_view bytes) {
+  try {
+    (void)parse_pm(bytes, "some.pm");
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PmFile, WhatIsWrittenIsRead) {
+  for (const Soup& soup : {make_mesh(1000), sheet(15)}) {
+    const ProgressiveMesh mesh = simplify(soup, {0.05, BoundaryPolicy::move}).mesh;
+    const std::string bytes = pm_bytes(mesh);
+    const ProgressiveMesh again = parse_pm(bytes, "some.pm");
+    EXPECT_EQ(again.base.size(), mesh.base.size());
+    EXPECT_EQ(again.splits.size(), mesh.splits.size());
+    EXPECT_EQ(again.fine_triangles(), soup.triangles.size());
+    // Numbered in order of appearance, it stays as it is.
+    EXPECT_EQ(pm_bytes(again), bytes);
+    const ReplayReport report = replay(again, {}, {2, 0, 0});
+    EXPECT_TRUE(report.valid());
+    EXPECT_EQ(report.operations_without_rule, 0U);
+  }
+}
+
+TEST(PmFile, RefusesWhatItIsNot) {
+  const std::string whole = pm_bytes(simplify(make_mesh(200), {0.2, BoundaryPolicy::move}).mesh);
+  EXPECT_EQ(refusal(whole), "");
+  EXPECT_NE(refusal("").find("does not begin with 'ProgMesh'"), std::string::npos);
+  EXPECT_NE(refusal("# a mesh\n# by hand\nPM\nversion=2\n").find("Hoppe's format"), std::string::npos);
+  EXPECT_NE(refusal(whole.substr(0, 12)).find("ends inside its header"), std::string::npos);
+  EXPECT_NE(refusal(whole.substr(0, whole.size() - 1)).find("is it complete?"), std::string::npos);
+  std::string wrong = whole;
+  wrong[wrong.size() - 10] = '\x7F';  // the last split names a vertex that is not there
+  EXPECT_NE(refusal(wrong).find("refers to vertices"), std::string::npos);
+}
+
+TEST(PmFile, NothingToReplayIsNoSuccess) {
+  const auto base_of = [](const std::vector<Corners>& base) {
+    ProgressiveMesh mesh;
+    mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.base = base;
+    return pm_bytes(mesh);
+  };
+  EXPECT_EQ(refusal(base_of({{0, 1, 2}})), "");
+  EXPECT_NE(refusal(base_of({})).find("no triangles"), std::string::npos);
+  EXPECT_NE(refusal(base_of({{0, 1, 1}, {2, 1, 2}})).find("degenerate"), std::string::npos);
+  EXPECT_EQ(refusal(base_of({{0, 1, 1}, {0, 1, 2}})), "");  // one is left out and counted, the other replayed
+}
+
+TEST(PmFile, RealOne) {
+  const auto file = REAL_MESH("om_bunny.pm");
+  const ProgressiveMesh mesh = read_pm(file);
+  EXPECT_EQ(mesh.base.size(), 694U);
+  EXPECT_EQ(mesh.splits.size(), 34486U);
+  const ReplayReport report = replay(mesh, {}, {2, 0, 1});
+  EXPECT_TRUE(report.valid());
+  EXPECT_EQ(report.triangles, 69666U);
+  EXPECT_EQ(report.operations_without_rule, 0U);
+  EXPECT_EQ(report.operations_isolating, 0U);
+  std::vector<std::size_t> valences(19, 0);
+  for (const auto& [k, n] : {std::pair{3U, 1U},
+                             {4U, 106U},
+                             {5U, 1800U},
+                             {6U, 7335U},
+                             {7U, 12439U},
+                             {8U, 9506U},
+                             {9U, 2601U},
+                             {10U, 607U},
+                             {11U, 79U},
+                             {12U, 11U},
+                             {18U, 1U}})
+    valences[k] = n;
+  EXPECT_EQ(report.by_valence, valences);
+}
+
+TEST(PmFile, TheOtherOrientationDoesNotFit) {
+  const auto file = REAL_MESH("om_bunny.pm");
+  ProgressiveMesh mesh = read_pm(file);
+  for (Record& record : mesh.splits) std::swap(record.v_l, record.v_r);
+  EXPECT_GT(replay(mesh, {}, {2, 0, 0}).operations_without_rule, 0U);
+}
+
+TEST(PmFile, HoppesIsNamed) {
+  const auto file = REAL_MESH("hoppe_standingblob.pm");
+  EXPECT_THROW((void)read_pm(file), BadInput);
+}
+
+}  // namespace
+}  // namespace restrip::tools

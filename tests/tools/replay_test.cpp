@@ -1,0 +1,172 @@
+// Claims: a replay gives back the original triangles in valid strips, its counts add up, a wrong progressive mesh is
+// found out, and what the splits walk over grows as the mesh does, whatever its valences.
+#include "replay/replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <numeric>
+
+#include "lod/simplify.hpp"
+#include "meshes/made_mesh.hpp"
+#include "meshes/mesh_file.hpp"
+#include "real_meshes.hpp"
+#include "shapes.hpp"
+
+namespace restrip::tools {
+namespace {
+
+const ReplayOptions quick{10, 0, 0};
+
+ReplayReport replay_of(const Soup& soup, BoundaryPolicy policy, const ReplayOptions& options = quick) {
+  return replay(simplify(soup, {0.02, policy}).mesh, soup.triangles, options);
+}
+
+TEST(Replay, ClosedMesh) {
+  const Soup soup = make_mesh(5000);
+  const ReplayReport report = replay_of(soup, BoundaryPolicy::move, {10, 1, 0});
+  EXPECT_TRUE(report.valid());
+  EXPECT_EQ(report.triangles, soup.triangles.size());
+  EXPECT_EQ(report.triangles, report.base_triangles + 2 * report.operations);
+  EXPECT_EQ(report.operations_without_rule, 0U);
+  EXPECT_EQ(report.operations_isolating, 0U);
+  EXPECT_EQ(std::accumulate(report.by_valence.begin(), report.by_valence.end(), std::size_t{0}), report.operations);
+  ASSERT_EQ(report.levels.size(), 10U);
+  EXPECT_EQ(report.levels.front().triangles, report.base_triangles);
+  EXPECT_EQ(report.levels.back().triangles, report.triangles);
+  for (const Level& level : report.levels) EXPECT_GE(level.indices, level.triangles + 3 * level.strips - 1);
+  EXPECT_GT(report.ns_per_operation, 0);
+  EXPECT_GT(report.ns_per_operation_bare, 0);
+}
+
+TEST(Replay, EveryPolicyBothWays) {
+  std::size_t strips = 20'000;
+  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+    const Soup soup = make_mesh(20'000);
+    const ReplayReport report = replay_of(soup, BoundaryPolicy::move, {10, 0, 1, policy});
+    EXPECT_TRUE(report.valid());
+    ASSERT_EQ(report.levels_down.size(), report.levels.size());
+    for (std::size_t i = 0; i < report.levels.size(); ++i)
+      EXPECT_EQ(report.levels_down[i].triangles, report.levels[i].triangles);
+    EXPECT_EQ(report.levels_down.back().strips, report.levels.back().strips);
+    EXPECT_LT(report.levels.back().strips, strips) << "the costlier policy keeps fewer strips";
+    strips = report.levels.back().strips;
+    EXPECT_GT(report.bytes_written_per_operation, 0);
+    EXPECT_LT(report.bytes_written_per_operation, static_cast<double>(report.buffer_bytes) / 10);
+  }
+}
+
+TEST(Replay, BoundaryOfBothPolicies) {
+  for (const BoundaryPolicy policy : {BoundaryPolicy::lock, BoundaryPolicy::move})
+    EXPECT_TRUE(replay_of(sheet(30), policy).valid());
+}
+
+TEST(Replay, NothingToSplit) {
+  const ReplayReport report = replay_of(tetrahedron(), BoundaryPolicy::move);
+  EXPECT_TRUE(report.valid());
+  EXPECT_EQ(report.operations, 0U);
+  EXPECT_EQ(report.levels.back().triangles, 4U);
+}
+
+TEST(Replay, CyclesComeBackToTheSameMesh) {
+  const ReplayReport report = replay_of(sheet(25), BoundaryPolicy::move, {2, 0, 5});
+  EXPECT_TRUE(report.valid());
+  ASSERT_EQ(report.cycles.size(), 5U);
+  for (const Cycle& cycle : report.cycles) {
+    EXPECT_EQ(cycle.base.triangles, report.base_triangles);
+    EXPECT_EQ(cycle.top.triangles, report.triangles);
+  }
+}
+
+TEST(Replay, FindsAMissingTriangle) {
+  const Soup soup = make_mesh(500);
+  ProgressiveMesh mesh = simplify(soup).mesh;
+  std::vector<Corners> original = soup.triangles;
+  original.pop_back();
+  EXPECT_FALSE(replay(mesh, original, quick).valid());
+}
+
+TEST(Replay, FindsATurnedTriangle) {
+  const Soup soup = make_mesh(500);
+  std::vector<Corners> original = soup.triangles;
+  std::swap(original.front()[0], original.front()[1]);
+  EXPECT_FALSE(replay(simplify(soup).mesh, original, quick).valid());
+}
+
+TEST(Replay, FindsASplitThatDoesNotFit) {
+  const Soup soup = make_mesh(500);
+  ProgressiveMesh mesh = simplify(soup).mesh;
+  mesh.splits[7].v_l = mesh.splits.back().v_t;  // not there yet
+  const ReplayReport report = replay(mesh, soup.triangles, quick);
+  EXPECT_GT(report.operations_without_rule, 0U);
+  EXPECT_FALSE(report.valid());
+}
+
+/// Triangles around the vertices that are split.
+std::size_t walked(const ReplayReport& report) {
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < report.by_valence.size(); ++k) sum += k * report.by_valence[k];
+  return sum;
+}
+
+TEST(Replay, LargeFansCostAsMuchAsTheirTriangles) {
+  for (Soup (*const make)(std::uint32_t) : {double_cone, open_cone, cylinder}) {
+    std::array<std::size_t, 2> sum{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const ReplayReport report = replay_of(make(i == 0 ? 2000 : 8000), BoundaryPolicy::move);
+      EXPECT_TRUE(report.valid());
+      EXPECT_GT(report.operations, 0U);
+      sum[i] = walked(report);
+    }
+    EXPECT_GT(sum[0], 0U);
+    EXPECT_LT(sum[1], 6 * sum[0]) << "four times as many triangles";
+  }
+}
+
+TEST(Replay, LargeFansUnderEveryPolicy) {
+  const Soup soup = double_cone(2000);
+  const Simplification simplification = simplify(soup);
+  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+    const ReplayReport report = replay(simplification.mesh, soup.triangles, {10, 0, 1, policy});
+    EXPECT_TRUE(report.valid());
+    EXPECT_EQ(report.triangles, 4000U);
+  }
+}
+
+struct Real {
+  const char* file;
+  double least_per_strip;  ///< triangles per strip that local rules keep at the finest level
+  double least_linked;     ///< and linked rules
+};
+
+class WithoutLoss : public testing::TestWithParam<Real> {};
+
+TEST_P(WithoutLoss, NoSplitIsolatesATriangle) {
+  const Real& real = GetParam();
+  if (real_mesh(real.file).empty()) GTEST_SKIP() << real.file << " is not to be had: set RESTRIP_MESHES";
+  const ReplayReport report = replay_of(read_mesh(real_mesh(real.file)), BoundaryPolicy::lock);
+  EXPECT_TRUE(report.valid());
+  EXPECT_EQ(report.operations_without_rule, 0U);
+  EXPECT_EQ(report.operations_isolating, 0U);
+  const Level& top = report.levels.back();
+  EXPECT_GE(static_cast<double>(top.triangles), real.least_per_strip * static_cast<double>(top.strips));
+}
+
+TEST_P(WithoutLoss, LinkedRulesKeepLongerStrips) {
+  const Real& real = GetParam();
+  if (real_mesh(real.file).empty()) GTEST_SKIP() << real.file << " is not to be had: set RESTRIP_MESHES";
+  const ReplayReport report =
+      replay_of(read_mesh(real_mesh(real.file)), BoundaryPolicy::move, {2, 0, 0, Policy::linked});
+  EXPECT_TRUE(report.valid());
+  EXPECT_EQ(report.operations_isolating, 0U);
+  const Level& top = report.levels.back();
+  EXPECT_GE(static_cast<double>(top.triangles), real.least_linked * static_cast<double>(top.strips));
+}
+
+INSTANTIATE_TEST_SUITE_P(RealMeshes, WithoutLoss,
+                         testing::Values(Real{"bunny.obj", 11.5, 22}, Real{"nefertiti.obj", 11, 22},
+                                         Real{"rocker-arm.obj", 11, 22}, Real{"soccerball_g31.obj", 11, 22},
+                                         Real{"fandisk.obj", 11, 22}));
+
+}  // namespace
+}  // namespace restrip::tools

@@ -1,0 +1,148 @@
+// Claims: simplification reaches its target where collapses allow it, its splits lead back to exactly the triangles of
+// the soup, what is no manifold is left alone and counted, and its cost grows as the mesh does, whatever the valences.
+#include "lod/simplify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "lod/coloring_check.hpp"
+#include "meshes/made_mesh.hpp"
+#include "meshes/mesh_file.hpp"
+#include "real_meshes.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "shapes.hpp"
+
+namespace restrip::tools {
+namespace {
+
+/// Splits the base back up, each split checked, and compares.
+void expect_leads_back(const ProgressiveMesh& progressive, const Soup& soup) {
+  StripMesh mesh = StripMesh::build(progressive.base, progressive.points.size());
+  for (const Record& record : progressive.splits) {
+    const auto where = spokes_of(mesh, record);
+    ASSERT_EQ(check_split(mesh, where), Refusal::granted);
+    const auto chord = mesh.insert_vertex(where, record.v_t);
+    ASSERT_EQ(mesh.from(chord), record.v_s);
+    ASSERT_EQ(mesh.to(chord), record.v_t);
+  }
+  EXPECT_TRUE(find_faults(mesh).empty());
+  EXPECT_EQ(sorted_triangles(triangles_of(mesh)), sorted_triangles(soup.triangles));
+}
+
+TEST(Simplify, ClosedMeshReachesItsTarget) {
+  const Soup soup = make_mesh(4000);
+  const Simplification result = simplify(soup, {0.05, BoundaryPolicy::move});
+  EXPECT_LE(result.mesh.base.size(), result.wanted_triangles);
+  EXPECT_GT(result.mesh.base.size() + 2, result.wanted_triangles);
+  EXPECT_EQ(result.mesh.fine_triangles(), soup.triangles.size());
+  expect_leads_back(result.mesh, soup);
+}
+
+TEST(Simplify, BoundaryMovesOrStays) {
+  const Soup soup = sheet(20);
+  const auto base_boundary = [&](BoundaryPolicy policy) {
+    const Simplification result = simplify(soup, {0.05, policy});
+    expect_leads_back(result.mesh, soup);
+    BuildReport report;
+    (void)StripMesh::build(result.mesh.base, result.mesh.points.size(), &report);
+    return report.boundary_edges;
+  };
+  EXPECT_EQ(base_boundary(BoundaryPolicy::lock), 80U);
+  EXPECT_LT(base_boundary(BoundaryPolicy::move), 80U);
+}
+
+TEST(Simplify, LockedBoundaryHasClosedFansOnly) {
+  for (const Record& record : simplify(sheet(20), {0.05, BoundaryPolicy::lock}).mesh.splits) {
+    EXPECT_NE(record.v_l, none);
+    EXPECT_NE(record.v_r, none);
+  }
+}
+
+TEST(Simplify, WholeMeshNeedsNoSplit) {
+  const Simplification result = simplify(tetrahedron(), {1.0, BoundaryPolicy::move});
+  EXPECT_EQ(result.mesh.base.size(), 4U);
+  EXPECT_TRUE(result.mesh.splits.empty());
+}
+
+TEST(Simplify, StopsWhereNoCollapseIsLegal) {
+  const Simplification result = simplify(tetrahedron(), {0.1, BoundaryPolicy::move});
+  EXPECT_EQ(result.mesh.base.size(), 4U);
+  EXPECT_EQ(result.wanted_triangles, 1U);
+}
+
+TEST(Simplify, LeavesFaultsAlone) {
+  Soup soup = sheet(12);
+  soup.triangles.push_back({0, 0, 1});                        // degenerate
+  soup.triangles.push_back(soup.triangles[100]);              // duplicate: three non-manifold edges
+  soup.triangles.push_back({50, 51, 168});                    // a fin
+  std::swap(soup.triangles[200][0], soup.triangles[200][1]);  // turned over
+  const Simplification result = simplify(soup, {0.02, BoundaryPolicy::move});
+  EXPECT_EQ(result.left_out.degenerate_triangles, 1U);
+  EXPECT_GT(result.left_out.irregular_vertices, 0U);
+  expect_leads_back(result.mesh, soup);
+}
+
+TEST(Simplify, IsDeterministic) {
+  const Soup soup = make_mesh(2000);
+  EXPECT_EQ(simplify(soup).mesh.splits, simplify(soup).mesh.splits);
+}
+
+struct Fan {
+  const char* name;
+  Soup (*make)(std::uint32_t spokes);
+};
+class LargeFans : public testing::TestWithParam<Fan> {};
+
+TEST_P(LargeFans, CostAsMuchAsTheirTriangles) {
+  std::array<std::size_t, 2> steps{};
+  std::array<std::size_t, 2> triangles{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Soup soup = GetParam().make(i == 0 ? 2000 : 8000);
+    const Simplification result = simplify(soup, {0.02, BoundaryPolicy::move});
+    EXPECT_LE(result.mesh.base.size(), result.wanted_triangles);
+    EXPECT_EQ(result.left_out.large_vertices, 0U);
+    expect_leads_back(result.mesh, soup);
+    steps[i] = result.steps;
+    triangles[i] = soup.triangles.size();
+  }
+  EXPECT_GT(steps[0], 3 * triangles[0]);
+  EXPECT_LT(steps[1], 6 * steps[0]) << "four times as many triangles";
+}
+
+TEST_P(LargeFans, AreSplitFromSmallOnesOnly) {
+  const Soup soup = GetParam().make(8000);
+  const Simplification result = simplify(soup, {0.3, BoundaryPolicy::move});
+  EXPECT_LE(result.mesh.base.size(), result.wanted_triangles);
+  EXPECT_GT(result.left_out.large_vertices, 0U);
+  StripMesh mesh = StripMesh::build(result.mesh.base, result.mesh.points.size());
+  for (const Record& record : result.mesh.splits) {
+    ASSERT_LE(spoke_count(mesh, record.v_s), 2 * most_neighbors);
+    mesh.insert_vertex(spokes_of(mesh, record), record.v_t);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Simplify, LargeFans,
+                         testing::Values(Fan{"double cone", double_cone}, Fan{"open cone", open_cone},
+                                         Fan{"cylinder", cylinder},
+                                         Fan{"disc", [](std::uint32_t n) { return disc(n, 3); }}),
+                         [](const auto& of) { return std::to_string(of.index); });
+
+class RealMeshes : public testing::TestWithParam<const char*> {};
+
+TEST_P(RealMeshes, LeadBack) {
+  if (real_mesh(GetParam()).empty()) GTEST_SKIP() << GetParam() << " is not to be had: set RESTRIP_MESHES";
+  const Soup soup = read_mesh(real_mesh(GetParam()));
+  for (const BoundaryPolicy policy : {BoundaryPolicy::lock, BoundaryPolicy::move})
+    expect_leads_back(simplify(soup, {0.02, policy}).mesh, soup);
+}
+
+INSTANTIATE_TEST_SUITE_P(Simplify, RealMeshes,
+                         testing::Values("fandisk.obj", "rocker-arm.obj", "beetle_nm.obj", "dragon_vrip_res3.ply",
+                                         "teapot6320.obj", "bad/blobby-shuffled.off", "bad/data_cow.obj",
+                                         "bad/testdata_deg_faces.obj", "bad/testdata_test_nm.obj", "bad/venus.obj",
+                                         "bad/models_joined_tetrahedra.obj"));
+
+}  // namespace
+}  // namespace restrip::tools

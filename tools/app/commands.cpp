@@ -1,0 +1,291 @@
+#include "app/commands.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "common/bad_input.hpp"
+#include "common/report_output.hpp"
+#include "common/stopwatch.hpp"
+#include "files/output.hpp"
+#include "files/reading.hpp"
+#include "lod/baked_file.hpp"
+#include "lod/coloring_check.hpp"
+#include "lod/pm_file.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/mesh_report.hpp"
+#include "paper/draw.hpp"
+#include "replay/policies.hpp"
+#include "replay/replay_text.hpp"
+#include "replay/walk.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/output/strips.hpp"
+
+namespace restrip::tools {
+namespace {
+
+bool is_progressive(const std::filesystem::path& file) { return files::extension_of(file) == ".pm"; }
+
+bool is_baked(const std::filesystem::path& file) { return files::extension_of(file) == baked_extension; }
+
+void refuse_simplifying(const std::filesystem::path& file, bool given) {
+  if (given)
+    throw BadInput(
+        fmt::format("{}: is progressive already and not simplified, so --base and --boundary do not apply; leave them "
+                    "out, or give the mesh that it was made from",
+                    file.string()));
+}
+
+/// A mesh ready to be replayed, with the triangles that must come out (none for a file that has only the splits).
+struct Source {
+  Subject subject;
+  ProgressiveMesh mesh;
+  std::vector<Corners> original;
+  std::optional<BakedMesh> baked;  ///< when the file has its strips
+};
+
+Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
+  Simplification simplified = simplify(soup, options);
+  Source source;
+  source.subject.name = std::move(name);
+  source.subject.wanted_triangles = simplified.wanted_triangles;
+  source.subject.left_out = simplified.left_out;
+  source.mesh = std::move(simplified.mesh);
+  source.original = std::move(soup.triangles);
+  return source;
+}
+
+Source source_of(const std::filesystem::path& file, const SimplifyOptions& options, bool options_given) {
+  if (!is_baked(file) && !is_progressive(file)) return simplified(file.string(), read_mesh(file), options);
+  refuse_simplifying(file, options_given);
+  Source source;
+  source.subject.name = file.string();
+  if (is_baked(file)) {
+    source.baked = read_baked(file);
+    source.mesh = source.baked->mesh;
+    return source;
+  }
+  source.mesh = read_pm(file);
+  BuildReport report;
+  const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
+  source.subject.left_out = {report.degenerate_triangles, report.irregular_vertices, 0, 0};
+  return source;
+}
+
+BakedCosts costs_of(const BakedMesh& baked, double seconds) {
+  if (baked.mesh.splits.empty()) return {};
+  BakedMesh base{baked.mesh, baked.base, {}};
+  base.mesh.splits.clear();
+  const auto records = static_cast<double>(baked.mesh.splits.size());
+  return {static_cast<double>(baked.records.flips.size()) / records,
+          static_cast<double>(baked_bytes(baked).size() - baked_bytes(base).size()) / records, seconds};
+}
+
+/// Moves each vertex to the mean of its neighbours, so that the made mesh's jitter does not hide it in a picture.
+void smooth(Soup& soup, int rounds) {
+  for (; rounds > 0; --rounds) {
+    std::vector<Point> sum(soup.points.size());
+    std::vector<float> count(soup.points.size(), 0);
+    for (const Corners& t : soup.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Point& p = soup.points[t[(i + 1) % 3]];
+        Point& s = sum[t[i]];
+        s = {s.x + p.x, s.y + p.y, s.z + p.z};
+        count[t[i]] += 1;
+      }
+    }
+    for (std::size_t v = 0; v < sum.size(); ++v)
+      if (count[v] > 0) soup.points[v] = {sum[v].x / count[v], sum[v].y / count[v], sum[v].z / count[v]};
+  }
+}
+
+/// Under the policy; baked strips are local ones where a mesh goes its own ways.
+WalkTaken take_walk(const Source& source, const ReplayCommand& command, Policy policy) {
+  StripMesh mesh;
+  if (source.original.empty()) {
+    mesh = StripMesh::build(source.mesh.base, source.mesh.points.size());
+    for (const Record& record : source.mesh.splits) mesh.insert_vertex(spokes_of(mesh, record), record.v_t);
+  } else {
+    mesh = StripMesh::build(source.original, source.mesh.points.size());
+  }
+  stripify(mesh);
+  WalkTaken taken{{command.walk_steps, command.seed}, {}};
+  taken.report = walk(mesh, taken.options, operations_of(policy, source.subject.search));
+  return taken;
+}
+
+}  // namespace
+
+int run(const StatsCommand& command) {
+  const ReportOutput out(command.json, {command.mesh});
+  if (is_progressive(command.mesh) || is_baked(command.mesh)) {
+    // The base is a mesh like any other.
+    ProgressiveMesh mesh = is_baked(command.mesh) ? read_baked(command.mesh).mesh : read_pm(command.mesh);
+    Soup soup;
+    soup.points = std::move(mesh.points);
+    soup.points.resize(soup.points.size() - mesh.splits.size());
+    soup.triangles = std::move(mesh.base);
+    const MeshReport report = report_on(soup);
+    out.print(as_text(report, command.mesh.string() + " (its base)"), as_json(report));
+    return 0;
+  }
+  const MeshReport report = report_on(read_mesh(command.mesh));
+  out.print(as_text(report, command.mesh.string()), as_json(report));
+  return 0;
+}
+
+int run(const ReplayCommand& command) {
+  const ReportOutput out(command.json, {command.mesh});
+  Source source = command.built_in
+                      ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
+                      : source_of(command.mesh, command.simplify, command.simplify_given);
+  const std::string policy = !command.policy.empty() ? command.policy : source.baked ? "baked" : "local";
+  ReplayOptions options = command.replay;
+  source.subject.policy = policy;
+  if (policy == "baked") {
+    BakeReport made;
+    if (!source.baked) source.baked = bake(source.mesh, {}, &made);
+    source.subject.baked = costs_of(*source.baked, made.seconds);
+    options.baked = &*source.baked;
+  } else {
+    options.policy = policy_names().at(policy);
+    source.subject.search = search_of(options.policy);
+    if (command.states != 0) source.subject.search = {command.states, 0, TieBreak::strips};
+    source.subject.search.tie_break = command.tie_break;
+    options.search = source.subject.search;
+  }
+  const ReplayReport report = replay(source.mesh, source.original, options);
+  std::optional<WalkTaken> walk;
+  if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command, options.policy);
+
+  out.print(as_text(report, source.subject) + (walk ? as_text(*walk) : ""), as_json(report, source.subject, walk));
+  return report.valid() && (!walk || walk->report.fault.empty()) ? 0 : 1;
+}
+
+int run(const SimplifyCommand& command) {
+  const files::Output out(command.out, {{".pm"}, {command.mesh}});
+  const ReportOutput report(command.json, {command.mesh, command.out});
+  const Simplification result = simplify(read_mesh(command.mesh), command.simplify);
+  out.write(pm_bytes(result.mesh));
+  std::string text = fmt::format("{}: {} triangles and {} splits to {}\n", command.out.string(),
+                                 result.mesh.base.size(), result.mesh.splits.size(), result.mesh.fine_triangles());
+  if (result.mesh.base.size() > result.wanted_triangles)
+    text += fmt::format("a base of {} triangles was wanted; {}\n", result.wanted_triangles,
+                        why_no_coarser(result.left_out));
+  const nlohmann::ordered_json json{{"base_triangles", result.mesh.base.size()},
+                                    {"wanted_base_triangles", result.wanted_triangles},
+                                    {"splits", result.mesh.splits.size()},
+                                    {"triangles", result.mesh.fine_triangles()}};
+  report.print(text, json.dump(2) + "\n");
+  return 0;
+}
+
+int run(const BakeCommand& command) {
+  const files::Output out(command.out, {{std::string(baked_extension)}, {command.mesh}});
+  const ReportOutput told(command.json, {command.mesh, command.out});
+  Source source = source_of(command.mesh, command.simplify, command.simplify_given);
+  BakeReport report;
+  const BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
+  const std::string file = baked_bytes(baked);
+  const std::size_t bytes = file.size();
+  out.write(file);
+  const std::size_t records = baked.records.size();
+  const auto each = static_cast<double>(std::max<std::size_t>(records, 1));
+  const BakedCosts costs = costs_of(baked, report.seconds);
+  const nlohmann::ordered_json json{{"base_triangles", baked.base.triangle_count()},
+                                    {"triangles", baked.mesh.fine_triangles()},
+                                    {"records", records},
+                                    {"pieces", report.pieces},
+                                    {"base_strips", report.base_strips},
+                                    {"top_strips", report.top_strips},
+                                    {"top_at_least", report.top_at_least},
+                                    {"most_strips", report.most_strips},
+                                    {"levels_with_fewest", report.fewest_levels},
+                                    {"flips_per_record", costs.flips_per_record},
+                                    {"bytes_per_record", costs.bytes_per_record},
+                                    {"bytes", bytes},
+                                    {"states", report.states},
+                                    {"seconds", report.seconds}};
+  const std::string text = fmt::format(
+      "{}: {} triangles and {} records to {}\n"
+      "{} strips at the base, {} at the finest level (where {} are needed at least), {} at most; {} connected "
+      "components, {:.2f} % of the levels in as many strips\n"
+      "{:.2f} flips and {:.1f} bytes a record, {} bytes in all; {:.1f} seconds\n",
+      command.out.string(), baked.base.triangle_count(), records, baked.mesh.fine_triangles(), report.base_strips,
+      report.top_strips, report.top_at_least, report.most_strips, report.pieces,
+      100.0 * static_cast<double>(report.fewest_levels) / (each + 1), costs.flips_per_record, costs.bytes_per_record,
+      bytes, report.seconds);
+  told.print(text, json.dump(2) + "\n");
+  return 0;
+}
+
+int run(const MakeMeshCommand& command) {
+  const files::Output out(command.out, {written_mesh_extensions(), {}});
+  const ReportOutput report(command.json, {command.out});
+  const std::string format = files::extension_of(command.out);
+  if (format.empty())  // a device
+    throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}",
+                               command.out.string(), fmt::join(written_mesh_extensions(), ", ")));
+  const Soup soup = make_mesh(command.triangles, command.seed);
+  out.write(mesh_bytes(soup, format));
+  const nlohmann::ordered_json json{{"vertices", soup.points.size()}, {"triangles", soup.triangles.size()}};
+  report.print(
+      fmt::format("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size()),
+      json.dump(2) + "\n");
+  return 0;
+}
+
+int run(const StripifyCommand& command) {
+  const ReportOutput out(command.json, {command.mesh});
+  const Soup soup = read_mesh(command.mesh);
+  BuildReport report;
+  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size(), &report);
+  Medians clock;
+  clock.time([&] { stripify(mesh, command.effort); });
+  const Strips strips = extract_strips(mesh);
+  const std::size_t indices = strip_index_count(mesh, strips);
+  const std::vector<std::string> faults = find_faults(mesh);
+  const std::size_t left_out = report.degenerate_triangles + report.out_of_range_triangles;
+  const double seconds = clock.nanoseconds() * 1e-9;
+  const nlohmann::ordered_json json{{"triangles", mesh.triangle_count()},
+                                    {"left_out", left_out},
+                                    {"strips", strips.size()},
+                                    {"pieces", connected_pieces(mesh)},
+                                    {"indices", indices},
+                                    {"seconds", seconds},
+                                    {"valid", faults.empty()}};
+  const auto triangles = static_cast<double>(std::max<std::size_t>(mesh.triangle_count(), 1));
+  out.print(fmt::format("{}: {} triangles ({} degenerate ones left out) in {} strips, {} connected components\n"
+                        "{:.3f} indices per triangle, {:.3f} seconds\n",
+                        command.mesh.string(), mesh.triangle_count(), left_out, strips.size(), connected_pieces(mesh),
+                        static_cast<double>(indices) / triangles, seconds),
+            json.dump(2) + "\n");
+  for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
+  return faults.empty() ? 0 : 1;
+}
+
+int run(const DrawCommand& command) {
+  const files::Output out(command.out, {{".svg"}, {command.mesh}});
+  const ReportOutput report(command.json, {command.mesh, command.out});
+  constexpr std::size_t triangles_in_a_picture = 2400;
+  Soup soup = command.mesh.empty() ? make_mesh(triangles_in_a_picture) : read_mesh(command.mesh);
+  if (command.mesh.empty()) smooth(soup, 4);
+  const ProgressiveMesh source = simplify(soup, {}).mesh;
+  StripMesh mesh = StripMesh::build(source.base, source.points.size());
+  stripify(mesh);
+  for (const Record& record : source.splits) split(mesh, spokes_of(mesh, record), record.v_t);
+  // Six triangles, five of them in one strip that enters and leaves, the last one in a strip of its own.
+  constexpr SplitPosition at{6, 3};
+  constexpr Word loop = 0b001111;
+  constexpr Word ports = 0b110001;
+  out.write(svg_of({{draw_mesh(mesh, source.points), "a mesh coloured by strip"},
+                    {draw_fan(at, loop, ports), "a 6-vertex; solid: strip, dashed: no strip"},
+                    {draw_split(at, loop, ports), "split, and repaired by its rule"}}));
+  const nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", extract_strips(mesh).size()}};
+  report.print("", json.dump(2) + "\n");
+  return 0;
+}
+
+}  // namespace restrip::tools

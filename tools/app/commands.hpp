@@ -1,0 +1,92 @@
+// The subcommands of `restrip`, free of any command line: what each wants to know, and what it does. Each returns the
+// exit code: 0, or 1 when a check failed; bad input is thrown (BadInput). `json` is the argument of --json
+// (report_output.hpp): a file, - for standard output, or empty.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lod/bake.hpp"
+#include "lod/simplify.hpp"
+#include "meshes/made_mesh.hpp"
+#include "paper/paper.hpp"
+#include "replay/replay.hpp"
+#include "restrip/search/stripify.hpp"
+
+namespace restrip::tools {
+
+struct StatsCommand {
+  std::filesystem::path mesh;
+  std::string json;
+};
+int run(const StatsCommand& command);
+
+struct ReplayCommand {
+  std::filesystem::path mesh;  ///< may be a progressive mesh (.pm, .baked): then it is replayed as it is
+  bool built_in = false;       ///< make a mesh instead
+  std::size_t built_in_triangles = default_made_triangles;
+  SimplifyOptions simplify;
+  bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
+  ReplayOptions replay;
+  std::string policy;                     ///< of policy_names(), or baked; empty: baked for a baked mesh, else local
+  std::uint32_t states = 0;               ///< of each search of a policy that searches; 0: its own
+  TieBreak tie_break = TieBreak::strips;  ///< of these searches
+  std::uint64_t walk_steps = 0;
+  std::uint64_t seed = 1;
+  std::string json;
+};
+int run(const ReplayCommand& command);
+
+struct SimplifyCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path out;
+  SimplifyOptions simplify;
+  std::string json;
+};
+int run(const SimplifyCommand& command);
+
+struct BakeCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path out;
+  SimplifyOptions simplify;
+  bool simplify_given = false;
+  BakeOptions bake;
+  std::string json;
+};
+int run(const BakeCommand& command);
+
+struct MakeMeshCommand {
+  std::filesystem::path out;
+  std::size_t triangles = default_made_triangles;
+  std::uint64_t seed = 1;
+  std::string json;
+};
+int run(const MakeMeshCommand& command);
+
+struct StripifyCommand {
+  std::filesystem::path mesh;
+  Effort effort = Effort::fast;
+  std::string json;
+};
+int run(const StripifyCommand& command);
+
+/// The picture of the README: a mesh coloured by strip after its replay, and the rule of one split.
+struct DrawCommand {
+  std::filesystem::path mesh;  ///< empty: the built-in mesh
+  std::filesystem::path out;
+  std::string json;
+};
+int run(const DrawCommand& command);
+
+/// The paper's figures and experiments, as a page of HTML and CSV files. Files are written whole, the page last.
+struct PaperCommand {
+  std::filesystem::path out;  ///< a folder; made when it is not there
+  std::vector<std::filesystem::path> meshes;
+  PaperOptions options;
+  std::string json;
+};
+int run(const PaperCommand& command);
+
+}  // namespace restrip::tools

@@ -1,0 +1,262 @@
+// restrip: look at a mesh, simplify it, replay its levels of detail with their strips kept by the rules.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "common/bad_input.hpp"
+#include "files/reading.hpp"
+#include "files/system_calls.hpp"
+#include "meshes/soup_builder.hpp"
+#include "meshes/text_cursor.hpp"
+#include "replay/policies.hpp"
+
+namespace {
+
+using namespace restrip::tools;
+
+constexpr int exit_bad_input = 2;
+
+/// CLI11 takes -1 for the largest number there is, and a number that is too large as well.
+const CLI::Validator whole_number(
+    [](std::string& word) {
+      return parse<std::uint64_t>(word) ? std::string() : fmt::format("{} is no whole number below 2^64", word);
+    },
+    "", "whole number");
+
+/// A range admits what is no number at all.
+const CLI::Validator true_number(
+    [](std::string& word) {
+      const auto number = parse<double>(word);
+      return number && std::isfinite(*number) ? std::string() : fmt::format("{} is no number", word);
+    },
+    "", "number");
+
+void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
+  app.add_option("--base", options.base, "share of the triangles that the coarsest level keeps")
+      ->check(true_number)
+      ->check(CLI::Range(1e-9, 1.0))
+      ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--boundary",
+         [&options](const std::string& word) {
+           options.boundary = word == "lock" ? BoundaryPolicy::lock : BoundaryPolicy::move;
+         },
+         "lock: only edges between interior vertices collapse; move: boundary edges too")
+      ->check(CLI::IsMember({"lock", "move"}))
+      ->default_str(options.boundary == BoundaryPolicy::lock ? "lock" : "move");
+}
+
+bool simplify_options_given(const CLI::App& app) { return app.count("--base") + app.count("--boundary") != 0; }
+
+void add_json_option(CLI::App& app, std::string& json) {
+  app.add_option("--json", json, "write the report as JSON to this file; - for standard output, in place of the text")
+      ->option_text("FILE");
+}
+
+CLI::App* add_stats(CLI::App& app, StatsCommand& command) {
+  CLI::App* sub = app.add_subcommand("stats", "Count what a mesh has: triangles per vertex, boundary, faults");
+  sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or .pm (its base)")->required();
+  add_json_option(*sub, command.json);
+  sub->footer("Example: restrip stats bunny.obj");
+  return sub;
+}
+
+CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
+  CLI::App* sub = app.add_subcommand("replay", "Simplify a mesh, then replay every vertex split with its strips kept");
+  CLI::Option* mesh = sub->add_option(
+      "mesh", command.mesh, ".obj, .off, .ply, .stl, a progressive mesh of OpenMesh (.pm) or a baked one (.baked)");
+  CLI::Option* built_in =
+      sub->add_flag("--built-in", command.built_in, "a torus made by the program, instead of a file");
+  mesh->excludes(built_in);
+  sub->add_option("--triangles", command.built_in_triangles, "size of the built-in mesh")
+      ->needs(built_in)
+      ->check(CLI::Range(least_made_triangles, most_made_triangles))
+      ->capture_default_str();
+  add_simplify_options(*sub, command.simplify);
+  sub->add_option("--levels", command.replay.levels, "levels of detail to report")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  sub->add_option("--repeats", command.replay.repeats, "timed runs, of which the median counts; 0: no timing")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
+      ->check(whole_number)
+      ->capture_default_str();
+  std::vector<std::string> policies{"baked"};
+  for (const auto& policy : policy_names()) policies.push_back(policy.first);
+  sub->add_option("--policy", command.policy,
+                  "local: the rules, and adoption where one isolates; linked: rules that follow the strips around; "
+                  "quick, full: tunnelling after each operation; "
+                  "baked: the strips of a baked mesh, or baked now (default: baked for a baked mesh, else local)")
+      ->check(CLI::IsMember(policies));
+  sub->add_option("--states", command.states,
+                  "of each search of the policies quick and full: always so many; more keep fewer strips and take "
+                  "longer (default: "
+                  "the policy's own, fewer where strips are long enough)")
+      ->check(CLI::Range(1, 1'000'000));
+  sub->add_option_function<std::string>(
+         "--tie-break",
+         [&command](const std::string& word) {
+           command.tie_break = word == "indices" ? restrip::TieBreak::indices : restrip::TieBreak::strips;
+         },
+         "what the policies quick and full keep few: strips, or strips and then the indices of plain ones")
+      ->check(CLI::IsMember({"strips", "indices"}))
+      ->default_str("strips");
+  CLI::Option* walk =
+      sub->add_option("--walk", command.walk_steps,
+                      "then that many random splits, collapses and flips on the full mesh, under the policy")
+          ->check(whole_number);
+  sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->check(whole_number)->capture_default_str();
+  add_json_option(*sub, command.json);
+  sub->callback([sub, mesh, built_in, &command] {
+    if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
+    command.simplify_given = simplify_options_given(*sub);
+    for (const char* option : {"--states", "--tie-break"})
+      if (sub->count(option) != 0 && command.policy != "quick" && command.policy != "full")
+        throw CLI::ValidationError(option, "only --policy quick and --policy full search");
+  });
+  sub->footer("Example: restrip replay bunny.obj --base 0.02 --cycles 10 --json bunny.json");
+  return sub;
+}
+
+CLI::App* add_simplify(CLI::App& app, SimplifyCommand& command) {
+  CLI::App* sub = app.add_subcommand("simplify", "Simplify a mesh and write it as a progressive mesh (OpenMesh's .pm)");
+  sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl")->required();
+  sub->add_option("-o,--output", command.out, "the .pm file")->required();
+  add_simplify_options(*sub, command.simplify);
+  add_json_option(*sub, command.json);
+  sub->footer("Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
+  return sub;
+}
+
+CLI::App* add_bake(CLI::App& app, BakeCommand& command) {
+  CLI::App* sub =
+      app.add_subcommand("bake", "Decide the strips of every level of detail and write them beside the mesh");
+  sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or a progressive mesh of OpenMesh (.pm)")->required();
+  sub->add_option("-o,--output", command.out, "the .baked file")->required();
+  add_simplify_options(*sub, command.simplify);
+  sub->add_option("--effort", command.bake.effort, "edges walked to save one strip, before search goes further away")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
+      ->capture_default_str();
+  add_json_option(*sub, command.json);
+  sub->callback([sub, &command] { command.simplify_given = simplify_options_given(*sub); });
+  sub->footer("Example: restrip bake bunny.obj -o bunny.baked");
+  return sub;
+}
+
+CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
+  CLI::App* sub =
+      app.add_subcommand("make-mesh", "Make a closed mesh of irregular valences, the same on every machine");
+  sub->add_option("-o,--output", command.out, "an .obj, .off or .ply file")->required();
+  sub->add_option("--triangles", command.triangles, "about how many")
+      ->check(CLI::Range(least_made_triangles, most_made_triangles))
+      ->capture_default_str();
+  sub->add_option("--seed", command.seed, "of its irregularities")->check(whole_number)->capture_default_str();
+  add_json_option(*sub, command.json);
+  sub->footer("Example: restrip make-mesh --triangles 1000000 -o torus.ply");
+  return sub;
+}
+
+CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
+  CLI::App* sub = app.add_subcommand("stripify", "Make the strips of a mesh from scratch");
+  sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl")->required();
+  sub->add_option("--effort", command.effort, "fast: one pass; full: tunnelling towards a single strip")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, restrip::Effort>{{"fast", restrip::Effort::fast}, {"full", restrip::Effort::full}}))
+      ->default_str("fast");
+  add_json_option(*sub, command.json);
+  sub->footer("Example: restrip stripify bunny.obj --effort full");
+  return sub;
+}
+
+CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
+  CLI::App* sub = app.add_subcommand("draw", "Draw a mesh coloured by strip, and a rule before and after, as SVG");
+  sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl, best of a few thousand triangles; else a torus");
+  sub->add_option("-o,--output", command.out, "the .svg file")->required();
+  add_json_option(*sub, command.json);
+  sub->footer("Example: restrip draw -o picture.svg");
+  return sub;
+}
+
+CLI::App* add_paper(CLI::App& app, PaperCommand& command) {
+  CLI::App* sub = app.add_subcommand("paper", "Do the paper's figures and experiments again, as a page and CSV files");
+  sub->add_option("-o,--out", command.out, "the folder for index.html and its CSV files")->required();
+  sub->add_option("meshes", command.meshes, ".obj, .off, .ply, .stl, or progressive meshes of OpenMesh (.pm)")
+      ->required();
+  add_simplify_options(*sub, command.options.simplify);
+  sub->add_option("--levels", command.options.levels, "levels of detail to count strips at")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  add_json_option(*sub, command.json);
+  sub->footer("Example: restrip paper --out report bunny.obj");
+  return sub;
+}
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app{"Triangle strips kept while the mesh changes, by local repairs proven optimal", "restrip"};
+  app.set_version_flag("--version", std::string("restrip ") + RESTRIP_VERSION);
+  app.require_subcommand(1);
+  constexpr restrip::files::ReadLimits limits;
+  app.footer(
+      fmt::format("Exit codes: 0 all is well, 1 a check failed, 2 the input or the command line is at fault.\n"
+                  "Limits: files of {}, pipes and devices of {}, lines of text of {}.\n"
+                  "Outputs appear whole or not at all; they must not be inputs and must end as their format does.\n"
+                  "Example: restrip replay --built-in",
+                  restrip::files::size_in_words(limits.regular), restrip::files::size_in_words(limits.endless),
+                  restrip::files::size_in_words(longest_line)));
+  StatsCommand stats;
+  ReplayCommand replay;
+  SimplifyCommand simplify;
+  MakeMeshCommand make_mesh;
+  DrawCommand draw;
+  StripifyCommand stripify;
+  PaperCommand paper;
+  BakeCommand bake;
+  const CLI::App* stats_sub = add_stats(app, stats);
+  const CLI::App* replay_sub = add_replay(app, replay);
+  const CLI::App* simplify_sub = add_simplify(app, simplify);
+  const CLI::App* stripify_sub = add_stripify(app, stripify);
+  const CLI::App* draw_sub = add_draw(app, draw);
+  const CLI::App* paper_sub = add_paper(app, paper);
+  const CLI::App* bake_sub = add_bake(app, bake);
+  add_make_mesh(app, make_mesh);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exit_bad_input;
+  }
+  if (stats_sub->parsed()) return run(stats);
+  if (replay_sub->parsed()) return run(replay);
+  if (simplify_sub->parsed()) return run(simplify);
+  if (stripify_sub->parsed()) return run(stripify);
+  if (draw_sub->parsed()) return run(draw);
+  if (paper_sub->parsed()) return run(paper);
+  if (bake_sub->parsed()) return run(bake);
+  return run(make_mesh);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  restrip::files::ignore_file_size_signal();
+  try {
+    const int code = run_command_line(argc, argv);
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+    fmt::print(stderr, "restrip: the output could not be written\n");
+  } catch (const BadInput& error) {
+    fmt::print(stderr, "restrip: {}\n", error.what());
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "restrip: not enough memory for a mesh of this size\n");
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "restrip: {}\n", error.what());
+  }
+  return exit_bad_input;
+}

@@ -1,0 +1,29 @@
+// Where the report of a command goes, the same for every command: text on standard output; with `--json FILE` JSON into
+// the file as well; with `--json -` JSON on standard output in place of the text.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files/output.hpp"
+
+namespace restrip::tools {
+
+class ReportOutput {
+ public:
+  /// `json`: the argument of the option, empty where it was not given. Tests the file before the work; it must end in
+  /// .json and be none of the inputs. Throws what files::Output throws.
+  ReportOutput(const std::string& json, std::vector<std::filesystem::path> inputs);
+
+  /// Both end with a line feed, or are empty.
+  void print(std::string_view text, std::string_view json) const;
+
+ private:
+  bool to_stdout_;
+  std::optional<files::Output> file_;
+};
+
+}  // namespace restrip::tools

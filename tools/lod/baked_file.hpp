@@ -1,0 +1,31 @@
+// Baked progressive meshes as files: docs/baked.md has the format. Compact, versioned, with a checksum over every byte.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "lod/bake.hpp"
+
+namespace restrip::tools {
+
+/// The extension of baked meshes on the command line.
+inline constexpr std::string_view baked_extension = ".baked";
+
+/// Throws BadInput when the bytes are not of this format, or of another version, truncated, altered, or describe splits
+/// or colours that no mesh can have. Plays all records once.
+[[nodiscard]] BakedMesh read_baked(const std::filesystem::path& file);
+[[nodiscard]] BakedMesh parse_baked(std::string_view bytes, const std::string& name);
+
+/// Renumbers the vertices in order of appearance, as pm_bytes does.
+[[nodiscard]] std::string baked_bytes(const BakedMesh& baked);
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo): every step is a bijection of its state, so no change of a single byte goes
+/// unseen.
+[[nodiscard]] constexpr std::uint64_t fnv1a(std::string_view bytes) noexcept {
+  std::uint64_t hash = 0xCBF29CE484222325ULL;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
+  return hash;
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,143 @@
+#include "lod/coloring_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "restrip/output/strips.hpp"
+
+namespace restrip::tools {
+namespace {
+
+/// The fault of one side of a triangle, if any.
+const char* fault_of_side(const StripMesh& mesh, StripMesh::Halfedge h) {
+  const StripMesh::Halfedge opposite = mesh.opposite(h);
+  if (StripMesh::on_boundary(opposite)) return mesh.solid(h) ? "a boundary edge is solid" : nullptr;
+  if (!mesh.alive(opposite)) return "a triangle is linked to a triangle that is not there";
+  if (!(mesh.opposite(opposite) == h)) return "a link does not lead back";
+  if (mesh.from(opposite) != mesh.to(h) || mesh.to(opposite) != mesh.from(h))
+    return "neighbours disagree on the vertices of their edge";
+  if (mesh.solid(opposite) != mesh.solid(h)) return "neighbours disagree on the colour of their edge";
+  return nullptr;
+}
+
+const char* fault_of_triangle(const StripMesh& mesh, Triangle t) {
+  for (unsigned side = 0; side < 3; ++side)
+    if (const char* fault = fault_of_side(mesh, StripMesh::halfedge(t, side))) return fault;
+  return mesh.solid_degree(t) > 2 ? "a triangle has three solid edges" : nullptr;
+}
+
+/// Leaves t over its first solid edge and follows the strip: does it come back?
+bool on_short_cycle(const StripMesh& mesh, Triangle t) {
+  StripMesh::Halfedge out{none};
+  for (unsigned side = 0; side < 3; ++side)
+    if (mesh.solid(StripMesh::halfedge(t, side))) out = StripMesh::halfedge(t, side);
+  for (std::size_t steps = 0; out.id != none && steps < farthest_cycle; ++steps) {
+    const StripMesh::Halfedge in = mesh.opposite(out);
+    if (StripMesh::triangle(in) == t) return true;
+    const StripMesh::Halfedge second = StripMesh::next(in);
+    const StripMesh::Halfedge third = StripMesh::next(second);
+    out = mesh.solid(second) ? second : mesh.solid(third) ? third : StripMesh::Halfedge{none};
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Corners> triangles_of(const StripMesh& mesh) {
+  std::vector<Corners> triangles;
+  triangles.reserve(mesh.triangle_count());
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) triangles.push_back(mesh.corners(t));
+  return triangles;
+}
+
+std::vector<Corners> sorted_triangles(std::vector<Corners> triangles) {
+  std::erase_if(triangles, [](const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
+  for (Corners& t : triangles) t = rotated(t);
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+std::vector<Corners> decode_strips(std::span<const std::uint32_t> indices) {
+  std::vector<Corners> triangles;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] == restart_index) {
+      begin = i + 1;
+      continue;
+    }
+    if (i - begin < 2) continue;
+    Corners t{indices[i - 2], indices[i - 1], indices[i]};
+    if ((i - begin) % 2 == 1) std::swap(t[0], t[1]);
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(t);
+  }
+  return triangles;
+}
+
+std::vector<std::string> find_faults(const StripMesh& mesh) {
+  std::vector<std::string> faults;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t)) continue;
+    if (const char* fault = fault_of_triangle(mesh, t)) {
+      faults.push_back(fmt::format("triangle {}: {}", t, fault));
+      break;  // the first says enough, and the next may be its echoes
+    }
+  }
+  for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
+    const StripMesh::Halfedge first = mesh.spoke(v);
+    if (first.id == none) continue;
+    if (!mesh.alive(first) || mesh.from(first) != v || StripMesh::on_boundary(first)) {
+      faults.push_back(fmt::format("vertex {}: its first spoke does not leave it", v));
+      break;
+    }
+  }
+  if (!faults.empty()) return faults;
+  const ColoringReport coloring = check_coloring(mesh);
+  if (coloring.one_sided != 0) faults.push_back(fmt::format("{} edges are solid on one side only", coloring.one_sided));
+  if (coloring.over_degree != 0)
+    faults.push_back(fmt::format("{} triangles have three solid edges", coloring.over_degree));
+  if (coloring.solid_cycles != 0) faults.push_back(fmt::format("{} solid cycles", coloring.solid_cycles));
+  if (!coloring.valid && faults.empty()) faults.emplace_back("the colouring is not valid");
+  return faults;
+}
+
+std::string find_fault(const StripMesh& mesh, const StripIndex& index) {
+  const Strips strips = extract_strips(mesh);
+  if (strips.size() != index.strips())
+    return fmt::format("{} strips, but the index has {}", strips.size(), index.strips());
+  for (const Triangle t : strips.order)
+    if (!index.knows(t)) return fmt::format("the index does not know triangle {}", t);
+  std::set<std::uint32_t> names;
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    const auto strip = strips[s];
+    const StripIndex::Position first = index.position(strip.front());
+    const bool up = first.order < index.position(strip.back()).order;
+    if (!names.insert(first.strip).second)
+      return fmt::format("the index has the strip of triangle {} twice", strip.front());
+    for (std::size_t i = 1; i < strip.size(); ++i) {
+      const StripIndex::Position before = index.position(strip[i - 1]);
+      const StripIndex::Position here = index.position(strip[i]);
+      if (here.strip != first.strip || here.order == before.order || (before.order < here.order) != up)
+        return fmt::format("the index has triangle {} in a wrong place", strip[i]);
+    }
+  }
+  return {};
+}
+
+std::string find_fault_around(const StripMesh& mesh, Vertex v) {
+  const StripMesh::Halfedge first = mesh.spoke(v);
+  if (first.id == none) return {};
+  StripMesh::Halfedge h = first;
+  do {
+    if (!mesh.alive(h) || mesh.from(h) != v) return fmt::format("vertex {}: a spoke does not leave it", v);
+    const Triangle t = StripMesh::triangle(h);
+    if (const char* fault = fault_of_triangle(mesh, t)) return fmt::format("vertex {}, triangle {}: {}", v, t, fault);
+    if (on_short_cycle(mesh, t)) return fmt::format("vertex {}, triangle {}: its strip is a cycle", v, t);
+    h = turn_ccw(mesh, h);
+  } while (!(h == first) && !StripMesh::on_boundary(h));
+  return {};
+}
+
+}  // namespace restrip::tools

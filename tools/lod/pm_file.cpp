@@ -1,0 +1,165 @@
+#include "lod/pm_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "common/bad_input.hpp"
+#include "files/reading.hpp"
+
+namespace restrip::tools {
+namespace {
+
+constexpr std::string_view pm_magic = "ProgMesh";
+constexpr std::size_t pm_header_bytes = 20;
+constexpr std::size_t vertex_bytes = 12;
+constexpr std::size_t face_bytes = 12;
+constexpr std::size_t split_bytes = 24;
+
+class Bytes {
+ public:
+  explicit Bytes(std::string_view rest) : rest_(rest) {}
+  std::uint32_t u32() {
+    std::uint32_t value = 0;
+    for (unsigned i = 0; i < 4; ++i) value |= std::uint32_t{static_cast<unsigned char>(rest_[i])} << (8 * i);
+    rest_.remove_prefix(4);
+    return value;
+  }
+  Point point() {
+    Point p;
+    for (float* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(u32());
+    return p;
+  }
+
+ private:
+  std::string_view rest_;
+};
+
+/// Hoppe's files begin with comment lines and then say PM.
+bool is_hoppes(std::string_view bytes) {
+  while (bytes.starts_with('#')) {
+    const std::size_t stop = bytes.find('\n');
+    if (stop == std::string_view::npos) return false;
+    bytes.remove_prefix(stop + 1);
+  }
+  return bytes.starts_with("PM\n") || bytes.starts_with("PM\r\n");
+}
+
+}  // namespace
+
+ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
+  if (is_hoppes(bytes))
+    throw BadInput(
+        fmt::format("{}: a progressive mesh in Hoppe's format (with wedges and materials), which is not read; give the "
+                    "mesh itself (OBJ, OFF, PLY, STL) or a progressive mesh of OpenMesh",
+                    name));
+  if (!bytes.starts_with(pm_magic))
+    throw BadInput(fmt::format("{}: no progressive mesh of OpenMesh: it does not begin with '{}'", name, pm_magic));
+  if (bytes.size() < pm_header_bytes) throw BadInput(fmt::format("{}: ends inside its header; is it complete?", name));
+  Bytes in(bytes.substr(pm_magic.size()));
+  const std::size_t vertices = in.u32();
+  const std::size_t faces = in.u32();
+  const std::size_t splits = in.u32();
+  const std::size_t expected = pm_header_bytes + vertices * vertex_bytes + faces * face_bytes + splits * split_bytes;
+  if (bytes.size() != expected)
+    throw BadInput(
+        fmt::format("{}: {} vertices, {} faces and {} splits take {} bytes, but the file has {}; is it complete?", name,
+                    vertices, faces, splits, expected, bytes.size()));
+
+  if (faces == 0)
+    throw BadInput(
+        fmt::format("{}: its base has no triangles, so there is nothing to replay; write it again from the "
+                    "mesh (restrip simplify)",
+                    name));
+  ProgressiveMesh mesh;
+  mesh.points.reserve(vertices + splits);
+  mesh.base.resize(faces);
+  mesh.splits.reserve(splits);
+  const auto add_point = [&](const Point& p) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      throw BadInput(
+          fmt::format("{}: vertex {} has a coordinate that is infinite or not a number; write it again from the mesh "
+                      "(restrip simplify)",
+                      name, mesh.points.size()));
+    mesh.points.push_back(p);
+  };
+  for (std::size_t v = 0; v < vertices; ++v) add_point(in.point());
+  for (Corners& triangle : mesh.base)
+    for (Vertex& corner : triangle) {
+      corner = in.u32();
+      if (corner >= vertices)
+        throw BadInput(fmt::format("{}: a face refers to vertex {} of {}", name, corner, vertices));
+    }
+  const auto degenerate = [](const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
+  if (std::all_of(mesh.base.begin(), mesh.base.end(), degenerate))
+    throw BadInput(
+        fmt::format("{}: every triangle of its base is degenerate (a corner twice), so there is nothing to "
+                    "replay; write it again from the mesh (restrip simplify)",
+                    name));
+  for (std::size_t i = 0; i < splits; ++i) {
+    const auto v_t = static_cast<Vertex>(vertices + i);
+    add_point(in.point());
+    const Vertex v_s = in.u32();
+    const Vertex v_r = in.u32();
+    const Vertex v_l = in.u32();
+    const auto known = [v_t](Vertex v) { return v == none || v < v_t; };
+    if (v_s >= v_t || !known(v_l) || !known(v_r) || v_l == v_r)
+      throw BadInput(fmt::format("{}: split {} refers to vertices {}, {}, {}, of which there are {}", name, i, v_s, v_r,
+                                 v_l, v_t));
+    mesh.splits.push_back({v_s, v_t, v_l, v_r});
+  }
+  return mesh;
+}
+
+ProgressiveMesh read_pm(const std::filesystem::path& file) { return parse_pm(files::read_whole(file), file.string()); }
+
+ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh) {
+  ProgressiveMesh out;
+  std::vector<Vertex> number(mesh.points.size(), none);
+  const auto appear = [&](Vertex v) {
+    number[v] = static_cast<Vertex>(out.points.size());
+    out.points.push_back(mesh.points[v]);
+  };
+  const auto number_of = [&](Vertex v) { return v == none ? none : number[v]; };
+  out.base.reserve(mesh.base.size());
+  for (const Corners& triangle : mesh.base) {
+    for (const Vertex v : triangle)
+      if (number[v] == none) appear(v);
+    out.base.push_back({number[triangle[0]], number[triangle[1]], number[triangle[2]]});
+  }
+  out.splits.reserve(mesh.splits.size());
+  for (const Record& r : mesh.splits) {
+    appear(r.v_t);
+    out.splits.push_back({number_of(r.v_s), number_of(r.v_t), number_of(r.v_l), number_of(r.v_r)});
+  }
+  return out;
+}
+
+std::string pm_bytes(const ProgressiveMesh& any) {
+  const ProgressiveMesh mesh = numbered_by_appearance(any);
+  std::string bytes(pm_magic);
+  const auto put = [&bytes](std::uint32_t value) {
+    for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
+  };
+  const auto put_point = [&](const Point& p) {
+    for (const float coordinate : {p.x, p.y, p.z}) put(std::bit_cast<std::uint32_t>(coordinate));
+  };
+  const std::size_t base_points = mesh.points.size() - mesh.splits.size();
+  put(static_cast<std::uint32_t>(base_points));
+  put(static_cast<std::uint32_t>(mesh.base.size()));
+  put(static_cast<std::uint32_t>(mesh.splits.size()));
+  for (std::size_t v = 0; v < base_points; ++v) put_point(mesh.points[v]);
+  for (const Corners& triangle : mesh.base)
+    for (const Vertex v : triangle) put(v);
+  for (const Record& record : mesh.splits) {
+    put_point(mesh.points[record.v_t]);
+    put(record.v_s);
+    put(record.v_r);
+    put(record.v_l);
+  }
+  return bytes;
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,27 @@
+// Progressive meshes in OpenMesh's format: "ProgMesh"; uint32 vertices, faces, splits; three float a vertex; three
+// uint32 a face; for each split three float (the new vertex), int32 v1, vl, vr. All little-endian. Vertices are
+// numbered in the order of appearance. OpenMesh writes a split as v0 -> v1 with v0 new and vl to the left of v0 -> v1;
+// as we look along v_s -> v_t = v1 -> v0, its vl is our v_r. -1 stands for an apex that is not there.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "lod/progressive_mesh.hpp"
+
+namespace restrip::tools {
+
+/// Throws BadInput when the bytes are not of this format, or truncated, or name vertices that do not exist yet. Hoppe's
+/// own format is recognised and refused by name.
+[[nodiscard]] ProgressiveMesh read_pm(const std::filesystem::path& file);
+[[nodiscard]] ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name);
+
+/// The same mesh with its vertices in order of appearance: first those of the base's triangles, as these name them,
+/// then the one that each split adds. Vertices that nothing uses are left out.
+[[nodiscard]] ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh);
+
+/// Renumbers the vertices in order of appearance and leaves out those that no triangle uses.
+[[nodiscard]] std::string pm_bytes(const ProgressiveMesh& mesh);
+
+}  // namespace restrip::tools

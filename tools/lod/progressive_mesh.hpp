@@ -1,0 +1,45 @@
+// A progressive mesh (Hoppe 1996): a coarse mesh and the vertex splits that lead from it to the fine one.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshes/soup.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+
+namespace restrip::tools {
+
+/// One vertex split, by vertices; read backward, one edge collapse of v_t into v_s. The orientation is that of
+/// VertexSplit: v_l is the apex to the left of v_s -> v_t. Where the new mesh edge lies on the boundary, one apex is
+/// `none`.
+struct Record {
+  Vertex v_s = none;  ///< is split, and stays
+  Vertex v_t = none;  ///< is new
+  Vertex v_l = none;
+  Vertex v_r = none;
+  friend bool operator==(const Record&, const Record&) = default;
+};
+
+struct ProgressiveMesh {
+  std::vector<Point> points;   ///< of all vertices
+  std::vector<Corners> base;   ///< the triangles of the coarse mesh
+  std::vector<Record> splits;  ///< from coarse to fine
+
+  /// Triangles of the fine mesh.
+  [[nodiscard]] std::size_t fine_triangles() const noexcept {
+    std::size_t n = base.size();
+    for (const Record& r : splits) n += r.v_l != none && r.v_r != none ? 2 : 1;
+    return n;
+  }
+};
+
+/// The spokes of a split, found by its vertices. Those that are not in the mesh come out as {none}; check_split refuses
+/// them.
+[[nodiscard]] inline VertexSplit<StripMesh::Halfedge> spokes_of(const StripMesh& mesh, const Record& record) {
+  using Split = VertexSplit<StripMesh::Halfedge>;
+  if (record.v_r == none) return {mesh.spoke(record.v_s, record.v_l), {}, Split::Spokes::left_only};
+  if (record.v_l == none) return {{}, mesh.spoke(record.v_s, record.v_r), Split::Spokes::right_only};
+  return {mesh.spoke(record.v_s, record.v_l), mesh.spoke(record.v_s, record.v_r), Split::Spokes::both};
+}
+
+}  // namespace restrip::tools

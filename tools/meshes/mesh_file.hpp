@@ -1,0 +1,34 @@
+// Mesh files: OBJ, OFF, PLY and STL in, OBJ, OFF and PLY out.
+//
+// The readers are our own. OpenMesh's (version 9) lose faces without a word: its OBJ reader drops repeated corners and
+// vertices that it cannot parse, so that all later indices shift, its mesh refuses faces at non-manifold places, its
+// OFF reader knows no leading comments, and a corrupt face count makes it allocate until the process ends. Here a file
+// arrives as it is or is refused.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meshes/soup.hpp"
+
+namespace restrip::tools {
+
+/// Reads a mesh; the format is that of the file's extension, in any case. Throws BadInput, or files::FileError when the
+/// file itself cannot be read.
+[[nodiscard]] Soup read_mesh(const std::filesystem::path& file);
+
+/// The extensions of the formats in which meshes are written; PLY is binary.
+[[nodiscard]] std::vector<std::string> written_mesh_extensions();
+/// The bytes of a mesh file with this extension, in lower case. Throws BadInput when it is none of those.
+[[nodiscard]] std::string mesh_bytes(const Soup& soup, const std::string& extension);
+
+/// The readers, one a format, on the bytes of a file. `name` is for messages.
+[[nodiscard]] Soup read_obj(std::string_view bytes, const std::string& name);
+[[nodiscard]] Soup read_off(std::string_view bytes, const std::string& name);
+[[nodiscard]] Soup read_ply(std::string_view bytes, const std::string& name);
+/// Corners at exactly the same place become one vertex (STL has no indices).
+[[nodiscard]] Soup read_stl(std::string_view bytes, const std::string& name);
+
+}  // namespace restrip::tools

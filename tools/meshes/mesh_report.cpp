@@ -1,0 +1,163 @@
+#include "meshes/mesh_report.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "common/disjoint_sets.hpp"
+
+namespace restrip::tools {
+namespace {
+
+/// A side of a triangle: corner `side` and the next one. Corners are numbered 3 * triangle + side.
+struct Side {
+  std::uint32_t high;    ///< the larger vertex
+  std::uint32_t corner;  ///< the corner where the side begins
+};
+
+class Surveyor {
+ public:
+  explicit Surveyor(const Soup& soup) : soup_(soup), fans_(3 * soup.triangles.size()) {
+    report_.vertices = soup.points.size();
+    report_.triangles = soup.triangles.size();
+    report_.polygons = soup.polygons;
+    report_.stubs = soup.stubs;
+  }
+
+  MeshReport survey() {
+    count_triangles();
+    sort_sides();
+    std::vector<std::uint32_t> boundary;
+    each_edge([&](std::span<const Side> edge) { meet(edge, boundary); });
+    count_fans();
+    count_loops(boundary);
+    count_duplicates();
+    const MeshReport& r = report_;
+    report_.euler_characteristic = static_cast<std::int64_t>(r.used_vertices) - static_cast<std::int64_t>(r.edges) +
+                                   static_cast<std::int64_t>(r.triangles - r.degenerate_faces);
+    if (r.degenerate_faces + r.duplicate_faces + r.non_manifold_edges + r.inconsistent_edges + r.bow_tie_vertices == 0)
+      report_.genus = (2 * static_cast<std::int64_t>(r.components) - static_cast<std::int64_t>(r.boundary_loops) -
+                       r.euler_characteristic) /
+                      2;
+    return std::move(report_);
+  }
+
+ private:
+  static bool degenerate(const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+  [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const { return soup_.triangles[corner / 3][corner % 3]; }
+  static std::uint32_t next(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
+
+  void count_triangles() {
+    std::vector<std::uint32_t> around(soup_.points.size(), 0);
+    DisjointSets pieces(soup_.points.size());
+    for (const Corners& t : soup_.triangles) {
+      if (degenerate(t)) {
+        ++report_.degenerate_faces;
+        continue;
+      }
+      for (const std::uint32_t v : t) ++around[v];
+      pieces.unite(t[0], t[1]);
+      pieces.unite(t[0], t[2]);
+    }
+    for (std::uint32_t v = 0; v < around.size(); ++v) {
+      if (around[v] == 0) continue;
+      ++report_.used_vertices;
+      report_.components += static_cast<std::size_t>(pieces.find(v) == v);
+      if (around[v] >= report_.triangles_per_vertex.size())
+        report_.triangles_per_vertex.resize(around[v] + std::size_t{1}, 0);
+      ++report_.triangles_per_vertex[around[v]];
+    }
+  }
+
+  /// Sides by their smaller vertex (counting sort), then by the larger one.
+  void sort_sides() {
+    const auto low = [&](std::uint32_t corner) { return std::min(vertex(corner), vertex(next(corner))); };
+    const auto each_corner = [&](auto&& visit) {
+      for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t)
+        if (!degenerate(soup_.triangles[t]))
+          for (std::uint32_t side = 0; side < 3; ++side) visit(3 * t + side);
+    };
+    first_.assign(soup_.points.size() + 1, 0);
+    each_corner([&](std::uint32_t corner) { ++first_[low(corner) + std::size_t{1}]; });
+    for (std::size_t v = 0; v < soup_.points.size(); ++v) first_[v + 1] += first_[v];
+    sides_.resize(first_.back());
+    std::vector<std::uint32_t> fill(first_.begin(), first_.end() - 1);
+    each_corner([&](std::uint32_t corner) {
+      sides_[fill[low(corner)]++] = {std::max(vertex(corner), vertex(next(corner))), corner};
+    });
+  }
+
+  template <class Visit>
+  void each_edge(Visit&& visit) {
+    for (std::size_t v = 0; v + 1 < first_.size(); ++v) {
+      const auto begin = sides_.begin() + first_[v];
+      const auto end = sides_.begin() + first_[v + 1];
+      std::sort(begin, end,
+                [](const Side& a, const Side& b) { return a.high != b.high ? a.high < b.high : a.corner < b.corner; });
+      for (auto group = begin; group != end;) {
+        const auto stop = std::find_if(group, end, [&](const Side& side) { return side.high != group->high; });
+        visit(std::span<const Side>(group, stop));
+        group = stop;
+      }
+    }
+  }
+
+  void meet(std::span<const Side> edge, std::vector<std::uint32_t>& boundary) {
+    ++report_.edges;
+    if (edge.size() == 1) {
+      ++report_.boundary_edges;
+      boundary.push_back(edge[0].corner);
+    }
+    if (edge.size() == 2 && vertex(edge[0].corner) == vertex(edge[1].corner)) ++report_.inconsistent_edges;
+    if (edge.size() > 2) ++report_.non_manifold_edges;
+    // Around both ends, the triangles of the edge belong to one group.
+    for (const Side& side : edge.subspan(1)) {
+      const bool same_way = vertex(side.corner) == vertex(edge[0].corner);
+      fans_.unite(edge[0].corner, same_way ? side.corner : next(side.corner));
+      fans_.unite(next(edge[0].corner), same_way ? next(side.corner) : side.corner);
+    }
+  }
+
+  void count_fans() {
+    std::vector<std::uint8_t> groups(soup_.points.size(), 0);
+    for (std::uint32_t corner = 0; corner < 3 * soup_.triangles.size(); ++corner)
+      if (!degenerate(soup_.triangles[corner / 3]) && fans_.find(corner) == corner)
+        if (std::uint8_t& n = groups[vertex(corner)]; n < 2 && ++n == 2) ++report_.bow_tie_vertices;
+  }
+
+  /// Boundary edges follow each other where they end at the same group of triangles; at a bow-tie two loops touch
+  /// without being one.
+  void count_loops(const std::vector<std::uint32_t>& boundary) {
+    DisjointSets loops(3 * soup_.triangles.size());
+    for (const std::uint32_t corner : boundary) loops.unite(fans_.find(corner), fans_.find(next(corner)));
+    std::vector<std::uint32_t> roots;
+    roots.reserve(boundary.size());
+    for (const std::uint32_t corner : boundary) roots.push_back(loops.find(fans_.find(corner)));
+    std::sort(roots.begin(), roots.end());
+    report_.boundary_loops = static_cast<std::size_t>(std::unique(roots.begin(), roots.end()) - roots.begin());
+  }
+
+  void count_duplicates() {
+    std::vector<Corners> faces;
+    faces.reserve(soup_.triangles.size());
+    for (Corners t : soup_.triangles) {
+      if (degenerate(t)) continue;
+      std::sort(t.begin(), t.end());
+      faces.push_back(t);
+    }
+    std::sort(faces.begin(), faces.end());
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      report_.duplicate_faces += static_cast<std::size_t>(faces[i] == faces[i - 1]);
+  }
+
+  const Soup& soup_;
+  MeshReport report_;
+  DisjointSets fans_;  ///< corners at one vertex whose triangles hang together by edges
+  std::vector<std::uint32_t> first_;
+  std::vector<Side> sides_;
+};
+
+}  // namespace
+
+MeshReport report_on(const Soup& soup) { return Surveyor(soup).survey(); }
+
+}  // namespace restrip::tools

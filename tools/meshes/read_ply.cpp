@@ -1,0 +1,251 @@
+// PLY (the Stanford polygon format): text, little-endian and big-endian. Elements `vertex` (x, y, z) and `face`
+// (vertex_indices or vertex_index); all else is stepped over by its declared type.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "common/bad_input.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/soup_builder.hpp"
+#include "meshes/text_cursor.hpp"
+
+namespace restrip::tools {
+namespace {
+
+enum class Encoding { text, little_endian, big_endian };
+
+struct Type {
+  unsigned bytes = 0;
+  enum class Kind { signed_integer, unsigned_integer, real } kind = Kind::real;
+};
+
+struct Property {
+  std::string name;
+  Type type;
+  std::optional<Type> length;  ///< set for lists
+};
+
+struct Element {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<Property> properties;
+};
+
+std::optional<Type> type_named(std::string_view name) {
+  using enum Type::Kind;
+  if (name == "char" || name == "int8") return Type{1, signed_integer};
+  if (name == "uchar" || name == "uint8") return Type{1, unsigned_integer};
+  if (name == "short" || name == "int16") return Type{2, signed_integer};
+  if (name == "ushort" || name == "uint16") return Type{2, unsigned_integer};
+  if (name == "int" || name == "int32") return Type{4, signed_integer};
+  if (name == "uint" || name == "uint32") return Type{4, unsigned_integer};
+  if (name == "float" || name == "float32") return Type{4, real};
+  if (name == "double" || name == "float64") return Type{8, real};
+  return std::nullopt;
+}
+
+class PlyReader {
+ public:
+  PlyReader(std::string_view bytes, const std::string& name) : name_(name), cursor_(bytes), soup_(name) {}
+
+  Soup read() {
+    read_header();
+    bytes_ = cursor_.rest();
+    if (encoding_ == Encoding::text) refuse_long_lines(bytes_, name_);
+    for (const Element& element : elements_) {
+      if (element.properties.empty()) continue;
+      check_room(element);
+      if (element.name == "vertex")
+        read_vertices(element);
+      else if (element.name == "face")
+        read_faces(element);
+      else
+        for (std::size_t i = 0; i < element.count; ++i)
+          for (const Property& property : element.properties) skip(property);
+    }
+    return std::move(soup_).finish();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const { throw BadInput(fmt::format("{}: {}", name_, why)); }
+  [[noreturn]] void refuse_header(const std::string& why) const {
+    throw BadInput(fmt::format("{}:{}: {}", name_, cursor_.line(), why));
+  }
+  [[noreturn]] void refuse_truncated(const std::string& where) const {
+    refuse(fmt::format("ends among the {}; is it complete?", where));
+  }
+
+  // ---- the header
+  void read_header() {
+    if (cursor_.word() != "ply") refuse("does not begin with `ply`");
+    bool format_known = false;
+    for (cursor_.next_line();; cursor_.next_line()) {
+      if (cursor_.at_end()) refuse("ends before `end_header`; is it complete?");
+      const std::string_view keyword = cursor_.word();
+      if (keyword == "format") {
+        const std::string_view format = cursor_.word();
+        if (format == "ascii")
+          encoding_ = Encoding::text;
+        else if (format == "binary_little_endian")
+          encoding_ = Encoding::little_endian;
+        else if (format == "binary_big_endian")
+          encoding_ = Encoding::big_endian;
+        else
+          refuse_header(fmt::format("unknown format '{}'", format.substr(0, 40)));
+        format_known = true;
+      } else if (keyword == "element") {
+        Element element{std::string(cursor_.word()), 0, {}};
+        const auto count = parse<std::uint64_t>(cursor_.word());
+        if (!count) refuse_header("an element without a count");
+        element.count = *count;
+        elements_.push_back(std::move(element));
+      } else if (keyword == "property") {
+        if (elements_.empty()) refuse_header("a property before any element");
+        elements_.back().properties.push_back(read_property());
+      } else if (keyword == "end_header") {
+        break;
+      } else if (!keyword.empty() && keyword != "comment" && keyword != "obj_info") {
+        refuse_header(fmt::format("unknown keyword '{}'", keyword.substr(0, 40)));
+      }
+    }
+    cursor_.next_line();
+    if (!format_known) refuse("its header has no `format` line");
+  }
+
+  Property read_property() {
+    Property property;
+    std::string_view word = cursor_.word();
+    const auto type = [&] {
+      const auto known = type_named(word);
+      if (!known) refuse_header(fmt::format("unknown type '{}'", word.substr(0, 40)));
+      return *known;
+    };
+    if (word == "list") {
+      word = cursor_.word();
+      property.length = type();
+      if (property.length->kind == Type::Kind::real) refuse_header("the length of a list must be an integer");
+      word = cursor_.word();
+    }
+    property.type = type();
+    property.name = cursor_.word();
+    return property;
+  }
+
+  // ---- the values
+  /// The bytes that a value takes at least: two as text (the very last may lack its separator).
+  [[nodiscard]] std::size_t least_bytes(const Type& type) const { return encoding_ == Encoding::text ? 2 : type.bytes; }
+
+  /// The bytes that are left.
+  [[nodiscard]] std::size_t room() const {
+    return encoding_ == Encoding::text ? cursor_.rest().size() + 1 : bytes_.size();
+  }
+
+  void check_room(const Element& element) const {
+    std::size_t least = 0;
+    for (const Property& property : element.properties) least += least_bytes(property.length.value_or(property.type));
+    if (element.count > room() / std::max<std::size_t>(least, 1))
+      refuse(fmt::format("announces {} elements `{}`, more than its remaining {} bytes can hold; is it complete?",
+                         element.count, element.name, room()));
+  }
+
+  double value(const Type& type, const std::string& where) {
+    if (encoding_ == Encoding::text) {
+      const std::string_view word = cursor_.word_on_any_line();
+      if (word.empty()) refuse_truncated(where);
+      const auto number = parse<double>(word);
+      if (!number) refuse_header(fmt::format("'{}' is no number", word.substr(0, 40)));
+      return *number;
+    }
+    if (bytes_.size() < type.bytes) refuse_truncated(where);
+    std::uint64_t bits = 0;
+    for (unsigned i = 0; i < type.bytes; ++i) {
+      const unsigned at = encoding_ == Encoding::little_endian ? i : type.bytes - 1 - i;
+      bits |= std::uint64_t{static_cast<unsigned char>(bytes_[at])} << (8 * i);
+    }
+    bytes_.remove_prefix(type.bytes);
+    switch (type.kind) {
+      case Type::Kind::real:
+        return type.bytes == 4 ? std::bit_cast<float>(static_cast<std::uint32_t>(bits)) : std::bit_cast<double>(bits);
+      case Type::Kind::signed_integer: {
+        const auto magnitude = static_cast<double>(bits);
+        const double half = std::ldexp(1.0, static_cast<int>(8 * type.bytes) - 1);
+        return magnitude >= half ? magnitude - 2 * half : magnitude;
+      }
+      case Type::Kind::unsigned_integer:
+        break;
+    }
+    return static_cast<double>(bits);
+  }
+
+  std::size_t length(const Property& list) {
+    const double size = value(*list.length, "lists");
+    const std::size_t longest = room() / least_bytes(list.type);
+    if (!(size >= 0) || size > static_cast<double>(longest) || size != std::floor(size))
+      refuse(fmt::format("a list `{}` of length {}, which the file cannot hold", list.name, size));
+    return static_cast<std::size_t>(size);
+  }
+
+  void skip(const Property& property) {
+    const std::size_t values = property.length ? length(property) : 1;
+    for (std::size_t i = 0; i < values; ++i) value(property.type, "elements that are stepped over");
+  }
+
+  void read_vertices(const Element& element) {
+    std::array<double, 3> xyz{};
+    const auto axis_of = [&](const Property& property) -> double* {
+      if (property.length || property.name.size() != 1) return nullptr;
+      const char letter = property.name.front();
+      return letter >= 'x' && letter <= 'z' ? &xyz[static_cast<std::size_t>(letter - 'x')] : nullptr;
+    };
+    for (const char letter : {'x', 'y', 'z'})
+      if (std::none_of(element.properties.begin(), element.properties.end(),
+                       [&](const Property& property) { return property.name == std::string(1, letter); }))
+        refuse(fmt::format("its vertices have no property `{}`", letter));
+    for (std::size_t i = 0; i < element.count; ++i) {
+      for (const Property& property : element.properties) {
+        if (double* coordinate = axis_of(property))
+          *coordinate = value(property.type, "vertices");
+        else
+          skip(property);
+      }
+      soup_.add_point(xyz[0], xyz[1], xyz[2]);
+    }
+  }
+
+  void read_faces(const Element& element) {
+    std::vector<std::uint32_t> corners;
+    for (std::size_t i = 0; i < element.count; ++i)
+      for (const Property& property : element.properties) {
+        if (!property.length || (property.name != "vertex_indices" && property.name != "vertex_index")) {
+          skip(property);
+          continue;
+        }
+        const std::size_t size = length(property);
+        corners.clear();
+        for (std::size_t corner = 0; corner < size; ++corner) {
+          const double index = value(property.type, "faces");
+          if (!(index >= 0) || index > static_cast<double>(max_vertices) || index != std::floor(index))
+            refuse(fmt::format("face {} has a corner {}, which is no vertex", i, index));
+          corners.push_back(static_cast<std::uint32_t>(index));
+        }
+        soup_.add_face(corners);
+      }
+  }
+
+  const std::string& name_;
+  TextCursor cursor_;
+  std::string_view bytes_;  // of a binary body: what has not been read
+  Encoding encoding_ = Encoding::text;
+  std::vector<Element> elements_;
+  SoupBuilder soup_;
+};
+
+}  // namespace
+
+Soup read_ply(std::string_view bytes, const std::string& name) { return PlyReader(bytes, name).read(); }
+
+}  // namespace restrip::tools

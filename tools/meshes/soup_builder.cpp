@@ -1,0 +1,59 @@
+#include "meshes/soup_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/bad_input.hpp"
+#include "files/reading.hpp"
+
+namespace restrip::tools {
+
+void refuse_long_lines(std::string_view text, const std::string& name, std::size_t limit) {
+  for (std::size_t line = 1; text.size() > limit; ++line) {
+    const std::size_t stop = std::min(text.find('\n'), text.size());
+    if (stop > limit)
+      throw BadInput(fmt::format("{}:{}: a line of more than {}, the limit; write a line for each vertex and face",
+                                 name, line, files::size_in_words(limit)));
+    text.remove_prefix(stop + 1);
+  }
+}
+
+void SoupBuilder::add_point(double x, double y, double z) {
+  const Point point{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+  if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
+    throw BadInput(fmt::format("{}: vertex {} has a coordinate that is infinite or not a number; mend or remove it",
+                               name_, soup_.points.size()));
+  if (soup_.points.size() == max_vertices)
+    throw BadInput(fmt::format("{}: more than {} vertices", name_, max_vertices));
+  soup_.points.push_back(point);
+}
+
+void SoupBuilder::add_face(std::span<const std::uint32_t> corners) {
+  if (corners.size() < 3) {
+    ++soup_.stubs;
+    return;
+  }
+  if (corners.size() > 3) ++soup_.polygons;
+  if (soup_.triangles.size() + corners.size() - 2 > max_triangles)
+    throw BadInput(fmt::format("{}: more than {} triangles; cut the mesh in pieces", name_, max_triangles));
+  for (std::size_t i = 2; i < corners.size(); ++i) soup_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+}
+
+Soup SoupBuilder::finish() && {
+  if (soup_.points.empty())
+    throw BadInput(fmt::format("{}: no vertices; is the file empty, or of another format than its name says?", name_));
+  if (soup_.triangles.empty())
+    throw BadInput(fmt::format("{}: {} vertices but no triangles; strips need faces, not points or lines", name_,
+                               soup_.points.size()));
+  for (const Corners& triangle : soup_.triangles)
+    for (const std::uint32_t corner : triangle)
+      if (corner >= soup_.points.size())
+        throw BadInput(
+            fmt::format("{}: a face refers to vertex {} (counted from 0), but there are {}; is the file complete?",
+                        name_, corner, soup_.points.size()));
+  return std::move(soup_);
+}
+
+}  // namespace restrip::tools

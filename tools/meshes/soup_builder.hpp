@@ -1,0 +1,42 @@
+// Collects a soup face by face, for the readers of the file formats. Says no where a file contradicts itself.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "meshes/soup.hpp"
+
+namespace restrip::tools {
+
+/// Triangles that a mesh can have (StripMesh keeps a handle and three flags in 32 bits), and vertices.
+inline constexpr std::size_t max_triangles = (std::size_t{1} << 29) - 1;
+inline constexpr std::size_t max_vertices = (std::size_t{1} << 32) - 2;
+
+/// Throws BadInput when a line of a text file is longer than `limit` bytes: no line of a mesh is, and what is made of
+/// it would take many times its size. `name` is the file.
+inline constexpr std::size_t longest_line = std::size_t{64} << 20;
+void refuse_long_lines(std::string_view text, const std::string& name, std::size_t limit = longest_line);
+
+class SoupBuilder {
+ public:
+  /// `name` is the file, for messages.
+  explicit SoupBuilder(std::string name) : name_(std::move(name)) {}
+
+  /// Throws BadInput when a coordinate is infinite or no number, or when there are too many.
+  void add_point(double x, double y, double z);
+  /// Corners may refer to points that come later. Throws BadInput when there are too many.
+  void add_face(std::span<const std::uint32_t> corners);
+  [[nodiscard]] std::size_t point_count() const noexcept { return soup_.points.size(); }
+
+  /// The soup. Throws BadInput when a face refers to a vertex that the file does not have, or when there is no
+  /// triangle.
+  [[nodiscard]] Soup finish() &&;
+
+ private:
+  std::string name_;
+  Soup soup_;
+};
+
+}  // namespace restrip::tools

@@ -1,0 +1,195 @@
+#include "paper/paper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/bad_input.hpp"
+#include "common/progress.hpp"
+#include "files/reading.hpp"
+#include "lod/coloring_check.hpp"
+#include "lod/pm_file.hpp"
+#include "meshes/mesh_file.hpp"
+#include "paper/paper_policy.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
+
+namespace restrip::tools {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+
+std::size_t isolated_in(const StripMesh& mesh, const std::vector<Triangle>& patch) {
+  return static_cast<std::size_t>(
+      std::count_if(patch.begin(), patch.end(), [&](Triangle t) { return mesh.solid_degree(t) == 0; }));
+}
+
+class Measurement {
+ public:
+  Measurement(const PaperSubject& subject, const PaperOptions& options) : options_(options) {
+    result_.name = subject.name;
+    result_.survey = report_on(subject.soup);
+    result_.triangles = subject.soup.triangles.size();
+    result_.paper = paper_row(result_.triangles);
+    source_ = subject.progressive ? *subject.progressive : simplify(subject.soup, options.simplify).mesh;
+    base_ = StripMesh::build(source_.base, source_.points.size());
+    stripify(base_, Effort::full);
+    result_.base_triangles = base_.triangle_count();
+    // Geometric steps; the first is the base, and after the last split comes one more.
+    const auto first = static_cast<double>(result_.base_triangles);
+    const double ratio = static_cast<double>(source_.fine_triangles()) / first;
+    for (std::size_t i = 0; i + 1 < options.levels; ++i)
+      stops_.push_back(static_cast<std::size_t>(
+          std::ceil(first * std::pow(ratio, static_cast<double>(i) / static_cast<double>(options.levels - 1)))));
+  }
+
+  PaperMesh run() {
+    for (const StripPolicy& policy : paper_policies()) watch(policy, true);
+    for (const StripPolicy& policy : our_policies()) watch(policy, false);
+    make_from_scratch();
+    return std::move(result_);
+  }
+
+ private:
+  void watch(const StripPolicy& policy, bool of_paper) {
+    StripMesh mesh = base_;
+    const Upkeep upkeep = policy.begin(mesh, source_);
+    PolicyRun run{policy.name, policy.says, of_paper, 0, 0, {}};
+    std::vector<Triangle> patch;
+    std::vector<std::size_t> by_valence;
+    const auto step = [&](const Record& record) {
+      const auto where = spokes_of(mesh, record);
+      fan_triangles(mesh, record.v_l == none ? where.right : where.left, patch);
+      if (patch.size() >= by_valence.size()) by_valence.resize(patch.size() + 1);
+      ++by_valence[patch.size()];
+      const std::size_t before = isolated_in(mesh, patch);
+      const Halfedge chord = upkeep.split(where, record.v_t);
+      edge_triangles(mesh, chord, patch);
+      run.isolating += static_cast<std::size_t>(isolated_in(mesh, patch) > before);
+      ++run.splits;
+      if (upkeep.between) upkeep.between();
+    };
+    climb(policy.name, mesh, step, [&] { run.levels.push_back(count(mesh, policy.name)); });
+    if (sorted_triangles(triangles_of(mesh)) != fine_triangles())
+      result_.faults.push_back(fmt::format("{}: the last split does not lead to the mesh", policy.name));
+    result_.splits_by_valence = std::move(by_valence);
+    result_.runs.push_back(std::move(run));
+  }
+
+  void make_from_scratch() {
+    ScratchRun fast{"scratch-fast", "strips made anew at each level, one pass", {}};
+    ScratchRun full{"scratch-full", "strips made anew at each level, with tunnelling", {}};
+    StripMesh mesh = base_;
+    climb(
+        "from scratch", mesh, [&](const Record& record) { mesh.insert_vertex(spokes_of(mesh, record), record.v_t); },
+        [&] {
+          stripify(mesh, Effort::fast);
+          fast.levels.push_back(count(mesh, fast.name));
+          stripify(mesh, Effort::full);
+          full.levels.push_back(count(mesh, full.name));
+        });
+    result_.scratch = {std::move(fast), std::move(full)};
+  }
+
+  /// All splits, and a look at each level.
+  template <class Step, class AtLevel>
+  void climb(const std::string& label, const StripMesh& mesh, Step&& step, AtLevel&& at_level) {
+    Progress progress(result_.name + ": " + label, source_.splits.size());
+    std::size_t stop = 0;
+    for (std::size_t i = 0; i < source_.splits.size(); ++i) {
+      if (stop < stops_.size() && mesh.triangle_count() >= stops_[stop]) at_level(), ++stop;
+      step(source_.splits[i]);
+      progress.at(i);
+    }
+    at_level();
+  }
+
+  StripCount count(const StripMesh& mesh, const std::string& label) {
+    const ColoringReport report = check_coloring(mesh);
+    if (!report.valid)
+      result_.faults.push_back(fmt::format("{}: invalid strips at {} triangles", label, report.triangles));
+    return {report.triangles, report.strips, report.isolated};
+  }
+
+  const std::vector<Corners>& fine_triangles() {
+    if (fine_.empty()) {
+      StripMesh mesh = base_;
+      for (const Record& record : source_.splits) mesh.insert_vertex(spokes_of(mesh, record), record.v_t);
+      fine_ = sorted_triangles(triangles_of(mesh));
+    }
+    return fine_;
+  }
+
+  PaperOptions options_;
+  PaperMesh result_;
+  ProgressiveMesh source_;
+  StripMesh base_;
+  std::vector<std::size_t> stops_;
+  std::vector<Corners> fine_;
+};
+
+/// The finest mesh of a progressive one.
+Soup top_of(const ProgressiveMesh& source, const std::string& name) {
+  StripMesh mesh = StripMesh::build(source.base, source.points.size());
+  for (std::size_t i = 0; i < source.splits.size(); ++i) {
+    const Record& record = source.splits[i];
+    const auto where = spokes_of(mesh, record);
+    const Refusal refusal = check_split(mesh, where, record.v_t);
+    if (refusal != Refusal::granted)
+      throw BadInput(
+          fmt::format("{}: split {} ({} -> {}) is not possible: {}; make the file anew with restrip simplify", name, i,
+                      record.v_s, record.v_t, describe(refusal)));
+    mesh.insert_vertex(where, record.v_t);
+  }
+  Soup soup;
+  soup.points = source.points;
+  soup.triangles = triangles_of(mesh);
+  return soup;
+}
+
+}  // namespace
+
+std::optional<PaperRow> paper_row(std::size_t triangles) {
+  static const std::vector<PaperRow> rows{
+      {"bunny", 69451, {0, 2, 31, 111, 438, 3875, 26165, 3888, 298, 22, 3, 1}, 51.5},
+      {"dragon",
+       871414,
+       {0, 775, 1073, 2244, 39545, 119944, 141423, 83482, 34087, 10931, 3145, 770, 170, 44, 10, 2},
+       std::nullopt}};
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](const PaperRow& r) { return r.triangles == triangles; });
+  return row == rows.end() ? std::nullopt : std::optional(*row);
+}
+
+std::vector<ValenceRow> valence_rows(const PaperMesh& mesh) {
+  const auto at = [](const std::vector<std::size_t>& row, std::size_t n) { return n < row.size() ? row[n] : 0; };
+  const std::vector<std::size_t>& here = mesh.survey.triangles_per_vertex;
+  const std::size_t end = std::max(here.size(), mesh.paper ? mesh.paper->triangles_per_vertex.size() : 0);
+  std::vector<ValenceRow> rows;
+  for (std::size_t n = 1; n < end; ++n) {
+    ValenceRow row{n, at(here, n), 0, std::nullopt};
+    row.percent = 100 * static_cast<double>(row.vertices) / static_cast<double>(mesh.survey.used_vertices);
+    if (mesh.paper) row.paper = at(mesh.paper->triangles_per_vertex, n);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+PaperSubject read_subject(const std::filesystem::path& file) {
+  PaperSubject subject;
+  subject.name = file.filename().string();
+  if (files::extension_of(file) == ".pm") {
+    subject.progressive = read_pm(file);
+    subject.soup = top_of(*subject.progressive, file.string());
+  } else {
+    subject.soup = read_mesh(file);
+  }
+  return subject;
+}
+
+PaperMesh measure(const PaperSubject& subject, const PaperOptions& options) {
+  return Measurement(subject, options).run();
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,129 @@
+// The figures of `restrip paper` as CSV, JSON and text.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "paper/paper_report.hpp"
+
+namespace restrip::tools {
+namespace {
+
+/// A field of a CSV file (RFC 4180).
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+template <class... Fields>
+void add_row(std::string& csv, const char* format, const Fields&... fields) {
+  fmt::format_to(std::back_inserter(csv), fmt::runtime(format), fields...);
+  csv += '\n';
+}
+
+}  // namespace
+
+std::vector<files::NamedBytes> csv_files(const RuleFigures& figures) {
+  std::string positions = "k,a,b\n";
+  for (const SplitPosition& at : figures.positions) add_row(positions, "{},{},{}", at.k, at.a, at.k - at.a);
+
+  std::string rules = "a,loop,ports,inner,strips,isolated,orbit\n";
+  for (const RuleFigures::FourVertex& four : figures.four)
+    for (const RuleOfOrbit& r : four.all)
+      add_row(rules, "{},{},{},{},{},{},{}", r.at.a, r.loop, r.ports, r.inner, r.strips, r.isolated, r.orbit);
+
+  std::string counts = "k,a,valid,lonely,rule_isolates,rule_adds_strip,orbits\n";
+  std::string lonely = "k,a,loop,ports,orbit,whole,isolated_if_whole,inner,strips,isolated\n";
+  for (const LonelyCount& count : figures.lonely) {
+    add_row(counts, "{},{},{},{},{},{},{}", count.at.k, count.at.a, count.valid, count.lonely, count.isolated,
+            count.adding_strip, count.orbits.size());
+    for (const LonelyRule& one : count.orbits) {
+      const RuleOfOrbit& r = one.rule;
+      add_row(lonely, "{},{},{},{},{},{},{},{},{},{}", r.at.k, r.at.a, r.loop, r.ports, r.orbit, one.whole,
+              one.isolated_if_whole, r.inner, r.strips, r.isolated);
+    }
+  }
+  return {{"positions.csv", positions}, {"rules-4.csv", rules}, {"lonely-counts.csv", counts}, {"lonely.csv", lonely}};
+}
+
+std::vector<files::NamedBytes> csv_files(const std::vector<PaperMesh>& meshes) {
+  std::string valence = "mesh,triangles_per_vertex,vertices,percent,paper_vertices\n";
+  std::string isolating = "mesh,policy,splits,isolating,percent\n";
+  std::string strips = "mesh,policy,triangles,strips,isolated\n";
+  for (const PaperMesh& mesh : meshes) {
+    const std::string name = field(mesh.name);
+    for (const ValenceRow& row : valence_rows(mesh))
+      add_row(valence, "{},{},{},{:.2f},{}", name, row.triangles, row.vertices, row.percent,
+              row.paper ? fmt::format("{}", *row.paper) : std::string());
+    for (const PolicyRun& run : mesh.runs) {
+      add_row(isolating, "{},{},{},{},{:.2f}", name, run.name, run.splits, run.isolating, run.isolating_percent());
+      for (const StripCount& level : run.levels)
+        add_row(strips, "{},{},{},{},{}", name, run.name, level.triangles, level.strips, level.isolated);
+    }
+    for (const ScratchRun& run : mesh.scratch)
+      for (const StripCount& level : run.levels)
+        add_row(strips, "{},{},{},{},{}", name, run.name, level.triangles, level.strips, level.isolated);
+  }
+  return {{"valence.csv", valence}, {"isolating.csv", isolating}, {"strips.csv", strips}};
+}
+
+std::string as_text(const std::vector<PaperMesh>& meshes) {
+  std::string text;
+  auto out = std::back_inserter(text);
+  for (const PaperMesh& mesh : meshes) {
+    fmt::format_to(out, "{}: {} triangles, base {}\n", mesh.name, mesh.triangles, mesh.base_triangles);
+    if (mesh.paper)
+      fmt::format_to(out, "  triangles per vertex: {} the paper's {}\n",
+                     mesh.equals_paper() ? "equal, row for row, to those of" : "NOT those of", mesh.paper->mesh);
+    fmt::format_to(out, "  {:<20}{:>12}{:>22}{:>14}\n", "policy", "isolating", "strips at the top", "isolated");
+    for (const PolicyRun& run : mesh.runs)
+      fmt::format_to(out, "  {:<20}{:>10.2f} %{:>22}{:>14}\n", run.name, run.isolating_percent(),
+                     run.levels.back().strips, run.levels.back().isolated);
+    for (const ScratchRun& run : mesh.scratch)
+      fmt::format_to(out, "  {:<20}{:>12}{:>22}{:>14}\n", run.name, "", run.levels.back().strips,
+                     run.levels.back().isolated);
+    for (const std::string& fault : mesh.faults) fmt::format_to(out, "  FAULT: {}\n", fault);
+  }
+  return text;
+}
+
+std::string as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes) {
+  using Json = nlohmann::ordered_json;
+  const auto levels_of = [](const std::vector<StripCount>& levels) {
+    Json json = Json::array();
+    for (const StripCount& l : levels)
+      json.push_back(Json{{"triangles", l.triangles}, {"strips", l.strips}, {"isolated", l.isolated}});
+    return json;
+  };
+  Json json{{"split_positions", figures.positions.size()}, {"lonely", Json::array()}, {"meshes", Json::array()}};
+  for (const LonelyCount& count : figures.lonely)
+    json["lonely"].push_back(Json{{"k", count.at.k},
+                                  {"a", count.at.a},
+                                  {"valid", count.valid},
+                                  {"lonely", count.lonely},
+                                  {"rule_isolates", count.isolated},
+                                  {"rule_adds_strip", count.adding_strip}});
+  for (const PaperMesh& mesh : meshes) {
+    Json one{{"mesh", mesh.name},
+             {"triangles", mesh.triangles},
+             {"base_triangles", mesh.base_triangles},
+             {"equals_paper", mesh.paper ? Json(mesh.equals_paper()) : Json(nullptr)},
+             {"policies", Json::array()},
+             {"scratch", Json::array()},
+             {"faults", mesh.faults}};
+    for (const PolicyRun& run : mesh.runs)
+      one["policies"].push_back(Json{{"policy", run.name},
+                                     {"splits", run.splits},
+                                     {"isolating", run.isolating},
+                                     {"levels", levels_of(run.levels)}});
+    for (const ScratchRun& run : mesh.scratch)
+      one["scratch"].push_back(Json{{"name", run.name}, {"levels", levels_of(run.levels)}});
+    json["meshes"].push_back(std::move(one));
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,80 @@
+// The replay: a progressive mesh from its base to its finest level and back, with the strips kept by the rules,
+// measured and checked.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lod/bake.hpp"
+#include "lod/bolder.hpp"
+#include "lod/progressive_mesh.hpp"
+#include "meshes/soup.hpp"
+#include "restrip/search/keeper.hpp"
+
+namespace restrip::tools {
+
+struct ReplayOptions {
+  std::size_t levels =
+      12;  ///< how often the strips are written out and counted between base and finest level, at least 2
+  std::size_t repeats = 5;                      ///< of each timed run, at least; 0: no timing
+  std::size_t cycles = 0;                       ///< down and up again after the first way up
+  Policy policy = Policy::local;                ///< how far an operation looks for strips to join
+  std::optional<Search> search = std::nullopt;  ///< other than the policy's own
+  /// Play these strips instead of any policy; they must be those of the mesh replayed.
+  const BakedMesh* baked = nullptr;
+};
+
+/// The mesh at one level of detail.
+struct Level {
+  std::size_t triangles = 0;
+  std::size_t strips = 0;    ///< isolated triangles included
+  std::size_t isolated = 0;  ///< strips of one triangle
+  std::size_t indices = 0;   ///< of the index buffer: strips with primitive restart
+};
+
+/// One way down to the base and up again.
+struct Cycle {
+  Level base;
+  Level top;
+  std::size_t isolating = 0;     ///< operations that introduced an isolated triangle
+  std::size_t adding_strip = 0;  ///< operations after which there were more strips
+};
+
+struct ReplayReport {
+  std::size_t base_triangles = 0;
+  std::size_t triangles = 0;  ///< at the finest level
+  std::size_t operations = 0;
+  std::size_t operations_without_rule = 0;  ///< refused: the file names a split that no mesh can do
+  std::size_t operations_isolating = 0;     ///< introduced an isolated triangle
+  std::size_t operations_adding_strip = 0;
+  std::vector<std::size_t> by_valence;  ///< [k]: splits of a fan of k triangles
+  std::size_t most_strips = 0;          ///< of all levels on the first way up, every split counted
+  std::vector<Level> levels;            ///< on the way up
+  std::vector<Level> levels_down;       ///< the same levels on the way back, the coarsest first as well
+  std::vector<Cycle> cycles;
+  /// Medians over the repeats. A split starts from vertices: finding its spokes is part of it, with strips and bare
+  /// alike.
+  double ns_per_operation = 0;
+  double ns_per_operation_bare = 0;
+  double ns_per_collapse = 0;
+  double ns_per_collapse_bare = 0;
+  /// An index buffer kept in step after every split of the way up (strip_buffer.hpp).
+  std::size_t buffer_bytes = 0;  ///< in the end
+  double bytes_written_per_operation = 0;
+  std::optional<BoldnessReport> boldness;  ///< under the local rules: what they lose by not looking outside the patch
+  std::size_t levels_compared = 0;         ///< baked: levels reached again, with the same strips
+  std::vector<std::string> faults;         ///< what a check found; empty when all is well
+
+  [[nodiscard]] bool valid() const noexcept { return faults.empty(); }
+};
+
+/// Stripifies the base and replays every split. At the finest level the colouring is checked from scratch, the index
+/// buffer is decoded, and the triangles are compared with `original` (as a set of oriented triangles; empty: with a
+/// replay without rules). Baked strips go down and up again once at least, and every reported level must then have,
+/// byte for byte, the strips it had at first.
+[[nodiscard]] ReplayReport replay(const ProgressiveMesh& mesh, const std::vector<Corners>& original,
+                                  const ReplayOptions& options = {});
+
+}  // namespace restrip::tools

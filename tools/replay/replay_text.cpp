@@ -1,0 +1,203 @@
+#include "replay/replay_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace restrip::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const WalkTaken& walk) {
+  const WalkReport& report = walk.report;
+  return {{"steps", walk.options.steps},     {"seed", walk.options.seed},
+          {"splits", report.splits},         {"collapses", report.collapses},
+          {"flips", report.flips},           {"refused", report.refused},
+          {"isolating", report.isolating},   {"flips_isolating", report.flips_isolating},
+          {"triangles", report.triangles},   {"strips", report.strips},
+          {"isolated", report.isolated},     {"fault", report.fault},
+          {"fault_step", report.fault_step}, {"trace", report.trace}};
+}
+
+Json json_of(const std::vector<Level>& levels) {
+  Json json = Json::array();
+  for (const Level& level : levels)
+    json.push_back({{"triangles", level.triangles},
+                    {"strips", level.strips},
+                    {"isolated", level.isolated},
+                    {"indices", level.indices}});
+  return json;
+}
+
+Json json_of(const Boldness& counts) {
+  return {{"operations", counts.operations},
+          {"adding_strip", counts.costing},
+          {"adding_strip_at_best", counts.costing_at_best},
+          {"bolder", counts.bolder},
+          {"missed_by_linked", counts.missed_by_linked}};
+}
+
+double ratio(std::size_t a, std::size_t b) { return b == 0 ? 0.0 : static_cast<double>(a) / static_cast<double>(b); }
+double percent(std::size_t part, std::size_t whole) { return 100.0 * ratio(part, whole); }
+
+}  // namespace
+
+std::string as_text(const ReplayReport& report, const Subject& subject) {
+  std::string text = subject.name + "\n";
+  auto out = std::back_inserter(text);
+  fmt::format_to(out, "  {} triangles, {} splits, {} triangles\n", report.base_triangles, report.operations,
+                 report.triangles);
+  if (subject.wanted_triangles != 0 && report.base_triangles > subject.wanted_triangles)
+    fmt::format_to(out, "  (a base of {} triangles was wanted; {})\n", subject.wanted_triangles,
+                   why_no_coarser(subject.left_out));
+  const LeftOut& left = subject.left_out;
+  if (left.degenerate_triangles != 0)
+    fmt::format_to(out, "  left out: {} degenerate triangles\n", left.degenerate_triangles);
+  if (left.irregular_vertices + left.frozen_vertices != 0)
+    fmt::format_to(out, "  left alone: {} vertices where the mesh is no manifold, {} beside them\n",
+                   left.irregular_vertices, left.frozen_vertices);
+
+  fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17}   {}\n", "triangles", "strips", "per strip", "isolated",
+                 "indices per tri.", "on the way back: strips, per strip");
+  for (std::size_t i = 0; i < report.levels.size(); ++i) {
+    const Level& level = report.levels[i];
+    fmt::format_to(out, "  {:>10} {:>10} {:>14.2f} {:>10} {:>17.3f}", level.triangles, level.strips,
+                   ratio(level.triangles, level.strips), level.isolated, ratio(level.indices, level.triangles));
+    if (i < report.levels_down.size())
+      fmt::format_to(out, " {:>25} {:>10.2f}", report.levels_down[i].strips,
+                     ratio(report.levels_down[i].triangles, report.levels_down[i].strips));
+    text += '\n';
+  }
+
+  fmt::format_to(out, "\n  splits by valence:");
+  for (std::size_t k = 0; k < report.by_valence.size(); ++k)
+    if (report.by_valence[k] != 0) fmt::format_to(out, " {}: {}", k, report.by_valence[k]);
+  const auto share = [&](const char* what, std::size_t count) {
+    fmt::format_to(out, "\n  {:<41}{:>10}{:>8.2f} %", what, count, percent(count, report.operations));
+  };
+  share("splits that introduced an isolated one", report.operations_isolating);
+  share("splits that added a strip", report.operations_adding_strip);
+  share("splits without a rule", report.operations_without_rule);
+  const auto bolder = [&](const char* what, const Boldness& counts) {
+    fmt::format_to(out, "\n  {:<41}{:>10}{:>8.2f} %, of {} with k <= {}; {:.1f} % add a strip, {:.1f} % at best", what,
+                   counts.bolder, percent(counts.bolder, counts.operations), counts.operations, table_max_k,
+                   percent(counts.costing, counts.operations), percent(counts.costing_at_best, counts.operations));
+  };
+  if (report.boldness) {
+    bolder("splits with a better recolouring here", report.boldness->splits);
+    bolder("collapses with a better recolouring here", report.boldness->collapses);
+  }
+  const auto cost = [&](const char* what, double with, double bare) {
+    if (bare > 0)
+      fmt::format_to(out, "\n  {:<41}{:>7.0f} ns, bare {:.0f} ns: {:.2f} times", what, with, bare, with / bare);
+  };
+  cost("a split with its strips", report.ns_per_operation, report.ns_per_operation_bare);
+  cost("a collapse with its strips", report.ns_per_collapse, report.ns_per_collapse_bare);
+  if (report.buffer_bytes != 0)
+    fmt::format_to(out, "\n  {:<41}{:>10.0f} bytes, of {}", "index buffer, written anew for a split",
+                   report.bytes_written_per_operation, report.buffer_bytes);
+  fmt::format_to(out, "\n  {:<41}{:>10}", "most strips of all levels", report.most_strips);
+  if (subject.baked) {
+    fmt::format_to(out, "\n  {:<41}{:>10.2f}, {:.1f} bytes", "flips of a record", subject.baked->flips_per_record,
+                   subject.baked->bytes_per_record);
+    if (subject.baked->seconds > 0)
+      fmt::format_to(out, "\n  {:<41}{:>10.1f}", "seconds to bake", subject.baked->seconds);
+    fmt::format_to(out, "\n  {:<41}{:>10}", "levels reached again, strips the same", report.levels_compared);
+  }
+  text += '\n';
+
+  if (!report.cycles.empty()) {
+    fmt::format_to(out, "\n  {:>6} {:>12} {:>12} {:>12} {:>10}\n", "cycle", "base strips", "top strips", "isolating",
+                   "adding");
+    // All of a few, else the first three and then every tenth.
+    for (std::size_t i = 0; i < report.cycles.size(); ++i) {
+      const Cycle& cycle = report.cycles[i];
+      if (report.cycles.size() > 20 && i >= 3 && (i + 1) % 10 != 0 && i + 1 != report.cycles.size()) continue;
+      fmt::format_to(out, "  {:>6} {:>12} {:>12} {:>12} {:>10}\n", i + 1, cycle.base.strips, cycle.top.strips,
+                     cycle.isolating, cycle.adding_strip);
+    }
+  }
+  text += report.valid() ? "\n  checked: every triangle once, as it was, in strips without a fault\n" : "\n";
+  for (const std::string& fault : report.faults) fmt::format_to(out, "  FAULT: {}\n", fault);
+  return text;
+}
+
+std::string as_text(const WalkTaken& walk) {
+  const WalkReport& report = walk.report;
+  std::string text = fmt::format(
+      "\n  walk of {} steps, seed {}: {} splits, {} collapses, {} flips, {} refused\n"
+      "  isolated ones introduced: {} by splits and collapses, {} by flips\n",
+      walk.options.steps, walk.options.seed, report.splits, report.collapses, report.flips, report.refused,
+      report.isolating, report.flips_isolating);
+  if (report.fault.empty())
+    return text + fmt::format("  checked: no fault; {} triangles in {} strips at the end, {} isolated\n",
+                              report.triangles, report.strips, report.isolated);
+  text += fmt::format("  FAULT at step {}: {}\n  the shortest way there that was found:\n", report.fault_step,
+                      report.fault);
+  for (const std::string& line : report.trace) text += "    " + line + "\n";
+  return text;
+}
+
+std::string as_json(const ReplayReport& report, const Subject& subject, const std::optional<WalkTaken>& walk) {
+  Json by_valence = Json::object();
+  for (std::size_t k = 0; k < report.by_valence.size(); ++k)
+    if (report.by_valence[k] != 0) by_valence[std::to_string(k)] = report.by_valence[k];
+  Json cycles = Json::array();
+  for (const Cycle& cycle : report.cycles)
+    cycles.push_back({{"base_strips", cycle.base.strips},
+                      {"base_isolated", cycle.base.isolated},
+                      {"top_strips", cycle.top.strips},
+                      {"top_isolated", cycle.top.isolated},
+                      {"isolating", cycle.isolating},
+                      {"adding_strip", cycle.adding_strip}});
+  Json json{
+      {"mesh", subject.name},
+      {"triangles", report.triangles},
+      {"base_triangles", report.base_triangles},
+      {"wanted_base_triangles", subject.wanted_triangles != 0 ? subject.wanted_triangles : report.base_triangles},
+      {"operations", report.operations},
+      {"operations_without_rule", report.operations_without_rule},
+      {"operations_isolating", report.operations_isolating},
+      {"operations_adding_strip", report.operations_adding_strip},
+      {"by_valence", std::move(by_valence)},
+      {"levels", json_of(report.levels)},
+      {"levels_down", json_of(report.levels_down)},
+      {"triangles_per_strip",
+       report.levels.empty() ? 0.0 : ratio(report.levels.back().triangles, report.levels.back().strips)},
+      {"policy", subject.policy},
+      {"states", subject.search.states},
+      {"enough", subject.search.enough},
+      {"tie_break", subject.search.tie_break == TieBreak::indices ? "indices" : "strips"},
+      {"most_strips", report.most_strips},
+      {"cycles", std::move(cycles)},
+      {"ns_per_operation", report.ns_per_operation},
+      {"ns_per_operation_bare", report.ns_per_operation_bare},
+      {"ns_per_collapse", report.ns_per_collapse},
+      {"ns_per_collapse_bare", report.ns_per_collapse_bare},
+      {"buffer_bytes", report.buffer_bytes},
+      {"buffer_bytes_written_per_operation", report.bytes_written_per_operation},
+      {"left_out",
+       {{"degenerate_triangles", subject.left_out.degenerate_triangles},
+        {"irregular_vertices", subject.left_out.irregular_vertices},
+        {"frozen_vertices", subject.left_out.frozen_vertices},
+        {"large_vertices", subject.left_out.large_vertices}}},
+      {"valid", report.valid() && (!walk || walk->report.fault.empty())},
+      {"faults", report.faults},
+  };
+  if (subject.baked)
+    json["baked"] = {{"flips_per_record", subject.baked->flips_per_record},
+                     {"bytes_per_record", subject.baked->bytes_per_record},
+                     {"bake_seconds", subject.baked->seconds},
+                     {"levels_compared", report.levels_compared}};
+  if (report.boldness)
+    json["best_in_this_mesh"] = {{"splits", json_of(report.boldness->splits)},
+                                 {"collapses", json_of(report.boldness->collapses)}};
+  if (walk) json["walk"] = json_of(*walk);
+  // Names may hold bytes that are no UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,68 @@
+// ReplayReport for people, and for programs.
+//
+// The JSON object; keys are added later, never renamed:
+//  - mesh: the file, or what was made
+//  - triangles: at the finest level; base_triangles, wanted_base_triangles: at the base
+//  - operations: vertex splits replayed
+//  - operations_without_rule: of them refused (only a wrong progressive mesh has such)
+//  - operations_isolating: of them introduced an isolated triangle
+//  - operations_adding_strip: of them left more strips than before
+//  - by_valence: {"k": splits of a fan of k triangles}
+//  - levels: [{triangles, strips, isolated, indices}] from base to finest level, on the way up
+//  - levels_down: the same levels on the way back
+//  - triangles_per_strip: at the finest level
+//  - policy, states, enough, tie_break: how strips were kept
+//  - most_strips: of all levels on the way up, every split counted
+//  - best_in_this_mesh: {splits, collapses}, each {operations, adding_strip, adding_strip_at_best, bolder,
+//    missed_by_linked}; under `local` (bolder.hpp)
+//  - baked: {flips_per_record, bytes_per_record, bake_seconds, levels_compared}; for baked strips
+//  - cycles: [{base_strips, base_isolated, top_strips, top_isolated, isolating, adding_strip}], each a way down and up
+//  - ns_per_operation, ns_per_operation_bare: a split with strips kept, and the same mesh update without (medians)
+//  - ns_per_collapse, ns_per_collapse_bare: the same for the way down
+//  - buffer_bytes: the live index buffer at the finest level
+//  - buffer_bytes_written_per_operation: what a split rewrites of it
+//  - walk: {steps, seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, isolated,
+//    fault, fault_step, trace}; when there was one
+//  - left_out: {degenerate_triangles, irregular_vertices, frozen_vertices, large_vertices}, what no operation
+//    touches
+//  - valid, faults: every check held; what did not
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lod/simplify.hpp"
+#include "replay/replay.hpp"
+#include "replay/walk.hpp"
+
+namespace restrip::tools {
+
+/// Baked strips: what they cost.
+struct BakedCosts {
+  double flips_per_record = 0;
+  double bytes_per_record = 0;  ///< of the file, vertex positions and connectivity included
+  double seconds = 0;           ///< of baking; 0 when they came from a file
+};
+
+/// What was replayed.
+struct Subject {
+  std::string name;
+  std::size_t wanted_triangles = 0;  ///< of the base; 0 when the base was given
+  LeftOut left_out;
+  std::string policy;
+  Search search;  ///< of the policy
+  std::optional<BakedCosts> baked;
+};
+
+/// A walk with what it was asked for.
+struct WalkTaken {
+  WalkOptions options;
+  WalkReport report;
+};
+
+[[nodiscard]] std::string as_text(const ReplayReport& report, const Subject& subject);
+[[nodiscard]] std::string as_text(const WalkTaken& walk);
+[[nodiscard]] std::string as_json(const ReplayReport& report, const Subject& subject,
+                                  const std::optional<WalkTaken>& walk);
+
+}  // namespace restrip::tools

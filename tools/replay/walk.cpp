@@ -1,0 +1,236 @@
+#include "replay/walk.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+
+#include "common/progress.hpp"
+#include "common/random.hpp"
+#include "common/shrink.hpp"
+#include "lod/coloring_check.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/output/strips.hpp"
+
+namespace restrip::tools {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+using Split = VertexSplit<Halfedge>;
+
+/// Strips and isolated triangles: of a mesh, or by how many they change.
+struct Account {
+  std::int64_t strips = 0;
+  std::int64_t isolated = 0;
+  friend Account operator+(const Account& a, const Account& b) {
+    return {a.strips + b.strips, a.isolated + b.isolated};
+  }
+};
+
+Account count(const StripMesh& mesh) {
+  const ColoringReport report = check_coloring(mesh);
+  return {static_cast<std::int64_t>(report.strips), static_cast<std::int64_t>(report.isolated)};
+}
+
+/// Takes steps on one mesh. A step is its number: what it does follows from the seed, the number and the mesh, so that
+/// steps can be left out and the others still mean something.
+class Walker {
+ public:
+  Walker(StripMesh& mesh, std::uint64_t seed, std::size_t home_size, const BeginOperations& begin)
+      : mesh_(mesh), seed_(seed), home_size_(home_size), operations_(begin(mesh)) {}
+
+  /// Takes one step. The fault that it caused, if any.
+  std::string step(std::uint64_t number) {
+    Random random(seed_ + number * 0xD1B54A32D192ED03U);
+    last_.clear();
+    const Halfedge h = somewhere(random);
+    if (h.id == none) return {};
+    const std::uint32_t dice = random.below(12);
+    // A mesh that has grown shrinks, one that has shrunk grows.
+    const std::uint32_t splits = mesh_.triangle_count() > home_size_ ? 3 : 5;
+    if (dice < splits) return try_split(h, random);
+    if (dice < 8) return try_collapse(random.below(2) == 0 ? h : mesh_.opposite(h));
+    return try_flip(h);
+  }
+
+  /// Checks the whole mesh, that the operations told the truth about strips and isolated triangles, and what they keep
+  /// beside it. `start`: the numbers before the first step.
+  [[nodiscard]] std::string whole_fault(const Account& start) const {
+    const std::vector<std::string> faults = find_faults(mesh_);
+    if (!faults.empty()) return faults.front();
+    const Account there = count(mesh_);
+    const Account expected = start + told;
+    if (there.strips != expected.strips)
+      return fmt::format("{} strips, but the operations' own account says {}", there.strips, expected.strips);
+    if (there.isolated != expected.isolated)
+      return fmt::format("{} isolated triangles, but the operations' own account says {}", there.isolated,
+                         expected.isolated);
+    return operations_.fault ? operations_.fault() : std::string();
+  }
+
+  WalkReport report;
+  Account told;  ///< the changes, as the operations told them
+
+  [[nodiscard]] const std::string& last() const noexcept { return last_; }
+
+ private:
+  Halfedge somewhere(Random& random) const {
+    for (unsigned attempt = 0; attempt < 8; ++attempt) {
+      const Triangle t = random.below(static_cast<std::uint32_t>(mesh_.triangle_bound()));
+      const unsigned side = random.below(3);
+      if (mesh_.alive(t)) return StripMesh::halfedge(t, side);
+    }
+    return {none};
+  }
+
+  std::string try_split(Halfedge h, Random& random) {
+    const Vertex v = mesh_.from(h);
+    if (mesh_.irregular(v)) return refuse();
+    std::vector<Halfedge>& spokes = spokes_;
+    spokes.clear();
+    for_each_spoke(mesh_, v, [&](Halfedge spoke) { spokes.push_back(spoke); });
+    const auto any = [&] { return spokes[random.below(static_cast<std::uint32_t>(spokes.size()))]; };
+    Split where{any(), any(), Split::Spokes::both};
+    const std::uint32_t kind = random.below(6);
+    if (mesh_.leaves_boundary(h) && kind < 2)
+      where.spokes = kind == 0 ? Split::Spokes::left_only : Split::Spokes::right_only;
+    if (check_split(mesh_, where) != Refusal::granted) return refuse();
+    const auto end = [&](bool there, Halfedge spoke) {
+      return there ? fmt::format("{}", mesh_.to(spoke)) : std::string("none");
+    };
+    last_ = fmt::format("split {}, left {}, right {}", v, end(where.spokes != Split::Spokes::right_only, where.left),
+                        end(where.spokes != Split::Spokes::left_only, where.right));
+    const auto done = operations_.split(mesh_, where);
+    ++report.splits;
+    report.isolating += done.isolated > 0 ? 1 : 0;
+    return settle(done, {mesh_.from(done.halfedge), mesh_.to(done.halfedge), none, none});
+  }
+
+  std::string try_collapse(Halfedge chord) {
+    if (check_collapse(mesh_, chord) != Refusal::granted) return refuse();
+    last_ = fmt::format("collapse {} -> {}", mesh_.from(chord), mesh_.to(chord));
+    const auto done = operations_.collapse(mesh_, chord);
+    ++report.collapses;
+    report.isolating += done.isolated > 0 ? 1 : 0;
+    return settle(done, {mesh_.from(done.halfedge), none, none, none});
+  }
+
+  std::string try_flip(Halfedge h) {
+    if (check_flip(mesh_, h) != Refusal::granted) return refuse();
+    last_ = fmt::format("flip {} -> {}", mesh_.from(h), mesh_.to(h));
+    const std::array<Vertex, 2> ends{mesh_.from(h), mesh_.to(h)};
+    const auto done = operations_.flip(mesh_, h);
+    ++report.flips;
+    report.flips_isolating += done.isolated > 0 ? 1 : 0;
+    return settle(done, {mesh_.from(done.halfedge), mesh_.to(done.halfedge), ends[0], ends[1]});
+  }
+
+  std::string refuse() {
+    ++report.refused;
+    return {};
+  }
+
+  std::string settle(const Rewrite<Halfedge>& done, const std::array<Vertex, 4>& around) {
+    told = told + Account{done.strips, done.isolated};
+    for (const Vertex v : around) {
+      if (v == none) continue;
+      if (std::string fault = find_fault_around(mesh_, v); !fault.empty()) return fault;
+    }
+    return {};
+  }
+
+  StripMesh& mesh_;
+  std::uint64_t seed_;
+  std::size_t home_size_;
+  Operations operations_;
+  std::string last_;
+  std::vector<Halfedge> spokes_;
+};
+
+/// The mesh of the last whole check, from which a failure can be repeated.
+struct Camp {
+  StripMesh mesh;
+  Account account;
+  std::uint64_t step = 0;
+};
+
+std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_step, std::size_t home_size,
+                                        const WalkOptions& options, const BeginOperations& begin) {
+  std::vector<std::uint64_t> steps;
+  for (std::uint64_t step = camp.step; step <= last_step; ++step) steps.push_back(step);
+  std::vector<std::string> trace;
+  const auto fails = [&](const std::vector<std::uint64_t>& some) {
+    StripMesh mesh = camp.mesh;
+    Walker walker(mesh, options.seed, home_size, begin);
+    std::vector<std::string> done;
+    std::string fault;
+    for (const std::uint64_t step : some) {
+      fault = walker.step(step);
+      if (!walker.last().empty()) done.push_back(walker.last());
+      if (!fault.empty()) break;
+    }
+    if (fault.empty()) fault = walker.whole_fault(camp.account);
+    if (fault.empty()) return false;
+    done.push_back("then: " + fault);
+    trace = std::move(done);
+    return true;
+  };
+  if (!fails(steps)) return {"the failure could not be repeated from the mesh of the last whole check"};
+  constexpr std::size_t enough_tries = 2000;
+  shrink(std::move(steps), fails, enough_tries);
+  return trace;
+}
+
+}  // namespace
+
+BeginOperations operations_of(Policy policy, Search search) {
+  return [policy, search](StripMesh& on) {
+    const auto keeper = std::make_shared<StripKeeper>(on, policy);
+    keeper->set_search(search);
+    Operations operations;
+    operations.split = [keeper](StripMesh&, const Split& where) { return keeper->split(where); };
+    operations.collapse = [keeper](StripMesh&, Halfedge chord) { return keeper->collapse(chord); };
+    operations.flip = [keeper](StripMesh&, Halfedge h) { return keeper->flip(h); };
+    operations.fault = [keeper] {
+      return keeper->index() != nullptr ? find_fault(keeper->mesh(), *keeper->index()) : std::string();
+    };
+    return operations;
+  };
+}
+
+WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginOperations& begin) {
+  if (const std::vector<std::string> faults = find_faults(mesh); !faults.empty()) {
+    WalkReport report;
+    report.fault = faults.front();
+    return report;
+  }
+  const std::size_t home_size = mesh.triangle_count();
+  Walker walker(mesh, options.seed, home_size, begin);
+  const Account start = count(mesh);
+  Camp camp{mesh, start, 0};
+  std::string fault;
+  std::uint64_t step = 0;
+  Progress progress("walking", options.steps);
+  for (; step < options.steps && fault.empty(); ++step) {
+    fault = walker.step(step);
+    progress.at(step);
+    const bool whole = (step + 1) % options.whole_check_every == 0 || step + 1 == options.steps;
+    if (fault.empty() && whole) fault = walker.whole_fault(start);
+    if (!fault.empty()) break;
+    if (whole) camp = {mesh, start + walker.told, step + 1};
+  }
+  WalkReport report = walker.report;
+  report.fault = fault;
+  if (!fault.empty()) {
+    report.fault_step = step;
+    report.trace = shortest_trace(camp, step, home_size, options, begin);
+    return report;
+  }
+  report.triangles = mesh.triangle_count();
+  const Account end = start + walker.told;  // a recount has just agreed
+  report.strips = static_cast<std::size_t>(end.strips);
+  report.isolated = static_cast<std::size_t>(end.isolated);
+  return report;
+}
+
+}  // namespace restrip::tools

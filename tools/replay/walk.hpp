@@ -1,0 +1,64 @@
+// A random walk through the operations: splits, collapses and flips anywhere on a mesh, each one checked at once around
+// its vertices, the whole mesh from time to time. A failure is shrunk to a short list of operations.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/adopt.hpp"
+#include "restrip/search/keeper.hpp"
+
+namespace restrip::tools {
+
+/// The operations under test, on one mesh. The tests of the walk hand in faulty ones.
+struct Operations {
+  using Halfedge = StripMesh::Halfedge;
+  std::function<Rewrite<Halfedge>(StripMesh&, const VertexSplit<Halfedge>&)> split =
+      [](StripMesh& mesh, const VertexSplit<Halfedge>& where) { return split_and_adopt(mesh, where); };
+  std::function<Rewrite<Halfedge>(StripMesh&, Halfedge)> collapse = [](StripMesh& mesh, Halfedge chord) {
+    return collapse_and_adopt(mesh, chord);
+  };
+  std::function<Rewrite<Halfedge>(StripMesh&, Halfedge)> flip = [](StripMesh& mesh, Halfedge h) {
+    return flip_and_adopt(mesh, h);
+  };
+  /// What is wrong with what they keep beside the mesh; may be empty.
+  std::function<std::string()> fault{};
+};
+
+/// Begins operations on a mesh; the search for a short trace begins them on copies.
+using BeginOperations = std::function<Operations(StripMesh&)>;
+
+/// Those of a policy, and its index checked with the whole mesh.
+[[nodiscard]] BeginOperations operations_of(Policy policy, Search search);
+
+struct WalkOptions {
+  std::uint64_t steps = 10'000;
+  std::uint64_t seed = 1;
+  std::uint64_t whole_check_every = 10'000;
+};
+
+struct WalkReport {
+  std::uint64_t splits = 0;
+  std::uint64_t collapses = 0;
+  std::uint64_t flips = 0;
+  std::uint64_t refused = 0;          ///< steps whose operation was not possible where they wanted it
+  std::uint64_t isolating = 0;        ///< splits and collapses that added isolated triangles, anywhere in the mesh
+  std::uint64_t flips_isolating = 0;  ///< flips that did
+  std::size_t triangles = 0;          ///< at the end
+  std::size_t strips = 0;
+  std::size_t isolated = 0;
+  std::string fault;             ///< empty when every check held
+  std::uint64_t fault_step = 0;  ///< where it was found
+  std::vector<std::string>
+      trace;  ///< the shortest list of operations found that leads to a fault, from the mesh of the last whole check
+};
+
+/// Walks on `mesh`, whose colouring must be valid, and leaves it where it went. The mesh keeps about its size. Step i
+/// depends on the seed, i and the mesh alone.
+[[nodiscard]] WalkReport walk(StripMesh& mesh, const WalkOptions& options,
+                              const BeginOperations& begin = operations_of(Policy::local, {}));
+
+}  // namespace restrip::tools
