@@ -20,7 +20,8 @@ std::string banner(const std::string& what) {
   return fmt::format(
       "// {}\n// Written by `restrip-generate tables`. Do not edit: change the generator, then build the target "
       "`regenerate`.\n"
-      "// Format {}, explained in restrip/tables/format.hpp.\n#pragma once\n\n#include \"restrip/tables/format.hpp\"\n\n"
+      "// Format {}, explained in restrip/tables/format.hpp.\n#pragma once\n\n#include "
+      "\"restrip/tables/format.hpp\"\n\n"
       "namespace restrip::tables {{\n\n",
       what, header_version);
 }

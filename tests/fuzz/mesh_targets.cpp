@@ -8,9 +8,9 @@
 #include "lod/pm_file.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/mesh_file.hpp"
-#include "tools/shapes.hpp"
 #include "restrip/search/stripify.hpp"
 #include "target.hpp"
+#include "tools/shapes.hpp"
 
 namespace restrip::fuzz {
 namespace {
