@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "number_lines.hpp"
 #include "reason.hpp"
 
 namespace restrip::generator {
@@ -27,30 +28,6 @@ std::string banner(const std::string& what) {
 }
 
 constexpr const char* footer = "\n}  // namespace restrip::tables\n";
-
-/// Words in lines of at most 120 characters.
-class Lines {
- public:
-  void add(const std::string& word) {
-    if (line_.size() + word.size() > 120) {
-      text_ += line_ + "\n";
-      line_ = "   ";
-    }
-    line_ += word;
-  }
-  [[nodiscard]] std::string text() const { return text_ + line_ + "\n"; }
-
- private:
-  std::string text_;
-  std::string line_ = "   ";
-};
-
-template <class Number>
-std::string numbers(const std::vector<Number>& values, const char* spelling = " {},") {
-  Lines lines;
-  for (const Number value : values) lines.add(fmt::format(fmt::runtime(spelling), value));
-  return lines.text();
-}
 
 /// A pairing in four bits for each port: its partner, itself when it has none. Eight ports fit 32 bits, sixteen 64.
 std::uint64_t partners(const std::vector<Mask>& pairs, unsigned max_k) {

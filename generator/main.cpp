@@ -9,6 +9,7 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -16,10 +17,12 @@
 #include <variant>
 #include <vector>
 
+#include "automaton.hpp"
 #include "count.hpp"
 #include "digest.hpp"
 #include "dump.hpp"
 #include "emit.hpp"
+#include "emit_automaton.hpp"
 #include "files/output.hpp"
 #include "files/system_calls.hpp"
 #include "part.hpp"
@@ -65,9 +68,22 @@ std::string header_path(const std::string& family) {
 
 std::string certificate_path(const std::string& family) { return "certificates/" + family + ".cert"; }
 
+/// The two files of the automaton, which serves every valence.
+struct AutomatonFiles {
+  const Automaton automaton = make_automaton();
+  const RulesHeader header = automaton_header(automaton);
+  const AutomatonCertificate certificate = automaton_certificate(automaton);
+};
+
+std::string summary(const AutomatonFiles& files) {
+  return fmt::format("{:<16} {:>3} classes   {:>6} rows   {:>6} bytes\n", "automaton", files.automaton.classes.size(),
+                     files.certificate.rows, files.header.bytes);
+}
+
 /// The files that write_tables writes, whatever the largest valence; MANIFEST, which vouches for the others, last.
 files::OutputSet table_files(const std::string& out) {
-  std::set<std::filesystem::path> names{headers + "rows.hpp", headers + "linked.hpp"};
+  std::set<std::filesystem::path> names{headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"),
+                                        certificate_path("automaton")};
   for (const Part& part : parts(3)) {
     names.insert(certificate_path(part.family));
     if (std::holds_alternative<Section>(part.section)) names.insert(header_path(part.family));
@@ -123,6 +139,10 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) 
     rows[path] = family.alternatives();
     rows[headers + "linked.hpp"] += family.alternatives();
   }
+  const AutomatonFiles automaton;
+  texts[header_path("automaton")] = automaton.header.text;
+  texts[certificate_path("automaton")] = automaton.certificate.text;
+  rows[header_path("automaton")] = rows[certificate_path("automaton")] = automaton.certificate.rows;
   std::string manifest = "restrip-manifest 1\n";
   std::vector<files::NamedBytes> files;
   for (auto& [path, contents] : texts) {
@@ -138,6 +158,18 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) 
   fmt::print("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", "linked",
              linked[0].sections.size() + linked[1].sections.size(), linked[0].alternatives() + linked[1].alternatives(),
              linked_rules.bytes);
+  fmt::print("{}", summary(automaton));
+}
+
+void write_automaton(const std::string& folder, const std::string& json) {
+  files::OutputSet out(folder, {header_path("automaton"), certificate_path("automaton")});
+  std::optional<files::Output> json_out;
+  if (!json.empty() && json != "-") json_out.emplace(json, files::OutputRules{{".json"}, {}});
+  const AutomatonFiles automaton;
+  out.write(
+      {{header_path("automaton"), automaton.header.text}, {certificate_path("automaton"), automaton.certificate.text}});
+  if (json_out) json_out->write(automaton_json(automaton.automaton));
+  fmt::print("{}", json == "-" ? automaton_json(automaton.automaton) : summary(automaton));
 }
 
 void make_tables(const TablesOptions& options) {
@@ -216,6 +248,20 @@ int main(int argc, char** argv) {
   merge_command->add_option("--out", merge_out, "Directory that receives the tables")->required();
   merge_command->footer("\nExample:\n  restrip-generate merge --in /tmp/shards --out /tmp/tables\n");
 
+  std::string automaton_out;
+  std::string automaton_json_file;
+  std::string automaton_cost = "strips";
+  auto* automaton_command =
+      app.add_subcommand("automaton", "Write the automaton that answers fans of every valence, and its certificate");
+  automaton_command->add_option("--out", automaton_out, "Directory that receives them")->required();
+  automaton_command
+      ->add_option("--cost", automaton_cost, "What is best: fewest strips, then fewest isolated triangles (strips)")
+      ->check(CLI::IsMember({"strips"}))
+      ->capture_default_str();
+  automaton_command->add_option("--json", automaton_json_file,
+                                "Write its figures to this file; - for standard output, in place of the text");
+  automaton_command->footer("\nExample:\n  restrip-generate automaton --cost strips --out /tmp/automaton\n");
+
   std::string family = "split";
   unsigned k = 0;
   auto* dump_command = app.add_subcommand("dump", "Print every rule as CSV, one row for each valid configuration");
@@ -254,6 +300,7 @@ int main(int argc, char** argv) {
   }
   try {
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
+    if (*automaton_command) write_automaton(automaton_out, automaton_json_file);
     if (*merge_command) merge(merge_in, merge_out);
     if (*dump_command) {
       const Family chosen = names.at(family);

@@ -21,7 +21,7 @@ std::vector<ManifestLine> read_manifest(const std::string& tables_dir);
 std::string sha256_of(const std::string& bytes);
 
 /// What is wrong with the files below the folder, one sentence each, empty when they are exactly those listed.
-/// MANIFEST itself and CMakeLists.txt, which is written by hand, need no line.
+/// MANIFEST itself and what is written by hand (CMakeLists.txt, *format.hpp) need no line.
 std::vector<std::string> manifest_faults(const std::string& tables_dir, const std::vector<ManifestLine>& lines);
 
 }  // namespace restrip::verify
