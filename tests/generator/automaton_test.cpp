@@ -1,0 +1,133 @@
+// Claim: the automaton is worth what exhaustive search finds. For every family, every position and every key with k <=
+// 6 its answer has as many solid edges and as many isolated triangles as the search's, and the value it tells is that
+// of its answer; at k = 9, where an arc is longer than most witnesses, the same for one position. The search
+// (search.hpp) tries all recolourings of a patch and knows nothing of arcs.
+#include "automaton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "automaton_reader.hpp"
+#include "emit_automaton.hpp"
+#include "section.hpp"
+
+namespace restrip::generator {
+namespace {
+
+/// How many rows were compared.
+std::size_t compare(const AutomatonReader& reader, const Section& section) {
+  const Side after = patch_of_rows(section.position).after;
+  const std::vector<Coloring> colorings = legal_colorings(after);
+  for (const Row& row : section.rows) {
+    const Answer answer = reader.answer(section.position, row.key);
+    EXPECT_EQ(answer.value.solid, static_cast<int>(row.solid)) << row.key.ports << ' ' << row.key.joined;
+    EXPECT_EQ(-answer.value.fewer_isolated, static_cast<int>(row.isolated)) << row.key.ports << ' ' << row.key.joined;
+    const auto coloring = std::find_if(colorings.begin(), colorings.end(),
+                                       [&](const Coloring& c) { return c.inner == answer.recoloring; });
+    if (coloring == colorings.end()) {
+      ADD_FAILURE() << "not legal: " << answer.recoloring;
+      continue;
+    }
+    const auto outcome = with_ports(after, *coloring, row.key.ports);
+    if (!outcome) {
+      ADD_FAILURE() << "a triangle has three solid edges";
+      continue;
+    }
+    EXPECT_EQ(outcome->solid, row.solid);
+    EXPECT_EQ(outcome->isolated, row.isolated);
+    bool leftover = false;
+    const Mask joins = joined_to_previous(outcome->pairs, row.key.ports, section.position.k,
+                                          closed(section.position.family), &leftover);
+    EXPECT_FALSE(leftover);
+    EXPECT_EQ(joins & ~row.key.joined, 0U) << "joins ports that were not joined";
+  }
+  return section.rows.size();
+}
+
+class AutomatonTest : public testing::Test {
+ protected:
+  const Automaton automaton = make_automaton();
+  const AutomatonReader reader{automaton};
+};
+
+TEST_F(AutomatonTest, AnswersAreWorthWhatTheSearchFinds) {
+  for (const std::string& family : certificate_families()) {
+    if (family == "flip") continue;
+    std::size_t compared = 0;
+    for (const Section& section : solve(family, 6, 2)) compared += compare(reader, section);
+    EXPECT_GT(compared, 300U) << family;
+  }
+}
+
+TEST_F(AutomatonTest, BeyondTheTablesToo) {
+  Section section;
+  section.position = {Family::boundary_split, 9, 4, 0};
+  section.serves = {section.position};
+  solve(section);
+  EXPECT_GT(compare(reader, section), 4000U);
+}
+
+// Two classes that nothing tells apart would be one.
+TEST_F(AutomatonTest, IsMinimal) {
+  std::vector<std::size_t> block(automaton.classes.size(), 0);
+  std::size_t blocks = 1;
+  while (true) {
+    std::map<std::vector<std::size_t>, std::size_t> numbers;
+    std::vector<std::size_t> finer;
+    for (std::size_t c = 0; c < automaton.classes.size(); ++c) {
+      const ArcClass& arc = automaton.classes[c];
+      std::vector<std::size_t> sight{block[c],     c == 0 ? 1U : 0U, arc.boundary ? 1U : 0U,
+                                     arc.as_first, arc.as_second,    arc.closing.arc};
+      for (const auto& value : arc.values) {
+        sight.push_back(value ? static_cast<std::size_t>(100 + value->solid) : 0);
+        sight.push_back(value ? static_cast<std::size_t>(100 + value->fewer_isolated) : 0);
+      }
+      for (const auto& step : arc.steps) {
+        sight.push_back(step ? block[step->to] : automaton.classes.size());
+        if (step) sight.insert(sight.end(), step->before.begin(), step->before.end());
+      }
+      finer.push_back(numbers.emplace(sight, numbers.size()).first->second);
+    }
+    block = finer;
+    if (numbers.size() == blocks) break;
+    blocks = numbers.size();
+  }
+  EXPECT_EQ(blocks, automaton.classes.size());
+}
+
+TEST_F(AutomatonTest, WitnessesLeadToTheirClasses) {
+  std::set<std::string> witnesses;
+  std::string last;
+  for (std::size_t c = 0; c < automaton.classes.size(); ++c) {
+    const std::string& witness = automaton.classes[c].witness;
+    std::size_t at = 0;
+    for (const char letter : witness) {
+      const auto found =
+          std::find_if(all_letters.begin(), all_letters.end(), [&](Letter l) { return text_of(l) == letter; });
+      ASSERT_NE(found, all_letters.end());
+      at = automaton.classes[at].steps[static_cast<std::size_t>(*found)].value().to;
+    }
+    EXPECT_EQ(at, c) << witness;
+    EXPECT_LE(last.size(), witness.size());
+    EXPECT_TRUE(witnesses.insert(witness).second);
+    last = witness;
+  }
+}
+
+// Counted before by a program of another language.
+TEST_F(AutomatonTest, FiftyThreeClassesByValueAlone) {
+  EXPECT_EQ(automaton.counts.values, 53U);
+  EXPECT_LE(automaton.classes.size(), 255U);
+}
+
+TEST_F(AutomatonTest, TextsAreTheSameEachTime) {
+  const Automaton again = make_automaton();
+  EXPECT_EQ(automaton_header(automaton).text, automaton_header(again).text);
+  EXPECT_EQ(automaton_certificate(automaton).text, automaton_certificate(again).text);
+}
+
+}  // namespace
+}  // namespace restrip::generator
