@@ -1,5 +1,5 @@
 // The lookup of a rule, for fans of eight triangles unless a name says otherwise: every family in the shipped layout;
-// for splits against a direct index over all 4^k configurations, and against the exact solver.
+// for splits against a direct index over all 4^k configurations, and against the automaton of all valences.
 //
 //   hot     the same 64 configurations again and again, tables in the first-level cache
 //   random  4,096 valid configurations of all positions in random order
@@ -85,7 +85,7 @@ struct MixedSplit {
   }
   auto operator()(const Question& q) const { return restrip::split_rule({q.j, q.i}, q.before, q.ports); }
 };
-/// Longer than the tables: by way of a shortened fan, or the exact solver.
+/// Longer than the tables: read from the automaton.
 struct LongSplit {
   static constexpr std::size_t length = 10;
   static constexpr std::size_t bits = length;
@@ -170,7 +170,7 @@ int main(int count, char** values) {
   family<MixedSplit>("split, four to eight triangles");
   family<LongSplit>("split, ten triangles");
   family<DirectSplit>("split, direct index");
-  family<ExactSplit>("split, exact solver");
+  family<ExactSplit>("split, automaton");
   family<Collapse>("collapse");
   family<OpenSplit>("open-split");
   family<OpenCollapse>("open-collapse");

@@ -15,12 +15,12 @@ static_assert(!split_rule({4, 2}, 0b1111, 0).valid);
 static_assert(!split_rule({4, 2}, 0b0011, 0b0010).valid);
 static_assert(noexcept(split_rule({4, 2}, 0, 0)) && noexcept(collapse_rule({4, 2}, 0, 0)) && noexcept(flip_rule(false,
                                                                                                                 0)));
-static_assert(split_rule({12, 5}, 0b100, 0).valid, "beyond the tables the exact solver answers, at compile time too");
+static_assert(split_rule({12, 5}, 0b100, 0).valid, "beyond the tables the automaton answers, at compile time too");
 static_assert(collapse_rule({3, 1}, 0, 0).valid && open_split_rule({1, 0, 1}, 0, 0).valid &&
               boundary_split_rule({1, 1}, 0, 1).valid && open_collapse_rule({2, 0, 2}, 0, 0).valid &&
               boundary_collapse_rule({2, 1}, 0, 0).valid && flip_rule(true, 0).valid);
 
-/// Solid edges and isolated triangles of the rule equal those of the exact solver, which was compared with brute force.
+/// Solid edges and isolated triangles of the rule equal those of the automaton, which was compared with brute force.
 void expect_cost(const detail::Layout& after, const Rule& rule, Word ports, const exact::Value& best) {
   EXPECT_EQ(count_bits(rule.colors), best.solid);
   EXPECT_EQ(detail::isolated(after, rule.colors, ports), best.isolated);

@@ -1,5 +1,5 @@
-// The exact best recolouring of a fan of any valence, computed from its key. This is the definition of a rule's cost;
-// the compiled tables hold its answers for small k.
+// The best recolouring of a fan of any valence, looked up by its key in the automaton of all valences
+// (restrip/tables/automaton.hpp). Its cost is that of the tables for small k; docs/automaton.md says how it is checked.
 //
 // A recolouring is sound when every triangle keeps at most two solid edges, nothing inside is a solid cycle, and it
 // joins only ports that were joined before. Among the sound ones these functions return one with the most solid edges,
@@ -13,12 +13,8 @@
 // are any: 1 <= a < k, gaps i < j, not only those listed in docs/notation.md. A position out of range is a programming
 // error, found in debug builds (precondition.hpp). k is less than 2^26.
 //
-// Cost. Time linear in k. On words, and on bit strings with k <= 64: no allocation, nothing thrown. Longer bit strings:
-// one allocation of about four bytes for each triangle.
-//
-// Method. A dynamic program around the ring. A strand between two ports passes no other port, so all that an arc of
-// triangles tells the rest is which port, if any, is reached over its first and its last edge: see
-// impl/strand_sweep.hpp.
+// Cost. Two table reads for each triangle: time linear in k. On words, and on bit strings with k <= 64: no allocation,
+// nothing thrown. Longer bit strings: one allocation of two bytes for each triangle.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +22,7 @@
 
 #include "restrip/precondition.hpp"
 #include "restrip/rules/bits.hpp"
-#include "restrip/rules/impl/best_recoloring.hpp"
+#include "restrip/rules/impl/arc_walk.hpp"
 #include "restrip/rules/impl/layout.hpp"
 #include "restrip/rules/key.hpp"
 
@@ -48,32 +44,42 @@ struct Recoloring {
 
 namespace detail {
 
-namespace engine = restrip::detail;
-using engine::Layout;
+using restrip::detail::ArcWalk;
+using restrip::detail::LongLetters;
+using restrip::detail::WordLetters;
 
 /// Up to here a bit string is answered on the stack.
 inline constexpr std::size_t max_stack_valence = 64;
 
-constexpr Value value_of(engine::Score score) noexcept {
-  const engine::Score solid = (score + engine::solid_edge - 1) / engine::solid_edge;  // rounded up; scores are > -2^32
-  return {static_cast<int>(solid), static_cast<int>(solid * engine::solid_edge - score)};
-}
-
-constexpr Value on_stack(const Layout& patch, BitSpan ports, BitSpan joined, MutableBitSpan colors) noexcept {
-  engine::Step steps[2 * (max_stack_valence + 2)];
-  return value_of(engine::best_recoloring(patch, ports, joined, steps, colors));
-}
-
-constexpr Recoloring on_word(const Layout& patch, Word ports, Word joined) noexcept {
+/// walk(room, color) as in arc_walk.hpp.
+template <class Walk>
+constexpr Recoloring on_word(const restrip::detail::Layout& patch, Word ports, Walk&& walk) noexcept {
+  ArcWalk::Entry room[max_stack_valence + 2];
   Recoloring result;
-  result.value = on_stack(patch, BitSpan::of(ports), BitSpan::of(joined), MutableBitSpan::of(result.colors));
+  walk(room, [&](std::size_t edge, bool solid) { result.colors |= Word{solid} << edge; });
+  result.value = {count_bits(result.colors), restrip::detail::isolated(patch, result.colors, ports)};
   return result;
 }
 
-inline Value on_bits(const Layout& patch, BitSpan ports, BitSpan joined, MutableBitSpan colors) {
-  if (patch.k <= max_stack_valence) return on_stack(patch, ports, joined, colors);
-  std::vector<engine::Step> steps(engine::steps_for(patch));
-  return value_of(engine::best_recoloring(patch, ports, joined, steps.data(), colors));
+template <class Walk>
+Value on_bits(const restrip::detail::Layout& patch, BitSpan ports, MutableBitSpan colors, Walk&& walk) {
+  const auto write = [&](ArcWalk::Entry* room) {
+    Value value;
+    colors.clear(patch.colors());
+    walk(room, [&](std::size_t edge, bool solid) {
+      if (!solid) return;
+      colors.set(edge);
+      ++value.solid;
+    });
+    value.isolated = restrip::detail::isolated(patch, colors, ports);
+    return value;
+  };
+  if (patch.k <= max_stack_valence) {
+    ArcWalk::Entry room[max_stack_valence + 2];
+    return write(room);
+  }
+  std::vector<ArcWalk::Entry> room(patch.k + 2);
+  return write(room.data());
 }
 
 }  // namespace detail
@@ -83,31 +89,41 @@ inline Value on_bits(const Layout& patch, BitSpan ports, BitSpan joined, Mutable
 /// Closed fan to ring with chord, k >= 2, 1 <= a < k: `colors` is `inner`, k + 3 bits.
 constexpr Recoloring best_split(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(1 <= a && a < k && k <= max_word_valence, "exact::best_split", restrip::detail::no_such_arc);
-  return detail::on_word(restrip::detail::ring_with_chord(k, a), ports, joined);
+  return detail::on_word(restrip::detail::ring_with_chord(k, a), ports, [&](auto* room, auto&& color) {
+    restrip::detail::walk_split(k, a, detail::WordLetters::of_closed(ports, joined), room, color);
+  });
 }
 
 /// Ring with chord to closed fan, k >= 1, whatever the position: `colors` is `loop`, k bits.
 constexpr Recoloring best_collapse(std::size_t k, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_collapse", restrip::detail::no_such_fan);
-  return detail::on_word(restrip::detail::closed_fan(k), ports, joined);
+  return detail::on_word(restrip::detail::closed_fan(k), ports, [&](auto* room, auto&& color) {
+    restrip::detail::walk_collapse(k, detail::WordLetters::of_closed(ports, joined), room, color);
+  });
 }
 
 /// Open fan to path with chord, 0 <= i < j <= k: `colors` is `inner`, k + 2 bits.
 constexpr Recoloring best_open_split(std::size_t k, std::size_t i, std::size_t j, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(i < j && j <= k && k <= max_word_valence, "exact::best_open_split", restrip::detail::no_such_gaps);
-  return detail::on_word(restrip::detail::path_with_chord(k, i, j), ports, joined);
+  return detail::on_word(restrip::detail::path_with_chord(k, i, j), ports, [&](auto* room, auto&& color) {
+    restrip::detail::walk_open_split(k, i, j, detail::WordLetters::of_open(ports, joined), room, color);
+  });
 }
 
 /// Open fan to path, k >= 1, 0 <= i <= k: `colors` is `inner`, k bits.
 constexpr Recoloring best_boundary_split(std::size_t k, std::size_t i, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(k >= 1 && i <= k && k <= max_word_valence, "exact::best_boundary_split", restrip::detail::no_such_gap);
-  return detail::on_word(restrip::detail::path(k, i), ports, joined);
+  return detail::on_word(restrip::detail::path(k, i), ports, [&](auto* room, auto&& color) {
+    restrip::detail::walk_boundary_split(k, i, detail::WordLetters::of_open(ports, joined), room, color);
+  });
 }
 
 /// Path, with chord or without, to open fan, k >= 1, whatever the position: `colors` is `loop`, k - 1 bits.
 constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(k >= 1 && k <= max_word_valence, "exact::best_fan_collapse", restrip::detail::no_such_fan);
-  return detail::on_word(restrip::detail::open_fan(k), ports, joined);
+  return detail::on_word(restrip::detail::open_fan(k), ports, [&](auto* room, auto&& color) {
+    restrip::detail::walk_fan_collapse(k, detail::WordLetters::of_open(ports, joined), room, color);
+  });
 }
 
 // ---- Bit strings: any k ----
@@ -117,32 +133,42 @@ constexpr Recoloring best_fan_collapse(std::size_t k, Word ports, Word joined) n
 /// `inner` has k + 3 bits.
 inline Value best_split(std::size_t k, std::size_t a, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
   RESTRIP_ASSERT(1 <= a && a < k, "exact::best_split", restrip::detail::no_such_arc);
-  return detail::on_bits(restrip::detail::ring_with_chord(k, a), ports, joined, inner);
+  return detail::on_bits(restrip::detail::ring_with_chord(k, a), ports, inner, [&](auto* room, auto&& color) {
+    restrip::detail::walk_split(k, a, detail::LongLetters::of_closed(k, ports, joined), room, color);
+  });
 }
 
 /// `loop` has k bits.
 inline Value best_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
   RESTRIP_ASSERT(k >= 1, "exact::best_collapse", restrip::detail::no_such_fan);
-  return detail::on_bits(restrip::detail::closed_fan(k), ports, joined, loop);
+  return detail::on_bits(restrip::detail::closed_fan(k), ports, loop, [&](auto* room, auto&& color) {
+    restrip::detail::walk_collapse(k, detail::LongLetters::of_closed(k, ports, joined), room, color);
+  });
 }
 
 /// `inner` has k + 2 bits.
 inline Value best_open_split(std::size_t k, std::size_t i, std::size_t j, BitSpan ports, BitSpan joined,
                              MutableBitSpan inner) {
   RESTRIP_ASSERT(i < j && j <= k, "exact::best_open_split", restrip::detail::no_such_gaps);
-  return detail::on_bits(restrip::detail::path_with_chord(k, i, j), ports, joined, inner);
+  return detail::on_bits(restrip::detail::path_with_chord(k, i, j), ports, inner, [&](auto* room, auto&& color) {
+    restrip::detail::walk_open_split(k, i, j, detail::LongLetters::of_open(k, ports, joined), room, color);
+  });
 }
 
 /// `inner` has k bits.
 inline Value best_boundary_split(std::size_t k, std::size_t i, BitSpan ports, BitSpan joined, MutableBitSpan inner) {
   RESTRIP_ASSERT(k >= 1 && i <= k, "exact::best_boundary_split", restrip::detail::no_such_gap);
-  return detail::on_bits(restrip::detail::path(k, i), ports, joined, inner);
+  return detail::on_bits(restrip::detail::path(k, i), ports, inner, [&](auto* room, auto&& color) {
+    restrip::detail::walk_boundary_split(k, i, detail::LongLetters::of_open(k, ports, joined), room, color);
+  });
 }
 
 /// `loop` has k - 1 bits; nothing is written when k = 1.
 inline Value best_fan_collapse(std::size_t k, BitSpan ports, BitSpan joined, MutableBitSpan loop) {
   RESTRIP_ASSERT(k >= 1, "exact::best_fan_collapse", restrip::detail::no_such_fan);
-  return detail::on_bits(restrip::detail::open_fan(k), ports, joined, loop);
+  return detail::on_bits(restrip::detail::open_fan(k), ports, loop, [&](auto* room, auto&& color) {
+    restrip::detail::walk_fan_collapse(k, detail::LongLetters::of_open(k, ports, joined), room, color);
+  });
 }
 
 }  // namespace restrip::exact

@@ -1,9 +1,10 @@
 // Rules: from the colours before an operation to the best colours after it.
 //
 // For fans of up to table_max_k triangles the answer is read from the generated tables: constant time, no branch on
-// the colours, no allocation, constexpr. For larger fans the exact solver computes it (linear in k). Either way the
-// answer is sound whatever lies outside the patch, has the most solid edges of all sound ones, and the fewest isolated
-// triangles in the patch of those. For the tables this is proved (docs/trust.md), for larger fans it is tested. Source
+// the colours, no allocation, constexpr. For larger fans it is read from the automaton of all valences (exact.hpp), two
+// table reads for each triangle. Either way the answer is sound whatever lies outside the patch, has the most solid
+// edges of all sound ones, and the fewest isolated triangles in the patch of those (docs/trust.md says what is proved
+// for which k). Source
 // of the idea: Porcu, Sanna, Scateni, "Rewriting rules for the dual graph of a stripified CLOD mesh". Bits are numbered
 // in docs/notation.md.
 //
@@ -12,13 +13,11 @@
 // cycle) get `valid = false` and all edges dashed, which is always sound to apply.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 
 #include "restrip/precondition.hpp"
 #include "restrip/rules/bits.hpp"
 #include "restrip/rules/exact.hpp"
-#include "restrip/rules/impl/shortened.hpp"
 #include "restrip/rules/key.hpp"
 #include "restrip/tables/boundary_split.hpp"
 #include "restrip/tables/collapse.hpp"
@@ -116,25 +115,6 @@ constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined)
   return turned_down(inner & low_bits(k + 2), exchange ? arc + 1 : 0, k + 2) | (inner & bit(k + 2));
 }
 
-/// A larger closed fan: by way of the tables where that is exact, else by the exact solver.
-constexpr Word large_split(std::size_t k, std::size_t a, Word ports, Word joined) noexcept {
-  Shortened fan(k, a, ports, joined);
-  if (fan.shorten(table_max_k)) {
-    Word inner = split_cell(fan.k(), fan.arc(), fan.ports(), fan.joined());
-    if (fan.put_back(inner) && isolated_ring(k, a, inner, ports) == 0) return inner;
-  }
-  return exact::best_split(k, a, ports, joined).colors;
-}
-
-constexpr Word large_collapse(std::size_t k, Word ports, Word joined) noexcept {
-  Shortened fan(k, 0, ports, joined);
-  if (fan.shorten(table_max_k)) {
-    Word loop = cell(tables::collapse, tables::closed_rows, fan.k(), 0, fan.ports(), fan.joined());
-    if (fan.put_back(loop) && isolated_closed(k, loop, ports) == 0) return loop;
-  }
-  return exact::best_collapse(k, ports, joined).colors;
-}
-
 }  // namespace detail
 
 /// Split of a closed fan: `loop` and `ports` have k bits, the answer k + 3. k <= max_word_valence.
@@ -144,7 +124,8 @@ constexpr Word large_collapse(std::size_t k, Word ports, Word joined) noexcept {
   if (!valid_closed(k, loop, ports)) return {0, 2 + count_bits(loop), false};
   const Word joined = joined_closed(k, loop, ports);
   return detail::rule(
-      k > table_max_k ? detail::large_split(k, a, ports, joined) : detail::split_cell(k, a, ports, joined), loop, 2);
+      k > table_max_k ? exact::best_split(k, a, ports, joined).colors : detail::split_cell(k, a, ports, joined), loop,
+      2);
 }
 
 /// Collapse onto a closed fan: `inner` has k + 3 bits, `ports` k, the answer k. k <= max_word_valence.
@@ -153,7 +134,7 @@ constexpr Word large_collapse(std::size_t k, Word ports, Word joined) noexcept {
   RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "collapse_rule", detail::no_such_split);
   if (!valid_ring(k, a, inner, ports)) return {0, count_bits(inner) - 2, false};
   const Word joined = joined_ring(k, a, inner, ports);
-  const Word loop = k > table_max_k ? detail::large_collapse(k, ports, joined)
+  const Word loop = k > table_max_k ? exact::best_collapse(k, ports, joined).colors
                                     : detail::cell(tables::collapse, tables::closed_rows, k, 0, ports, joined);
   return detail::rule(loop, inner, -2);
 }

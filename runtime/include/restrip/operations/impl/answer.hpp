@@ -10,15 +10,6 @@
 
 namespace restrip::detail {
 
-/// Isolated triangles of a patch with these colours.
-constexpr int isolated(const Layout& patch, Word inner, Word ports) noexcept {
-  const Word edges = inner & low_bits(patch.edges());
-  const Word wrap = patch.ring ? edges >> (patch.size() - 1) : 0;
-  Word touched = edges | edges << 1 | wrap | patch.spread(ports);
-  if (patch.has_chord() && has(inner, patch.chord())) touched |= bit(patch.inserted) | bit(patch.opposite);
-  return static_cast<int>(patch.size()) - count_bits(touched & low_bits(patch.size()));
-}
-
 /// The colours a rule gives and what it changes.
 template <class Bits>
 struct Answer {
@@ -40,17 +31,6 @@ inline int count(const LongBits& bits) noexcept {
   return n;
 }
 
-inline int isolated(const Layout& patch, const LongBits& inner, const LongBits& ports) noexcept {
-  int n = 0;
-  for (std::size_t m = 0; m < patch.size(); ++m) {
-    const bool above = (patch.ring || m + 1 < patch.size()) && inner.get(m);
-    const bool below = m > 0 ? inner.get(m - 1) : patch.ring && inner.get(patch.size() - 1);
-    const bool third = patch.is_fan(m) ? ports.get(patch.port(m)) : patch.has_chord() && inner.get(patch.chord());
-    n += above || below || third ? 0 : 1;
-  }
-  return n;
-}
-
 // Colours that no valid stripification has get all edges dashed, as in Rule.
 template <class Best>
 Answer<LongBits> long_answer(const Layout& before, LongBits& old_colors, const Layout& after, LongBits& ports,
@@ -64,7 +44,9 @@ Answer<LongBits> long_answer(const Layout& before, LongBits& old_colors, const L
   }
   const int nodes = static_cast<int>(after.size()) - static_cast<int>(before.size());
   result.strips = nodes - (count(result.colors) - count(old_colors));
-  result.isolated = isolated(after, result.colors, ports) - isolated(before, old_colors, ports);
+  const BitSpan all_ports = ports.span(before.k);
+  result.isolated = isolated(after, result.colors.span(after.colors()), all_ports) -
+                    isolated(before, old_colors.span(before.colors()), all_ports);
   return result;
 }
 

@@ -72,4 +72,24 @@ constexpr Layout path(std::size_t k, std::size_t i) noexcept {
   return {k, i, nowhere, false};
 }
 
+/// Isolated triangles of a patch with these colours.
+constexpr int isolated(const Layout& patch, Word inner, Word ports) noexcept {
+  const Word edges = inner & low_bits(patch.edges());
+  const Word wrap = patch.ring ? edges >> (patch.size() - 1) : 0;
+  Word touched = edges | edges << 1 | wrap | patch.spread(ports);
+  if (patch.has_chord() && has(inner, patch.chord())) touched |= bit(patch.inserted) | bit(patch.opposite);
+  return static_cast<int>(patch.size()) - count_bits(touched & low_bits(patch.size()));
+}
+
+constexpr int isolated(const Layout& patch, BitSpan inner, BitSpan ports) noexcept {
+  int n = 0;
+  for (std::size_t m = 0; m < patch.size(); ++m) {
+    const bool above = (patch.ring || m + 1 < patch.size()) && inner[m];
+    const bool below = m > 0 ? inner[m - 1] : patch.ring && inner[patch.size() - 1];
+    const bool third = patch.is_fan(m) ? ports[patch.port(m)] : patch.has_chord() && inner[patch.chord()];
+    n += above || below || third ? 0 : 1;
+  }
+  return n;
+}
+
 }  // namespace restrip::detail
