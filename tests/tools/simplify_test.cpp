@@ -99,7 +99,7 @@ TEST_P(LargeFans, CostAsMuchAsTheirTriangles) {
   std::array<std::size_t, 2> steps{};
   std::array<std::size_t, 2> triangles{};
   for (std::size_t i = 0; i < 2; ++i) {
-    const Soup soup = GetParam().make(i == 0 ? 2000 : 8000);
+    const Soup soup = GetParam().make(i == 0 ? 1000 : 4000);
     const Simplification result = simplify(soup, {0.02, BoundaryPolicy::move});
     EXPECT_LE(result.mesh.base.size(), result.wanted_triangles);
     EXPECT_EQ(result.left_out.large_vertices, 0U);
@@ -112,7 +112,7 @@ TEST_P(LargeFans, CostAsMuchAsTheirTriangles) {
 }
 
 TEST_P(LargeFans, AreSplitFromSmallOnesOnly) {
-  const Soup soup = GetParam().make(8000);
+  const Soup soup = GetParam().make(4000);
   const Simplification result = simplify(soup, {0.3, BoundaryPolicy::move});
   EXPECT_LE(result.mesh.base.size(), result.wanted_triangles);
   EXPECT_GT(result.left_out.large_vertices, 0U);
