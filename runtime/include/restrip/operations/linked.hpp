@@ -131,7 +131,7 @@ class Outlook {
 /// The first recolouring of a list that is sound.
 template <class Table, class LookOut>
 constexpr Word first_sound(const Table& table, std::size_t k, std::size_t place, Word ports, Outlook<LookOut> outlook) {
-  const std::size_t list = table.first[k] + (place << k) + ports;
+  const std::size_t list = table.first[k] + (place << k) + static_cast<std::size_t>(ports);
   std::size_t at = table.start[list];
   while (!outlook.sound(tables::pairings[table.rules[at].pairing])) ++at;  // the last one joins nothing
   return table.rules[at].recoloring;

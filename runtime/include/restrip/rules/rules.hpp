@@ -96,7 +96,8 @@ constexpr Word isolated_ring(std::size_t k, std::size_t a, Word inner, Word port
 template <class Table>
 constexpr Word cell(const Table& table, const RowStarts<table_max_k>& rows, std::size_t k, std::size_t place,
                     Word ports, Word joined) noexcept {
-  return table.rules[table.first[k] + place * table.cells[k] + rows[bit(k) | ports] + joined];
+  const std::size_t row = rows[static_cast<std::size_t>(bit(k) | ports)];
+  return table.rules[table.first[k] + place * table.cells[k] + row + static_cast<std::size_t>(joined)];
 }
 
 constexpr Rule rule(Word colors, Word before, int nodes) noexcept {
