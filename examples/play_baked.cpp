@@ -27,7 +27,7 @@ StripMesh cylinder(Vertex n) {
       triangles.push_back({at(row, column), at(row, column + 1), at(row + 1, column + 1)});
       triangles.push_back({at(row, column), at(row + 1, column + 1), at(row + 1, column)});
     }
-  return StripMesh::build(triangles, n * (n + 1));
+  return StripMesh::build(triangles, std::size_t{n} * (n + 1));
 }
 std::vector<Record> coarsen(StripMesh& mesh) {
   std::vector<Record> records;

@@ -46,7 +46,7 @@ StripMesh sheet(Vertex n) {
       triangles.push_back({at(row, column), at(row, column + 1), at(row + 1, column + 1)});
       triangles.push_back({at(row, column), at(row + 1, column + 1), at(row + 1, column)});
     }
-  return StripMesh::build(triangles, (n + 1) * (n + 1));
+  return StripMesh::build(triangles, (n + std::size_t{1}) * (n + 1));
 }
 
 /// Collapses every edge that may be collapsed, from each third vertex on, and splits the vertices again.
