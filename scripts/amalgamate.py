@@ -76,10 +76,16 @@ def main():
                                      epilog="Example: scripts/amalgamate.py -o restrip.hpp")
     parser.add_argument("-o", "--out", required=True, metavar="FILE")
     parser.add_argument("--stand-ins", action="store_true", help="write the headers that include FILE as well")
+    parser.add_argument("--tables", metavar="FOLDER", help="take tables from here: the include folder that restrip-generate wrote")
     arguments = parser.parse_args()
     if arguments.stand_ins and not os.path.abspath(arguments.out).endswith("/" + FIRST):
         sys.exit(f"amalgamate.py: {arguments.out}: with --stand-ins the file must be called {FIRST}")
-    joined = Amalgamation([os.path.join(here, "runtime/include"), os.path.join(here, "tables/include")])
+    folders = [os.path.join(here, "runtime/include"), os.path.join(here, "tables/include")]
+    if arguments.tables:
+        if not os.path.exists(os.path.join(arguments.tables, "restrip/tables/split.hpp")):
+            sys.exit(f"amalgamate.py: {arguments.tables}: no tables there; make some with restrip-generate tables --out")
+        folders.insert(0, arguments.tables)
+    joined = Amalgamation(folders)
     joined.add(FIRST)
     with open(os.path.join(here, "LICENSE"), encoding="utf-8") as file:
         licence = ["// " + line if line else "//" for line in file.read().splitlines()]

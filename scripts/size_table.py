@@ -12,8 +12,9 @@ import subprocess
 import tempfile
 
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-LINE = re.compile(r"^(\S+) +\d+ sections +(\d+) rules +(\d+) bytes$", re.M)
-NOTES = {"fan-collapse": "fan-collapse (both collapses of open fans)", "linked": "linked (`linked.hpp` alone)"}
+LINE = re.compile(r"^(\S+) +\d+ (?:sections|classes) +(\d+) (?:rules|rows) +(\d+) bytes$", re.M)
+NOTES = {"fan-collapse": "fan-collapse (both collapses of open fans)", "linked": "linked (`linked.hpp` alone)",
+         "automaton": "automaton (all valences); rows of its certificate"}
 SOURCE = """#include <restrip/restrip.hpp>
 using namespace restrip;
 Rewrite<StripMesh::Halfedge> do_split(StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where, Vertex v) {
@@ -38,7 +39,7 @@ def print_families(generate):
     with tempfile.TemporaryDirectory() as folder:
         for family, (rules, size) in make_tables(generate, 8, folder).items():
             print(f"| {NOTES.get(family, family)} | {rules:,} | {size:,} |")
-    print(f"| row starts, for all but flip and linked | | {row_starts(8):,} |")
+    print(f"| row starts, for those up to fan-collapse | | {row_starts(8):,} |")
 
 
 def section_bytes(path, pattern):

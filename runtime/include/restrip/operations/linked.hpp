@@ -35,6 +35,8 @@ inline constexpr int out_of_sight = -2;  ///< it was followed as far as allowed
 /// How many triangles a strip is followed outward unless the caller says otherwise.
 inline constexpr std::size_t default_reach = 24;
 
+static_assert(tables::linked_split.first.size() == table_max_k + 1 && table_max_k <= 8);
+
 namespace detail {
 
 /// Decides which recolourings are sound, and looks outward no more than it has to: each port once at most.

@@ -29,6 +29,10 @@
 
 namespace restrip {
 
+/// The largest valence that has tables: 8 in those that are shipped, or what `restrip-generate tables --max-k` was told
+/// (docs/tables.md).
+inline constexpr unsigned table_max_k = tables::split.first.size() - 1;
+
 /// The place of a split or collapse in a closed fan of k >= 3 triangles: A before t_0, D before t_a, 1 <= a < k.
 struct SplitPosition {
   std::size_t k = 0;
