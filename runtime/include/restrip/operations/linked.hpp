@@ -1,7 +1,7 @@
-// Linked rules: better than the local ones for those who look where the strips around a patch go.
+// Linked rules: they follow the strips that leave the patch, and join more than local rules may.
 //
 // A local rule must be sound whatever lies outside the patch, so it may only join ports that were joined before.
-// Whoever follows the strips outward, a few triangles far, knows of most ports that they are not joined out there, and
+// A rule that follows the strips outward for a few triangles knows of most ports that they are not joined outside, and
 // may join them inside: on real meshes that keeps strips twice as long, for two to three times the time of a local
 // rule.
 //
