@@ -33,8 +33,7 @@ void batch(benchmark::State& state, unsigned threads, bool checked) {
   double up = 0;
   for ([[maybe_unused]] auto _ : state) {
     StripMesh mesh = g.mesh;
-    std::vector<StripMesh::Halfedge> chords;
-    for (const Site& site : g.sites) chords.push_back(site.chord);
+    const std::vector<StripMesh::Halfedge>& chords = g.sites.chords;
     const double took_down = seconds([&] {
       if (threads != 0)
         collapse_batch(mesh, chords, options);
@@ -42,7 +41,7 @@ void batch(benchmark::State& state, unsigned threads, bool checked) {
         for (const StripMesh::Halfedge chord : chords) collapse(mesh, chord);
     });
     std::vector<SplitRequest> requests;
-    for (const Site& site : g.sites) requests.push_back({undo(mesh, site), site.v_t});
+    for (const tools::Record& record : g.sites.records) requests.push_back({spokes_of(mesh, record), record.v_t});
     const double took_up = seconds([&] {
       if (threads != 0)
         split_batch(mesh, requests, options);

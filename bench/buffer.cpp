@@ -12,7 +12,7 @@
 namespace restrip::bench {
 namespace {
 
-void keep(benchmark::State& state, const std::string& name, Way way, std::size_t operations_an_update) {
+void keep(benchmark::State& state, const std::string& name, const Way& way, std::size_t operations_an_update) {
   Player player(name, way);
   const std::size_t top = subject(name).mesh.splits.size();
   const std::size_t low = player.level_of(0.95);
@@ -65,7 +65,7 @@ void keep(benchmark::State& state, const std::string& name, Way way, std::size_t
       100.0 * static_cast<double>(unused) / static_cast<double>(StripBuffer(player.mesh()).used() + unused);
 }
 
-void write_whole(benchmark::State& state, const std::string& name, Way way) {
+void write_whole(benchmark::State& state, const std::string& name, const Way& way) {
   Player player(name, way);
   player.up_to(subject(name).mesh.splits.size());
   tools::Medians time;
@@ -84,16 +84,17 @@ void register_benchmarks() {
   // The largest that is quickly replayed.
   const std::vector<std::string> names = subject_names();
   const std::string name = std::find(names.begin(), names.end(), "bunny") != names.end() ? "bunny" : names.front();
-  for (const Way way : policies) {
-    const std::string stem = "buffer/" + name + "/" + name_of(way) + "/";
+  for (const Way& way : tools::ways()) {
+    if (way.kind != Way::Kind::ours || way.bakes) continue;
+    const std::string stem = "buffer/" + name + "/" + way.name + "/";
     for (const std::size_t count : {1U, 16U, 256U})
       benchmark::RegisterBenchmark((stem + std::to_string(count)).c_str(),
-                                   [=](benchmark::State& state) { keep(state, name, way, count); })
+                                   [=, &way](benchmark::State& state) { keep(state, name, way, count); })
           ->UseManualTime()
           ->Unit(benchmark::kMillisecond)
           ->Iterations(settings().quick ? 1 : 3);
     benchmark::RegisterBenchmark((stem + "whole").c_str(),
-                                 [=](benchmark::State& state) { write_whole(state, name, way); })
+                                 [=, &way](benchmark::State& state) { write_whole(state, name, way); })
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond)
         ->Iterations(settings().quick ? 1 : 5);

@@ -31,26 +31,27 @@ struct Below {
   std::size_t to = 0;
 };
 
-const Below& below(const std::string& name, Way way, int percent) {
-  static std::map<std::tuple<std::string, Way, int>, Below> made;
-  const std::tuple key{name, way, percent};
+const Below& below(const std::string& name, const Way& way, int percent) {
+  static std::map<std::tuple<std::string, std::string, int>, Below> made;
+  const std::tuple key{name, way.name, percent};
   if (!made.contains(key)) {
     Player player(name, way);
     for (const int next : percents) {
       const std::size_t from = player.level_of(next * 0.0099);
       player.up_to(from);
-      made[{name, way, next}] = {player.mesh(), from, player.level_of(next * 0.01)};
+      made[{name, way.name, next}] = {player.mesh(), from, player.level_of(next * 0.01)};
     }
   }
   return made[key];
 }
 
-void move(benchmark::State& state, const std::string& name, Way way, int percent) {
+void move(benchmark::State& state, const std::string& name, const Way& way, int percent) {
   const Below& start = below(name, way, percent);
   Player player(name, way);
   tools::Medians up;
   tools::Medians down;
   tools::Medians with_buffer;
+  const bool keeps_strips = way.kind == Way::Kind::ours;
   std::vector<Triangle> changed;
   for ([[maybe_unused]] auto _ : state) {
     player.restart(start.mesh, start.from);
@@ -59,9 +60,9 @@ void move(benchmark::State& state, const std::string& name, Way way, int percent
     player.down_to(start.from);
     up.time([&] { player.up_to(start.to); });
     state.SetIterationTime(1e-9 * up.nanoseconds());
-    if (way != Way::bare && !state.counters.contains("strips")) count_strips(state, player.mesh());
+    if (keeps_strips && !state.counters.contains("strips")) count_strips(state, player.mesh());
     down.time([&] { player.down_to(start.from); });
-    if (way == Way::bare) continue;
+    if (!keeps_strips) continue;
     // The same with an index buffer, which has to grow at first as well.
     player.restart(start.mesh, start.from);
     StripBuffer buffer(player.mesh());
@@ -86,7 +87,7 @@ void move(benchmark::State& state, const std::string& name, Way way, int percent
   state.counters["operations"] = static_cast<double>(start.to - start.from);
   state.counters["up_ns"] = up.nanoseconds();
   state.counters["down_ns"] = down.nanoseconds();
-  if (way != Way::bare) state.counters["up_with_buffer_ns"] = with_buffer.nanoseconds();
+  if (keeps_strips) state.counters["up_with_buffer_ns"] = with_buffer.nanoseconds();
 }
 
 /// The triangles of a level, vertices numbered by appearance.
@@ -100,7 +101,7 @@ const List& list_of(const std::string& name, int percent) {
   static std::map<std::pair<std::string, int>, List> made;
   const std::pair key{name, percent};
   if (made.contains(key)) return made[key];
-  Player player(name, Way::bare);
+  Player player(name, way_named("bare"));
   player.up_to(player.level_of(percent * 0.01));
   List& list = made[key];
   list.mesh = player.mesh();
@@ -192,9 +193,9 @@ void register_benchmarks() {
             ->Unit(benchmark::kMicrosecond)
             ->Iterations(settings().quick ? 1 : 3);
       };
-      for (const Way way : {Way::bare, Way::local, Way::linked, Way::quick, Way::full, Way::baked})
-        if (way != Way::baked || has_baked(name))
-          add(name_of(way), [name, way, percent](benchmark::State& state) { move(state, name, way, percent); });
+      for (const Way& way : tools::ways())
+        if ((way.kind == Way::Kind::ours || way.kind == Way::Kind::mesh) && has_plan(name, way))
+          add(way.name, [name, &way, percent](benchmark::State& state) { move(state, name, way, percent); });
       for (const auto& [who, order] : {std::pair{"meshopt_as_it_is", Order::as_it_is},
                                        {"meshopt_ordered", Order::found},
                                        {"meshopt_order_given", Order::given}})

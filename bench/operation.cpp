@@ -2,6 +2,8 @@
 // every way against the bare mesh update by turns; and the parts of a split one by one.
 #include <benchmark/benchmark.h>
 
+#include <memory>
+
 #include "common/stopwatch.hpp"
 #include "settings.hpp"
 #include "spread.hpp"
@@ -18,42 +20,26 @@ const Ground& ground() {
 
 /// One pass over all sites in one way: down, up, up by way of the vertices, and two flips of every chord.
 struct Pass {
-  explicit Pass(Way way) : way_(way) {}
+  explicit Pass(const Way& way) : mesh_(ground().mesh), upkeep_(way.begin(mesh_, {way.search})) {}
 
   void run() {
     const Ground& g = ground();
     mesh_ = g.mesh;
-    if (way_ != Way::bare && way_ != Way::rules) {
-      if (keeper_)
-        keeper_->rebuild();
-      else
-        keeper_.emplace(mesh_, policy_of(way_));
+    upkeep_->restart(0);
+    std::vector<Halfedge> chords = g.sites.chords;
+    std::vector<tools::NamedSplit> splits;
+    collapse.time([&] { upkeep_->collapse_all(chords); });
+    for (const tools::Record& record : g.sites.records) splits.push_back({spokes_of(mesh_, record), record.v_t});
+    split.time([&] { upkeep_->split_all(splits, chords); });
+    upkeep_->collapse_all(chords);
+    split_from_vertices.time([&] { upkeep_->play_up(g.sites.records, 0); });
+    chords.clear();
+    for (const tools::Record& record : g.sites.records) {
+      const Halfedge chord = mesh_.spoke(record.v_s, record.v_t);
+      if (check_flip(mesh_, chord) == Refusal::granted) chords.push_back(chord);
     }
-    std::vector<Halfedge> chords;
-    for (const Site& site : g.sites) chords.push_back(site.chord);
-    std::vector<VertexSplit<Halfedge>> where(chords.size());
-    with_operations(way_, mesh_, keeper_, [&](const auto& operations) {
-      const auto down = [&] {
-        for (const Halfedge chord : chords) operations.collapse(chord);
-      };
-      collapse.time(down);
-      for (std::size_t i = 0; i < where.size(); ++i) where[i] = undo(mesh_, g.sites[i]);
-      split.time([&] {
-        for (std::size_t i = 0; i < where.size(); ++i) chords[i] = operations.split(where[i], g.sites[i].v_t);
-      });
-      down();
-      split_from_vertices.time([&] {
-        for (std::size_t i = 0; i < where.size(); ++i)
-          chords[i] = operations.split(undo(mesh_, g.sites[i]), g.sites[i].v_t);
-      });
-      for (std::size_t i = 0; i < where.size(); ++i)
-        if (check_flip(mesh_, chords[i]) != Refusal::granted) chords[i] = {none};
-      std::erase(chords, Halfedge{none});
-      flips = chords.size();
-      flip.time([&] {
-        for (Halfedge& chord : chords) chord = operations.flip(chord);
-      });
-    });
+    flips = chords.size();
+    flip.time([&] { upkeep_->flip_all(chords); });
   }
 
   tools::Medians split;
@@ -63,14 +49,13 @@ struct Pass {
   std::size_t flips = 1;
 
  private:
-  Way way_;
   StripMesh mesh_;
-  std::optional<StripKeeper> keeper_;
+  std::unique_ptr<tools::Upkeep> upkeep_;
 };
 
-void operation(benchmark::State& state, Way way) {
+void operation(benchmark::State& state, const Way& way) {
   Pass with(way);
-  Pass bare(Way::bare);
+  Pass bare(way_named("bare"));
   for ([[maybe_unused]] auto _ : state) {
     with.run();
     bare.run();
@@ -94,6 +79,8 @@ void operation(benchmark::State& state, Way way) {
 void parts(benchmark::State& state) {
   const Ground& g = ground();
   const std::size_t n = g.sites.size();
+  const std::vector<tools::Record>& records = g.sites.records;
+  const std::vector<Halfedge>& chords = g.sites.chords;
   struct Work {
     VertexSplit<Halfedge> where;
     detail::InteriorFan<Halfedge> fan;
@@ -107,26 +94,26 @@ void parts(benchmark::State& state) {
     std::vector<Work> work(n);
     const auto pass = [&](std::size_t part, auto&& one) {
       times[part].time([&] {
-        for (std::size_t i = 0; i < n; ++i) one(work[i], g.sites[i]);
+        for (std::size_t i = 0; i < n; ++i) one(work[i], i);
       });
     };
     const auto moved = [](const Work& w) {
       return std::span<const Halfedge>(w.fan.spokes + w.fan.a - 1, w.fan.k - w.fan.a);
     };
-    pass(0, [&](Work& w, const Site& site) { detail::read_ring(mesh, site.chord, w.fan, w.ring); });
-    pass(1, [&](Work& w, const Site&) { w.rule = collapse_rule({w.fan.k, w.fan.a}, w.ring, w.fan.ports); });
-    pass(2, [&](Work& w, const Site& site) { w.at = mesh.remove_vertex(site.chord, moved(w)); });
-    pass(3, [&](Work& w, const Site&) {
+    pass(0, [&](Work& w, std::size_t i) { detail::read_ring(mesh, chords[i], w.fan, w.ring); });
+    pass(1, [&](Work& w, std::size_t) { w.rule = collapse_rule({w.fan.k, w.fan.a}, w.ring, w.fan.ports); });
+    pass(2, [&](Work& w, std::size_t i) { w.at = mesh.remove_vertex(chords[i], moved(w)); });
+    pass(3, [&](Work& w, std::size_t) {
       w.fan.dash(mesh, w.rule.colors);
       detail::light_fan(mesh, w.fan, w.at, w.rule.colors);
     });
-    for (std::size_t i = 0; i < n; ++i) work[i] = {undo(mesh, g.sites[i]), {}, 0, {}, {}};
-    pass(4, [&](Work& w, const Site&) { detail::read_interior_fan(mesh, w.where.left, w.where.right, w.fan); });
-    pass(5, [&](Work& w, const Site&) { w.rule = split_rule({w.fan.k, w.fan.a}, w.fan.loop, w.fan.ports); });
-    pass(6, [&](Work& w, const Site& site) {
-      w.at = mesh.insert_vertex(w.where.left, w.where.right, site.v_t, moved(w));
+    for (std::size_t i = 0; i < n; ++i) work[i] = {spokes_of(mesh, records[i]), {}, 0, {}, {}};
+    pass(4, [&](Work& w, std::size_t) { detail::read_interior_fan(mesh, w.where.left, w.where.right, w.fan); });
+    pass(5, [&](Work& w, std::size_t) { w.rule = split_rule({w.fan.k, w.fan.a}, w.fan.loop, w.fan.ports); });
+    pass(6, [&](Work& w, std::size_t i) {
+      w.at = mesh.insert_vertex(w.where.left, w.where.right, records[i].v_t, moved(w));
     });
-    pass(7, [&](Work& w, const Site&) {
+    pass(7, [&](Work& w, std::size_t) {
       w.fan.dash(mesh, detail::kept_loop(w.fan.k, w.fan.a, w.rule.colors));
       detail::light_ring(mesh, w.fan, w.at, w.rule.colors);
     });
@@ -141,11 +128,13 @@ void parts(benchmark::State& state) {
 }  // namespace
 
 void register_benchmarks() {
-  for (const Way way : {Way::rules, Way::local, Way::linked, Way::quick, Way::full})
-    benchmark::RegisterBenchmark((std::string("operation/") + name_of(way)).c_str(),
-                                 [way](benchmark::State& state) { operation(state, way); })
+  for (const Way& way : tools::ways()) {
+    if (way.kind == Way::Kind::mesh || way.kind == Way::Kind::paper || way.bakes) continue;
+    benchmark::RegisterBenchmark(("operation/" + way.name).c_str(),
+                                 [&way](benchmark::State& state) { operation(state, way); })
         ->UseManualTime()
         ->Iterations(settings().quick ? 3 : 31);
+  }
   benchmark::RegisterBenchmark("parts", parts)->UseManualTime()->Iterations(settings().quick ? 3 : 101);
 }
 

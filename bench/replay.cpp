@@ -10,9 +10,9 @@
 namespace restrip::bench {
 namespace {
 
-void replay(benchmark::State& state, const std::string& name, Way way) {
+void replay(benchmark::State& state, const std::string& name, const Way& way) {
   Player with(name, way);
-  Player bare(name, Way::bare);
+  Player bare(name, way_named("bare"));
   const std::size_t top = subject(name).mesh.splits.size();
   tools::Medians up;
   tools::Medians down;
@@ -39,14 +39,14 @@ void replay(benchmark::State& state, const std::string& name, Way way) {
 
 void register_benchmarks() {
   for (const std::string& name : subject_names()) {
-    for (const Way way : {Way::rules, Way::local, Way::linked, Way::quick, Way::full, Way::baked}) {
-      if (way == Way::baked && !has_baked(name)) continue;
+    for (const Way& way : tools::ways()) {
+      if (way.kind == Way::Kind::mesh || way.kind == Way::Kind::paper || !has_plan(name, way)) continue;
       auto* registered =
-          benchmark::RegisterBenchmark(("replay/" + name + "/" + name_of(way)).c_str(),
-                                       [name, way](benchmark::State& state) { replay(state, name, way); });
+          benchmark::RegisterBenchmark(("replay/" + name + "/" + way.name).c_str(),
+                                       [name, &way](benchmark::State& state) { replay(state, name, way); });
       registered->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(1);
       // The searches take so long there that one run says it all.
-      if (name == "dragon" && (way == Way::quick || way == Way::full)) registered->Repetitions(1);
+      if (name == "dragon" && way.searches()) registered->Repetitions(1);
     }
   }
 }

@@ -4,6 +4,9 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
+#include <optional>
+#include <span>
+
 #include "common/stopwatch.hpp"
 #include "meshes/made_mesh.hpp"
 #include "restrip/output/strip_buffer.hpp"
@@ -25,8 +28,8 @@ double allocated_bytes() {
 struct LargeGround {
   std::size_t triangles = 0;
   StripMesh mesh;
-  std::vector<Site> spread;
-  std::vector<Site> neighboring;
+  Sites spread;
+  Sites neighboring;
   double build_ns = 0;     // a triangle
   double stripify_ns = 0;  // a triangle
 };
@@ -51,34 +54,21 @@ const LargeGround& ground(std::size_t triangles) {
   return g;
 }
 
-/// Down and up again over some sites, in nanoseconds an operation.
-void pass(const std::vector<Site>& sites, StripMesh& mesh, std::optional<StripKeeper>& keeper, Way way,
-          tools::Medians& down, tools::Medians& up) {
-  with_operations(way, mesh, keeper, [&](const auto& operations) {
-    down.time([&] {
-      for (const Site& site : sites) operations.collapse(mesh.spoke(site.v_s, site.v_t));
-    });
-    up.time([&] {
-      for (const Site& site : sites) operations.split(undo(mesh, site), site.v_t);
-    });
-  });
-}
-
-void scale(benchmark::State& state, std::size_t triangles, Way way, bool side_by_side) {
+void scale(benchmark::State& state, std::size_t triangles, const Way& way, bool side_by_side) {
   const LargeGround& g = ground(triangles);
-  std::vector<Site> sites = side_by_side ? g.neighboring : g.spread;
+  std::span<const tools::Record> sites = side_by_side ? g.neighboring.records : g.spread.records;
   // The searches take long and look at so much that fewer places do.
-  if (way == Way::quick || way == Way::full) sites.resize(std::min<std::size_t>(sites.size(), 20'000));
+  if (way.searches()) sites = sites.first(std::min<std::size_t>(sites.size(), 20'000));
   const double before = allocated_bytes();
   StripMesh mesh = g.mesh;
-  std::optional<StripKeeper> keeper;
   const double with_mesh = allocated_bytes();
-  if (way != Way::bare) keeper.emplace(mesh, policy_of(way));
+  const auto upkeep = way.begin(mesh, {way.search});
   const double with_keeper = allocated_bytes();
   tools::Medians down;
   tools::Medians up;
   for ([[maybe_unused]] auto _ : state) {
-    pass(sites, mesh, keeper, way, down, up);
+    down.time([&] { upkeep->play_down(sites, 0); });
+    up.time([&] { upkeep->play_up(sites, 0); });
     state.SetIterationTime(1e-9 * (down.nanoseconds() + up.nanoseconds()));
   }
   const auto each = static_cast<double>(sites.size());
@@ -122,11 +112,11 @@ void register_benchmarks() {
       registered->Repetitions(1);
     };
     for (const bool side_by_side : {false, true})
-      for (const Way way : {Way::bare, Way::local})
-        add(std::string(side_by_side ? "side_by_side/" : "random/") + name_of(way),
-            [=](benchmark::State& state) { scale(state, size, way, side_by_side); });
-    for (const Way way : {Way::linked, Way::quick, Way::full})
-      add(std::string("random/") + name_of(way), [=](benchmark::State& state) { scale(state, size, way, false); });
+      for (const char* name : {"bare", "local"})
+        add(std::string(side_by_side ? "side_by_side/" : "random/") + name,
+            [=](benchmark::State& state) { scale(state, size, way_named(name), side_by_side); });
+    for (const char* name : {"linked", "quick", "full"})
+      add(std::string("random/") + name, [=](benchmark::State& state) { scale(state, size, way_named(name), false); });
     add("buffer", [size](benchmark::State& state) { buffer_memory(state, size); });
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/random.hpp"
+#include "lod/progressive_mesh.hpp"
 #include "meshes/made_mesh.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
@@ -16,33 +17,33 @@
 
 namespace restrip::bench {
 
-/// A mesh edge to be collapsed, by its vertices, and its chord at first.
-struct Site {
-  StripMesh::Halfedge chord;
-  Vertex v_s = none;
-  Vertex v_t = none;
-  Vertex v_l = none;
-  Vertex v_r = none;
+/// Mesh edges to be collapsed, by their vertices, and their chords at first.
+struct Sites {
+  std::vector<tools::Record> records;
+  std::vector<StripMesh::Halfedge> chords;
+
+  [[nodiscard]] std::size_t size() const noexcept { return records.size(); }
 };
 
 /// Adds a collapse if it is legal, interior and apart from those before, and leaves a fan that the tables know: on real
 /// meshes most splits are of such fans, while the edges of a made mesh, picked at random, would have many larger ones.
-inline void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Halfedge chord, std::vector<Site>& sites) {
+inline void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Halfedge chord, Sites& sites) {
   if (check_collapse(mesh, chord) != Refusal::granted || mesh.leaves_boundary(chord) ||
       mesh.leaves_boundary(mesh.opposite(chord)) ||
       spoke_count(mesh, mesh.from(chord)) + spoke_count(mesh, mesh.to(chord)) > table_max_k + 4 ||
       claims.claim(chord, sites.size()))
     return;
   const StripMesh::Halfedge back = mesh.opposite(chord);
-  sites.push_back(
-      {chord, mesh.from(chord), mesh.to(chord), mesh.to(StripMesh::next(chord)), mesh.to(StripMesh::next(back))});
+  sites.chords.push_back(chord);
+  sites.records.push_back(
+      {mesh.from(chord), mesh.to(chord), mesh.to(StripMesh::next(chord)), mesh.to(StripMesh::next(back))});
 }
 
 /// Up to `count` disjoint legal collapses of interior edges, at random places in random order.
-[[nodiscard]] inline std::vector<Site> spread_out_sites(const StripMesh& mesh, std::size_t count) {
+[[nodiscard]] inline Sites spread_out_sites(const StripMesh& mesh, std::size_t count) {
   tools::Random random(1);
   PatchClaims claims(mesh);
-  std::vector<Site> sites;
+  Sites sites;
   const auto triangles = static_cast<std::uint32_t>(mesh.triangle_bound());
   for (std::size_t tries = 0; sites.size() < count && tries < 16 * count; ++tries) {
     add_site(mesh, claims, StripMesh::halfedge(random.below(triangles), random.below(3)), sites);
@@ -51,23 +52,18 @@ inline void add_site(const StripMesh& mesh, PatchClaims& claims, StripMesh::Half
 }
 
 /// The same from the first triangle on, side by side: a part of the mesh that is being worked on.
-[[nodiscard]] inline std::vector<Site> neighboring_sites(const StripMesh& mesh, std::size_t count) {
+[[nodiscard]] inline Sites neighboring_sites(const StripMesh& mesh, std::size_t count) {
   PatchClaims claims(mesh);
-  std::vector<Site> sites;
+  Sites sites;
   for (Triangle t = 0; t < mesh.triangle_bound() && sites.size() < count; ++t)
     add_site(mesh, claims, StripMesh::halfedge(t, 0), sites);
   return sites;
 }
 
-/// The split that undoes the collapse of a site.
-[[nodiscard]] inline VertexSplit<StripMesh::Halfedge> undo(const StripMesh& mesh, const Site& site) {
-  return {mesh.spoke(site.v_s, site.v_l), mesh.spoke(site.v_s, site.v_r)};
-}
-
 /// A made mesh with strips and such collapses.
 struct Ground {
   StripMesh mesh;
-  std::vector<Site> sites;
+  Sites sites;
 };
 [[nodiscard]] inline Ground make_ground(std::size_t triangles, Effort effort, std::size_t sites) {
   const tools::Soup soup = tools::make_mesh(triangles);

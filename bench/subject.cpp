@@ -1,6 +1,7 @@
 #include "subject.hpp"
 
 #include <map>
+#include <utility>
 
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
@@ -45,12 +46,17 @@ const Subject& subject(const std::string& name) {
   return found != made.end() ? found->second : made.emplace(name, make(name)).first->second;
 }
 
-bool has_baked(const std::string& name) { return name != "dragon"; }
+bool has_plan(const std::string& name, const tools::Way& way) { return name != "dragon" || !way.bakes; }
 
-const tools::BakedMesh& baked_subject(const std::string& name) {
-  static std::map<std::string, tools::BakedMesh> made;
-  const auto found = made.find(name);
-  return found != made.end() ? found->second : made.emplace(name, tools::bake(subject(name).mesh)).first->second;
+const tools::Plan& plan(const std::string& name, const tools::Way& way) {
+  static std::map<std::pair<std::string, std::string>, tools::Plan> made;
+  const std::pair key{name, way.name};
+  const auto found = made.find(key);
+  if (found != made.end()) return found->second;
+  const Subject& of = subject(name);
+  tools::Plan::Given given;
+  given.base = &of.base;
+  return made.emplace(key, tools::Plan(way, of.mesh, given)).first->second;
 }
 
 }  // namespace restrip::bench

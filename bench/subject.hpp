@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "lod/bake.hpp"
 #include "lod/progressive_mesh.hpp"
+#include "replay/ways.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip::bench {
@@ -22,7 +22,8 @@ struct Subject {
 [[nodiscard]] const Subject& subject(const std::string& name);
 
 /// Baking the dragon takes minutes (docs/baked.md has its figures), so it is left out here.
-[[nodiscard]] bool has_baked(const std::string& name);
-[[nodiscard]] const tools::BakedMesh& baked_subject(const std::string& name);
+[[nodiscard]] bool has_plan(const std::string& name, const tools::Way& way);
+/// Made when first asked for, and kept.
+[[nodiscard]] const tools::Plan& plan(const std::string& name, const tools::Way& way);
 
 }  // namespace restrip::bench

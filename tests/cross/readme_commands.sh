@@ -8,6 +8,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 ln -s "$root/tables" tables
+ln -s "$root/scripts" scripts
+export PYTHONDONTWRITEBYTECODE=1
 count=0
 while IFS= read -r command; do
   case "$command" in '' | '#'* | scripts/* | cmake* | git*) continue ;; esac

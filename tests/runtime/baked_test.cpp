@@ -192,7 +192,7 @@ TEST(Baked, OutOfOrderIsNoticedAndDoneByTheRules) {
   std::size_t splits = 0;
   std::size_t collapses = 0;
   std::size_t strips = valid_strips(mesh);
-  const auto check = [&](const BakedRewrite<Halfedge>& done) {
+  const auto check = [&](const Rewrite<Halfedge>& done) {
     ASSERT_FALSE(player.in_step());
     const std::size_t now = valid_strips(mesh);
     ASSERT_EQ(static_cast<int>(now), static_cast<int>(strips) + done.strips);

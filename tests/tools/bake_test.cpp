@@ -47,6 +47,12 @@ TEST(Bake, ReportsWhatEveryLevelHas) {
   }
 }
 
+Plan played_from(const BakedMesh& baked) {
+  Plan::Given given;
+  given.baked = &baked;
+  return {way_named("baked"), baked.mesh, given};
+}
+
 TEST(Bake, AClosedMeshHasOneStripAtEveryLevel) {
   BakeReport report;
   const Soup soup = make_mesh(4000);
@@ -55,8 +61,7 @@ TEST(Bake, AClosedMeshHasOneStripAtEveryLevel) {
   ReplayOptions options;
   options.repeats = 0;
   options.cycles = 3;
-  options.baked = &baked;
-  const ReplayReport played = replay(baked.mesh, soup.triangles, options);
+  const ReplayReport played = replay(played_from(baked), soup.triangles, options);
   EXPECT_TRUE(played.valid());
   EXPECT_EQ(played.most_strips, 1U);
   EXPECT_EQ(played.operations_isolating, 0U);
@@ -68,8 +73,7 @@ TEST(Bake, ReplayNoticesStripsThatAreNotTheMeshs) {
   BakedMesh baked = bake(simplify(soup, {0.05, BoundaryPolicy::move}).mesh, {20'000});
   ReplayOptions options;
   options.repeats = 0;
-  options.baked = &baked;
-  EXPECT_TRUE(replay(baked.mesh, soup.triangles, options).valid());
+  EXPECT_TRUE(replay(played_from(baked), soup.triangles, options).valid());
   // A flip in the last record that closes a cycle or gives a triangle three solid edges: all inner edges solid.
   const StripMesh top = [&] {
     StripMesh mesh = baked.base;
@@ -80,7 +84,7 @@ TEST(Bake, ReplayNoticesStripsThatAreNotTheMeshs) {
   for (unsigned side = 0; side < 3; ++side)
     if (!top.solid(StripMesh::halfedge(0, side))) baked.records.flips.push_back(StripMesh::halfedge(0, side));
   baked.records.first.back() = static_cast<std::uint32_t>(baked.records.flips.size());
-  EXPECT_FALSE(replay(baked.mesh, soup.triangles, options).valid());
+  EXPECT_FALSE(replay(played_from(baked), soup.triangles, options).valid());
 }
 
 TEST(Bake, SomeStripsAreNeededWhateverTheColors) {

@@ -49,10 +49,13 @@ TEST(BakedFile, WhatIsWrittenIsRead) {
     EXPECT_EQ(baked_bytes(again), bytes);
     ReplayOptions options;
     options.repeats = 0;
-    options.baked = &baked;
-    const ReplayReport first = replay(baked.mesh, soup.triangles, options);
-    options.baked = &again;
-    const ReplayReport second = replay(again.mesh, {}, options);
+    const auto played_from = [](const BakedMesh& played) {
+      Plan::Given given;
+      given.baked = &played;
+      return Plan(way_named("baked"), played.mesh, given);
+    };
+    const ReplayReport first = replay(played_from(baked), soup.triangles, options);
+    const ReplayReport second = replay(played_from(again), {}, options);
     EXPECT_TRUE(first.valid());
     EXPECT_TRUE(second.valid());
     ASSERT_EQ(first.levels.size(), second.levels.size());

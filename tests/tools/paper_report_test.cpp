@@ -1,5 +1,6 @@
-// Claims: `restrip paper` writes one page of well-formed HTML that needs nothing from outside, with every figure on it,
-// and CSV files whose numbers are those on the page; the same bytes on every run; nothing where the input is bad.
+// Claims: `restrip paper` writes CSV files and a report, of which scripts/paper_page.py makes one page of well-formed
+// HTML that needs nothing from outside, with every figure on it and the numbers of the CSV files; the same bytes on
+// every run; nothing where the input is bad. (The script's pictures: pictures_test.py.)
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,18 +12,11 @@
 #include <set>
 #include <sstream>
 
-#include "paper/plot.hpp"
 #include "run_program.hpp"
 #include "scratch_folder.hpp"
 
 namespace restrip::tools {
 namespace {
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::stringstream bytes;
-  bytes << std::ifstream(file, std::ios::binary).rdbuf();
-  return bytes.str();
-}
 
 std::size_t count(const std::string& text, const std::string& what) {
   std::size_t n = 0;
@@ -87,6 +81,10 @@ std::vector<std::vector<std::string>> csv_rows(const std::string& bytes, const s
 
 using PaperReport = ScratchFolder;
 
+Outcome make_page(const std::string& folder) {
+  return run_command(fmt::format("{} '{}' 2>&1", RESTRIP_PAGE_COMMAND, folder));
+}
+
 TEST_F(PaperReport, PageAndFiguresAgree) {
   const std::string mesh = file("a<b>&\"c\",d.ply");  // as awkward as a name may be
   const std::string in_csv = "\"a<b>&\"\"c\"\",d.ply\"";
@@ -94,6 +92,9 @@ TEST_F(PaperReport, PageAndFiguresAgree) {
   const Outcome paper = run_program(fmt::format("paper --out '{}' --base 0.05 --json - '{}'", file("one"), mesh));
   ASSERT_EQ(paper.code, 0);
   const auto json = nlohmann::json::parse(paper.out);
+  EXPECT_EQ(bytes_of(folder_ / "one" / "report.json"), paper.out);
+  const Outcome made = make_page(file("one"));
+  ASSERT_EQ(made.code, 0) << made.out;
   const std::string html = bytes_of(folder_ / "one" / "index.html");
   EXPECT_EQ(tag_fault(html), "");
   for (const char* outside : {"http", "<script", "<img", "<link", "url("})
@@ -152,24 +153,40 @@ TEST_F(PaperReport, PageAndFiguresAgree) {
   // Again, into the same folder and into another: the same bytes, and nothing else there.
   ASSERT_EQ(run_program(fmt::format("paper --out '{}' --base 0.05 '{}'", file("one"), mesh)).code, 0);
   ASSERT_EQ(run_program(fmt::format("paper --out '{}' --base 0.05 '{}'", file("two"), mesh)).code, 0);
+  ASSERT_EQ(make_page(file("one")).code, 0);
+  ASSERT_EQ(make_page(file("two")).code, 0);
   std::set<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "two")) {
     names.insert(entry.path().filename().string());
     EXPECT_EQ(bytes_of(entry.path()), bytes_of(folder_ / "one" / entry.path().filename())) << entry.path();
   }
   EXPECT_EQ(names, (std::set<std::string>{"index.html", "isolating.csv", "lonely-counts.csv", "lonely.csv",
-                                          "positions.csv", "rules-4.csv", "strips.csv", "valence.csv"}));
+                                          "positions.csv", "report.json", "rules-4.csv", "strips.csv", "valence.csv"}));
   EXPECT_EQ(bytes_of(folder_ / "one" / "index.html"), html);
 }
 
-TEST_F(PaperReport, BadInputLeavesNoPage) {
+TEST_F(PaperReport, BadInputLeavesNoReport) {
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 200 -o '{}'", file("a.off"))).code, 0);
   EXPECT_EQ(run_program(fmt::format("paper --out '{}' '{}' /no/such/mesh.obj", file("out"), file("a.off"))).code, 2);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "index.html"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "report.json"));
   EXPECT_EQ(run_program(fmt::format("paper --out '{}' '{}'", file("a.off"), file("a.off"))).code, 2);
   EXPECT_EQ(run_program(fmt::format("paper --out '{}'", file("out"))).code, 2);
   EXPECT_EQ(run_program(fmt::format("paper '{}'", file("a.off"))).code, 2);
   EXPECT_EQ(run_program(fmt::format("paper --levels 1 --out '{}' '{}'", file("out"), file("a.off"))).code, 2);
+}
+
+TEST_F(PaperReport, NoPageIsMadeOfWhatIsNoReport) {
+  std::filesystem::create_directory(file("empty"));
+  std::filesystem::create_directory(file("broken"));
+  std::ofstream(folder_ / "broken" / "report.json") << R"({"meshes": []})";
+  for (const auto& [folder, complaint] : {std::pair{"empty", "name a folder that restrip paper wrote"},
+                                          {"none", "name a folder that restrip paper wrote"},
+                                          {"broken", "is no report of restrip paper"}}) {
+    const Outcome refused = make_page(file(folder));
+    EXPECT_NE(refused.code, 0) << folder;
+    EXPECT_NE(refused.out.find(complaint), std::string::npos) << refused.out;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / folder / "index.html")) << folder;
+  }
 }
 
 TEST_F(PaperReport, AProgressiveMeshIsReplayedAsItIs) {
@@ -180,29 +197,6 @@ TEST_F(PaperReport, AProgressiveMeshIsReplayedAsItIs) {
   const auto mesh = nlohmann::json::parse(paper.out).at("meshes").at(0);
   EXPECT_GT(mesh.at("base_triangles").get<int>(), 250);
   EXPECT_EQ(mesh.at("policies").at(0).at("levels").back().at("triangles"), mesh.at("triangles"));
-}
-
-TEST(Plot, LeavesOutWhatALogarithmCannotShow) {
-  const Series series{"s", Family::ours, 0, {{0, 5}, {1, 0}, {10, 100}, {100, 1000}}, false};
-  const std::string svg = line_plot({"x", true}, {"y", true}, {series}, "d");
-  EXPECT_EQ(count(svg, "<title>"), 2U);
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-  EXPECT_EQ(line_plot({"x", true}, {"y", true}, {{"s", Family::ours, 0, {{0, 5}}, false}}, "d"), "");
-}
-
-TEST(Plot, OnePointIsAPlotToo) {
-  const std::string svg = line_plot({"x", true}, {"y", true}, {{"s", Family::ours, 0, {{4, 1}}, false}}, "d");
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
-  EXPECT_EQ(svg.find("inf"), std::string::npos);
-  EXPECT_EQ(count(svg, "<title>s: 4 x, 1 y</title>"), 1U);
-}
-
-TEST(Plot, Text) {
-  EXPECT_EQ(escaped("a<b>&\"c\""), "a&lt;b&gt;&amp;&quot;c&quot;");
-  EXPECT_EQ(grouped(7), "7");
-  EXPECT_EQ(grouped(999), "999");
-  EXPECT_EQ(grouped(69451), "69,451");
-  EXPECT_EQ(grouped(1234567), "1,234,567");
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ TEST(Paper, IsolatesInHalfOfTheSplitsAndWeInNone) {
     EXPECT_EQ(run.levels.back().isolated, 0U) << run.name;
   }
   // Tunnelling keeps isolated triangles below a tenth of the strips, or about there where a tunnel is not found.
-  const StripCount& top = runs.at("paper-tunnel").levels.back();
+  const Level& top = runs.at("paper-tunnel").levels.back();
   EXPECT_LE(top.isolated * 8, top.strips);
   EXPECT_EQ(std::accumulate(mesh.splits_by_valence.begin(), mesh.splits_by_valence.end(), std::size_t{0}),
             runs.at("local").splits);

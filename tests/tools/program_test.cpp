@@ -174,11 +174,8 @@ TEST_F(Program, ANegativeCountIsNamed) {
 
 TEST_F(Program, DrawingIsTheOneShipped) {
   ASSERT_EQ(run_program(fmt::format("draw -o '{}'", file("a.svg"))).code, 0);
-  std::stringstream made;
-  made << std::ifstream(file("a.svg")).rdbuf();
-  std::stringstream shipped;
-  shipped << std::ifstream(RESTRIP_PICTURE).rdbuf();
-  EXPECT_EQ(made.str(), shipped.str()) << "write docs/picture.svg anew: restrip draw -o docs/picture.svg";
+  EXPECT_EQ(bytes_of(file("a.svg")), bytes_of(RESTRIP_PICTURE))
+      << "write docs/picture.svg anew: restrip draw -o docs/picture.svg";
 }
 
 TEST_F(Program, JsonHasItsKeys) {
@@ -215,12 +212,6 @@ std::string refusal(const std::string& arguments) {
   EXPECT_EQ(refused.code, 2) << arguments << '\n' << refused.out;
   EXPECT_EQ(refused.out.find('\n'), refused.out.size() - 1) << refused.out;
   return refused.out;
-}
-
-std::string bytes_of(const std::string& name) {
-  std::stringstream bytes;
-  bytes << std::ifstream(name).rdbuf();
-  return bytes.str();
 }
 
 /// A mesh in three forms.

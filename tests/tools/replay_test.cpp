@@ -18,8 +18,10 @@ namespace {
 
 const ReplayOptions quick{10, 0, 0};
 
-ReplayReport replay_of(const Soup& soup, BoundaryPolicy policy, const ReplayOptions& options = quick) {
-  return replay(simplify(soup, {0.02, policy}).mesh, soup.triangles, options);
+ReplayReport replay_of(const Soup& soup, BoundaryPolicy boundary, const ReplayOptions& options = quick,
+                       const std::string& way = "local") {
+  const ProgressiveMesh mesh = simplify(soup, {0.02, boundary}).mesh;
+  return replay(Plan(way, mesh), soup.triangles, options);
 }
 
 TEST(Replay, ClosedMesh) {
@@ -41,9 +43,10 @@ TEST(Replay, ClosedMesh) {
 
 TEST(Replay, EveryPolicyBothWays) {
   std::size_t strips = 20'000;
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+  for (const Way& way : ways()) {
+    if (way.kind != Way::Kind::ours) continue;
     const Soup soup = make_mesh(20'000);
-    const ReplayReport report = replay_of(soup, BoundaryPolicy::move, {10, 0, 1, policy});
+    const ReplayReport report = replay_of(soup, BoundaryPolicy::move, {10, 0, 1}, way.name);
     EXPECT_TRUE(report.valid());
     ASSERT_EQ(report.levels_down.size(), report.levels.size());
     for (std::size_t i = 0; i < report.levels.size(); ++i)
@@ -83,21 +86,22 @@ TEST(Replay, FindsAMissingTriangle) {
   ProgressiveMesh mesh = simplify(soup).mesh;
   std::vector<Corners> original = soup.triangles;
   original.pop_back();
-  EXPECT_FALSE(replay(mesh, original, quick).valid());
+  EXPECT_FALSE(replay(Plan("local", mesh), original, quick).valid());
 }
 
 TEST(Replay, FindsATurnedTriangle) {
   const Soup soup = make_mesh(500);
   std::vector<Corners> original = soup.triangles;
   std::swap(original.front()[0], original.front()[1]);
-  EXPECT_FALSE(replay(simplify(soup).mesh, original, quick).valid());
+  const ProgressiveMesh mesh = simplify(soup).mesh;
+  EXPECT_FALSE(replay(Plan("local", mesh), original, quick).valid());
 }
 
 TEST(Replay, FindsASplitThatDoesNotFit) {
   const Soup soup = make_mesh(500);
   ProgressiveMesh mesh = simplify(soup).mesh;
   mesh.splits[7].v_l = mesh.splits.back().v_t;  // not there yet
-  const ReplayReport report = replay(mesh, soup.triangles, quick);
+  const ReplayReport report = replay(Plan("local", mesh), soup.triangles, quick);
   EXPECT_GT(report.operations_without_rule, 0U);
   EXPECT_FALSE(report.valid());
 }
@@ -126,8 +130,8 @@ TEST(Replay, LargeFansCostAsMuchAsTheirTriangles) {
 TEST(Replay, LargeFansUnderEveryPolicy) {
   const Soup soup = double_cone(1000);
   const Simplification simplification = simplify(soup);
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
-    const ReplayReport report = replay(simplification.mesh, soup.triangles, {10, 0, 1, policy});
+  for (const char* way : {"local", "linked", "quick", "full"}) {
+    const ReplayReport report = replay(Plan(way, simplification.mesh), soup.triangles, {10, 0, 1});
     EXPECT_TRUE(report.valid());
     EXPECT_EQ(report.triangles, 2000U);
   }
@@ -155,8 +159,7 @@ TEST_P(WithoutLoss, NoSplitIsolatesATriangle) {
 TEST_P(WithoutLoss, LinkedRulesKeepLongerStrips) {
   const Real& real = GetParam();
   if (real_mesh(real.file).empty()) GTEST_SKIP() << real.file << " is not to be had: set RESTRIP_MESHES";
-  const ReplayReport report =
-      replay_of(read_mesh(real_mesh(real.file)), BoundaryPolicy::move, {2, 0, 0, Policy::linked});
+  const ReplayReport report = replay_of(read_mesh(real_mesh(real.file)), BoundaryPolicy::move, {2, 0, 0}, "linked");
   EXPECT_TRUE(report.valid());
   EXPECT_EQ(report.operations_isolating, 0U);
   const Level& top = report.levels.back();

@@ -9,6 +9,7 @@
 #include "common/shrink.hpp"
 #include "lod/coloring_check.hpp"
 #include "meshes/made_mesh.hpp"
+#include "replay/ways.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "shapes.hpp"
@@ -22,9 +23,30 @@ StripMesh stripified(const Soup& soup) {
   return mesh;
 }
 
+using Halfedge = StripMesh::Halfedge;
+using Where = VertexSplit<Halfedge>;
+
+/// In one way of the list.
+BeginUpkeep by(const std::string& way) {
+  return [&way = way_named(way)](StripMesh& mesh) { return way.begin(mesh, {way.search}); };
+}
+
+/// The local rules, for tests to spoil.
+struct Operations {
+  StripMesh& mesh;
+  explicit Operations(StripMesh& on) : mesh(on) {}
+  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) { return split_and_adopt(mesh, where, v_t); }
+  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) { return collapse_and_adopt(mesh, chord); }
+  Rewrite<Halfedge> flip(Halfedge h) { return flip_and_adopt(mesh, h); }
+};
+template <class Faulty>
+std::unique_ptr<Upkeep> begin(StripMesh& mesh) {
+  return std::make_unique<UpkeepBy<Faulty>>(mesh);
+}
+
 TEST(Walk, ClosedMesh) {
   StripMesh mesh = stripified(make_mesh(2000));
-  const WalkReport report = walk(mesh, {20'000, 1, 2'000});
+  const WalkReport report = walk(mesh, {20'000, 1, 2'000}, by("local"));
   EXPECT_EQ(report.fault, "");
   EXPECT_EQ(report.isolating, 0U);
   EXPECT_GT(report.splits, 1000U);
@@ -32,70 +54,75 @@ TEST(Walk, ClosedMesh) {
   EXPECT_GT(report.flips, 1000U);
 }
 
-TEST(Walk, EveryPolicy) {
-  for (const Policy policy : {Policy::linked, Policy::quick, Policy::full})
-    for (const TieBreak tie_break : {TieBreak::strips, TieBreak::indices})
+TEST(Walk, EveryWay) {
+  for (const Way& way : ways()) {
+    if (way.kind == Way::Kind::mesh) continue;
+    for (const TieBreak tie_break : {TieBreak::strips, TieBreak::indices}) {
+      if (tie_break == TieBreak::indices && !way.searches()) continue;
       for (const Soup& soup : {make_mesh(1000), sheet(15), bow_tie()}) {
         StripMesh mesh = stripified(soup);
-        Search search = search_of(policy);
+        Search search = way.search;
         search.tie_break = tie_break;
-        const WalkReport report = walk(mesh, {2'000, 6, 50}, operations_of(policy, search));
-        EXPECT_EQ(report.fault, "");
+        const BakedMesh nothing;  // a walk leaves what was baked at its first step
+        const WalkReport report = walk(mesh, {2'000, 6, 50}, [&](StripMesh& on) {
+          return way.begin(on, {search, &nothing});
+        });
+        EXPECT_EQ(report.fault, "") << way.name;
         EXPECT_GT(report.splits + report.collapses + report.flips + report.refused, 1'900U);
-        if (report.refused < 1'000) {
-          EXPECT_EQ(report.isolating, 0U);
+        if (report.refused < 1'000 && way.kind == Way::Kind::ours) {
+          EXPECT_EQ(report.isolating, 0U) << way.name;
         }
       }
+    }
+  }
 }
 
-TEST(Walk, FindsWhatOperationsKeepWrongBesideTheMesh) {
-  const auto with_a_stale_index = [](StripMesh& on) {
-    const auto index = std::make_shared<StripIndex>(on);
-    Operations operations;
-    operations.fault = [index, &on] { return find_fault(on, *index); };
-    return operations;
+TEST(Walk, FindsWhatIsKeptWrongBesideTheMesh) {
+  struct WithAStaleIndex : Operations {
+    StripIndex index;
+    explicit WithAStaleIndex(StripMesh& on) : Operations(on), index(on) {}
+    [[nodiscard]] std::string fault() const { return find_fault(mesh, index); }
   };
   StripMesh mesh = stripified(make_mesh(500));
-  EXPECT_NE(walk(mesh, {200, 2, 100}, with_a_stale_index).fault.find("index"), std::string::npos);
+  EXPECT_NE(walk(mesh, {200, 2, 100}, begin<WithAStaleIndex>).fault.find("index"), std::string::npos);
 }
 
 TEST(Walk, MeshWithBoundary) {
   StripMesh mesh = stripified(sheet(20));
-  EXPECT_EQ(walk(mesh, {20'000, 2, 2'000}).fault, "");
+  EXPECT_EQ(walk(mesh, {20'000, 2, 2'000}, by("local")).fault, "");
 }
 
 TEST(Walk, TinyMeshes) {
   for (const Soup& soup : {tetrahedron(), bow_tie(), sheet(1)})
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       StripMesh mesh = stripified(soup);
-      EXPECT_EQ(walk(mesh, {500, seed, 100}).fault, "") << "seed " << seed;
+      EXPECT_EQ(walk(mesh, {500, seed, 100}, by("local")).fault, "") << "seed " << seed;
     }
 }
 
 TEST(Walk, SameSeedSameWalk) {
   StripMesh a = stripified(make_mesh(500));
   StripMesh b = a;
-  const WalkReport first = walk(a, {3'000, 5, 1'000});
-  const WalkReport second = walk(b, {3'000, 5, 500});
+  const WalkReport first = walk(a, {3'000, 5, 1'000}, by("local"));
+  const WalkReport second = walk(b, {3'000, 5, 500}, by("local"));
   EXPECT_EQ(first.splits, second.splits);
   EXPECT_EQ(first.strips, second.strips);
 }
 
 /// Now and then a split colours its chord against the rule.
-Operations with_a_faulty_split() {
-  Operations operations;
-  operations.split = [](StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where) {
-    auto done = restrip::split(mesh, where);
+struct WithAFaultySplit : Operations {
+  using Operations::Operations;
+  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) {
+    auto done = restrip::split(mesh, where, v_t);
     if (done.valence == 9 && !StripMesh::on_boundary(mesh.opposite(done.halfedge)))
       mesh.set_solid(done.halfedge, !mesh.solid(done.halfedge));
     return done;
-  };
-  return operations;
-}
+  }
+};
 
 TEST(Walk, FindsAFaultAndShrinksIt) {
   StripMesh mesh = stripified(make_mesh(1000));
-  const WalkReport report = walk(mesh, {50'000, 3, 10'000}, [](StripMesh&) { return with_a_faulty_split(); });
+  const WalkReport report = walk(mesh, {50'000, 3, 10'000}, begin<WithAFaultySplit>);
   ASSERT_NE(report.fault, "");
   ASSERT_FALSE(report.trace.empty());
   EXPECT_LE(report.trace.size(), 6U);
@@ -103,38 +130,72 @@ TEST(Walk, FindsAFaultAndShrinksIt) {
 }
 
 TEST(Walk, FindsAnOperationThatMiscountsItsStrips) {
-  Operations operations;
-  operations.flip = [](StripMesh& mesh, StripMesh::Halfedge h) {
-    auto done = restrip::flip(mesh, h);
-    if (done.strips > 0) --done.strips;
-    return done;
+  struct Miscounting : Operations {
+    using Operations::Operations;
+    Rewrite<Halfedge> flip(Halfedge h) {
+      auto done = restrip::flip(mesh, h);
+      if (done.strips > 0) --done.strips;
+      return done;
+    }
   };
   StripMesh mesh = stripified(make_mesh(1000));
-  EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, [&](StripMesh&) { return operations; }).fault.find("strips, but"),
-            std::string::npos);
+  EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, begin<Miscounting>).fault.find("strips, but"), std::string::npos);
 }
 
 TEST(Walk, FindsAnOperationThatMiscountsItsIsolatedTriangles) {
-  Operations operations;
-  operations.flip = [](StripMesh& mesh, StripMesh::Halfedge h) {
-    auto done = restrip::flip_and_adopt(mesh, h);
-    if (done.valence == 4 && mesh.solid(h)) --done.isolated;
-    return done;
+  struct Miscounting : Operations {
+    using Operations::Operations;
+    Rewrite<Halfedge> flip(Halfedge h) {
+      auto done = restrip::flip_and_adopt(mesh, h);
+      if (done.valence == 4 && mesh.solid(h)) --done.isolated;
+      return done;
+    }
   };
   StripMesh mesh = stripified(make_mesh(1000));
-  EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, [&](StripMesh&) { return operations; }).fault.find("isolated triangles, but"),
-            std::string::npos);
+  EXPECT_NE(walk(mesh, {5'000, 4, 1'000}, begin<Miscounting>).fault.find("isolated triangles, but"), std::string::npos);
 }
 
-// Bare flips isolate triangles behind the ports that they give up; the account counts those too.
-TEST(Walk, BareRulesTellOfEveryTriangleThatTheyIsolate) {
-  for (const Soup& soup : {make_mesh(1000), sheet(15)}) {
-    Operations bare;
-    bare.split = [](StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where) { return split(mesh, where); };
-    bare.collapse = [](StripMesh& mesh, StripMesh::Halfedge chord) { return collapse(mesh, chord); };
-    bare.flip = [](StripMesh& mesh, StripMesh::Halfedge h) { return flip(mesh, h); };
+// A witness counts what operations do that do not tell; it agrees with those that do.
+TEST(Walk, AWitnessTellsWhatTheRulesTell) {
+  for (const Soup& soup : {make_mesh(500), sheet(12), bow_tie()}) {
+    struct Watched : Operations {
+      using Operations::Operations;
+      std::string disagreement;
+      Witness witness;
+      Rewrite<Halfedge> settle(const Rewrite<Halfedge>& told, const Rewrite<Halfedge>& seen) {
+        if (told.strips != seen.strips || told.isolated != seen.isolated || told.valence != seen.valence)
+          disagreement = "the witness disagrees";
+        return told;
+      }
+      Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) {
+        witness.before_split(mesh, where);
+        const auto told = restrip::split(mesh, where, v_t);
+        return settle(told, witness.after_split(mesh, told.halfedge));
+      }
+      Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) {
+        witness.before_collapse(mesh, chord);
+        const auto told = restrip::collapse(mesh, chord);
+        return settle(told, witness.after_collapse(mesh, told.halfedge));
+      }
+      Rewrite<Halfedge> flip(Halfedge h) {
+        witness.before_flip(mesh, h);
+        const auto told = restrip::flip(mesh, h);
+        return settle(told, witness.after_flip(mesh, told.halfedge));
+      }
+      [[nodiscard]] std::string fault() const { return disagreement; }
+    };
     StripMesh mesh = stripified(soup);
-    const WalkReport report = walk(mesh, {10'000, 8, 100}, [&](StripMesh&) { return bare; });
+    const WalkReport report = walk(mesh, {5'000, 3, 500}, begin<Watched>);
+    EXPECT_EQ(report.fault, "");
+    EXPECT_GT(report.splits + report.collapses + report.flips, 500U);
+  }
+}
+
+// Flips by the rules alone isolate triangles behind the ports that they give up; the account counts those too.
+TEST(Walk, RulesAloneTellOfEveryTriangleThatTheyIsolate) {
+  for (const Soup& soup : {make_mesh(1000), sheet(15)}) {
+    StripMesh mesh = stripified(soup);
+    const WalkReport report = walk(mesh, {10'000, 8, 100}, by("rules"));
     EXPECT_EQ(report.fault, "");
     EXPECT_GT(report.flips_isolating, 50U);
     EXPECT_EQ(report.isolated, check_coloring(mesh).isolated);
@@ -144,7 +205,7 @@ TEST(Walk, BareRulesTellOfEveryTriangleThatTheyIsolate) {
 TEST(Walk, RefusesAMeshThatIsFaultyFromTheStart) {
   StripMesh mesh = stripified(tetrahedron());
   for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(0, side), true);
-  EXPECT_NE(walk(mesh, {10, 1, 10}).fault, "");
+  EXPECT_NE(walk(mesh, {10, 1, 10}, by("local")).fault, "");
 }
 
 TEST(Shrink, FindsThePairThatFails) {

@@ -17,9 +17,9 @@
 #include "meshes/mesh_file.hpp"
 #include "meshes/mesh_report.hpp"
 #include "paper/draw.hpp"
-#include "replay/policies.hpp"
 #include "replay/replay_text.hpp"
 #include "replay/walk.hpp"
+#include "replay/ways.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/output/strips.hpp"
 
@@ -101,8 +101,8 @@ void smooth(Soup& soup, int rounds) {
   }
 }
 
-/// Under the policy; baked strips are local ones where a mesh goes its own ways.
-WalkTaken take_walk(const Source& source, const ReplayCommand& command, Policy policy) {
+/// In the way of the plan; baked strips go on by the rules where a mesh goes its own ways.
+WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Plan& plan) {
   StripMesh mesh;
   if (source.original.empty()) {
     mesh = StripMesh::build(source.mesh.base, source.mesh.points.size());
@@ -112,7 +112,7 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command, Policy p
   }
   stripify(mesh);
   WalkTaken taken{{command.walk_steps, command.seed}, {}};
-  taken.report = walk(mesh, taken.options, operations_of(policy, source.subject.search));
+  taken.report = walk(mesh, taken.options, [&](StripMesh& on) { return plan.begin(on); });
   return taken;
 }
 
@@ -141,24 +141,19 @@ int run(const ReplayCommand& command) {
   Source source = command.built_in
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
                       : source_of(command.mesh, command.simplify, command.simplify_given);
-  const std::string policy = !command.policy.empty() ? command.policy : source.baked ? "baked" : "local";
-  ReplayOptions options = command.replay;
-  source.subject.policy = policy;
-  if (policy == "baked") {
-    BakeReport made;
-    if (!source.baked) source.baked = bake(source.mesh, {}, &made);
-    source.subject.baked = costs_of(*source.baked, made.seconds);
-    options.baked = &*source.baked;
-  } else {
-    options.policy = policy_names().at(policy);
-    source.subject.search = search_of(options.policy);
-    if (command.states != 0) source.subject.search = {command.states, 0, TieBreak::strips};
-    source.subject.search.tie_break = command.tie_break;
-    options.search = source.subject.search;
-  }
-  const ReplayReport report = replay(source.mesh, source.original, options);
+  const Way& way = command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way);
+  Plan::Given given;
+  given.search = way.search;
+  if (command.states != 0) given.search = {command.states, 0, TieBreak::strips};
+  given.search->tie_break = command.tie_break;
+  if (source.baked) given.baked = &*source.baked;
+  const Plan plan(way, source.mesh, given);
+  source.subject.policy = way.name;
+  source.subject.search = plan.search();
+  if (plan.baked() != nullptr) source.subject.baked = costs_of(*plan.baked(), plan.seconds_to_bake());
+  const ReplayReport report = replay(plan, source.original, command.replay);
   std::optional<WalkTaken> walk;
-  if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command, options.policy);
+  if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command, plan);
 
   out.print(as_text(report, source.subject) + (walk ? as_text(*walk) : ""), as_json(report, source.subject, walk));
   return report.valid() && (!walk || walk->report.fault.empty()) ? 0 : 1;

@@ -30,8 +30,8 @@ struct ReplayCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
   ReplayOptions replay;
-  std::string policy;                     ///< of policy_names(), or baked; empty: baked for a baked mesh, else local
-  std::uint32_t states = 0;               ///< of each search of a policy that searches; 0: its own
+  std::string way;                        ///< its name; empty: the usual one (ways.hpp)
+  std::uint32_t states = 0;               ///< of each search of a way that searches; 0: its own
   TieBreak tie_break = TieBreak::strips;  ///< of these searches
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
@@ -80,7 +80,8 @@ struct DrawCommand {
 };
 int run(const DrawCommand& command);
 
-/// The paper's figures and experiments, as a page of HTML and CSV files. Files are written whole, the page last.
+/// The paper's figures and experiments, as CSV files and a report in JSON (paper_report.hpp). Files are written whole,
+/// the report last.
 struct PaperCommand {
   std::filesystem::path out;  ///< a folder; made when it is not there
   std::vector<std::filesystem::path> meshes;

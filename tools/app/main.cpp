@@ -16,7 +16,7 @@
 #include "files/system_calls.hpp"
 #include "meshes/soup_builder.hpp"
 #include "meshes/text_cursor.hpp"
-#include "replay/policies.hpp"
+#include "replay/ways.hpp"
 
 namespace {
 
@@ -90,13 +90,19 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
       ->check(whole_number)
       ->capture_default_str();
-  std::vector<std::string> policies{"baked"};
-  for (const auto& policy : policy_names()) policies.push_back(policy.first);
-  sub->add_option("--policy", command.policy,
-                  "local: the rules, and adoption where one isolates; linked: rules that follow the strips around; "
-                  "quick, full: tunnelling after each operation; "
-                  "baked: the strips of a baked mesh, or baked now (default: baked for a baked mesh, else local)")
-      ->check(CLI::IsMember(policies));
+  std::vector<std::string> names;
+  std::vector<std::string> searching;
+  std::string about;
+  for (const Way& way : ways()) {
+    if (way.kind == Way::Kind::mesh) continue;
+    names.push_back(way.name);
+    if (way.searches()) searching.push_back(way.name);
+    about += fmt::format("{}: {}; ", way.name, way.says);
+  }
+  sub->add_option(
+         "--policy", command.way,
+         about + fmt::format("(default: {}, for a baked mesh {})", usual_way(false).name, usual_way(true).name))
+      ->check(CLI::IsMember(names));
   sub->add_option("--states", command.states,
                   "of each search of the policies quick and full: always so many; more keep fewer strips and take "
                   "longer (default: "
@@ -116,12 +122,13 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
           ->check(whole_number);
   sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->check(whole_number)->capture_default_str();
   add_json_option(*sub, command.json);
-  sub->callback([sub, mesh, built_in, &command] {
+  sub->callback([sub, mesh, built_in, searching, &command] {
     if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
     command.simplify_given = simplify_options_given(*sub);
     for (const char* option : {"--states", "--tie-break"})
-      if (sub->count(option) != 0 && command.policy != "quick" && command.policy != "full")
-        throw CLI::ValidationError(option, "only --policy quick and --policy full search");
+      if (sub->count(option) != 0 && (command.way.empty() || !way_named(command.way).searches()))
+        throw CLI::ValidationError(option,
+                                   fmt::format("only --policy {} search", fmt::join(searching, " and --policy ")));
   });
   sub->footer("Example: restrip replay bunny.obj --base 0.02 --cycles 10 --json bunny.json");
   return sub;
@@ -187,8 +194,9 @@ CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
 }
 
 CLI::App* add_paper(CLI::App& app, PaperCommand& command) {
-  CLI::App* sub = app.add_subcommand("paper", "Do the paper's figures and experiments again, as a page and CSV files");
-  sub->add_option("-o,--out", command.out, "the folder for index.html and its CSV files")->required();
+  CLI::App* sub =
+      app.add_subcommand("paper", "Do the paper's figures and experiments again, as CSV files and a report");
+  sub->add_option("-o,--out", command.out, "the folder for report.json and CSV files")->required();
   sub->add_option("meshes", command.meshes, ".obj, .off, .ply, .stl, or progressive meshes of OpenMesh (.pm)")
       ->required();
   add_simplify_options(*sub, command.options.simplify);
@@ -196,7 +204,7 @@ CLI::App* add_paper(CLI::App& app, PaperCommand& command) {
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
   add_json_option(*sub, command.json);
-  sub->footer("Example: restrip paper --out report bunny.obj");
+  sub->footer("Example: restrip paper --out report bunny.obj\nscripts/paper_page.py makes a page of the folder.");
   return sub;
 }
 

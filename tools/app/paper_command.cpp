@@ -10,15 +10,15 @@
 namespace restrip::tools {
 
 int run(const PaperCommand& command) {
-  // The page comes last: it vouches for the figures.
-  const auto with_page = [](std::vector<files::NamedBytes> files, std::vector<files::NamedBytes> more,
-                            std::string page) {
+  // The report comes last: it vouches for the figures.
+  const auto with_report = [](std::vector<files::NamedBytes> files, std::vector<files::NamedBytes> more,
+                              std::string report) {
     std::move(more.begin(), more.end(), std::back_inserter(files));
-    files.push_back({"index.html", std::move(page)});
+    files.push_back({"report.json", std::move(report)});
     return files;
   };
   std::vector<std::filesystem::path> names;
-  for (const files::NamedBytes& file : with_page(csv_files(RuleFigures{}), csv_files(std::vector<PaperMesh>{}), ""))
+  for (const files::NamedBytes& file : with_report(csv_files(RuleFigures{}), csv_files(std::vector<PaperMesh>{}), ""))
     names.push_back(file.name);
   files::OutputSet out(command.out, names, {{}, command.meshes});
   const ReportOutput report(command.json, command.meshes);
@@ -30,8 +30,9 @@ int run(const PaperCommand& command) {
     meshes.push_back(measure(subject, command.options));
     subject = {};
   }
-  out.write(with_page(csv_files(figures), csv_files(meshes), as_html(figures, meshes, command.options)));
-  report.print(as_text(meshes), as_json(figures, meshes));
+  const std::string json = as_json(figures, meshes, command.options);
+  out.write(with_report(csv_files(figures), csv_files(meshes), json));
+  report.print(as_text(meshes), json);
   return std::all_of(meshes.begin(), meshes.end(), [](const PaperMesh& mesh) { return mesh.faults.empty(); }) ? 0 : 1;
 }
 

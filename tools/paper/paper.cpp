@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/bad_input.hpp"
 #include "common/progress.hpp"
@@ -11,7 +10,7 @@
 #include "lod/coloring_check.hpp"
 #include "lod/pm_file.hpp"
 #include "meshes/mesh_file.hpp"
-#include "paper/paper_policy.hpp"
+#include "replay/ways.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -37,26 +36,24 @@ class Measurement {
     base_ = StripMesh::build(source_.base, source_.points.size());
     stripify(base_, Effort::full);
     result_.base_triangles = base_.triangle_count();
-    // Geometric steps; the first is the base, and after the last split comes one more.
-    const auto first = static_cast<double>(result_.base_triangles);
-    const double ratio = static_cast<double>(source_.fine_triangles()) / first;
-    for (std::size_t i = 0; i + 1 < options.levels; ++i)
-      stops_.push_back(static_cast<std::size_t>(
-          std::ceil(first * std::pow(ratio, static_cast<double>(i) / static_cast<double>(options.levels - 1)))));
   }
 
   PaperMesh run() {
-    for (const StripPolicy& policy : paper_policies()) watch(policy, true);
-    for (const StripPolicy& policy : our_policies()) watch(policy, false);
+    for (const Way::Kind kind : {Way::Kind::paper, Way::Kind::ours})
+      for (const Way& way : ways())
+        if (way.kind == kind) watch(way);
     make_from_scratch();
     return std::move(result_);
   }
 
  private:
-  void watch(const StripPolicy& policy, bool of_paper) {
-    StripMesh mesh = base_;
-    const Upkeep upkeep = policy.begin(mesh, source_);
-    PolicyRun run{policy.name, policy.says, of_paper, 0, 0, {}};
+  void watch(const Way& way) {
+    Plan::Given given;
+    given.base = &base_;
+    const Plan plan(way, source_, given);
+    StripMesh mesh = plan.base();
+    const auto upkeep = plan.begin(mesh);
+    PolicyRun run{way.name, way.says, way.kind == Way::Kind::paper, 0, 0, {}};
     std::vector<Triangle> patch;
     std::vector<std::size_t> by_valence;
     const auto step = [&](const Record& record) {
@@ -65,15 +62,15 @@ class Measurement {
       if (patch.size() >= by_valence.size()) by_valence.resize(patch.size() + 1);
       ++by_valence[patch.size()];
       const std::size_t before = isolated_in(mesh, patch);
-      const Halfedge chord = upkeep.split(where, record.v_t);
+      const Halfedge chord = upkeep->split(where, record.v_t, run.splits).halfedge;
       edge_triangles(mesh, chord, patch);
       run.isolating += static_cast<std::size_t>(isolated_in(mesh, patch) > before);
       ++run.splits;
-      if (upkeep.between) upkeep.between();
+      upkeep->between();
     };
-    climb(policy.name, mesh, step, [&] { run.levels.push_back(count(mesh, policy.name)); });
+    climb(way.name, mesh, step, [&] { run.levels.push_back(count(mesh, way.name)); });
     if (sorted_triangles(triangles_of(mesh)) != fine_triangles())
-      result_.faults.push_back(fmt::format("{}: the last split does not lead to the mesh", policy.name));
+      result_.faults.push_back(fmt::format("{}: the last split does not lead to the mesh", way.name));
     result_.splits_by_valence = std::move(by_valence);
     result_.runs.push_back(std::move(run));
   }
@@ -97,20 +94,20 @@ class Measurement {
   template <class Step, class AtLevel>
   void climb(const std::string& label, const StripMesh& mesh, Step&& step, AtLevel&& at_level) {
     Progress progress(result_.name + ": " + label, source_.splits.size());
-    std::size_t stop = 0;
+    LevelStops stops(result_.base_triangles, source_.fine_triangles(), options_.levels);
     for (std::size_t i = 0; i < source_.splits.size(); ++i) {
-      if (stop < stops_.size() && mesh.triangle_count() >= stops_[stop]) at_level(), ++stop;
+      if (stops.reached(mesh.triangle_count())) at_level();
       step(source_.splits[i]);
       progress.at(i);
     }
     at_level();
   }
 
-  StripCount count(const StripMesh& mesh, const std::string& label) {
+  Level count(const StripMesh& mesh, const std::string& label) {
     const ColoringReport report = check_coloring(mesh);
     if (!report.valid)
       result_.faults.push_back(fmt::format("{}: invalid strips at {} triangles", label, report.triangles));
-    return {report.triangles, report.strips, report.isolated};
+    return level_of(mesh, result_.faults);
   }
 
   const std::vector<Corners>& fine_triangles() {
@@ -126,7 +123,6 @@ class Measurement {
   PaperMesh result_;
   ProgressiveMesh source_;
   StripMesh base_;
-  std::vector<std::size_t> stops_;
   std::vector<Corners> fine_;
 };
 

@@ -12,7 +12,7 @@
 
 #include "lod/simplify.hpp"
 #include "meshes/mesh_report.hpp"
-#include "replay/policies.hpp"
+#include "replay/levels.hpp"
 
 namespace restrip::tools {
 
@@ -32,21 +32,14 @@ struct PaperRow {
 /// The paper's row for a mesh of that many triangles, if it has one.
 [[nodiscard]] std::optional<PaperRow> paper_row(std::size_t triangles);
 
-/// The strips of one level of detail.
-struct StripCount {
-  std::size_t triangles = 0;
-  std::size_t strips = 0;    ///< isolated triangles included
-  std::size_t isolated = 0;  ///< strips of one triangle
-};
-
-/// One way up under one policy.
+/// One climb in one way of keeping strips (ways.hpp).
 struct PolicyRun {
   std::string name;
   std::string says;
   bool of_paper = false;
   std::size_t splits = 0;
   std::size_t isolating = 0;  ///< splits after which the patch had more isolated triangles than before
-  std::vector<StripCount> levels;
+  std::vector<Level> levels;
 
   [[nodiscard]] double isolating_percent() const noexcept {
     return splits == 0 ? 0 : 100 * static_cast<double>(isolating) / static_cast<double>(splits);
@@ -57,7 +50,7 @@ struct PolicyRun {
 struct ScratchRun {
   std::string name;
   std::string says;
-  std::vector<StripCount> levels;
+  std::vector<Level> levels;
 };
 
 struct PaperMesh {

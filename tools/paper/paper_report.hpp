@@ -1,5 +1,5 @@
-// The report of `restrip paper`: one page of HTML that needs nothing else, and a CSV file behind each of its figures.
-// No dates and no timings: the same bytes on every run.
+// The report of `restrip paper`: a CSV file for each of its figures, and all of them together as JSON, from which
+// scripts/paper_page.py makes a page. No dates and no timings: the same bytes on every run.
 #pragma once
 
 #include <string>
@@ -22,11 +22,13 @@ namespace restrip::tools {
 ///   strips.csv         mesh,policy,triangles,strips,isolated
 [[nodiscard]] std::vector<files::NamedBytes> csv_files(const std::vector<PaperMesh>& meshes);
 
-/// The page. `base` and `levels` are told, so that the report can be made again.
-[[nodiscard]] std::string as_html(const RuleFigures& figures, const std::vector<PaperMesh>& meshes,
+/// Everything that the page shows: {base, boundary, levels, table_max_k, split_positions, positions: [{k, a}],
+/// four_vertex: [{a, loop_orbits, by_loop, all}], lonely: [{k, a, valid, lonely, rule_isolates, rule_adds_strip,
+/// orbits}], meshes: [{mesh, triangles, base_triangles, used_vertices, paper, equals_paper, valence, splits_by_valence,
+/// policies, scratch, faults}]}; rules are {loop, ports, inner, strips, isolated, orbit}, levels {triangles, strips,
+/// isolated}.
+[[nodiscard]] std::string as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes,
                                   const PaperOptions& options);
-
 [[nodiscard]] std::string as_text(const std::vector<PaperMesh>& meshes);
-[[nodiscard]] std::string as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes);
 
 }  // namespace restrip::tools

@@ -1,5 +1,5 @@
-// The replay: a progressive mesh from its base to its finest level and back, with the strips kept by the rules,
-// measured and checked.
+// The replay: a progressive mesh from its base to its finest level and back, with the strips kept in one way
+// (ways.hpp), measured and checked.
 #pragma once
 
 #include <cstddef>
@@ -7,31 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "lod/bake.hpp"
 #include "lod/bolder.hpp"
-#include "lod/progressive_mesh.hpp"
 #include "meshes/soup.hpp"
-#include "restrip/search/keeper.hpp"
+#include "replay/levels.hpp"
+#include "replay/ways.hpp"
 
 namespace restrip::tools {
 
 struct ReplayOptions {
-  std::size_t levels =
-      12;  ///< how often the strips are written out and counted between base and finest level, at least 2
-  std::size_t repeats = 5;                      ///< of each timed run, at least; 0: no timing
-  std::size_t cycles = 0;                       ///< down and up again after the first way up
-  Policy policy = Policy::local;                ///< how far an operation looks for strips to join
-  std::optional<Search> search = std::nullopt;  ///< other than the policy's own
-  /// Play these strips instead of any policy; they must be those of the mesh replayed.
-  const BakedMesh* baked = nullptr;
-};
-
-/// The mesh at one level of detail.
-struct Level {
-  std::size_t triangles = 0;
-  std::size_t strips = 0;    ///< isolated triangles included
-  std::size_t isolated = 0;  ///< strips of one triangle
-  std::size_t indices = 0;   ///< of the index buffer: strips with primitive restart
+  std::size_t levels = 12;  ///< at which strips are counted, base and finest level among them, at least 2
+  std::size_t repeats = 5;  ///< of each timed run, at least; 0: no timing
+  std::size_t cycles = 0;   ///< down and up again after the first way up
 };
 
 /// One way down to the base and up again.
@@ -70,11 +56,11 @@ struct ReplayReport {
   [[nodiscard]] bool valid() const noexcept { return faults.empty(); }
 };
 
-/// Stripifies the base and replays every split. At the finest level the colouring is checked from scratch, the index
-/// buffer is decoded, and the triangles are compared with `original` (as a set of oriented triangles; empty: with a
-/// replay without rules). Baked strips go down and up again once at least, and every reported level must then have,
-/// byte for byte, the strips it had at first.
-[[nodiscard]] ReplayReport replay(const ProgressiveMesh& mesh, const std::vector<Corners>& original,
+/// Begins at the base of the plan and replays every split. At the finest level the colouring is checked from scratch,
+/// the index buffer is decoded, and the triangles are compared with `original` (as a set of oriented triangles; empty:
+/// with a replay without rules). Baked strips go down and up again once at least, and every reported level must then
+/// have, byte for byte, the strips it had at first.
+[[nodiscard]] ReplayReport replay(const Plan& plan, const std::vector<Corners>& original,
                                   const ReplayOptions& options = {});
 
 }  // namespace restrip::tools

@@ -14,7 +14,7 @@
 //  - policy, states, enough, tie_break: how strips were kept
 //  - most_strips: of all levels on the way up, every split counted
 //  - best_in_this_mesh: {splits, collapses}, each {operations, adding_strip, adding_strip_at_best, bolder,
-//    missed_by_linked}; under `local` (bolder.hpp)
+//    missed_by_linked}; under local rules (bolder.hpp)
 //  - baked: {flips_per_record, bytes_per_record, bake_seconds, levels_compared}; for baked strips
 //  - cycles: [{base_strips, base_isolated, top_strips, top_isolated, isolating, adding_strip}], each a way down and up
 //  - ns_per_operation, ns_per_operation_bare: a split with strips kept, and the same mesh update without (medians)
@@ -49,8 +49,8 @@ struct Subject {
   std::string name;
   std::size_t wanted_triangles = 0;  ///< of the base; 0 when the base was given
   LeftOut left_out;
-  std::string policy;
-  Search search;  ///< of the policy
+  std::string policy;  ///< the way's name
+  Search search;       ///< of the way
   std::optional<BakedCosts> baked;
 };
 

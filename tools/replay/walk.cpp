@@ -36,8 +36,8 @@ Account count(const StripMesh& mesh) {
 /// steps can be left out and the others still mean something.
 class Walker {
  public:
-  Walker(StripMesh& mesh, std::uint64_t seed, std::size_t home_size, const BeginOperations& begin)
-      : mesh_(mesh), seed_(seed), home_size_(home_size), operations_(begin(mesh)) {}
+  Walker(StripMesh& mesh, std::uint64_t seed, std::size_t home_size, const BeginUpkeep& begin)
+      : mesh_(mesh), seed_(seed), home_size_(home_size), upkeep_(begin(mesh)) {}
 
   /// Takes one step. The fault that it caused, if any.
   std::string step(std::uint64_t number) {
@@ -65,7 +65,7 @@ class Walker {
     if (there.isolated != expected.isolated)
       return fmt::format("{} isolated triangles, but the operations' own account says {}", there.isolated,
                          expected.isolated);
-    return operations_.fault ? operations_.fault() : std::string();
+    return upkeep_->fault();
   }
 
   WalkReport report;
@@ -100,7 +100,7 @@ class Walker {
     };
     last_ = fmt::format("split {}, left {}, right {}", v, end(where.spokes != Split::Spokes::right_only, where.left),
                         end(where.spokes != Split::Spokes::left_only, where.right));
-    const auto done = operations_.split(mesh_, where);
+    const auto done = upkeep_->split(where, none);
     ++report.splits;
     report.isolating += done.isolated > 0 ? 1 : 0;
     return settle(done, {mesh_.from(done.halfedge), mesh_.to(done.halfedge), none, none});
@@ -109,7 +109,7 @@ class Walker {
   std::string try_collapse(Halfedge chord) {
     if (check_collapse(mesh_, chord) != Refusal::granted) return refuse();
     last_ = fmt::format("collapse {} -> {}", mesh_.from(chord), mesh_.to(chord));
-    const auto done = operations_.collapse(mesh_, chord);
+    const auto done = upkeep_->collapse(chord);
     ++report.collapses;
     report.isolating += done.isolated > 0 ? 1 : 0;
     return settle(done, {mesh_.from(done.halfedge), none, none, none});
@@ -119,7 +119,7 @@ class Walker {
     if (check_flip(mesh_, h) != Refusal::granted) return refuse();
     last_ = fmt::format("flip {} -> {}", mesh_.from(h), mesh_.to(h));
     const std::array<Vertex, 2> ends{mesh_.from(h), mesh_.to(h)};
-    const auto done = operations_.flip(mesh_, h);
+    const auto done = upkeep_->flip(h);
     ++report.flips;
     report.flips_isolating += done.isolated > 0 ? 1 : 0;
     return settle(done, {mesh_.from(done.halfedge), mesh_.to(done.halfedge), ends[0], ends[1]});
@@ -131,7 +131,8 @@ class Walker {
   }
 
   std::string settle(const Rewrite<Halfedge>& done, const std::array<Vertex, 4>& around) {
-    told = told + Account{done.strips, done.isolated};
+    const Mending between = upkeep_->between();
+    told = told + Account{done.strips + between.strips, done.isolated + between.isolated};
     for (const Vertex v : around) {
       if (v == none) continue;
       if (std::string fault = find_fault_around(mesh_, v); !fault.empty()) return fault;
@@ -142,7 +143,7 @@ class Walker {
   StripMesh& mesh_;
   std::uint64_t seed_;
   std::size_t home_size_;
-  Operations operations_;
+  std::unique_ptr<Upkeep> upkeep_;
   std::string last_;
   std::vector<Halfedge> spokes_;
 };
@@ -155,7 +156,7 @@ struct Camp {
 };
 
 std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_step, std::size_t home_size,
-                                        const WalkOptions& options, const BeginOperations& begin) {
+                                        const WalkOptions& options, const BeginUpkeep& begin) {
   std::vector<std::uint64_t> steps;
   for (std::uint64_t step = camp.step; step <= last_step; ++step) steps.push_back(step);
   std::vector<std::string> trace;
@@ -183,22 +184,7 @@ std::vector<std::string> shortest_trace(const Camp& camp, std::uint64_t last_ste
 
 }  // namespace
 
-BeginOperations operations_of(Policy policy, Search search) {
-  return [policy, search](StripMesh& on) {
-    const auto keeper = std::make_shared<StripKeeper>(on, policy);
-    keeper->set_search(search);
-    Operations operations;
-    operations.split = [keeper](StripMesh&, const Split& where) { return keeper->split(where); };
-    operations.collapse = [keeper](StripMesh&, Halfedge chord) { return keeper->collapse(chord); };
-    operations.flip = [keeper](StripMesh&, Halfedge h) { return keeper->flip(h); };
-    operations.fault = [keeper] {
-      return keeper->index() != nullptr ? find_fault(keeper->mesh(), *keeper->index()) : std::string();
-    };
-    return operations;
-  };
-}
-
-WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginOperations& begin) {
+WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginUpkeep& begin) {
   if (const std::vector<std::string> faults = find_faults(mesh); !faults.empty()) {
     WalkReport report;
     report.fault = faults.front();

@@ -4,35 +4,17 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "replay/upkeep.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/operations/adopt.hpp"
-#include "restrip/search/keeper.hpp"
 
 namespace restrip::tools {
 
-/// The operations under test, on one mesh. The tests of the walk hand in faulty ones.
-struct Operations {
-  using Halfedge = StripMesh::Halfedge;
-  std::function<Rewrite<Halfedge>(StripMesh&, const VertexSplit<Halfedge>&)> split =
-      [](StripMesh& mesh, const VertexSplit<Halfedge>& where) { return split_and_adopt(mesh, where); };
-  std::function<Rewrite<Halfedge>(StripMesh&, Halfedge)> collapse = [](StripMesh& mesh, Halfedge chord) {
-    return collapse_and_adopt(mesh, chord);
-  };
-  std::function<Rewrite<Halfedge>(StripMesh&, Halfedge)> flip = [](StripMesh& mesh, Halfedge h) {
-    return flip_and_adopt(mesh, h);
-  };
-  /// What is wrong with what they keep beside the mesh; may be empty.
-  std::function<std::string()> fault{};
-};
-
-/// Begins operations on a mesh; the search for a short trace begins them on copies.
-using BeginOperations = std::function<Operations(StripMesh&)>;
-
-/// Those of a policy, and its index checked with the whole mesh.
-[[nodiscard]] BeginOperations operations_of(Policy policy, Search search);
+/// Begins the upkeep under test on a mesh; the search for a short trace begins it on copies. Tests hand in faulty ones.
+using BeginUpkeep = std::function<std::unique_ptr<Upkeep>(StripMesh&)>;
 
 struct WalkOptions {
   std::uint64_t steps = 10'000;
@@ -58,7 +40,6 @@ struct WalkReport {
 
 /// Walks on `mesh`, whose colouring must be valid, and leaves it where it went. The mesh keeps about its size. Step i
 /// depends on the seed, i and the mesh alone.
-[[nodiscard]] WalkReport walk(StripMesh& mesh, const WalkOptions& options,
-                              const BeginOperations& begin = operations_of(Policy::local, {}));
+[[nodiscard]] WalkReport walk(StripMesh& mesh, const WalkOptions& options, const BeginUpkeep& begin);
 
 }  // namespace restrip::tools

@@ -13,9 +13,8 @@
 // edge that it cuts the colour of that edge, so an inserted triangle is part of the strip that it lands on; all other
 // new dual edges are dashed. A collapse reads the same colours the other way round.
 //
-// The flips of a record hold for one mesh in one state: all records before it played, none after it. Records
-// played out of order, and all after the mesh has been changed otherwise, fall back on the rules of operations.hpp;
-// BakedPlayer does so by itself.
+// The flips of a record hold for one mesh in one state: all records before it played, none after it. Whoever plays out
+// of order, or changes the mesh in between, falls back on the rules of operations.hpp; BakedPlayer does so by itself.
 #pragma once
 
 #include <cstddef>
@@ -30,13 +29,6 @@
 #include "restrip/rules/bits.hpp"
 
 namespace restrip {
-
-/// What a baked operation did.
-template <class Halfedge>
-struct BakedRewrite {
-  Halfedge halfedge{};  ///< split: the chord v_s -> v_t; collapse: a spoke of v_s (see CollapsibleMesh)
-  int strips = 0;       ///< change in the number of strips
-};
 
 /// The flips of all records, one after the other. Each is a halfedge of the mesh as it is after the split; a dual edge
 /// is named once, by either of its halfedges.
@@ -62,19 +54,22 @@ int flip_colors(Mesh& mesh, std::span<const typename Mesh::Halfedge> flips) {
   Word few[flips_without_allocation / word_bits] = {};
   std::vector<Word> many;
   if (flips.size() > flips_without_allocation) many.resize(flips.size() / word_bits + 1, 0);
-  const std::span<Word> dashed = many.empty() ? std::span<Word>(few) : std::span<Word>(many);
+  const std::span<Word> done = many.empty() ? std::span<Word>(few) : std::span<Word>(many);
   int more = 0;
   for (std::size_t i = 0; i < flips.size(); ++i) {
     RESTRIP_ASSERT(knows(mesh, flips[i]), "flips of a baked record", describe(Refusal::no_such_edge));
     RESTRIP_ASSERT(!mesh.on_boundary(flips[i]) && !mesh.on_boundary(mesh.opposite(flips[i])), "flips of a baked record",
                    describe(Refusal::boundary_edge));
-    const bool solid = mesh.solid(flips[i]);
-    if (!solid) dashed[i / word_bits] |= bit(i % word_bits);
-    more += solid ? -1 : 1;
+    if (!mesh.solid(flips[i])) continue;
+    done[i / word_bits] |= bit(i % word_bits);
+    mesh.set_solid(flips[i], false);
+    --more;
   }
-  for (const bool light : {false, true})
-    for (std::size_t i = 0; i < flips.size(); ++i)
-      if (has(dashed[i / word_bits], i % word_bits) == light) mesh.set_solid(flips[i], light);
+  for (std::size_t i = 0; i < flips.size(); ++i) {
+    if (has(done[i / word_bits], i % word_bits)) continue;
+    mesh.set_solid(flips[i], true);
+    ++more;
+  }
   return more;
 }
 
@@ -105,10 +100,11 @@ struct FallingEdge {
 /// that each flip is a dual edge of the mesh. `name`: the new vertex, for meshes that let the caller name it. Constant
 /// time but for the mesh operation and the flips; nothing is allocated but what the mesh allocates to grow, and one bit
 /// for each flip of a record with more than 512. After an exception the colouring is valid (mesh.hpp), but not one that
-/// further flips were baked for.
+/// further flips were baked for. Of the result `valence` and `isolated` stay 0: to count them would take longer than
+/// the flips.
 template <SplittableMesh Mesh, class... Name>
-BakedRewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                                                  std::span<const typename Mesh::Halfedge> flips, Name... name) {
+Rewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                                             std::span<const typename Mesh::Halfedge> flips, Name... name) {
   RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_baked",
                  describe(detail::refusal_of_split(mesh, where, name...)));
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
@@ -123,14 +119,14 @@ BakedRewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<
   if (left) color_both_halves(chord);
   if (right) color_both_halves(mesh.opposite(chord));
   const int triangles = where.spokes == Spokes::both ? 2 : 1;
-  return {chord, triangles - int{left} - int{right} - detail::flip_colors(mesh, flips)};
+  return {chord, 0, triangles - int{left} - int{right} - detail::flip_colors(mesh, flips), 0};
 }
 
 /// The way back: flips `flips`, collapses the edge of `chord` = v_s -> v_t into v_s, and gives each joined edge the
 /// colour that its halves have then. Preconditions and cost as above.
 template <CollapsibleMesh Mesh>
-BakedRewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::Halfedge chord,
-                                                     std::span<const typename Mesh::Halfedge> flips) {
+Rewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::Halfedge chord,
+                                                std::span<const typename Mesh::Halfedge> flips) {
   RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_baked",
                  describe(detail::refusal_of_collapse(mesh, chord)));
   const int more = detail::flip_colors(mesh, flips);
@@ -140,7 +136,7 @@ BakedRewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::
   left.color(mesh);
   right.color(mesh);
   const int triangles = int{left.triangle} + int{right.triangle};
-  return {spoke, int{left.solid} + int{right.solid} - triangles - more};
+  return {spoke, 0, int{left.solid} + int{right.solid} - triangles - more, 0};
 }
 
 /// Plays the records of one baked mesh, and knows whether their flips still hold.
@@ -148,8 +144,8 @@ BakedRewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::
 /// In step, record `level()` may be split and record `level() - 1` collapsed, by their flips. Anything else is out of
 /// order: it is done by the rules (split_and_adopt, collapse_and_adopt), and so is everything after it, because then
 /// neither colours nor names are those that were baked. The colouring stays valid; its strips age as those of the rules
-/// do. To get back into step put the mesh and its colours back to a baked level (the base, most easily) and call
-/// restart().
+/// do, and its Rewrite tells everything. To get back into step put the mesh and its colours back to a baked level (the
+/// base, most easily) and call restart().
 template <class Mesh>
 requires SplittableMesh<Mesh> && CollapsibleMesh<Mesh>
 class BakedPlayer {
@@ -171,7 +167,7 @@ class BakedPlayer {
   [[nodiscard]] bool can_collapse(std::size_t record) const noexcept { return in_step_ && record + 1 == level_; }
 
   /// After an exception the player is out of step.
-  BakedRewrite<Halfedge> split(std::size_t record, const VertexSplit<Halfedge>& where, auto... name) {
+  Rewrite<Halfedge> split(std::size_t record, const VertexSplit<Halfedge>& where, auto... name) {
     RESTRIP_ASSERT(detail::refusal_of_split(*mesh_, where, name...) == Refusal::granted, "BakedPlayer::split",
                    describe(detail::refusal_of_split(*mesh_, where, name...)));
     if (can_split(record)) {
@@ -181,10 +177,9 @@ class BakedPlayer {
       return done;
     }
     leave_step();
-    const auto done = split_and_adopt(*mesh_, where, name...);
-    return {done.halfedge, done.strips};
+    return split_and_adopt(*mesh_, where, name...);
   }
-  BakedRewrite<Halfedge> collapse(std::size_t record, Halfedge chord) {
+  Rewrite<Halfedge> collapse(std::size_t record, Halfedge chord) {
     RESTRIP_ASSERT(detail::refusal_of_collapse(*mesh_, chord) == Refusal::granted, "BakedPlayer::collapse",
                    describe(detail::refusal_of_collapse(*mesh_, chord)));
     if (can_collapse(record)) {
@@ -194,8 +189,7 @@ class BakedPlayer {
       return done;
     }
     leave_step();
-    const auto done = collapse_and_adopt(*mesh_, chord);
-    return {done.halfedge, done.strips};
+    return collapse_and_adopt(*mesh_, chord);
   }
 
   /// Call before changing the mesh or its colours by any other way.

@@ -16,7 +16,7 @@
 
 namespace restrip {
 
-/// What an operation did.
+/// What an operation did. (Baked operations count strips alone, see baked.hpp.)
 template <class Halfedge>
 struct Rewrite {
   Halfedge halfedge{};  ///< split: the chord v_s -> v_t; collapse: a spoke of v_s (see CollapsibleMesh); flip: the

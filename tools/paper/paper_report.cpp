@@ -1,11 +1,11 @@
 // The figures of `restrip paper` as CSV, JSON and text.
+#include "paper/paper_report.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
-
-#include "paper/paper_report.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -60,11 +60,11 @@ std::vector<files::NamedBytes> csv_files(const std::vector<PaperMesh>& meshes) {
               row.paper ? fmt::format("{}", *row.paper) : std::string());
     for (const PolicyRun& run : mesh.runs) {
       add_row(isolating, "{},{},{},{},{:.2f}", name, run.name, run.splits, run.isolating, run.isolating_percent());
-      for (const StripCount& level : run.levels)
+      for (const Level& level : run.levels)
         add_row(strips, "{},{},{},{},{}", name, run.name, level.triangles, level.strips, level.isolated);
     }
     for (const ScratchRun& run : mesh.scratch)
-      for (const StripCount& level : run.levels)
+      for (const Level& level : run.levels)
         add_row(strips, "{},{},{},{},{}", name, run.name, level.triangles, level.strips, level.isolated);
   }
   return {{"valence.csv", valence}, {"isolating.csv", isolating}, {"strips.csv", strips}};
@@ -90,39 +90,105 @@ std::string as_text(const std::vector<PaperMesh>& meshes) {
   return text;
 }
 
-std::string as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes) {
-  using Json = nlohmann::ordered_json;
-  const auto levels_of = [](const std::vector<StripCount>& levels) {
-    Json json = Json::array();
-    for (const StripCount& l : levels)
-      json.push_back(Json{{"triangles", l.triangles}, {"strips", l.strips}, {"isolated", l.isolated}});
-    return json;
-  };
-  Json json{{"split_positions", figures.positions.size()}, {"lonely", Json::array()}, {"meshes", Json::array()}};
-  for (const LonelyCount& count : figures.lonely)
-    json["lonely"].push_back(Json{{"k", count.at.k},
-                                  {"a", count.at.a},
-                                  {"valid", count.valid},
-                                  {"lonely", count.lonely},
-                                  {"rule_isolates", count.isolated},
-                                  {"rule_adds_strip", count.adding_strip}});
-  for (const PaperMesh& mesh : meshes) {
-    Json one{{"mesh", mesh.name},
-             {"triangles", mesh.triangles},
-             {"base_triangles", mesh.base_triangles},
-             {"equals_paper", mesh.paper ? Json(mesh.equals_paper()) : Json(nullptr)},
-             {"policies", Json::array()},
-             {"scratch", Json::array()},
-             {"faults", mesh.faults}};
-    for (const PolicyRun& run : mesh.runs)
-      one["policies"].push_back(Json{{"policy", run.name},
-                                     {"splits", run.splits},
-                                     {"isolating", run.isolating},
-                                     {"levels", levels_of(run.levels)}});
-    for (const ScratchRun& run : mesh.scratch)
-      one["scratch"].push_back(Json{{"name", run.name}, {"levels", levels_of(run.levels)}});
-    json["meshes"].push_back(std::move(one));
-  }
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const RuleOfOrbit& rule) {
+  return {{"loop", rule.loop},     {"ports", rule.ports},       {"inner", rule.inner},
+          {"strips", rule.strips}, {"isolated", rule.isolated}, {"orbit", rule.orbit}};
+}
+
+Json json_of(const LonelyRule& lonely) {
+  Json json = json_of(lonely.rule);
+  json["whole"] = lonely.whole;
+  json["isolated_if_whole"] = lonely.isolated_if_whole;
+  return json;
+}
+
+Json json_of(const Level& level) {
+  return {{"triangles", level.triangles}, {"strips", level.strips}, {"isolated", level.isolated}};
+}
+
+Json json_of(const ValenceRow& row) {
+  return {{"triangles", row.triangles},
+          {"vertices", row.vertices},
+          {"percent", row.percent},
+          {"paper", row.paper ? Json(*row.paper) : Json(nullptr)}};
+}
+
+Json json_of(const SplitPosition& at) { return {{"k", at.k}, {"a", at.a}}; }
+Json json_of(const PolicyRun& run);
+Json json_of(const ScratchRun& run);
+Json json_of(const LonelyCount& count);
+Json json_of(const RuleFigures::FourVertex& four);
+Json json_of(const PaperMesh& mesh);
+
+template <class Item>
+Json list_of(const std::vector<Item>& items) {
+  Json json = Json::array();
+  for (const Item& item : items) json.push_back(json_of(item));
+  return json;
+}
+
+Json json_of(const PolicyRun& run) {
+  return {{"policy", run.name},   {"says", run.says},           {"of_paper", run.of_paper},
+          {"splits", run.splits}, {"isolating", run.isolating}, {"levels", list_of(run.levels)}};
+}
+
+Json json_of(const ScratchRun& run) {
+  return {{"name", run.name}, {"says", run.says}, {"levels", list_of(run.levels)}};
+}
+
+Json json_of(const LonelyCount& count) {
+  return {{"k", count.at.k},
+          {"a", count.at.a},
+          {"valid", count.valid},
+          {"lonely", count.lonely},
+          {"rule_isolates", count.isolated},
+          {"rule_adds_strip", count.adding_strip},
+          {"orbits", list_of(count.orbits)}};
+}
+
+Json json_of(const RuleFigures::FourVertex& four) {
+  return {
+      {"a", four.at.a}, {"loop_orbits", four.loops}, {"by_loop", list_of(four.by_loop)}, {"all", list_of(four.all)}};
+}
+
+Json json_of(const PaperRow& row) {
+  return {{"mesh", row.mesh},
+          {"isolating_percent", row.isolating_percent ? Json(*row.isolating_percent) : Json(nullptr)}};
+}
+
+Json json_of(const PaperMesh& mesh) {
+  Json by_valence = Json::object();
+  for (std::size_t k = 0; k < mesh.splits_by_valence.size(); ++k)
+    if (mesh.splits_by_valence[k] != 0) by_valence[std::to_string(k)] = mesh.splits_by_valence[k];
+  return {{"mesh", mesh.name},
+          {"triangles", mesh.triangles},
+          {"base_triangles", mesh.base_triangles},
+          {"used_vertices", mesh.survey.used_vertices},
+          {"paper", mesh.paper ? json_of(*mesh.paper) : Json(nullptr)},
+          {"equals_paper", mesh.paper ? Json(mesh.equals_paper()) : Json(nullptr)},
+          {"valence", list_of(valence_rows(mesh))},
+          {"splits_by_valence", std::move(by_valence)},
+          {"policies", list_of(mesh.runs)},
+          {"scratch", list_of(mesh.scratch)},
+          {"faults", mesh.faults}};
+}
+
+}  // namespace
+
+std::string as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes, const PaperOptions& options) {
+  const Json json{{"base", options.simplify.base},
+                  {"boundary", options.simplify.boundary == BoundaryPolicy::lock ? "lock" : "move"},
+                  {"levels", options.levels},
+                  {"table_max_k", table_max_k},
+                  {"split_positions", figures.positions.size()},
+                  {"positions", list_of(figures.positions)},
+                  {"four_vertex", list_of(figures.four)},
+                  {"lonely", list_of(figures.lonely)},
+                  {"meshes", list_of(meshes)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

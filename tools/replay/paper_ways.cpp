@@ -1,0 +1,158 @@
+#include "replay/paper_ways.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "lod/coloring_check.hpp"
+#include "restrip/mesh/walks.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/search/strip_index.hpp"
+#include "restrip/search/tunnel.hpp"
+
+namespace restrip::tools {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+using Where = VertexSplit<Halfedge>;
+using Spokes = Where::Spokes;
+
+bool around_four_triangles(const StripMesh& mesh, Halfedge spoke) {
+  Halfedge h = spoke;
+  for (int i = 0; i < 4; ++i) {
+    if (StripMesh::on_boundary(h) || (i > 0 && h == spoke)) return false;
+    h = turn_ccw(mesh, h);
+  }
+  return h == spoke;
+}
+
+/// Both halves of a cut edge take its colour. `inner`: the side of the new triangle on the chord.
+void inherit(StripMesh& mesh, Halfedge inner, bool solid) {
+  if (!solid) return;  // a new triangle's edges are dashed, and the mesh may end at one of them
+  mesh.set_solid(StripMesh::next(inner), true);
+  mesh.set_solid(StripMesh::next(StripMesh::next(inner)), true);
+}
+
+/// With `tunnel`: tunnels from isolated triangles while they are more than a tenth of the strips, the threshold of
+/// Porcu, Sanna, Scateni, "Efficiently keeping an optimal stripification over a CLOD mesh", 2005.
+class Paper {
+ public:
+  Paper(StripMesh& mesh, bool join, bool tunnel) : mesh_(mesh), join_(join) {
+    if (tunnel) {
+      index_.emplace();
+      restart(0);
+    }
+  }
+
+  Halfedge split(const Where& where, Vertex v_t, std::size_t) {
+    fan_triangles(mesh_, where.spokes == Spokes::right_only ? where.right : where.left, patch_);
+    before();
+    const Halfedge chord = split_as_the_paper(mesh_, where, v_t, join_);
+    edge_triangles(mesh_, chord, patch_);
+    after();
+    return chord;
+  }
+  Halfedge collapse(Halfedge chord, std::size_t) {
+    edge_triangles(mesh_, chord, patch_);
+    before();
+    const Halfedge spoke = restrip::collapse(mesh_, chord).halfedge;
+    fan_triangles(mesh_, spoke, patch_);
+    after();
+    return spoke;
+  }
+  Halfedge flip(Halfedge h) {
+    patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_.opposite(h))});
+    before();
+    const Halfedge turned = restrip::flip(mesh_, h).halfedge;
+    after();
+    // It may give ports up, and so isolate a triangle beside the patch.
+    for (const Triangle t : patch_)
+      for (unsigned side = 0; side < 3; ++side)
+        if (const Halfedge across = mesh_.opposite(StripMesh::halfedge(t, side));
+            index_ && !StripMesh::on_boundary(across))
+          note(StripMesh::triangle(across));
+    return turned;
+  }
+
+  Mending between() {
+    if (!index_) return {};
+    // Some have found a strip meanwhile, some were noted twice, some are no more.
+    const auto too_many = [&](std::size_t lonely) { return 10 * lonely > index_->strips(); };
+    if (!too_many(alone_.size())) return {};
+    std::sort(alone_.begin(), alone_.end());
+    alone_.erase(std::unique(alone_.begin(), alone_.end()), alone_.end());
+    std::erase_if(alone_, [&](Triangle t) { return !alone(t); });
+    const std::size_t strips = index_->strips();
+    const std::ptrdiff_t isolated = tunnel_.counts().isolated;
+    std::vector<Triangle> left;
+    for (; !alone_.empty() && too_many(alone_.size() + left.size()); alone_.pop_back()) {
+      const Triangle t = alone_.back();
+      if (alone(t) && !tunnel_.join(mesh_, *index_, t, short_tunnel)) left.push_back(t);
+    }
+    alone_.insert(alone_.end(), left.begin(), left.end());
+    return {-static_cast<int>(strips - index_->strips()), static_cast<int>(tunnel_.counts().isolated - isolated)};
+  }
+
+  void restart(std::size_t) {
+    if (!index_) return;
+    index_->rebuild(mesh_);
+    alone_.clear();
+    for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) note(t);
+  }
+  [[nodiscard]] std::string fault() const { return index_ ? find_fault(mesh_, *index_) : std::string(); }
+
+ private:
+  static constexpr std::uint32_t short_tunnel = 50;  // states: chains of four moves or so
+
+  [[nodiscard]] bool alone(Triangle t) const { return mesh_.alive(t) && mesh_.solid_degree(t) == 0; }
+  void note(Triangle t) {
+    if (alone(t)) alone_.push_back(t);
+  }
+  void before() {
+    if (index_) index_->before_patch(mesh_, patch_);
+  }
+  void after() {
+    if (!index_) return;
+    index_->after_patch(mesh_, patch_);
+    for (const Triangle t : patch_) note(t);
+  }
+
+  StripMesh& mesh_;
+  bool join_;
+  std::optional<StripIndex> index_;  // of those that tunnel
+  Tunnel tunnel_;
+  std::vector<Triangle> patch_;
+  std::vector<Triangle> alone_;  ///< every isolated triangle, and some that no longer are
+};
+
+Way way(const char* name, const char* says, bool join, bool tunnel) {
+  return {name, says, Way::Kind::paper, [join, tunnel](StripMesh& mesh, const Beginning&) {
+            return std::make_unique<UpkeepBy<Paper>>(mesh, join, tunnel);
+          }};
+}
+
+}  // namespace
+
+Halfedge split_as_the_paper(StripMesh& mesh, const Where& where, Vertex v_t, bool join) {
+  if (where.spokes == Spokes::both && around_four_triangles(mesh, where.left))
+    return restrip::split(mesh, where, v_t).halfedge;
+  const bool has_left = where.spokes != Spokes::right_only;
+  const bool has_right = where.spokes != Spokes::left_only;
+  const bool left = has_left && mesh.solid(where.left);
+  const bool right = has_right && mesh.solid(where.right);
+  const Halfedge chord = mesh.insert_vertex(where, v_t);
+  inherit(mesh, chord, left);
+  inherit(mesh, mesh.opposite(chord), right);
+  if (join && has_left && has_right && !left && !right) mesh.set_solid(chord, true);
+  return chord;
+}
+
+std::vector<Way> paper_ways() {
+  return {way("paper", "4-vertex rules; elsewhere colours are inherited, two lonely triangles join", true, false),
+          way("paper-alone", "the same, but the two new triangles never join", false, false),
+          way("paper-tunnel", "as paper, with short tunnels while over a tenth of the strips are lonely triangles",
+              true, true),
+          way("paper-alone-tunnel", "as paper-alone, with the same tunnels", false, true)};
+}
+
+}  // namespace restrip::tools

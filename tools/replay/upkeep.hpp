@@ -1,0 +1,201 @@
+// Upkeep: the strips of one mesh, kept while it changes. Every way of keeping strips is one of these (ways.hpp has the
+// list), and replays, walks, benchmarks and the paper's report know nothing else.
+//
+// Single operations are virtual and say what they did. The loops are for whoever holds a clock: they choose the way
+// once and have no virtual call inside, and what an operation did is left unsaid.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lod/progressive_mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/checked.hpp"
+
+namespace restrip::tools {
+
+/// An operation that plays no record of a progressive mesh.
+inline constexpr std::size_t no_record = static_cast<std::size_t>(-1);
+
+/// A split whose spokes are known.
+struct NamedSplit {
+  VertexSplit<StripMesh::Halfedge> where;
+  Vertex v_t = none;  ///< the new vertex
+};
+
+class Upkeep {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+  using Where = VertexSplit<Halfedge>;
+
+  Upkeep() = default;
+  Upkeep(const Upkeep&) = delete;
+  Upkeep& operator=(const Upkeep&) = delete;
+  virtual ~Upkeep() = default;
+
+  [[nodiscard]] virtual const StripMesh& mesh() const = 0;
+
+  /// Preconditions and results are those of operations.hpp; `strips` and `isolated` are those of the whole mesh.
+  /// `record`: the number of the record that is played, or no_record; strips that were decided beforehand want to know.
+  virtual Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) = 0;
+  virtual Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) = 0;
+  virtual Rewrite<Halfedge> flip(Halfedge h) = 0;
+  Rewrite<Halfedge> split(const Where& where, Vertex v_t) { return split(where, v_t, no_record); }
+  Rewrite<Halfedge> collapse(Halfedge chord) { return collapse(chord, no_record); }
+  /// What the way does to all strips between two operations, mostly nothing. To be called after each single operation;
+  /// the loops do so themselves.
+  virtual Mending between() = 0;
+
+  /// Splits record after record, finding the spokes by their vertices; the first has the number `first`.
+  virtual void play_up(std::span<const Record> records, std::size_t first) = 0;
+  /// Collapses them again, the last one first.
+  virtual void play_down(std::span<const Record> records, std::size_t first) = 0;
+  /// `chords` receives what each split returns.
+  virtual void split_all(std::span<const NamedSplit> splits, std::span<Halfedge> chords) = 0;
+  virtual void collapse_all(std::span<const Halfedge> chords) = 0;
+  /// Each edge is replaced by the turned one.
+  virtual void flip_all(std::span<Halfedge> edges) = 0;
+
+  /// The mesh or its colours have been changed by others, to that level of the progressive mesh: reads it anew.
+  virtual void restart(std::size_t level) = 0;
+  /// What is wrong with what is kept beside the mesh; empty when nothing is.
+  [[nodiscard]] virtual std::string fault() const = 0;
+};
+static_assert(KeepsStrips<Upkeep>);
+
+/// Tells what an operation did by counting strips and isolated triangles in and around its patch before and after, for
+/// operations that do not tell. `elsewhere`: dual edges outside the patch whose colour it changes, named as they are
+/// after a split and before a collapse. Time linear in both, but for a logarithm.
+class Witness {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+
+  using Edges = std::span<const Halfedge>;
+  void before_split(const StripMesh& mesh, const VertexSplit<Halfedge>& where, Edges elsewhere = {});
+  [[nodiscard]] Rewrite<Halfedge> after_split(const StripMesh& mesh, Halfedge chord, Edges elsewhere = {});
+  void before_collapse(const StripMesh& mesh, Halfedge chord, Edges elsewhere = {});
+  [[nodiscard]] Rewrite<Halfedge> after_collapse(const StripMesh& mesh, Halfedge spoke, Edges elsewhere = {});
+  void before_flip(const StripMesh& mesh, Halfedge h);
+  [[nodiscard]] Rewrite<Halfedge> after_flip(const StripMesh& mesh, Halfedge turned);
+
+ private:
+  struct Count {
+    int strips = 0;  // but for a constant: triangles less solid edges
+    int isolated = 0;
+  };
+  Count count(const StripMesh& mesh, Edges elsewhere);
+  Rewrite<Halfedge> told(const StripMesh& mesh, Halfedge h, Edges elsewhere);
+
+  std::vector<Triangle> patch_;
+  std::size_t valence_ = 0;
+  Count before_;
+};
+
+/// An upkeep by a class of operations on a mesh, which has
+///   split(where, v_t, record), collapse(chord, record), flip(h): each returns a Rewrite, or a Halfedge alone, and then
+///     a witness tells the rest; or a Rewrite that tells too little, and then split_and_tell and collapse_and_tell do,
+/// and where it needs them between(), restart(level) and fault().
+template <class Operations>
+class UpkeepBy final : public Upkeep {
+ public:
+  template <class... Arguments>
+  explicit UpkeepBy(StripMesh& mesh, Arguments&&... arguments)
+      : mesh_(&mesh), operations_(mesh, std::forward<Arguments>(arguments)...) {}
+
+  using Upkeep::collapse;
+  using Upkeep::split;
+
+  [[nodiscard]] const StripMesh& mesh() const override { return *mesh_; }
+
+  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) override {
+    if constexpr (requires { operations_.split_and_tell(where, v_t, record); }) {
+      return operations_.split_and_tell(where, v_t, record);
+    } else if constexpr (tells) {
+      return operations_.split(where, v_t, record);
+    } else {
+      witness_.before_split(*mesh_, where);
+      return witness_.after_split(*mesh_, operations_.split(where, v_t, record));
+    }
+  }
+  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) override {
+    if constexpr (requires { operations_.collapse_and_tell(chord, record); }) {
+      return operations_.collapse_and_tell(chord, record);
+    } else if constexpr (tells) {
+      return operations_.collapse(chord, record);
+    } else {
+      witness_.before_collapse(*mesh_, chord);
+      return witness_.after_collapse(*mesh_, operations_.collapse(chord, record));
+    }
+  }
+  Rewrite<Halfedge> flip(Halfedge h) override {
+    if constexpr (tells) {
+      return operations_.flip(h);
+    } else {
+      witness_.before_flip(*mesh_, h);
+      return witness_.after_flip(*mesh_, operations_.flip(h));
+    }
+  }
+  Mending between() override {
+    if constexpr (requires { operations_.between(); })
+      return operations_.between();
+    else
+      return {};
+  }
+
+  void play_up(std::span<const Record> records, std::size_t first) override {
+    for (const Record& record : records) {
+      operations_.split(spokes_of(*mesh_, record), record.v_t, first++);
+      UpkeepBy::between();
+    }
+  }
+  void play_down(std::span<const Record> records, std::size_t first) override {
+    for (std::size_t i = records.size(); i-- > 0;) {
+      operations_.collapse(mesh_->spoke(records[i].v_s, records[i].v_t), first + i);
+      UpkeepBy::between();
+    }
+  }
+  void split_all(std::span<const NamedSplit> splits, std::span<Halfedge> chords) override {
+    for (std::size_t i = 0; i < splits.size(); ++i) {
+      chords[i] = halfedge_of(operations_.split(splits[i].where, splits[i].v_t, no_record));
+      UpkeepBy::between();
+    }
+  }
+  void collapse_all(std::span<const Halfedge> chords) override {
+    for (const Halfedge chord : chords) {
+      operations_.collapse(chord, no_record);
+      UpkeepBy::between();
+    }
+  }
+  void flip_all(std::span<Halfedge> edges) override {
+    for (Halfedge& h : edges) {
+      h = halfedge_of(operations_.flip(h));
+      UpkeepBy::between();
+    }
+  }
+
+  void restart(std::size_t level) override {
+    if constexpr (requires { operations_.restart(level); }) operations_.restart(level);
+  }
+  [[nodiscard]] std::string fault() const override {
+    if constexpr (requires { operations_.fault(); })
+      return operations_.fault();
+    else
+      return {};
+  }
+
+ private:
+  static constexpr bool tells = std::same_as<decltype(std::declval<Operations&>().flip(Halfedge{})), Rewrite<Halfedge>>;
+  static Halfedge halfedge_of(const Rewrite<Halfedge>& done) { return done.halfedge; }
+  static Halfedge halfedge_of(Halfedge h) { return h; }
+
+  StripMesh* mesh_;
+  Operations operations_;
+  Witness witness_;
+};
+
+}  // namespace restrip::tools
