@@ -159,48 +159,57 @@ TEST(Key, RandomLargeConfigurations) {
     const std::size_t i = random() % k;
     const std::size_t j = i + 1 + random() % (k - i);
     const std::size_t a = 1 + random() % (k - 1);
-    const auto family = static_cast<int>(random() % 5);
-    const naive::Patch patch = family == 0   ? naive::closed_fan(k)
-                               : family == 1 ? naive::open_fan(k)
-                               : family == 2 ? naive::ring_with_chord(k, a)
-                               : family == 3 ? naive::path_with_chord(k, i, j)
-                                             : naive::path(k, i);
-    SCOPED_TRACE("k " + std::to_string(k) + " family " + std::to_string(family) + " run " + std::to_string(run));
-    naive::Bits inner;
-    naive::Bits ports;
-    color_at_random(patch, random, inner, ports);
-    const naive::Analysis truth = naive::analyze(patch, inner, ports);
-    ASSERT_TRUE(truth.valid);
-    const naive::Pairs expected = naive::pairs_of(patch, ports, naive::key_of(patch, ports, truth.joined));
-    const std::vector<Word> inner_words = naive::words_of(inner);
-    const std::vector<Word> port_words = naive::words_of(ports);
-    const BitSpan in{inner_words.data()};
-    const BitSpan p{port_words.data()};
-    std::vector<Word> out(words_for(k), ~Word{0});
-    const MutableBitSpan to{out.data()};
-    bool valid = false;
-    if (family == 0) joined_closed(k, in, p, to), valid = valid_closed(k, in, p);
-    if (family == 1) joined_open(k, in, p, to), valid = valid_open(k, in, p);
-    if (family == 2) joined_ring(k, a, in, p, to), valid = valid_ring(k, a, in, p);
-    if (family == 3) joined_path_with_chord(k, i, j, in, p, to), valid = valid_path_with_chord(k, i, j, in, p);
-    if (family == 4) joined_path(k, i, in, p, to), valid = valid_path(k, i, in, p);
-    EXPECT_TRUE(valid);
-    EXPECT_EQ(naive::pairs_of(patch, ports, naive::bits_from(out, k)), expected);
-    if (k > max_word_valence) continue;
-    const Word m = naive::mask_of(inner);
-    const Word q = naive::mask_of(ports);
-    const Word joined = family == 0   ? joined_closed(k, m, q)
-                        : family == 1 ? joined_open(k, m, q)
-                        : family == 2 ? joined_ring(k, a, m, q)
-                        : family == 3 ? joined_path_with_chord(k, i, j, m, q)
-                                      : joined_path(k, i, m, q);
-    const bool valid_word = family == 0   ? valid_closed(k, m, q)
-                            : family == 1 ? valid_open(k, m, q)
-                            : family == 2 ? valid_ring(k, a, m, q)
-                            : family == 3 ? valid_path_with_chord(k, i, j, m, q)
-                                          : valid_path(k, i, m, q);
-    EXPECT_TRUE(valid_word);
-    EXPECT_EQ(naive::pairs_of(patch, ports, naive::bits_of(joined, k)), expected);
+    // The colours of one patch, as spans and, where they fit, as words: joined(colors…) and valid(colors…) for both.
+    const auto check = [&](const char* family, const naive::Patch& patch, const auto& joined, const auto& valid) {
+      SCOPED_TRACE("k " + std::to_string(k) + ", " + family + ", run " + std::to_string(run));
+      naive::Bits inner;
+      naive::Bits ports;
+      color_at_random(patch, random, inner, ports);
+      const naive::Analysis truth = naive::analyze(patch, inner, ports);
+      ASSERT_TRUE(truth.valid);
+      const naive::Pairs expected = naive::pairs_of(patch, ports, naive::key_of(patch, ports, truth.joined));
+      const std::vector<Word> inner_words = naive::words_of(inner);
+      const std::vector<Word> port_words = naive::words_of(ports);
+      const BitSpan in{inner_words.data()};
+      const BitSpan p{port_words.data()};
+      std::vector<Word> out(words_for(k), ~Word{0});
+      joined(in, p, MutableBitSpan{out.data()});
+      EXPECT_TRUE(valid(in, p));
+      EXPECT_EQ(naive::pairs_of(patch, ports, naive::bits_from(out, k)), expected);
+      if (k > max_word_valence) return;
+      const Word m = naive::mask_of(inner);
+      const Word q = naive::mask_of(ports);
+      EXPECT_TRUE(valid(m, q));
+      EXPECT_EQ(naive::pairs_of(patch, ports, naive::bits_of(joined(m, q), k)), expected);
+    };
+    switch (random() % 5) {
+      case 0:
+        check(
+            "closed fan", naive::closed_fan(k), [&](auto... colors) { return joined_closed(k, colors...); },
+            [&](auto... colors) { return valid_closed(k, colors...); });
+        break;
+      case 1:
+        check(
+            "open fan", naive::open_fan(k), [&](auto... colors) { return joined_open(k, colors...); },
+            [&](auto... colors) { return valid_open(k, colors...); });
+        break;
+      case 2:
+        check(
+            "ring with chord", naive::ring_with_chord(k, a),
+            [&](auto... colors) { return joined_ring(k, a, colors...); },
+            [&](auto... colors) { return valid_ring(k, a, colors...); });
+        break;
+      case 3:
+        check(
+            "path with chord", naive::path_with_chord(k, i, j),
+            [&](auto... colors) { return joined_path_with_chord(k, i, j, colors...); },
+            [&](auto... colors) { return valid_path_with_chord(k, i, j, colors...); });
+        break;
+      default:
+        check(
+            "path", naive::path(k, i), [&](auto... colors) { return joined_path(k, i, colors...); },
+            [&](auto... colors) { return valid_path(k, i, colors...); });
+    }
   }
 }
 
