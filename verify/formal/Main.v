@@ -16,6 +16,7 @@ Require Import Arith Bool List NArith ZArith.
 Import ListNotations.
 Require Import Spec Graph Locality Strips Table Rows Linked Sequences.
 Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped LowerBound.
+Require EveryFan EverySplit EveryCollapse EveryOpen EveryBoundary EverySize EveryFigures.
 
 (** ** Graphs *)
 Theorem locality : forall p, sensible p (before p) -> sensible p (after p) -> forall s c x,
@@ -171,6 +172,81 @@ Theorem answers : Forall (fun '(k, a) => correct (split k a) (lookup (Split.full
 Proof. exact Answers.all_correct. Qed.
 Print Assumptions answers.
 
+(** ** Every k
+
+    The answers of [EveryFan.v] are computed by a fold along the fan that keeps, for each way in which what has been drawn so
+    far can meet the rest, one best colouring. They are correct for every number of triangles and every position, and keep
+    every mesh valid. The facts hold for every k, too, and with them for every correct table ([correct_tables_cost]): two correct
+    tables differ only in which of the best recolourings they give. *)
+Theorem every_split : forall k a, 3 <= k -> 1 <= a < k ->
+  correct (split k a) (EveryFan.split_answer k a) /\ safe (split k a) (EveryFan.split_answer k a).
+Proof. exact EveryFan.split_right. Qed.
+Print Assumptions every_split.
+(** At most one strip more, none when one of the arcs is a single triangle; isolated triangles never increase. *)
+Theorem every_split_facts : forall k a, 3 <= k -> 1 <= a < k ->
+  within (split k a) (EveryFan.split_answer k a) (if Nat.min a (k - a) =? 1 then 0 else 1) 0.
+Proof. exact EverySplit.split_within. Qed.
+Print Assumptions every_split_facts.
+Theorem every_collapse : forall k a, 3 <= k -> 1 <= a < k ->
+  correct (collapse k a) (EveryFan.collapse_answer k a) /\ safe (collapse k a) (EveryFan.collapse_answer k a).
+Proof. exact EveryFan.collapse_right. Qed.
+Print Assumptions every_collapse.
+(** At most one strip more; isolated triangles never increase. *)
+Theorem every_collapse_facts : forall k a, 3 <= k -> 1 <= a < k ->
+  within (collapse k a) (EveryFan.collapse_answer k a) 1 0.
+Proof. exact EveryCollapse.collapse_within. Qed.
+Print Assumptions every_collapse_facts.
+Theorem every_open_split : forall k i j, 1 <= k -> i < j <= k ->
+  correct (open_split k i j) (EveryFan.open_split_answer k i j) /\ safe (open_split k i j) (EveryFan.open_split_answer k i j).
+Proof. exact EveryFan.open_split_right. Qed.
+Print Assumptions every_open_split.
+(** At most one strip more, none for neighbouring gaps; isolated triangles never increase. *)
+Theorem every_open_split_facts : forall k i j, 1 <= k -> i < j <= k ->
+  within (open_split k i j) (EveryFan.open_split_answer k i j) (if j =? S i then 0 else 1) 0.
+Proof. exact EveryOpen.open_split_within. Qed.
+Print Assumptions every_open_split_facts.
+Theorem every_open_collapse : forall k i j, 1 <= k -> i < j <= k ->
+  correct (open_collapse k i j) (EveryFan.open_collapse_answer k i j) /\ safe (open_collapse k i j) (EveryFan.open_collapse_answer k i j).
+Proof. exact EveryFan.open_collapse_right. Qed.
+Print Assumptions every_open_collapse.
+(** At most one strip more; one isolated triangle more at most, and only when k is odd. *)
+Theorem every_open_collapse_facts : forall k i j, 1 <= k -> i < j <= k ->
+  within (open_collapse k i j) (EveryFan.open_collapse_answer k i j) 1 (if Nat.even k then 0 else 1).
+Proof. exact EveryBoundary.open_collapse_within. Qed.
+Print Assumptions every_open_collapse_facts.
+Theorem every_boundary_split : forall k i, 1 <= k -> i <= k ->
+  correct (boundary_split k i) (EveryFan.boundary_split_answer k i) /\ safe (boundary_split k i) (EveryFan.boundary_split_answer k i).
+Proof. exact EveryFan.boundary_split_right. Qed.
+Print Assumptions every_boundary_split.
+(** At most one strip more, none at gaps 1 and k - 1; one isolated triangle more at most, and only when k is even. *)
+Theorem every_boundary_split_facts : forall k i, 1 <= k -> i <= k ->
+  within (boundary_split k i) (EveryFan.boundary_split_answer k i) (if Nat.min i (k - i) =? 1 then 0 else 1) (if Nat.even k then 1 else 0).
+Proof. exact EveryBoundary.boundary_split_within. Qed.
+Print Assumptions every_boundary_split_facts.
+Theorem every_boundary_collapse : forall k i, 1 <= k -> i <= k ->
+  correct (boundary_collapse k i) (EveryFan.boundary_collapse_answer k i) /\ safe (boundary_collapse k i) (EveryFan.boundary_collapse_answer k i).
+Proof. exact EveryFan.boundary_collapse_right. Qed.
+Print Assumptions every_boundary_collapse.
+(** Never a strip more; one isolated triangle more at most, and only when k is odd. *)
+Theorem every_boundary_collapse_facts : forall k i, 1 <= k -> i <= k ->
+  within (boundary_collapse k i) (EveryFan.boundary_collapse_answer k i) 0 (if Nat.even k then 0 else 1).
+Proof. exact EveryBoundary.boundary_collapse_within. Qed.
+Print Assumptions every_boundary_collapse_facts.
+(** The known counts of valid configurations and of those that cost a strip, k = 3, 4, 5, out of these answers. *)
+Theorem every_counts : map (fun k => map (EveryFigures.split_counts k) (seq 1 (k / 2))) (seq 3 3) =
+  [[(44, 0)]; [(160, 0); (160, 2)]; [(572, 0); (572, 6)]]%N.
+Proof. exact EveryFigures.counted. Qed.
+Print Assumptions every_counts.
+Theorem correct_tables_agree : forall p T U s c x, correct p T -> correct p U -> length s = ports p ->
+  length c = length (inner (before p)) -> T s c = Some x ->
+  exists y, U s c = Some y /\ solids x = solids y /\ isolated (after p) s x = isolated (after p) s y.
+Proof. exact EverySize.correct_agree. Qed.
+Print Assumptions correct_tables_agree.
+Theorem correct_tables_cost : forall p T U strips alone, correct p T -> correct p U ->
+  within p T strips alone -> within p U strips alone.
+Proof. exact EverySize.correct_within. Qed.
+Print Assumptions correct_tables_cost.
+
 (** ** Linked rules
 
     Beside every outside the first alternative that is valid is as good as every recolouring that is valid there; and
@@ -215,6 +291,22 @@ Theorem half_as_many_strips : forall M told M', sequence Shipped.local_inside M 
   (2 * strips_of M' <= Z.of_nat (length (nodes M')))%Z.
 Proof. exact Shipped.half_as_many_strips. Qed.
 Print Assumptions half_as_many_strips.
+
+(** The same for fans of any size, whatever correct tables answer. *)
+Theorem every_sequence_valid : forall M told M', sequence EverySize.of_any_size M told M' -> valid (edges M) -> valid (edges M').
+Proof. exact EverySize.stays_valid. Qed.
+Print Assumptions every_sequence_valid.
+Theorem every_sequence_told : forall M told M', sequence EverySize.of_any_size M told M' -> (strips_of M' = strips_of M + told)%Z.
+Proof. exact EverySize.strips_told. Qed.
+Print Assumptions every_sequence_told.
+Theorem every_sequence_never_isolated : forall M told M', sequence EverySize.inside_of_any_size M told M' ->
+  none_isolated M -> none_isolated M'.
+Proof. exact EverySize.never_isolated. Qed.
+Print Assumptions every_sequence_never_isolated.
+Theorem every_sequence_half_as_many_strips : forall M told M', sequence EverySize.inside_of_any_size M told M' -> sane M ->
+  none_isolated M -> (2 * strips_of M' <= Z.of_nat (length (nodes M')))%Z.
+Proof. exact EverySize.half_as_many_strips. Qed.
+Print Assumptions every_sequence_half_as_many_strips.
 
 (** ** A lower bound
 

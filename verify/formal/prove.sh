@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Proves every shipped rule in Coq, from the bytes that ship. Safe to repeat, from any directory.
 #
-#   verify/formal/prove.sh           the theorems; coqchk for the theory and the flips (all but the tables of the fans)
+#   verify/formal/prove.sh           the theorems; coqchk for the theory, the flips, and the boundary of fans of every size
+#                                    (all but the tables of the fans and the larger sets of classes)
 #   verify/formal/prove.sh --full    coqchk for everything: an hour or more, without the virtual machine
 #
 # Prints the shipped tables and the certificates as Coq files into build/formal, compiles them with the theory of
@@ -109,7 +110,8 @@ took() {
 }
 say "coqchk (log: $out/coqchk.log)"
 checking=$SECONDS
-modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.LowerBound Restrip.Flip)
+modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.LowerBound Restrip.Flip
+  Restrip.EveryFan Restrip.Facts Restrip.EveryBoundary)
 [ "$full" = no ] || modules=(Restrip.Main)
 coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
 grep -q '^\* Axioms: <none>' "$out/coqchk.log"
@@ -124,9 +126,24 @@ for i in "${!theorems[@]}"; do
     valid_* | costing_*) files=(Figures) ;;
     wrong_* | careless_*) files=(Rejects) ;;
     answers) files=(Answers) ;;
+    every_sequence_*) files=(Sequences EverySize) ;;
+    every_*_facts)
+      family=${theorem#every_}
+      case ${family%_facts} in
+        split) files=(EverySplit) ;;
+        collapse) files=(EveryCollapse) ;;
+        open_split) files=(EveryOpen) ;;
+        *) files=(Parity EveryBoundary) ;;
+      esac
+      files+=(Serves Entries Classes Closure Facts)
+      ;;
+    every_counts) files=(EveryFigures) ;;
+    every_rule_pays) files=(LowerBound) ;;
+    every_*) files=(Frontier Fold Route EveryFan) ;;
+    correct_tables_*) files=(EverySize) ;;
     sequence_* | strips_counted | half_as_many_strips) files=(Sequences Shipped) ;;
     linked_*) files=(Linked LinkedTables Tables_linked_split Tables_linked_collapse) ;;
-    every_rule_pays | one_strip_* | no_rule_competes) files=(LowerBound) ;;
+    one_strip_* | no_rule_competes) files=(LowerBound) ;;
     split_* | collapse_* | open_split_* | open_collapse_* | boundary_split_* | boundary_collapse_* | flip_*)
       family=${theorem%_*}
       files=("Tables_$family" "$(sed -E 's/(^|_)([a-z])/\u\2/g' <<<"$family")")
