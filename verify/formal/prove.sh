@@ -117,7 +117,7 @@ coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
 grep -q '^\* Axioms: <none>' "$out/coqchk.log"
 checked=$((SECONDS - checking))
 
-printf '\n%-26s %8s  %s\n' theorem seconds "what it assumes"
+printf '\n%-34s %8s  %s\n' theorem seconds "what it assumes"
 for i in "${!theorems[@]}"; do
   theorem=${theorems[i]}
   case $theorem in
@@ -155,9 +155,9 @@ for i in "${!theorems[@]}"; do
       ;;
     *) files=() ;;
   esac
-  printf '%-26s %8s  %s\n' "$theorem" "$(took "${files[@]}")" "${said[i]}"
+  printf '%-34s %8s  %s\n' "$theorem" "$(took "${files[@]}")" "${said[i]}"
 done
-printf '%-26s %8s  %s\n' coqchk "$checked" "no axioms: ${modules[*]}"
+printf '%-34s %8s  %s\n' coqchk "$checked" "no axioms: ${modules[*]}"
 printf '\n%-26s %8s %12s  %s\n' "answers of the headers" positions proved "which positions"
 sum=0
 for line in "${printed[@]}"; do
