@@ -1,5 +1,10 @@
 #!/usr/bin/env python3
-"""Joins the library's headers and tables into one file: everything that restrip/restrip.hpp includes."""
+"""Joins the library's headers and tables into one file: everything that restrip/restrip.hpp includes.
+
+With --stand-ins, FILE lies in a folder restrip/, and beside it is written a file for every other header of the library:
+one that includes FILE, for a header that is part of it, and a copy of the others (batches, adapters). So sources that
+include single headers, as our tests do, can be compiled against FILE.
+"""
 import argparse
 import os
 import re
@@ -13,7 +18,7 @@ FIRST = "restrip/restrip.hpp"
 class Amalgamation:
     def __init__(self, folders):
         self.folders = folders
-        self.seen = set()
+        self.seen = set()  # names of headers, as they are included
         self.standard = set()
         self.lines = []
 
@@ -49,20 +54,46 @@ class Amalgamation:
         body.clear()
 
 
+def write(path, lines):
+    os.makedirs(os.path.dirname(path) or ".", exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def write_stand_ins(folder, joined):
+    for source in joined.folders:
+        for place, _, files in os.walk(source):
+            for name in (os.path.relpath(os.path.join(place, file), source) for file in files if file.endswith(".hpp")):
+                if name not in joined.seen:
+                    write(os.path.join(folder, name), joined.read(name))
+                elif name != FIRST:
+                    write(os.path.join(folder, name), ["#pragma once", f'#include "{FIRST}"'])
+
+
 def main():
     here = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    parser = argparse.ArgumentParser(description=__doc__, epilog="Example: scripts/amalgamate.py -o restrip.hpp")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+                                     epilog="Example: scripts/amalgamate.py -o restrip.hpp")
     parser.add_argument("-o", "--out", required=True, metavar="FILE")
+    parser.add_argument("--stand-ins", action="store_true", help="write the headers that include FILE as well")
+    parser.add_argument("--tables", metavar="FOLDER", help="take tables from here: the include folder that restrip-generate wrote")
     arguments = parser.parse_args()
-    joined = Amalgamation([os.path.join(here, "runtime/include"), os.path.join(here, "tables/include")])
+    if arguments.stand_ins and not os.path.abspath(arguments.out).endswith("/" + FIRST):
+        sys.exit(f"amalgamate.py: {arguments.out}: with --stand-ins the file must be called {FIRST}")
+    folders = [os.path.join(here, "runtime/include"), os.path.join(here, "tables/include")]
+    if arguments.tables:
+        if not os.path.exists(os.path.join(arguments.tables, "restrip/tables/split.hpp")):
+            sys.exit(f"amalgamate.py: {arguments.tables}: no tables there; make some with restrip-generate tables --out")
+        folders.insert(0, arguments.tables)
+    joined = Amalgamation(folders)
     joined.add(FIRST)
     with open(os.path.join(here, "LICENSE"), encoding="utf-8") as file:
         licence = ["// " + line if line else "//" for line in file.read().splitlines()]
     text = ["// restrip in one header, made by scripts/amalgamate.py. Do not edit.", "//"] + licence + ["#pragma once", ""]
     text += [f"#include <{name}>" for name in sorted(joined.standard)] + joined.lines
-    text = re.sub(r"\n{3,}", "\n\n", "\n".join(text)) + "\n"
-    with open(arguments.out, "w", encoding="utf-8") as file:
-        file.write(text)
+    write(arguments.out, re.sub(r"\n{3,}", "\n\n", "\n".join(text)).split("\n"))
+    if arguments.stand_ins:
+        write_stand_ins(os.path.dirname(os.path.dirname(os.path.abspath(arguments.out))), joined)
 
 
 main()

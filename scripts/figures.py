@@ -15,6 +15,7 @@ import re
 import subprocess
 import sys
 
+BARE = re.compile(r"^\|(?: *:?-+:? *\|)+$")
 BLOCK = re.compile(r"(<!-- figures: (?P<command>.+?) -->\n)(?P<table>.*?)(<!-- /figures -->)", re.S)
 
 
@@ -26,13 +27,37 @@ def output_of(command, meshes):
     return subprocess.run(command, shell=True, check=True, capture_output=True, text=True).stdout
 
 
+def list_bare(documents):
+    """Prints each table with a digit in it that no command writes; returns their number."""
+    count = 0
+    for document in documents:
+        with open(document, encoding="utf-8") as file:
+            lines = BLOCK.sub(lambda block: "\n" * block[0].count("\n"), file.read()).splitlines()
+        for number, line in enumerate(lines):
+            if not BARE.match(line):
+                continue
+            rows = []
+            for row in lines[number + 1:]:
+                if not row.startswith("|"):
+                    break
+                rows.append(row)
+            if re.search(r"\d", re.sub(r"\([^)]*\)|`[^`]*`", "", "\n".join(rows))):
+                count += 1
+                print(f"{document}:{number}: {lines[number - 1]}")
+    return count
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
                                      epilog="Example: RESTRIP_MESHES=meshes scripts/figures.py docs/strips.md")
     parser.add_argument("documents", nargs="+", metavar="DOCUMENT")
     parser.add_argument("--check", action="store_true", help="change nothing; exit with 1 where a table differs")
     parser.add_argument("--only", metavar="TEXT", help="only commands that contain this text")
+    parser.add_argument("--bare", action="store_true",
+                        help="run nothing; list the tables with figures that no command writes, and exit with 1 if there are any")
     arguments = parser.parse_args()
+    if arguments.bare:
+        sys.exit(1 if list_bare(arguments.documents) else 0)
     meshes = os.environ.get("RESTRIP_MESHES", "")
     different = skipped = same = 0
     for document in arguments.documents:

@@ -1,5 +1,5 @@
-# Builds a consumer's project, with every warning on and fatal, in one of three ways: an installed package, a
-# subdirectory, or headers copied by hand.
+# Builds a consumer's project, with every warning on and fatal, in one of four ways: an installed package, a
+# subdirectory, headers copied by hand, or the single header that is installed beside the package.
 file(REMOVE_RECURSE ${SCRATCH})
 file(MAKE_DIRECTORY ${SCRATCH})
 function(run)
@@ -11,6 +11,9 @@ if(WAY STREQUAL "package")
   list(APPEND arguments -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix)
 elseif(WAY STREQUAL "subdirectory")
   list(APPEND arguments -DRESTRIP_SOURCE=${ROOT})
+elseif(WAY STREQUAL "single")
+  run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix)
+  list(APPEND arguments -DRESTRIP_HEADERS=${SCRATCH}/prefix/share)
 else()
   file(COPY ${ROOT}/runtime/include/restrip ${ROOT}/tables/include/restrip DESTINATION ${SCRATCH}/headers)
   list(APPEND arguments -DRESTRIP_HEADERS=${SCRATCH}/headers)

@@ -1,4 +1,5 @@
-// A handler of the user's own takes the place of the abort, with NDEBUG as without it, and gets function and sentence.
+// Handlers of the user's own take the place of the abort, with NDEBUG as without it, and of the exceptions; they get
+// the sentence, that of a precondition the function as well.
 #include <stdexcept>
 #include <string>
 
@@ -6,10 +7,13 @@ inline void report(const char* function, const char* sentence) {
   throw std::logic_error(std::string(function) + ": " + sentence);
 }
 #define RESTRIP_ASSERT(condition, function, sentence) ((condition) ? static_cast<void>(0) : report(function, sentence))
+[[noreturn]] inline void refuse(const char* sentence) { throw std::string(sentence); }
+#define RESTRIP_THROW(exception, sentence) refuse(sentence)
 
 #include <gtest/gtest.h>
 
 #include "restrip/operations/operations.hpp"
+#include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -27,6 +31,17 @@ TEST(PreconditionHandler, IsCalledInPlaceOfTheAbort) {
   EXPECT_EQ(mesh.triangle_count(), 8U);
   split(mesh, {h, turn_ccw(mesh, h)});
   EXPECT_EQ(mesh.triangle_count(), 10U);
+}
+
+TEST(InputHandler, IsCalledInPlaceOfTheException) {
+  StripMesh mesh = sample::octahedron();
+  for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(0, side), true);
+  try {
+    EXPECT_EQ(count_strips(mesh), 0U);
+    FAIL() << "nothing thrown";
+  } catch (const std::string& sentence) {
+    EXPECT_EQ(sentence, "restrip: the colouring is not valid: a triangle has three solid dual edges");
+  }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What happens when a caller breaks a precondition.
+// What happens when a caller breaks a precondition, and when an input turns out to be one that restrip cannot take.
 //
 // Every public function checks what it asks of its caller through one macro:
 //
@@ -15,12 +15,17 @@
 //
 // A check costs O(valence) at most, so that debug builds stay usable. For operations of unknown origin do not rely on
 // it: checks.hpp asks the same questions and answers with a value, in every build.
+//
+// Some inputs are found to be wrong only while they are read: a colouring that is not valid, more triangles than a
+// StripMesh can hold. That is an error in every build, and goes through a second macro:
+//
+//   RESTRIP_THROW(exception, sentence)
+//
+// It throws exception(sentence), a class of <stdexcept>. Where a program is compiled without exceptions
+// (-fno-exceptions), it prints the sentence and aborts. This is what the comments of the headers mean by "throws"; what
+// becomes of std::bad_alloc without exceptions is up to the standard library. You may define this macro too; what you
+// put in its place must not return.
 #pragma once
-
-#ifndef RESTRIP_ASSERT
-#ifdef NDEBUG
-#define RESTRIP_ASSERT(condition, function, sentence) static_cast<void>(0)
-#else
 
 #include <cstdio>
 #include <cstdlib>
@@ -33,9 +38,26 @@ namespace restrip::detail {
   std::abort();
 }
 
+[[noreturn]] inline void input_refused(const char* sentence) noexcept {
+  std::fprintf(stderr, "%s\n", sentence);
+  std::abort();
+}
+
 }  // namespace restrip::detail
 
+#ifndef RESTRIP_ASSERT
+#ifdef NDEBUG
+#define RESTRIP_ASSERT(condition, function, sentence) static_cast<void>(0)
+#else
 #define RESTRIP_ASSERT(condition, function, sentence) \
   ((condition) ? static_cast<void>(0) : ::restrip::detail::precondition_failed(function, sentence, __FILE__, __LINE__))
+#endif
+#endif
+
+#ifndef RESTRIP_THROW
+#ifdef __cpp_exceptions
+#define RESTRIP_THROW(exception, sentence) throw exception(sentence)
+#else
+#define RESTRIP_THROW(exception, sentence) ::restrip::detail::input_refused(sentence)
 #endif
 #endif

@@ -11,6 +11,8 @@
 //   search/                  what looks further than a patch: strips from scratch, keepers with a policy
 //
 // Not included here: operations/batch.hpp (needs threads), mesh/adapters/ (need OpenMesh or CGAL).
+//
+// scripts/amalgamate.py makes one file of all this.
 #pragma once
 
 #include "restrip/mesh/checks.hpp"

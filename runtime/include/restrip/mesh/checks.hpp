@@ -4,10 +4,9 @@
 //  - its halfedges are those of the mesh, and the vertices v_h, v_s, v_t, v_l, v_r that it names are regular
 //    (StripMesh::irregular), but for the new one, which has no triangle yet;
 //  - closed fans that are split have three triangles or more;
-//  - the mesh after it is as good as the one before: no edge of three triangles, no new irregular vertex, every
-//  interior
-//    vertex of the operation with three triangles or more, no vertex lost but the one that a collapse removes, the same
-//    topology.
+//  - the mesh after it is as good as the one before: no edge of three triangles, no new irregular vertex, three
+//    triangles or more at every interior vertex of the operation, no vertex lost but the one that a collapse removes,
+//    the same topology.
 //
 // In debug builds (precondition.hpp) operations call these and abort on a refusal; with NDEBUG they check nothing. For
 // operations of unknown origin call these first, or checked_split() and friends (checked.hpp).

@@ -3,13 +3,15 @@
 
 #include <stdexcept>
 
+#include "restrip/precondition.hpp"
+
 namespace restrip::detail {
 
 [[noreturn]] inline void throw_three_solid_edges() {
-  throw std::invalid_argument("restrip: the colouring is not valid: a triangle has three solid dual edges");
+  RESTRIP_THROW(std::invalid_argument, "restrip: the colouring is not valid: a triangle has three solid dual edges");
 }
 [[noreturn]] inline void throw_solid_cycle() {
-  throw std::invalid_argument("restrip: the colouring is not valid: solid dual edges close a cycle");
+  RESTRIP_THROW(std::invalid_argument, "restrip: the colouring is not valid: solid dual edges close a cycle");
 }
 
 }  // namespace restrip::detail

@@ -1,6 +1,6 @@
 // What restrip asks of a mesh: five small functions to walk it and colour its dual edges, one more for each operation.
 //
-// Nobody has to adopt our mesh. Write an adapter with the members below around your own structure
+// You need not use our mesh. Write an adapter with the members below around your own structure
 // (adapters/openmesh.hpp and adapters/cgal.hpp are two, StripMesh models the concepts directly) and hand it to split(),
 // collapse() and flip().
 //

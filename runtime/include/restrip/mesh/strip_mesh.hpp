@@ -30,7 +30,7 @@ inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 #define RESTRIP_MAX_TRIANGLES ((std::size_t{1} << 29) - 1)
 #endif
 
-/// What StripMesh::build found in its input. Nothing is repaired in silence: every triangle of the input is either in
+/// What StripMesh::build found in its input. Nothing is repaired silently: every triangle of the input is either in
 /// the mesh or counted here as left out.
 struct BuildReport {
   std::size_t degenerate_triangles = 0;    ///< left out: a corner twice
@@ -171,9 +171,10 @@ class StripMesh {
   /// See FlippableMesh. Precondition: check_flip() grants it.
   Halfedge turn_edge(Halfedge h);
 
-  // ---- insertion and removal in two steps, for batches (batch.hpp): one thread takes handles and gives them back, in
-  // a
-  // ---- fixed order; between the two, insertions and removals on disjoint patches may run at the same time
+  // ---- insertion and removal in two steps, for batches (batch.hpp)
+  // One thread takes handles and gives them back, in a fixed order; between the two, insertions and removals on
+  // disjoint patches may run at the same time.
+
   /// The handles that an insertion takes and a removal gives back; `none` for the triangle that a one-sided operation
   /// does not have.
   struct Room {
@@ -197,8 +198,8 @@ class StripMesh {
 
   // ---- what has changed
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
-  /// appended to *changed, some of them more than once. Null: no longer. Not for batches. When
-  /// *changed cannot grow for want of memory, std::terminate is called.
+  /// appended to *changed, some of them more than once. Null: no longer. Not for batches. When *changed cannot grow for
+  /// want of memory, std::terminate is called.
   ///
   /// A copy of the mesh is not watched. Moving the mesh takes its watch along: the new mesh is watched, the one moved
   /// from no longer. A mesh that is assigned to keeps its own watch, unless a watched mesh is moved into it. The
@@ -237,7 +238,7 @@ class StripMesh {
   // A side of a triangle alive, seen from either side: alive(h), but while an operation is under way.
   [[nodiscard]] bool is_side(Halfedge h) const noexcept { return side(h) < 3 && alive(triangle(h)); }
 
-  // Sides are as good as random: a branch would be guessed wrong one time in three.
+  // Sides are as good as random: a branch would mispredict one time in three.
   [[nodiscard]] static constexpr unsigned side_after(unsigned s) noexcept { return 0b00'10'01U >> (2 * s) & 3U; }
   [[nodiscard]] static constexpr unsigned side_before(unsigned s) noexcept { return 0b01'00'10U >> (2 * s) & 3U; }
   static constexpr std::uint32_t outside = 1U << 31;
@@ -248,7 +249,7 @@ class StripMesh {
     std::array<std::uint32_t, 3> link;  // opposite halfedge << 1 | solid, or edge_of_mesh
   };
 
-  // Whoever watches a mesh watches this one, wherever it is moved, not what is copied from it or into it.
+  // A watch stays with the mesh that is watched, wherever that is moved; copies are not watched.
   struct Watch {
     std::vector<Triangle>* changed = nullptr;
     Watch() = default;

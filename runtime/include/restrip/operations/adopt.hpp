@@ -2,10 +2,9 @@
 //
 // Splits and collapses inside the mesh never add an isolated triangle (proved for fans of up to eight triangles, tested
 // for larger ones). On its boundary, and in flips, even the optimal rule sometimes must, as long as it leaves its ports
-// alone (docs/notation.md, "Cost"). Looking one triangle further
-// helps: the isolated triangle x takes the edge to a neighbour t, and t gives up one of its two solid edges, to a
-// triangle that has another one. The number of strips stays, nobody else is isolated, and no cycle can close, because x
-// was alone.
+// alone (docs/notation.md, "Cost"). Looking one triangle further helps: the isolated triangle x takes the edge to a
+// neighbour t, and t gives up one of its two solid edges, to a triangle that has another one. The number of strips
+// stays the same, no other triangle becomes isolated, and no cycle can close, because x had no solid edge.
 //
 // Call after an operation whose Rewrite says `isolated > 0`, or after any flip. Adoption writes colours outside the
 // patch, so operations that adopt do not commute with their neighbours. Constant time a triangle; rare.
@@ -77,8 +76,8 @@ Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
 }  // namespace detail
 
 /// Adopts the triangle to the left of h if it is isolated and a neighbour can take it. Where each neighbour could only
-/// by isolating somebody else, it does, and that triangle is adopted in turn, `depth` times at most; if that fails as
-/// well, nothing has changed.
+/// by isolating another triangle, it does, and that triangle is adopted in turn, `depth` times at most; if that fails
+/// as well, nothing has changed.
 template <ColoredMesh Mesh>
 Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "adopt", describe(Refusal::no_such_edge));
@@ -138,7 +137,7 @@ Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Mending mending) {
 
 }  // namespace detail
 
-/// split(), then adoption where the rule isolated somebody. The Rewrite tells what both did.
+/// split(), then adoption where the rule isolated a triangle. The Rewrite tells what both did.
 template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_and_adopt(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                                  Name... name) {
@@ -148,7 +147,7 @@ Rewrite<typename Mesh::Halfedge> split_and_adopt(Mesh& mesh, const VertexSplit<t
   return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
 }
 
-/// collapse(), then adoption where the rule isolated somebody.
+/// collapse(), then adoption where the rule isolated a triangle.
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_and_adopt(Mesh& mesh, typename Mesh::Halfedge chord) {
   RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_and_adopt",

@@ -13,8 +13,9 @@
 // edge that it cuts the colour of that edge, so an inserted triangle is part of the strip that it lands on; all other
 // new dual edges are dashed. A collapse reads the same colours the other way round.
 //
-// The flips of a record hold for one mesh in one state: all records before it played, none after it. Whoever plays out
-// of order, or changes the mesh in between, falls back on the rules of operations.hpp; BakedPlayer does so by itself.
+// The flips of a record hold for one mesh in one state: all records before it played, none after it. Records
+// played out of order, and all after the mesh has been changed otherwise, fall back on the rules of operations.hpp;
+// BakedPlayer does so by itself.
 #pragma once
 
 #include <cstddef>

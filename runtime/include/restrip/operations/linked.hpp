@@ -1,7 +1,7 @@
-// Linked rules: better than the local ones for those who look where the strips around a patch go.
+// Linked rules: they follow the strips that leave the patch, and join more than local rules may.
 //
 // A local rule must be sound whatever lies outside the patch, so it may only join ports that were joined before.
-// Whoever follows the strips outward, a few triangles far, knows of most ports that they are not joined out there, and
+// A rule that follows the strips outward for a few triangles knows of most ports that they are not joined outside, and
 // may join them inside: on real meshes that keeps strips twice as long, for two to three times the time of a local
 // rule.
 //
@@ -34,6 +34,8 @@ inline constexpr int out_of_sight = -2;  ///< it was followed as far as allowed
 
 /// How many triangles a strip is followed outward unless the caller says otherwise.
 inline constexpr std::size_t default_reach = 24;
+
+static_assert(tables::linked_split.first.size() == table_max_k + 1 && table_max_k <= 8);
 
 namespace detail {
 
@@ -131,7 +133,7 @@ class Outlook {
 /// The first recolouring of a list that is sound.
 template <class Table, class LookOut>
 constexpr Word first_sound(const Table& table, std::size_t k, std::size_t place, Word ports, Outlook<LookOut> outlook) {
-  const std::size_t list = table.first[k] + (place << k) + ports;
+  const std::size_t list = table.first[k] + (place << k) + static_cast<std::size_t>(ports);
   std::size_t at = table.start[list];
   while (!outlook.sound(tables::pairings[table.rules[at].pairing])) ++at;  // the last one joins nothing
   return table.rules[at].recoloring;

@@ -11,8 +11,8 @@
 //   for (const auto& range : buffer.update(mesh, changed)) upload(range);
 //   changed.clear();
 //
-// Draw the whole buffer as one triangle strip with primitive restart (strips.hpp). Between runs, and in places that
-// nobody uses at the moment, stand restart indices, which draw nothing. A run is at most `max_run` triangles long: a
+// Draw the whole buffer as one triangle strip with primitive restart (strips.hpp). Between runs, and in
+// unused places, there are restart indices, which draw nothing. A run is at most `max_run` triangles long: a
 // longer strip is written as several runs, at two or three indices more for each, so that a change costs no more than
 // the runs around it, however long the strip.
 #pragma once

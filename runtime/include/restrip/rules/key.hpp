@@ -10,7 +10,7 @@
 // them. Together with `ports` the mask `joined` is the key.
 //
 // Two solid ports in a closed fan or a ring: each precedes the other, and the pair has two bits. EITHER BIT STANDS FOR
-// THE PAIR: the functions here may set one of them or both. Whoever compares keys calls canonical_joined first.
+// THE PAIR: the functions here may set one of them or both. Call canonical_joined before comparing keys.
 //
 // Each function comes twice. On masks it takes constant time, allocates nothing, and is constexpr; it serves
 // k <= max_word_valence. On bit strings it serves any k in time linear in k and allocates nothing either.

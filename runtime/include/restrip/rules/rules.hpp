@@ -29,6 +29,10 @@
 
 namespace restrip {
 
+/// The largest valence that has tables: 8 in those that are shipped, or what `restrip-generate tables --max-k` was told
+/// (docs/tables.md).
+inline constexpr unsigned table_max_k = tables::split.first.size() - 1;
+
 /// The place of a split or collapse in a closed fan of k >= 3 triangles: A before t_0, D before t_a, 1 <= a < k.
 struct SplitPosition {
   std::size_t k = 0;
@@ -96,7 +100,8 @@ constexpr Word isolated_ring(std::size_t k, std::size_t a, Word inner, Word port
 template <class Table>
 constexpr Word cell(const Table& table, const RowStarts<table_max_k>& rows, std::size_t k, std::size_t place,
                     Word ports, Word joined) noexcept {
-  return table.rules[table.first[k] + place * table.cells[k] + rows[bit(k) | ports] + joined];
+  const std::size_t row = rows[static_cast<std::size_t>(bit(k) | ports)];
+  return table.rules[table.first[k] + place * table.cells[k] + row + static_cast<std::size_t>(joined)];
 }
 
 constexpr Rule rule(Word colors, Word before, int nodes) noexcept {

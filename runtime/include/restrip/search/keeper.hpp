@@ -47,7 +47,7 @@ enum class Policy {
   full     ///< tunnelling, for several times as many
 };
 
-/// What to care for where strips come out equal; fewest strips are always first.
+/// Secondary objective; fewest strips are always first.
 enum class TieBreak {
   strips,  ///< nothing else
   indices  ///< few swaps (see Tunnel::OnFailure::fewer_swaps), by searches that find no strip to join
@@ -55,12 +55,12 @@ enum class TieBreak {
 
 /// How large the searches from the strip ends in a patch are, and what for.
 struct Search {
-  std::uint32_t states = 0;  ///< that one search may look at; 0: none are made
+  std::uint32_t states = 0;  ///< state limit per search; 0 disables searching
   std::uint32_t enough = 0;  ///< triangles per strip: searches get smaller while strips are longer on average. 0: never
   TieBreak tie_break = TieBreak::strips;
 };
 
-/// Searches of n states keep about 3 n triangles per strip, where the holes and pieces of the mesh let them.
+/// Searches of n states keep about 3 n triangles per strip, where holes and connected components of the mesh allow it.
 [[nodiscard]] constexpr Search search_of(Policy policy) noexcept {
   switch (policy) {
     case Policy::local:

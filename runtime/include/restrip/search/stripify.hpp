@@ -15,10 +15,10 @@ namespace restrip {
 
 enum class Effort {
   fast,  ///< one pass, linear time (greedy.hpp): about 200 to 700 triangles per strip
-  full   ///< then rounds of tunnelling (rounds.hpp), towards one strip for each connected piece
+  full   ///< then rounds of tunnelling (rounds.hpp), towards one strip for each connected component
 };
 
-/// Number of pieces of a mesh that no walk over dual edges connects: no colouring has fewer strips. Linear time.
+/// Number of connected components of the dual graph: no colouring has fewer strips. Linear time.
 [[nodiscard]] inline std::size_t connected_pieces(const StripMesh& mesh) {
   std::vector<bool> met(mesh.triangle_bound(), false);
   std::vector<Triangle> open;

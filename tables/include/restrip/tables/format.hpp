@@ -22,9 +22,6 @@
 
 namespace restrip {
 
-/// The largest valence that has tables. Larger ones are answered by the exact solver (exact.hpp).
-inline constexpr unsigned table_max_k = 8;
-
 /// Places inside a table: 16 bits where they suffice, 32 in tables that go beyond k = 8 (docs/shards.md).
 template <unsigned MaxK>
 using TableIndex = std::conditional_t<MaxK <= 8, std::uint16_t, std::uint32_t>;

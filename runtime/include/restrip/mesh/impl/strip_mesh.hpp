@@ -2,10 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/precondition.hpp"
 
 namespace restrip {
 
@@ -45,7 +47,7 @@ inline Vertex StripMesh::new_vertex(Vertex wanted) {
       free_vertices_.pop_back();
       if (spoke_[v] == none) return v;
     }
-    if (spoke_.size() >= none) throw std::length_error("restrip: a StripMesh has at most 2^32 - 1 vertices");
+    if (spoke_.size() >= none) RESTRIP_THROW(std::length_error, "restrip: a StripMesh has at most 2^32 - 1 vertices");
     wanted = static_cast<Vertex>(spoke_.size());
   }
   if (wanted >= spoke_.size()) {
@@ -65,7 +67,7 @@ inline StripMesh::Room StripMesh::take_room(VertexSplit<Halfedge>::Spokes spokes
   const std::size_t needed = spokes == Spokes::both ? 2 : 1;
   const std::size_t fresh = needed - std::min(needed, free_.size());
   if (fresh > max_triangles - triangles_.size())
-    throw std::length_error("restrip: the mesh has as many triangles as a StripMesh can hold");
+    RESTRIP_THROW(std::length_error, "restrip: the mesh has as many triangles as a StripMesh can hold");
   make_room(triangles_, fresh);
   Room room;
   room.vertex = new_vertex(wanted);
@@ -370,8 +372,9 @@ inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
 
 inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
                                   BuildReport* report_out, std::vector<std::uint32_t>* origin) {
-  if (triangles.size() > max_triangles) throw std::length_error("restrip: more triangles than a StripMesh can hold");
-  if (vertex_count > none) throw std::length_error("restrip: a StripMesh has at most 2^32 - 1 vertices");
+  if (triangles.size() > max_triangles)
+    RESTRIP_THROW(std::length_error, "restrip: more triangles than a StripMesh can hold");
+  if (vertex_count > none) RESTRIP_THROW(std::length_error, "restrip: a StripMesh has at most 2^32 - 1 vertices");
   StripMesh mesh;
   BuildReport report;
   mesh.spoke_.assign(vertex_count, none);
@@ -406,8 +409,8 @@ inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangl
     each_halfedge([&](Halfedge h) { sorted[fill[low(h)]++] = h; });
   }
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    const auto begin = sorted.begin() + start[v];
-    const auto end = sorted.begin() + start[v + 1];
+    const auto begin = sorted.begin() + static_cast<std::ptrdiff_t>(start[v]);
+    const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(start[v + 1]);
     std::sort(begin, end, [&](Halfedge g, Halfedge h) { return std::pair{high(g), g.id} < std::pair{high(h), h.id}; });
     for (auto group = begin; group != end;) {
       auto stop = group;

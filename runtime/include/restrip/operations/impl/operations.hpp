@@ -216,12 +216,12 @@ Rewrite<typename Mesh::Halfedge> flip(Mesh& mesh, typename Mesh::Halfedge h) {
   for (unsigned i = 0; i < 4; ++i) ports |= static_cast<unsigned>(mesh.solid(port[i])) << i;
   const bool inner = mesh.solid(h);
   const FlipRule rule = flip_rule(inner, ports);
-  const auto lonely = [](bool edge, unsigned p, unsigned one, unsigned other) {
+  const auto isolated_one = [](bool edge, unsigned p, unsigned one, unsigned other) {
     return edge || (p >> one & 1U) != 0 || (p >> other & 1U) != 0 ? 0 : 1;
   };
   // The new triangles own ports 1, 2 and 3, 0.
-  int isolated = lonely(rule.inner, rule.ports, 1, 2) + lonely(rule.inner, rule.ports, 3, 0) -
-                 lonely(inner, ports, 0, 1) - lonely(inner, ports, 2, 3);
+  int isolated = isolated_one(rule.inner, rule.ports, 1, 2) + isolated_one(rule.inner, rule.ports, 3, 0) -
+                 isolated_one(inner, ports, 0, 1) - isolated_one(inner, ports, 2, 3);
   if (const unsigned given_up = ports & ~rule.ports; given_up != 0) {
     Halfedge outer[4];
     std::size_t n = 0;

@@ -19,7 +19,7 @@ namespace restrip::detail {
 
 /// Calls body(begin, end) for ranges that together are [0, n), each number once. `threads`: 1 calls in this thread
 /// alone and starts none, 0 takes as many threads as the machine runs. The first exception of a range is thrown again
-/// here, after all ranges have ended.
+/// here, after all ranges have ended. In a program without exceptions a thread that cannot be started ends the program.
 template <class Body>
 void parallel_ranges(std::size_t n, unsigned threads, const Body& body) {
   constexpr std::size_t small = 32;  // operations that are not worth a thread
@@ -36,11 +36,14 @@ void parallel_ranges(std::size_t n, unsigned threads, const Body& body) {
 #else
   if (threads == 0) threads = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t pieces = std::min<std::size_t>(threads, (n + small - 1) / small);
+  const auto run = [&](std::size_t piece) {
+    body(n / pieces * piece + std::min(piece, n % pieces), n / pieces * (piece + 1) + std::min(piece + 1, n % pieces));
+  };
+#ifdef __cpp_exceptions
   std::vector<std::exception_ptr> failures(pieces);
-  const auto run = [&](std::size_t piece) noexcept {
+  const auto run_and_catch = [&](std::size_t piece) noexcept {
     try {
-      body(n / pieces * piece + std::min(piece, n % pieces),
-           n / pieces * (piece + 1) + std::min(piece + 1, n % pieces));
+      run(piece);
     } catch (...) {
       failures[piece] = std::current_exception();
     }
@@ -50,15 +53,21 @@ void parallel_ranges(std::size_t n, unsigned threads, const Body& body) {
     workers.reserve(pieces - 1);
     std::size_t piece = 1;
     try {
-      for (; piece < pieces; ++piece) workers.emplace_back(run, piece);
+      for (; piece < pieces; ++piece) workers.emplace_back(run_and_catch, piece);
     } catch (const std::system_error&) {
       // No more threads to be had: this one does the rest.
-      for (; piece < pieces; ++piece) run(piece);
+      for (; piece < pieces; ++piece) run_and_catch(piece);
     }
-    run(0);
+    run_and_catch(0);
   }
   for (const std::exception_ptr& failure : failures)
     if (failure) std::rethrow_exception(failure);
+#else
+  std::vector<std::jthread> workers;
+  workers.reserve(pieces - 1);
+  for (std::size_t piece = 1; piece < pieces; ++piece) workers.emplace_back(run, piece);
+  run(0);
+#endif
 #endif
 }
 

@@ -158,7 +158,7 @@ inline std::size_t count_strips(const StripMesh& mesh) {
       ++triangles;
     }
   }
-  // Where nobody has three solid edges, a strip without an end is a cycle.
+  // Where no triangle has three solid edges, a strip without an end is a cycle.
   if (triangles != mesh.triangle_count()) detail::throw_solid_cycle();
   return strips;
 }

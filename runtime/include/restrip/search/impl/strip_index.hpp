@@ -250,7 +250,7 @@ inline void StripIndex::rebuild(const StripMesh& mesh) {
       i += n;
     }
   }
-  // Where nobody has three solid edges, a strip without an end is a cycle.
+  // Where no triangle has three solid edges, a strip without an end is a cycle.
   if (placed != mesh.triangle_count()) detail::throw_solid_cycle();
 }
 

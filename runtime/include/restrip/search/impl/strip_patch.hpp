@@ -39,7 +39,7 @@ inline void StripIndex::find_strands(const StripMesh& mesh, std::span<const Tria
         break;
       }
     }
-    std::reverse(strand_nodes_.begin() + strand.first, strand_nodes_.end());
+    std::reverse(strand_nodes_.begin() + static_cast<std::ptrdiff_t>(strand.first), strand_nodes_.end());
     // The start's other solid side.
     unsigned sides[2];
     unsigned n = 0;
@@ -60,7 +60,7 @@ inline void StripIndex::find_strands(const StripMesh& mesh, std::span<const Tria
     strand.last = static_cast<std::uint32_t>(strand_nodes_.size());
     if (strand.in.id == none) {  // `in` is there if either is
       std::swap(strand.in, strand.out);
-      std::reverse(strand_nodes_.begin() + strand.first, strand_nodes_.end());
+      std::reverse(strand_nodes_.begin() + static_cast<std::ptrdiff_t>(strand.first), strand_nodes_.end());
     }
     strands.push_back(strand);
   }

@@ -1,0 +1,23 @@
+# Compiles single_header.cpp against the single header with COMPILER and FLAGS, every warning an error. Without REFERENCE
+# that is all. With it the program is linked and run, by LAUNCHER where the machine cannot run it itself: it must print what
+# the program REFERENCE prints, and refuse a colouring that is not valid with the sentence of the headers.
+separate_arguments(flags UNIX_COMMAND "${FLAGS}")
+separate_arguments(launcher UNIX_COMMAND "${LAUNCHER}")
+list(APPEND flags -std=c++20 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Werror -I ${HEADER_FOLDER})
+if(NOT EXISTS ${HEADER_FOLDER}/restrip/restrip.hpp)
+  message(FATAL_ERROR "${HEADER_FOLDER}/restrip/restrip.hpp: is missing; build the target single_header")
+endif()
+if(NOT DEFINED REFERENCE)
+  execute_process(COMMAND ${COMPILER} ${flags} -fsyntax-only ${SOURCE} COMMAND_ERROR_IS_FATAL ANY)
+  return()
+endif()
+execute_process(COMMAND ${COMPILER} ${flags} ${SOURCE} -o ${PROGRAM} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${REFERENCE} OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${launcher} ${PROGRAM} OUTPUT_VARIABLE printed COMMAND_ERROR_IS_FATAL ANY)
+if(expected STREQUAL "" OR NOT printed STREQUAL expected)
+  message(FATAL_ERROR "printed:\n${printed}\nexpected, from ${REFERENCE}:\n${expected}")
+endif()
+execute_process(COMMAND ${launcher} ${PROGRAM} invalid RESULT_VARIABLE result OUTPUT_VARIABLE printed ERROR_VARIABLE sentence)
+if(result EQUAL 0 OR NOT sentence MATCHES "restrip: the colouring is not valid: a triangle has three solid dual edges")
+  message(FATAL_ERROR "a colouring that is not valid: ended with ${result}\n${printed}${sentence}")
+endif()

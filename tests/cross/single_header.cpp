@@ -1,0 +1,168 @@
+// The single header on targets and with options that our other tests are not built for: every public operation once or
+// more, on a mesh of ours and on a foreign one. What it prints must be the same everywhere; single_header.cmake
+// compiles it for each target and compares.
+#include <cstdio>
+#include <cstring>
+#include <restrip/restrip.hpp>
+#include <vector>
+
+namespace {
+
+using restrip::StripMesh;
+using restrip::Triangle;
+using restrip::Vertex;
+using Halfedge = StripMesh::Halfedge;
+
+// The compiler answers a rule of each family.
+static_assert(restrip::split_rule({4, 2}, 0b0101, 0).valid && restrip::collapse_rule({4, 2}, 0, 0).valid);
+static_assert(restrip::open_split_rule({3, 0, 2}, 0, 0).valid && restrip::open_collapse_rule({3, 0, 2}, 0, 0).valid);
+static_assert(restrip::boundary_split_rule({3, 1}, 0, 0).valid && restrip::boundary_collapse_rule({3, 1}, 0, 0).valid);
+static_assert(restrip::flip_rule(true, 0b0101).valid && restrip::split_rule({20, 9}, 0, 0).valid);
+
+/// A mesh that offers what mesh.hpp asks for and nothing else.
+class Foreign {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+  explicit Foreign(StripMesh& mesh) : mesh_(&mesh) {}
+  [[nodiscard]] Halfedge next(Halfedge h) const { return StripMesh::next(h); }
+  [[nodiscard]] Halfedge opposite(Halfedge h) const { return mesh_->opposite(h); }
+  [[nodiscard]] bool on_boundary(Halfedge h) const { return StripMesh::on_boundary(h); }
+  [[nodiscard]] bool solid(Halfedge h) const { return mesh_->solid(h); }
+  void set_solid(Halfedge h, bool solid) { mesh_->set_solid(h, solid); }
+  Halfedge insert_vertex(const restrip::VertexSplit<Halfedge>& where) { return mesh_->insert_vertex(where); }
+  Halfedge remove_vertex(Halfedge chord) { return mesh_->remove_vertex(chord); }
+  Halfedge turn_edge(Halfedge h) { return mesh_->turn_edge(h); }
+
+ private:
+  StripMesh* mesh_;
+};
+
+/// n squares a side, two triangles each.
+StripMesh sheet(Vertex n) {
+  std::vector<std::array<Vertex, 3>> triangles;
+  const auto at = [n](Vertex row, Vertex column) { return row * (n + 1) + column; };
+  for (Vertex row = 0; row < n; ++row)
+    for (Vertex column = 0; column < n; ++column) {
+      triangles.push_back({at(row, column), at(row, column + 1), at(row + 1, column + 1)});
+      triangles.push_back({at(row, column), at(row + 1, column + 1), at(row + 1, column)});
+    }
+  return StripMesh::build(triangles, (n + std::size_t{1}) * (n + 1));
+}
+
+/// Collapses every edge that may be collapsed, from each third vertex on, and splits the vertices again.
+template <class Collapse, class Split>
+void down_and_up(StripMesh& mesh, Collapse&& collapse, Split&& split) {
+  struct Record {
+    Vertex v_s, v_t, v_l, v_r;
+  };
+  std::vector<Record> records;
+  for (Vertex v = 0; v < mesh.vertex_bound(); v += 3) {
+    if (mesh.spoke(v).id == restrip::none) continue;
+    const Halfedge chord = mesh.spoke(v);
+    const Halfedge back = mesh.opposite(chord);
+    if (restrip::check_collapse(mesh, chord) != restrip::Refusal::granted) continue;
+    if (StripMesh::on_boundary(chord) || StripMesh::on_boundary(back)) continue;
+    records.push_back({v, mesh.to(chord), mesh.to(StripMesh::next(chord)), mesh.to(StripMesh::next(back))});
+    collapse(chord);
+  }
+  while (!records.empty()) {
+    const Record r = records.back();
+    records.pop_back();
+    split({mesh.spoke(r.v_s, r.v_l), mesh.spoke(r.v_s, r.v_r)});
+  }
+}
+
+void print(const char* what, const StripMesh& mesh) {
+  const restrip::ColoringReport report = restrip::check_coloring(mesh);
+  const restrip::Strips strips = restrip::extract_strips(mesh);
+  const std::vector<std::uint32_t> indices = restrip::strip_indices(mesh, strips);
+  std::uint32_t sum = 0;
+  for (const std::uint32_t index : indices) sum = sum * 31 + index;
+  std::printf("%s: %s, %u triangles, %u strips, %u isolated, indices %u, sum %lx\n", what,
+              report.valid ? "valid" : "not valid", static_cast<unsigned>(report.triangles),
+              static_cast<unsigned>(report.strips), static_cast<unsigned>(report.isolated),
+              static_cast<unsigned>(indices.size()), static_cast<unsigned long>(sum));
+}
+
+template <class Mesh>
+void by_rules(const char* what, StripMesh& mesh, Mesh& seen) {
+  using Where = restrip::VertexSplit<Halfedge>;
+  down_and_up(
+      mesh, [&](Halfedge h) { restrip::collapse(seen, h); }, [&](const Where& where) { restrip::split(seen, where); });
+  print(what, mesh);
+  down_and_up(
+      mesh, [&](Halfedge h) { restrip::collapse_and_link(seen, h); },
+      [&](const Where& where) { restrip::split_and_link(seen, where); });
+  for (Triangle t = 0; t < mesh.triangle_bound(); t += 7)
+    if (const Halfedge h = StripMesh::halfedge(t, 0); restrip::check_flip(mesh, h) == restrip::Refusal::granted)
+      restrip::flip_and_adopt(seen, h);
+  print(what, mesh);
+}
+
+/// A vertex of 70 triangles takes more than one word; cut and closed again.
+void large_fan() {
+  std::vector<std::array<Vertex, 3>> triangles;
+  for (Vertex v = 0; v < 70; ++v) triangles.push_back({70, v, (v + 1) % 70});
+  StripMesh mesh = StripMesh::build(triangles, 71);
+  const auto done = restrip::split(mesh, {mesh.spoke(70, 3), mesh.spoke(70, 40)});
+  print("large fan split", mesh);
+  restrip::collapse(mesh, done.halfedge);
+  print("large fan", mesh);
+}
+
+void by_keeper(restrip::Policy policy, const char* what) {
+  StripMesh mesh = sheet(24);
+  restrip::stripify(mesh, policy == restrip::Policy::full ? restrip::Effort::full : restrip::Effort::fast);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  restrip::StripBuffer buffer(mesh);
+  restrip::StripKeeper keeper(mesh, policy);
+  down_and_up(
+      mesh, [&](Halfedge h) { restrip::checked_collapse(keeper, h); },
+      [&](const restrip::VertexSplit<Halfedge>& where) { restrip::checked_split(keeper, where); });
+  const std::size_t ranges = buffer.update(mesh, changed).size();
+  keeper.improve(5000);
+  std::printf("%u strips, %u runs, %u ranges\n", static_cast<unsigned>(keeper.strips()),
+              static_cast<unsigned>(buffer.runs()), static_cast<unsigned>(ranges));
+  print(what, mesh);
+}
+
+/// Split and collapse by flips decided beforehand.
+void by_record() {
+  StripMesh mesh = sheet(2);
+  restrip::stripify(mesh);
+  restrip::BakedRecords<Halfedge> records;
+  records.flips = {mesh.spoke(4, 5)};
+  records.first = {0, 1};
+  restrip::BakedPlayer player(mesh, records);
+  const auto done = player.split(0, {mesh.spoke(4, 1), mesh.spoke(4, 7)});
+  player.collapse(0, done.halfedge);
+  print("baked", mesh);
+}
+
+/// A colouring that is not valid must be refused; never returns.
+void read_invalid_coloring() {
+  StripMesh mesh = StripMesh::build(std::vector<std::array<Vertex, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, 4);
+  for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(0, side), true);
+  std::printf("%u strips of no valid colouring\n", static_cast<unsigned>(restrip::count_strips(mesh)));
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  if (count > 1 && std::strcmp(arguments[1], "invalid") == 0) {
+    read_invalid_coloring();
+    return 0;
+  }
+  StripMesh mesh = sheet(12);
+  by_rules("rules", mesh, mesh);
+  StripMesh behind = sheet(12);
+  Foreign foreign(behind);
+  by_rules("rules, foreign mesh", behind, foreign);
+  large_fan();
+  by_record();
+  by_keeper(restrip::Policy::local, "local");
+  by_keeper(restrip::Policy::linked, "linked");
+  by_keeper(restrip::Policy::quick, "quick");
+  by_keeper(restrip::Policy::full, "full");
+}
