@@ -28,7 +28,7 @@ def output_of(command, meshes):
 
 
 def list_bare(documents):
-    """Prints each table with a digit in it that no command writes; returns their number."""
+    """Prints each table with a number behind its first column that no command writes; returns how many there are."""
     count = 0
     for document in documents:
         with open(document, encoding="utf-8") as file:
@@ -41,7 +41,7 @@ def list_bare(documents):
                 if not row.startswith("|"):
                     break
                 rows.append(row)
-            if re.search(r"\d", re.sub(r"\([^)]*\)|`[^`]*`", "", "\n".join(rows))):
+            if any(re.match(r" *\d", cell) for row in rows for cell in row.split("|")[2:]):
                 count += 1
                 print(f"{document}:{number}: {lines[number - 1]}")
     return count
