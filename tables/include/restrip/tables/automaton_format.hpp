@@ -33,7 +33,8 @@
 // **Where the case comes from.** Each family of operations is one or two arcs.
 //
 // - *Split*, position (k, a). The first arc is t_0 … t_{a-1}, the second t_a … t_{k-1}, in letters from the key of the
-//   whole closed fan. (With exactly two solid ports either bit of `joined`, or both, stand for the pair.) With x and y
+//   whole closed fan. With exactly two solid ports the key has both bits of `joined` or none, as
+//   docs/notation.md says; here one bit does not stand for both. With x and y
 //   the classes of the two arcs
 //
 //       meeting = meetings[meet[seconds * first[x] + second[y]]]

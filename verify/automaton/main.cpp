@@ -1,0 +1,68 @@
+// restrip-verify-automaton: proves the certificate of the automaton, for fans of any valence, from docs/notation.md and
+// docs/automaton.md alone.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+
+#include "facts.hpp"
+#include "verify_automaton.hpp"
+
+namespace {
+
+constexpr int all_claims_hold = 0;
+constexpr int some_claim_fails = 1;
+constexpr int bad_input = 2;
+
+int run(const restrip::verify::AutomatonOptions& options) {
+  using namespace restrip::verify;
+  fmt::print("{}", heading());
+  const AutomatonTotals totals = verify_automaton(options, [](const ClaimResult& result) {
+    fmt::print("{}", line_of(result));
+    std::fflush(stdout);
+  });
+  fmt::print("{}: {} classes, {} rows, {} kinds of arcs, {} claims of which {} failed\n",
+             totals.failed == 0 ? "verified" : "NOT verified", totals.classes, totals.rows, totals.kinds, totals.claims,
+             totals.failed);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw std::runtime_error("standard output: what was found could not be written");
+  return totals.failed == 0 ? all_claims_hold : some_claim_fails;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  restrip::verify::AutomatonOptions options;
+  bool facts = false;
+  CLI::App app("Proves the automaton's certificate: rules of fans of any valence.");
+  app.name("restrip-verify-automaton");
+  app.footer(
+      "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
+      "Example, from the top of the source tree:\n"
+      "  build/release/bin/restrip-verify-automaton --tables-dir tables");
+  app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
+  app.add_option("--max-k", options.max_k, "The largest fans that are searched as a whole")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 12));
+  app.add_option("--every", options.every, "Of the places with k > 8 search every N-th only")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  app.add_flag("--facts", facts, "Read no certificate: print the worst that an operation costs in fans of any valence");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? all_claims_hold : bad_input;
+  }
+  try {
+    if (!facts) return run(options);
+    fmt::print("{}", restrip::verify::table_of(restrip::verify::facts_of_every_fan()));
+    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output: the table could not be written");
+    return all_claims_hold;
+  } catch (const std::exception& error) {
+    std::fflush(stdout);
+    fmt::print(stderr, "restrip-verify-automaton: {}\n", error.what());
+    return bad_input;
+  }
+}
