@@ -71,13 +71,18 @@ void Draft::fill(std::string_view bytes) {
   if (!file_.close()) fail(errno);
 }
 
-void Draft::remove_target() const {
-  if (system_calls().unlink(target_.c_str()) != 0 && errno != ENOENT) fail(errno);
+void Draft::publish() {
+  if (!try_publish()) fail(errno);
 }
 
-void Draft::publish() {
-  if (system_calls().rename(name_.c_str(), target_.c_str()) != 0) fail(errno);
+bool Draft::try_publish() noexcept {
+  if (system_calls().rename(name_.c_str(), target_.c_str()) != 0) return false;
   name_.clear();
+  return true;
 }
+
+bool Draft::take_target_aside() noexcept { return system_calls().rename(target_.c_str(), name_.c_str()) == 0; }
+
+bool Draft::remove_published() const noexcept { return system_calls().unlink(target_.c_str()) == 0; }
 
 }  // namespace restrip::files

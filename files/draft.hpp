@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "files/descriptor.hpp"
 
@@ -38,10 +39,18 @@ class Draft {
   /// Writes all bytes and makes sure that they are on the disk, with the owner and permissions of the target if that
   /// is there, otherwise as the umask says. Throws FileError.
   void fill(std::string_view bytes);
-  /// Removes the target if it is there. Throws FileError.
-  void remove_target() const;
   /// Takes the target's name. Throws FileError; then the target is as it was.
   void publish();
+
+  // ---- for those who may have to take a change back
+  /// Instead of fill(): the target itself gets the draft's name. False when that failed, with errno.
+  [[nodiscard]] bool take_target_aside() noexcept;
+  /// publish(), but false when that failed, with errno.
+  [[nodiscard]] bool try_publish() noexcept;
+  /// Removes the target, which this draft was published as. False when that failed.
+  [[nodiscard]] bool remove_published() const noexcept;
+  /// Leaves the draft where it is, under its own name, which it returns.
+  [[nodiscard]] std::string leave() noexcept { return std::exchange(name_, {}); }
 
  private:
   [[noreturn]] void fail(int error) const;

@@ -184,19 +184,86 @@ OutputSet::OutputSet(fs::path folder, const std::vector<fs::path>& names, const 
   }
 }
 
+namespace {
+
+/// Puts drafts in the place of the files that have their names, and back.
+class Exchange {
+ public:
+  struct Place {
+    Draft fresh;
+    std::optional<Draft> old;  ///< a name beside it for the file that is there, if one is
+    std::string shown;
+    bool is_aside = false;
+    bool is_published = false;
+  };
+
+  explicit Exchange(std::vector<Place> places) : places_(std::move(places)) { lost_.reserve(places_.size()); }
+
+  /// The place at which it failed, with errno; null: it is done.
+  const Place* run() noexcept {
+    if (places_.size() > 1 && !set_aside(places_.back())) return &places_.back();
+    for (Place& place : places_) {
+      if (!set_aside(place) || !place.fresh.try_publish()) return &place;
+      place.is_published = true;
+    }
+    return nullptr;
+  }
+
+  /// The old files that could not be put back, under the names that they have now. The last place comes last, and only
+  /// if all others are as they were. Allocates nothing: what is lost here is lost for good.
+  const std::vector<std::string>& undo() noexcept {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      Place& place = places_[i];
+      const bool may_vouch = i + 1 < places_.size() || whole_;
+      if (place.is_aside ? may_vouch && place.old->try_publish()
+                         : !place.is_published || place.fresh.remove_published())
+        continue;
+      whole_ = false;
+      if (place.is_aside) lost_.push_back(place.old->leave());
+    }
+    return lost_;
+  }
+  /// After undo(): is everything as it was?
+  [[nodiscard]] bool whole() const noexcept { return whole_; }
+
+ private:
+  static bool set_aside(Place& place) noexcept {
+    if (!place.old || place.is_aside) return true;
+    place.is_aside = place.old->take_target_aside();
+    return place.is_aside;
+  }
+
+  std::vector<Place> places_;
+  std::vector<std::string> lost_;
+  bool whole_ = true;
+};
+
+}  // namespace
+
 void OutputSet::write(const std::vector<NamedBytes>& files) {
   const SignalPause pause;
-  std::vector<Draft> drafts;
-  drafts.reserve(files.size());
+  std::vector<Exchange::Place> places;
+  places.reserve(files.size());
   for (const NamedBytes& file : files) {
     const fs::path path = folder_ / file.name;
     made_.make(folder_of(path));
-    drafts.emplace_back(follow_links(path).file, path.string());
-    drafts.back().fill(file.bytes);
+    const fs::path target = follow_links(path).file;
+    const std::string shown = path.string();
+    Exchange::Place& place = places.emplace_back(Exchange::Place{Draft(target, shown), {}, shown});
+    place.fresh.fill(file.bytes);
+    if (status_of(target)) place.old.emplace(target, shown);
   }
-  if (drafts.size() > 1) drafts.back().remove_target();
+  Exchange exchange(std::move(places));
+  if (const Exchange::Place* const failed = exchange.run()) {
+    const int error = errno;
+    const std::vector<std::string>& lost = exchange.undo();
+    if (!exchange.whole())
+      throw FileError(fmt::format("{}: cannot be written: {}; nor could the files in {} be put back as they were{}{}",
+                                  failed->shown, std::strerror(error), folder_.string(),
+                                  lost.empty() ? "; remove them" : ", which are now ", fmt::join(lost, ", ")));
+    fail_to_write(failed->shown, error);
+  }
   made_.keep();
-  for (Draft& draft : drafts) draft.publish();
 }
 
 }  // namespace restrip::files

@@ -76,8 +76,10 @@ class OutputSet {
   OutputSet(std::filesystem::path folder, const std::vector<std::filesystem::path>& names,
             const OutputRules& rules = {});
 
-  /// First all files are drafted; a failure up to there changes nothing. Then the old file of the last name goes, and
-  /// the new ones get their names in order. Throws FileError. Names must be among those of the constructor.
+  /// First all files are drafted; then the old ones are set aside, the last name first, and the new ones get their
+  /// names in order. Throws FileError; then what was changed has been changed back. If that fails as well, there is no
+  /// file of the last name, and the message says where the old files are. A program that is killed in between leaves
+  /// no file of the last name either. Names must be among those of the constructor.
   void write(const std::vector<NamedBytes>& files);
 
  private:

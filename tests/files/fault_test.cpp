@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "files/file_error.hpp"
@@ -163,19 +165,61 @@ TEST_F(Faults, WritingASet) {
   };
   const Contents old{{"a", "old a"}, {"index", "old index"}};
   const Contents wanted{{"a", "new a"}, {"more", "no file"}, {"more/b", "new b"}, {"index", "new index"}};
-  bool in_between = false;
-  const auto may_be = [&](const Contents& found) {
-    if (found == old) return true;
-    // Nothing vouches for a mixture.
-    in_between = true;
-    if (found.contains("index")) return false;
-    for (const auto& [name, bytes] : found)
-      if (!(old.contains(name) && old.at(name) == bytes) && !(wanted.contains(name) && wanted.at(name) == bytes))
-        return false;
-    return true;
+  // Whatever has its new name already goes back.
+  EXPECT_GT(each_in_turn(
+                prepare, work, [&](const Contents& found) { return found == old; }, wanted),
+            30);
+}
+
+// The disk takes no more renames, from the n-th on, so that nothing can be put back either.
+TEST_F(Faults, WritingASetWithoutAWayBack) {
+  static int renames_left;
+  system_calls().rename = [](const char* from, const char* to) {
+    errno = EROFS;
+    return renames_left-- > 0 ? ::rename(from, to) : -1;
   };
-  EXPECT_GT(each_in_turn(prepare, work, may_be, wanted), 25);
-  EXPECT_TRUE(in_between);
+  system_calls().unlink = [](const char* path) {
+    errno = EROFS;
+    return renames_left > 0 || std::string_view(path).find("/.restrip-") != std::string_view::npos ? ::unlink(path)
+                                                                                                   : -1;
+  };
+  std::size_t refused = 0;
+  for (int n = 0;; ++n) {
+    SCOPED_TRACE(fmt::format("{} renames", n));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    put(file("a"), "old a");
+    put(file("c"), "old c");
+    put(file("index"), "old index");
+    renames_left = n;
+    std::string message;
+    try {
+      OutputSet set(folder_, {"a", "b", "c", "index"});
+      set.write({{"a", "new a"}, {"b", "new b"}, {"c", "new c"}, {"index", "new index"}});
+    } catch (const FileError& error) {
+      message = error.what();
+    }
+    const Contents found = contents_of(folder_);
+    if (message.empty()) {
+      EXPECT_EQ(found, (Contents{{"a", "new a"}, {"b", "new b"}, {"c", "new c"}, {"index", "new index"}}));
+      break;
+    }
+    ++refused;
+    EXPECT_NE(message.find("cannot be written: Read-only file system"), std::string::npos) << message;
+    if (n == 0) {
+      EXPECT_EQ(found, (Contents{{"a", "old a"}, {"c", "old c"}, {"index", "old index"}}));
+      continue;
+    }
+    // Nothing vouches for a mixture, and nothing old is lost: it has its own name, or one that the message tells.
+    EXPECT_FALSE(found.contains("index"));
+    for (const std::string bytes : {"old a", "old c", "old index"}) {
+      const auto place =
+          std::find_if(found.begin(), found.end(), [&](const auto& item) { return item.second == bytes; });
+      ASSERT_NE(place, found.end()) << bytes;
+      EXPECT_TRUE(place->first == bytes.substr(4) || message.find(place->first) != std::string::npos) << message;
+    }
+  }
+  EXPECT_EQ(refused, 7U);  // three old files go aside, four new ones get their names
 }
 
 TEST_F(Faults, MovingWhatAnotherProgramWrote) {
