@@ -253,7 +253,22 @@ TEST(Exceptions, WhilePlayingManyFlipsLeaveAValidColoring) {
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) EXPECT_EQ(mesh.solid_sides(t), wanted.solid_sides(t));
 }
 
-// Every allocation of a keeper and its mesh fails in turn.
+/// Is every triangle in which the two meshes differ in the list?
+bool names_all_changes(const std::vector<Triangle>& list, const StripMesh& before, const StripMesh& now) {
+  for (Triangle t = 0; t < std::max(before.triangle_bound(), now.triangle_bound()); ++t) {
+    bool same = before.alive(t) == now.alive(t);
+    if (same && now.alive(t)) {
+      same = before.corners(t) == now.corners(t) && before.solid_sides(t) == now.solid_sides(t);
+      for (unsigned side = 0; side < 3; ++side)
+        same = same && before.opposite(StripMesh::halfedge(t, side)) == now.opposite(StripMesh::halfedge(t, side));
+    }
+    if (!same && std::find(list.begin(), list.end(), t) == list.end()) return false;
+  }
+  return true;
+}
+
+// Every allocation of a keeper, its mesh and the list of whoever watches the mesh fails in turn. The list names what
+// has changed all the same.
 TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
   std::mt19937 random(5);
   std::size_t failed = 0;
@@ -278,6 +293,8 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
             if (round % 3 == 1) keeper.collapse(h);
             if (round % 3 == 2) keeper.flip(h);
           };
+          std::vector<Triangle> changed;
+          if (round >= 3) mesh.watch(&changed);
           allocations_left = allocation;
           bool threw = false;
           try {
@@ -286,6 +303,8 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
             threw = true;
           }
           allocations_left = never;
+          mesh.watch(nullptr);
+          ASSERT_TRUE(round < 3 || names_all_changes(changed, colored, mesh)) << "allocation " << allocation;
           const ColoringReport report = check_coloring(mesh);
           ASSERT_TRUE(report.valid) << "allocation " << allocation;
           ASSERT_EQ(keeper.up_to_date(), !threw);

@@ -127,11 +127,13 @@ class StripMesh {
     RESTRIP_ASSERT(is_side(h), "StripMesh::solid", describe(Refusal::no_such_edge));
     return (link_of({h.id & ~outside}) & 1U) != 0;
   }
-  /// The edge must not be on the boundary.
-  void set_solid(Halfedge h, bool solid) noexcept {
+  /// The edge must not be on the boundary. Throws std::bad_alloc only while the mesh is watched; nothing has changed
+  /// then.
+  void set_solid(Halfedge h, bool solid) {
     RESTRIP_ASSERT(is_side(h), "StripMesh::set_solid", describe(Refusal::no_such_edge));
     RESTRIP_ASSERT(!on_boundary(h) && link_of(h) != edge_of_mesh, "StripMesh::set_solid",
                    describe(Refusal::boundary_edge));
+    expect_touches(2);
     std::uint32_t& link = link_of(h);
     link = (link & ~1U) | static_cast<std::uint32_t>(solid);
     std::uint32_t& back = link_of({link >> 1});
@@ -198,8 +200,9 @@ class StripMesh {
 
   // ---- what has changed
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
-  /// appended to *changed, some of them more than once. Null: no longer. Not for batches. When *changed cannot grow for
-  /// want of memory, std::terminate is called.
+  /// appended to *changed, some of them more than once. Null: no longer. Not for batches, nor for their operations in
+  /// two steps. What changes the mesh or a colour makes room in *changed first; std::bad_alloc means that nothing has
+  /// changed.
   ///
   /// A copy of the mesh is not watched. Moving the mesh takes its watch along: the new mesh is watched, the one moved
   /// from no longer. A mesh that is assigned to keeps its own watch, unless a watched mesh is moved into it. The
@@ -262,6 +265,15 @@ class StripMesh {
     }
     ~Watch() = default;
   };
+  /// Room for so many calls of touch(), so that they do not throw.
+  void expect_touches(std::size_t count) {
+    if (watch_.changed != nullptr) make_room(*watch_.changed, count);
+  }
+  /// A flip moves six corners, joins five edges and colours five; insertions and removals do less, but for the corners
+  /// at a vertex.
+  static constexpr std::size_t most_other_touches = 6 + 2 * 5 + 2 * 5;
+  /// The same for an operation on the triangles around v.
+  void expect_touches_around(Vertex v);
   void touch(Triangle t) noexcept {
     if (watch_.changed != nullptr) watch_.changed->push_back(t);
   }

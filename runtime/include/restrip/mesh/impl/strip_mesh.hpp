@@ -39,6 +39,17 @@ void StripMesh::make_room(Vector& vector, std::size_t more) {
   if (vector.capacity() - vector.size() < more) vector.reserve(std::max(vector.size() + more, 2 * vector.capacity()));
 }
 
+inline void StripMesh::expect_touches_around(Vertex v) {
+  if (watch_.changed == nullptr) return;
+  std::size_t triangles = 0;
+  Halfedge h = spoke(v);
+  do {
+    ++triangles;
+    h = turn_ccw(*this, h);
+  } while (!on_boundary(h) && !(h == spoke(v)));
+  expect_touches(triangles + most_other_touches);
+}
+
 inline Vertex StripMesh::new_vertex(Vertex wanted) {
   if (wanted == none) {
     // Vertices that were named by a caller in the meantime are in use again: skip them.
@@ -114,6 +125,7 @@ inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge righ
                                                     std::span<const Halfedge> moved) {
   RESTRIP_ASSERT(check_split(*this, {left, right}, wanted) == Refusal::granted, "StripMesh::insert_vertex",
                  describe(check_split(*this, {left, right}, wanted)));
+  expect_touches(moved.size() + most_other_touches);
   return insert_vertex(left, right, take_room(VertexSplit<Halfedge>::Spokes::both, wanted), moved);
 }
 
@@ -148,6 +160,7 @@ inline StripMesh::Halfedge StripMesh::insert_both(Halfedge left, Halfedge right,
 inline StripMesh::Halfedge StripMesh::insert_vertex(const VertexSplit<Halfedge>& where, Vertex wanted) {
   RESTRIP_ASSERT(check_split(*this, where, wanted) == Refusal::granted, "StripMesh::insert_vertex",
                  describe(check_split(*this, where, wanted)));
+  expect_touches_around(from(where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left));
   return insert_vertex(where, take_room(where.spokes, wanted));
 }
 
@@ -233,6 +246,7 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord) {
   RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
                  describe(check_collapse(*this, chord)));
   expect_back(1);
+  expect_touches_around(to(chord));
   Room freed;
   const Halfedge merged = remove_vertex(chord, freed);
   give_back(freed);
@@ -271,6 +285,7 @@ inline StripMesh::Halfedge StripMesh::remove_vertex(Halfedge chord, std::span<co
   RESTRIP_ASSERT(check_collapse(*this, chord) == Refusal::granted, "StripMesh::remove_vertex",
                  describe(check_collapse(*this, chord)));
   expect_back(1);
+  expect_touches(moved.size() + most_other_touches);
   Room freed;
   const Halfedge merged = remove_vertex(chord, moved, freed);
   give_back(freed);
@@ -323,6 +338,7 @@ inline StripMesh::Halfedge StripMesh::unlink(Halfedge chord, Halfedge back, bool
 
 inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
   RESTRIP_ASSERT(check_flip(*this, h) == Refusal::granted, "StripMesh::turn_edge", describe(check_flip(*this, h)));
+  expect_touches(most_other_touches);
   const Halfedge g = opposite(h);
   const Halfedge vl = next(h);
   const Halfedge lu = next(vl);
@@ -335,7 +351,6 @@ inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
   const std::array<Halfedge, 4> out{opposite(vl), opposite(lu), opposite(ur), opposite(rv)};
   const std::array<bool, 4> color{solid(vl), solid(lu), solid(ur), solid(rv)};
   const bool inner = solid(h);
-  const std::array<Halfedge, 4> old{vl, lu, ur, rv};
 
   // h: r -> l, then l -> u, u -> r;  g: l -> r, then r -> v, v -> l.
   const std::array<Halfedge, 4> now{next(next(g)), next(h), next(next(h)), next(g)};
@@ -348,12 +363,8 @@ inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
   place(g, l, r, v);
   join(h, g);
   for (unsigned i = 0; i < 4; ++i) {
-    // Two sides of the quadrilateral may be neighbours of each other: follow them to where they are now.
-    Halfedge other = out[i];
-    for (unsigned j = 0; j < 4; ++j)
-      if (out[i] == old[j]) other = now[j];
-    join(now[i], other);
-    if (!on_boundary(other) && color[i]) set_solid(now[i], true);
+    join(now[i], out[i]);  // out[i] did not move: l and r differ, so no side is the neighbour of another
+    if (!on_boundary(out[i]) && color[i]) set_solid(now[i], true);
   }
   if (inner) set_solid(h, true);
   // First spokes that were halfedges of the two triangles now start elsewhere; v -> l and u -> r moved across.
