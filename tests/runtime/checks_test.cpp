@@ -357,6 +357,24 @@ TEST(Checks, CheckedOperationsDoAllOrNothing) {
   EXPECT_EQ(list_of(mesh), before);
 }
 
+// A corner twice, whichever two they are, and a corner that is no vertex: left out and counted, and the others keep
+// their order.
+TEST(StripMesh, BuildCountsWhatItLeavesOut) {
+  const std::vector<bare::Corners> triangles{{0, 0, 1}, {0, 1, 2}, {1, 2, 2}, {2, 1, 2},
+                                             {0, 1, 4}, {1, 0, 3}, {3, 3, 3}};
+  BuildReport report;
+  std::vector<std::uint32_t> origin;
+  const StripMesh mesh = StripMesh::build(triangles, 4, &report, &origin);
+  EXPECT_EQ(report.degenerate_triangles, 4U);
+  EXPECT_EQ(report.out_of_range_triangles, 1U);
+  EXPECT_EQ(report.boundary_edges, 4U);
+  EXPECT_EQ(report.non_manifold_edges + report.inconsistent_edges + report.irregular_vertices, 0U);
+  EXPECT_EQ(origin, (std::vector<std::uint32_t>{1, 5}));
+  ASSERT_EQ(mesh.triangle_count(), 2U);
+  EXPECT_EQ(mesh.corners(0), triangles[1]);
+  EXPECT_EQ(mesh.corners(1), triangles[5]);
+}
+
 // A range of addresses that nobody may read: whoever looked at a triangle before its count would end there.
 TEST(StripMesh, MoreTrianglesThanItHoldsAreRefusedUnread) {
   const std::size_t count = StripMesh::max_triangles + 1;

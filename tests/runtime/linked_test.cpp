@@ -12,6 +12,7 @@
 #include "naive_patch.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -246,9 +247,9 @@ TEST(LinkedRules, LargerFansThanTheTablesTakeTheLocalRule) {
   EXPECT_EQ(linked.strips, local.strips);
 }
 
-// Of the triangles around these vertices, which lie beside one that they could be linked with? Strips are short here,
-// so that one walk tells where each goes.
-std::size_t left_to_link(const StripMesh& mesh, std::initializer_list<Vertex> vertices) {
+// Of these triangles, how many lie beside one that they could be linked with? Strips are short here, so that one walk
+// tells where each goes.
+std::size_t left_to_link(const StripMesh& mesh, const std::vector<Triangle>& triangles) {
   const Strips strips = extract_strips(mesh);
   std::vector<std::size_t> strip_of(mesh.triangle_bound(), 0);
   for (std::size_t s = 0; s < strips.size(); ++s) {
@@ -256,18 +257,23 @@ std::size_t left_to_link(const StripMesh& mesh, std::initializer_list<Vertex> ve
     for (const Triangle t : strips[s]) strip_of[t] = s;
   }
   std::size_t n = 0;
+  for (const Triangle t : triangles)
+    for (unsigned side = 0; side < 3; ++side) {
+      const auto across = mesh.opposite(StripMesh::halfedge(t, side));
+      if (StripMesh::on_boundary(across)) continue;
+      const Triangle u = StripMesh::triangle(across);
+      n += mesh.solid_degree(t) < 2 && mesh.solid_degree(u) < 2 && strip_of[t] != strip_of[u] ? 1U : 0U;
+    }
+  return n;
+}
+
+std::size_t left_to_link(const StripMesh& mesh, std::initializer_list<Vertex> vertices) {
+  std::vector<Triangle> triangles;
   for (const Vertex v : vertices)
     for_each_spoke(mesh, v, [&](StripMesh::Halfedge spoke) {
-      if (StripMesh::on_boundary(spoke)) return;
-      const Triangle t = StripMesh::triangle(spoke);
-      for (unsigned side = 0; side < 3; ++side) {
-        const auto across = mesh.opposite(StripMesh::halfedge(t, side));
-        if (StripMesh::on_boundary(across)) continue;
-        const Triangle u = StripMesh::triangle(across);
-        n += mesh.solid_degree(t) < 2 && mesh.solid_degree(u) < 2 && strip_of[t] != strip_of[u] ? 1U : 0U;
-      }
+      if (!StripMesh::on_boundary(spoke)) triangles.push_back(StripMesh::triangle(spoke));
     });
-  return n;
+  return left_to_link(mesh, triangles);
 }
 
 // All triangles are isolated before; so nothing is adopted afterwards, which could make new ends.
@@ -290,6 +296,41 @@ TEST(LinkedOperations, LeaveNothingToLinkAroundThem) {
         }
       });
   EXPECT_GT(operations, 100U);
+}
+
+// Nobody is isolated, before and after the turn; so here, too, nothing is adopted.
+TEST(LinkedOperations, LeaveNothingToLinkBesideATurnedEdge) {
+  std::mt19937 random(14);
+  std::size_t flips = 0;
+  for (StripMesh mesh : {sample::rectangle(3, 3), sample::tube(4, 2), sample::octahedron()})
+    for (int round = 0; round < 20; ++round) {
+      stripify(mesh);
+      for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+        for (unsigned side = 0; side < 3; ++side) {
+          const auto h = StripMesh::halfedge(t, side);
+          if (mesh.solid(h) && random() % 2 == 0 && mesh.solid_degree(t) == 2 &&
+              mesh.solid_degree(StripMesh::triangle(mesh.opposite(h))) == 2)
+            mesh.set_solid(h, false);
+        }
+      if (check_coloring(mesh).isolated != 0) continue;
+      for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+        for (unsigned side = 0; side < 3; ++side) {
+          const auto h = StripMesh::halfedge(t, side);
+          if (check_flip(mesh, h) != Refusal::granted) continue;
+          StripMesh copy = mesh;
+          flip(copy, h);
+          if (check_coloring(copy).isolated != 0) continue;
+          copy = mesh;
+          const auto turned = flip_and_link(copy, h).halfedge;
+          std::vector<Triangle> beside;
+          for (const auto inner : {turned, copy.opposite(turned)})
+            for (const auto g : {inner, copy.opposite(copy.next(inner)), copy.opposite(copy.next(copy.next(inner)))})
+              if (!StripMesh::on_boundary(g)) beside.push_back(StripMesh::triangle(g));
+          EXPECT_EQ(left_to_link(copy, beside), 0U);
+          ++flips;
+        }
+    }
+  EXPECT_GT(flips, 500U);
 }
 
 static_assert(linked_split_rule({4, 2}, 0, 0b1111, [](std::size_t) { return strip_ends; }).strips <

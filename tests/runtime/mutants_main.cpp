@@ -1,6 +1,5 @@
 // The tests of the runtime notice every deliberate fault of mutants.txt. This program has the tests in it, compiled
-// against a copy of the headers that has the faults; the argument names one, or `none`. It tells the first test that
-// fails.
+// against a copy of the headers that has the faults. For each fault it tells the first test that fails.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -12,23 +11,31 @@
 #include <iterator>
 #include <string>
 
+#include "mutant_names.hpp"
 #include "mutants.hpp"
 
 namespace {
 
-/// Processor time: a multiple of what the tests take without a fault, but little for a fault that is to run on for
-/// ever.
-constexpr rlim_t quick_seconds = 15;
-constexpr rlim_t slow_seconds = 60;
-constexpr rlim_t endless_seconds = 4;
-constexpr rlim_t bytes = rlim_t{1} << 30;  // that may be written; one test takes more addresses and touches none
+/// The tests in the order in which they are run; the last stage is all the others. First what takes a few milliseconds
+/// and needs little of the library; then what searches, because a fault below a search may let it run for ever; last
+/// what takes a tenth of a second or more.
+constexpr const char* stages[] = {
+    "Operations.AnyValence:Operations.AdoptionGoes*:Operations.AdoptionThat*:Operations.AFree*:"
+    "Operations.Going*:Operations.Invalid*:Operations.Refused*:Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:"
+    "Checks.Checked*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:StripBuffer.RunsAre*:Strips.*:"
+    "ChunkLists.*:*StripIndexOf.AgreesAfterCuts*",
+    "*StripIndexOf.AgreesAfterRewrites*:*StripIndexOf.AgreesWhere*:Operations.AdoptionLeaves*:Operations.LargeFans*:"
+    "LinkedRules.*ForAll*:LinkedRules.LargerFans*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
+    "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:StripKeeper.Changes*:"
+    "InvalidColorings.*",
+};
+constexpr std::size_t last_stage = std::size(stages);
 
-/// Tests that take a fifth of a second or more come last: the others notice nearly all.
-constexpr const char* slow_tests =
-    "Checks.AgreeOnEveryList*:Checks.AgreeOnRandomLists:Checks.AgreeOnSmall*:Checks.AgreeBetween*:"
-    "LinkedRules.AreSoundAndOptimalInLargerFans:LinkedRules.AreTheLocalOnes*:Operations.LongWalks*:"
-    "StripBuffer.Follows*:StripKeeper.IsRight*:StripKeeper.StripsDoNotAge:StripKeeper.IndicesAreFewer*:"
-    "Tunnel.TakesSwapsAway*:Baked.FlipsGive*";
+/// Processor time of a stage: a multiple of what it takes without a fault, but little for a fault that is to run on
+/// for ever.
+constexpr rlim_t seconds = 20;
+constexpr rlim_t seconds_if_endless = 2;
+constexpr rlim_t bytes = rlim_t{1} << 30;  // that may be written; one test takes more addresses and touches none
 
 struct Shared {
   char running[200];  ///< the test that runs
@@ -48,27 +55,28 @@ class Watch : public ::testing::EmptyTestEventListener {
   Shared& shared_;
 };
 
-int number_of(const std::string& name) {
-  if (name == "none") return 0;
-  for (std::size_t i = 0; i < std::size(restrip::mutant_names); ++i)
-    if (name == restrip::mutant_names[i].name) return static_cast<int>(i) + 1;
-  return -1;
+std::string filter_of(std::size_t stage) {
+  if (stage < last_stage) return stages[stage];
+  std::string others = "-";
+  for (const char* const earlier : stages) others += std::string(earlier) + ":";
+  return others;
 }
 
-/// Runs the tests that the filter leaves, up to the first that fails, in a process of their own; its status, or -1.
-int status_of(int number, const std::string& filter, rlim_t seconds, Shared& shared) {
+/// Runs the tests of a stage with the fault of this number (0: none), up to the first that fails, in a process of their
+/// own; its status, or -1.
+int status_of(std::size_t number, std::size_t stage, rlim_t limit, Shared& shared) {
   std::fflush(stdout);
   const pid_t child = fork();
   if (child < 0) return -1;
   if (child == 0) {
-    const rlimit time{seconds, seconds + 1};
+    const rlimit time{limit, limit + 1};
     const rlimit space{bytes, bytes};
     if (setrlimit(RLIMIT_CPU, &time) != 0 || setrlimit(RLIMIT_DATA, &space) != 0) _exit(2);
-    ::testing::GTEST_FLAG(filter) = filter;
+    ::testing::GTEST_FLAG(filter) = filter_of(stage);
     ::testing::TestEventListeners& listeners = ::testing::UnitTest::GetInstance()->listeners();
     if (number > 0) delete listeners.Release(listeners.default_result_printer());
     listeners.Append(new Watch(shared));
-    restrip::active_mutant = number;
+    restrip::active_mutant = static_cast<int>(number);
     const bool passed = RUN_ALL_TESTS() == 0 && ::testing::UnitTest::GetInstance()->successful_test_count() > 0;
     std::fflush(stdout);
     _exit(passed ? 0 : 1);
@@ -77,33 +85,58 @@ int status_of(int number, const std::string& filter, rlim_t seconds, Shared& sha
   return waitpid(child, &status, 0) == child ? status : -1;
 }
 
+/// Runs the tests with the fault of this number and tells what came of it. True if that is as it should be.
+bool judge(std::size_t number, Shared& shared) {
+  const restrip::MutantName fault =
+      number > 0 ? restrip::mutant_names[number - 1] : restrip::MutantName{"none", false, true};
+  int status = 0;
+  for (std::size_t stage = 0; stage <= last_stage && status == 0; ++stage) {
+    // A fault that changes nothing has passed the quick tests; the slow ones would say no more.
+    if (stage == last_stage && fault.equivalent && number > 0) break;
+    status = status_of(number, stage, fault.endless ? seconds_if_endless : seconds, shared);
+  }
+  std::printf("%s: ", fault.name);
+  if (status == 0) {
+    std::printf("%s\n", fault.equivalent ? "not noticed, and that is right" : "NOT NOTICED");
+    return fault.equivalent;
+  }
+  if (status < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 2)) {
+    std::printf("NOT RUN\n");
+    return false;
+  }
+  // A test that is merely slow proves nothing.
+  const bool timeless = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
+  const bool as_it_should = !fault.equivalent && (!timeless || fault.endless);
+  std::printf("%s by %s%s%s\n", as_it_should ? "noticed" : "NOTICED, AGAINST THE LIST,", shared.running,
+              WIFSIGNALED(status) ? ": " : "",
+              timeless              ? "it did not end"
+              : WIFSIGNALED(status) ? strsignal(WTERMSIG(status))
+                                    : "");
+  return as_it_should;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
-  const int number = argc == 2 ? number_of(argv[1]) : -1;
-  void* memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (number < 0 || memory == MAP_FAILED) {
-    std::fprintf(stderr, "usage: runtime_mutants NAME, with a name from tests/runtime/mutants.txt, or none\n");
+  void* const memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return 2;
+  auto& shared = *static_cast<Shared*>(memory);
+  const std::string what = argc == 2 ? argv[1] : "";
+  constexpr std::size_t faults = std::size(restrip::mutant_names);
+  if (what == "none") return judge(0, shared) ? 0 : 1;
+  for (std::size_t number = 1; number <= faults; ++number)
+    if (what == restrip::mutant_names[number - 1].name) return judge(number, shared) ? 0 : 1;
+  unsigned part = 0;
+  unsigned parts = 0;
+  if (std::sscanf(argc == 2 ? argv[1] : "", "%u/%u", &part, &parts) != 2 || part < 1 || part > parts) {
+    std::fprintf(stderr,
+                 "usage: runtime_mutants NAME, a fault of tests/runtime/mutants.txt or none; or PART/PARTS, every "
+                 "PARTS-th of them\n");
     return 2;
   }
-  auto& shared = *static_cast<Shared*>(memory);
-  const bool equivalent = number > 0 && restrip::mutant_names[number - 1].equivalent;
-  const bool endless = number > 0 && restrip::mutant_names[number - 1].endless;
-  int status = status_of(number, "-" + std::string(slow_tests), endless ? endless_seconds : quick_seconds, shared);
-  // A fault that changes nothing has passed the quick tests; the slow ones would say no more.
-  if (status == 0 && !equivalent) status = status_of(number, slow_tests, slow_seconds, shared);
-  if (status == 0) {
-    std::printf(equivalent ? "survived, as it may: it changes nothing\n" : "survived\n");
-    return number == 0 || equivalent ? 0 : 1;
-  }
-  if (status < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 2)) return 2;
-  const bool timeless = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;
-  std::printf("killed by %s%s%s\n", shared.running,
-              timeless              ? ": it did not end"
-              : WIFSIGNALED(status) ? ": "
-                                    : "",
-              WIFSIGNALED(status) && !timeless ? strsignal(WTERMSIG(status)) : "");
-  // A test that is merely slow proves nothing.
-  return number == 0 || equivalent || (timeless && !endless) ? 1 : 0;
+  std::size_t wrong = 0;
+  for (std::size_t number = part; number <= faults; number += parts) wrong += judge(number, shared) ? 0U : 1U;
+  std::printf("%zu of %zu are not as they should be\n", wrong, (faults - part) / parts + 1);
+  return wrong == 0 ? 0 : 1;
 }

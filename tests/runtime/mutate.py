@@ -11,7 +11,9 @@ LIST has a block of four lines for each fault, between blank lines; # begins a c
     the expression that takes its place
 
 An expression E becomes `(restrip_mutant(N) ? (F) : (E))`. Blanks and line breaks of the text need not be those of FILE. COPY
-gets mutants.hpp as well, with the names. Exit code 1: a block is malformed, or its text is not found exactly once.
+gets two headers more: mutants.hpp with restrip_mutant(), and mutant_names.hpp, which only the main program includes, so that
+an edit of the list recompiles what includes the changed headers. Exit code 1: a block is malformed, or its text is not found
+exactly once.
 """
 import re
 import sys
@@ -19,17 +21,24 @@ from pathlib import Path
 
 HEADER = """#pragma once
 #include <type_traits>
-namespace restrip {{
+namespace restrip {
 inline int active_mutant = 0;
 /// Never true where the compiler evaluates.
-constexpr bool restrip_mutant(int number) noexcept {{ return !std::is_constant_evaluated() && active_mutant == number; }}
-struct MutantName {{
+constexpr bool restrip_mutant(int number) noexcept { return !std::is_constant_evaluated() && active_mutant == number; }
+}  // namespace restrip
+"""
+
+NAMES = """#pragma once
+namespace restrip {
+struct MutantName {
   const char* name;
   bool endless;
   bool equivalent;
-}};
-inline constexpr MutantName mutant_names[] = {{{names}}};
-}}  // namespace restrip
+};
+/// Fault number N is mutant_names[N - 1].
+inline constexpr MutantName mutant_names[] = {
+%s};
+}  // namespace restrip
 """
 
 
@@ -96,9 +105,9 @@ def main(list_file, headers, copy):
         if "#pragma once\n" not in source:
             raise Malformed("%s: without #pragma once" % file)
         sources[file] = mutated(source, faults, 0, len(source)).replace("#pragma once\n", '#pragma once\n#include "mutants.hpp"\n', 1)
-    names = ", ".join('{"%s", %s, %s}' % (mutant.name, str(mutant.kind == "endless").lower(), str(mutant.kind == "equivalent").lower())
-                      for mutant in mutants)
-    sources["mutants.hpp"] = HEADER.format(names=names)
+    names = ['    {"%s", %s, %s},\n' % (mutant.name, str(mutant.kind == "endless").lower(), str(mutant.kind == "equivalent").lower())
+             for mutant in mutants]
+    sources["mutants.hpp"], sources["mutant_names.hpp"] = HEADER, NAMES % "".join(names)
     for file, source in sources.items():
         path = copy / file
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -114,7 +114,8 @@ class Walk {
     if (check_split(mesh, where) != Refusal::granted) return false;
     one_sided_splits += where.spokes == Where::Spokes::both ? 0U : 1U;
     const std::size_t before = mesh.triangle_count();
-    const auto rewrite = perform([&] { return split(mesh, where); });
+    // A vertex that is named, if only as none, takes a shorter way through the mesh.
+    const auto rewrite = perform([&] { return pick(2) == 0 ? split(mesh, where) : split(mesh, where, none); });
     EXPECT_EQ(mesh.triangle_count(), before + (where.spokes == Where::Spokes::both ? 2U : 1U));
     split_valences.insert(rewrite.valence);
     return true;
@@ -456,6 +457,21 @@ TEST(Operations, AdoptionGoesAroundTheWholeFan) {
     }
 }
 
+// Four triangles, the one in the middle in a strip with two of the others: whoever adopts the third isolates another,
+// however often it is passed on. So nothing changes.
+TEST(Operations, AdoptionThatFailsChangesNothing) {
+  StripMesh mesh = StripMesh::build(std::vector<std::array<Vertex, 3>>{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}}, 6);
+  for (unsigned alone = 0; alone < 3; ++alone) {
+    for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(0, side), side != alone);
+    for (const int depth : {0, 1, 2, 3, 4}) {
+      const Mending done = adopt(mesh, mesh.opposite(StripMesh::halfedge(0, alone)), depth);
+      EXPECT_EQ(done.strips, 0);
+      EXPECT_EQ(done.isolated, 0);
+      for (unsigned side = 0; side < 3; ++side) EXPECT_EQ(mesh.solid(StripMesh::halfedge(0, side)), side != alone);
+    }
+  }
+}
+
 TEST(Operations, AdoptionLeavesFewAlone) {
   StripMesh mesh = sample::rectangle(20, 20);
   Walk walk(mesh, 3, 1000000);
@@ -508,6 +524,26 @@ TEST(Operations, GoingDownAndUpGivesTheSameHandles) {
     for (int i = 0; i < 3 && rotated != up[t]; ++i) std::rotate(rotated.begin(), rotated.begin() + 1, rotated.end());
     EXPECT_EQ(rotated, up[t]) << "triangle " << t;
   }
+}
+
+// A vertex that was removed is used again, unless the caller has named it in the meantime.
+TEST(Operations, AFreeVertexIsGivenOutOnce) {
+  StripMesh mesh = sample::sphere(2);
+  const auto vertices = mesh.vertex_bound();
+  const auto split_at = [&](Vertex v, auto... name) {
+    const StripMesh::Halfedge h = mesh.spoke(v);
+    return split(mesh, Where{h, turn_ccw(mesh, turn_ccw(mesh, h)), Where::Spokes::both}, name...).halfedge;
+  };
+  const StripMesh::Halfedge chord = split_at(0);
+  const Vertex first = mesh.to(chord);
+  EXPECT_EQ(first, vertices);
+  collapse(mesh, chord);
+  EXPECT_EQ(mesh.spoke(first).id, none);
+  EXPECT_EQ(mesh.to(split_at(1, first)), first);
+  const StripMesh::Halfedge second = split_at(2);
+  EXPECT_EQ(mesh.to(second), vertices + 1);
+  collapse(mesh, second);
+  EXPECT_EQ(mesh.to(split_at(3)), vertices + 1);
 }
 
 TEST(Operations, RefusedOperationsSayWhy) {

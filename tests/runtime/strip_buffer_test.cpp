@@ -130,6 +130,32 @@ TEST(StripBuffer, RunsDoNotCrumble) {
   EXPECT_LT(buffer.indices().size(), 2 * buffer.used() + 2048);
 }
 
+// One strip of 130 triangles in runs of 43, 43 and 44, cut anywhere: less than a quarter of max_run that the cut leaves
+// of a run joins the run beside it.
+TEST(StripBuffer, ShortRunsAreTakenIn) {
+  StripMesh ring = sample::tube(65, 1);
+  stripify(ring, Effort::full);
+  const Strips strips = extract_strips(ring);
+  ASSERT_EQ(strips.size(), 1U);
+  const auto strip = strips[0];
+  ASSERT_EQ(strip.size(), 130U);
+  for (std::size_t i = 1; i < strip.size(); ++i) {
+    StripMesh mesh = ring;
+    std::vector<Triangle> changed;
+    mesh.watch(&changed);
+    StripBuffer buffer(mesh, 64);
+    ASSERT_EQ(buffer.runs(), 3U);
+    for (unsigned side = 0; side < 3; ++side)
+      if (const auto h = StripMesh::halfedge(strip[i], side);
+          mesh.solid(h) && StripMesh::triangle(mesh.opposite(h)) == strip[i - 1])
+        mesh.set_solid(h, false);
+    buffer.update(mesh, changed);
+    const auto near = [i](std::size_t end) { return i < end + 16 && i + 16 > end; };
+    EXPECT_EQ(buffer.runs(), near(43) || near(86) ? 3U : 4U) << "cut before triangle " << i;
+    EXPECT_EQ(drawn(buffer.indices()), triangles_of(mesh));
+  }
+}
+
 // A cycle of solid edges is not drawn right, but an update ends; and when the cycle is open again, all is drawn.
 TEST(StripBuffer, AnUpdateEndsWhereColorsAreNotValid) {
   StripMesh mesh = sample::double_cone(8);

@@ -13,6 +13,7 @@
 #include "restrip/operations/operations.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
+#include "restrip/search/tunnel.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -34,18 +35,18 @@ void random_cut_or_link(StripIndex& index, StripMesh& mesh, std::mt19937& random
   if (index.position(a).strip != index.position(b).strip) index.link(mesh, h);
 }
 
-void random_operation(StripIndex& index, StripMesh& mesh, std::mt19937& random, bool grow) {
+// Returns the chord of a split; {none} after anything else.
+Halfedge operation_at(StripIndex& index, StripMesh& mesh, Halfedge h, std::mt19937& random, bool grow) {
   std::vector<Triangle> patch;
-  const Halfedge h = random_halfedge(mesh, random);
   const unsigned kind = static_cast<unsigned>(random() % 5);
   if (kind == 0) {
-    if (check_flip(mesh, h) != Refusal::granted) return;
+    if (check_flip(mesh, h) != Refusal::granted) return {};
     patch = {StripMesh::triangle(h), StripMesh::triangle(mesh.opposite(h))};
     index.before_patch(mesh, patch);
     flip(mesh, h);
     index.after_patch(mesh, patch);
   } else if (!grow) {
-    if (check_collapse(mesh, h) != Refusal::granted) return;
+    if (check_collapse(mesh, h) != Refusal::granted) return {};
     edge_triangles(mesh, h, patch);
     index.before_patch(mesh, patch);
     const auto done = collapse(mesh, h);
@@ -58,14 +59,20 @@ void random_operation(StripIndex& index, StripMesh& mesh, std::mt19937& random, 
       if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh, where.right);
     if (mesh.leaves_boundary(h) && random() % 2 == 0)
       where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
-    if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return;
-    if (check_split(mesh, where) != Refusal::granted) return;
+    if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return {};
+    if (check_split(mesh, where) != Refusal::granted) return {};
     fan_triangles(mesh, h, patch);
     index.before_patch(mesh, patch);
     const auto done = split(mesh, where);
     edge_triangles(mesh, done.halfedge, patch);
     index.after_patch(mesh, patch);
+    return done.halfedge;
   }
+  return {};
+}
+
+void random_operation(StripIndex& index, StripMesh& mesh, std::mt19937& random, bool grow) {
+  operation_at(index, mesh, random_halfedge(mesh, random), random, grow);
 }
 
 // Chunks of all sizes: many small ones, the usual ones, and one for every strip.
@@ -119,6 +126,59 @@ TEST_P(StripIndexOf, AgreesOnALargeMeshAfterEverything) {
   }
   ASSERT_TRUE(agrees(index, mesh));
   ASSERT_TRUE(check_coloring(mesh).valid);
+}
+
+// Splits at one vertex, over and over: the labels between the two triangles beside its fan come closer until there is
+// no room. Some strips have been cut and linked before, so that chunks read in either direction.
+TEST_P(StripIndexOf, AgreesWhereThereIsNoRoomBetweenLabels) {
+  std::mt19937 random(6);
+  StripMesh mesh = sample::torus(30, 20);
+  StripIndex index(mesh, GetParam());
+  Tunnel tunnel;
+  for (int place = 0; place < 30; ++place) {
+    for (int i = 0; i < 1000; ++i) random_cut_or_link(index, mesh, random);
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+      if (mesh.alive(t) && mesh.solid_degree(t) < 2) tunnel.join(mesh, index, t, 100);
+    const Vertex v = mesh.from(random_halfedge(mesh, random));
+    for (int i = 0; i < 120; ++i) {
+      Halfedge h = mesh.spoke(v);
+      for (auto turns = random() % 8; turns > 0; --turns)
+        if (!StripMesh::on_boundary(h)) h = turn_ccw(mesh, h);
+      operation_at(index, mesh, h, random, true);
+      if (i % 40 == 39) {
+        ASSERT_TRUE(agrees(index, mesh)) << place << ' ' << i;
+      }
+    }
+    for (int i = 0; i < 400; ++i) operation_at(index, mesh, random_halfedge(mesh, random), random, false);
+  }
+  ASSERT_TRUE(check_coloring(mesh).valid);
+}
+
+// A strip creeps round a ring of triangles, linked at one end and cut at the other, further than a chunk has labels;
+// and back.
+TEST_P(StripIndexOf, AgreesWhereAStripCreepsOutOfItsLabels) {
+  StripMesh mesh = sample::tube(6, 1);
+  std::vector<Halfedge> ring;  // from each triangle to the next
+  for (Halfedge h = StripMesh::halfedge(0, 0); ring.size() < mesh.triangle_count(); h = mesh.opposite(ring.back())) {
+    do h = StripMesh::next(h);
+    while (StripMesh::on_boundary(mesh.opposite(h)));
+    ring.push_back(h);
+  }
+  StripIndex index(mesh, GetParam());
+  constexpr std::size_t length = 5;
+  constexpr std::size_t way = 2600;
+  const auto dual_edge = [&](std::size_t i) { return ring[i % ring.size()]; };
+  for (std::size_t i = 0; i < length; ++i) index.link(mesh, dual_edge(i));
+  for (std::size_t i = 0; i < way; ++i) {
+    index.link(mesh, dual_edge(i + length));
+    index.cut(mesh, dual_edge(i));
+    ASSERT_TRUE(agrees(index, mesh)) << i;
+  }
+  for (std::size_t i = way; i-- > 0;) {
+    index.link(mesh, dual_edge(i));
+    index.cut(mesh, dual_edge(i + length));
+    ASSERT_TRUE(agrees(index, mesh)) << i;
+  }
 }
 
 }  // namespace
