@@ -27,7 +27,7 @@ need "${packages[@]}"
 
 say "building"
 cmake --preset release -DRESTRIP_ALLOW_MISSING=ON >/dev/null
-cmake --build --preset release --target restrip-dump-tables restrip-verify restrip-sat runtime_static_proof_test >/dev/null
+cmake --build --preset release --target restrip-dump-tables restrip-verify restrip-verify-automaton restrip-sat runtime_static_proof_test >/dev/null
 bin=build/release/bin
 logs=build/proof
 mkdir -p "$logs"
@@ -67,6 +67,11 @@ rung linked "what the linked look-up picks is the best, in every position, whate
   "C++ compiler, Boost.Graph, verify/" \
   's/^answers of the shipped headers proved: (.*)$/\1/p' \
   $bin/restrip-verify --headers --linked-dump-command "$bin/restrip-dump-tables --linked"
+rung automaton "every answer of the automaton is sound and optimal, for every k" \
+  "every colouring of the finitely many kinds of arcs, every pair of them; whole fans to k = 10 as well" \
+  "C++ compiler, verify/automaton, the interface lemma of docs/automaton.md" \
+  's/^verified: (.*)$/\1/p' \
+  $bin/restrip-verify-automaton --tables-dir tables
 rung reasons "every rule in the certificates is sound and optimal" \
   "the certificates' reasons, without any search" \
   "Python, scripts/check_reasons.py" \
