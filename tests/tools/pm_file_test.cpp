@@ -9,6 +9,7 @@
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"
 #include "replay/replay.hpp"
+#include "replay/ways.hpp"
 #include "shapes.hpp"
 
 namespace restrip::tools {
@@ -33,7 +34,7 @@ TEST(PmFile, WhatIsWrittenIsRead) {
     EXPECT_EQ(again.fine_triangles(), soup.triangles.size());
     // Numbered in order of appearance, it stays as it is.
     EXPECT_EQ(pm_bytes(again), bytes);
-    const ReplayReport report = replay(again, {}, {2, 0, 0});
+    const ReplayReport report = replay(Plan("local", again), {}, {2, 0, 0});
     EXPECT_TRUE(report.valid());
     EXPECT_EQ(report.operations_without_rule, 0U);
   }
@@ -69,7 +70,7 @@ TEST(PmFile, RealOne) {
   const ProgressiveMesh mesh = read_pm(file);
   EXPECT_EQ(mesh.base.size(), 694U);
   EXPECT_EQ(mesh.splits.size(), 34486U);
-  const ReplayReport report = replay(mesh, {}, {2, 0, 1});
+  const ReplayReport report = replay(Plan("local", mesh), {}, {2, 0, 1});
   EXPECT_TRUE(report.valid());
   EXPECT_EQ(report.triangles, 69666U);
   EXPECT_EQ(report.operations_without_rule, 0U);
@@ -94,7 +95,7 @@ TEST(PmFile, TheOtherOrientationDoesNotFit) {
   const auto file = REAL_MESH("om_bunny.pm");
   ProgressiveMesh mesh = read_pm(file);
   for (Record& record : mesh.splits) std::swap(record.v_l, record.v_r);
-  EXPECT_GT(replay(mesh, {}, {2, 0, 0}).operations_without_rule, 0U);
+  EXPECT_GT(replay(Plan("local", mesh), {}, {2, 0, 0}).operations_without_rule, 0U);
 }
 
 TEST(PmFile, HoppesIsNamed) {
