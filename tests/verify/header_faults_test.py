@@ -22,7 +22,7 @@ MAX_K = "5"
 MOST_STEPS = 100  # a path meets each of eight ports twice at most, and the longest list has 82 rows
 
 # File, what stands before the expression, the expression, the faulty ones, and in which table the first must show.
-KEY, RULES, LINKED = "key.hpp", "rules.hpp", "linked.hpp"
+KEY, RULES, LINKED = "rules/key.hpp", "rules/rules.hpp", "operations/linked.hpp"
 SITES = [
     (KEY, "if (!", "has(inner, k + 2)", ["true", "false"], "collapse"),
     (KEY, "return {back(along | name_of_pair(ring, pair, elements)), ", "back(pair)", ["0"], "linked-collapse"),
