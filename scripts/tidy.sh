@@ -2,6 +2,7 @@
 # Runs clang-tidy over every room but the tests. All sources of a target are one unit, because most of the time goes into headers
 # that each of them includes; units are configured in build/tidy (the preset tidy), where nothing is built.
 set -euo pipefail
+[ $# -eq 0 ] || { echo "usage: tidy.sh (no arguments)" >&2; exit 2; }
 cd "$(dirname "$0")/.."
 
 cmake --preset tidy >/dev/null
