@@ -18,7 +18,7 @@ StripMesh sheet(Vertex n) {
       triangles.push_back({at(row, column), at(row, column + 1), at(row + 1, column + 1)});
       triangles.push_back({at(row, column), at(row + 1, column + 1), at(row + 1, column)});
     }
-  return StripMesh::build(triangles, (n + 1) * (n + 1));
+  return StripMesh::build(triangles, (std::size_t{n} + 1) * (n + 1));
 }
 
 /// What a collapse removed, so that a split can bring it back.

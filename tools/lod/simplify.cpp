@@ -121,7 +121,9 @@ class RecordedMesh : public KernelMesh {
   class VertexVertexIter {
    public:
     VertexVertexIter() = default;
-    VertexVertexIter(const RecordedMesh& mesh, KernelMesh::VertexVertexIter at) : mesh_(&mesh), at_(at) { skip(); }
+    VertexVertexIter(const RecordedMesh& mesh, const KernelMesh::VertexVertexIter& at) : mesh_(&mesh), at_(at) {
+      skip();
+    }
     [[nodiscard]] bool is_valid() const { return at_.is_valid(); }
     VertexHandle operator*() const { return *at_; }
     VertexVertexIter& operator++() {

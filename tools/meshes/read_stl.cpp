@@ -23,13 +23,13 @@ std::uint32_t read_u32(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-struct Place {
+struct StlPoint {
   std::array<std::uint32_t, 3> bits;
-  friend bool operator==(const Place&, const Place&) = default;
+  friend bool operator==(const StlPoint&, const StlPoint&) = default;
 };
 
 struct PlaceHash {
-  std::size_t operator()(const Place& place) const noexcept {
+  std::size_t operator()(const StlPoint& place) const noexcept {
     std::uint64_t hash = 0;
     for (const std::uint32_t bits : place.bits) hash = (hash ^ bits) * 0x9E3779B97F4A7C15U, hash ^= hash >> 29;
     return static_cast<std::size_t>(hash);
@@ -42,7 +42,7 @@ class Welder {
   explicit Welder(const std::string& name) : soup_(name) {}
 
   void add_corner(double x, double y, double z) {
-    const Place place{{bits_of(x), bits_of(y), bits_of(z)}};
+    const StlPoint place{{bits_of(x), bits_of(y), bits_of(z)}};
     const auto [known, fresh] = vertex_.try_emplace(place, static_cast<std::uint32_t>(soup_.point_count()));
     if (fresh) soup_.add_point(x, y, z);
     corners_[filled_++] = known->second;
@@ -58,7 +58,7 @@ class Welder {
   static std::uint32_t bits_of(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value) + 0.0F); }
 
   SoupBuilder soup_;
-  std::unordered_map<Place, std::uint32_t, PlaceHash> vertex_;
+  std::unordered_map<StlPoint, std::uint32_t, PlaceHash> vertex_;
   Corners corners_{};
   unsigned filled_ = 0;
 };
