@@ -229,6 +229,7 @@ Merged read_shards(const fs::path& directory, const std::string& id) {
                     directory.string(), directory.string()));
   std::sort(paths.begin(), paths.end());
   std::vector<ShardBytes> shards;
+  shards.reserve(paths.size());
   for (const fs::path& path : paths) shards.push_back({path, files::read_whole(path)});
   return merge_shards(shards, id, directory);
 }
