@@ -1,6 +1,6 @@
 #pragma once
 // A certificate in memory, and its parser (docs/certificate.md). The parser settles form: grammar, sections, order,
-// duplicates, number of rows. Whether a row is true is somebody else's question.
+// duplicates, number of rows. Whether a row is true is checked elsewhere.
 
 #include <array>
 #include <string>

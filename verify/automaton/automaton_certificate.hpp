@@ -1,6 +1,6 @@
 #pragma once
 // The automaton's certificate in memory, and its parser (docs/automaton.md, "Certificate"). The parser settles form:
-// every row that must be there, in its order, and no other. Whether a row is true is somebody else's question.
+// every row that must be there, in its order, and no other. Whether a row is true is checked elsewhere.
 
 #include <array>
 #include <cstddef>

@@ -81,20 +81,6 @@ struct BitSpan {
     }
     return nowhere;
   }
-
-  /// The highest set bit in [from, to), or `nowhere`. Time: one step a word.
-  constexpr std::size_t last_set(std::size_t from, std::size_t to) const noexcept {
-    while (from < to) {
-      const std::size_t top = to - 1;
-      const Word rest = words[top / word_bits] << (word_bits - 1 - top % word_bits);
-      if (rest != 0) {
-        const std::size_t down = static_cast<std::size_t>(std::countl_zero(rest));
-        return top - from >= down ? top - down : nowhere;
-      }
-      to = top / word_bits * word_bits;
-    }
-    return nowhere;
-  }
 };
 
 /// A view through which a result is written. The words must not overlap those of any argument.
