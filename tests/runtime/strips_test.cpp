@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "sample_meshes.hpp"
 
@@ -142,6 +143,29 @@ TEST(Strips, EveryStripIsWrittenAsShortAsCanBe) {
       one.order.assign(all[s].begin(), all[s].end());
       one.start.push_back(one.order.size());
       EXPECT_EQ(strip_index_count(mesh, one), shortest(mesh, all[s]));
+    }
+  }
+}
+
+// Within each strip the swaps told from four colours are those that the written strip repeats an index for, but for the
+// first turn, which can cost one more.
+TEST(Strips, SwapsAreToldFromFourColours) {
+  std::mt19937 random(2);
+  for (StripMesh& mesh : sample::meshes()) {
+    color_at_random(mesh, 0.8, random);
+    const Strips strips = extract_strips(mesh);
+    for (std::size_t s = 0; s < strips.size(); ++s) {
+      std::size_t swaps = 0;
+      for (std::size_t i = 0; i + 1 < strips[s].size(); ++i)
+        for (unsigned side = 0; side < 3; ++side) {
+          const StripMesh::Halfedge h = StripMesh::halfedge(strips[s][i], side);
+          if (!mesh.solid(h) || StripMesh::triangle(mesh.opposite(h)) != strips[s][i + 1]) continue;
+          EXPECT_EQ(is_swap(mesh, h), is_swap(mesh, mesh.opposite(h)));
+          swaps += is_swap(mesh, h) ? 1U : 0U;
+        }
+      const std::size_t repeated = shortest(mesh, strips[s]) - strips[s].size() - 2;
+      EXPECT_GE(repeated, swaps);
+      EXPECT_LE(repeated, swaps + 1);
     }
   }
 }

@@ -16,6 +16,7 @@
 #pragma once
 
 #include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/refusal.hpp"
 #include "restrip/mesh/strip_mesh.hpp"

@@ -1,0 +1,46 @@
+// What a colouring costs: a weight for each strip, each swap and each isolated triangle.
+//
+// An index buffer of plain triangle strips with primitive restart holds T + 3 S + W + X - 1 indices: T triangles, S
+// strips (two indices to begin with, one restart), W *swaps* and X strips that begin with the wrong turn. The *turn* of
+// a strip at a triangle is clockwise or counter-clockwise, from the side it enters by to the side it leaves by; two
+// consecutive triangles that turn the same way repeat one index (Evans, Skiena, Varshney, "Optimizing triangle strips
+// for fast rendering", 1996). A strip can be written from either end, but where it would begin with a turn to the right
+// from both, its winding takes one index more: X, at most S, is a property of whole strips and no part of the cost.
+//
+// So Cost::indices() is the length of the index buffer up to T - 1 and X, and Cost::strips() is the number of strips.
+// Other formats have other weights.
+#pragma once
+
+#include <cstdint>
+
+#include "restrip/mesh/mesh.hpp"
+
+namespace restrip {
+
+/// The cost of a colouring with S strips, W swaps and I isolated triangles: restart * S + swap * W + isolated * I.
+/// Among colourings of equal cost the library prefers fewer isolated triangles where its method can tell.
+struct Cost {
+  std::uint16_t restart = 1;   ///< of each strip
+  std::uint16_t swap = 0;      ///< of each swap
+  std::uint16_t isolated = 0;  ///< of each isolated triangle, beside the restart of the strip that it is
+
+  [[nodiscard]] static constexpr Cost strips() noexcept { return {1, 0, 0}; }
+  [[nodiscard]] static constexpr Cost indices() noexcept { return {3, 1, 0}; }
+  friend constexpr bool operator==(const Cost&, const Cost&) = default;
+};
+
+/// True when the dual edge of h, which must be solid, is a swap: both of its triangles have two solid edges, and the
+/// strip turns the same way in both. Constant time, four colours.
+template <ColoredMesh Mesh>
+[[nodiscard]] constexpr bool is_swap(const Mesh& mesh, typename Mesh::Halfedge h) {
+  const auto back = mesh.opposite(h);
+  const auto right = mesh.next(h);
+  const auto right_back = mesh.next(back);
+  const bool turns_right = mesh.solid(right);
+  const bool turns_right_back = mesh.solid(right_back);
+  // Seen from the edge both triangles look outwards, so equal turns of the strip look different from here.
+  return turns_right != turns_right_back && (turns_right || mesh.solid(mesh.next(right))) &&
+         (turns_right_back || mesh.solid(mesh.next(right_back)));
+}
+
+}  // namespace restrip
