@@ -28,6 +28,7 @@
 #include "restrip/operations/operations.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/output/vertex_cache.hpp"
 #include "restrip/precondition.hpp"
 #include "restrip/rules/bits.hpp"
 #include "restrip/rules/exact.hpp"
