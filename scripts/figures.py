@@ -1,92 +1,142 @@
 #!/usr/bin/env python3
 """Writes the figures of the documents anew, or checks that they are what their commands print.
 
-A document marks a table by the command that prints it:
+A document marks each table with figures by the command that prints it:
 
     <!-- figures: COMMAND -->
     the table
     <!-- /figures -->
 
-COMMAND runs in the project's folder; ${MESHES} in it stands for the folder of real meshes (RESTRIP_MESHES).
+"figures" are the same on every machine and take seconds (CTest compares them), "long figures" are the same too but need
+minutes or real meshes, "timed figures" depend on the machine or the compiler. COMMAND runs in the project's folder; ${MESHES}
+in it stands for the folder of real meshes (RESTRIP_MESHES). A document that one command writes as a whole names it in its
+first line: <!-- page: COMMAND -->
 """
 import argparse
 import os
 import re
+import shlex
 import subprocess
 import sys
+from pathlib import Path
 
-BARE = re.compile(r"^\|(?: *:?-+:? *\|)+$")
-BLOCK = re.compile(r"(<!-- figures: (?P<command>.+?) -->\n)(?P<table>.*?)(<!-- /figures -->)", re.S)
-
-
-def output_of(command, meshes):
-    if "${MESHES}" in command:
-        if not meshes:
-            return None
-        command = command.replace("${MESHES}", meshes)
-    return subprocess.run(command, shell=True, check=True, capture_output=True, text=True).stdout
+ROOT = Path(__file__).resolve().parent.parent
+BIN = "build/release/bin"
+BLOCK = re.compile(r"(<!-- (?:(?P<kind>long|timed) )?figures: (?P<command>.+?) -->\n)(?P<table>.*?)(<!-- /figures -->)", re.S)
+PAGE = re.compile(r"<!-- page: (?P<command>.+?) -->\n")
+RULER = re.compile(r"^\|(?: *:?-+:? *\|)+$")
+FIGURE = re.compile(r" *\d")
 
 
-def list_bare(documents):
-    """Prints each table with a number behind its first column that no command writes; returns how many there are."""
-    count = 0
-    for document in documents:
-        with open(document, encoding="utf-8") as file:
-            lines = BLOCK.sub(lambda block: "\n" * block[0].count("\n"), file.read()).splitlines()
-        for number, line in enumerate(lines):
-            if not BARE.match(line):
-                continue
-            rows = []
-            for row in lines[number + 1:]:
-                if not row.startswith("|"):
-                    break
-                rows.append(row)
-            if any(re.match(r" *\d", cell) for row in rows for cell in row.split("|")[2:]):
-                count += 1
-                print(f"{document}:{number}: {lines[number - 1]}")
-    return count
+def kind_of(block):
+    return block["kind"] or "quick"
+
+
+def missing(command, folder):
+    """What a command needs and does not find, if anything: its programs must be scripts of ours or have been built."""
+    for word in shlex.split(command):
+        if word.startswith(BIN + "/"):
+            path = folder / word[len(BIN) + 1:]
+        elif word.startswith("scripts/"):
+            path = ROOT / word
+        else:
+            continue
+        if not os.access(path, os.X_OK):
+            return f"{path} is not there"
+    return None
+
+
+def list_bare(document, text, folder):
+    """Prints each table that has a number behind its first column and no command, and each command that cannot run."""
+    faults = 0
+    page = PAGE.match(text)
+    for match in [page] if page else BLOCK.finditer(text):
+        reason = missing(match["command"], folder)
+        if reason:
+            faults += 1
+            print(f"{document}: {reason}: {match['command']}")
+    lines = [] if page else BLOCK.sub(lambda block: "\n" * block[0].count("\n"), text).splitlines()
+    for number, line in enumerate(lines):
+        if not RULER.match(line):
+            continue
+        rows = []
+        for row in lines[number + 1:]:
+            if not row.startswith("|"):
+                break
+            rows.append(row)
+        if any(FIGURE.match(cell) for row in rows for cell in row.split("|")[2:]):
+            faults += 1
+            print(f"{document}:{number}: no command: {lines[number - 1]}")
+    return faults
+
+
+def output_of(command, folder, meshes):
+    command = command.replace(BIN + "/", shlex.quote(str(folder)) + "/").replace("${MESHES}", shlex.quote(meshes))
+    return subprocess.run(command, shell=True, check=True, stdout=subprocess.PIPE, text=True, cwd=ROOT).stdout
+
+
+class Figures:
+    """The tables of some documents, written anew or compared."""
+
+    def __init__(self, arguments):
+        self.arguments = arguments
+        self.meshes = os.environ.get("RESTRIP_MESHES", "")
+        self.same = self.different = self.skipped = 0
+
+    def wanted(self, block):
+        return kind_of(block) in self.arguments.kind and self.arguments.only in block["command"]
+
+    def fresh(self, document, block):
+        """The block as its command prints it now."""
+        if not self.wanted(block):
+            return block[0]
+        command = block["command"]
+        if "${MESHES}" in command and not self.meshes:
+            self.skipped += 1
+            print(f"{document}: not run, RESTRIP_MESHES is not set: {command}", file=sys.stderr)
+            return block[0]
+        table = output_of(command, self.arguments.bin, self.meshes)
+        if table == block["table"]:
+            self.same += 1
+        else:
+            self.different += 1
+            print(f"{document}: differs: {command}", file=sys.stderr)
+        return block[1] + table + block[5]
+
+    def go_through(self, document, text):
+        new = BLOCK.sub(lambda block: self.fresh(document, block), text)
+        if new != text and not self.arguments.check:
+            Path(document).write_text(new, encoding="utf-8")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
-                                     epilog="Example: RESTRIP_MESHES=meshes scripts/figures.py docs/strips.md")
-    parser.add_argument("documents", nargs="+", metavar="DOCUMENT")
+                                     epilog="Example: RESTRIP_MESHES=meshes scripts/figures.py --kind long docs/strips.md")
+    parser.add_argument("documents", nargs="*", metavar="DOCUMENT", help="README.md, CONTRIBUTING.md and docs/ when none is given")
     parser.add_argument("--check", action="store_true", help="change nothing; exit with 1 where a table differs")
-    parser.add_argument("--only", metavar="TEXT", help="only commands that contain this text")
+    parser.add_argument("--kind", action="append", choices=["quick", "long", "timed"],
+                        help="which figures; may be repeated; quick ones when none is given")
+    parser.add_argument("--only", metavar="TEXT", default="", help="only commands that contain this text")
+    parser.add_argument("--bin", type=Path, default=ROOT / BIN, help=f"where the programs are, instead of {BIN}")
     parser.add_argument("--bare", action="store_true",
-                        help="run nothing; list the tables with figures that no command writes, and exit with 1 if there are any")
+                        help="run nothing; list the tables with figures that have no command, and the commands that "
+                        "are not there, and exit with 1 if there are any")
     arguments = parser.parse_args()
+    arguments.kind = arguments.kind or ["quick"]
+    arguments.bin = arguments.bin.resolve()
+    documents = arguments.documents or [ROOT / name for name in ("README.md", "CONTRIBUTING.md")] + sorted(ROOT.glob("docs/*.md"))
+    figures, bare = Figures(arguments), 0
+    for document in documents:
+        text = Path(document).read_text(encoding="utf-8")
+        if arguments.bare:
+            bare += list_bare(document, text, arguments.bin)
+        else:
+            figures.go_through(document, text)
     if arguments.bare:
-        sys.exit(1 if list_bare(arguments.documents) else 0)
-    meshes = os.environ.get("RESTRIP_MESHES", "")
-    different = skipped = same = 0
-    for document in arguments.documents:
-        with open(document, encoding="utf-8") as file:
-            text = file.read()
-
-        def fresh(block):
-            nonlocal different, skipped, same
-            command = block["command"]
-            if arguments.only and arguments.only not in command:
-                return block[0]
-            table = output_of(command, meshes)
-            if table is None:
-                skipped += 1
-                print(f"{document}: not run, RESTRIP_MESHES is not set: {command}", file=sys.stderr)
-                return block[0]
-            if table == block["table"]:
-                same += 1
-            else:
-                different += 1
-                print(f"{document}: differs: {command}", file=sys.stderr)
-            return block[1] + table + block[4]
-
-        new = BLOCK.sub(fresh, text)
-        if new != text and not arguments.check:
-            with open(document, "w", encoding="utf-8") as file:
-                file.write(new)
-    print(f"{same} tables as they were, {different} {'differ' if arguments.check else 'written anew'}, {skipped} not run")
-    if arguments.check and different:
+        sys.exit(1 if bare else 0)
+    print(f"{figures.same} tables as they were, {figures.different} {'differ' if arguments.check else 'written anew'}, "
+          f"{figures.skipped} not run")
+    if arguments.check and (figures.different or not figures.same):
         sys.exit(1)
 
 

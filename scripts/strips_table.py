@@ -1,21 +1,53 @@
 #!/usr/bin/env python3
-"""Replays meshes under every policy and prints a table: all of it for docs/strips.md, --brief for the README."""
+"""Replays meshes and prints a table of one of the documents.
+
+levels:     strips, indices and times of each mesh under every policy (docs/strips.md)
+brief:      the same of one mesh in a few columns (README.md)
+cycles:     strips at the top of one mesh after many ways down and up (docs/strips.md)
+bolder:     how often a bolder recolouring than the local rule would have been valid in one mesh (docs/strips.md)
+baked:      what baked strips cost (docs/baked.md)
+isolating:  splits that isolate a triangle under the paper's method, mesh by mesh (docs/paper.md)
+"""
 import argparse
+import csv
 import json
 import os
 import subprocess
 import sys
+import tempfile
 
 WAYS = ["local", "linked", "quick", "quick --tie-break indices", "full", "full --states 1024", "baked"]
 BRIEF_WAYS = ["local", "linked", "quick", "full", "baked"]
+CYCLE_WAYS = ["linked", "quick", "full"]
+SHOWN_CYCLES = [1, 2, 50, 100]
+PAPER_WAYS = {
+    "paper": "both halves of a cut edge inherit its colour; the two new triangles join when both are alone",
+    "paper-tunnel": "the same, with tunnelling while more than a tenth of the strips are isolated triangles",
+    "paper-alone-tunnel": "as before, but the two new triangles never join",
+    "paper-alone": "never join, no tunnelling",
+    "local": "its rule",
+}
 
 
-def run(*command):
-    return json.loads(subprocess.check_output(command))
+class Program:
+    def __init__(self, path, repeats):
+        self.path, self.repeats = path, repeats
+
+    def run(self, *arguments):
+        return json.loads(subprocess.check_output([self.path, *arguments, "--json", "-"]))
+
+    def replay(self, mesh, way, *options, repeats=None):
+        """From 2 % of the triangles to all of them and back; a file of baked strips is played as it is."""
+        base = [] if mesh.endswith(".baked") else ["--base", "0.02"]
+        report = self.run("replay", mesh, *base, "--policy", *way.split(), "--repeats",
+                          str(self.repeats if repeats is None else repeats), *options)
+        if not report["valid"]:
+            sys.exit(f"{mesh}, {way}: {report['faults']}")
+        return report
 
 
-def replay(program, mesh, way):
-    return run(program, "replay", mesh, "--base", "0.02", "--policy", *way.split(), "--repeats", "3", "--json", "-")
+def name_of(mesh):
+    return os.path.splitext(os.path.basename(mesh))[0]
 
 
 def per_strip(level):
@@ -32,32 +64,34 @@ def nearest(levels, triangles):
     return min(levels, key=lambda level: abs(level["triangles"] - triangles))
 
 
+def share(part, whole):
+    return f"{100 * part / whole:.1f} %"
+
+
+def times_bare(report):
+    """A split and a collapse against the bare update."""
+    return (report["ns_per_operation"] / report["ns_per_operation_bare"], report["ns_per_collapse"] / report["ns_per_collapse_bare"])
+
+
 def line(cells):
     print("| " + " | ".join(cells) + " |", flush=True)
 
 
-def header(heads):
+def header(*heads):
     line(heads)
     print("|" + " --- |" * len(heads))
 
 
-def checked(report, what):
-    if not report["valid"]:
-        sys.exit(f"{what}: {report['faults']}")
-    return report
-
-
-def full_table(program, meshes, ways):
-    header(["mesh", "`--policy`", "strips at the top", "triangles per strip", "indices per triangle",
-            "least above 20,000: up, down", "least above 5,000: up, down", "isolating splits", "µs a split, a collapse",
-            "times the bare update", "bytes written a split"])
+def levels_table(program, meshes, ways):
+    header("mesh", "`--policy`", "strips at the top", "triangles per strip", "indices per triangle",
+           "least above 20,000: up, down", "least above 5,000: up, down", "isolating splits", "µs a split, a collapse",
+           "times the bare update", "bytes written a split")
     for mesh in meshes:
-        for way in ways:
-            report = checked(replay(program, mesh, way), f"{mesh}, {way}")
+        for way in ways or WAYS:
+            report = program.replay(mesh, way)
             up, down, top = report["levels"], report["levels_down"], report["levels"][-1]
-            split, collapse = report["ns_per_operation"], report["ns_per_collapse"]
             line([
-                os.path.basename(mesh),
+                name_of(mesh),
                 f"`{way}`",
                 f"{top['strips']:,}",
                 f"{per_strip(top):,.1f}",
@@ -65,18 +99,18 @@ def full_table(program, meshes, ways):
                 f"{least(up, 20000)}, {least(down, 20000)}",
                 f"{least(up, 5000)}, {least(down, 5000)}",
                 f"{report['operations_isolating']}",
-                f"{split / 1000:.2f}, {collapse / 1000:.2f}",
-                f"{split / report['ns_per_operation_bare']:.1f}, {collapse / report['ns_per_collapse_bare']:.1f}",
+                f"{report['ns_per_operation'] / 1000:.2f}, {report['ns_per_collapse'] / 1000:.2f}",
+                "{:.1f}, {:.1f}".format(*times_bare(report)),
                 f"{report['buffer_bytes_written_per_operation']:,.0f} of {report['buffer_bytes'] / 1000:,.0f} k",
             ])
 
 
-def brief_table(program, mesh, ways):
-    reports = {way: checked(replay(program, mesh, way), f"{mesh}, {way}") for way in ways}
+def brief_table(program, meshes, ways):
+    reports = {way: program.replay(meshes[0], way) for way in ways or BRIEF_WAYS}
     stops = next(iter(reports.values()))["levels"]
-    middle, low = (nearest(stops, stops[-1]["triangles"] * share)["triangles"] for share in (0.5, 0.1))
-    header(["policy", "triangles per strip at the top", f"on the way down, at {middle:,}", f"at {low:,}",
-            "splits that isolate a triangle", "a split, a collapse, against the bare update"])
+    middle, low = (nearest(stops, stops[-1]["triangles"] * part)["triangles"] for part in (0.5, 0.1))
+    header("policy", "triangles per strip at the top", f"on the way down, at {middle:,}", f"at {low:,}",
+           "splits that isolate a triangle", "a split, a collapse, against the bare update")
     for way, report in reports.items():
         down = report["levels_down"]
         line([
@@ -85,27 +119,86 @@ def brief_table(program, mesh, ways):
             f"{per_strip(nearest(down, middle)):,.1f}",
             f"{per_strip(nearest(down, low)):,.1f}",
             f"{report['operations_isolating']}",
-            f"{report['ns_per_operation'] / report['ns_per_operation_bare']:.1f}x, "
-            f"{report['ns_per_collapse'] / report['ns_per_collapse_bare']:.1f}x",
+            "{:.1f}x, {:.1f}x".format(*times_bare(report)),
         ])
     for effort in ("fast", "full"):
-        report = run(program, "stripify", mesh, "--effort", effort, "--json", "-")
+        report = program.run("stripify", meshes[0], "--effort", effort)
         line([f"from scratch, `stripify --effort {effort}`", f"{per_strip(report):,.1f}", "–", "–", "–", "–"])
 
 
+def cycles_table(program, meshes, ways):
+    header("policy", *(str(cycle) for cycle in SHOWN_CYCLES), "operations that isolated a triangle")
+    for way in ways or CYCLE_WAYS:
+        cycles = program.replay(meshes[0], way, "--cycles", str(SHOWN_CYCLES[-1]), repeats=0)["cycles"]
+        isolating = sum(cycle["isolating"] for cycle in cycles)
+        line([f"`{way}`", *(f"{cycles[cycle - 1]['top_strips']:,}" for cycle in SHOWN_CYCLES), f"{isolating}"])
+
+
+def bolder_table(program, meshes, _):
+    report = program.replay(meshes[0], "local", repeats=0)["best_in_this_mesh"]
+    header("", "operations", "a bolder recolouring was valid", "bolder than the linked rule, too", "the local rule adds a strip",
+           "so does the best in that mesh")
+    for kind in ("splits", "collapses"):
+        counts = report[kind]
+        line([kind, f"{counts['operations']:,}"] + [share(counts[what], counts["operations"]) for what in
+                                                    ("bolder", "missed_by_linked", "adding_strip", "adding_strip_at_best")])
+
+
+def baked_table(program, meshes, _):
+    header("mesh", "connected components", "triangles", "strips at the reported levels, coarse to fine, up and down",
+           "most of all levels", "needed at least at the top", "flips a record", "bytes a record", "bake, s",
+           "split: ns, bare, times", "collapse: ns, bare, times")
+    for mesh in meshes:
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "mesh.baked")
+            baked = program.run("bake", mesh, "-o", file)
+            report = program.replay(file, "baked", "--cycles", "2")
+        if not report["baked"]["levels_compared"]:
+            sys.exit(f"{mesh}: no level was compared")
+        strips = [level["strips"] for level in report["levels"]]
+        split, collapse = times_bare(report)
+        line([
+            name_of(mesh),
+            f"{baked['components']}",
+            f"{baked['base_triangles']:,} to {baked['triangles']:,}",
+            f"{strips[0]} at each of the {len(strips)}" if len(set(strips)) == 1 else ", ".join(map(str, strips)),
+            f"{baked['most_strips']}",
+            f"{baked['top_at_least']}",
+            f"{baked['flips_per_record']:.1f}",
+            f"{baked['bytes_per_record']:.1f}",
+            f"{baked['seconds']:.1f}",
+            f"{report['ns_per_operation']:.0f}, {report['ns_per_operation_bare']:.0f}, {split:.2f}",
+            f"{report['ns_per_collapse']:.0f}, {report['ns_per_collapse_bare']:.0f}, {collapse:.2f}",
+        ])
+
+
+def isolating_table(program, meshes, _):
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.check_call([program.path, "paper", "--out", folder, *meshes], stdout=subprocess.DEVNULL)
+        with open(os.path.join(folder, "isolating.csv"), encoding="utf-8") as file:
+            counts = {(row["mesh"], row["policy"]): row for row in csv.DictReader(file)}
+    header("policy", "what happens at a split that is not of a 4-vertex", *map(name_of, meshes))
+    for way, what in PAPER_WAYS.items():
+        rows = [counts[os.path.basename(mesh), way] for mesh in meshes]
+        line([f"`{way}`", what, *(f"{int(row['isolating']):,} of {int(row['splits']):,}, {row['percent']} %" for row in rows)])
+
+
+TABLES = {"levels": levels_table, "brief": brief_table, "cycles": cycles_table, "bolder": bolder_table, "baked": baked_table,
+          "isolating": isolating_table}
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, epilog="Example: scripts/strips_table.py build/release/bin/restrip bunny.obj")
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+                                     epilog="Example: scripts/strips_table.py brief build/release/bin/restrip bunny.obj")
+    parser.add_argument("table", choices=TABLES)
     parser.add_argument("program", help="restrip")
     parser.add_argument("meshes", nargs="+", metavar="MESH")
-    parser.add_argument("--way", action="append", choices=WAYS, help="only this one; may be repeated")
-    parser.add_argument("--brief", action="store_true", help="the table of the README, for one mesh")
+    parser.add_argument("--way", action="append", help="levels, brief, cycles: only this policy; may be repeated")
+    parser.add_argument("--repeats", type=int, default=3, help="how often times are measured; default 3")
     arguments = parser.parse_args()
-    if arguments.brief:
-        if len(arguments.meshes) != 1:
-            parser.error("--brief takes one mesh")
-        brief_table(arguments.program, arguments.meshes[0], arguments.way or BRIEF_WAYS)
-    else:
-        full_table(arguments.program, arguments.meshes, arguments.way or WAYS)
+    if arguments.table in ("brief", "cycles", "bolder") and len(arguments.meshes) != 1:
+        parser.error(f"{arguments.table} takes one mesh")
+    TABLES[arguments.table](Program(arguments.program, arguments.repeats), arguments.meshes, arguments.way)
 
 
 main()

@@ -27,7 +27,7 @@ TEST(Bake, ReportsWhatEveryLevelHas) {
     std::size_t strips = check_coloring(mesh).strips;
     EXPECT_EQ(strips, report.base_strips);
     std::size_t most = strips;
-    std::size_t fewest = strips == report.pieces ? 1 : 0;
+    std::size_t fewest = strips == report.components ? 1 : 0;
     for (std::size_t i = 0; i < baked.records.size(); ++i) {
       const Record& record = baked.mesh.splits[i];
       const auto done = split_baked(mesh, spokes_of(mesh, record), baked.records[i], record.v_t);
@@ -36,7 +36,7 @@ TEST(Bake, ReportsWhatEveryLevelHas) {
       ASSERT_EQ(static_cast<int>(level.strips), static_cast<int>(strips) + done.strips);
       strips = level.strips;
       most = std::max(most, strips);
-      fewest += strips == report.pieces ? 1U : 0U;
+      fewest += strips == report.components ? 1U : 0U;
     }
     EXPECT_EQ(strips, report.top_strips);
     EXPECT_GE(strips, report.top_at_least);

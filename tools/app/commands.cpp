@@ -192,7 +192,7 @@ int run(const BakeCommand& command) {
   const nlohmann::ordered_json json{{"base_triangles", baked.base.triangle_count()},
                                     {"triangles", baked.mesh.fine_triangles()},
                                     {"records", records},
-                                    {"pieces", report.pieces},
+                                    {"components", report.components},
                                     {"base_strips", report.base_strips},
                                     {"top_strips", report.top_strips},
                                     {"top_at_least", report.top_at_least},
@@ -209,7 +209,7 @@ int run(const BakeCommand& command) {
       "components, {:.2f} % of the levels in as many strips\n"
       "{:.2f} flips and {:.1f} bytes a record, {} bytes in all; {:.1f} seconds\n",
       command.out.string(), baked.base.triangle_count(), records, baked.mesh.fine_triangles(), report.base_strips,
-      report.top_strips, report.top_at_least, report.most_strips, report.pieces,
+      report.top_strips, report.top_at_least, report.most_strips, report.components,
       100.0 * static_cast<double>(report.fewest_levels) / (each + 1), costs.flips_per_record, costs.bytes_per_record,
       bytes, report.seconds);
   told.print(text, json.dump(2) + "\n");
@@ -247,15 +247,15 @@ int run(const StripifyCommand& command) {
   const nlohmann::ordered_json json{{"triangles", mesh.triangle_count()},
                                     {"left_out", left_out},
                                     {"strips", strips.size()},
-                                    {"pieces", connected_pieces(mesh)},
+                                    {"components", connected_components(mesh)},
                                     {"indices", indices},
                                     {"seconds", seconds},
                                     {"valid", faults.empty()}};
   const auto triangles = static_cast<double>(std::max<std::size_t>(mesh.triangle_count(), 1));
   out.print(fmt::format("{}: {} triangles ({} degenerate ones left out) in {} strips, {} connected components\n"
                         "{:.3f} indices per triangle, {:.3f} seconds\n",
-                        command.mesh.string(), mesh.triangle_count(), left_out, strips.size(), connected_pieces(mesh),
-                        static_cast<double>(indices) / triangles, seconds),
+                        command.mesh.string(), mesh.triangle_count(), left_out, strips.size(),
+                        connected_components(mesh), static_cast<double>(indices) / triangles, seconds),
             json.dump(2) + "\n");
   for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
   return faults.empty() ? 0 : 1;

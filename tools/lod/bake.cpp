@@ -44,7 +44,7 @@ class Baker {
     mesh_ = baked_.base;
     mesh_.reserve(baked_.mesh.fine_triangles(), baked_.mesh.points.size());
     index_.rebuild(mesh_);
-    report_.pieces = connected_pieces(mesh_);
+    report_.components = connected_components(mesh_);
     report_.base_strips = index_.strips();
     count_level();
     Progress progress("baking", baked_.mesh.splits.size());
@@ -61,14 +61,14 @@ class Baker {
 
   void count_level() {
     report_.most_strips = std::max(report_.most_strips, index_.strips());
-    if (index_.strips() <= report_.pieces) ++report_.fewest_levels;
+    if (index_.strips() <= report_.components) ++report_.fewest_levels;
   }
 
   void bake_split(std::size_t i) {
     flips_.clear();
     const std::size_t before = index_.strips();
     split_plainly(i);
-    if (index_.strips() > report_.pieces && !join_around(index_.strips() > before)) join_from_afar();
+    if (index_.strips() > report_.components && !join_around(index_.strips() > before)) join_from_afar();
     write_flips();
   }
 
@@ -101,7 +101,7 @@ class Baker {
   /// the split has `cost` a strip that they do not save.
   bool join_around(bool cost) {
     bool saved = !cost;
-    while (index_.strips() > report_.pieces) {
+    while (index_.strips() > report_.components) {
       ends_.clear();
       for (const Triangle t : patch_)
         if (mesh_.solid_degree(t) < 2) ends_.push_back(t);
@@ -111,7 +111,7 @@ class Baker {
       flips_.insert(flips_.end(), trails_.flips().begin(), trails_.flips().end());
       saved = true;
     }
-    return saved && (index_.strips() <= report_.pieces || ++waited_ < wait_);
+    return saved && (index_.strips() <= report_.components || ++waited_ < wait_);
   }
 
   /// Tunnelling: first from the patch, then from every strip end of the mesh. What it flips is found by comparison,
@@ -124,7 +124,7 @@ class Baker {
     for (const Triangle t : patch_)
       if (mesh_.solid_degree(t) < 2) tunnel_.join(mesh_, index_, t, states);
     if (index_.strips() == strips && ++waited_ >= wait_) {
-      rounds_.run(mesh_, index_, tunnel_, effort_ / 8, report_.pieces);
+      rounds_.run(mesh_, index_, tunnel_, effort_ / 8, report_.components);
       // Where nothing is found, the next try can wait, and the longer the more often that was so.
       waited_ = 0;
       wait_ = index_.strips() < strips ? 1 : std::min<std::size_t>(2 * wait_, 1024);

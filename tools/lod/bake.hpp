@@ -23,23 +23,23 @@ struct BakedMesh {
 };
 
 struct BakeReport {
-  std::size_t pieces = 0;         ///< connected pieces of the mesh: fewer strips are impossible
+  std::size_t components = 0;     ///< connected components of the dual graph: fewer strips are impossible
   std::size_t base_strips = 0;    ///< strips of the base
   std::size_t most_strips = 0;    ///< of all levels, every record counted
   std::size_t top_strips = 0;     ///< of the finest level
   std::size_t top_at_least = 0;   ///< strips_at_least() there
-  std::size_t fewest_levels = 0;  ///< levels with as many strips as pieces
+  std::size_t fewest_levels = 0;  ///< levels with as many strips as components
   std::size_t flips = 0;
   std::size_t states = 0;  ///< searched
   double seconds = 0;
 };
 
-/// No colouring has fewer strips: a connected piece takes one, and each two of its triangles that have no more than one
-/// neighbour take one, because they end it. Linear time.
+/// No colouring has fewer strips: each connected component takes at least one strip, and a triangle with at most one
+/// neighbour is the end of a strip. Linear time.
 [[nodiscard]] std::size_t strips_at_least(const StripMesh& mesh);
 
-/// Stripifies the base and walks up. After each split it looks for the fewest flips that bring the strips back to as
-/// many as the mesh has pieces: at first around the split, and where that fails, by tunnelling from further away.
+/// Stripifies the base and walks up. After each split it looks for the fewest flips that leave one strip for each
+/// connected component: first around the split, and where that fails, by tunnelling from further away.
 /// Throws BadInput when a split cannot be done, naming it. Deterministic but for `seconds`.
 [[nodiscard]] BakedMesh bake(ProgressiveMesh mesh, const BakeOptions& options = {}, BakeReport* report = nullptr);
 

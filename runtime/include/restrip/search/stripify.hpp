@@ -19,13 +19,13 @@ enum class Effort {
 };
 
 /// Number of connected components of the dual graph: no colouring has fewer strips. Linear time.
-[[nodiscard]] inline std::size_t connected_pieces(const StripMesh& mesh) {
+[[nodiscard]] inline std::size_t connected_components(const StripMesh& mesh) {
   std::vector<bool> met(mesh.triangle_bound(), false);
   std::vector<Triangle> open;
-  std::size_t pieces = 0;
+  std::size_t components = 0;
   for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {
     if (!mesh.alive(start) || met[start]) continue;
-    ++pieces;
+    ++components;
     met[start] = true;
     open.push_back(start);
     while (!open.empty()) {
@@ -39,7 +39,7 @@ enum class Effort {
       }
     }
   }
-  return pieces;
+  return components;
 }
 
 /// Colours the whole mesh anew and returns the number of strips. All triangles are kept; the result depends on the mesh
@@ -51,7 +51,7 @@ inline std::size_t stripify(StripMesh& mesh, Effort effort = Effort::fast, std::
   StripIndex index(mesh, StripIndex::chunk_limit_for_long_strips(mesh.triangle_count()));
   Tunnel tunnel;
   TunnelRounds rounds;
-  rounds.run(mesh, index, tunnel, max_nodes != 0 ? max_nodes : mesh.triangle_count() * 40, connected_pieces(mesh));
+  rounds.run(mesh, index, tunnel, max_nodes != 0 ? max_nodes : mesh.triangle_count() * 40, connected_components(mesh));
   return index.strips();
 }
 

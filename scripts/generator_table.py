@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""Runs the generator and prints a table of one of the documents.
+
+counts:     configurations, orbits and rules that add a strip, for splits and for collapses (docs/theory.md)
+families:   rules and bytes of each family of tables, k <= 8 (docs/tables.md)
+programs:   bytes of split and collapse of a StripMesh, compiled by g++ -Os -DNDEBUG against single headers with tables
+            up to different k (docs/tables.md)
+shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
+"""
+import argparse
+import json
+import os
+import re
+import subprocess
+import tempfile
+
+HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+LINE = re.compile(r"^(\S+) +\d+ (?:sections|classes) +(\d+) (?:rules|rows) +(\d+) bytes$", re.M)
+NOTES = {"fan-collapse": "fan-collapse (both collapses of open fans)", "linked": "linked (`linked.hpp` alone)",
+         "automaton": "automaton (all valences); rows of its certificate"}
+SOURCE = """#include <restrip/restrip.hpp>
+using namespace restrip;
+Rewrite<StripMesh::Halfedge> do_split(StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where, Vertex v) {
+  return split(mesh, where, v);
+}
+Rewrite<StripMesh::Halfedge> do_collapse(StripMesh& mesh, StripMesh::Halfedge chord) { return collapse(mesh, chord); }
+"""
+
+
+def sizes_in(text):
+    """Rules and bytes of each family, as the generator tells them."""
+    return {family: (int(rules), int(size)) for family, rules, size in LINE.findall(text)}
+
+
+def make_tables(generate, k, folder):
+    return sizes_in(subprocess.check_output([generate, "tables", "--max-k", str(k), "--threads", "2", "--out", folder], text=True))
+
+
+def line(cells):
+    print("| " + " | ".join(cells) + " |", flush=True)
+
+
+def header(*heads):
+    line(heads)
+    print("|" + " --- |" * len(heads))
+
+
+def print_counts(generate):
+    counts = json.loads(subprocess.check_output([generate, "count", "--json"]))
+    header("operation", "k", "configurations", "valid, by a", "orbits of all, by a", "orbits of valid, by a",
+           "valid whose rule adds a strip, by a")
+    for operation in ("split", "collapse"):
+        for row in counts[operation]:
+            line([operation, str(row["k"]), f"{row['configurations']:,}"] +
+                 ["; ".join(f"{number:,}" for number in row[what]) for what in ("valid", "orbits", "valid_orbits", "costing")])
+
+
+def row_starts(k):
+    """Bytes: for closed and for open fans two for each of 2^(k + 1) masks."""
+    return 2 * 2 * 2 ** (k + 1)
+
+
+def print_families(generate):
+    header("family", "rules", "bytes of read-only data")
+    with tempfile.TemporaryDirectory() as folder:
+        for family, (rules, size) in make_tables(generate, 8, folder).items():
+            line([NOTES.get(family, family), f"{rules:,}", f"{size:,}"])
+    line(["row starts, for those up to fan-collapse", "", f"{row_starts(8):,}"])
+
+
+def section_bytes(path, pattern):
+    lines = subprocess.check_output(["size", "-A", path], text=True).splitlines()
+    return sum(int(line.split()[1]) for line in lines if re.match(pattern, line))
+
+
+def print_programs(generate):
+    header("`--max-k`", "single header", "read-only data", "code", "exception tables")
+    for k in (8, 7, 6, 5, 4):
+        with tempfile.TemporaryDirectory() as folder:
+            make_tables(generate, k, folder)
+            source, single, compiled = (os.path.join(folder, name) for name in ("a.cpp", "restrip/restrip.hpp", "a.o"))
+            subprocess.check_call([os.path.join(HERE, "scripts/amalgamate.py"), "--tables", os.path.join(folder, "include"),
+                                   "-o", single])
+            with open(source, "w", encoding="utf-8") as file:
+                file.write(SOURCE)
+            subprocess.check_call(["g++", "-std=c++20", "-Os", "-DNDEBUG", "-I", folder, "-c", source, "-o", compiled])
+            sizes = [os.path.getsize(single)] + [section_bytes(compiled, part)
+                                                 for part in (".rodata", ".text", ".eh_frame|.gcc_except")]
+            line([str(k), *(f"{size:,}" for size in sizes)])
+
+
+def watched(*command):
+    """Processor seconds of a command, its largest memory in MiB, and what it prints."""
+    with tempfile.TemporaryFile("w+") as printed:
+        process = subprocess.Popen(command, stdout=printed)
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode:
+            raise subprocess.CalledProcessError(process.returncode, command)
+        printed.seek(0)
+        return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, printed.read()
+
+
+def bytes_below(folder):
+    return sum(os.path.getsize(os.path.join(path, name)) for path, _, names in os.walk(folder) for name in names)
+
+
+def print_shards(generate):
+    header("K", "seconds", "the slowest of three shards", "largest memory of a shard", "merge", "rules", "of splits",
+           "linked alternatives", "bytes written", "read-only data")
+    for k in (8, 9, 10):
+        with tempfile.TemporaryDirectory() as folder:
+            shards, tables = (os.path.join(folder, name) for name in ("shards", "tables"))
+            parts = [watched(generate, "tables", "--max-k", str(k), "--shard", f"{i}/3", "--out", shards)
+                     for i in range(1, 4)]
+            merge = watched(generate, "merge", "--in", shards, "--out", tables)
+            families = sizes_in(merge[2])
+            fans = [family for name, family in families.items() if name not in ("linked", "automaton")]
+            line([str(k), f"{sum(part[0] for part in parts):.1f}", f"{max(part[0] for part in parts):.1f}",
+                  f"{max(part[1] for part in parts):.0f} MiB", f"{merge[0]:.1f} s, {merge[1]:.0f} MiB",
+                  f"{sum(rules for rules, _ in fans):,}", f"{families['split'][0]:,}", f"{families['linked'][0]:,}",
+                  f"{bytes_below(tables) / 1e6:.1f} MB", f"{sum(size for _, size in families.values()) / 1e6:.1f} MB"])
+
+
+TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "shards": print_shards}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+                                     epilog="Example: scripts/generator_table.py programs build/release/bin/restrip-generate")
+    parser.add_argument("table", choices=TABLES)
+    parser.add_argument("generate", help="restrip-generate")
+    arguments = parser.parse_args()
+    TABLES[arguments.table](arguments.generate)
+
+
+main()
