@@ -34,6 +34,7 @@
 #include "restrip/rules/exact.hpp"
 #include "restrip/rules/key.hpp"
 #include "restrip/rules/rules.hpp"
+#include "restrip/search/descent.hpp"
 #include "restrip/search/greedy.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/rounds.hpp"

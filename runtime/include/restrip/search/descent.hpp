@@ -1,0 +1,132 @@
+// Descent: fewer indices (or whatever a Cost counts) by small changes of the colouring, best first.
+//
+// A *move* changes one dual edge and what has to change with it:
+//  - a solid edge is cut, or
+//  - a dashed edge becomes solid. A triangle that has two solid edges already gives one of them up for it, so a move
+//    exchanges an edge for none, one or two others.
+// The price of a move, the change of the cost, follows from the two triangles of the edge and at most four triangles
+// behind each. Whether a new edge would close a solid cycle is found by walking along the strip from both sides at
+// once, and only for moves that are about to be made.
+//
+// Steepest descent: the triangles given are looked at in turn. Of all moves at the edges of a triangle the best one
+// that lowers the cost is made, and the triangles it touches are looked at again. With *chains*, where no single move
+// pays, a move that costs a little is tried together with the best move after it.
+//
+//   Descent descent(Cost::indices());
+//   descent.run(mesh, changed_triangles, {.moves = 200});
+//
+// Everything is deterministic. After warm-up nothing is allocated. Single moves of this kind are the neighbourhood of
+// the searches for Hamiltonian paths by rotation (Pósa, "Hamiltonian circuits in random graphs", 1976); chains of them
+// are those of Lin and Kernighan (1973).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "restrip/mesh/cost.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+
+namespace restrip {
+
+/// By how much a colouring has changed.
+struct ColoringChange {
+  int strips = 0;
+  int swaps = 0;
+  int isolated = 0;
+
+  constexpr ColoringChange& operator+=(const ColoringChange& more) noexcept {
+    strips += more.strips;
+    swaps += more.swaps;
+    isolated += more.isolated;
+    return *this;
+  }
+  [[nodiscard]] constexpr std::int32_t price(const Cost& cost) const noexcept {
+    return std::int32_t{cost.restart} * strips + std::int32_t{cost.swap} * swaps +
+           std::int32_t{cost.isolated} * isolated;
+  }
+  friend constexpr bool operator==(const ColoringChange&, const ColoringChange&) = default;
+};
+
+/// One move, as described above.
+struct StripMove {
+  StripMesh::Halfedge edge{};                     ///< cut when it is solid, added when it is dashed
+  std::array<StripMesh::Halfedge, 2> given_up{};  ///< solid edges of its two triangles, {none} where none is
+  ColoringChange change{};
+  std::int32_t price = 0;  ///< of that change
+};
+
+/// What one call of Descent::run may do.
+struct DescentLimits {
+  std::uint32_t moves = std::numeric_limits<std::uint32_t>::max();  ///< moves priced; the last look may go beyond
+  std::uint32_t tries = 0;  ///< chains: first moves tried at each triangle where no single move pays; 0: no chains
+  std::int32_t worse = 0;   ///< chains: what their first move may cost
+  bool stay = false;        ///< look at no triangles but those given, again and again
+};
+
+/// Sums over all calls.
+struct DescentCounts {
+  std::uint64_t priced = 0;  ///< moves whose price was worked out
+  std::uint64_t walked = 0;  ///< triangles walked past to find cycles
+  std::uint64_t made = 0;    ///< moves made, those taken back included
+};
+
+class Descent {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+
+  explicit Descent(Cost cost = Cost::indices()) noexcept : cost_(cost) {}
+
+  /// Descends from the triangles given, which must be alive; some may be named twice. The mesh must have a valid
+  /// colouring, and has one after each single change of a colour. Returns what has changed; the cost never rises. A
+  /// call for all triangles that changes nothing has found a local minimum: no move in the mesh lowers the cost, but
+  /// for those refused because a walk is too long (max_walk).
+  ///
+  /// Throws std::bad_alloc; the colouring is valid then, and what has changed is lost.
+  ColoringChange run(StripMesh& mesh, std::span<const Triangle> from, const DescentLimits& limits = {});
+
+  /// The moves at the edges of t whose price is at most `highest`, cycles not looked for, in a fixed order. At most
+  /// six. Constant time.
+  [[nodiscard]] std::span<const StripMove> moves_at(const StripMesh& mesh, Triangle t, std::int32_t highest);
+  /// True when the move closes no solid cycle. Walks along the strip; false as well when neither walk comes to an end.
+  [[nodiscard]] bool keeps_strips(const StripMesh& mesh, const StripMove& move);
+  /// Makes the move, which must keep strips.
+  void make(StripMesh& mesh, const StripMove& move);
+
+  [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
+  void set_cost(Cost cost) noexcept { cost_ = cost; }
+  [[nodiscard]] const DescentCounts& counts() const noexcept { return counts_; }
+
+  /// Triangles that a walk passes on either side before the move is refused.
+  static constexpr std::uint32_t max_walk = 3000;
+
+ private:
+  struct End;
+  struct Way;
+  static constexpr std::size_t most_moves = 6;
+
+  void look_at_end(const StripMesh& mesh, Triangle t, unsigned side, unsigned solid, End& end) const;
+  void add_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest);
+  void cut_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest);
+  void consider(const StripMove& move, std::int32_t highest);
+  [[nodiscard]] bool step(StripMesh& mesh, Triangle t);
+  [[nodiscard]] bool chain(StripMesh& mesh, Triangle t, const DescentLimits& limits);
+  void take_back(StripMesh& mesh, const StripMove& move);
+  void touch(const StripMesh& mesh, const StripMove& move);
+  void look_again(const DescentLimits& limits, std::size_t given);
+
+  Cost cost_;
+  DescentCounts counts_;
+  ColoringChange done_;
+  std::array<StripMove, most_moves> found_{};
+  std::size_t found_count_ = 0;
+  std::vector<Triangle> queue_;
+  std::vector<Triangle> touched_;
+};
+
+}  // namespace restrip
+
+#include "restrip/search/impl/descent.hpp"

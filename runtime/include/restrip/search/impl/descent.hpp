@@ -1,0 +1,358 @@
+// Descent, member by member. Included by descent.hpp.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+#include "restrip/search/descent.hpp"
+
+namespace restrip {
+namespace detail {
+
+/// The solid sides of a triangle other than `side`: bit 0 the next one, bit 1 the one before. So for a side of a strip
+/// it tells how the strip turns there: 0 it ends, 1 or 2.
+constexpr unsigned other_sides(unsigned solid, unsigned side) noexcept {
+  return (solid | solid << 3) >> (side + 1) & 3U;
+}
+/// The side that lies `turn` sides after.
+constexpr unsigned turned_side(unsigned side, unsigned turn) noexcept {
+  const unsigned s = side + turn;
+  return s >= 3 ? s - 3 : s;
+}
+/// Is a solid edge a swap, by the turns on its two sides?
+constexpr int is_swap(unsigned turn, unsigned turn_back) noexcept { return int{(turn ^ turn_back) == 3}; }
+
+/// The colours of a few triangles as a move leaves them, and of all others as the mesh has them.
+class MoveOverlay {
+ public:
+  explicit MoveOverlay(const StripMesh& mesh) noexcept : mesh_(&mesh) {}
+
+  void change(StripMesh::Halfedge h, bool solid) noexcept {
+    for (const StripMesh::Halfedge side : {h, mesh_->opposite(h)}) {
+      const unsigned bit = 1U << StripMesh::side(side);
+      Entry& entry = entry_of(StripMesh::triangle(side));
+      entry.after = solid ? entry.after | bit : entry.after & ~bit;
+    }
+  }
+  /// Swaps and isolated triangles.
+  [[nodiscard]] ColoringChange difference() const noexcept {
+    ColoringChange change;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Entry& entry = entries_[i];
+      change.isolated += int{entry.after == 0} - int{entry.before == 0};
+      for (unsigned s = 0; s < 3; ++s) {
+        if (((entry.before | entry.after) >> s & 1U) == 0) continue;
+        const StripMesh::Halfedge back = mesh_->opposite(StripMesh::halfedge(entry.triangle, s));
+        const Triangle other = StripMesh::triangle(back);
+        std::size_t j = 0;
+        while (j < count_ && entries_[j].triangle != other) ++j;
+        if (j < i) continue;  // counted there
+        const unsigned colors = j < count_ ? 0 : mesh_->solid_sides(other);
+        const unsigned before = j < count_ ? entries_[j].before : colors;
+        const unsigned after = j < count_ ? entries_[j].after : colors;
+        const auto swap = [&](unsigned here, unsigned there) {
+          return (here >> s & 1U) != 0 ? is_swap(other_sides(here, s), other_sides(there, StripMesh::side(back))) : 0;
+        };
+        change.swaps += swap(entry.after, after) - swap(entry.before, before);
+      }
+    }
+    return change;
+  }
+
+ private:
+  struct Entry {
+    Triangle triangle = none;
+    unsigned before = 0;
+    unsigned after = 0;
+  };
+  Entry& entry_of(Triangle t) noexcept {
+    std::size_t i = 0;
+    while (i < count_ && entries_[i].triangle != t) ++i;
+    if (i == count_) {
+      const unsigned solid = mesh_->solid_sides(t);
+      entries_[count_++] = {t, solid, solid};
+    }
+    return entries_[i];
+  }
+
+  const StripMesh* mesh_;
+  std::size_t count_ = 0;
+  std::array<Entry, 6> entries_{};
+};
+
+}  // namespace detail
+
+/// One way in which a triangle makes room for an edge.
+struct Descent::Way {
+  Halfedge given_up{};     // {none}: the triangle has room
+  Triangle freed = none;   // behind the edge that is given up
+  Triangle beyond = none;  // the next one behind that
+  Triangle kept = none;    // behind the edge that is kept
+  unsigned turn = 0;       // of the strip at the triangle, seen from the new edge
+  int swaps = 0;
+  int isolated = 0;
+};
+
+/// One triangle of a dashed edge.
+struct Descent::End {
+  std::array<Way, 2> way{};
+  unsigned count = 0;
+  int fewest_swaps = 0;  // of all ways
+};
+
+// The swaps and isolated triangles that change on this side of a new edge, whatever happens on the other. The new edge
+// itself is not counted.
+inline void Descent::look_at_end(const StripMesh& mesh, Triangle t, unsigned side, unsigned solid, End& end) const {
+  const unsigned others = detail::other_sides(solid, side);
+  if (others == 0) {
+    end.count = 1;
+    end.way[0].isolated = -1;
+    return;
+  }
+  // Seen from the edge to a neighbour, the strip turns to the other neighbour or, with the new edge, to the opposite.
+  std::array<Halfedge, 3> towards{};
+  std::array<unsigned, 3> turn{};
+  for (unsigned i = 1; i <= 2; ++i) {
+    if ((others & i) == 0) continue;
+    towards[i] = mesh.opposite(StripMesh::halfedge(t, detail::turned_side(side, i)));
+    turn[i] = detail::other_sides(mesh.solid_sides(StripMesh::triangle(towards[i])), StripMesh::side(towards[i]));
+  }
+  if (others != 3) {
+    Way& way = end.way[0];
+    end.count = 1;
+    way.kept = StripMesh::triangle(towards[others]);
+    way.turn = others;
+    way.swaps = int{turn[others] == others};
+    end.fewest_swaps = way.swaps;
+    return;
+  }
+  end.count = 2;
+  for (unsigned keeps = 1; keeps <= 2; ++keeps) {
+    const unsigned gives = 3 - keeps;
+    Way& way = end.way[keeps - 1];
+    way.given_up = towards[gives];
+    way.freed = StripMesh::triangle(towards[gives]);
+    way.kept = StripMesh::triangle(towards[keeps]);
+    way.turn = keeps;
+    way.swaps = int{turn[keeps] == keeps} - int{turn[keeps] == gives} - int{turn[gives] == keeps};
+    if (turn[gives] == 0) {
+      way.isolated = 1;
+    } else {
+      // The freed triangle becomes an end: no swap on its other side any more.
+      const Halfedge behind = mesh.opposite(
+          StripMesh::halfedge(way.freed, detail::turned_side(StripMesh::side(towards[gives]), turn[gives])));
+      way.beyond = StripMesh::triangle(behind);
+      way.swaps -= int{detail::other_sides(mesh.solid_sides(way.beyond), StripMesh::side(behind)) == turn[gives]};
+    }
+  }
+  end.fewest_swaps = std::min(end.way[0].swaps, end.way[1].swaps);
+}
+
+inline void Descent::consider(const StripMove& move, std::int32_t highest) {
+  ++counts_.priced;
+  if (move.price <= highest) found_[found_count_++] = move;
+}
+
+inline void Descent::cut_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest) {
+  // A cut saves three swaps at most.
+  if (std::int32_t{cost_.restart} - 3 * std::int32_t{cost_.swap} > highest) return;
+  detail::MoveOverlay colors(mesh);
+  colors.change(h, false);
+  StripMove move{h};
+  move.change = colors.difference();
+  move.change.strips = 1;
+  move.price = move.change.price(cost_);
+  static_cast<void>(back);
+  consider(move, highest);
+}
+
+inline void Descent::add_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest) {
+  const Triangle t = StripMesh::triangle(h);
+  const Triangle u = StripMesh::triangle(back);
+  const unsigned solid_t = mesh.solid_sides(t);
+  const unsigned solid_u = mesh.solid_sides(u);
+  End here;
+  look_at_end(mesh, t, StripMesh::side(h), solid_t, here);
+  const int giving = int{here.count == 2} + int{detail::other_sides(solid_u, StripMesh::side(back)) == 3};
+  // The other side saves three swaps at most, and two triangles stop being isolated at most.
+  if (std::int32_t{cost_.restart} * (giving - 1) + std::int32_t{cost_.swap} * (here.fewest_swaps - 3) -
+          2 * std::int32_t{cost_.isolated} >
+      highest) {
+    ++counts_.priced;
+    return;
+  }
+  End there;
+  look_at_end(mesh, u, StripMesh::side(back), solid_u, there);
+  for (unsigned i = 0; i < here.count; ++i) {
+    const Way& a = here.way[i];
+    // Two triangles that share two edges and follow each other already.
+    if (a.kept == u || a.freed == u) return;
+    for (unsigned j = 0; j < there.count; ++j) {
+      const Way& b = there.way[j];
+      StripMove move{h, {a.given_up, b.given_up}};
+      const bool entangled = (a.freed != none && (a.freed == b.freed || a.freed == b.kept || a.freed == b.beyond)) ||
+                             (b.freed != none && b.freed == a.kept);
+      if (entangled) {
+        detail::MoveOverlay colors(mesh);
+        for (const Halfedge g : move.given_up)
+          if (g.id != none) colors.change(g, false);
+        colors.change(h, true);
+        move.change = colors.difference();
+      } else {
+        move.change.swaps = a.swaps + b.swaps + detail::is_swap(a.turn, b.turn);
+        move.change.isolated = a.isolated + b.isolated;
+      }
+      move.change.strips = giving - 1;
+      move.price = move.change.price(cost_);
+      consider(move, highest);
+    }
+  }
+}
+
+inline std::span<const StripMove> Descent::moves_at(const StripMesh& mesh, Triangle t, std::int32_t highest) {
+  RESTRIP_ASSERT(mesh.alive(t), "Descent::moves_at", "the triangle is not one of this mesh");
+  found_count_ = 0;
+  const unsigned solid = mesh.solid_sides(t);
+  for (unsigned s = 0; s < 3; ++s) {
+    const Halfedge h = StripMesh::halfedge(t, s);
+    const Halfedge back = mesh.opposite(h);
+    if (StripMesh::on_boundary(back)) continue;
+    if ((solid >> s & 1U) != 0)
+      cut_moves(mesh, h, back, highest);
+    else if (StripMesh::triangle(back) != t)
+      add_moves(mesh, h, back, highest);
+  }
+  return {found_.data(), found_count_};
+}
+
+inline bool Descent::keeps_strips(const StripMesh& mesh, const StripMove& move) {
+  if (mesh.solid(move.edge)) return true;
+  const Halfedge back = mesh.opposite(move.edge);
+  const Triangle t = StripMesh::triangle(move.edge);
+  const Triangle u = StripMesh::triangle(back);
+  // The edges that the two triangles keep, seen from behind.
+  const auto kept = [&](Triangle triangle, Halfedge given_up) {
+    unsigned solid = mesh.solid_sides(triangle);
+    if (given_up.id != none) solid &= ~(1U << StripMesh::side(mesh.opposite(given_up)));
+    return solid == 0 ? Halfedge{}
+                      : mesh.opposite(StripMesh::halfedge(triangle, static_cast<unsigned>(std::countr_zero(solid))));
+  };
+  Halfedge from_t = kept(t, move.given_up[0]);
+  Halfedge from_u = kept(u, move.given_up[1]);
+  if (from_t.id == none || from_u.id == none) return true;
+  const Halfedge into_t = mesh.opposite(from_t);
+  const Halfedge into_u = mesh.opposite(from_u);
+  for (std::uint32_t n = 0; n < max_walk; ++n) {
+    counts_.walked += 2;
+    if (StripMesh::triangle(from_t) == u) return !(from_t == into_u);
+    if (StripMesh::triangle(from_u) == t) return !(from_u == into_t);
+    const auto next_t = mesh.strip_step(from_t);
+    const auto next_u = mesh.strip_step(from_u);
+    if (!next_t.goes_on || !next_u.goes_on) return true;
+    from_t = next_t.in;
+    from_u = next_u.in;
+  }
+  return false;
+}
+
+inline void Descent::make(StripMesh& mesh, const StripMove& move) {
+  const bool adds = !mesh.solid(move.edge);
+  for (const Halfedge h : move.given_up)
+    if (h.id != none) mesh.set_solid(h, false);
+  mesh.set_solid(move.edge, adds);
+  ++counts_.made;
+  done_ += move.change;
+}
+
+inline void Descent::take_back(StripMesh& mesh, const StripMove& move) {
+  const bool added = mesh.solid(move.edge);
+  mesh.set_solid(move.edge, !added);
+  for (const Halfedge h : move.given_up)
+    if (h.id != none) mesh.set_solid(h, true);
+  done_ += {-move.change.strips, -move.change.swaps, -move.change.isolated};
+}
+
+// The triangles of the edges that a move changes.
+inline void Descent::touch(const StripMesh& mesh, const StripMove& move) {
+  const auto add = [&](Triangle t) {
+    if (std::find(touched_.begin(), touched_.end(), t) == touched_.end()) touched_.push_back(t);
+  };
+  add(StripMesh::triangle(move.edge));
+  add(StripMesh::triangle(mesh.opposite(move.edge)));
+  for (const Halfedge h : move.given_up)
+    if (h.id != none) add(StripMesh::triangle(h));
+}
+
+// The best move at t that lowers the cost, if there is one.
+inline bool Descent::step(StripMesh& mesh, Triangle t) {
+  static_cast<void>(moves_at(mesh, t, -1));
+  while (found_count_ != 0) {
+    const auto end = found_.begin() + static_cast<std::ptrdiff_t>(found_count_);
+    const auto best =
+        std::min_element(found_.begin(), end, [](const StripMove& a, const StripMove& b) { return a.price < b.price; });
+    if (keeps_strips(mesh, *best)) {
+      const StripMove move = *best;
+      make(mesh, move);
+      touched_.clear();
+      touch(mesh, move);
+      return true;
+    }
+    std::move(best + 1, end, best);
+    --found_count_;
+  }
+  return false;
+}
+
+// A move that costs a little, and the best one after it, if they pay together.
+inline bool Descent::chain(StripMesh& mesh, Triangle t, const DescentLimits& limits) {
+  static_cast<void>(moves_at(mesh, t, limits.worse));
+  std::array<StripMove, most_moves> first = found_;
+  const auto end = first.begin() + static_cast<std::ptrdiff_t>(found_count_);
+  for (auto one = first.begin(); one != end; ++one)  // by price; equal ones stay in their order
+    std::rotate(std::upper_bound(first.begin(), one, *one,
+                                 [](const StripMove& a, const StripMove& b) { return a.price < b.price; }),
+                one, one + 1);
+  std::uint32_t tries = 0;
+  for (auto one = first.begin(); one != end && tries < limits.tries; ++one) {
+    if (!keeps_strips(mesh, *one)) continue;
+    ++tries;
+    make(mesh, *one);
+    touched_.clear();
+    touch(mesh, *one);
+    StripMove best;
+    best.price = -one->price;
+    const std::size_t touched = touched_.size();
+    for (std::size_t i = 0; i < touched; ++i) {
+      for (const StripMove& two : moves_at(mesh, touched_[i], best.price - 1))
+        if (two.price < best.price && keeps_strips(mesh, two)) best = two;
+    }
+    if (best.edge.id != none) {
+      make(mesh, best);
+      touch(mesh, best);
+      return true;
+    }
+    take_back(mesh, *one);
+  }
+  return false;
+}
+
+inline void Descent::look_again(const DescentLimits& limits, std::size_t given) {
+  for (const Triangle t : touched_) {
+    const auto end = queue_.begin() + static_cast<std::ptrdiff_t>(given);
+    if (!limits.stay || std::find(queue_.begin(), end, t) != end) queue_.push_back(t);
+  }
+}
+
+inline ColoringChange Descent::run(StripMesh& mesh, std::span<const Triangle> from, const DescentLimits& limits) {
+  done_ = {};
+  queue_.assign(from.begin(), from.end());
+  const std::uint64_t stop = counts_.priced + limits.moves;
+  for (std::size_t head = 0; head < queue_.size() && counts_.priced < stop; ++head) {
+    const Triangle t = queue_[head];
+    if (step(mesh, t) || (limits.tries != 0 && chain(mesh, t, limits))) look_again(limits, from.size());
+  }
+  return done_;
+}
+
+}  // namespace restrip

@@ -1,0 +1,340 @@
+// Every move of a descent costs what it says, its list of moves is complete, a move is refused exactly when it would
+// close a cycle, and a descent ends in a colouring that no move improves. All by the definitions: moves are enumerated,
+// made on a copy of the mesh, and the copy is counted as a whole.
+#include "restrip/search/descent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "coloring_cost.hpp"
+#include "restrip/search/stripify.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+
+constexpr std::int32_t any_price = 1'000'000;
+
+// A dual edge as a number, the same from both sides.
+std::uint32_t edge_number(const StripMesh& mesh, Halfedge h) { return std::min(h.id, mesh.opposite(h).id); }
+
+// A move as the set of dual edges whose colours it changes.
+using Changes = std::set<std::uint32_t>;
+
+Changes changes_of(const StripMesh& mesh, const StripMove& move) {
+  Changes changes{edge_number(mesh, move.edge)};
+  for (const Halfedge h : move.given_up)
+    if (h.id != none) changes.insert(edge_number(mesh, h));
+  return changes;
+}
+
+void apply(StripMesh& mesh, const Changes& changes) {
+  std::vector<std::uint32_t> light;
+  for (const std::uint32_t id : changes) {
+    if (!mesh.solid({id})) light.push_back(id);
+    if (mesh.solid({id})) mesh.set_solid({id}, false);
+  }
+  for (const std::uint32_t id : light) mesh.set_solid({id}, true);
+}
+
+// All moves at the dual edge of h, from the definition in descent.hpp.
+std::vector<Changes> moves_of(const StripMesh& mesh, Halfedge h) {
+  const Halfedge back = mesh.opposite(h);
+  const Triangle t = StripMesh::triangle(h);
+  const Triangle u = StripMesh::triangle(back);
+  const std::uint32_t edge = edge_number(mesh, h);
+  if (mesh.solid(h)) return {{edge}};
+  const auto solid_edges = [&](Triangle triangle) {
+    std::vector<Halfedge> edges;
+    for (unsigned side = 0; side < 3; ++side)
+      if (mesh.solid(StripMesh::halfedge(triangle, side))) edges.push_back(StripMesh::halfedge(triangle, side));
+    return edges;
+  };
+  for (const Halfedge g : solid_edges(t))
+    if (StripMesh::triangle(mesh.opposite(g)) == u) return {};  // they follow each other already
+  std::vector<Changes> moves{{edge}};
+  for (const Triangle triangle : {t, u}) {
+    const std::vector<Halfedge> edges = solid_edges(triangle);
+    if (edges.size() < 2) continue;
+    std::vector<Changes> longer;
+    for (const Changes& move : moves)
+      for (const Halfedge g : edges) {
+        longer.push_back(move);
+        longer.back().insert(edge_number(mesh, g));
+      }
+    moves = longer;
+  }
+  return moves;
+}
+
+// Compares everything at every triangle; returns how many moves were compared.
+std::size_t expect_moves_right(const StripMesh& mesh, Descent& descent) {
+  std::size_t compared = 0;
+  const ColoringChange before = cost_of(mesh);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t)) continue;
+    std::multiset<Changes> expected;
+    for (unsigned side = 0; side < 3; ++side) {
+      const Halfedge h = StripMesh::halfedge(t, side);
+      if (StripMesh::on_boundary(mesh.opposite(h)) || StripMesh::triangle(mesh.opposite(h)) == t) continue;
+      for (const Changes& move : moves_of(mesh, h)) expected.insert(move);
+    }
+    std::multiset<Changes> found;
+    for (const StripMove& move : descent.moves_at(mesh, t, any_price)) {
+      const Changes changes = changes_of(mesh, move);
+      found.insert(changes);
+      StripMesh after = mesh;
+      apply(after, changes);
+      const bool valid = check_coloring(after).valid;
+      EXPECT_EQ(descent.keeps_strips(mesh, move), valid);
+      if (!valid) continue;
+      EXPECT_EQ(move.change, cost_of(after) - before);
+      EXPECT_EQ(move.price, move.change.price(descent.cost()));
+      ++compared;
+    }
+    EXPECT_EQ(found, expected) << "triangle " << t;
+  }
+  return compared;
+}
+
+// A limit on the price leaves out moves and nothing else.
+void expect_limits_right(const StripMesh& mesh, Descent& descent) {
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    const auto all = descent.moves_at(mesh, t, any_price);
+    const std::vector<StripMove> moves(all.begin(), all.end());
+    for (std::int32_t highest = -8; highest <= 4; ++highest) {
+      std::multiset<Changes> expected;
+      for (const StripMove& move : moves)
+        if (move.price <= highest) expected.insert(changes_of(mesh, move));
+      std::multiset<Changes> found;
+      for (const StripMove& move : descent.moves_at(mesh, t, highest)) found.insert(changes_of(mesh, move));
+      EXPECT_EQ(found, expected) << "triangle " << t << ", at most " << highest;
+    }
+  }
+}
+
+// A random valid colouring, `share` of the edges that could be solid being so.
+void color_randomly(StripMesh& mesh, std::mt19937& random, double share) {
+  mesh.clear_colors();
+  std::vector<Halfedge> edges;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned side = 0; side < 3; ++side)
+      if (const Halfedge h = StripMesh::halfedge(t, side); !StripMesh::on_boundary(mesh.opposite(h)))
+        edges.push_back(h);
+  std::shuffle(edges.begin(), edges.end(), random);
+  Descent descent;
+  for (const Halfedge h : edges) {
+    const Triangle t = StripMesh::triangle(h);
+    const Triangle u = StripMesh::triangle(mesh.opposite(h));
+    if (mesh.solid(h) || t == u || mesh.solid_degree(t) == 2 || mesh.solid_degree(u) == 2) continue;
+    if (std::uniform_real_distribution<>(0, 1)(random) > share) continue;
+    mesh.set_solid(h, true);
+    if (!check_coloring(mesh).valid) mesh.set_solid(h, false);
+  }
+}
+
+const std::array<Cost, 4> costs{Cost::indices(), Cost::strips(), Cost{3, 1, 2}, Cost{2, 3, 0}};
+
+TEST(Moves, AreCompleteAndPricedAsCountedInEveryColoringOfSmallMeshes) {
+  std::vector<StripMesh> small{sample::octahedron(), sample::double_cone(3), sample::double_cone(2),
+                               sample::rectangle(2, 2)};
+  for (const StripMesh& mesh : sample::meshes())
+    if (mesh.triangle_count() < 8) small.push_back(mesh);
+  std::size_t compared = 0;
+  for (StripMesh& mesh : small) {
+    std::vector<Halfedge> edges;
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+      for (unsigned side = 0; side < 3; ++side)
+        if (const Halfedge h = StripMesh::halfedge(t, side); h.id < mesh.opposite(h).id)
+          if (!StripMesh::on_boundary(mesh.opposite(h))) edges.push_back(h);
+    ASSERT_LE(edges.size(), 12U);
+    for (std::uint32_t colors = 0; colors < 1U << edges.size(); ++colors) {
+      for (std::size_t i = 0; i < edges.size(); ++i) mesh.set_solid(edges[i], (colors >> i & 1U) != 0);
+      if (!check_coloring(mesh).valid) continue;
+      Descent descent(costs[colors % costs.size()]);
+      compared += expect_moves_right(mesh, descent);
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GT(compared, 10'000U);
+}
+
+TEST(Moves, ArePricedAsCountedInRandomColorings) {
+  std::mt19937 random(7);
+  for (StripMesh& mesh : sample::meshes()) {
+    for (const double share : {0.3, 0.7, 1.0}) {
+      color_randomly(mesh, random, share);
+      for (const Cost& cost : costs) {
+        Descent descent(cost);
+        expect_limits_right(mesh, descent);
+      }
+      Descent descent;
+      EXPECT_GT(expect_moves_right(mesh, descent), 0U);
+      if (HasFailure()) return;
+    }
+  }
+}
+
+std::vector<Triangle> all_triangles(const StripMesh& mesh) {
+  std::vector<Triangle> all;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) all.push_back(t);
+  return all;
+}
+
+// The least price of a valid move in the whole mesh, by counting.
+std::int32_t best_price(const StripMesh& mesh, const Cost& cost) {
+  const std::int32_t before = cost_of(mesh).price(cost);
+  std::int32_t best = any_price;
+  for (const Triangle t : all_triangles(mesh))
+    for (unsigned side = 0; side < 3; ++side) {
+      const Halfedge h = StripMesh::halfedge(t, side);
+      const Halfedge back = mesh.opposite(h);
+      if (StripMesh::on_boundary(back) || back.id < h.id || StripMesh::triangle(back) == t) continue;
+      for (const Changes& move : moves_of(mesh, h)) {
+        StripMesh after = mesh;
+        apply(after, move);
+        if (check_coloring(after).valid) best = std::min(best, cost_of(after).price(cost) - before);
+      }
+    }
+  return best;
+}
+
+// One call goes on from the triangles that it touches; what moves make possible further away, the next call finds.
+TEST(Descent, RepeatedEndsWhereNoMoveImproves) {
+  std::mt19937 random(11);
+  for (StripMesh& mesh : sample::meshes()) {
+    for (const Cost& cost : costs) {
+      for (const std::uint32_t tries : {0U, 3U}) {
+        color_randomly(mesh, random, 0.6);
+        const ColoringChange before = cost_of(mesh);
+        Descent descent(cost);
+        ColoringChange sum;
+        for (ColoringChange told{-1, -1, -1}; told.price(cost) < 0;) {
+          told = descent.run(mesh, all_triangles(mesh), {.tries = tries, .worse = 1});
+          ASSERT_TRUE(check_coloring(mesh).valid);
+          sum += told;
+          EXPECT_EQ(sum, cost_of(mesh) - before);
+          EXPECT_LE(told.price(cost), 0);
+        }
+        EXPECT_GE(best_price(mesh, cost), 0);
+      }
+    }
+  }
+}
+
+// Chains end lower, all taken together, and each descent of single moves can be gone on with by chains.
+TEST(Descent, ChainsFindWhatSingleMovesDoNot) {
+  std::mt19937 random(13);
+  int gained = 0;
+  for (StripMesh& mesh : sample::meshes()) {
+    for (const Cost& cost : {Cost::indices(), Cost::strips()}) {
+      color_randomly(mesh, random, 0.5);
+      Descent descent(cost);
+      descent.run(mesh, all_triangles(mesh));
+      const ColoringChange before = cost_of(mesh);
+      const ColoringChange told = descent.run(mesh, all_triangles(mesh), {.tries = 4, .worse = 1});
+      EXPECT_EQ(told, cost_of(mesh) - before);
+      EXPECT_LE(told.price(cost), 0);
+      gained -= told.price(cost);
+    }
+  }
+  EXPECT_GT(gained, 20);
+}
+
+TEST(Descent, DependsOnItsInputAlone) {
+  const auto outcome = [](Descent& descent) {
+    StripMesh mesh = sample::torus(20, 15);
+    stripify_fast(mesh);
+    descent.run(mesh, all_triangles(mesh), {.tries = 3, .worse = 1});
+    return strip_indices(mesh, extract_strips(mesh));
+  };
+  Descent descent;
+  const auto first = outcome(descent);
+  EXPECT_EQ(first, outcome(descent));  // after other work
+}
+
+TEST(Descent, KeepsToItsLimits) {
+  constexpr std::uint64_t most_of_a_look = 5 * 18;  // a chain looks at four more triangles, once for each of its tries
+  for (const std::uint32_t tries : {0U, 3U}) {
+    for (const std::uint32_t moves : {0U, 1U, 10U, 100U}) {
+      StripMesh mesh = sample::torus(20, 15);
+      stripify_fast(mesh);
+      Descent descent;
+      descent.run(mesh, all_triangles(mesh), {.moves = moves, .tries = tries, .worse = 1});
+      EXPECT_LE(descent.counts().priced, moves + (moves == 0 ? 0 : most_of_a_look));
+      EXPECT_GE(descent.counts().priced, moves);
+    }
+  }
+}
+
+// A descent that stays changes edges of the triangles given and of their neighbours, and no others.
+TEST(Descent, StaysWhereItIsToldTo) {
+  std::mt19937 random(17);
+  std::size_t changed = 0;
+  for (int round = 0; round < 200; ++round) {
+    StripMesh mesh = sample::torus(12, 9);
+    color_randomly(mesh, random, 0.8);
+    const StripMesh before = mesh;
+    const Triangle given = static_cast<Triangle>(random() % mesh.triangle_bound());
+    Descent descent;
+    descent.run(mesh, std::array{given, given}, {.stay = true});
+    for (const Triangle t : all_triangles(mesh)) {
+      if (mesh.solid_sides(t) == before.solid_sides(t)) continue;
+      ++changed;
+      bool near = t == given;
+      for (unsigned side = 0; side < 3; ++side) {
+        const Triangle beside = StripMesh::triangle(mesh.opposite(StripMesh::halfedge(given, side)));
+        near = near || beside == t;
+        for (unsigned s = 0; s < 3; ++s)
+          near = near || StripMesh::triangle(mesh.opposite(StripMesh::halfedge(beside, s))) == t;
+      }
+      EXPECT_TRUE(near);
+    }
+  }
+  EXPECT_GT(changed, 200U);
+}
+
+// The dual edges around a tube that is one ring of triangles.
+std::vector<Halfedge> ring_of(const StripMesh& mesh) {
+  std::vector<Halfedge> ring;
+  Halfedge in{none};
+  for (Triangle t = 0; ring.size() < mesh.triangle_count(); t = StripMesh::triangle(in)) {
+    unsigned side = 0;
+    while (StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, side))) || StripMesh::halfedge(t, side) == in)
+      ++side;
+    ring.push_back(StripMesh::halfedge(t, side));
+    in = mesh.opposite(ring.back());
+  }
+  return ring;
+}
+
+// Two strips make a ring: joining their ends is allowed where the walk along the shorter one comes to its end.
+TEST(Descent, RefusesWhatItCannotSee) {
+  const auto keeps_strips = [](Vertex quadrilaterals, std::size_t shorter) {
+    StripMesh mesh = sample::tube(quadrilaterals, 1);
+    const std::vector<Halfedge> ring = ring_of(mesh);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (i != 0 && i != shorter) mesh.set_solid(ring[i], true);
+    Descent descent;
+    const bool keeps = descent.keeps_strips(mesh, {ring[0]});
+    EXPECT_LE(descent.counts().walked, 2 * std::uint64_t{Descent::max_walk});
+    return keeps;
+  };
+  EXPECT_TRUE(keeps_strips(100, 100));
+  EXPECT_FALSE(keeps_strips(100, 0));  // one strip
+  EXPECT_TRUE(keeps_strips(10'000, 10));
+  EXPECT_TRUE(keeps_strips(10'000, Descent::max_walk + 1));
+  EXPECT_FALSE(keeps_strips(10'000, Descent::max_walk + 2));
+  EXPECT_FALSE(keeps_strips(10'000, 0));
+}
+
+}  // namespace
+}  // namespace restrip
