@@ -111,7 +111,7 @@ void parts(benchmark::State& state) {
     pass(4, [&](Work& w, std::size_t) { detail::read_interior_fan(mesh, w.where.left, w.where.right, w.fan); });
     pass(5, [&](Work& w, std::size_t) { w.rule = split_rule({w.fan.k, w.fan.a}, w.fan.loop, w.fan.ports); });
     pass(6, [&](Work& w, std::size_t i) {
-      w.at = mesh.insert_vertex(w.where.left, w.where.right, records[i].v_t, moved(w));
+      w.at = mesh.insert_vertex(w.where.left, w.where.right, moved(w), records[i].v_t);
     });
     pass(7, [&](Work& w, std::size_t) {
       w.fan.dash(mesh, detail::kept_loop(w.fan.k, w.fan.a, w.rule.colors));

@@ -12,7 +12,8 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True  # nothing but the page is written, least of all into the source tree
 
-from chart import log_chart
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "scripts"))
+from plots import Axis, Series, line_plot, point_plot, standalone  # noqa: E402
 from results import Results, duration, plain, table, times
 
 PROGRAMS = ["lookup", "operation", "level", "buffer", "replay", "batch", "scale", "programs"]
@@ -304,10 +305,13 @@ class Page:
     # ---- charts
     def scale_chart(self):
         line = lambda how: [(self.of_scale(s, how, "triangles"), self.of_scale(s, how, "split_ns")) for s in self.sizes()]
-        series = [("full", "a", line("random/full")), ("quick", "a", line("random/quick")), ("linked", "a", line("random/linked")),
-                  ("local, at random", "a", line("random/local")), ("local, side by side", "a", line("side_by_side/local")),
-                  ("bare, at random", "c", line("random/bare")), ("bare, side by side", "c", line("side_by_side/bare"))]
-        return log_chart("triangles", "nanoseconds a split", series, "Time of a split against the size of the mesh", self.caches())
+        series = [Series("full", "ours", 4, line("random/full")), Series("quick", "ours", 3, line("random/quick")),
+                  Series("linked", "ours", 2, line("random/linked")), Series("local, at random", "ours", 0, line("random/local")),
+                  Series("local, side by side", "ours", 1, line("side_by_side/local")),
+                  Series("bare, at random", "scratch", 0, line("random/bare")),
+                  Series("bare, side by side", "scratch", 1, line("side_by_side/bare"))]
+        return standalone(line_plot(Axis("triangles", True), Axis("nanoseconds a split", True), series,
+                                    "Time of a split against the size of the mesh", self.caches()))
 
     def chart_level(self):
         mesh = "bunny" if ("bunny", "100") in self.levels else self.levels[-1][0]
@@ -322,10 +326,10 @@ class Page:
         spot = lambda way, name: (self.r.median(f"{stem}/{way}", "up_ns") / 1e3, self.r.median(f"{stem}/{way}", "strips"), name)
         names = {"meshopt_ordered": "meshopt, ordered", "meshopt_order_given": "meshopt, order given",
                  "meshopt_as_it_is": "meshopt, as it is", "openmesh": "OpenMesh", "stripify_fast": "stripify_fast"}
-        series = [("ours, 1 % up", "a", [spot(way, way) for way in self.ways(stem)]),
-                  ("from scratch", "b", [spot(way, name) for way, name in names.items()])]
-        return log_chart("microseconds to the next level (1 % more triangles)", "strips there", series,
-                         "Strips of a level against the time to get there", each_named=True)
+        series = [Series("ours, 1 % up", "ours", 0, [spot(way, way) for way in self.ways(stem)]),
+                  Series("from scratch", "paper", 1, [spot(way, name) for way, name in names.items()])]
+        return standalone(point_plot(Axis("microseconds to the next level (1 % more triangles)", True), Axis("strips there", True),
+                                     series, "Strips of a level against the time to get there"))
 
 
 def fill(template, page):

@@ -12,7 +12,8 @@ import tempfile
 from pathlib import Path
 
 import pictures
-from pictures import Axis, Bar, BarPlot, Series, escaped, grouped
+import plots
+from plots import Axis, Bar, BarPlot, Series, escaped, grouped
 
 PAGE_STYLE = """
 body { margin: 0 auto; padding: 1rem 1.25rem 4rem; max-width: 1080px; background: var(--surface); color: var(--ink);
@@ -100,9 +101,9 @@ def four_section(report):
 def lonely_section(report):
     html = ('<h2 id="figure-8">The lonely triangle (figure 8)</h2>\n<p>The paper shows a 6-vertex on which a split must leave a '
             "triangle alone. It must, if every strip that passes through the patch, in at one port and out at another, is to stay "
-            "whole. Below is every such configuration, found by trying all recolourings. The rules do not insist: they cut a "
-            "passing strip and give the lonely triangle to one half. That costs no more strips than the lonely triangle, itself a "
-            "strip of one, and nobody is alone.</p>\n"
+            "whole. Below is every such configuration, found by trying all recolourings. The rules do not keep passing strips whole: "
+            "they cut one and give the isolated triangle to one half. There are never more strips than with the isolated triangle, "
+            "which is a strip too, and no triangle is isolated.</p>\n"
             '<div class="wide"><table id="lonely-counts">\n<caption>Configurations in which whole strips leave a triangle alone '
             '(<a href="lonely-counts.csv">lonely-counts.csv</a>, <a href="lonely.csv">lonely.csv</a>)</caption>\n')
     html += row(map(head, ("k, a", "valid configurations", "alone if strips stay whole", "orbits",
@@ -133,7 +134,7 @@ def valence_part(mesh, number):
         series.append(Series(f"the paper's {paper['mesh']}", "paper", 2, [(r["triangles"], r["paper"]) for r in rows], True))
         html += (f"Equal to the paper's {theirs}, row for row.</p>\n" if mesh["equals_paper"] else
                  f"As many triangles as the paper's {theirs}, but <strong class=\"differs\">not the same rows</strong>.</p>\n")
-    plot = pictures.line_plot(Axis("triangles per vertex"), Axis("vertices", True), series,
+    plot = plots.line_plot(Axis("triangles per vertex"), Axis("vertices", True), series,
                               f"vertices by triangles per vertex, {mesh['mesh']}")
     html += f'<figure class="valence">{plot}</figure>\n<div class="wide"><table id="valence-{number}">\n'
     html += row([head("triangles per vertex"), head("vertices"), head("%")] + ([head("paper")] if paper else []))
@@ -160,7 +161,7 @@ def isolating_part(mesh, number):
     if mesh["paper"] and mesh["paper"]["isolating_percent"] is not None:
         plot.reference = mesh["paper"]["isolating_percent"]
         plot.reference_text = f"the paper reports {plot.reference:g} %"
-    picture = pictures.bar_plot(plot, f"splits that introduced an isolated triangle, {mesh['mesh']}")
+    picture = plots.bar_plot(plot, f"splits that introduced an isolated triangle, {mesh['mesh']}")
     html = (f'<h3>{escaped(mesh["mesh"])}</h3>\n<figure class="isolating">{picture}</figure>\n'
             f'<div class="wide"><table id="isolating-{number}">\n')
     html += row([head("policy"), head("splits"), head("isolating"), head("%"), head("what it does", ' class="words"')])
@@ -181,7 +182,7 @@ def strips_part(mesh, number):
     for name, kind, levels in runs:
         member = members[kind] = members.get(kind, -1) + 1
         series.append(Series(name, kind, member, [(level["triangles"], level["strips"]) for level in levels]))
-    plot = pictures.line_plot(Axis("triangles at this level of detail", True), Axis("strips", True), series,
+    plot = plots.line_plot(Axis("triangles at this level of detail", True), Axis("strips", True), series,
                               f"strips at each level of detail, {mesh['mesh']}")
     html = (f'<h3>{escaped(mesh["mesh"])}</h3>\n<figure class="strips">{plot}</figure>\n'
             f'<div class="wide"><table id="strips-{number}">\n<caption>Strips, isolated triangles among them</caption>\n')
@@ -199,7 +200,7 @@ def page(report):
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8"/>\n<meta name="viewport" content="width=device-width, '
         "initial-scale=1\"/>\n<title>The paper's figures, done again</title>\n"
-        f"<style>\n{pictures.PLOT_STYLE}{pictures.PATCH_STYLE}{PAGE_STYLE}</style>\n</head>\n<body>\n"
+        f"<style>\n{plots.PLOT_STYLE}{pictures.PATCH_STYLE}{PAGE_STYLE}</style>\n</head>\n<body>\n"
         "<h1>The paper's figures, done again</h1>\n<p>M. B. Porcu, N. Sanna, R. Scateni, “Rewriting rules for the dual graph of a "
         f"stripified CLOD mesh”. Made by <code>{escaped(command)} --base {report['base']:g} --levels {report['levels']} --boundary "
         f"{report['boundary']}</code>; the figures behind each picture are in the CSV files beside this page.</p>\n"

@@ -31,12 +31,12 @@ using Where = VertexSplit<Halfedge>;
 using Spokes = Where::Spokes;
 
 /// Every handle that insertions would take from the free lists, in their order, and one more.
-std::vector<StripMesh::Room> handles_to_come(StripMesh mesh) {
-  std::vector<StripMesh::Room> rooms;
+std::vector<detail::TwoSteps::Room> handles_to_come(StripMesh mesh) {
+  std::vector<detail::TwoSteps::Room> rooms;
   const auto triangles = static_cast<Triangle>(mesh.triangle_bound());
   const auto vertices = static_cast<Vertex>(mesh.vertex_bound());
   do {
-    rooms.push_back(mesh.take_room(Spokes::left_only));
+    rooms.push_back(detail::TwoSteps::take(mesh, Spokes::left_only));
   } while (rooms.back().left < triangles || rooms.back().vertex < vertices);
   return rooms;
 }
@@ -138,18 +138,21 @@ BatchReport batch(StripMesh& mesh, const std::vector<Halfedge>& chords, const Ba
 
 /// One by one, but in the order given; handles are taken and given back in the order of the list.
 void in_order(StripMesh& mesh, const std::vector<SplitRequest>& requests, const std::vector<std::size_t>& order) {
-  std::vector<StripMesh::Room> rooms;
+  std::vector<detail::TwoSteps::Room> rooms;
   for (const SplitRequest& request : requests)
-    rooms.push_back(mesh.take_room(request.where.spokes, request.new_vertex));
-  for (const std::size_t i : order) split(mesh, requests[i].where, rooms[i]);
+    rooms.push_back(detail::TwoSteps::take(mesh, request.where.spokes, request.new_vertex));
+  for (const std::size_t i : order) {
+    detail::TwoSteps view(mesh, rooms[i]);
+    split(view, requests[i].where);
+  }
 }
 void in_order(StripMesh& mesh, const std::vector<Halfedge>& chords, const std::vector<std::size_t>& order) {
-  std::vector<StripMesh::Room> freed(chords.size());
+  std::vector<detail::TwoSteps::Room> freed(chords.size());
   for (const std::size_t i : order) {
-    detail::KeepingFreed view(mesh, freed[i]);
+    detail::TwoSteps view(mesh, freed[i]);
     collapse(view, chords[i]);
   }
-  for (const StripMesh::Room& room : freed) mesh.give_back(room);
+  for (const auto& room : freed) detail::TwoSteps::give_back(mesh, room);
 }
 
 template <class Request>

@@ -115,7 +115,7 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   EXPECT_REFUSED(split_and_link(mesh, same), "split_and_link", same_spoke);
   EXPECT_REFUSED(split_baked(mesh, same, {}), "split_baked", same_spoke);
   EXPECT_REFUSED(mesh.insert_vertex(same), "StripMesh::insert_vertex", same_spoke);
-  EXPECT_REFUSED((void)mesh.take_room(Where::Spokes::both, 3), "StripMesh::take_room", vertex_in_use);
+  EXPECT_REFUSED((void)detail::TwoSteps::take(mesh, Where::Spokes::both, 3), "StripMesh::take_room", vertex_in_use);
   EXPECT_REFUSED(collapse_and_adopt(mesh, {}), "collapse_and_adopt", no_such_edge);
   EXPECT_REFUSED(collapse_and_link(mesh, {}), "collapse_and_link", no_such_edge);
   EXPECT_REFUSED(collapse_baked(mesh, {}, {}), "collapse_baked", no_such_edge);

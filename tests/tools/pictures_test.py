@@ -9,12 +9,13 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 import pictures  # noqa: E402
-from pictures import Axis, Series  # noqa: E402
+import plots  # noqa: E402
+from plots import Axis, Series  # noqa: E402
 
 
 class Plots(unittest.TestCase):
     def plot(self, points):
-        return pictures.line_plot(Axis("x", True), Axis("y", True), [Series("s", "ours", 0, points)], "d")
+        return plots.line_plot(Axis("x", True), Axis("y", True), [Series("s", "ours", 0, points)], "d")
 
     def test_leaves_out_what_a_logarithm_cannot_show(self):
         svg = self.plot([(0, 5), (1, 0), (10, 100), (100, 1000)])
@@ -30,14 +31,14 @@ class Plots(unittest.TestCase):
 
     def test_names_are_apart(self):
         series = [Series(name, "ours", i, [(1, 5), (10, 5)]) for i, name in enumerate("abcd")]
-        svg = pictures.line_plot(Axis("x"), Axis("y"), series, "d")
+        svg = plots.line_plot(Axis("x"), Axis("y"), series, "d")
         heights = sorted(float(y) for y in re.findall(r'class="name" x="[0-9.]+" y="([0-9.]+)"', svg))
         self.assertEqual(len(heights), 4)
         self.assertTrue(all(b - a >= 16.9 for a, b in zip(heights, heights[1:])), heights)
 
     def test_text(self):
-        self.assertEqual(pictures.escaped("a<b>&\"c\""), "a&lt;b&gt;&amp;&quot;c&quot;")
-        self.assertEqual([pictures.grouped(n) for n in (7, 999, 69451, 1234567)], ["7", "999", "69,451", "1,234,567"])
+        self.assertEqual(plots.escaped("a<b>&\"c\""), "a&lt;b&gt;&amp;&quot;c&quot;")
+        self.assertEqual([plots.grouped(n) for n in (7, 999, 69451, 1234567)], ["7", "999", "69,451", "1,234,567"])
 
 
 class Patches(unittest.TestCase):

@@ -38,7 +38,7 @@ TEST_F(Program, WrongUsageIsTwo) {
         "stats /no/such/mesh.obj", "replay --policy best --built-in", "replay --states 9 --built-in",
         "replay --states 9 --policy local --built-in", "replay --tie-break indices --built-in",
         "replay --policy full --tie-break beauty --built-in", "stripify x.obj --effort some",
-        "draw -o /no/such/folder/a.svg", "make-mesh -o /no/such/folder/a.obj", "make-mesh --triangles 5 -o a.obj"})
+        "draw -o /no/such/folder/a.json", "make-mesh -o /no/such/folder/a.obj", "make-mesh --triangles 5 -o a.obj"})
     EXPECT_EQ(run_program(arguments).code, 2) << arguments;
 }
 
@@ -172,12 +172,6 @@ TEST_F(Program, ANegativeCountIsNamed) {
   EXPECT_NE(refused.out.find("-5"), std::string::npos) << refused.out;
 }
 
-TEST_F(Program, DrawingIsTheOneShipped) {
-  ASSERT_EQ(run_program(fmt::format("draw -o '{}'", file("a.svg"))).code, 0);
-  EXPECT_EQ(bytes_of(file("a.svg")), bytes_of(RESTRIP_PICTURE))
-      << "write docs/picture.svg anew: restrip draw -o docs/picture.svg";
-}
-
 TEST_F(Program, JsonHasItsKeys) {
   ASSERT_EQ(run_program(fmt::format("replay --built-in --triangles 3000 --repeats 1 --json '{}'", file("a.json"))).code,
             0);
@@ -241,7 +235,7 @@ TEST_F(Meshes, AnInputIsNoOutput) {
            {"bake '{}' -o '{}'", "a.pm", "a.pm"},
            {"bake '{}' -o '{}'", "a.pm", "hard.baked"},
            {"bake '{}' -o '{}'", "a.baked", "./a.baked"},
-           {"draw '{}' -o '{}'", "a.obj", "hard.svg"},
+           {"draw '{}' -o '{}'", "a.obj", "hard.json"},
            {"replay '{}' --json '{}'", "a.obj", "hard.json"},
            {"paper '{}' --out '{}'", "a.obj", "report"},
        })
@@ -276,7 +270,7 @@ TEST_F(Meshes, OutputsAreTestedBeforeTheWork) {
            {"simplify '{0}/none.obj' -o '{0}/folder.pm'", "it is a folder; name a file inside it"},
            {"simplify '{0}/none.obj' -o '{0}/a.pm/b.pm'", "Not a directory"},
            {"bake '{0}/none.pm' -o '{0}/none/b.baked'", "there is no folder"},
-           {"draw '{0}/none.obj' -o '{0}/none/b.svg'", "there is no folder"},
+           {"draw '{0}/none.obj' -o '{0}/none/draw.json'", "there is no folder"},
            {"replay '{0}/none.obj' --json '{0}/none/b.json'", "there is no folder"},
            {"replay '{0}/none.obj' --json /proc/self/b.json", "name a file in a folder that you may write to"},
            {"paper '{0}/none.obj' --out '{0}/a.obj'", "Not a directory; name a file in a folder"},

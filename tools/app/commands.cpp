@@ -16,7 +16,6 @@
 #include "lod/pm_file.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/mesh_report.hpp"
-#include "paper/draw.hpp"
 #include "replay/replay_text.hpp"
 #include "replay/walk.hpp"
 #include "replay/ways.hpp"
@@ -262,7 +261,7 @@ int run(const StripifyCommand& command) {
 }
 
 int run(const DrawCommand& command) {
-  const files::Output out(command.out, {{".svg"}, {command.mesh}});
+  const files::Output out(command.out, {{".json"}, {command.mesh}});
   const ReportOutput report(command.json, {command.mesh, command.out});
   constexpr std::size_t triangles_in_a_picture = 2400;
   Soup soup = command.mesh.empty() ? make_mesh(triangles_in_a_picture) : read_mesh(command.mesh);
@@ -275,10 +274,19 @@ int run(const DrawCommand& command) {
   constexpr SplitPosition at{6, 3};
   constexpr Word loop = 0b001111;
   constexpr Word ports = 0b110001;
-  out.write(svg_of({{draw_mesh(mesh, source.points), "a mesh coloured by strip"},
-                    {draw_fan(at, loop, ports), "a 6-vertex; solid: strip, dashed: no strip"},
-                    {draw_split(at, loop, ports), "split, and repaired by its rule"}}));
-  const nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", extract_strips(mesh).size()}};
+  const Strips strips = extract_strips(mesh);
+  nlohmann::ordered_json picture{
+      {"points", nlohmann::ordered_json::array()},
+      {"strips", nlohmann::ordered_json::array()},
+      {"rule",
+       {{"k", at.k}, {"a", at.a}, {"loop", loop}, {"ports", ports}, {"inner", split_rule(at, loop, ports).colors}}}};
+  for (const Point& p : source.points) picture["points"].push_back({p.x, p.y, p.z});
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    auto& strip = picture["strips"].emplace_back(nlohmann::ordered_json::array());
+    for (const Triangle t : strips[s]) strip.push_back(mesh.corners(t));
+  }
+  out.write(picture.dump() + "\n");
+  const nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", strips.size()}};
   report.print("", json.dump(2) + "\n");
   return 0;
 }

@@ -72,7 +72,8 @@ struct StripifyCommand {
 };
 int run(const StripifyCommand& command);
 
-/// The picture of the README: a mesh coloured by strip after its replay, and the rule of one split.
+/// What scripts/pictures.py needs to draw the picture of the README: a mesh and its strips after its replay, and the
+/// rule of one split.
 struct DrawCommand {
   std::filesystem::path mesh;  ///< empty: the built-in mesh
   std::filesystem::path out;

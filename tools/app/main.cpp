@@ -185,11 +185,12 @@ CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
 }
 
 CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
-  CLI::App* sub = app.add_subcommand("draw", "Draw a mesh coloured by strip, and a rule before and after, as SVG");
+  CLI::App* sub = app.add_subcommand(
+      "draw", "Write what scripts/pictures.py draws: a mesh with its strips, and a rule before and after");
   sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl, best of a few thousand triangles; else a torus");
-  sub->add_option("-o,--output", command.out, "the .svg file")->required();
+  sub->add_option("-o,--output", command.out, "the .json file")->required();
   add_json_option(*sub, command.json);
-  sub->footer("Example: restrip draw -o picture.svg");
+  sub->footer("Example: restrip draw -o picture.json && scripts/pictures.py picture.json picture.svg");
   return sub;
 }
 

@@ -30,6 +30,10 @@ inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 #define RESTRIP_MAX_TRIANGLES ((std::size_t{1} << 29) - 1)
 #endif
 
+namespace detail {
+class TwoSteps;
+}
+
 /// What StripMesh::build found in its input. Nothing is repaired silently: every triangle of the input is either in
 /// the mesh or counted here as left out.
 struct BuildReport {
@@ -164,7 +168,7 @@ class StripMesh {
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
   /// The same for an interior vertex whose fan has been walked already: `moved` are the spokes whose left triangles go
   /// to the new vertex, counter-clockwise from `right`.
-  Halfedge insert_vertex(Halfedge left, Halfedge right, Vertex new_vertex, std::span<const Halfedge> moved);
+  Halfedge insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved, Vertex new_vertex = none);
   /// See CollapsibleMesh. Precondition: check_collapse() grants it.
   Halfedge remove_vertex(Halfedge chord);
   /// The same for a mesh edge with interior ends whose fans have been walked already: `moved` are the spokes of v_t
@@ -173,36 +177,10 @@ class StripMesh {
   /// See FlippableMesh. Precondition: check_flip() grants it.
   Halfedge turn_edge(Halfedge h);
 
-  // ---- insertion and removal in two steps, for batches (batch.hpp)
-  // One thread takes handles and gives them back, in a fixed order; between the two, insertions and removals on
-  // disjoint patches may run at the same time.
-
-  /// The handles that an insertion takes and a removal gives back; `none` for the triangle that a one-sided operation
-  /// does not have.
-  struct Room {
-    Vertex vertex = none;
-    Triangle left = none;
-    Triangle right = none;
-    friend constexpr bool operator==(const Room&, const Room&) = default;
-  };
-  /// The handles that insert_vertex would use now. They are the caller's until an insertion fills them or they are
-  /// given back. Throws as insert_vertex does.
-  [[nodiscard]] Room take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex = none);
-  void give_back(const Room& room);
-  /// Room for the handles that this many removals give back, so that give_back does not throw.
-  void expect_back(std::size_t removals);
-  /// As above, into room taken before. What a check would read outside the patch is not checked here.
-  Halfedge insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept;
-  Halfedge insert_vertex(Halfedge left, Halfedge right, const Room& room, std::span<const Halfedge> moved) noexcept;
-  /// As above; `freed` receives the handles that become free and are still to be given back.
-  Halfedge remove_vertex(Halfedge chord, Room& freed) noexcept;
-  Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved, Room& freed) noexcept;
-
   // ---- what has changed
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
-  /// appended to *changed, some of them more than once. Null: no longer. Not for batches, nor for their operations in
-  /// two steps. What changes the mesh or a colour makes room in *changed first; std::bad_alloc means that nothing has
-  /// changed.
+  /// appended to *changed, some of them more than once. Null: no longer. Not for batches. What changes the mesh or a
+  /// colour makes room in *changed first; std::bad_alloc means that nothing has changed.
   ///
   /// A copy of the mesh is not watched. Moving the mesh takes its watch along: the new mesh is watched, the one moved
   /// from no longer. A mesh that is assigned to keeps its own watch, unless a watched mesh is moved into it. The
@@ -236,6 +214,29 @@ class StripMesh {
   void reserve(std::size_t triangles, std::size_t vertices);
 
  private:
+  friend class detail::TwoSteps;
+
+  // Insertions and removals have two steps: handles are taken and given back in a fixed order by one thread, the rest
+  // may be done on disjoint patches at the same time (TwoSteps of batch.hpp).
+
+  // The handles that an insertion takes and a removal gives back; `none` for the triangle that a one-sided operation
+  // does not have.
+  struct Room {
+    Vertex vertex = none;
+    Triangle left = none;
+    Triangle right = none;
+    friend constexpr bool operator==(const Room&, const Room&) = default;
+  };
+  // Throws as insert_vertex does; then nothing has been taken.
+  [[nodiscard]] Room take_room(VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex);
+  void give_back(const Room& room);
+  // Room for the handles that this many removals give back, so that give_back does not throw.
+  void expect_back(std::size_t removals);
+  Halfedge insert_vertex(const VertexSplit<Halfedge>& where, const Room& room) noexcept;
+  Halfedge insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved, const Room& room) noexcept;
+  Halfedge remove_vertex(Halfedge chord, Room& freed) noexcept;
+  Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved, Room& freed) noexcept;
+
   static constexpr const char* no_such_vertex = "the vertex is not one of this mesh";
   static constexpr const char* no_such_triangle = "the triangle is not one of this mesh";
   // A side of a triangle alive, seen from either side: alive(h), but while an operation is under way.

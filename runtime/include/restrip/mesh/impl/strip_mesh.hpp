@@ -121,16 +121,16 @@ inline StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
   return {none};
 }
 
-inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, Vertex wanted,
-                                                    std::span<const Halfedge> moved) {
+inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved,
+                                                    Vertex wanted) {
   RESTRIP_ASSERT(check_split(*this, {left, right}, wanted) == Refusal::granted, "StripMesh::insert_vertex",
                  describe(check_split(*this, {left, right}, wanted)));
   expect_touches(moved.size() + most_other_touches);
-  return insert_vertex(left, right, take_room(VertexSplit<Halfedge>::Spokes::both, wanted), moved);
+  return insert_vertex(left, right, moved, take_room(VertexSplit<Halfedge>::Spokes::both, wanted));
 }
 
-inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, const Room& room,
-                                                    std::span<const Halfedge> moved) noexcept {
+inline StripMesh::Halfedge StripMesh::insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved,
+                                                    const Room& room) noexcept {
   const Vertex v_s = from(left);
   const Vertex v_t = room.vertex;
   for (const Halfedge h : moved) set_corner(h, v_t);

@@ -51,11 +51,21 @@ inline Refusal check_request(const StripMesh& mesh, const SplitRequest& request)
 }
 inline Refusal check_request(const StripMesh& mesh, StripMesh::Halfedge chord) { return check_collapse(mesh, chord); }
 
-/// StripMesh, but for the handles that a removal makes free: they are kept in `freed` and given back later.
-class KeepingFreed {
+/// A StripMesh whose insertions fill handles that were taken before, and whose removals keep the handles that become
+/// free, to be given back later. Views of the same mesh may change disjoint patches at the same time.
+class TwoSteps {
  public:
   using Halfedge = StripMesh::Halfedge;
-  KeepingFreed(StripMesh& mesh, StripMesh::Room& freed) noexcept : mesh_(mesh), freed_(freed) {}
+  using Room = StripMesh::Room;
+  TwoSteps(StripMesh& mesh, Room& room) noexcept : mesh_(mesh), room_(room) {}
+
+  /// The handles that an insertion would use now. Throws as StripMesh::insert_vertex does.
+  [[nodiscard]] static Room take(StripMesh& mesh, VertexSplit<Halfedge>::Spokes spokes, Vertex new_vertex = none) {
+    return mesh.take_room(spokes, new_vertex);
+  }
+  /// Does not throw for as many as were expected.
+  static void give_back(StripMesh& mesh, const Room& room) { mesh.give_back(room); }
+  static void expect_back(StripMesh& mesh, std::size_t removals) { mesh.expect_back(removals); }
 
   [[nodiscard]] Halfedge next(Halfedge h) const noexcept { return StripMesh::next(h); }
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept { return mesh_.opposite(h); }
@@ -64,14 +74,18 @@ class KeepingFreed {
   void set_solid(Halfedge h, bool solid) noexcept { mesh_.set_solid(h, solid); }
   [[nodiscard]] FanStep<Halfedge> fan_step(Halfedge h) const noexcept { return mesh_.fan_step(h); }
   [[nodiscard]] bool leaves_boundary(Halfedge h) const noexcept { return mesh_.leaves_boundary(h); }
-  Halfedge remove_vertex(Halfedge chord) noexcept { return mesh_.remove_vertex(chord, freed_); }
+  Halfedge insert_vertex(const VertexSplit<Halfedge>& where) noexcept { return mesh_.insert_vertex(where, room_); }
+  Halfedge insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved) noexcept {
+    return mesh_.insert_vertex(left, right, moved, room_);
+  }
+  Halfedge remove_vertex(Halfedge chord) noexcept { return mesh_.remove_vertex(chord, room_); }
   Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved) noexcept {
-    return mesh_.remove_vertex(chord, moved, freed_);
+    return mesh_.remove_vertex(chord, moved, room_);
   }
 
  private:
   StripMesh& mesh_;
-  StripMesh::Room& freed_;
+  Room& room_;
 };
 
 struct Verdict {
@@ -221,12 +235,14 @@ inline BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> re
                  describe(detail::fault_in(mesh, requests)));
   if (report.fault != BatchFault::done) return report;
   report.rewrites.resize(requests.size());
-  std::vector<StripMesh::Room> rooms;
+  std::vector<detail::TwoSteps::Room> rooms;
   rooms.reserve(requests.size());
   for (const SplitRequest& request : requests)
-    rooms.push_back(mesh.take_room(request.where.spokes, request.new_vertex));
-  detail::run_batch(requests.size(), options.threads, report,
-                    [&](std::size_t i) { return split(mesh, requests[i].where, rooms[i]); });
+    rooms.push_back(detail::TwoSteps::take(mesh, request.where.spokes, request.new_vertex));
+  detail::run_batch(requests.size(), options.threads, report, [&](std::size_t i) {
+    detail::TwoSteps view(mesh, rooms[i]);
+    return split(view, requests[i].where);
+  });
   return report;
 }
 
@@ -238,13 +254,13 @@ inline BatchReport collapse_batch(StripMesh& mesh, std::span<const StripMesh::Ha
                  describe(detail::fault_in(mesh, chords)));
   if (report.fault != BatchFault::done) return report;
   report.rewrites.resize(chords.size());
-  std::vector<StripMesh::Room> freed(chords.size());
-  mesh.expect_back(chords.size());
+  std::vector<detail::TwoSteps::Room> freed(chords.size());
+  detail::TwoSteps::expect_back(mesh, chords.size());
   detail::run_batch(chords.size(), options.threads, report, [&](std::size_t i) {
-    detail::KeepingFreed view(mesh, freed[i]);
+    detail::TwoSteps view(mesh, freed[i]);
     return collapse(view, chords[i]);
   });
-  for (const StripMesh::Room& room : freed) mesh.give_back(room);
+  for (const auto& room : freed) detail::TwoSteps::give_back(mesh, room);
   return report;
 }
 

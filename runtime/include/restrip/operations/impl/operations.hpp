@@ -71,8 +71,8 @@ Rewrite<typename Mesh::Halfedge> apply_split(Mesh& mesh, const VertexSplit<typen
   const auto chord = [&] {
     // A mesh that can use the walk we have done already need not turn around the vertex again.
     const std::span<const typename Mesh::Halfedge> moved(fan.spokes + a - 1, k - a);
-    if constexpr (requires { mesh.insert_vertex(where.left, where.right, name..., moved); })
-      return mesh.insert_vertex(where.left, where.right, name..., moved);
+    if constexpr (requires { mesh.insert_vertex(where.left, where.right, moved, name...); })
+      return mesh.insert_vertex(where.left, where.right, moved, name...);
     else
       return mesh.insert_vertex(where, name...);
   }();
