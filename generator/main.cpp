@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -23,6 +24,7 @@
 #include "dump.hpp"
 #include "emit.hpp"
 #include "emit_automaton.hpp"
+#include "emit_index_automaton.hpp"
 #include "files/output.hpp"
 #include "files/system_calls.hpp"
 #include "part.hpp"
@@ -68,22 +70,55 @@ std::string header_path(const std::string& family) {
 
 std::string certificate_path(const std::string& family) { return "certificates/" + family + ".cert"; }
 
-/// The two files of the automaton, which serves every valence.
+/// The two files of an automaton, which serves every valence.
 struct AutomatonFiles {
-  const Automaton automaton = make_automaton();
-  const RulesHeader header = automaton_header(automaton);
-  const AutomatonCertificate certificate = automaton_certificate(automaton);
+  std::string name;
+  std::size_t classes = 0;
+  RulesHeader header;
+  std::string certificate;
+  std::size_t rows = 0;
+  std::string json;
 };
 
+AutomatonFiles strips_automaton() {
+  const Automaton automaton = make_automaton();
+  const AutomatonCertificate certificate = automaton_certificate(automaton);
+  return {"automaton",      automaton.classes.size(), automaton_header(automaton),
+          certificate.text, certificate.rows,         automaton_json(automaton)};
+}
+
+AutomatonFiles index_automaton(const indices::Weights& weights) {
+  const indices::Automaton automaton = indices::make_automaton(weights);
+  const indices::AutomatonCertificate certificate = indices::automaton_certificate(automaton);
+  return {"index-automaton", automaton.classes.size(), indices::automaton_header(automaton),
+          certificate.text,  certificate.rows,         indices::automaton_json(automaton)};
+}
+
+/// "strips", "indices", or the weights of a strip, a swap and an isolated triangle with commas between them.
+AutomatonFiles automaton_for(const std::string& cost) {
+  if (cost == "strips") return strips_automaton();
+  if (cost == "indices") return index_automaton({});
+  indices::Weights weights;
+  int end = 0;
+  if (std::sscanf(cost.c_str(), "%4d,%4d,%4d%n", &weights.restart, &weights.swap, &weights.isolated, &end) != 3 ||
+      static_cast<std::size_t>(end) != cost.size())
+    throw std::invalid_argument(
+        fmt::format("--cost {}: expected strips, indices, or the weights of a strip, a swap and an isolated triangle, "
+                    "as in 3,1,0",
+                    cost));
+  return index_automaton(weights);
+}
+
 std::string summary(const AutomatonFiles& files) {
-  return fmt::format("{:<16} {:>3} classes   {:>6} rows   {:>6} bytes\n", "automaton", files.automaton.classes.size(),
-                     files.certificate.rows, files.header.bytes);
+  return fmt::format("{:<16} {:>3} classes   {:>6} rows   {:>6} bytes\n", files.name, files.classes, files.rows,
+                     files.header.bytes);
 }
 
 /// The files that write_tables writes, whatever the largest valence; MANIFEST, which vouches for the others, last.
 files::OutputSet table_files(const std::string& out) {
-  std::set<std::filesystem::path> names{headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"),
-                                        certificate_path("automaton")};
+  std::set<std::filesystem::path> names{headers + "rows.hpp",           headers + "linked.hpp",
+                                        header_path("automaton"),       certificate_path("automaton"),
+                                        header_path("index-automaton"), certificate_path("index-automaton")};
   for (const Part& part : parts(3)) {
     names.insert(certificate_path(part.family));
     if (std::holds_alternative<Section>(part.section)) names.insert(header_path(part.family));
@@ -139,10 +174,12 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) 
     rows[path] = family.alternatives();
     rows[headers + "linked.hpp"] += family.alternatives();
   }
-  const AutomatonFiles automaton;
-  texts[header_path("automaton")] = automaton.header.text;
-  texts[certificate_path("automaton")] = automaton.certificate.text;
-  rows[header_path("automaton")] = rows[certificate_path("automaton")] = automaton.certificate.rows;
+  const std::array<AutomatonFiles, 2> automata{strips_automaton(), index_automaton({})};
+  for (const AutomatonFiles& automaton : automata) {
+    texts[header_path(automaton.name)] = automaton.header.text;
+    texts[certificate_path(automaton.name)] = automaton.certificate;
+    rows[header_path(automaton.name)] = rows[certificate_path(automaton.name)] = automaton.rows;
+  }
   std::string manifest = "restrip-manifest 1\n";
   std::vector<files::NamedBytes> files;
   for (auto& [path, contents] : texts) {
@@ -158,18 +195,18 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) 
   fmt::print("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", "linked",
              linked[0].sections.size() + linked[1].sections.size(), linked[0].alternatives() + linked[1].alternatives(),
              linked_rules.bytes);
-  fmt::print("{}", summary(automaton));
+  for (const AutomatonFiles& automaton : automata) fmt::print("{}", summary(automaton));
 }
 
-void write_automaton(const std::string& folder, const std::string& json) {
-  files::OutputSet out(folder, {header_path("automaton"), certificate_path("automaton")});
+void write_automaton(const std::string& cost, const std::string& folder, const std::string& json) {
+  const AutomatonFiles automaton = automaton_for(cost);
+  files::OutputSet out(folder, {header_path(automaton.name), certificate_path(automaton.name)});
   std::optional<files::Output> json_out;
   if (!json.empty() && json != "-") json_out.emplace(json, files::OutputRules{{".json"}, {}});
-  const AutomatonFiles automaton;
-  out.write(
-      {{header_path("automaton"), automaton.header.text}, {certificate_path("automaton"), automaton.certificate.text}});
-  if (json_out) json_out->write(automaton_json(automaton.automaton));
-  fmt::print("{}", json == "-" ? automaton_json(automaton.automaton) : summary(automaton));
+  out.write({{header_path(automaton.name), automaton.header.text},
+             {certificate_path(automaton.name), automaton.certificate}});
+  if (json_out) json_out->write(automaton.json);
+  fmt::print("{}", json == "-" ? automaton.json : summary(automaton));
 }
 
 void make_tables(const TablesOptions& options) {
@@ -255,12 +292,17 @@ int main(int argc, char** argv) {
       app.add_subcommand("automaton", "Write the automaton that answers fans of every valence, and its certificate");
   automaton_command->add_option("--out", automaton_out, "Directory that receives them")->required();
   automaton_command
-      ->add_option("--cost", automaton_cost, "What is best: fewest strips, then fewest isolated triangles (strips)")
-      ->check(CLI::IsMember({"strips"}))
+      ->add_option(
+          "--cost", automaton_cost,
+          "What is best: strips (fewest strips, then fewest isolated triangles), indices (3 for a strip, 1 for "
+          "a swap), or R,S,I, the weights of a strip, a swap and an isolated triangle")
       ->capture_default_str();
   automaton_command->add_option("--json", automaton_json_file,
                                 "Write its figures to this file; - for standard output, in place of the text");
-  automaton_command->footer("\nExample:\n  restrip-generate automaton --cost strips --out /tmp/automaton\n");
+  automaton_command->footer(
+      "\nExamples:\n"
+      "  restrip-generate automaton --cost strips --out /tmp/automaton\n"
+      "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n");
 
   std::string family = "split";
   unsigned k = 0;
@@ -300,7 +342,7 @@ int main(int argc, char** argv) {
   }
   try {
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
-    if (*automaton_command) write_automaton(automaton_out, automaton_json_file);
+    if (*automaton_command) write_automaton(automaton_cost, automaton_out, automaton_json_file);
     if (*merge_command) merge(merge_in, merge_out);
     if (*dump_command) {
       const Family chosen = names.at(family);

@@ -17,7 +17,8 @@ import tempfile
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LINE = re.compile(r"^(\S+) +\d+ (?:sections|classes) +(\d+) (?:rules|rows) +(\d+) bytes$", re.M)
 NOTES = {"fan-collapse": "fan-collapse (both collapses of open fans)", "linked": "linked (`linked.hpp` alone)",
-         "automaton": "automaton (all valences); rows of its certificate"}
+         "automaton": "automaton (all valences); rows of its certificate",
+         "index-automaton": "index automaton (not in `restrip.hpp`); rows of its certificate"}
 SOURCE = """#include <restrip/restrip.hpp>
 using namespace restrip;
 Rewrite<StripMesh::Halfedge> do_split(StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where, Vertex v) {
@@ -115,7 +116,7 @@ def print_shards(generate):
                      for i in range(1, 4)]
             merge = watched(generate, "merge", "--in", shards, "--out", tables)
             families = sizes_in(merge[2])
-            fans = [family for name, family in families.items() if name not in ("linked", "automaton")]
+            fans = [family for name, family in families.items() if name not in ("linked", "automaton", "index-automaton")]
             line([str(k), f"{sum(part[0] for part in parts):.1f}", f"{max(part[0] for part in parts):.1f}",
                   f"{max(part[1] for part in parts):.0f} MiB", f"{merge[0]:.1f} s, {merge[1]:.0f} MiB",
                   f"{sum(rules for rules, _ in fans):,}", f"{families['split'][0]:,}", f"{families['linked'][0]:,}",

@@ -28,7 +28,8 @@ std::size_t natural(const LineReader& reader, std::size_t index) {
 /// What lies among the tables without being made: the build's own file, and the explanations of the layout.
 bool written_by_hand(const std::string& path) {
   return path == "CMakeLists.txt" || path == "include/restrip/tables/format.hpp" ||
-         path == "include/restrip/tables/automaton_format.hpp";
+         path == "include/restrip/tables/automaton_format.hpp" ||
+         path == "include/restrip/tables/index_automaton_format.hpp";
 }
 
 bool stays_inside(const fs::path& path) {

@@ -5,7 +5,7 @@ set(allowed_in_files "${std}|\"files/.*\"|<fmt/.*>|<(fcntl|signal|unistd|sys/sta
 set(allowed_in_generator "${std}|\"files/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
 set(allowed_in_verify "${std}|<(boost/graph|fmt|nauty|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
-set(allowed_in_tables "${std}|\"restrip/tables/([a-z]+_)?format.hpp\"")
+set(allowed_in_tables "${std}|\"restrip/tables/([a-z_]+_)?format.hpp\"")
 set(allowed_in_tools "${std}|\"(files|restrip|common|meshes|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<unistd.h>")
 set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
