@@ -98,22 +98,7 @@ fi
 
 printf '\nThe rungs that were run, and what each trusts.\n\n'
 printf '%s\n\n' "${ladder[@]}"
-# The same table stands in docs/trust.md, "What each rung covers".
-cat <<'END'
-What each rung covers. "listed": the positions that docs/notation.md lists; "every": their mirror images and half turns too.
-
-rung      families                    k       positions  sound  best  complete  linked rules     shipped headers
-search    all six                     <= 8    every      yes    yes   yes       lists            yes
-linked    linked splits, collapses    <= 8    every      yes    yes   yes       look-up          yes
-reasons   all six                     <= 8    listed     yes    yes   splits*   lists            no
-sat       all six                     <= 8    listed     no     yes   yes       no               no
-compiler  split, collapse, flip       3, 4    every      yes    yes   yes       no               yes
-theorem   all six                     <= 8    every      yes    yes   yes       lists            yes
-theorem   all but flip, a fold in Coq every   every      yes    yes   yes       no               no
-
-sound: the answer itself is safe. best: nothing that is sound is preferred to it. complete: every valid configuration has
-an answer (* and the flip; rows that a collapse lacks are not noticed). Rungs without "shipped headers" read the
-certificates; search compares these with the headers' answers.
-END
+echo "What each rung covers (docs/trust.md explains the columns)."
 echo
+sed -n '/^| rung of /,/^$/p' docs/trust.md
 echo "All rungs hold, $SECONDS s. What one must still believe: docs/trust.md."
