@@ -10,15 +10,7 @@ Player::Player(const std::string& name, const Way& way) : subject_(&subject(name
 }
 
 std::size_t Player::level_of(double share) const {
-  const auto wanted = static_cast<std::size_t>(share * static_cast<double>(subject_->triangles));
-  std::size_t triangles = subject_->mesh.base.size();
-  std::size_t level = 0;
-  for (const tools::Record& record : subject_->mesh.splits) {
-    if (triangles >= wanted) break;
-    triangles += record.v_l != none && record.v_r != none ? 2 : 1;
-    ++level;
-  }
-  return level;
+  return subject_->mesh.splits_to(static_cast<std::size_t>(share * static_cast<double>(subject_->triangles)));
 }
 
 void Player::restart(const StripMesh& mesh, std::size_t level) {

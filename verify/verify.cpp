@@ -148,6 +148,109 @@ ExpectedDump expected_without_certificates(const std::vector<Family>& families, 
   return expected;
 }
 
+void refuse_unknown_families(const Options& options, const std::vector<Family>& all,
+                             const std::vector<LinkedFamily>& all_linked) {
+  for (const std::string& name : options.families) {
+    const auto is_called = [&](const auto& family) { return family.name == name; };
+    if (std::none_of(all.begin(), all.end(), is_called) &&
+        std::none_of(all_linked.begin(), all_linked.end(), is_called))
+      throw InputError("--family", 0, fmt::format("there is no family \"{}\"", name));
+  }
+}
+
+/// The certificates that were chosen.
+struct Certificates {
+  std::vector<const Family*> families;
+  std::vector<Certificate> rules;  ///< one for each of them
+  std::vector<LinkedInput> linked;
+  std::vector<FamilyRows> found;
+};
+
+Certificates read_certificates(const Options& options, const std::vector<Family>& all,
+                               const std::vector<LinkedFamily>& all_linked, Totals& totals) {
+  Certificates read;
+  for (const Family& family : all) {
+    if (!chosen(family.name, options)) continue;
+    const CertificateFile file = certificate_of(options, family.name);
+    read.families.push_back(&family);
+    read.rules.push_back(parse_certificate(file.path, file.text, family));
+    read.found.push_back({family.name, read.rules.back().rows});
+    totals.rules += read.rules.back().rows;
+  }
+  for (const LinkedFamily& family : all_linked) {
+    if (!chosen(family.name, options)) continue;
+    const CertificateFile file = certificate_of(options, family.name);
+    const CertificateFile local = certificate_of(options, family.local.name);
+    read.linked.push_back({&family, parse_linked_certificate(file.path, file.text, family),
+                           parse_certificate(local.path, local.text, family.local)});
+    read.found.push_back({family.name, read.linked.back().certificate.rows});
+    totals.alternatives += read.linked.back().certificate.rows;
+  }
+  return read;
+}
+
+/// The operations of all families, and in the same order what their checks found.
+struct Checked {
+  std::vector<OperationTask> tasks;
+  std::vector<OperationCheck> checks;
+};
+
+Checked check_families(const Options& options, const Certificates& read, const ClaimListener& listener,
+                       Totals& totals) {
+  Checked done;
+  for (std::size_t i = 0; i < read.families.size(); ++i)
+    for (std::size_t j = 0; j < read.families[i]->sections.size(); ++j)
+      for (const Operation& operation : read.families[i]->sections[j].operations)
+        done.tasks.push_back(
+            {&read.families[i]->sections[j], &read.rules[i].sections[j], &operation, read.rules[i].file});
+  const std::size_t all = done.tasks.size();
+  const auto progress = [&](std::size_t n) {
+    if (options.show_progress) fmt::print(stderr, "\r{} of {} positions checked{}", n, all, n == all ? "\r\x1b[K" : "");
+  };
+  done.checks = check_operations(done.tasks, options.second_formulation, std::max(1U, options.threads), progress);
+  for (const OperationCheck& check : done.checks) {
+    totals.configurations += check.judgment.valid;
+    totals.pairs += check.judgment.pairs;
+  }
+
+  auto first = done.checks.begin();
+  for (std::size_t i = 0; i < read.families.size(); ++i) {
+    std::vector<OperationCheck> own;
+    for (const Section& section : read.families[i]->sections)
+      for ([[maybe_unused]] const Operation& operation : section.operations) own.push_back(std::move(*first++));
+    report_family(*read.families[i], read.rules[i], own, options.second_formulation, listener);
+    std::move(own.begin(), own.end(), first - static_cast<std::ptrdiff_t>(own.size()));
+  }
+  return done;
+}
+
+/// What a dump must say of each section of the linked families that were checked.
+using LinesOfSections = std::map<const Section*, std::vector<std::string>>;
+
+LinesOfSections check_linked_families(const Certificates& read, const ClaimListener& listener) {
+  LinesOfSections lines;
+  for (const LinkedInput& input : read.linked) {
+    std::vector<std::vector<std::string>> dump = check_linked_family(input, listener);
+    for (std::size_t i = 0; i < dump.size(); ++i) lines[&input.family->local.sections[i]] = std::move(dump[i]);
+  }
+  return lines;
+}
+
+/// From now on the headers must answer with the certificates' rows and lists, wherever there are any.
+void expect_certificates(ExpectedDump& expected, const Checked& done, const std::vector<LinkedFamily>& all_linked,
+                         const LinesOfSections& lines) {
+  for (ExpectedTable& table : expected.tables)
+    for (std::size_t i = 0; i < done.tasks.size(); ++i)
+      if (done.tasks[i].operation == table.operation)
+        table = {table.operation, Against::certificate, &done.checks[i].judgment.answers};
+  auto list = expected.lists.begin();
+  for (const LinkedFamily& family : all_linked)
+    for (const Section& section : family.local.sections) {
+      if (lines.contains(&section)) list->lines = &lines.at(&section);
+      ++list;
+    }
+}
+
 }  // namespace
 
 Totals verify_tables(const Options& options, const ClaimListener& user_listener) {
@@ -159,90 +262,22 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
   };
   const std::vector<Family> all = all_families(options.max_k);
   const std::vector<LinkedFamily> all_linked = linked_families(options.max_k);
-  const auto is_called = [](const std::string& name) {
-    return [&](const auto& family) { return family.name == name; };
-  };
-  for (const std::string& name : options.families)
-    if (std::none_of(all.begin(), all.end(), is_called(name)) &&
-        std::none_of(all_linked.begin(), all_linked.end(), is_called(name)))
-      throw InputError("--family", 0, fmt::format("there is no family \"{}\"", name));
-
-  if (options.headers_only) {
-    if (!options.dump_command.empty())
-      check_dump(options, expected_without_certificates(all, all_linked, options), listener, totals);
-    if (!options.linked_dump_command.empty()) check_linked_picks(options, listener, totals);
-    return totals;
-  }
-
-  const std::vector<ManifestLine> manifest = read_manifest(options.tables_dir);
-  check_manifest(options, manifest, listener);
-
-  std::vector<const Family*> families;
-  std::vector<Certificate> certificates;
-  std::vector<FamilyRows> found;
-  for (const Family& family : all) {
-    if (!chosen(family.name, options)) continue;
-    const CertificateFile file = certificate_of(options, family.name);
-    families.push_back(&family);
-    certificates.push_back(parse_certificate(file.path, file.text, family));
-    found.push_back({family.name, certificates.back().rows});
-    totals.rules += certificates.back().rows;
-  }
-  std::vector<LinkedInput> linked;
-  for (const LinkedFamily& family : all_linked) {
-    if (!chosen(family.name, options)) continue;
-    const CertificateFile file = certificate_of(options, family.name);
-    const CertificateFile local = certificate_of(options, family.local.name);
-    linked.push_back({&family, parse_linked_certificate(file.path, file.text, family),
-                      parse_certificate(local.path, local.text, family.local)});
-    found.push_back({family.name, linked.back().certificate.rows});
-    totals.alternatives += linked.back().certificate.rows;
-  }
-  check_row_counts(options, manifest, found, listener);
-
-  std::vector<OperationTask> tasks;
-  for (std::size_t i = 0; i < families.size(); ++i)
-    for (std::size_t j = 0; j < families[i]->sections.size(); ++j)
-      for (const Operation& operation : families[i]->sections[j].operations)
-        tasks.push_back({&families[i]->sections[j], &certificates[i].sections[j], &operation, certificates[i].file});
-  const auto progress = [&](std::size_t done) {
-    if (options.show_progress)
-      fmt::print(stderr, "\r{} of {} positions checked{}", done, tasks.size(), done == tasks.size() ? "\r\x1b[K" : "");
-  };
-  std::vector<OperationCheck> checks =
-      check_operations(tasks, options.second_formulation, std::max(1U, options.threads), progress);
-
-  auto first = checks.begin();
-  for (std::size_t i = 0; i < families.size(); ++i) {
-    std::vector<OperationCheck> own;
-    for (const Section& section : families[i]->sections)
-      for ([[maybe_unused]] const Operation& operation : section.operations) own.push_back(std::move(*first++));
-    for (const OperationCheck& check : own) {
-      totals.configurations += check.judgment.valid;
-      totals.pairs += check.judgment.pairs;
-    }
-    report_family(*families[i], certificates[i], own, options.second_formulation, listener);
-    std::move(own.begin(), own.end(), first - static_cast<std::ptrdiff_t>(own.size()));
-  }
-  std::map<const Section*, std::vector<std::string>> lists;
-  for (const LinkedInput& input : linked) {
-    std::vector<std::vector<std::string>> dump = check_linked_family(input, listener);
-    for (std::size_t i = 0; i < dump.size(); ++i) lists[&input.family->local.sections[i]] = std::move(dump[i]);
+  refuse_unknown_families(options, all, all_linked);
+  ExpectedDump expected = expected_without_certificates(all, all_linked, options);
+  Certificates read;
+  Checked done;
+  LinesOfSections lines;
+  if (!options.headers_only) {
+    const std::vector<ManifestLine> manifest = read_manifest(options.tables_dir);
+    check_manifest(options, manifest, listener);
+    read = read_certificates(options, all, all_linked, totals);
+    check_row_counts(options, manifest, read.found, listener);
+    done = check_families(options, read, listener, totals);
+    lines = check_linked_families(read, listener);
+    expect_certificates(expected, done, all_linked, lines);
   }
   if (!options.linked_dump_command.empty()) check_linked_picks(options, listener, totals);
-  if (options.dump_command.empty()) return totals;
-  ExpectedDump expected = expected_without_certificates(all, all_linked, options);
-  for (ExpectedTable& table : expected.tables)
-    for (std::size_t i = 0; i < tasks.size(); ++i)
-      if (tasks[i].operation == table.operation)
-        table = {table.operation, Against::certificate, &checks[i].judgment.answers};
-  auto list = expected.lists.begin();
-  for (const LinkedFamily& family : all_linked)
-    for (const Section& section : family.local.sections) {
-      if (lists.contains(&section)) list->lines = &lists.at(&section);
-      ++list;
-    }
-  check_dump(options, expected, listener, totals);
+  if (!options.dump_command.empty()) check_dump(options, expected, listener, totals);
   return totals;
 }
 

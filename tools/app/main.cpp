@@ -260,8 +260,6 @@ int main(int argc, char** argv) {
     const int code = run_command_line(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
     fmt::print(stderr, "restrip: the output could not be written\n");
-  } catch (const BadInput& error) {
-    fmt::print(stderr, "restrip: {}\n", error.what());
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "restrip: not enough memory for a mesh of this size\n");
   } catch (const std::exception& error) {

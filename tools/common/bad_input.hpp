@@ -2,14 +2,11 @@
 // remedy.
 #pragma once
 
-#include <stdexcept>
+#include "files/file_error.hpp"
 
 namespace restrip::tools {
 
-/// The input is at fault, not the program. The text names the file, the place where that helps, and what to do.
-class BadInput : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+/// The input is at fault, not the program; the text is as FileError says, with the place where that helps.
+using BadInput = files::FileError;
 
 }  // namespace restrip::tools

@@ -1,6 +1,7 @@
 // A progressive mesh (Hoppe 1996): a coarse mesh and the vertex splits that lead from it to the fine one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct Record {
   Vertex v_t = none;  ///< is new
   Vertex v_l = none;
   Vertex v_r = none;
+  /// Triangles that the split adds.
+  [[nodiscard]] std::size_t triangles() const noexcept { return v_l != none && v_r != none ? 2 : 1; }
   friend bool operator==(const Record&, const Record&) = default;
 };
 
@@ -28,8 +31,14 @@ struct ProgressiveMesh {
   /// Triangles of the fine mesh.
   [[nodiscard]] std::size_t fine_triangles() const noexcept {
     std::size_t n = base.size();
-    for (const Record& r : splits) n += r.v_l != none && r.v_r != none ? 2 : 1;
+    for (const Record& r : splits) n += r.triangles();
     return n;
+  }
+  /// How many splits lead from the base to at least so many triangles; all of them where even these do not.
+  [[nodiscard]] std::size_t splits_to(std::size_t triangles) const noexcept {
+    std::size_t level = 0;
+    for (std::size_t n = base.size(); level < splits.size() && n < triangles; ++level) n += splits[level].triangles();
+    return level;
   }
 };
 

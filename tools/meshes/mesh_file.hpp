@@ -15,8 +15,7 @@
 
 namespace restrip::tools {
 
-/// Reads a mesh; the format is that of the file's extension, in any case. Throws BadInput, or files::FileError when the
-/// file itself cannot be read.
+/// Reads a mesh; the format is that of the file's extension, in any case. Throws BadInput.
 [[nodiscard]] Soup read_mesh(const std::filesystem::path& file);
 
 /// The extensions of the formats in which meshes are written; PLY is binary.
