@@ -27,28 +27,45 @@ class Patch:
     def __init__(self, order, ring, chord, owners):
         self.nodes, self.owners = order, owners
         self.inner = list(zip(order, order[1:])) + [(order[-1], order[0])] * ring + [("A", "D")] * chord
+        self.known = {}
 
-    def solid(self, edges):
-        """The solid edges of a mask, inner edges first, then ports; a port ends outside, at its number."""
-        ends = self.inner + [(owner, ("out", p)) for p, owner in enumerate(self.owners)]
-        return [ends[bit] for bit in range(len(ends)) if edges >> bit & 1]
+    def paths(self, edges):
+        """Of solid inner edges alone: the degree of each node, and its path; no paths when three edges meet or one closes."""
+        inner = edges & (1 << len(self.inner)) - 1
+        if inner not in self.known:
+            degree, path = dict.fromkeys(self.nodes, 0), {node: node for node in self.nodes}
+            for u, v in (ends for bit, ends in enumerate(self.inner) if inner >> bit & 1):
+                degree[u] += 1
+                degree[v] += 1
+                if path and path[u] == path[v]:
+                    path = None
+                elif path:
+                    path.update([(node, path[u]) for node in self.nodes if path[node] == path[v]])
+            self.known[inner] = degree, path if max(degree.values()) < 3 else None
+        return self.known[inner]
+
+    def ports(self, edges):
+        """The numbers of the solid ports of a mask, inner edges first, then ports."""
+        return [p for p in range(len(self.owners)) if edges >> len(self.inner) + p & 1]
 
     def strips(self, edges):
-        """The port numbers of each strip, or None when a degree exceeds two or a strip closes."""
-        degree, strip = {}, {}
-        for u, v in self.solid(edges):
-            for node in (u, v):
-                degree[node] = degree.get(node, 0) + 1
-            one, other = strip.get(u, {u}), strip.get(v, {v})
-            if one is other or degree[u] > 2 or degree[v] > 2:
+        """The port numbers of each strip that has any, or None when a degree exceeds two or a strip closes."""
+        degree, path = self.paths(edges)
+        if path is None:
+            return None
+        room, strip = {}, {}
+        for p in self.ports(edges):
+            owner = self.owners[p]
+            room[owner] = room.get(owner, 2 - degree[owner]) - 1
+            if room[owner] < 0:
                 return None
-            one |= other
-            strip.update((node, one) for node in one)
-        return {frozenset(n[1] for n in s if n[0] == "out") for s in strip.values()}
+            strip.setdefault(path[owner], []).append(p)
+        return {frozenset(ports) for ports in strip.values()}
 
     def isolated(self, edges):
-        met = {node for edge in self.solid(edges) for node in edge}
-        return sum(node not in met for node in self.nodes)
+        degree, _ = self.paths(edges)
+        met = {self.owners[p] for p in self.ports(edges)}
+        return sum(degree[node] == 0 and node not in met for node in self.nodes)
 
 
 def patch_of(family, position):
