@@ -25,8 +25,10 @@ add_library(restrip_own_flags INTERFACE)
 # The same floating-point results, and so the same simplified meshes, on every processor.
 target_compile_options(restrip_own_flags INTERFACE -ffp-contract=off)
 target_compile_options(restrip_own_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion)
-if(NOT CMAKE_UNITY_BUILD)  # where sources share a unit, a local name may be that of another file
+if(NOT CMAKE_UNITY_BUILD)
   target_compile_options(restrip_own_flags INTERFACE -Wshadow)
+elseif(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # where sources share a unit, a local name may be that of another file
+  target_compile_options(restrip_own_flags INTERFACE -Wshadow=local)
 endif()
 if(RESTRIP_WARNINGS_AS_ERRORS)
   target_compile_options(restrip_own_flags INTERFACE -Werror)
