@@ -32,13 +32,31 @@ TEST_F(Program, HelpAndVersion) {
 }
 
 TEST_F(Program, WrongUsageIsTwo) {
-  for (const char* arguments :
-       {"", "fly", "stats", "replay", "replay --base 0 --built-in", "replay --base 2 --built-in",
-        "replay --boundary melt --built-in", "replay --levels 1 --built-in", "replay x.obj --built-in",
-        "stats /no/such/mesh.obj", "replay --policy best --built-in", "replay --states 9 --built-in",
-        "replay --states 9 --policy local --built-in", "replay --tie-break indices --built-in",
-        "replay --policy full --tie-break beauty --built-in", "stripify x.obj --effort some",
-        "draw -o /no/such/folder/a.json", "make-mesh -o /no/such/folder/a.obj", "make-mesh --triangles 5 -o a.obj"})
+  for (const char* arguments : {"",
+                                "fly",
+                                "stats",
+                                "replay",
+                                "replay --base 0 --built-in",
+                                "replay --base 2 --built-in",
+                                "replay --boundary melt --built-in",
+                                "replay --levels 1 --built-in",
+                                "replay x.obj --built-in",
+                                "stats /no/such/mesh.obj",
+                                "replay --policy best --built-in",
+                                "replay --states 9 --built-in",
+                                "replay --states 9 --policy local --built-in",
+                                "replay --tie-break indices --built-in",
+                                "replay --policy full --tie-break beauty --built-in",
+                                "stripify x.obj --effort some",
+                                "stripify x.obj --cost bytes",
+                                "stripify x.obj --limit 9",
+                                "stripify x.obj --effort best --limit 0",
+                                "stripify x.obj --effort full --seed 2",
+                                "stripify x.obj --cost indices --seed 2",
+                                "stripify x.obj --effort full --cost indices --seed -1",
+                                "draw -o /no/such/folder/a.json",
+                                "make-mesh -o /no/such/folder/a.obj",
+                                "make-mesh --triangles 5 -o a.obj"})
     EXPECT_EQ(run_program(arguments).code, 2) << arguments;
 }
 
@@ -92,6 +110,35 @@ TEST_F(Program, StripifyCountsStrips) {
   EXPECT_LE(full.at("strips"), 2);
   // n triangles, two more indices a strip, one restart between two strips, one for each swap.
   EXPECT_GE(full.at("indices"), 4000);
+}
+
+TEST_F(Program, StripifyTellsWhatIndicesCost) {
+  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 2000 -o '{}'", file("a.off"))).code, 0);
+  const auto stripified = [&](const char* options) {
+    const Outcome run = run_program(fmt::format("stripify '{}' {} --json -", file("a.off"), options));
+    EXPECT_EQ(run.code, 0) << options;
+    auto json = nlohmann::json::parse(run.out);
+    const auto number = [&](const char* key) { return json.at(key).get<double>(); };
+    EXPECT_TRUE(json.at("valid"));
+    EXPECT_EQ(number("indices"), number("triangles") + 3 * number("strips") + number("swaps") - 1) << options;
+    EXPECT_GE(number("indices"), number("lower_bound_indices")) << options;
+    EXPECT_GT(number("lower_bound_indices"), number("triangles"));
+    EXPECT_GE(number("acmr"), 0.5);  // a closed mesh has half as many vertices as triangles
+    EXPECT_LE(number("acmr") * number("triangles"), number("indices"));
+    EXPECT_GE(number("seconds"), 0);
+    json.erase("seconds");
+    return json;
+  };
+  const auto strips = stripified("--effort full");
+  EXPECT_EQ(strips, stripified("--effort full --cost strips"));
+  const auto fast = stripified("--cost indices");
+  const auto full = stripified("--effort full --cost indices");
+  EXPECT_EQ(full, stripified("--effort full --cost indices --seed 1"));
+  const auto best = stripified("--effort best --cost indices --limit 300");
+  EXPECT_LT(full.at("indices"), fast.at("indices"));
+  EXPECT_LT(full.at("indices"), strips.at("indices"));
+  EXPECT_LT(strips.at("strips"), full.at("strips"));
+  EXPECT_LE(best.at("indices"), full.at("indices"));
 }
 
 TEST_F(Program, PoliciesKeepLongerStrips) {

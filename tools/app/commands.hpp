@@ -68,6 +68,9 @@ int run(const MakeMeshCommand& command);
 struct StripifyCommand {
   std::filesystem::path mesh;
   Effort effort = Effort::fast;
+  Cost cost = Cost::strips();
+  std::uint64_t limit = 0;  ///< of stripify(), for each triangle; 0: its own
+  std::uint64_t seed = 1;
   std::string json;
 };
 int run(const StripifyCommand& command);

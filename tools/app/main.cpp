@@ -61,6 +61,17 @@ void add_json_option(CLI::App& app, std::string& json) {
       ->option_text("FILE");
 }
 
+void add_cost_option(CLI::App& app, restrip::Cost& cost) {
+  app.add_option_function<std::string>(
+         "--cost",
+         [&cost](const std::string& word) {
+           cost = word == "indices" ? restrip::Cost::indices() : restrip::Cost::strips();
+         },
+         "what is to be few: strips, or indices of plain triangle strips with primitive restart")
+      ->check(CLI::IsMember({"strips", "indices"}))
+      ->default_str("strips");
+}
+
 CLI::App* add_stats(CLI::App& app, StatsCommand& command) {
   CLI::App* sub = app.add_subcommand("stats", "Count what a mesh has: triangles per vertex, boundary, faults");
   sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or .pm (its base)")->required();
@@ -175,12 +186,28 @@ CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
 CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
   CLI::App* sub = app.add_subcommand("stripify", "Make the strips of a mesh from scratch");
   sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl")->required();
-  sub->add_option("--effort", command.effort, "fast: one pass; full: tunnelling towards a single strip")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, restrip::Effort>{{"fast", restrip::Effort::fast}, {"full", restrip::Effort::full}}))
-      ->default_str("fast");
+  const auto* effort =
+      sub->add_option("--effort", command.effort, "fast: one pass; full: a search or annealing; best: ten times longer")
+          ->transform(CLI::CheckedTransformer(std::map<std::string, restrip::Effort>{
+              {"fast", restrip::Effort::fast}, {"full", restrip::Effort::full}, {"best", restrip::Effort::best}}))
+          ->default_str("fast");
+  add_cost_option(*sub, command.cost);
+  const auto* limit =
+      sub->add_option("--limit", command.limit,
+                      "of --effort full and best, for each triangle: states of searches with --cost strips (default: "
+                      "40, 1000), moves of annealing with --cost indices (100, 1000)")
+          ->check(CLI::Range(1, 1'000'000));
+  const auto* seed =
+      sub->add_option("--seed", command.seed, "of annealing")->check(whole_number)->capture_default_str();
   add_json_option(*sub, command.json);
-  sub->footer("Example: restrip stripify bunny.obj --effort full");
+  sub->callback([effort, limit, seed, &command] {
+    const bool anneals = command.effort != restrip::Effort::fast && !(command.cost == restrip::Cost::strips());
+    if (*limit && command.effort == restrip::Effort::fast)
+      throw CLI::ValidationError("--limit", fmt::format("{} fast has none", effort->get_name()));
+    if (*seed && !anneals)
+      throw CLI::ValidationError("--seed", "only --effort full and best with --cost indices draw at random");
+  });
+  sub->footer("Example: restrip stripify bunny.obj --effort full --cost indices");
   return sub;
 }
 

@@ -22,6 +22,30 @@ void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit) {
   } while (!(h == first));
 }
 
+/// Number of connected components of the dual graph: no colouring has fewer strips. Linear time.
+[[nodiscard]] inline std::size_t connected_components(const StripMesh& mesh) {
+  std::vector<bool> met(mesh.triangle_bound(), false);
+  std::vector<Triangle> open;
+  std::size_t components = 0;
+  for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {
+    if (!mesh.alive(start) || met[start]) continue;
+    ++components;
+    met[start] = true;
+    open.push_back(start);
+    while (!open.empty()) {
+      const Triangle t = open.back();
+      open.pop_back();
+      for (unsigned s = 0; s < 3; ++s) {
+        const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s));
+        if (StripMesh::on_boundary(there) || met[StripMesh::triangle(there)]) continue;
+        met[StripMesh::triangle(there)] = true;
+        open.push_back(StripMesh::triangle(there));
+      }
+    }
+  }
+  return components;
+}
+
 /// The number of halfedges that leave the vertex of a regular fan. Linear in it.
 [[nodiscard]] inline std::size_t spoke_count(const StripMesh& mesh, Vertex v) {
   std::size_t n = 0;

@@ -1,11 +1,22 @@
-// Strips from scratch.
+// Strips from scratch: three efforts, and what is to be kept low.
+//
+// Fewest strips and fewest indices are different aims: a strip that turns twice the same way repeats an index, so few
+// long strips take more indices than many straight ones (on the Stanford bunny 3 strips take 1.38 indices a triangle,
+// 1,500 take 1.12).
+//
+//   stripify(mesh, Effort::full, Cost::indices());
+//   const std::vector<std::uint32_t> indices = strip_indices(mesh, extract_strips(mesh));
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/anneal.hpp"
 #include "restrip/search/greedy.hpp"
 #include "restrip/search/rounds.hpp"
 #include "restrip/search/strip_index.hpp"
@@ -13,46 +24,61 @@
 
 namespace restrip {
 
+/// In the order of time that they take. None costs more than the one before.
 enum class Effort {
   fast,  ///< one pass, linear time (greedy.hpp): about 200 to 700 triangles per strip
-  full   ///< then rounds of tunnelling (rounds.hpp), towards one strip for each connected component
+  full,  ///< strips: then rounds of tunnelling (rounds.hpp), towards one strip for each connected component; otherwise
+         ///< then annealing (anneal.hpp), about 10 microseconds a triangle
+  best   ///< strips: larger limits of tunnelling; otherwise annealing for ten times as long
 };
 
-/// Number of connected components of the dual graph: no colouring has fewer strips. Linear time.
-[[nodiscard]] inline std::size_t connected_components(const StripMesh& mesh) {
-  std::vector<bool> met(mesh.triangle_bound(), false);
-  std::vector<Triangle> open;
-  std::size_t components = 0;
-  for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {
-    if (!mesh.alive(start) || met[start]) continue;
-    ++components;
-    met[start] = true;
-    open.push_back(start);
-    while (!open.empty()) {
-      const Triangle t = open.back();
-      open.pop_back();
-      for (unsigned s = 0; s < 3; ++s) {
-        const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s));
-        if (StripMesh::on_boundary(there) || met[StripMesh::triangle(there)]) continue;
-        met[StripMesh::triangle(there)] = true;
-        open.push_back(StripMesh::triangle(there));
-      }
-    }
-  }
-  return components;
+/// Colours the whole mesh anew and returns the number of strips. All triangles are kept; the result depends on the mesh
+/// and the arguments alone, and is the same on every machine. `cost` is what is kept low, exactly as anneal() counts
+/// it.
+///
+/// `limit` bounds the work of Effort::full and Effort::best; 0 is the default. Where strips alone have a weight it
+/// counts states of searches, a few hundred nanoseconds each: 40 for each triangle, 1,000 with Effort::best; it stops
+/// early when no fewer strips are possible. Otherwise it counts moves tried, some 80 ns each: 100 for each triangle,
+/// 1,000 with Effort::best after those of Effort::full. `seed` chooses another of many colourings that are as good;
+/// fewest strips do not ask for it.
+inline std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint64_t limit = 0, std::uint64_t seed = 1);
+
+/// The same for fewest strips.
+inline std::size_t stripify(StripMesh& mesh, Effort effort = Effort::fast, std::size_t limit = 0) {
+  return stripify(mesh, effort, Cost::strips(), limit);
 }
 
-/// Colours the whole mesh anew and returns the number of strips. All triangles are kept; the result depends on the mesh
-/// and the arguments alone. `max_nodes` bounds the work of Effort::full: search states looked at, a few hundred
-/// nanoseconds each; 0 means 40 for each triangle, and it stops early when no fewer strips are possible.
-inline std::size_t stripify(StripMesh& mesh, Effort effort = Effort::fast, std::size_t max_nodes = 0) {
-  const std::size_t strips = stripify_fast(mesh);
-  if (effort == Effort::fast) return strips;
+namespace detail {
+
+/// Fewer strips than stripify_fast() left, by tunnelling.
+inline std::size_t tunnel_from_scratch(StripMesh& mesh, std::uint64_t states) {
   StripIndex index(mesh, StripIndex::chunk_limit_for_long_strips(mesh.triangle_count()));
   Tunnel tunnel;
   TunnelRounds rounds;
-  rounds.run(mesh, index, tunnel, max_nodes != 0 ? max_nodes : mesh.triangle_count() * 40, connected_components(mesh));
+  rounds.run(mesh, index, tunnel, static_cast<std::size_t>(states), connected_components(mesh));
   return index.strips();
+}
+
+}  // namespace detail
+
+inline std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint64_t limit, std::uint64_t seed) {
+  const std::size_t greedy = stripify_fast(mesh);
+  const std::uint64_t triangles = mesh.triangle_count();
+  if (effort == Effort::fast) return greedy;
+  if (cost.swap == 0) {
+    const std::uint64_t states = (effort == Effort::full ? 40 : 1000) * triangles;
+    const bool strips_alone = cost.isolated == 0;
+    const std::size_t strips = detail::tunnel_from_scratch(mesh, strips_alone && limit != 0 ? limit : states);
+    if (strips_alone) return strips;
+  }
+  anneal(mesh, cost, {limit != 0 && effort == Effort::full ? limit : 100 * triangles, 1, seed});
+  if (effort == Effort::best) {
+    // Small meshes take next to no time, so they are annealed until luck does not matter.
+    const std::uint64_t moves = limit != 0 ? limit : 1000 * triangles;
+    const std::uint64_t rounds = limit != 0 ? 1 : 1 + 250'000 / std::max<std::uint64_t>(moves, 1);
+    anneal(mesh, cost, {moves, static_cast<std::uint32_t>(rounds), seed + 1});
+  }
+  return count_strips(mesh);
 }
 
 }  // namespace restrip

@@ -1,0 +1,321 @@
+// The state of an annealing, its moves and their prices. Included by anneal.hpp.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "restrip/mesh/cost.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+
+namespace restrip::detail {
+
+/// Pseudo-random bits, the same everywhere: xorshift64* (Vigna, "An experimental exploration of Marsaglia's xorshift
+/// generators, scrambled", 2016).
+class AnnealingRandom {
+ public:
+  explicit constexpr AnnealingRandom(std::uint64_t seed) noexcept : state_(seed ^ 0x9E3779B97F4A7C15U) {
+    if (state_ == 0) state_ = 1;
+  }
+  constexpr std::uint32_t bits() noexcept {
+    state_ ^= state_ >> 12;
+    state_ ^= state_ << 25;
+    state_ ^= state_ >> 27;
+    return static_cast<std::uint32_t>(state_ * 0x2545F4914F6CDD1DU >> 32);
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// -log2(x / 2^32) for x > 0, in units of 2^-16: the leading bit, and a straight line between powers of two (Mitchell,
+/// "Computer multiplication and division using binary logarithms", 1962). At most 0.09 off, the same everywhere.
+[[nodiscard]] constexpr std::uint64_t minus_log2(std::uint32_t x) noexcept {
+  const auto place = static_cast<unsigned>(std::bit_width(x)) - 1;
+  const std::uint64_t line = std::uint64_t{x} << (31 - place) >> 15 & 0xFFFFU;
+  return (std::uint64_t{32 - place} << 16) - line;
+}
+
+/// The colours of a mesh, taken from it, changed move by move and given back. A move takes a solid edge out, or makes a
+/// dashed one solid and takes one out at each of its triangles that has two already.
+///
+/// Halfedges are numbered as in the mesh, 4 * triangle + side. A triangle is *flawed* when it has fewer than two solid
+/// edges or takes part in a swap that costs something: only moves at flawed triangles are tried, a few of a hundred
+/// triangles once the strips are good.
+class Annealing {
+ public:
+  Annealing(const StripMesh& mesh, Cost cost, std::uint64_t seed)
+      : cost_(cost), random_(seed), across_(mesh.triangle_bound()), solid_(mesh.triangle_bound(), 0) {
+    for (Triangle t = 0; t < across_.size(); ++t)
+      for (unsigned s = 0; s < 3; ++s) {
+        across_[t][s] = none;
+        if (!mesh.alive(t)) continue;
+        const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s));
+        if (!StripMesh::on_boundary(there)) across_[t][s] = there.id;
+        if (mesh.solid(StripMesh::halfedge(t, s))) solid_[t] = static_cast<std::uint8_t>(solid_[t] | 1U << s);
+      }
+    list_flaws(mesh);
+  }
+
+  using Colors = std::vector<std::uint8_t>;
+  [[nodiscard]] const Colors& colors() const noexcept { return solid_; }
+
+  /// Colours the mesh as `colors` says, of an annealing of this mesh.
+  void give(const Colors& colors, StripMesh& mesh) const {
+    for (Triangle t = 0; t < across_.size(); ++t)
+      for (unsigned s = 0; s < 3; ++s) {
+        const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
+        const bool solid = (colors[t] >> s & 1U) != 0;
+        if (across_[t][s] != none && h.id < across_[t][s] && mesh.solid(h) != solid) mesh.set_solid(h, solid);
+      }
+  }
+
+  /// Tries about so many moves while the temperature falls: from 1 to 1/2 and 1/4 in 45 % of them each, then to 0, as
+  /// shares of what makes a change for the worse by a third of a strip (or a swap, if that weighs more) as likely as
+  /// 1 / e.
+  void cool(std::uint64_t moves) {
+    const std::uint64_t most = std::max<std::uint64_t>({cost_.restart, 3U * cost_.swap, cost_.isolated});
+    const std::uint64_t hot = 45'426 * most / 3;  // 45,426 = 2^16 ln 2
+    const std::uint64_t stage = moves * 9 / 20 + 1;
+    tried_ = 0;
+    for (std::uint64_t before = none; tried_ < moves && tried_ != before;) {
+      before = tried_;
+      sweep([&] {
+        const std::uint64_t at = tried_ / stage;
+        const std::uint64_t into = tried_ - at * stage;
+        const std::uint64_t last = moves - std::min(moves, 2 * stage) + 1;
+        if (at < 2)
+          temperature_ = (hot >> at) - (hot >> (at + 1)) * into / stage;
+        else
+          temperature_ = (hot >> 2) * (last - std::min(into, last)) / last;
+      });
+    }
+  }
+
+  /// Without a temperature, moves at the ends of strips that begin with the wrong turn from both ends, so often over
+  /// all of them: this index (cost.hpp, X) is a property of whole strips, and two walks along each strip tell it.
+  void settle_windings(unsigned rounds) {
+    temperature_ = 0;
+    for (unsigned round = 0; round < rounds; ++round)
+      for (Triangle t = 0; t < across_.size(); ++t) {
+        if (solid_[t] == 0 || full(t) || wrong_windings(std::array{t}) == 0) continue;
+        const Triangle next = across(only_side(t)) >> 2;
+        for (unsigned s = 0; s < 3; ++s) try_move<true>(t << 2 | s);
+        for (unsigned s = 0; s < 3; ++s) try_move<true>(next << 2 | s);
+      }
+  }
+
+  /// The cost of the colours as they are, a wrong winding counted as a swap. Time: linear.
+  [[nodiscard]] std::uint64_t cost(const StripMesh& mesh) const noexcept {
+    std::uint64_t sum = 0;
+    for (Triangle t = 0; t < across_.size(); ++t) {
+      if (!mesh.alive(t)) continue;
+      if (solid_[t] == 0) sum += std::uint64_t{cost_.restart} + cost_.isolated;
+      for (unsigned s = 0; s < 3; ++s) {
+        const std::uint32_t h = t << 2 | s;
+        if (solid(h) && h < across(h) && is_swap(h)) sum += cost_.swap;
+      }
+      if (solid_[t] == 0 || full(t)) continue;
+      const End other_end = end_beyond(t, only_side(t));
+      if (other_end.triangle < t) continue;
+      sum += cost_.restart;
+      if (other_end.wrong && begins_wrong(t)) sum += cost_.swap;
+    }
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t across(std::uint32_t h) const noexcept { return across_[h >> 2][h & 3U]; }
+  [[nodiscard]] bool solid(std::uint32_t h) const noexcept { return (solid_[h >> 2] >> (h & 3U) & 1U) != 0; }
+  [[nodiscard]] bool full(Triangle t) const noexcept { return (0b0110'1000U >> solid_[t] & 1U) != 0; }
+  // The lowest solid side; of a strip's end, the only one.
+  [[nodiscard]] std::uint32_t only_side(Triangle t) const noexcept {
+    return t << 2 | static_cast<std::uint32_t>(std::countr_zero(solid_[t]));
+  }
+  // The other solid side of the triangle of h, or none.
+  [[nodiscard]] std::uint32_t other(std::uint32_t h) const noexcept {
+    const auto rest = static_cast<std::uint8_t>(solid_[h >> 2] & ~(1U << (h & 3U)));
+    return rest == 0 ? none : (h & ~3U) | static_cast<std::uint32_t>(std::countr_zero(rest));
+  }
+  // How the strip goes on in the triangle of h, seen from h: 0 not at all, 1 over the next side, 2 over the one before.
+  [[nodiscard]] unsigned turn(std::uint32_t h) const noexcept {
+    return solid_[h >> 2] * 0b1001U >> ((h & 3U) + 1) & 3U;
+  }
+  // As restrip::is_swap; false where a strip ends.
+  [[nodiscard]] bool is_swap(std::uint32_t h) const noexcept { return (turn(h) ^ turn(across(h))) == 3; }
+  [[nodiscard]] bool flawed(Triangle t) const noexcept {
+    if (!full(t)) return true;
+    if (cost_.swap == 0) return false;
+    const std::uint32_t h = only_side(t);
+    return is_swap(h) || is_swap(other(h));
+  }
+  void flip(std::uint32_t h) noexcept {
+    const std::uint32_t g = across(h);
+    solid_[h >> 2] = static_cast<std::uint8_t>(solid_[h >> 2] ^ 1U << (h & 3U));
+    solid_[g >> 2] = static_cast<std::uint8_t>(solid_[g >> 2] ^ 1U << (g & 3U));
+  }
+
+  // What the solid edge of h adds to the cost: swaps that it takes part in, less a strip, less triangles that would be
+  // isolated without it.
+  [[nodiscard]] std::int64_t price(std::uint32_t h) const noexcept {
+    const std::uint32_t a = other(h);
+    const std::uint32_t b = other(across(h));
+    unsigned swaps = is_swap(h) ? 1U : 0U;
+    if (a != none && is_swap(a)) ++swaps;
+    if (b != none && is_swap(b)) ++swaps;
+    const unsigned alone = (a == none ? 1U : 0U) + (b == none ? 1U : 0U);
+    return std::int64_t{cost_.swap} * swaps - cost_.restart - std::int64_t{cost_.isolated} * alone;
+  }
+
+  // Are t and u the two ends of one strip? Walks from both until the shorter walk ends.
+  [[nodiscard]] bool are_ends_of_one(Triangle t, Triangle u) const noexcept {
+    if (solid_[t] == 0 || solid_[u] == 0) return false;
+    std::uint32_t from_t = only_side(t);
+    std::uint32_t from_u = only_side(u);
+    for (;;) {
+      const std::uint32_t there = across(from_t);
+      if (there >> 2 == u) return true;
+      from_t = other(there);
+      const std::uint32_t back = across(from_u);
+      from_u = other(back);
+      if (from_t == none || from_u == none) return false;
+    }
+  }
+
+  struct End {
+    Triangle triangle;
+    bool wrong;  // a strip written from here begins with a turn to the right
+  };
+  // Does the strip that ends at t, written from there, begin with a turn to the right?
+  [[nodiscard]] bool begins_wrong(Triangle t) const noexcept {
+    return solid_[t] != 0 && turn(across(only_side(t))) == 1;
+  }
+  // The end that is reached from t over h, t itself when h is none.
+  [[nodiscard]] End end_beyond(Triangle t, std::uint32_t h) const noexcept {
+    while (h != none) {
+      const std::uint32_t in = across(h);
+      t = in >> 2;
+      h = other(in);
+    }
+    return {t, begins_wrong(t)};
+  }
+  // How many of the strips of up to four triangles begin with the wrong turn from both ends.
+  [[nodiscard]] unsigned wrong_windings(std::span<const Triangle> triangles) const noexcept {
+    std::array<Triangle, 4> met{};  // the lower ends
+    std::size_t count = 0;
+    unsigned wrong = 0;
+    for (const Triangle t : triangles) {
+      const std::uint32_t side = solid_[t] == 0 ? none : only_side(t);
+      const End a = end_beyond(t, side);
+      const End b = end_beyond(t, side == none ? none : other(side));
+      const Triangle lower = std::min(a.triangle, b.triangle);
+      if (std::find(met.begin(), met.begin() + count, lower) != met.begin() + count) continue;
+      met[count++] = lower;
+      wrong += a.wrong && b.wrong ? 1U : 0U;
+    }
+    return wrong;
+  }
+
+  void list_flaws(const StripMesh& mesh) {
+    flaws_.assign((across_.size() + 63) / 64, 0);
+    for (Triangle t = 0; t < across_.size(); ++t)
+      if (mesh.alive(t)) note(t);
+  }
+  void note(Triangle t) noexcept {
+    if (flawed(t)) flaws_[t >> 6] |= std::uint64_t{1} << (t & 63U);
+  }
+  // t and the triangles before and after it: those whose swaps depend on t's colours.
+  void note_around(Triangle t) noexcept {
+    note(t);
+    for (unsigned s = 0; s < 3; ++s)
+      if ((solid_[t] >> s & 1U) != 0) note(across_[t][s] >> 2);
+  }
+
+  // Tries the moves of every flawed triangle once, in the order of their handles, so that memory is read in order.
+  // Calls now_and_then() at every 4,096th triangle.
+  template <class NowAndThen>
+  void sweep(NowAndThen&& now_and_then) {
+    for (std::size_t word = 0; word < flaws_.size(); ++word) {
+      if (word % 64 == 0) now_and_then();
+      for (std::uint64_t left = flaws_[word]; left != 0; left &= left - 1) {
+        const auto t = static_cast<Triangle>(word * 64 + static_cast<unsigned>(std::countr_zero(left)));
+        if (!flawed(t)) {
+          flaws_[word] &= ~(std::uint64_t{1} << (t & 63U));
+          continue;
+        }
+        for (unsigned s = 0; s < 3; ++s) try_move<false>(t << 2 | s);
+      }
+    }
+  }
+
+  struct Move {
+    std::uint32_t added = none;
+    std::array<std::uint32_t, 2> cut{};
+    unsigned cuts = 0;
+  };
+  void do_or_undo(const Move& move) noexcept {
+    if (move.added != none) flip(move.added);
+    for (unsigned i = 0; i < move.cuts; ++i) flip(move.cut[i]);
+  }
+
+  // Takes h out when it is solid, or else makes it solid; drops the move when the cost rises by more than chance allows
+  // at this temperature, or when it would close a cycle.
+  template <bool Windings>
+  void try_move(std::uint32_t h) {
+    const std::uint32_t g = across(h);
+    if (g == none) return;
+    ++tried_;
+    const auto allowed = static_cast<std::int64_t>(temperature_ * minus_log2(random_.bits() | 1U) >> 32);
+    const std::int64_t most = allowed + (Windings ? 2 * std::int64_t{cost_.swap} : 0);  // two wrong windings may go
+    Move move;
+    std::int64_t change = 0;
+    const auto cut = [&](std::uint32_t e) {
+      change -= price(e);
+      flip(e);
+      move.cut[move.cuts++] = e;
+    };
+    if (solid(h)) {
+      cut(h);
+    } else {
+      const std::uint32_t which = random_.bits() >> 30;
+      if (full(h >> 2)) cut((h & ~3U) | ((h & 3U) + 1 + (which & 1U)) % 3);
+      if (full(g >> 2)) cut((g & ~3U) | ((g & 3U) + 1 + (which >> 1)) % 3);
+      bool possible = change - cost_.restart - 2 * std::int64_t{cost_.isolated} <= most;
+      if (possible) {
+        flip(h);
+        change += price(h);
+        flip(h);
+        possible = change <= most && !are_ends_of_one(h >> 2, g >> 2);
+      }
+      if (!possible) return do_or_undo(move);
+      flip(h);
+      move.added = h;
+    }
+    if (change > most) return do_or_undo(move);
+    if constexpr (Windings) {
+      const std::array<Triangle, 4> around{h >> 2, g >> 2, across(move.cut[0]) >> 2, across(move.cut[1]) >> 2};
+      const std::int64_t after = wrong_windings(std::span(around).first(2 + move.cuts));
+      do_or_undo(move);
+      const std::int64_t before = wrong_windings(std::span(around).first(2));
+      if (change + (after - before) * cost_.swap > allowed) return;
+      do_or_undo(move);
+    }
+    note_around(h >> 2);
+    note_around(g >> 2);
+    for (unsigned i = 0; i < move.cuts; ++i) note(across(move.cut[i]) >> 2);
+  }
+
+  Cost cost_;
+  AnnealingRandom random_;
+  std::vector<std::array<std::uint32_t, 3>> across_;  // the opposite halfedge; none on the boundary
+  Colors solid_;                                      // bit s: side s
+  std::vector<std::uint64_t> flaws_;                  // a bit for each flawed triangle, and for some that were
+  std::uint64_t temperature_ = 0;                     // of the cost, in units of 2^-16 / ln 2
+  std::uint64_t tried_ = 0;
+};
+
+}  // namespace restrip::detail

@@ -1,0 +1,163 @@
+// Strips from scratch under a cost: valid, the same every time, no dearer with more effort, and the cheapest there are
+// on meshes small enough to try every colouring. What a colouring annealed_costs is counted here from the strips and
+// the index buffer, not by the sums of the search.
+#include "restrip/search/anneal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "restrip/output/index_bound.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+constexpr std::array<Cost, 5> annealed_costs{Cost::indices(), {3, 1, 2}, {1, 0, 1}, {100, 70, 1}, {0, 1, 0}};
+
+// Of the written strips: a swap is an index that is written more than once.
+std::uint64_t recounted(const StripMesh& mesh, Cost cost) {
+  const Strips strips = extract_strips(mesh);
+  const std::size_t indices = strip_indices(mesh, strips).size();
+  const std::size_t swaps = indices + 1 - mesh.triangle_count() - 3 * strips.size();
+  std::uint64_t isolated = 0;
+  for (std::size_t s = 0; s < strips.size(); ++s) isolated += strips[s].size() == 1 ? 1U : 0U;
+  return std::uint64_t{cost.restart} * strips.size() + std::uint64_t{cost.swap} * swaps + cost.isolated * isolated;
+}
+
+std::vector<StripMesh::Halfedge> dual_edges(const StripMesh& mesh) {
+  std::vector<StripMesh::Halfedge> edges;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned s = 0; s < 3; ++s) {
+      const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
+      if (!StripMesh::on_boundary(mesh.opposite(h)) && h.id < mesh.opposite(h).id) edges.push_back(h);
+    }
+  return edges;
+}
+
+// Meshes of at most 15 dual edges, so at most 2^15 colourings.
+std::vector<StripMesh> tiny_meshes() {
+  std::vector<StripMesh> all;
+  all.push_back(sample::octahedron());
+  all.push_back(sample::double_cone(2));
+  all.push_back(sample::double_cone(3));
+  all.push_back(sample::rectangle(3, 2));
+  all.push_back(sample::tube(3, 2));
+  using sample::Corners;
+  all.push_back(StripMesh::build(std::vector<Corners>{{0, 1, 2}, {1, 0, 2}, {3, 4, 5}, {4, 3, 6}}, 7));
+  all.push_back(StripMesh::build(std::vector<Corners>{{0, 1, 3}, {1, 0, 3}, {0, 2, 1}, {2, 0, 4}, {1, 2, 4}}, 5));
+  return all;
+}
+
+TEST(Anneal, BestIsTheLeastOfAllColoringsOfTinyMeshes) {
+  for (StripMesh& mesh : tiny_meshes()) {
+    const std::vector<StripMesh::Halfedge> edges = dual_edges(mesh);
+    ASSERT_LE(edges.size(), 15U);
+    std::array<std::uint64_t, annealed_costs.size()> least{};
+    least.fill(std::numeric_limits<std::uint64_t>::max());
+    std::size_t fewest_indices = std::numeric_limits<std::size_t>::max();
+    for (std::uint32_t colors = 0; colors < 1U << edges.size(); ++colors) {
+      for (std::size_t e = 0; e < edges.size(); ++e) mesh.set_solid(edges[e], (colors >> e & 1U) != 0);
+      if (!check_coloring(mesh).valid) continue;
+      for (std::size_t i = 0; i < annealed_costs.size(); ++i)
+        least[i] = std::min(least[i], recounted(mesh, annealed_costs[i]));
+      fewest_indices = std::min(fewest_indices, strip_index_count(mesh, extract_strips(mesh)));
+    }
+    for (std::size_t i = 0; i < annealed_costs.size(); ++i) {
+      stripify(mesh, Effort::best, annealed_costs[i]);
+      EXPECT_EQ(recounted(mesh, annealed_costs[i]), least[i]) << "cost " << i << ", " << edges.size() << " dual edges";
+    }
+    EXPECT_LE(strip_index_lower_bound(mesh), fewest_indices);
+  }
+}
+
+TEST(Anneal, MoreEffortCostsNoMore) {
+  for (StripMesh& mesh : sample::meshes())
+    for (const Cost cost : annealed_costs) {
+      std::uint64_t before = std::numeric_limits<std::uint64_t>::max();
+      for (const Effort effort : {Effort::fast, Effort::full, Effort::best}) {
+        const std::size_t strips = stripify(mesh, effort, cost);
+        const ColoringReport report = check_coloring(mesh);
+        EXPECT_TRUE(report.valid);
+        EXPECT_EQ(report.strips, strips);
+        EXPECT_LE(recounted(mesh, cost), before);
+        before = recounted(mesh, cost);
+      }
+    }
+}
+
+TEST(Anneal, TellsTheCostOfValidColorsAndNeverRaisesIt) {
+  std::mt19937 random(4);
+  for (StripMesh& mesh : sample::meshes())
+    for (const Cost cost : annealed_costs)
+      for (const std::uint64_t moves : {1U, 10U, 300U, 5000U}) {
+        // Any valid colouring to begin with.
+        mesh.clear_colors();
+        for (const StripMesh::Halfedge h : dual_edges(mesh)) {
+          if (random() % 3 == 0) continue;
+          mesh.set_solid(h, true);
+          if (!check_coloring(mesh).valid) mesh.set_solid(h, false);
+        }
+        const std::uint64_t before = recounted(mesh, cost);
+        const std::uint64_t told = anneal(mesh, cost, {moves, 1, random()});
+        EXPECT_TRUE(check_coloring(mesh).valid);
+        EXPECT_EQ(told, recounted(mesh, cost));
+        EXPECT_LE(told, before);
+      }
+}
+
+TEST(Anneal, IndicesAreFewOnALargerMesh) {
+  StripMesh torus = sample::torus(60, 50);
+  stripify(torus, Effort::full);
+  const std::size_t fewest_strips = strip_index_count(torus, extract_strips(torus));
+  stripify(torus, Effort::full, Cost::indices());
+  const std::size_t indices = strip_index_count(torus, extract_strips(torus));
+  EXPECT_LT(indices, fewest_strips - fewest_strips / 12);
+  EXPECT_GT(indices, strip_index_lower_bound(torus));
+}
+
+TEST(Anneal, DependsOnItsArgumentsAlone) {
+  const auto order = [](std::uint64_t seed) {
+    StripMesh mesh = sample::torus(30, 20);
+    stripify(mesh, Effort::full, Cost::indices(), 0, seed);
+    return extract_strips(mesh).order;
+  };
+  EXPECT_EQ(order(1), order(1));
+  EXPECT_NE(order(1), order(2));
+}
+
+TEST(Anneal, AnEmptyMeshCostsNothing) {
+  StripMesh mesh;
+  EXPECT_EQ(anneal(mesh, Cost::indices()), 0U);
+  EXPECT_EQ(stripify(mesh, Effort::best, Cost::indices()), 0U);
+  EXPECT_EQ(strip_index_lower_bound(mesh), 0U);
+}
+
+// A digest of the colours that no change of the searches may alter while strips alone have a weight.
+std::uint64_t digest(const StripMesh& mesh) {
+  std::uint64_t sum = 14'695'981'039'346'656'037U;  // FNV-1a
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) sum = (sum ^ mesh.solid_sides(t)) * 1'099'511'628'211U;
+  return sum;
+}
+
+TEST(Stripify, FewestStripsAreWhatTheyWere) {
+  StripMesh mesh = sample::torus(60, 50);
+  stripify(mesh, Effort::fast);
+  EXPECT_EQ(digest(mesh), 3739437743101561692U);
+  stripify(mesh, Effort::fast, Cost::strips());
+  EXPECT_EQ(digest(mesh), 3739437743101561692U);
+  stripify(mesh, Effort::full);
+  EXPECT_EQ(digest(mesh), 3166561605149442275U);
+  stripify(mesh, Effort::full, Cost::strips());
+  EXPECT_EQ(digest(mesh), 3166561605149442275U);
+}
+
+}  // namespace
+}  // namespace restrip
