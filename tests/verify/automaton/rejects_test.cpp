@@ -1,49 +1,25 @@
 // Claim: the automaton's verifier notices what is wrong. The shipped certificate is altered in one row, its sums
 // brought up to date, and each alteration must fail the claim that it breaks, or be refused as not well formed. Kinds
 // of rows are altered wherever a fixed stride meets them, so that no row is picked because it is known to be noticed.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "altered_certificate.hpp"
 #include "automaton_certificate.hpp"
 #include "class_check.hpp"
 #include "input.hpp"
-#include "sums.hpp"
 
 namespace restrip::verify {
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = text.find('\n', at);
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return lines;
-}
-
-/// With the right last line.
-std::string text_of(const std::vector<std::string>& lines) {
-  std::string text;
-  std::size_t rows = 0;
-  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-    text += lines[i] + "\n";
-    const std::string word = lines[i].substr(0, lines[i].find(' '));
-    rows += word == "class" || word == "value" || word == "step" || word == "from" || word == "close" || word == "meet";
-  }
-  const ByteSums sums = sums_of(text);
-  return text + fmt::format("end {} {} {}\n", rows, sums.plain, sums.weighted);
-}
+using namespace test;
 
 const std::vector<std::string>& shipped() {
   static const std::vector<std::string> lines =
-      lines_of(read_file(std::string(RESTRIP_TABLES_DIR) + "/certificates/automaton.cert"));
+      lines_of(std::string(RESTRIP_TABLES_DIR) + "/certificates/automaton.cert");
   return lines;
 }
 
@@ -60,42 +36,8 @@ std::string verdict_of(const std::vector<std::string>& lines) {
   }
 }
 
-std::vector<std::string> words_of(const std::string& line) {
-  std::vector<std::string> words(1);
-  for (const char c : line)
-    if (c == ' ')
-      words.emplace_back();
-    else
-      words.back() += c;
-  return words;
-}
-
-/// A change of one row; nothing where it does not apply to this row.
-using Change = std::function<std::optional<std::string>(std::vector<std::string> words)>;
-
-std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
-
-/// The word at this place, plus one.
-Change one_more(std::size_t word) {
-  return [word](std::vector<std::string> words) {
-    words[word] = std::to_string(std::stoi(words[word]) + 1);
-    return joined(words);
-  };
-}
-
-/// Changes `count` rows of a kind, one at a time, spread over the file; each must be noticed.
 void expect_noticed(const std::string& kind, const Change& change, const std::string& message, std::size_t count) {
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < shipped().size(); ++i)
-    if (shipped()[i].rfind(kind + " ", 0) == 0 && change(words_of(shipped()[i]))) rows.push_back(i);
-  ASSERT_GE(rows.size(), count) << kind;
-  for (std::size_t n = 0; n < count; ++n) {
-    const std::size_t row = rows[(2 * n + 1) * rows.size() / (2 * count)];
-    std::vector<std::string> lines = shipped();
-    lines[row] = change(words_of(lines[row])).value();
-    EXPECT_NE(verdict_of(lines).find(message), std::string::npos)
-        << shipped()[row] << " -> " << lines[row] << ": " << verdict_of(lines);
-  }
+  expect_each_noticed(shipped(), verdict_of, kind, change, message, count);
 }
 
 TEST(AutomatonRejects, NothingInTheShippedCertificate) { EXPECT_EQ(verdict_of(shipped()), ""); }

@@ -1,0 +1,160 @@
+#include "turn_certificate.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <utility>
+
+#include "certificate_form.hpp"
+#include "input.hpp"
+
+namespace restrip::verify {
+namespace {
+
+constexpr std::array<const char*, 1> turn_claim_words = {"rows"};
+
+/// Reads the rows of both sections.
+class TurnParser {
+ public:
+  TurnParser(LineReader& reader, TurnCertificate& result) : reader_(reader), result_(result) {}
+
+  std::size_t read() {
+    const std::size_t weights = section("cost", "weights");
+    read_weights();
+    check_rows("cost", weights);
+    const std::size_t classes = section("classes", "class");
+    while (reader_.starts_with("class")) read_class();
+    check_targets();
+    check_rows("classes", classes);
+    return result_.rows;
+  }
+
+ private:
+  static constexpr std::int64_t most_weight = 1000;
+  static constexpr std::size_t most_classes = 65536;
+
+  std::size_t section(const std::string& name, const char* first_row) {
+    std::array<StatedClaim, 1> claims;
+    const std::array<const char*, 1> rows = {first_row};
+    parse_section_head(reader_, name, turn_claim_words, claims, rows);
+    section_start_ = result_.rows;
+    return static_cast<std::size_t>(claims[0].number);
+  }
+
+  void check_rows(const std::string& name, std::size_t claimed) const {
+    const std::size_t found = result_.rows - section_start_;
+    if (found != claimed)
+      reader_.fail(fmt::format("section {} claims {} rows and has {} before this line", name, claimed, found));
+  }
+
+  void next() {
+    ++result_.rows;
+    reader_.next("a row, a section or \"end\"");
+  }
+
+  int number_at(std::size_t word, std::int64_t least, std::int64_t most) const {
+    const std::int64_t n = reader_.number(word);
+    if (n < least || n > most) reader_.fail(fmt::format("expected a number from {} to {}, found {}", least, most, n));
+    return static_cast<int>(n);
+  }
+
+  void expect_word(std::size_t word, const std::string& text) const {
+    if (reader_.words()[word] != text)
+      reader_.fail(fmt::format("expected {}, found \"{}\"", text, reader_.words()[word]));
+  }
+
+  std::size_t case_at(std::size_t word) const {
+    const std::string_view text = reader_.words()[word];
+    const auto number = text.size() == 2 ? turn_number({text[0], text[1]}) : std::nullopt;
+    if (!number) reader_.fail(fmt::format("\"{}\" is no case", text));
+    return *number;
+  }
+
+  void read_weights() {
+    reader_.expect_words(4, "\"weights\" restart swap isolated");
+    result_.weights = {number_at(1, 1, most_weight), number_at(2, 0, most_weight), number_at(3, 0, most_weight)};
+    next();
+  }
+
+  void read_class() {
+    const std::size_t c = result_.classes.size();
+    reader_.expect_words(3, "\"class\" number witness");
+    expect_word(1, std::to_string(c));
+    TurnClass& made = result_.classes.emplace_back();
+    made.line = reader_.line();
+    const std::string_view witness = reader_.words()[2];
+    if (witness != "-") made.witness = witness;
+    if (made.witness.find_first_not_of(turn_letters) != std::string::npos || made.witness.empty() != (c == 0))
+      reader_.fail(fmt::format("\"{}\" is no witness of class {}", witness, c));
+    next();
+    std::optional<std::size_t> last;
+    for (; reader_.starts_with("value"); next()) {
+      reader_.expect_words(4, "\"value\" class case cost");
+      expect_word(1, std::to_string(c));
+      const std::size_t number = case_at(2);
+      if (last && number <= *last) reader_.fail("expected values in the order of cases");
+      last = number;
+      made.costs[number] = number_at(3, 0, 100 * most_weight);
+    }
+    if (!made.costs[both_dashed]) reader_.fail(fmt::format("expected the value of case -- of class {}", c));
+    for (const char letter : turn_letters) read_step(c, letter);
+  }
+
+  void read_step(std::size_t c, char letter) {
+    const std::string letter_text(1, letter);
+    if (!reader_.starts_with("step"))
+      reader_.fail(fmt::format("expected the step of class {} by {}, found \"{}\"", c, letter, reader_.rest(0)));
+    reader_.expect_words(5, "\"step\" class letter class cost");
+    expect_word(1, std::to_string(c));
+    expect_word(2, letter_text);
+    TurnStep& step = result_.classes[c].steps[turn_letters.find(letter)];
+    step.line = reader_.line();
+    step.to = static_cast<std::size_t>(number_at(3, 0, most_classes - 1));
+    step.cost = number_at(4, -100 * most_weight, 100 * most_weight);
+    next();
+    Mask given = 0;
+    for (; reader_.starts_with("from"); next()) {
+      reader_.expect_words(5, "\"from\" class letter case case");
+      expect_word(1, std::to_string(c));
+      expect_word(2, letter_text);
+      const std::size_t after = case_at(3);
+      if (high_part(given, static_cast<unsigned>(after)) != 0) reader_.fail("expected origins in the order of cases");
+      step.from[after] = case_at(4);
+      given |= single(static_cast<unsigned>(after));
+    }
+    given_.push_back(given);
+  }
+
+  /// Every step leads to a class that is there, and says where each of its cases came from.
+  void check_targets() const {
+    for (std::size_t c = 0; c < result_.classes.size(); ++c)
+      for (std::size_t letter = 0; letter < turn_letters.size(); ++letter) {
+        const TurnStep& step = result_.classes[c].steps[letter];
+        if (step.to >= result_.classes.size())
+          throw InputError(result_.file, step.line, fmt::format("there is no class {}", step.to));
+        Mask wanted = 0;
+        for (unsigned k = 0; k < turn_cases; ++k)
+          if (result_.classes[step.to].costs[k]) wanted |= single(k);
+        if (given_[turn_letters.size() * c + letter] != wanted)
+          throw InputError(result_.file, step.line,
+                           fmt::format("expected a row \"from\" for each case of class {} and for no other", step.to));
+      }
+  }
+
+  LineReader& reader_;
+  TurnCertificate& result_;
+  std::size_t section_start_ = 0;
+  std::vector<Mask> given_;  ///< cases with an origin, by class and letter
+};
+
+}  // namespace
+
+TurnCertificate parse_turn_automaton(const std::string& file, std::string text) {
+  TurnCertificate result;
+  result.file = file;
+  parse_form(file, std::move(text), "index-automaton",
+             [&](LineReader& reader) { return TurnParser(reader, result).read(); });
+  return result;
+}
+
+}  // namespace restrip::verify
