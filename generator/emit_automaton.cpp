@@ -132,6 +132,23 @@ std::string section(std::string_view name, const Rows& rows) {
   return fmt::format("section {}\nclaim rows {}\n{}", name, rows.count(), rows.text());
 }
 
+/// The colours of the links of a class's witness in one of its cases, from left to right.
+std::vector<bool> links_of(const Automaton& automaton, const ArcClass& c, Case k) {
+  constexpr std::string_view letter_names = "dsjb";
+  std::vector<const ArcStep*> steps;
+  std::size_t at = 0;
+  for (const char letter : c.witness) {
+    steps.push_back(&automaton.classes[at].steps[letter_names.find(letter)].value());
+    at = steps.back()->to;
+  }
+  std::vector<bool> links{right_of(k) != Reach::dashed};
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    k = (*step)->before[k];
+    links.insert(links.begin(), right_of(k) != Reach::dashed);
+  }
+  return links;
+}
+
 }  // namespace
 
 RulesHeader automaton_header(const Automaton& automaton) {
@@ -183,6 +200,20 @@ std::string automaton_json(const Automaton& automaton) {
   json["meetings"]["different"] = automaton.meetings.size();
   json["bytes"] = Numbers(automaton).bytes();
   return json.dump(2) + "\n";
+}
+
+std::string classes_json(const Automaton& automaton) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ArcClass& c : automaton.classes) {
+    nlohmann::ordered_json json;
+    json["witness"] = c.witness;
+    for (const Case k : all_cases)
+      if (c.values[k])
+        json["cases"].push_back(
+            {{"case", text_of(k)}, {"value", in_words(*c.values[k])}, {"links", links_of(automaton, c, k)}});
+    list.push_back(std::move(json));
+  }
+  return list.dump(1) + "\n";
 }
 
 }  // namespace restrip::generator

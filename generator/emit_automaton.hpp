@@ -22,4 +22,8 @@ struct AutomatonCertificate {
 /// Classes before and after, letters, cases, bytes.
 [[nodiscard]] std::string automaton_json(const Automaton& automaton);
 
+/// Every class as JSON, for pictures: its witness, and for each of its cases the value and a best colouring, the
+/// colours of the links from left to right.
+[[nodiscard]] std::string classes_json(const Automaton& automaton);
+
 }  // namespace restrip::generator

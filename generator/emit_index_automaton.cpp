@@ -7,6 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "number_lines.hpp"
@@ -99,6 +101,23 @@ struct HeaderNumbers {
 
 std::string witness_text(const ArcClass& c) { return c.witness.empty() ? "-" : c.witness; }
 
+/// The colours of the links of a class's witness in one of its cases, from left to right.
+std::vector<bool> links_of(const Automaton& automaton, const ArcClass& c, Case k) {
+  constexpr std::string_view letter_names = "dslrSLR";
+  std::vector<const ArcStep*> steps;
+  std::size_t at = 0;
+  for (const char letter : c.witness) {
+    steps.push_back(&automaton.classes[at].steps[letter_names.find(letter)]);
+    at = steps.back()->to;
+  }
+  std::vector<bool> links{right_of(k) != Reach::dashed};
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    k = (*step)->before[k];
+    links.insert(links.begin(), right_of(k) != Reach::dashed);
+  }
+  return links;
+}
+
 }  // namespace
 
 RulesHeader automaton_header(const Automaton& automaton) {
@@ -177,6 +196,20 @@ std::string automaton_json(const Automaton& automaton) {
   json["cases"]["of all classes"] = all.cases.size();
   json["bytes"] = all.bytes();
   return json.dump(2) + "\n";
+}
+
+std::string classes_json(const Automaton& automaton) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ArcClass& c : automaton.classes) {
+    nlohmann::ordered_json json;
+    json["witness"] = c.witness;
+    for (Case k = 0; k < case_codes; ++k)
+      if (c.costs[k])
+        json["cases"].push_back(
+            {{"case", text_of(k)}, {"value", std::to_string(*c.costs[k])}, {"links", links_of(automaton, c, k)}});
+    list.push_back(std::move(json));
+  }
+  return list.dump(1) + "\n";
 }
 
 }  // namespace restrip::generator::indices

@@ -19,7 +19,11 @@ struct AutomatonCertificate {
 };
 [[nodiscard]] AutomatonCertificate automaton_certificate(const Automaton& automaton);
 
-/// Weights, classes, letters, cases, bytes; and for pictures some witnesses with their costs by case.
+/// Weights, classes, letters, cases, bytes.
 [[nodiscard]] std::string automaton_json(const Automaton& automaton);
+
+/// Every class as JSON, for pictures: its witness, and for each of its cases the cost and a best colouring, the colours
+/// of the links from left to right.
+[[nodiscard]] std::string classes_json(const Automaton& automaton);
 
 }  // namespace restrip::generator::indices

@@ -78,20 +78,21 @@ struct AutomatonFiles {
   std::string certificate;
   std::size_t rows = 0;
   std::string json;
+  std::string classes_json;
 };
 
 AutomatonFiles strips_automaton() {
   const Automaton automaton = make_automaton();
   const AutomatonCertificate certificate = automaton_certificate(automaton);
-  return {"automaton",      automaton.classes.size(), automaton_header(automaton),
-          certificate.text, certificate.rows,         automaton_json(automaton)};
+  return {"automaton",      automaton.classes.size(),  automaton_header(automaton), certificate.text,
+          certificate.rows, automaton_json(automaton), classes_json(automaton)};
 }
 
 AutomatonFiles index_automaton(const indices::Weights& weights) {
   const indices::Automaton automaton = indices::make_automaton(weights);
   const indices::AutomatonCertificate certificate = indices::automaton_certificate(automaton);
-  return {"index-automaton", automaton.classes.size(), indices::automaton_header(automaton),
-          certificate.text,  certificate.rows,         indices::automaton_json(automaton)};
+  return {"index-automaton", automaton.classes.size(),           indices::automaton_header(automaton), certificate.text,
+          certificate.rows,  indices::automaton_json(automaton), indices::classes_json(automaton)};
 }
 
 /// "strips", "indices", or the weights of a strip, a swap and an isolated triangle with commas between them.
@@ -198,14 +199,18 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) 
   for (const AutomatonFiles& automaton : automata) fmt::print("{}", summary(automaton));
 }
 
-void write_automaton(const std::string& cost, const std::string& folder, const std::string& json) {
+void write_automaton(const std::string& cost, const std::string& folder, const std::string& json,
+                     const std::string& classes) {
   const AutomatonFiles automaton = automaton_for(cost);
   files::OutputSet out(folder, {header_path(automaton.name), certificate_path(automaton.name)});
   std::optional<files::Output> json_out;
   if (!json.empty() && json != "-") json_out.emplace(json, files::OutputRules{{".json"}, {}});
+  std::optional<files::Output> classes_out;
+  if (!classes.empty()) classes_out.emplace(classes, files::OutputRules{{".json"}, {}});
   out.write({{header_path(automaton.name), automaton.header.text},
              {certificate_path(automaton.name), automaton.certificate}});
   if (json_out) json_out->write(automaton.json);
+  if (classes_out) classes_out->write(automaton.classes_json);
   fmt::print("{}", json == "-" ? automaton.json : summary(automaton));
 }
 
@@ -287,6 +292,7 @@ int main(int argc, char** argv) {
 
   std::string automaton_out;
   std::string automaton_json_file;
+  std::string automaton_classes;
   std::string automaton_cost = "strips";
   auto* automaton_command =
       app.add_subcommand("automaton", "Write the automaton that answers fans of every valence, and its certificate");
@@ -299,6 +305,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   automaton_command->add_option("--json", automaton_json_file,
                                 "Write its figures to this file; - for standard output, in place of the text");
+  automaton_command->add_option("--classes", automaton_classes,
+                                "Write every class with a best colouring of each case to this JSON file, for pictures");
   automaton_command->footer(
       "\nExamples:\n"
       "  restrip-generate automaton --cost strips --out /tmp/automaton\n"
@@ -342,7 +350,7 @@ int main(int argc, char** argv) {
   }
   try {
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
-    if (*automaton_command) write_automaton(automaton_cost, automaton_out, automaton_json_file);
+    if (*automaton_command) write_automaton(automaton_cost, automaton_out, automaton_json_file, automaton_classes);
     if (*merge_command) merge(merge_in, merge_out);
     if (*dump_command) {
       const Family chosen = names.at(family);

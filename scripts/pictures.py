@@ -49,16 +49,16 @@ class _Patch:
         self.nodes.append(_middle(a, b, c))
         return len(self.nodes) - 1
 
-    def _stroke(self, start, end, solid):
+    def stroke(self, start, end, solid):
         self.strokes["solid" if solid else "dashed"] += f"M{start[0]:.1f},{start[1]:.1f}L{end[0]:.1f},{end[1]:.1f}"
 
     def join(self, i, j, across, solid):
-        self._stroke(self.nodes[i], across, solid)
-        self._stroke(across, self.nodes[j], solid)
+        self.stroke(self.nodes[i], across, solid)
+        self.stroke(across, self.nodes[j], solid)
 
     def port(self, i, a, b, solid):
         node, door = self.nodes[i], _middle(a, b)
-        self._stroke(node, tuple(d + (d - n) * 0.7 for d, n in zip(door, node)), solid)
+        self.stroke(node, tuple(d + (d - n) * 0.7 for d, n in zip(door, node)), solid)
 
     def svg(self, description):
         nodes = "".join(f"M{x:.1f},{y:.1f}h0" for x, y in self.nodes)
@@ -99,6 +99,37 @@ def split_picture(k, a, inner, ports, description):
     patch.join(node_a, node_d, _middle(v_s, v_t), inner >> (k + 2) & 1)
     for i in range(k):
         patch.port(i, places[i], places[i + 1], ports >> i & 1)
+    return patch.svg(description)
+
+
+def arc_picture(word, links, description):
+    """An arc of a fan (docs/automaton.md): a triangle for each letter but `b`, the mesh boundary, which is a gap. Behind a
+    solid port the strip goes on about the corner at the left (l, L) or at the right (r, R), or ends (s, S, j)."""
+    hub, width = (200, 100), math.radians(min(40, 110 / len(word)))
+    start = math.pi / 2 + width * len(word) / 2
+    rim = [(200 + 200 * math.cos(start - width * i), 100 + 200 * math.sin(start - width * i)) for i in range(len(word) + 1)]
+    patch, nodes = _Patch(), {}
+    for i, letter in enumerate(word):
+        if letter != "b":
+            nodes[i] = patch.add(hub, rim[i], rim[i + 1])
+    for i, solid in enumerate(links):
+        across = _middle(hub, rim[i], rim[i])
+        angle = start - width * i
+        for at, side in ((i - 1, 1), (i, -1)):  # the triangle before the link, and the one behind it
+            if at not in nodes:
+                continue
+            patch.stroke(patch.nodes[nodes[at]], across, solid)
+            if (i - 1 if at == i else i) not in nodes:  # the link leaves the arc
+                patch.stroke(across, (across[0] + side * 22 * math.sin(angle), across[1] - side * 22 * math.cos(angle)), solid)
+    for i, letter in enumerate(word):
+        if letter == "b":
+            continue
+        patch.port(nodes[i], rim[i], rim[i + 1], letter != "d")
+        if letter in "lLrR":
+            node, door = patch.nodes[nodes[i]], _middle(rim[i], rim[i + 1])
+            behind = tuple(d + (d - n) * 0.7 for d, n in zip(door, node))
+            corner = rim[i] if letter in "lL" else rim[i + 1]
+            patch.stroke(behind, tuple(b + (c - d) * 0.7 for b, c, d in zip(behind, corner, door)), True)
     return patch.svg(description)
 
 

@@ -62,6 +62,13 @@ class Patches(unittest.TestCase):
                 self.assertEqual(self.strokes(split, "solid"), 2 * 2 + 2)
                 self.assertEqual(self.strokes(split, "dashed"), 2 * (k + 1) + k - 2)
 
+    def test_arcs_show_links_ports_and_what_is_behind_them(self):
+        arc = pictures.arc_picture("drR", [True, True, False, True], "d")
+        self.assertEqual(self.strokes(arc, "old"), 3)
+        self.assertEqual(self.strokes(arc, "solid"), 2 + 2 + 2 + 2 * 2)  # outer links, the inner one, ports with what follows
+        self.assertEqual(self.strokes(arc, "dashed"), 2 + 1)
+        self.assertEqual(self.strokes(pictures.arc_picture("sbj", [False] * 4, "d"), "old"), 2)
+
     def test_the_chord_joins_the_new_triangles(self):
         for k, a in ((4, 2), (7, 3)):
             svg = pictures.split_picture(k, a, 1 << k + 2, 0, "d")
