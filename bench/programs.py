@@ -73,7 +73,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="small valences, one small family, one repetition")
     given = parser.parse_args()
     entries = []
-    parts = [generator(given.bin, 4 if given.quick else 10, 1 if given.quick else 3),
+    parts = [generator(given.bin, 4 if given.quick else 9, 1 if given.quick else 3),
              verifier(given.bin, ["flip"] if given.quick else []), compilation(1 if given.quick else 5)]
     for part in parts:
         for entry in part:

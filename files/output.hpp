@@ -18,7 +18,7 @@ struct OutputRules {
 };
 
 /// A file to be written. What is there and not a regular file (a terminal, a pipe, /dev/null, /dev/stdout) is written
-/// to as it is, under any name: replacing it would take it away from everybody else.
+/// to as it is, under any name: replacing it would take it away from other programs.
 class Output {
  public:
   /// Throws FileError unless the file can be written: its folder is there and takes files, it is no folder and not

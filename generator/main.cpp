@@ -1,10 +1,9 @@
-// restrip-generate: writes the tables, their certificates, and what strangers check us with.
+// restrip-generate: writes the tables, their certificates, and the dumps with which others check us.
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -129,74 +128,113 @@ files::OutputSet table_files(const std::string& out) {
   return files::OutputSet(out, in_order);
 }
 
-void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) {
-  std::vector<SolvedFamily> families;
+/// Solved parts, family by family.
+struct Families {
+  std::vector<SolvedFamily> rules;
   std::vector<LinkedFamily> linked;
+};
+
+/// The last family, if that is its name, or a new one.
+template <class Solved>
+Solved& family_called(const std::string& name, std::vector<Solved>& families) {
+  if (families.empty() || families.back().name != name) families.push_back({name, {}, {}});
+  return families.back();
+}
+
+Families by_family(std::vector<Part> all) {
+  Families families;
   for (Part& part : all) {
     if (auto* section = std::get_if<Section>(&part.section)) {
-      if (families.empty() || families.back().name != part.family) families.push_back({part.family, {}, {}});
-      families.back().sections.push_back(std::move(*section));
-      families.back().texts.push_back(std::move(part.text));
+      SolvedFamily& family = family_called(part.family, families.rules);
+      family.sections.push_back(std::move(*section));
+      family.texts.push_back(std::move(part.text));
     } else {
-      const std::string name = name_of(position_of(part).family);
-      if (linked.empty() || linked.back().name != name) linked.push_back({name, {}, {}});
-      linked.back().sections.push_back(std::move(std::get<LinkedSection>(part.section)));
-      linked.back().texts.push_back(std::move(part.text));
+      LinkedFamily& family = family_called(name_of(position_of(part).family), families.linked);
+      family.sections.push_back(std::move(std::get<LinkedSection>(part.section)));
+      family.texts.push_back(std::move(part.text));
     }
   }
-  std::vector<const Section*> closed_sections;
-  std::vector<const Section*> open_sections;
+  return families;
+}
+
+/// The files of the tables, and what is printed about them.
+struct TableFiles {
+  struct File {
+    std::string text;
+    std::size_t rows = 0;  ///< as MANIFEST lists them
+  };
+  std::map<std::string, File> by_path;
+  std::string told;
+
+  /// Hands the files over, and MANIFEST behind them.
+  [[nodiscard]] std::vector<files::NamedBytes> take() {
+    std::string manifest = "restrip-manifest 1\n";
+    std::vector<files::NamedBytes> all;
+    for (auto& [path, file] : by_path) {
+      manifest += fmt::format("{} {} {} {}\n", sha256(file.text), file.text.size(), file.rows, path);
+      all.push_back({path, std::move(file.text)});
+    }
+    all.push_back({"MANIFEST", manifest});
+    return all;
+  }
+};
+
+std::string summary(const std::string& family, std::size_t sections, std::size_t rules, std::size_t bytes) {
+  return fmt::format("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", family, sections, rules, bytes);
+}
+
+Packing packing_of(const std::vector<SolvedFamily>& families, bool of_closed_fans, unsigned max_k) {
+  std::vector<const Section*> sections;
   for (const SolvedFamily& family : families)
     for (const Section& section : family.sections)
-      if (section.position.family != Family::flip)
-        (closed(section.position.family) ? closed_sections : open_sections).push_back(&section);
-  const Packing closed_packing = pack(closed_sections, max_k);
-  const Packing open_packing = pack(open_sections, max_k);
+      if (section.position.family != Family::flip && closed(section.position.family) == of_closed_fans)
+        sections.push_back(&section);
+  return pack(sections, max_k);
+}
 
-  std::map<std::string, std::string> texts;
-  std::map<std::string, std::size_t> rows;
-  std::map<std::string, std::size_t> bytes;
-  texts[headers + "rows.hpp"] = rows_header(closed_packing, open_packing, max_k);
+void add_rules(const std::vector<SolvedFamily>& families, unsigned max_k, TableFiles& to) {
+  const Packing closed_packing = packing_of(families, true, max_k);
+  const Packing open_packing = packing_of(families, false, max_k);
+  to.by_path[headers + "rows.hpp"] = {rows_header(closed_packing, open_packing, max_k), 0};
   for (const SolvedFamily& family : families) {
-    const std::string file = header_path(family.name);
-    const std::string proof = certificate_path(family.name);
     const bool on_closed = closed(family.sections[0].position.family);
     const RulesHeader header = rules_header(family, on_closed ? closed_packing : open_packing, max_k);
-    texts[file] = header.text;
-    bytes[family.name] = header.bytes;
-    texts[proof] = certificate(family.name, family.texts, family.rows());
-    rows[file] = rows[proof] = family.rows();
+    to.by_path[header_path(family.name)] = {header.text, family.rows()};
+    to.by_path[certificate_path(family.name)] = {certificate(family.name, family.texts, family.rows()), family.rows()};
+    to.told += summary(family.name, family.sections.size(), family.rows(), header.bytes);
   }
-  const RulesHeader linked_rules = linked_header(linked, max_k);
-  texts[headers + "linked.hpp"] = linked_rules.text;
-  for (const LinkedFamily& family : linked) {
-    const std::string path = certificate_path("linked-" + family.name);
-    texts[path] = certificate("linked-" + family.name, family.texts, family.alternatives());
-    rows[path] = family.alternatives();
-    rows[headers + "linked.hpp"] += family.alternatives();
-  }
-  const std::array<AutomatonFiles, 2> automata{strips_automaton(), index_automaton({})};
-  for (const AutomatonFiles& automaton : automata) {
-    texts[header_path(automaton.name)] = automaton.header.text;
-    texts[certificate_path(automaton.name)] = automaton.certificate;
-    rows[header_path(automaton.name)] = rows[certificate_path(automaton.name)] = automaton.rows;
-  }
-  std::string manifest = "restrip-manifest 1\n";
-  std::vector<files::NamedBytes> files;
-  for (auto& [path, contents] : texts) {
-    manifest += fmt::format("{} {} {} {}\n", sha256(contents), contents.size(), rows[path], path);
-    files.push_back({path, std::move(contents)});
-  }
-  files.push_back({"MANIFEST", manifest});
-  out.write(files);
+}
 
-  for (const SolvedFamily& family : families)
-    fmt::print("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", family.name, family.sections.size(), family.rows(),
-               bytes[family.name]);
-  fmt::print("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", "linked",
-             linked[0].sections.size() + linked[1].sections.size(), linked[0].alternatives() + linked[1].alternatives(),
-             linked_rules.bytes);
-  for (const AutomatonFiles& automaton : automata) fmt::print("{}", summary(automaton));
+void add_linked(const std::vector<LinkedFamily>& families, unsigned max_k, TableFiles& to) {
+  const RulesHeader header = linked_header(families, max_k);
+  std::size_t sections = 0;
+  std::size_t alternatives = 0;
+  for (const LinkedFamily& family : families) {
+    const std::string name = "linked-" + family.name;
+    to.by_path[certificate_path(name)] = {certificate(name, family.texts, family.alternatives()),
+                                          family.alternatives()};
+    sections += family.sections.size();
+    alternatives += family.alternatives();
+  }
+  to.by_path[headers + "linked.hpp"] = {header.text, alternatives};
+  to.told += summary("linked", sections, alternatives, header.bytes);
+}
+
+void add_automaton(const AutomatonFiles& automaton, TableFiles& to) {
+  to.by_path[header_path(automaton.name)] = {automaton.header.text, automaton.rows};
+  to.by_path[certificate_path(automaton.name)] = {automaton.certificate, automaton.rows};
+  to.told += summary(automaton);
+}
+
+void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) {
+  const Families families = by_family(std::move(all));
+  TableFiles tables;
+  add_rules(families.rules, max_k, tables);
+  add_linked(families.linked, max_k, tables);
+  add_automaton(strips_automaton(), tables);
+  add_automaton(index_automaton({}), tables);
+  out.write(tables.take());
+  fmt::print("{}", tables.told);
 }
 
 void write_automaton(const std::string& cost, const std::string& folder, const std::string& json,

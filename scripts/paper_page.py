@@ -30,7 +30,7 @@ th.words, td.words { text-align: left; }
 .grid figure { margin: 0; text-align: center; } .pair { display: flex; align-items: center; justify-content: center; }
 details { margin: 1rem 0; } summary { cursor: pointer; }
 """
-DRAWN_K = 6  # of the lonely triangles
+DRAWN_K = 6  # of the isolated triangles
 
 
 def before(k, a, rule):
@@ -99,7 +99,7 @@ def four_section(report):
 
 
 def lonely_section(report):
-    html = ('<h2 id="figure-8">The lonely triangle (figure 8)</h2>\n<p>The paper shows a 6-vertex on which a split must leave a '
+    html = ('<h2 id="figure-8">The isolated triangle (figure 8)</h2>\n<p>The paper shows a 6-vertex on which a split must leave a '
             "triangle alone. It must, if every strip that passes through the patch, in at one port and out at another, is to stay "
             "whole. Below is every such configuration, found by trying all recolourings. The rules do not keep passing strips whole: "
             "they cut one and give the isolated triangle to one half. There are never more strips than with the isolated triangle, "
@@ -117,8 +117,8 @@ def lonely_section(report):
         for rule in count["orbits"] if k == DRAWN_K else ():
             html += (f'<figure class="lonely"><div class="pair">{before(k, a, rule)}<span>→</span>'
                      f'{after(k, a, rule, rule["whole"], "strips whole")}{after(k, a, rule, rule["inner"], "the rule")}</div>'
-                     f'<figcaption>a = {a}: before; strips whole, {change(rule["isolated_if_whole"], "lonely triangle")}; the rule, '
-                     f'{change(rule["strips"], "strip")} and {change(rule["isolated"], "lonely triangle")}</figcaption></figure>\n')
+                     f'<figcaption>a = {a}: before; strips whole, {change(rule["isolated_if_whole"], "isolated triangle")}; the rule, '
+                     f'{change(rule["strips"], "strip")} and {change(rule["isolated"], "isolated triangle")}</figcaption></figure>\n')
     return html + "</div>\n"
 
 

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Measures everything that docs/performance.md says, and writes that page anew. A full run takes about a quarter of an hour and
-# three gigabytes; without RESTRIP_MESHES (a folder with bunny.obj and dragon_vrip.ply) made meshes alone are measured.
+# three gigabytes; without RESTRIP_MESHES (a folder with bunny.obj and dragon_vrip.ply) only made meshes are measured.
 #
 #   scripts/performance.sh                    measure all, into build/performance; then docs/performance.md
 #   scripts/performance.sh --only level       measure this program again and render; may be repeated
+#   scripts/performance.sh --short            a third of the time: no mesh of more than a million triangles, less repetition
 #   scripts/performance.sh --quick            small meshes, seconds; the page goes to build/performance-quick
 #   --bin DIR                                 programs that have been built already
 #   --out DIR                                 where the JSON goes
@@ -11,14 +12,15 @@ set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
-quick=() bin='' out='' only=()
+quick=() short='' bin='' out='' only=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --quick) quick=(--quick) ;;
+    --short) short=yes ;;
     --bin) bin=${2:?--bin wants a folder}; shift ;;
     --out) out=${2:?--out wants a folder}; shift ;;
     --only) only+=("${2:?--only wants a program: batch, buffer, level, lookup, operation, programs, replay, scale}"); shift ;;
-    *) sed -n '2,10s/^# \{0,1\}//p' "$0"; [ "$1" = --help ] && exit 0; echo "performance.sh: unknown: $1" >&2; exit 2 ;;
+    *) sed -n '2,11s/^# \{0,1\}//p' "$0"; [ "$1" = --help ] && exit 0; echo "performance.sh: unknown: $1" >&2; exit 2 ;;
   esac
   shift
 done
@@ -39,7 +41,8 @@ fi
 mkdir -p "$out"
 
 # Medians of several repetitions, those of all benchmarks of a program mixed, so that a slow minute strikes all alike.
-mixed=(--benchmark_repetitions=5 --benchmark_enable_random_interleaving=true)
+mixed=(--benchmark_repetitions=5 --benchmark_enable_random_interleaving=true) which=()
+if [ -n "$short" ]; then mixed[0]=--benchmark_repetitions=3 which=(--benchmark_filter='-dragon|scale/[0-9]{8}/|scale/[3-9][0-9]{6}/'); fi
 [ ${#quick[@]} -eq 0 ] || { mixed=(--benchmark_repetitions=1); export RESTRIP_BENCH_QUICK=1; }
 for name in "${only[@]}"; do
   say "measuring: $name"
@@ -49,7 +52,7 @@ for name in "${only[@]}"; do
     scale) how=() ;;  # one mesh at a time, repeated inside
     *) how=("${mixed[@]}") ;;
   esac
-  "$bin/bench_$name" "${how[@]}" --benchmark_out="$out/$name.json.partial" --benchmark_out_format=json >"$out/$name.log" 2>&1 ||
+  "$bin/bench_$name" "${how[@]}" "${which[@]}" --benchmark_out="$out/$name.json.partial" --benchmark_out_format=json >"$out/$name.log" 2>&1 ||
     { cat "$out/$name.log" >&2; false; }
   mv "$out/$name.json.partial" "$out/$name.json"
 done

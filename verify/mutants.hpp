@@ -1,7 +1,7 @@
 #pragma once
 // Deliberate faults of this checker. The shipped program is built without any: there `mutated` is false at compile
 // time. With RESTRIP_MUTANTS a program chooses one when it starts; tests/verify builds the checker so, and must notice
-// every fault: a checker that nobody has seen reject is no checker.
+// every fault: a checker that has never been seen to reject is no checker.
 
 namespace restrip::verify {
 
@@ -14,7 +14,7 @@ enum class Mutant {
   loosen_degree,      // ... a triangle has three solid edges
   loosen_new_degree,  // ... a triangle without a port has three solid edges
   // the search, or the judgement of a row, forgets something
-  drop_pairing,              // nobody looks at pairings
+  drop_pairing,              // pairings are not looked at
   skip_own_pairing,          // the row's own pairing is not looked at
   skip_own_validity,         // the row's own degrees and cycles are not looked at
   ignore_chord_recolorings,  // the search never uses the chord
@@ -29,13 +29,13 @@ enum class Mutant {
   sets_drop_path,      // some path between two ports
   sets_loosen_degree,  // a triangle may have three solid edges
   // a reason is taken although ...
-  reason_any,                  // ... nobody looked at it
+  reason_any,                  // ... it was not looked at
   reason_off_by_one,           // ... it shows one dashed edge too few
   reason_only_dashed,          // ... it shows nothing of isolated triangles
   reason_sound_sets,           // ... the edges of a set may all be solid
   reason_overlapping_sets,     // ... one dashed edge may serve two sets
   reason_count_dashed_twice,   // ... the dashed edge of a case serves a set, too
-  reason_foreign_edges,        // ... it counts edges that nobody could make solid
+  reason_foreign_edges,        // ... it counts edges that could not be solid
   reason_skip_solid_case,      // ... it shows nothing where the edge is solid
   reason_skip_dashed_case,     // ... it shows nothing where the edge is dashed
   reason_solid_in_both_cases,  // ... it takes the edge for solid where it is dashed
@@ -60,14 +60,14 @@ enum class Mutant {
   lists_missing,             // ... it is none
   lists_illegal,             // ... an alternative has a triangle with three solid edges, or a cycle
   lists_disorder,            // ... an alternative is preferred to the one before
-  lists_covered,             // ... nobody will ever come to an alternative
+  lists_covered,             // ... an alternative is never reached
   lists_incomplete,          // ... something as good as nothing in it has been left out
   lists_complete_by_merit,   // ... what is as good as the one left out joins other ports
   lists_complete_by_pairs,   // ... what joins no other ports than the one left out is not as good
   lists_ignore_isolated,     // ... isolated triangles are not in order
   lists_skip_claims,         // ... its claims are wrong
   // what lies outside is seen wrongly
-  outside_ignored,         // nobody looks at it
+  outside_ignored,         // it is not looked at
   outside_one_pair,        // one strip joins ports there at most
   forget_partners,         // the pairs of an alternative are not followed
   beside_first_is_best,    // no recolouring is tried against the first sound alternative

@@ -78,7 +78,7 @@ void TreeJudge::descend(const std::vector<Question>& questions, Branch branch, c
           {known.asked | single(port), known.unknown | single(port), known.possible,
            known.text + fmt::format(" {} unknown", port)},
           verdict);
-  // Who has nothing in sight is in nobody's sight.
+  // What sees nothing is seen by nothing.
   for (unsigned other = 0; other < most_ports; ++other)
     if (is_solid(ports_ & ~known.asked, other) && other != port)
       descend(questions, question.back[other], answered(other, fmt::format(" {} comes back through {}", port, other)),
@@ -111,7 +111,7 @@ void TreeJudge::judge_leaf(Mask inner, const Knowledge& known, Verdict& verdict)
   }
 }
 
-/// Whatever else might be found out about the ports that nobody asked about: is the choice still unsound beside
+/// Whatever else might be found out about the ports that were not asked about: is the choice still unsound beside
 /// something possible? The least is left possible when all of it is found out, so these cases are looked at: outsides
 /// that are equal at the ports that were not asked about, and join none of them with a port that was.
 bool TreeJudge::always_unsound(const Choice& choice, const Knowledge& known) const {

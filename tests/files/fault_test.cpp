@@ -122,7 +122,7 @@ class Faults : public tools::ScratchFolder {
       countdown = 0;
       check(refused);
       // Nothing is lost when a file that was only looked at, or a probe, cannot be closed. All else must be noticed.
-      EXPECT_TRUE(refused || !hit || hit_closing) << "a failure that nobody noticed";
+      EXPECT_TRUE(refused || !hit || hit_closing) << "a failure that was not noticed";
       if (!hit) return n - 1;
     }
   }

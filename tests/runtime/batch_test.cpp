@@ -54,7 +54,7 @@ std::string difference(const StripMesh& a, const StripMesh& b) {
   }
   for (Vertex v = 0; v < a.vertex_bound(); ++v) {
     if (!(a.spoke(v) == b.spoke(v))) return "the first spoke of vertex " + std::to_string(v);
-    if (a.irregular(v) != b.irregular(v)) return "a mark of vertex " + std::to_string(v);
+    if (a.non_manifold(v) != b.non_manifold(v)) return "a mark of vertex " + std::to_string(v);
   }
   if (handles_to_come(a) != handles_to_come(b)) return "free lists";
   return "";
@@ -77,7 +77,7 @@ class Chooser {
 
   std::optional<SplitRequest> any_split(const StripMesh& mesh) {
     const Vertex v = mesh.from(any_halfedge(mesh));
-    if (mesh.irregular(v)) return std::nullopt;
+    if (mesh.non_manifold(v)) return std::nullopt;
     std::vector<Halfedge> spokes;
     for_each_spoke(mesh, v, [&](Halfedge h) { spokes.push_back(h); });
     SplitRequest request;
@@ -407,7 +407,7 @@ TEST(Batch, BoundarySpokesThatMeetWhereTheMeshIsNoManifold) {
   // The fans share no triangle, but both splits would look at the first spoke of the middle of the bow tie: they are
   // refused, because it is not to be touched.
   const StripMesh mesh = bow_tie();
-  ASSERT_TRUE(mesh.irregular(0));
+  ASSERT_TRUE(mesh.non_manifold(0));
   std::vector<SplitRequest> left;
   std::vector<SplitRequest> right;
   for (Vertex v = 1; v < mesh.vertex_bound(); ++v) {
@@ -423,7 +423,7 @@ TEST(Batch, BoundarySpokesThatMeetWhereTheMeshIsNoManifold) {
     StripMesh copy = mesh;
     const BatchReport report = batch(copy, requests);
     EXPECT_EQ(report.fault, BatchFault::refused);
-    EXPECT_EQ(report.refusal, Refusal::irregular_vertex);
+    EXPECT_EQ(report.refusal, Refusal::non_manifold_vertex);
     EXPECT_EQ(difference(copy, mesh), "");
   }
 }

@@ -68,7 +68,7 @@ class Comparison {
     list_ = list_of(mesh);
     shape_ = bare::shape_of(list_);
     for (Vertex v = 0; v < mesh.vertex_bound(); ++v)
-      ASSERT_EQ(mesh.irregular(v), shape_.irregular.contains(v)) << "vertex " << v << " of" << text(list_);
+      ASSERT_EQ(mesh.non_manifold(v), shape_.non_manifold.contains(v)) << "vertex " << v << " of" << text(list_);
     const std::vector<Halfedge> all = halfedges_of(mesh);
     for (const Halfedge h : all) {
       ASSERT_TRUE(mesh.alive(h));
@@ -229,8 +229,8 @@ std::vector<StripMesh> small_meshes() {
     csaszar.push_back({v, (v + 3) % 7, (v + 2) % 7});
   }
   add(csaszar, 7);
-  // A square with a square hole; two components that share names with nobody; two tetrahedra with a vertex, an edge in
-  // common; three triangles on an edge; a Möbius strip.
+  // A square with a square hole; two components that share no names with others; two tetrahedra with a vertex, an edge
+  // in common; three triangles on an edge; a Möbius strip.
   add({{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}}, 8);
   add({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {4, 5, 6}, {4, 6, 7}, {4, 7, 8}}, 9);
   add({{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}}, 7);
@@ -268,7 +268,7 @@ TEST(Checks, AgreeOnSmallMeshesAndWhatOperationsMakeOfThem) {
   EXPECT_GT(comparison.granted, 10000U);
   // Each reason but that of a handle that is none; those have a test of their own.
   for (const Refusal reason :
-       {Refusal::granted, Refusal::different_vertices, Refusal::same_spoke, Refusal::irregular_vertex,
+       {Refusal::granted, Refusal::different_vertices, Refusal::same_spoke, Refusal::non_manifold_vertex,
         Refusal::boundary_edge, Refusal::spoke_on_boundary, Refusal::joins_boundaries, Refusal::link_condition,
         Refusal::too_few_triangles, Refusal::dangling_edge, Refusal::edge_exists, Refusal::vertex_in_use})
     EXPECT_GT(comparison.reasons.at(static_cast<std::size_t>(reason)), 0U) << describe(reason);
@@ -368,14 +368,14 @@ TEST(StripMesh, BuildCountsWhatItLeavesOut) {
   EXPECT_EQ(report.degenerate_triangles, 4U);
   EXPECT_EQ(report.out_of_range_triangles, 1U);
   EXPECT_EQ(report.boundary_edges, 4U);
-  EXPECT_EQ(report.non_manifold_edges + report.inconsistent_edges + report.irregular_vertices, 0U);
+  EXPECT_EQ(report.non_manifold_edges + report.inconsistent_edges + report.non_manifold_vertices, 0U);
   EXPECT_EQ(origin, (std::vector<std::uint32_t>{1, 5}));
   ASSERT_EQ(mesh.triangle_count(), 2U);
   EXPECT_EQ(mesh.corners(0), triangles[1]);
   EXPECT_EQ(mesh.corners(1), triangles[5]);
 }
 
-// A range of addresses that nobody may read: whoever looked at a triangle before its count would end there.
+// A range of addresses that may not be read: a look at a triangle before its count would end the program there.
 TEST(StripMesh, MoreTrianglesThanItHoldsAreRefusedUnread) {
   const std::size_t count = StripMesh::max_triangles + 1;
   EXPECT_EQ(count, std::size_t{1} << 29);
@@ -389,7 +389,7 @@ TEST(StripMesh, MoreTrianglesThanItHoldsAreRefusedUnread) {
 }
 
 #ifdef NDEBUG
-// A condition that does not hold costs nothing in release builds, because nobody looks at it.
+// A condition that does not hold costs nothing in release builds, because it is not evaluated.
 TEST(Preconditions, AreNotEvaluatedWithNdebug) {
   int evaluated = 0;
   RESTRIP_ASSERT(++evaluated == 0, "nobody", "asks");

@@ -41,8 +41,8 @@ List reversed(List list) {
     for (std::size_t i = 0; i < expected.size(); ++i) {
       const auto& chunk = lists[expected[i].chunk];
       if (chunk.list != name) return ::testing::AssertionFailure() << "a list with two names";
-      if (chunk.before != (i == 0 ? ChunkLists::nobody : expected[i - 1].chunk) ||
-          chunk.after != (i + 1 == expected.size() ? ChunkLists::nobody : expected[i + 1].chunk))
+      if (chunk.before != (i == 0 ? ChunkLists::no_chunk : expected[i - 1].chunk) ||
+          chunk.after != (i + 1 == expected.size() ? ChunkLists::no_chunk : expected[i + 1].chunk))
         return ::testing::AssertionFailure() << "wrong neighbours";
       if (i != 0 && chunk.rank <= lists[chunk.before].rank) return ::testing::AssertionFailure() << "ranks do not grow";
       if (chunk.backwards != expected[i].backwards) return ::testing::AssertionFailure() << "a wrong direction";

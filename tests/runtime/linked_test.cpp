@@ -298,7 +298,7 @@ TEST(LinkedOperations, LeaveNothingToLinkAroundThem) {
   EXPECT_GT(operations, 100U);
 }
 
-// Nobody is isolated, before and after the turn; so here, too, nothing is adopted.
+// No triangle is isolated, before and after the turn; so here, too, nothing is adopted.
 TEST(LinkedOperations, LeaveNothingToLinkBesideATurnedEdge) {
   std::mt19937 random(14);
   std::size_t flips = 0;

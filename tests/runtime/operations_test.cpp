@@ -47,7 +47,7 @@ std::string fault_of(const StripMesh& mesh) {
   }
   for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
     if ((mesh.spoke(v).id == none) != (corners[v] == 0)) return "a first spoke without triangles, or the reverse";
-    if (corners[v] == 0 || mesh.irregular(v)) continue;
+    if (corners[v] == 0 || mesh.non_manifold(v)) continue;
     if (!mesh.alive(mesh.spoke(v)) || mesh.from(mesh.spoke(v)) != v) return "a wrong first spoke";
     std::size_t met = 0;
     for_each_spoke(mesh, v, [&](Halfedge h) { met += StripMesh::on_boundary(h) ? 0U : 1U; });
@@ -439,7 +439,7 @@ TEST(Operations, LargeFansGetTheBestColors) {
   EXPECT_GT(splits, 50U);
 }
 
-// All triangles are isolated; whoever is adopted finds an isolated neighbour. So nobody around the vertex stays alone,
+// All triangles are isolated, and each finds an isolated neighbour. So no triangle around the vertex stays isolated,
 // whichever spoke it begins at.
 TEST(Operations, AdoptionGoesAroundTheWholeFan) {
   for (const StripMesh& mesh : {sample::rectangle(4, 3), sample::tube(5, 2), sample::octahedron()})
@@ -561,7 +561,7 @@ TEST(Operations, RefusedOperationsSayWhy) {
   EXPECT_EQ(check_collapse(pair, pair.spoke(0, 2)), Refusal::joins_boundaries);
   EXPECT_EQ(check_flip(pair, pair.spoke(0, 1)), Refusal::boundary_edge);
   const StripMesh bow_tie = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 3, 4}}, 5);
-  EXPECT_EQ(check_collapse(bow_tie, bow_tie.spoke(0)), Refusal::irregular_vertex);
+  EXPECT_EQ(check_collapse(bow_tie, bow_tie.spoke(0)), Refusal::non_manifold_vertex);
   const StripMesh one = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}}, 3);
   EXPECT_EQ(check_collapse(one, StripMesh::halfedge(0, 0)), Refusal::dangling_edge);
   // Two hubs side by side, 0 and 1, amid a ring of 80 that begins at vertex 2: 2 ... 42 are around 0, 42 ... 81 and 2

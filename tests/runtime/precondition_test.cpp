@@ -77,8 +77,8 @@ TEST(PreconditionDeathTest, EveryRefusalOfASplit) {
   EXPECT_REFUSED(split(mesh, {h, {}, Where::Spokes::left_only}), "split", spoke_on_boundary);
   EXPECT_REFUSED(split(mesh, {h, turn_ccw(mesh, h)}, 5U), "split", vertex_in_use);
   StripMesh tie = bow_tie();
-  EXPECT_REFUSED(split(tie, {tie.spoke(0), {}, Where::Spokes::left_only}), "split", irregular_vertex);
-  EXPECT_REFUSED(split(tie, {tie.spoke(1, 0), {}, Where::Spokes::left_only}), "split", irregular_vertex);
+  EXPECT_REFUSED(split(tie, {tie.spoke(0), {}, Where::Spokes::left_only}), "split", non_manifold_vertex);
+  EXPECT_REFUSED(split(tie, {tie.spoke(1, 0), {}, Where::Spokes::left_only}), "split", non_manifold_vertex);
   StripMesh two = build({{0, 1, 2}, {1, 0, 2}}, 3);
   EXPECT_REFUSED(split(two, {two.spoke(0, 1), two.spoke(0, 2)}), "split", too_few_triangles);
 }
@@ -91,7 +91,7 @@ TEST(PreconditionDeathTest, EveryRefusalOfACollapse) {
   StripMesh one = build({{0, 1, 2}}, 3);
   EXPECT_REFUSED(collapse(one, one.spoke(0)), "collapse", dangling_edge);
   StripMesh tie = bow_tie();
-  EXPECT_REFUSED(collapse(tie, tie.spoke(0)), "collapse", irregular_vertex);
+  EXPECT_REFUSED(collapse(tie, tie.spoke(0)), "collapse", non_manifold_vertex);
   StripMesh hole = ring();
   EXPECT_REFUSED(collapse(hole, hole.spoke(0, 1)), "collapse", link_condition);
 }
@@ -102,7 +102,7 @@ TEST(PreconditionDeathTest, EveryRefusalOfAFlip) {
   StripMesh pair = two_triangles();
   EXPECT_REFUSED(flip(pair, pair.spoke(0, 1)), "flip", boundary_edge);
   StripMesh fins = build({{0, 1, 2}, {0, 2, 3}, {0, 4, 5}}, 6);
-  EXPECT_REFUSED(flip(fins, fins.spoke(2, 0)), "flip", irregular_vertex);
+  EXPECT_REFUSED(flip(fins, fins.spoke(2, 0)), "flip", non_manifold_vertex);
   // Valence three at 3: after the flip it would be two.
   StripMesh cone = build({{0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, 4);
   EXPECT_REFUSED(flip(cone, cone.spoke(3, 0)), "flip", edge_exists);
@@ -146,7 +146,7 @@ TEST(PreconditionDeathTest, EveryLookAtAMesh) {
   StripMesh mesh = two_triangles();
   EXPECT_FAILED((void)mesh.spoke(4), "StripMesh::spoke: the vertex is not one of this mesh");
   EXPECT_FAILED((void)mesh.spoke(none, 0), "StripMesh::spoke: the vertex is not one of this mesh");
-  EXPECT_FAILED((void)mesh.irregular(4), "StripMesh::irregular: the vertex is not one of this mesh");
+  EXPECT_FAILED((void)mesh.non_manifold(4), "StripMesh::non_manifold: the vertex is not one of this mesh");
   EXPECT_FAILED((void)mesh.corners(2), "StripMesh::corners: the triangle is not one of this mesh");
   EXPECT_FAILED((void)mesh.solid_degree(2), "StripMesh::solid_degree: the triangle is not one of this mesh");
   EXPECT_FAILED((void)mesh.solid_sides(2), "StripMesh::solid_sides: the triangle is not one of this mesh");

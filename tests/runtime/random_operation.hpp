@@ -45,7 +45,7 @@ inline bool random_operation(StripKeeper& keeper, std::mt19937& random, bool gro
     if (mesh.leaves_boundary(h) && random() % 2 == 0)
       where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
     if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return false;
-    // Nobody may look at the spoke that does not count.
+    // The spoke that does not count must not be looked at.
     if (where.spokes == Spokes::left_only) where.right = {};
     if (where.spokes == Spokes::right_only) where.left = {};
     if (check_split(mesh, where) != Refusal::granted) return false;

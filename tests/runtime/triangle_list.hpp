@@ -65,7 +65,7 @@ inline std::optional<Link> link_of(const List& list, Name v) {
 // What an operation must leave as it is.
 struct Shape {
   std::set<Name> vertices;
-  std::set<Name> irregular;  // vertices whose triangles are not one fan
+  std::set<Name> non_manifold;  // vertices whose triangles are not one fan
   long euler = 0;
   std::size_t components = 0;
   std::size_t boundaries = 0;  // connected parts of the edges of one triangle
@@ -111,7 +111,7 @@ inline Shape shape_of(const List& list) {
   shape.euler =
       static_cast<long>(shape.vertices.size()) - static_cast<long>(edges.size()) + static_cast<long>(list.size());
   for (const Name v : shape.vertices)
-    if (!link_of(list, v)) shape.irregular.insert(v);
+    if (!link_of(list, v)) shape.non_manifold.insert(v);
   return shape;
 }
 
@@ -123,7 +123,7 @@ inline bool as_good(const Shape& before, const List& list, const std::vector<Nam
   std::set<Name> vertices = before.vertices;
   if (gone) vertices.erase(*gone);
   if (made && !vertices.insert(*made).second) return false;
-  if (after.degenerate || after.vertices != vertices || after.irregular != before.irregular) return false;
+  if (after.degenerate || after.vertices != vertices || after.non_manifold != before.non_manifold) return false;
   if (after.euler != before.euler || after.components != before.components || after.boundaries != before.boundaries)
     return false;
   for (const Name v : named) {
@@ -134,7 +134,7 @@ inline bool as_good(const Shape& before, const List& list, const std::vector<Nam
 }
 
 inline bool all_regular(const Shape& shape, const std::vector<Name>& named) {
-  return std::none_of(named.begin(), named.end(), [&](Name v) { return shape.irregular.contains(v); });
+  return std::none_of(named.begin(), named.end(), [&](Name v) { return shape.non_manifold.contains(v); });
 }
 
 // The third corner of the triangle that has the directed edge a -> b, if exactly one has.

@@ -37,7 +37,7 @@ TEST(Paper, IsolatesInHalfOfTheSplitsAndWeInNone) {
     EXPECT_EQ(run.levels.back().triangles, mesh.triangles) << run.name;
     if (run.of_paper) continue;
     EXPECT_LT(run.levels.back().strips, runs.at("paper").levels.back().strips) << run.name;
-    // Baking counts strips alone, so it may leave a lonely triangle now and then; the others promise not to.
+    // Baking counts strips alone, so it may isolate a triangle now and then; the others promise not to.
     if (run.name == "baked") {
       EXPECT_LT(run.isolating_percent(), 1);
       continue;

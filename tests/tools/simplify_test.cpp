@@ -80,7 +80,7 @@ TEST(Simplify, LeavesFaultsAlone) {
   std::swap(soup.triangles[200][0], soup.triangles[200][1]);  // turned over
   const Simplification result = simplify(soup, {0.02, BoundaryPolicy::move});
   EXPECT_EQ(result.left_out.degenerate_triangles, 1U);
-  EXPECT_GT(result.left_out.irregular_vertices, 0U);
+  EXPECT_GT(result.left_out.non_manifold_vertices, 0U);
   expect_leads_back(result.mesh, soup);
 }
 

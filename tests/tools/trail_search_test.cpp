@@ -67,7 +67,7 @@ TEST(TrailSearch, KeepsToItsBudget) {
   StripIndex index(mesh);
   TrailSearch search;
   ASSERT_EQ(index.strips(), 1U);
-  EXPECT_FALSE(search.join(mesh, index, ends_of(mesh), 10'000));  // one strip has nobody to join
+  EXPECT_FALSE(search.join(mesh, index, ends_of(mesh), 10'000));  // one strip has none to join
   EXPECT_LE(search.states(), 10'000U + 3 * TrailSearch::longest);
 }
 

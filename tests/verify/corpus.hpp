@@ -10,7 +10,7 @@
 //   - LINE                    the line is taken out; it must be there (the last line's sums may be left away)
 //   + LINE                    the line is put in, where the last line was taken out or put in
 //   cut N                     the last N bytes go
-//   create PATH               a file that nobody listed
+//   create PATH               a file that is not listed
 //   delete                    the file goes
 //   keep-sums                 do not bring the sums in last lines up to date afterwards
 //   keep-manifest             do not bring the MANIFEST up to date afterwards

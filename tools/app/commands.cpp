@@ -71,7 +71,7 @@ Source source_of(const std::filesystem::path& file, const SimplifyOptions& optio
   source.mesh = read_pm(file);
   BuildReport report;
   const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
-  source.subject.left_out = {report.degenerate_triangles, report.irregular_vertices, 0, 0};
+  source.subject.left_out = {report.degenerate_triangles, report.non_manifold_vertices, 0, 0};
   return source;
 }
 

@@ -139,7 +139,7 @@ class Baker {
       flips_.insert(flips_.end(), changed_.begin(), changed_.end());
       return;
     }
-    // Searches that found nothing have wandered; nobody should have to play that.
+    // Searches that found nothing have wandered, and those flips need not be played.
     const auto missing =
         std::partition(changed_.begin(), changed_.end(), [this](Halfedge h) { return mesh_.solid(h); });
     std::for_each(changed_.begin(), missing, [this](Halfedge h) { index_.cut(mesh_, h); });

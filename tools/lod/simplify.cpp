@@ -84,7 +84,7 @@ class RecordedMesh : public KernelMesh {
     if (large(tail) || large(head)) return false;
     const Vertex v_t = vertex_[index(tail)];
     const Vertex v_s = vertex_[index(head)];
-    if (frozen_[v_s] != 0 || frozen_[v_t] != 0 || strips_.irregular(v_s) || strips_.irregular(v_t)) return false;
+    if (frozen_[v_s] != 0 || frozen_[v_t] != 0 || strips_.non_manifold(v_s) || strips_.non_manifold(v_t)) return false;
     const StripMesh::Halfedge chord = chord_of(h);
     const auto shared = [this](Vertex head_vertex, Vertex tail_vertex, Vertex v_l, Vertex v_r) {
       return share_neighbor(head_vertex, tail_vertex, v_l, v_r);
@@ -154,7 +154,8 @@ class RecordedMesh : public KernelMesh {
   }
   [[nodiscard]] std::size_t frozen_vertices() const {
     std::size_t n = 0;
-    for (Vertex v = 0; v < frozen_.size(); ++v) n += static_cast<std::size_t>(frozen_[v] != 0 && !strips_.irregular(v));
+    for (Vertex v = 0; v < frozen_.size(); ++v)
+      n += static_cast<std::size_t>(frozen_[v] != 0 && !strips_.non_manifold(v));
     return n;
   }
 
@@ -321,7 +322,8 @@ std::string why_no_coarser(const LeftOut& left_out) {
 Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
   RecordedMesh mesh(soup, options.boundary);
   Simplification result;
-  result.left_out = {mesh.report().degenerate_triangles, mesh.report().irregular_vertices, mesh.frozen_vertices(), 0};
+  result.left_out = {mesh.report().degenerate_triangles, mesh.report().non_manifold_vertices, mesh.frozen_vertices(),
+                     0};
   const std::size_t triangles = mesh.strips().triangle_count();
   result.wanted_triangles = static_cast<std::size_t>(std::ceil(options.base * static_cast<double>(triangles)));
 

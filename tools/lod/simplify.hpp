@@ -27,10 +27,10 @@ inline constexpr std::size_t most_neighbors = 1024;
 
 /// What no operation touches.
 struct LeftOut {
-  std::size_t degenerate_triangles = 0;  ///< they are in no mesh at all
-  std::size_t irregular_vertices = 0;    ///< where the soup is no manifold
-  std::size_t frozen_vertices = 0;       ///< regular, but beside a triangle that OpenMesh cannot hold
-  std::size_t large_vertices = 0;        ///< of the base: those with more than most_neighbors neighbours
+  std::size_t degenerate_triangles = 0;   ///< they are in no mesh at all
+  std::size_t non_manifold_vertices = 0;  ///< where the soup is no manifold
+  std::size_t frozen_vertices = 0;        ///< regular, but beside a triangle that OpenMesh cannot hold
+  std::size_t large_vertices = 0;         ///< of the base: those with more than most_neighbors neighbours
 };
 
 /// Why the base has more triangles than were wanted, for a reader.

@@ -77,7 +77,7 @@ class Paper {
   Mending between() {
     if (!index_) return {};
     // Some have found a strip meanwhile, some were noted twice, some are no more.
-    const auto too_many = [&](std::size_t lonely) { return 10 * lonely > index_->strips(); };
+    const auto too_many = [&](std::size_t isolated) { return 10 * isolated > index_->strips(); };
     if (!too_many(alone_.size())) return {};
     std::sort(alone_.begin(), alone_.end());
     alone_.erase(std::unique(alone_.begin(), alone_.end()), alone_.end());
@@ -148,9 +148,9 @@ Halfedge split_as_the_paper(StripMesh& mesh, const Where& where, Vertex v_t, boo
 }
 
 std::vector<Way> paper_ways() {
-  return {way("paper", "4-vertex rules; elsewhere colours are inherited, two lonely triangles join", true, false),
+  return {way("paper", "4-vertex rules; elsewhere colours are inherited, two isolated triangles join", true, false),
           way("paper-alone", "the same, but the two new triangles never join", false, false),
-          way("paper-tunnel", "as paper, with short tunnels while over a tenth of the strips are lonely triangles",
+          way("paper-tunnel", "as paper, with short tunnels while over a tenth of the strips are isolated triangles",
               true, true),
           way("paper-alone-tunnel", "as paper-alone, with the same tunnels", false, true)};
 }

@@ -56,9 +56,9 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   const LeftOut& left = subject.left_out;
   if (left.degenerate_triangles != 0)
     fmt::format_to(out, "  left out: {} degenerate triangles\n", left.degenerate_triangles);
-  if (left.irregular_vertices + left.frozen_vertices != 0)
+  if (left.non_manifold_vertices + left.frozen_vertices != 0)
     fmt::format_to(out, "  left alone: {} vertices where the mesh is no manifold, {} beside them\n",
-                   left.irregular_vertices, left.frozen_vertices);
+                   left.non_manifold_vertices, left.frozen_vertices);
 
   fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17}   {}\n", "triangles", "strips", "per strip", "isolated",
                  "indices per tri.", "on the way back: strips, per strip");
@@ -181,7 +181,7 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"buffer_bytes_written_per_operation", report.bytes_written_per_operation},
       {"left_out",
        {{"degenerate_triangles", subject.left_out.degenerate_triangles},
-        {"irregular_vertices", subject.left_out.irregular_vertices},
+        {"non_manifold_vertices", subject.left_out.non_manifold_vertices},
         {"frozen_vertices", subject.left_out.frozen_vertices},
         {"large_vertices", subject.left_out.large_vertices}}},
       {"valid", report.valid() && (!walk || walk->report.fault.empty())},

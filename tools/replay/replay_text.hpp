@@ -23,7 +23,7 @@
 //  - buffer_bytes_written_per_operation: what a split rewrites of it
 //  - walk: {steps, seed, splits, collapses, flips, refused, isolating, flips_isolating, triangles, strips, isolated,
 //    fault, fault_step, trace}; when there was one
-//  - left_out: {degenerate_triangles, irregular_vertices, frozen_vertices, large_vertices}, what no operation
+//  - left_out: {degenerate_triangles, non_manifold_vertices, frozen_vertices, large_vertices}, what no operation
 //    touches
 //  - valid, faults: every check held; what did not
 #pragma once

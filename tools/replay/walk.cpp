@@ -85,7 +85,7 @@ class Walker {
 
   std::string try_split(Halfedge h, Random& random) {
     const Vertex v = mesh_.from(h);
-    if (mesh_.irregular(v)) return refuse();
+    if (mesh_.non_manifold(v)) return refuse();
     std::vector<Halfedge>& spokes = spokes_;
     spokes.clear();
     for_each_spoke(mesh_, v, [&](Halfedge spoke) { spokes.push_back(spoke); });

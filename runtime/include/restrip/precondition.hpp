@@ -1,6 +1,6 @@
-// What happens when a caller breaks a precondition, and when an input turns out to be one that restrip cannot take.
+// What happens when a caller breaks a precondition, and when an input turns out to be unusable.
 //
-// Every public function checks what it asks of its caller through one macro:
+// Every public function checks its preconditions through one macro:
 //
 //   RESTRIP_ASSERT(condition, function, sentence)
 //
@@ -9,22 +9,22 @@
 // false condition prints "restrip: function: sentence" with the source line and aborts. With NDEBUG nothing is
 // evaluated, and the functions stay what they are without it: constexpr, noexcept, and as fast.
 //
-// To handle failures yourself, define the macro before the first header of restrip, alike in all sources of a program.
-// Your macro is used with NDEBUG as well. A handler that returns lets the function go on with what it was given; one
-// that throws must not be used with functions that are noexcept.
+// To handle failures yourself, define the macro before the first header of restrip, identically in all sources of a
+// program. Your macro is used with NDEBUG as well. If a handler returns, the function goes on with what it was given; a
+// handler that throws must not be used with functions that are noexcept.
 //
-// A check costs O(valence) at most, so that debug builds stay usable. For operations of unknown origin do not rely on
-// it: checks.hpp asks the same questions and answers with a value, in every build.
+// A check costs O(valence) at most, so that debug builds stay usable. Do not rely on it for operations from an
+// untrusted source: checks.hpp asks the same questions and answers with a value, in every build.
 //
 // Some inputs are found to be wrong only while they are read: a colouring that is not valid, more triangles than a
 // StripMesh can hold. That is an error in every build, and goes through a second macro:
 //
 //   RESTRIP_THROW(exception, sentence)
 //
-// It throws exception(sentence), a class of <stdexcept>. Where a program is compiled without exceptions
-// (-fno-exceptions), it prints the sentence and aborts. This is what the comments of the headers mean by "throws"; what
-// becomes of std::bad_alloc without exceptions is up to the standard library. You may define this macro too; what you
-// put in its place must not return.
+// It throws exception(sentence), a class of <stdexcept>. In a program compiled without exceptions (-fno-exceptions) it
+// prints the sentence and aborts. This is what the comments of the headers mean by "throws"; what happens instead of
+// std::bad_alloc is then up to the standard library. You may define this macro too, but your definition must not
+// return.
 #pragma once
 
 #include <cstdio>

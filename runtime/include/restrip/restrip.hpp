@@ -1,12 +1,12 @@
 // restrip: triangle strips kept while the mesh changes, by local repairs proven optimal. Header-only, C++20, standard
 // library only.
 //
-// Start with operations/operations.hpp (split, collapse, flip), mesh/mesh.hpp (what your mesh has to offer) and
-// mesh/strip_mesh.hpp (a mesh of ours). The folders are floors: each includes only those named before it here, and the
-// two of a line do not know each other.
+// Start with operations/operations.hpp (split, collapse, flip), mesh/mesh.hpp (what your mesh must offer) and
+// mesh/strip_mesh.hpp (the mesh that comes with restrip). The folders are floors: each includes only those named before
+// it here, and the two of a line do not know each other.
 //
 //   rules/                   look a rule up: constexpr, knows no mesh
-//   mesh/                    what a mesh has to offer, a mesh of ours, checks of preconditions, walks
+//   mesh/                    what a mesh must offer, StripMesh, checks of preconditions, walks
 //   operations/, output/     operations with strips kept; strips and index buffers out
 //   search/                  what looks further than a patch: strips from scratch, keepers with a policy
 //

@@ -1,15 +1,15 @@
 // Preconditions of split, collapse and flip on a StripMesh: is this operation legal, and if not, why?
 //
 // A check changes nothing. An operation is granted exactly when all of this holds:
-//  - its halfedges are those of the mesh, and the vertices v_h, v_s, v_t, v_l, v_r that it names are regular
-//    (StripMesh::irregular), but for the new one, which has no triangle yet;
+//  - its halfedges are those of the mesh, and the vertices v_h, v_s, v_t, v_l, v_r that it names are manifold
+//    (StripMesh::non_manifold), except the new one, which has no triangle yet;
 //  - closed fans that are split have three triangles or more;
-//  - the mesh after it is as good as the one before: no edge of three triangles, no new irregular vertex, three
-//    triangles or more at every interior vertex of the operation, no vertex lost but the one that a collapse removes,
-//    the same topology.
+//  - the mesh stays as good as it was: no edge of three triangles, no new non-manifold vertex, three triangles or more
+//    at every interior vertex of the operation, no vertex lost except the one that a collapse removes, the same
+//    topology.
 //
 // In debug builds (precondition.hpp) operations call these and abort on a refusal; with NDEBUG they check nothing. For
-// operations of unknown origin call these first, or checked_split() and friends (checked.hpp).
+// operations from an untrusted source call these first, or checked_split() and its siblings (checked.hpp).
 #pragma once
 
 #include <algorithm>
@@ -37,14 +37,14 @@ inline std::size_t spokes_up_to(const StripMesh& mesh, Vertex v, std::size_t mos
   return most;
 }
 
-/// Triangles around the vertex that h leaves stay at least three when `fewer` of them go, or the vertex is on the
-/// boundary. Constant time.
+/// Are there still at least three triangles around the vertex that h leaves when `fewer` of them are removed, or is the
+/// vertex on the boundary? Constant time.
 inline bool keeps_enough(const StripMesh& mesh, StripMesh::Halfedge h, std::size_t fewer) {
   return mesh.leaves_boundary(h) || spokes_up_to(mesh, mesh.from(h), 3 + fewer) == 3 + fewer;
 }
 
 /// Is a vertex other than v_l and v_r a neighbour of both v_s and v_t? O(sum of their valences), times the logarithm of
-/// the smaller one where both exceed `few`; only then it allocates.
+/// the smaller one where both exceed `few`; it allocates only then.
 inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex v_l, Vertex v_r) {
   constexpr std::size_t few = 32;
   const auto other = [=](Vertex w) { return w != v_s && w != v_t && w != v_l && w != v_r; };
@@ -81,9 +81,9 @@ inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex
     if (mesh.from(where.left) != mesh.from(where.right)) return Refusal::different_vertices;
     if (where.left == where.right) return Refusal::same_spoke;
   }
-  if (mesh.irregular(mesh.from(first)) || (has_left && mesh.irregular(mesh.to(where.left))) ||
-      (has_right && mesh.irregular(mesh.to(where.right))))
-    return Refusal::irregular_vertex;
+  if (mesh.non_manifold(mesh.from(first)) || (has_left && mesh.non_manifold(mesh.to(where.left))) ||
+      (has_right && mesh.non_manifold(mesh.to(where.right))))
+    return Refusal::non_manifold_vertex;
   if (!(has_left && has_right) && !mesh.leaves_boundary(first)) return Refusal::spoke_on_boundary;
   if (!detail::keeps_enough(mesh, first, 0)) return Refusal::too_few_triangles;
   // `none` is above every bound.
@@ -101,7 +101,7 @@ template <class Shared>
   const StripMesh::Halfedge back = mesh.opposite(chord);
   const Vertex v_s = mesh.from(chord);
   const Vertex v_t = mesh.to(chord);
-  if (mesh.irregular(v_s) || mesh.irregular(v_t)) return Refusal::irregular_vertex;
+  if (mesh.non_manifold(v_s) || mesh.non_manifold(v_t)) return Refusal::non_manifold_vertex;
   const bool left = !StripMesh::on_boundary(chord);
   const bool right = !StripMesh::on_boundary(back);
   const bool tail_on_boundary = mesh.leaves_boundary(chord);
@@ -117,7 +117,7 @@ template <class Shared>
     *apex = mesh.from(down);
     if (StripMesh::on_boundary(mesh.opposite(up)) && StripMesh::on_boundary(mesh.opposite(down)))
       return Refusal::dangling_edge;
-    if (mesh.irregular(*apex)) return Refusal::irregular_vertex;
+    if (mesh.non_manifold(*apex)) return Refusal::non_manifold_vertex;
     if (!keeps_enough(mesh, down, 1)) return Refusal::too_few_triangles;
   }
   // Of a fan of three triangles or more, because in the one other case, a tetrahedron, the apexes have too few.
@@ -143,7 +143,7 @@ template <class Shared>
   const Vertex l = mesh.to(StripMesh::next(h));
   const Vertex r = mesh.to(StripMesh::next(back));
   for (const Vertex v : {mesh.from(h), mesh.to(h), l, r})
-    if (mesh.irregular(v)) return Refusal::irregular_vertex;
+    if (mesh.non_manifold(v)) return Refusal::non_manifold_vertex;
   // The ends of the edge keep enough triangles: where one has three, l and r are neighbours; where it has two, l is r.
   return l == r || mesh.spoke(l, r).id != none ? Refusal::edge_exists : Refusal::granted;
 }

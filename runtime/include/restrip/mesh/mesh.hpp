@@ -1,18 +1,18 @@
 // What restrip asks of a mesh: five small functions to walk it and colour its dual edges, one more for each operation.
 //
-// You need not use our mesh. Write an adapter with the members below around your own structure
+// You need not use StripMesh. Write an adapter with the members below around your own structure
 // (adapters/openmesh.hpp and adapters/cgal.hpp are two, StripMesh models the concepts directly) and hand it to split(),
 // collapse() and flip().
 //
-// Exceptions. Any function of a mesh may throw, and the exception comes out of the operation that called it. If the
-// mesh keeps two promises, then after an exception its colouring is valid, perhaps not optimal: some dual edges may be
+// Exceptions. Any function of a mesh may throw, and the exception leaves the operation that called it. If the mesh
+// keeps two promises, its colouring is valid after an exception, though perhaps not optimal: some dual edges may be
 // dashed that could be solid, and the next operations go on from there.
 //  - insert_vertex, remove_vertex and turn_edge do their work, or throw and leave the mesh and its colours as they
 //    were; set_solid changes one dual edge, for both its halfedges, or none.
-//  - insert_vertex leaves the dual edges of the new triangles dashed, and remove_vertex those that fall together.
-// What the Rewrite would have told is lost: after an exception count the strips anew.
-// restrip keeps its part by reading everything it needs, then making dashed what becomes dashed, then changing the
-// mesh, then making solid what becomes solid: on the way every colouring is the old or the new one with fewer solid
+//  - insert_vertex leaves the dual edges of the new triangles dashed, and remove_vertex those of merged edges.
+// The Rewrite is lost, so count the strips anew after an exception.
+// restrip keeps its part as follows: it first reads everything it needs, then dashes edges, then changes the mesh, then
+// makes edges solid. So at every moment the colouring is the old or the new one, perhaps with fewer solid
 // edges.
 #pragma once
 
@@ -24,8 +24,8 @@ namespace restrip {
 ///
 /// A *halfedge* is a directed mesh edge; its triangle lies to its left. On the boundary a halfedge has no triangle.
 /// The *colour of a halfedge* is the colour of the dual edge that crosses its mesh edge: a halfedge and its opposite
-/// always answer the same, and a boundary edge answers false (dashed). A mesh that can tell in constant time whether
-/// the vertex of a halfedge lies on the boundary may offer `bool leaves_boundary(h)`; otherwise restrip turns around
+/// always answer the same, and a boundary edge answers false (dashed). A mesh that knows in constant time whether the
+/// vertex that a halfedge leaves is on the boundary may offer `bool leaves_boundary(h)`; otherwise restrip turns around
 /// the vertex. A mesh that can tell whether a handle is one of its own, for any handle, may offer `bool alive(h)`;
 /// debug builds ask it before each operation.
 template <class Mesh>
@@ -66,8 +66,8 @@ struct VertexSplit {
 };
 
 /// A mesh that can split a vertex: insert the triangles described at VertexSplit and return the halfedge v_s -> v_t
-/// (the chord). Other halfedges around the vertex, but for those of the two spokes, stay valid handles of the same mesh
-/// edges, and all dual edges but those of the new triangles keep their colours; those are dashed.
+/// (the chord). Other halfedges around the vertex, except those of the two spokes, stay valid handles of the same mesh
+/// edges. The dual edges of the new triangles are dashed; all others keep their colours.
 template <class Mesh>
 concept SplittableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where) {
   { mesh.insert_vertex(where) } -> std::same_as<typename Mesh::Halfedge>;
@@ -75,9 +75,9 @@ concept SplittableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<t
 
 /// A mesh that can collapse the mesh edge of the halfedge v_s -> v_t: remove v_t and the triangles beside the edge, and
 /// return a halfedge that leaves v_s: the one to v_l, the apex of the triangle to the left, or where there is none the
-/// one to v_r. Other halfedges around the two vertices, but for those of the removed triangles and of the edges that
-/// fall together, stay valid handles of the same mesh edges, and all dual edges but those that fall together keep their
-/// colours; those are dashed.
+/// one to v_r. Other halfedges around the two vertices, except those of the removed triangles and of the edges that
+/// are merged, stay valid handles of the same mesh edges. The dual edges of merged edges are dashed; all others keep
+/// their colours.
 template <class Mesh>
 concept CollapsibleMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, typename Mesh::Halfedge chord) {
   { mesh.remove_vertex(chord) } -> std::same_as<typename Mesh::Halfedge>;
@@ -111,7 +111,7 @@ struct FanStep {
   Halfedge spoke{};
 };
 
-/// Needs a triangle to the left of h. A mesh may offer `FanStep<Halfedge> fan_step(h)` where it can do this in one go.
+/// Needs a triangle to the left of h. A mesh may offer `FanStep<Halfedge> fan_step(h)` if it can do this in one step.
 template <ColoredMesh Mesh>
 [[nodiscard]] constexpr FanStep<typename Mesh::Halfedge> fan_step(const Mesh& mesh, typename Mesh::Halfedge h) {
   if constexpr (requires { mesh.fan_step(h); }) return mesh.fan_step(h);

@@ -6,19 +6,19 @@ namespace restrip {
 
 /// Why an operation is refused.
 enum class Refusal {
-  granted,             ///< it may be done
-  no_such_edge,        ///< the halfedge is not one of the mesh
-  different_vertices,  ///< the two spokes of a split do not leave the same vertex
-  same_spoke,          ///< the two spokes of a split are the same
-  irregular_vertex,    ///< a vertex of the operation is one where the mesh is no manifold
-                       ///< (BuildReport::irregular_vertices)
-  boundary_edge,       ///< a flip needs a triangle on both sides
-  spoke_on_boundary,   ///< a one-sided split needs a boundary vertex
+  granted,              ///< it may be done
+  no_such_edge,         ///< the halfedge is not one of the mesh
+  different_vertices,   ///< the two spokes of a split do not leave the same vertex
+  same_spoke,           ///< the two spokes of a split are the same
+  non_manifold_vertex,  ///< a vertex of the operation is one where the mesh is no manifold
+                        ///< (BuildReport::non_manifold_vertices)
+  boundary_edge,        ///< a flip needs a triangle on both sides
+  spoke_on_boundary,    ///< a one-sided split needs a boundary vertex
   joins_boundaries,  ///< the edge is interior, but both its ends are on the boundary: the collapse would pinch the mesh
   link_condition,    ///< the ends of the edge have a common neighbour besides the apexes: the collapse would fold the
                      ///< mesh
   too_few_triangles,  ///< a closed fan of fewer than three triangles would remain
-  dangling_edge,      ///< a triangle to be removed hangs on the others by the collapsed edge alone
+  dangling_edge,      ///< a triangle to be removed has no other neighbour than across the collapsed edge
   edge_exists,        ///< the flipped edge is in the mesh already
   vertex_in_use       ///< the vertex named for a split has triangles already
 };
@@ -34,7 +34,7 @@ enum class Refusal {
       return "the two spokes do not leave the same vertex";
     case Refusal::same_spoke:
       return "the two spokes are the same";
-    case Refusal::irregular_vertex:
+    case Refusal::non_manifold_vertex:
       return "the mesh is not a manifold at one of the vertices";
     case Refusal::boundary_edge:
       return "the edge lies on the boundary";

@@ -42,13 +42,14 @@ struct BuildReport {
   std::size_t boundary_edges = 0;          ///< edges of one triangle
   std::size_t non_manifold_edges = 0;      ///< edges of three triangles or more: no strip crosses them
   std::size_t inconsistent_edges = 0;  ///< edges of two triangles that disagree in orientation: no strip crosses them
-  std::size_t irregular_vertices = 0;  ///< vertices of several fans or on one of the edges above: never operated on
+  std::size_t non_manifold_vertices =
+      0;  ///< vertices of several fans, or on one of the edges above: operations refuse them
 };
 
 /// An indexed triangle mesh with colored dual edges. Models SplittableMesh, CollapsibleMesh and FlippableMesh.
 ///
-/// Triangle handles are stable until the triangle is removed; a removed handle is used again by the next insertion
-/// (last out, first in), so that going down and up again gives the same handles. At most `max_triangles` triangles.
+/// Triangle handles are stable until the triangle is removed. The handle removed last is used by the next insertion,
+/// so that coarsening and refining again gives the same handles. At most `max_triangles` triangles.
 ///
 /// Preconditions. Handles given to a function must be those of the mesh as it is now, unless the function says
 /// otherwise; debug builds check that (precondition.hpp).
@@ -179,12 +180,12 @@ class StripMesh {
 
   // ---- what has changed
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
-  /// appended to *changed, some of them more than once. Null: no longer. Not for batches. What changes the mesh or a
-  /// colour makes room in *changed first; std::bad_alloc means that nothing has changed.
+  /// appended to *changed, some of them more than once. Null ends this. Batches do not report. Room in *changed is made
+  /// before anything changes; after std::bad_alloc nothing has changed.
   ///
-  /// A copy of the mesh is not watched. Moving the mesh takes its watch along: the new mesh is watched, the one moved
-  /// from no longer. A mesh that is assigned to keeps its own watch, unless a watched mesh is moved into it. The
-  /// assignment itself is not reported: all triangles may have changed.
+  /// A copy of the mesh is not watched. Moving the mesh moves its watch: the new mesh is watched, the one moved from is
+  /// no longer. A mesh that is assigned to keeps its own watch, unless a watched mesh is moved into it. The assignment
+  /// itself is not reported, although all triangles may have changed.
   void watch(std::vector<Triangle>* changed) noexcept { watch_.changed = changed; }
 
   // ---- extent
@@ -205,10 +206,10 @@ class StripMesh {
     RESTRIP_ASSERT(t < triangles_.size(), "StripMesh::corners", no_such_triangle);
     return triangles_[t].corner;
   }
-  /// True for vertices that no operation may touch (see BuildReport::irregular_vertices).
-  [[nodiscard]] bool irregular(Vertex v) const noexcept {
-    RESTRIP_ASSERT(v < irregular_.size(), "StripMesh::irregular", no_such_vertex);
-    return irregular_[v] != 0;
+  /// True for vertices that no operation may touch (see BuildReport::non_manifold_vertices).
+  [[nodiscard]] bool non_manifold(Vertex v) const noexcept {
+    RESTRIP_ASSERT(v < non_manifold_.size(), "StripMesh::non_manifold", no_such_vertex);
+    return non_manifold_[v] != 0;
   }
   /// Room for this many triangles and vertices, so that insertions up to there do not allocate.
   void reserve(std::size_t triangles, std::size_t vertices);
@@ -296,12 +297,12 @@ class StripMesh {
   Halfedge unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right, Room& freed) noexcept;
   void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
   Vertex new_vertex(Vertex wanted);
-  void find_irregular_vertices(BuildReport& report);
+  void find_non_manifold_vertices(BuildReport& report);
 
   std::vector<Record> triangles_;
   std::vector<Triangle> free_;
   std::vector<std::uint32_t> spoke_;
-  std::vector<std::uint8_t> irregular_;
+  std::vector<std::uint8_t> non_manifold_;
   std::vector<Vertex> free_vertices_;
   Watch watch_;
 };

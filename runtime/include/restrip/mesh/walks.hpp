@@ -10,7 +10,7 @@
 
 namespace restrip {
 
-/// Calls visit(spoke) for every halfedge that leaves the vertex of a regular fan, boundary spokes included.
+/// Calls visit(spoke) for every halfedge that leaves a manifold vertex, boundary spokes included.
 template <class Visit>
 void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit) {
   const StripMesh::Halfedge first = mesh.spoke(v);
@@ -46,7 +46,7 @@ void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit) {
   return components;
 }
 
-/// The number of halfedges that leave the vertex of a regular fan. Linear in it.
+/// The number of halfedges that leave a manifold vertex. Linear in it.
 [[nodiscard]] inline std::size_t spoke_count(const StripMesh& mesh, Vertex v) {
   std::size_t n = 0;
   for_each_spoke(mesh, v, [&n](StripMesh::Halfedge) { ++n; });
@@ -55,7 +55,7 @@ void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit) {
 
 namespace detail {
 
-/// Adds the triangles of the vertex that h leaves, but `skip` and `skip_too`.
+/// Adds the triangles of the vertex that h leaves, except `skip` and `skip_too`.
 inline void add_fan(const StripMesh& mesh, StripMesh::Halfedge h, std::vector<Triangle>& patch, Triangle skip = none,
                     Triangle skip_too = none) {
   const auto add = [&](StripMesh::Halfedge g) {

@@ -1,13 +1,13 @@
-// Adoption: a triangle that an operation left alone is taken into the strip of a neighbour that can spare an end.
+// Adoption: a triangle that an operation left isolated is taken into the strip of a neighbour that can spare an end.
 //
 // Splits and collapses inside the mesh never add an isolated triangle (proved for fans of up to eight triangles, tested
-// for larger ones). On its boundary, and in flips, even the optimal rule sometimes must, as long as it leaves its ports
-// alone (docs/notation.md, "Cost"). Looking one triangle further helps: the isolated triangle x takes the edge to a
-// neighbour t, and t gives up one of its two solid edges, to a triangle that has another one. The number of strips
+// for larger ones). On its boundary, and in flips, even the optimal rule sometimes must, because it reads and writes
+// only its patch (docs/notation.md, "Cost"). Looking one triangle further helps: the isolated triangle x takes the edge
+// to a neighbour t, and t gives up one of its two solid edges, to a triangle that has another one. The number of strips
 // stays the same, no other triangle becomes isolated, and no cycle can close, because x had no solid edge.
 //
 // Call after an operation whose Rewrite says `isolated > 0`, or after any flip. Adoption writes colours outside the
-// patch, so operations that adopt do not commute with their neighbours. Constant time a triangle; rare.
+// patch, so operations that adopt do not commute with their neighbours. Constant time a triangle, and rarely needed.
 #pragma once
 
 #include "restrip/mesh/mesh.hpp"
@@ -15,7 +15,7 @@
 
 namespace restrip {
 
-/// What mending after an operation changed.
+/// What a repair after an operation changed.
 struct Mending {
   int strips = 0;    ///< change in the number of strips: 0 or less
   int isolated = 0;  ///< change in the number of isolated triangles: 0 or less
@@ -42,7 +42,7 @@ int solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
 
 namespace detail {
 
-/// adopt() for those who keep more than colours: dual edges are coloured by paint(h, solid).
+/// adopt() for callers that keep more than colours: paint(h, solid) colours dual edges.
 template <class Mesh, class Paint>
 Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint&& paint) {
   if (mesh.on_boundary(h) || solid_degree(mesh, h) != 0) return {};
@@ -52,7 +52,7 @@ Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
       const auto across = mesh.opposite(h);
       if (mesh.on_boundary(across)) continue;
       const int degree = solid_degree(mesh, across);
-      if (degree < 2) {  // the end of a strip, or alone as well
+      if (degree < 2) {  // the end of a strip, or isolated as well
         paint(h, true);
         return {-1, degree == 0 ? -2 : -1};
       }
@@ -75,9 +75,9 @@ Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
 
 }  // namespace detail
 
-/// Adopts the triangle to the left of h if it is isolated and a neighbour can take it. Where each neighbour could only
-/// by isolating another triangle, it does, and that triangle is adopted in turn, `depth` times at most; if that fails
-/// as well, nothing has changed.
+/// Adopts the triangle to the left of h if it is isolated and a neighbour can take it. If every neighbour would have to
+/// isolate another triangle, one of them does, and that triangle is adopted in turn, `depth` times at most. If that
+/// fails as well, nothing has changed.
 template <ColoredMesh Mesh>
 Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "adopt", describe(Refusal::no_such_edge));
@@ -86,7 +86,7 @@ Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
 
 namespace detail {
 
-/// Calls `mend` with a halfedge of each triangle around the vertex that h leaves, and adds up what it says.
+/// Calls `mend` with a halfedge of each triangle around the vertex that h leaves, and adds up its results.
 template <class Mesh, class Mend>
 Mending mend_around(const Mesh& mesh, typename Mesh::Halfedge h, Mend&& mend) {
   Mending sum;
@@ -137,7 +137,7 @@ Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Mending mending) {
 
 }  // namespace detail
 
-/// split(), then adoption where the rule isolated a triangle. The Rewrite tells what both did.
+/// split(), then adoption if the rule isolated a triangle. The Rewrite counts both.
 template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_and_adopt(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                                  Name... name) {
@@ -147,7 +147,7 @@ Rewrite<typename Mesh::Halfedge> split_and_adopt(Mesh& mesh, const VertexSplit<t
   return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
 }
 
-/// collapse(), then adoption where the rule isolated a triangle.
+/// collapse(), then adoption if the rule isolated a triangle.
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_and_adopt(Mesh& mesh, typename Mesh::Halfedge chord) {
   RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_and_adopt",
@@ -156,7 +156,7 @@ Rewrite<typename Mesh::Halfedge> collapse_and_adopt(Mesh& mesh, typename Mesh::H
   return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
 }
 
-/// flip(), then adoption. The Rewrite tells what both did.
+/// flip(), then adoption. The Rewrite counts both.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_adopt(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_adopt",

@@ -1,21 +1,21 @@
 // Baked strips: strips decided offline, played back at the price of a copy.
 //
-// A progressive mesh is fixed long before it is shown, so its strips can be too. `restrip bake` decides the strips of
-// every level with long searches and keeps, for each record, the dual edges whose colour it flips. At run time a split
-// flips exactly those, a collapse flips them back: no rule, no search, no state, and the strips of a level are the same
-// bit for bit however often and from which side it is reached.
+// A progressive mesh is fixed long before it is shown, so its strips can be fixed beforehand too. `restrip bake`
+// decides the strips of every level with long searches and stores, for each record, the dual edges whose colour it
+// flips. At run time a split flips exactly those, and a collapse flips them back: no rule, no search, no state. A level
+// always has the same strips, bit for bit, however often it is reached and from which side.
 //
 //   BakedPlayer player(mesh, records);                 // mesh: the base, coloured as it was baked
 //   player.split(i, where, v_t);                       // record i, as the level grows
 //   player.collapse(i, chord);                         // and as it shrinks
 //
-// What a record flips is counted from the *plain* colouring, which is valid by itself: a split gives both halves of an
-// edge that it cuts the colour of that edge, so an inserted triangle is part of the strip that it lands on; all other
-// new dual edges are dashed. A collapse reads the same colours the other way round.
+// The flips of a record are relative to the *plain* colouring, which is valid by itself: a split gives both halves of
+// an edge that it cuts the colour of that edge, so an inserted triangle is part of the strip on which it lands; all
+// other new dual edges are dashed. For a collapse the same holds in reverse.
 //
-// The flips of a record hold for one mesh in one state: all records before it played, none after it. Records
-// played out of order, and all after the mesh has been changed otherwise, fall back on the rules of operations.hpp;
-// BakedPlayer does so by itself.
+// The flips of a record hold for one mesh in one state: all records before it are played, none after it. For records
+// that are played out of order, and after any other change of the mesh, BakedPlayer falls back on the rules of
+// operations.hpp.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,7 @@ struct BakedRecords {
 
 namespace detail {
 
-/// Records of more flips allocate a bit for each.
+/// Records with more flips allocate a bit for each.
 inline constexpr std::size_t flips_without_allocation = 512;
 
 /// Flips colours, those that become dashed first; returns how many more dual edges are solid.
@@ -74,7 +74,7 @@ int flip_colors(Mesh& mesh, std::span<const typename Mesh::Halfedge> flips) {
   return more;
 }
 
-/// Before a collapse: the two halves of an edge that falls together, on one side of the chord.
+/// Before a collapse: the two halves of an edge that is merged, on one side of the chord.
 template <class Mesh>
 struct FallingEdge {
   bool triangle = false;  ///< the chord has one on this side
@@ -97,12 +97,12 @@ struct FallingEdge {
 }  // namespace detail
 
 /// Splits a vertex, colours the mesh plainly and flips `flips`, halfedges of the mesh after the split. Preconditions:
-/// those of split(), and the mesh in the state that the flips were baked for; of the latter debug builds check only
-/// that each flip is a dual edge of the mesh. `name`: the new vertex, for meshes that let the caller name it. Constant
-/// time but for the mesh operation and the flips; nothing is allocated but what the mesh allocates to grow, and one bit
-/// for each flip of a record with more than 512. After an exception the colouring is valid (mesh.hpp), but not one that
-/// further flips were baked for. Of the result `valence` and `isolated` stay 0: to count them would take longer than
-/// the flips.
+/// those of split(), and the mesh in the state for which the flips were baked; of the latter, debug builds check only
+/// that each flip is a dual edge of the mesh. `name`: the new vertex, for meshes that let the caller name it. The time
+/// is that of the mesh operation and of the flips. Nothing is allocated beyond what the mesh allocates to grow, and one
+/// bit for each flip of a record with more than 512. After an exception the colouring is valid (mesh.hpp), but it is
+/// not the one for which later flips were baked. `valence` and `isolated` of the result are 0, because counting them
+/// would take longer than the flips.
 template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                              std::span<const typename Mesh::Halfedge> flips, Name... name) {
@@ -123,8 +123,8 @@ Rewrite<typename Mesh::Halfedge> split_baked(Mesh& mesh, const VertexSplit<typen
   return {chord, 0, triangles - int{left} - int{right} - detail::flip_colors(mesh, flips), 0};
 }
 
-/// The way back: flips `flips`, collapses the edge of `chord` = v_s -> v_t into v_s, and gives each joined edge the
-/// colour that its halves have then. Preconditions and cost as above.
+/// The inverse: flips `flips`, collapses the edge of `chord` = v_s -> v_t into v_s, and gives each merged edge the
+/// colour that its halves then have. Preconditions and cost as above.
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::Halfedge chord,
                                                 std::span<const typename Mesh::Halfedge> flips) {
@@ -142,11 +142,11 @@ Rewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::Halfe
 
 /// Plays the records of one baked mesh, and knows whether their flips still hold.
 ///
-/// In step, record `level()` may be split and record `level() - 1` collapsed, by their flips. Anything else is out of
-/// order: it is done by the rules (split_and_adopt, collapse_and_adopt), and so is everything after it, because then
-/// neither colours nor names are those that were baked. The colouring stays valid; its strips age as those of the rules
-/// do, and its Rewrite tells everything. To get back into step put the mesh and its colours back to a baked level (the
-/// base, most easily) and call restart().
+/// In step, record `level()` may be split and record `level() - 1` collapsed, by their flips. Any other operation is
+/// out of order. It is done by the rules (split_and_adopt, collapse_and_adopt), and so is every later one, because
+/// colours and names are then no longer those that were baked. The colouring stays valid, its strips get shorter as
+/// they do under the rules, and the Rewrite is complete. To get back into step, restore the mesh and its colours to a
+/// baked level (most easily the base) and call restart().
 template <class Mesh>
 requires SplittableMesh<Mesh> && CollapsibleMesh<Mesh>
 class BakedPlayer {
@@ -193,7 +193,7 @@ class BakedPlayer {
     return collapse_and_adopt(*mesh_, chord);
   }
 
-  /// Call before changing the mesh or its colours by any other way.
+  /// Call before changing the mesh or its colours in any other way.
   void leave_step() noexcept { in_step_ = false; }
   /// The mesh and its colours are again those of this baked level.
   void restart(std::size_t level = 0) noexcept {

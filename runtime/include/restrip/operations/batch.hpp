@@ -1,13 +1,13 @@
 // Batches: many splits or many collapses of a StripMesh at the same time.
 //
 // A rule reads and writes nothing outside its patch, so operations on disjoint patches commute (docs/theory.md, the
-// locality lemma). A batch is a list of such operations. Its result is that of doing them one by one in the order of
-// the list, byte for byte: the same triangle and vertex handles, links, colours and first spokes, whatever the number
-// of threads and whichever operation happens to run first. Only handles depend on an order, so one thread takes them
-// before the parallel part (splits) or gives them back after it (collapses), in the order of the list.
+// locality lemma). A batch is a list of such operations. The result is the same as when they are done one by one in the
+// order of the list, byte for byte: the same triangle and vertex handles, links, colours and first spokes, for any
+// number of threads and whichever operation happens to run first. Only handles depend on an order, so one thread takes
+// them before the parallel part (splits) or gives them back after it (collapses), in the order of the list.
 //
-// Threads are std::jthread, or oneTBB when RESTRIP_USE_TBB is defined (then link TBB::tbb; define it alike in all
-// sources of a program). With one thread, the default, none is started.
+// Threads are std::jthread, or oneTBB when RESTRIP_USE_TBB is defined (then link TBB::tbb, and define it in the same
+// way in all sources of a program). With one thread, the default, none is started.
 #pragma once
 
 #include <cstddef>
@@ -23,24 +23,24 @@
 namespace restrip {
 
 /// One split of a batch. `new_vertex`: a free vertex, or `none` for the next free one. In one batch either all requests
-/// name their new vertex or none does: a vertex that one request picks could be the one that another names.
+/// name their new vertex or none does; otherwise one request could pick the vertex that another names.
 struct SplitRequest {
   VertexSplit<StripMesh::Halfedge> where;
   Vertex new_vertex = none;
 };
 
 struct BatchOptions {
-  /// 1: this thread alone; 0: as many as the machine runs. Batches of a few operations stay in this thread.
+  /// 1: only this thread; 0: as many as the machine runs. Batches of a few operations stay in this thread.
   unsigned threads = 1;
-  /// True: the caller knows that every operation is granted and that no two overlap (PatchClaims); nothing is checked,
-  /// but in debug builds (precondition.hpp).
+  /// True: the caller knows that every operation is granted and that no two overlap (PatchClaims); nothing is checked
+  /// except in debug builds (precondition.hpp).
   bool checked = false;
 };
 
 /// Why a batch was not done.
 enum class BatchFault {
-  done,           ///< nothing stands in the way
-  refused,        ///< a request alone is not possible: BatchReport::refusal says why
+  done,           ///< no fault
+  refused,        ///< a request is not possible by itself: BatchReport::refusal says why
   overlap,        ///< the patches of two requests overlap
   vertex_in_use,  ///< a request names a new vertex that has triangles already
   mixed_names     ///< some requests name their new vertex and some do not
@@ -63,12 +63,12 @@ enum class BatchFault {
   return "unknown";
 }
 
-/// What a batch did; after a fault, what stood in the way of the first request that could not join those before it. A
+/// What a batch did; after a fault, which request was the first that does not fit with those before it, and why. A
 /// batch with a fault has changed nothing.
 struct BatchReport {
   BatchFault fault = BatchFault::done;
   std::size_t request = 0;             ///< the request at fault
-  std::size_t other = 0;               ///< the earlier request it does not go with; else the same as `request`
+  std::size_t other = 0;               ///< the earlier request that conflicts with it; else the same as `request`
   Refusal refusal = Refusal::granted;  ///< for BatchFault::refused
   std::vector<Rewrite<StripMesh::Halfedge>> rewrites;  ///< one for each request
   std::int64_t strips = 0;                             ///< change in the number of strips, all together
@@ -77,7 +77,7 @@ struct BatchReport {
 };
 
 /// Does the splits. O(sum of valences), and with checks 4 bytes of memory, set once, for each triangle and vertex of
-/// the mesh. Checking (which costs more than the operations themselves) and splitting run in parallel, handles are
+/// the mesh. Checking (which costs more than the operations themselves) and splitting run in parallel; handles are
 /// taken in this thread. An exception in the parallel part (std::bad_alloc; only fans of more than max_word_valence
 /// triangles allocate) leaves the mesh unusable.
 BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> requests, const BatchOptions& options = {});
@@ -100,15 +100,15 @@ struct Overlap {
 [[nodiscard]] std::optional<Overlap> overlapping_operations(const StripMesh& mesh,
                                                             std::span<const StripMesh::Halfedge> chords);
 
-/// Who owns which part of a mesh: chooses operations for a batch, or tells which ones stand in each other's way.
+/// Which operation owns which part of a mesh: to choose operations for a batch, or to tell which ones conflict.
 ///
 /// Two operations overlap when they claim the same triangle or the same vertex:
 ///  - a split claims the triangles around v_s. It reads the colour of a port in its own triangle and writes no link of
-///    the triangle across, so that one stays free. It claims the vertex that a spoke without left triangle enters,
-///    whose first spoke moves, and the new vertex if named;
+///    the triangle across, which therefore stays free. It also claims the vertex that a spoke without left triangle
+///    enters, because its first spoke moves, and the new vertex if it is named;
 ///  - a collapse claims the triangles around v_s and v_t, and the apexes v_l and v_r, whose first spokes it reads and
 ///    may write.
-/// Operations that do not overlap, each granted by its check, stay granted when others of them have been done.
+/// If operations do not overlap and each is granted by its check, each stays granted while the others are done.
 /// The mesh must not change while it is claimed.
 class PatchClaims {
  public:

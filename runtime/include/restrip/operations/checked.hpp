@@ -1,12 +1,12 @@
-// split, collapse and flip for operations of unknown origin: checked in every build, refused with a reason.
+// split, collapse and flip for operations from an untrusted source: checked in every build, refused with a reason.
 //
 //   if (const auto done = checked_collapse(mesh, chord))
 //     use(done.rewrite.strips);
 //   else
 //     report(describe(done.refusal));
 //
-// Each asks its check (mesh/checks.hpp) and does the operation when it is granted; a refused operation changes nothing.
-// Give a StripMesh for the local rules (operations.hpp), or a StripKeeper for those of its policy.
+// Each asks its check (mesh/checks.hpp) and does the operation if it is granted; a refused operation changes nothing.
+// Pass a StripMesh for the local rules (operations.hpp), or a StripKeeper for those of its policy.
 #pragma once
 
 #include <concepts>
@@ -51,7 +51,7 @@ concept KeepsStrips = requires(Keeper& keeper, const VertexSplit<StripMesh::Half
   { keeper.flip(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
 };
 
-/// The same in the way of a keeper.
+/// The same by a keeper.
 template <KeepsStrips Keeper>
 Checked checked_split(Keeper& keeper, const VertexSplit<StripMesh::Halfedge>& where, Vertex new_vertex = none) {
   if (const Refusal refusal = check_split(keeper.mesh(), where, new_vertex); refusal != Refusal::granted)

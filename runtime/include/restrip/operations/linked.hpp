@@ -1,20 +1,21 @@
 // Linked rules: they follow the strips that leave the patch, and join more than local rules may.
 //
 // A local rule must be sound whatever lies outside the patch, so it may only join ports that were joined before.
-// A rule that follows the strips outward for a few triangles knows of most ports that they are not joined outside, and
-// may join them inside: on real meshes that keeps strips twice as long, for two to three times the time of a local
+// A rule that follows the strips outward for a few triangles finds that most ports are not joined outside, and may join
+// them inside. On real meshes this keeps strips twice as long, at two to three times the time of a local
 // rule.
 //
 //   split_and_link(mesh, where);  collapse_and_link(mesh, chord);  flip_and_link(mesh, h);
 //
-// do three things: the operation with the best recolouring that is sound for what was seen (a list for each position
-// and port mask, best first, from the tables), then links between strip ends that lie side by side in the patch or
-// around it, then adoption (adopt.hpp). A walk that has not come to an end after `reach` triangles counts as "may come
-// back anywhere". Fans that are open or larger than the tables, and flips, take the local rule for the first step.
+// do three things. First comes the operation, with the best recolouring that is sound for what was seen (from the
+// tables: a list for each position and port mask, best first). Then strip ends that lie side by side in the patch or
+// around it are linked. Adoption (adopt.hpp) comes last. A walk that has not ended after `reach` triangles counts as
+// "may come back anywhere". The first step uses the local rule for flips and for fans that are open or exceed the
+// tables.
 //
-// Why it is sound. The strips outside pair some of the ports, Q; a recolouring pairs some inside, P'. The strips stay
-// paths exactly when P' and Q together close no cycle (docs/theory.md). A cycle must use a pair of P' that was not
-// there before, so from each of those the rule follows P' and Q alternately until the path ends.
+// Why it is sound. Let Q be the pairs of ports that strips outside join, and P' those that a recolouring joins inside.
+// The strips stay paths exactly when P' and Q together close no cycle (docs/theory.md). A cycle must use a pair of P'
+// that was not joined before, so from each such pair the rule follows P' and Q alternately until the path ends.
 #pragma once
 
 #include <bit>
@@ -39,7 +40,7 @@ static_assert(tables::linked_split.first.size() == table_max_k + 1 && table_max_
 
 namespace detail {
 
-/// Decides which recolourings are sound, and looks outward no more than it has to: each port once at most.
+/// Decides which recolourings are sound, and looks outward no more than necessary: each port once at most.
 template <class LookOut>
 class Outlook {
  public:
@@ -238,7 +239,7 @@ Side same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Half
     auto at = from;
     // The solid edge out of the end; then always out on the other side.
     for (int side = 0; side < 3 && !mesh.solid(at); ++side) at = mesh.next(at);
-    if (!mesh.solid(at)) return Side::different;  // alone
+    if (!mesh.solid(at)) return Side::different;  // isolated
     auto in = mesh.opposite(at);
     for (std::size_t steps = 0; steps < reach; ++steps) {
       const auto step = strip_step(mesh, in);
@@ -254,8 +255,8 @@ Side same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Half
 
 }  // namespace detail
 
-/// Links the triangle to the left of h, if a strip ends there, with ends of other strips beside it; at most 2 * reach
-/// triangles are looked at for each.
+/// If a strip ends in the triangle to the left of h, links it with ends of other strips beside it. Looks at no more
+/// than 2 * reach triangles for each.
 template <ColoredMesh Mesh>
 Mending link_end(Mesh& mesh, typename Mesh::Halfedge h, std::size_t reach = default_reach) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "link_end", describe(Refusal::no_such_edge));
@@ -306,7 +307,7 @@ Rewrite<typename Mesh::Halfedge> collapse_and_link(Mesh& mesh, typename Mesh::Ha
   return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
 }
 
-/// flip(), then links; a port that the local rule gave up without need comes back this way.
+/// flip(), then links, which restore a port that the local rule gave up without need.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_link(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_link",

@@ -1,13 +1,13 @@
 // split, collapse, flip: the operations of a dynamic mesh, with its strips kept.
 //
-// Each reads the colours around the operation, looks its rule up (rules.hpp), lets the mesh do the change, and writes
-// the colours after. Nothing outside the patch is read or written, so operations on disjoint patches commute. No state
-// but the colours, no allocation for fans of at most max_word_valence triangles; time linear in the valence.
+// Each reads the colours around the operation, looks up its rule (rules.hpp), lets the mesh change, and writes the new
+// colours. Nothing outside the patch is read or written, so operations on disjoint patches commute. There is no state
+// beside the colours, and no allocation for fans of at most max_word_valence triangles; time is linear in the valence.
 //
 // Preconditions are those of the mesh operation itself. Debug builds check them first and abort with the reason
-// (precondition.hpp): for a StripMesh all of checks.hpp, for other meshes what a walk around the patch tells, and
-// `bool alive(h)` where the mesh has it, or its own check_split(mesh, where), check_collapse(mesh, chord) and
-// check_flip(mesh, h), which return a Refusal, where it has those.
+// (precondition.hpp). For a StripMesh they check all of checks.hpp; for other meshes they check what a walk around the
+// patch tells, and `bool alive(h)` if the mesh has it. A mesh with check_split(mesh, where), check_collapse(mesh,
+// chord) and check_flip(mesh, h) of its own, which return a Refusal, is asked those.
 #pragma once
 
 #include <cstdint>
@@ -40,8 +40,8 @@ Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Me
 template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse(Mesh& mesh, typename Mesh::Halfedge chord);
 
-/// Flips the interior mesh edge of h and recolours the patch; a port is given up only where no sound recolouring keeps
-/// it, and then the triangle behind it may be left isolated, which Rewrite::isolated counts.
+/// Flips the interior mesh edge of h and recolours the patch. A port is given up only if no sound recolouring keeps it.
+/// The triangle behind it may then be isolated, which Rewrite::isolated counts.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip(Mesh& mesh, typename Mesh::Halfedge h);
 

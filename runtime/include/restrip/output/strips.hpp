@@ -23,7 +23,7 @@ namespace restrip {
 struct ColoringReport {
   std::size_t one_sided = 0;     ///< dual edges that are solid seen from one of their triangles only
   std::size_t over_degree = 0;   ///< triangles with three solid edges
-  std::size_t solid_cycles = 0;  ///< independent solid cycles: how many solid edges had to go until none is left
+  std::size_t solid_cycles = 0;  ///< independent solid cycles: how many solid edges must be removed to break them all
   std::size_t triangles = 0;
   std::size_t strips = 0;    ///< solid components, isolated triangles included
   std::size_t isolated = 0;  ///< triangles without a solid edge
@@ -48,17 +48,17 @@ struct Strips {
   }
 };
 
-/// Lists the strips of a valid colouring. A strip begins at the one of its two ends with the lower handle, and strips
-/// follow each other by that handle: equal meshes give equal lists. Where the colouring is not valid each triangle is
-/// listed once at most, and triangles on solid cycles are left out.
+/// Lists the strips of a valid colouring. A strip begins at its end with the lower handle, and strips are sorted by
+/// that handle, so equal meshes give equal lists. If the colouring is not valid, each triangle is listed at most once,
+/// and triangles on solid cycles are left out.
 [[nodiscard]] Strips extract_strips(const StripMesh& mesh);
 
 /// The index between two strips of an index buffer.
 inline constexpr std::uint32_t restart_index = 0xFFFFFFFFU;
 
 /// The index buffer of the strips, in their order, restart_index between them and neither before nor after. It draws
-/// each triangle exactly once with the winding it has in the mesh; indices are vertex numbers. Each strip is written
-/// from the end that needs fewer indices: a strip of n triangles takes n + 2 and one for each swap. `strips` must be
+/// each triangle exactly once, with its winding in the mesh; indices are vertex numbers. Each strip is written from the
+/// end that needs fewer indices: a strip of n triangles takes n + 2 and one for each swap. `strips` must be
 /// those of the mesh as it is now: debug builds check that triangles that follow each other share a solid dual edge.
 [[nodiscard]] std::vector<std::uint32_t> strip_indices(const StripMesh& mesh, const Strips& strips);
 

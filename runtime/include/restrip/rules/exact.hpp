@@ -3,15 +3,15 @@
 //
 // A recolouring is sound when every triangle keeps at most two solid edges, nothing inside is a solid cycle, and it
 // joins only ports that were joined before. Among the sound ones these functions return one with the most solid edges,
-// and with the fewest isolated triangles of those; docs/notation.md has the order of preference, the numbering of all
-// bits, and the proof that (ports, joined) is all that matters. What is left of the choice is made the same way on
-// every machine, but it is not the tie-break of the tables: compare costs with them, not colours.
+// and of those one with the fewest isolated triangles; docs/notation.md has the order of preference, the numbering of
+// all bits, and the proof that (ports, joined) is all that matters. Remaining ties are broken in the same way on every
+// machine, but not by the tie-break of the tables: compare costs with them, not colours.
 //
 // Input. `ports` has k bits. `joined` has k bits as restrip/rules/key.hpp computes them; with exactly two solid ports
 // in a closed fan either bit stands for the pair. Bits of `joined` without a solid port are ignored. Any pair of masks
-// is safe: a key that no valid configuration has still gets the best recolouring that joins no other pairs. Positions
-// are any: 1 <= a < k, gaps i < j, not only those listed in docs/notation.md. A position out of range is a programming
-// error, found in debug builds (precondition.hpp). k is less than 2^26.
+// is safe: a key that no valid configuration has still gets the best recolouring that joins no other pairs. Every
+// position is served (1 <= a < k, gaps i < j), not only those listed in docs/notation.md. A position out of range is a
+// programming error, found in debug builds (precondition.hpp). k is less than 2^26.
 //
 // Cost. Two table reads for each triangle: time linear in k. On words, and on bit strings with k <= 64: no allocation,
 // nothing thrown. Longer bit strings: one allocation of two bytes for each triangle.

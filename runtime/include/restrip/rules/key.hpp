@@ -9,15 +9,15 @@
 // PATCH is `closed` and `open` for the fans, `ring` (with chord), `path_with_chord` and `path` for what splits make of
 // them. Together with `ports` the mask `joined` is the key.
 //
-// Two solid ports in a closed fan or a ring: each precedes the other, and the pair has two bits. EITHER BIT STANDS FOR
-// THE PAIR: the functions here may set one of them or both. Call canonical_joined before comparing keys.
+// With exactly two solid ports in a closed fan or a ring, each precedes the other, and the pair has two bits. EITHER
+// BIT STANDS FOR THE PAIR: the functions here may set one of them or both. Call canonical_joined before comparing keys.
 //
 // Each function comes twice. On masks it takes constant time, allocates nothing, and is constexpr; it serves
 // k <= max_word_valence. On bit strings it serves any k in time linear in k and allocates nothing either.
 //
 // Bad input. A position out of range or k beyond the limit is a programming error, found in debug builds
-// (precondition.hpp). The joined_ functions want
-// valid colours; for others their result has no meaning, but they return, and stay inside their arguments.
+// (precondition.hpp). The joined_ functions need valid colours. For others their result has no meaning, but they return
+// and read and write nothing outside their arguments.
 #pragma once
 
 #include <algorithm>

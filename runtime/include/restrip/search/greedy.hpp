@@ -3,11 +3,10 @@
 // Method. Fewest strips = most solid edges without a cycle and with at most two at each triangle. All dual edges start
 // *open*; one after another is made solid or dropped. A triangle with no more open edges than it still has room for is
 // *forced*: all its open edges become solid, which loses nothing as long as the rest can be completed. Only when
-// nothing is forced an edge is chosen freely, at the strip end that has waited longest: strips grow around each other
-// in rings, and few triangles are left behind between them (on the Stanford bunny a third of the strips that the newest
-// end leaves). Karp and Sipser's rule for matchings (1981), carried over to paths as in the 2GREEDY algorithm of Bohman
-// and Frieze ("Hamilton cycles in random graphs with minimum degree at least 3", 2013): on cubic graphs few strips are
-// lost before the first wrong choice shows.
+// nothing is forced is an edge chosen freely, at the strip end that has waited longest. Strips then grow around each
+// other in rings, and few triangles are left between them (on the Stanford bunny there are a third as many strips as
+// when the newest end is preferred). This is Karp and Sipser's rule for matchings (1981), applied to paths as in the
+// 2GREEDY algorithm of Bohman and Frieze ("Hamilton cycles in random graphs with minimum degree at least 3", 2013).
 //
 // Each end of a growing strip knows the other end, so "would this close a cycle?" takes constant time.
 #pragma once

@@ -1,11 +1,11 @@
-// StripKeeper: split, collapse and flip under a policy, with strips that do not age.
+// StripKeeper: split, collapse and flip under a policy, with strips that stay long.
 //
-// The local rules (operations.hpp) see one patch and lose strips over thousands of operations. A policy says how much
-// more an operation looks at: the strips around the patch (linked.hpp), or, with an index of the strips beside the mesh
-// (strip_index.hpp), everything that tunnelling (tunnel.hpp) reaches from every strip end in the patch: the moment a
-// strip breaks its ends are at hand, and so are, somewhere near, the ends of others. (Porcu and Scateni call tunnelling
-// when isolated triangles pass a threshold; calling it at once and locally keeps every level of detail as good as
-// strips made from scratch.)
+// The local rules (operations.hpp) see one patch, and under them strips get shorter over thousands of operations. A
+// policy says how much more an operation looks at: the strips around the patch (linked.hpp), or everything that
+// tunnelling (tunnel.hpp) reaches from every strip end in the patch, which needs an index of the strips beside the mesh
+// (strip_index.hpp). At the moment when a strip breaks, its ends are known, and ends of other strips are near. (Porcu
+// and Scateni tunnel when isolated triangles exceed a threshold. Tunnelling at once and locally keeps the strips of
+// every level of detail as long as those made from scratch.)
 //
 //   StripMesh mesh = ...;
 //   stripify(mesh, Effort::full);
@@ -13,14 +13,14 @@
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
 //   keeper.improve(10'000);                            // in idle time
 //
-// Cost. An operation costs its rule and, where the policy tunnels, time linear in the patch for the index, and the
-// searches; their mean number of states is bounded by policy, not by the size of the mesh, and so is the mean length of
-// the strips, on which the index depends, once they have the length that the policy keeps. After warm-up nothing is
-// allocated but what the mesh itself allocates to grow.
+// Cost. An operation costs its rule and, if the policy tunnels, time linear in the patch for the index, and the
+// searches. Their mean number of states depends on the policy, not on the size of the mesh. The same holds for the mean
+// length of the strips, on which the index depends, once they have the length that the policy keeps. After warm-up
+// nothing is allocated beyond what the mesh itself allocates to grow.
 //
-// Exceptions (std::bad_alloc alone). The mesh and its colouring are valid after one: the operation, or the mending that
-// follows it, is done as a whole, in part or not at all. What the keeper knows beside the mesh is out of date:
-// up_to_date() is false, index() null and strips() stale until rebuild(), which the next operation calls by itself.
+// Exceptions (only std::bad_alloc). The mesh and its colouring are valid after one: the operation, or the repair that
+// follows it, is done as a whole, in part or not at all. What the keeper knows beside the mesh is then out of date:
+// up_to_date() is false, index() is null and strips() is stale until rebuild(), which the next operation calls itself.
 #pragma once
 
 #include <cstddef>
@@ -99,8 +99,8 @@ class StripKeeper {
     if (!had_index && tunnels()) rebuild();
   }
 
-  /// The operations of operations.hpp, with the same preconditions. `strips` of the result counts what tunnelling
-  /// joined as well, so it is often negative; `isolated` what tunnelling and adoption saved.
+  /// The operations of operations.hpp, with the same preconditions. `strips` of the result includes what tunnelling
+  /// joined, so it is often negative; `isolated` includes what tunnelling and adoption saved.
   Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none) {
     using Spokes = VertexSplit<Halfedge>::Spokes;
     RESTRIP_ASSERT(check_split(*mesh_, where, new_vertex) == Refusal::granted, "StripKeeper::split",

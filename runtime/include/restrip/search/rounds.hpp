@@ -12,8 +12,8 @@
 namespace restrip {
 
 /// Goes through the strip ends of a mesh in order of their handles, again and again, and searches from each
-/// (tunnel.hpp). A search starts small; after a round that joined too few strips, searches grow. Once they have reached
-/// their largest size, ends that find nothing wander, so that every round starts from other places.
+/// (tunnel.hpp). Searches start small and grow after a round that joined too few strips. Once they have reached their
+/// largest size, ends whose search finds nothing wander, so that every round starts from other places.
 class TunnelRounds {
  public:
   /// The sizes of the searches: from `first_states` to `last_states`, four times as many after a poor round.
@@ -42,7 +42,7 @@ class TunnelRounds {
     return spent();
   }
 
-  /// Starts small again: for a mesh that has changed a good deal.
+  /// Starts with small searches again: for a mesh that has changed a lot.
   void restart() noexcept {
     states_ = first_;
     next_ = 0;

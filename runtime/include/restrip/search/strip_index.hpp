@@ -14,9 +14,9 @@
 // bytes a triangle and about one byte for chunks. Nothing is allocated once the arrays have grown. After an exception
 // (std::bad_alloc) of any function the mesh's colouring is valid, and the index is to be rebuilt.
 //
-// Labels live on the mesh's own links: the index walks solid edges when it splits or renumbers a chunk, so colours and
-// index have to change together. Colour dual edges through cut() and link(), and bracket every local operation by
-// before_patch() and after_patch().
+// The index walks solid edges of the mesh when it splits or renumbers a chunk, so colours and index must change
+// together. Colour dual edges through cut() and link(), and call before_patch() before every local operation and
+// after_patch() after it.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,7 @@ class StripIndex {
   /// The same. After an exception the index must not be used until rebuild() succeeds.
   void rebuild(const StripMesh& mesh);
 
-  /// False when the index has never heard of a triangle, because the mesh changed behind its back.
+  /// False if the index does not know a triangle, because the mesh was changed without it.
   [[nodiscard]] bool knows(Triangle t) const noexcept { return t < places_.size() && places_[t].chunk != none; }
   /// The position of a triangle that is alive.
   [[nodiscard]] Position position(Triangle t) const noexcept;
@@ -73,7 +73,7 @@ class StripIndex {
   void link(StripMesh& mesh, Halfedge h);
 
   /// A local rewrite, in three steps: before_patch with the triangles about to be rewritten, the rewrite, after_patch
-  /// with the triangles that stand there now. Colours outside, and of the dual edges between outside and patch, may
+  /// with the triangles that are there now. Colours outside, and of the dual edges between outside and patch, may
   /// only change from solid to dashed, and solid paths through the patch may only join dual edges into it that were
   /// joined before (docs/theory.md: P' is part of P; every rule of operations.hpp is of this kind).
   void before_patch(const StripMesh& mesh, std::span<const Triangle> patch);

@@ -1,17 +1,17 @@
-// Tunnelling: make two strips one by a chain of alternating moves.
+// Tunnelling: joins two strips by a chain of alternating moves.
 //
 // From the end u of a strip go over a dashed edge to a triangle x, make that edge solid, and give up a solid edge (x,
-// y): y is the new end. Lies x on u's own strip, y must be the neighbour of x on u's side (a Pósa rotation); lies x on
-// another strip, either neighbour will do. No move adds a strip or closes a cycle, and when x is itself an end of
-// another strip nothing has to be given up: two strips have become one. (Pósa, "Hamiltonian circuits in random graphs",
+// y): y is the new end. If x lies on u's own strip, y must be the neighbour of x on u's side (a Pósa rotation); if x
+// lies on another strip, y may be either neighbour. No move adds a strip or closes a cycle. If x is itself an end of
+// another strip, nothing is given up, and two strips have become one. (Pósa, "Hamiltonian circuits in random graphs",
 // 1976; Stewart, "Tunneling for triangle strips in continuous level-of-detail meshes", 2001; Porcu, Scateni, "An
 // iterative stripification algorithm based on dual graph operations", 2003.)
 //
-// The search is breadth-first over such chains, simulated: a state is a list of *pieces*, stretches of the strips as
-// the index knows them, in the order in which the moves so far would join them. No triangle becomes the new end twice,
-// so a search of n states has looked at n different ends, and on a mesh where one triangle in d is an end it takes
-// about d states to find one. Colours and index are only changed by the chain that succeeds, which is the shortest of
-// those tried; or, where that is asked for, by the chain to one state of a search that fails.
+// The search simulates such chains breadth-first. A state is a list of *pieces*, stretches of the strips as the index
+// knows them, in the order in which the moves so far would join them. No triangle becomes the new end twice, so a
+// search of n states has looked at n different ends, and on a mesh where one triangle in d is an end it takes about d
+// states to find one. Colours and index are changed only by the chain that succeeds, which is the shortest of those
+// tried, or, on request, by the chain to one state of a search that fails.
 #pragma once
 
 #include <cstddef>
@@ -46,9 +46,9 @@ class Tunnel {
   /// true when the mesh has one strip less. `index` must be that of the mesh. Deterministic.
   ///
   /// A search that fails leaves the number of strips as it is. After `wander` the next search starts from a place that
-  /// this one could only just reach. `fewer_swaps` costs half as much again for each state. A swap is two turns the
-  /// same way, which cost an index of a plain strip; they are counted as if a chain never came back to where it has
-  /// been, so that one time in a hundred they are a few more and not fewer.
+  /// this one could only just reach. `fewer_swaps` makes each state half as expensive again. A swap is two turns the
+  /// same way, which cost an index of a plain strip. Swaps are counted as if a chain never returned to where it has
+  /// been, so in about one case in a hundred there are a few more instead of fewer.
   ///
   /// Cost: O(max_states * length of the chains), with chains as long as a search of that size gets (about 5 moves at
   /// 100 states, 12 at 1,000, 25 at 10,000). Does nothing when `end` is inside a strip.

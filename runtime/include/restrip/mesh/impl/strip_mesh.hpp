@@ -63,9 +63,9 @@ inline Vertex StripMesh::new_vertex(Vertex wanted) {
   }
   if (wanted >= spoke_.size()) {
     make_room(spoke_, wanted + std::size_t{1} - spoke_.size());
-    make_room(irregular_, wanted + std::size_t{1} - irregular_.size());
+    make_room(non_manifold_, wanted + std::size_t{1} - non_manifold_.size());
     spoke_.resize(wanted + std::size_t{1}, none);
-    irregular_.resize(spoke_.size(), 0);
+    non_manifold_.resize(spoke_.size(), 0);
   }
   return wanted;
 }
@@ -99,7 +99,7 @@ inline void StripMesh::reserve(std::size_t triangles, std::size_t vertices) {
   triangles_.reserve(triangles);
   free_.reserve(triangles);
   spoke_.reserve(vertices);
-  irregular_.reserve(vertices);
+  non_manifold_.reserve(vertices);
   free_vertices_.reserve(vertices);
 }
 
@@ -389,7 +389,7 @@ inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangl
   StripMesh mesh;
   BuildReport report;
   mesh.spoke_.assign(vertex_count, none);
-  mesh.irregular_.assign(vertex_count, 0);
+  mesh.non_manifold_.assign(vertex_count, 0);
   mesh.triangles_.reserve(triangles.size());
   if (origin != nullptr) origin->clear();
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -433,17 +433,17 @@ inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangl
         mesh.join(group[0], group[1]);
       } else {
         ++(size == 2 ? report.inconsistent_edges : report.non_manifold_edges);
-        mesh.irregular_[low(*group)] = mesh.irregular_[high(*group)] = 1;
+        mesh.non_manifold_[low(*group)] = mesh.non_manifold_[high(*group)] = 1;
       }
       group = stop;
     }
   }
-  mesh.find_irregular_vertices(report);
+  mesh.find_non_manifold_vertices(report);
   if (report_out != nullptr) *report_out = report;
   return mesh;
 }
 
-inline void StripMesh::find_irregular_vertices(BuildReport& report) {
+inline void StripMesh::find_non_manifold_vertices(BuildReport& report) {
   std::vector<std::uint32_t> corners(spoke_.size(), 0);
   for (Triangle t = 0; t < triangles_.size(); ++t) {
     for (unsigned s = 0; s < 3; ++s) {
@@ -463,8 +463,8 @@ inline void StripMesh::find_irregular_vertices(BuildReport& report) {
       ++met;
       h = turn_ccw(*this, h);
     } while (!on_boundary(h) && !(h == first));
-    if (met != corners[v]) irregular_[v] = 1;
-    report.irregular_vertices += irregular_[v];
+    if (met != corners[v]) non_manifold_[v] = 1;
+    report.non_manifold_vertices += non_manifold_[v];
   }
 }
 

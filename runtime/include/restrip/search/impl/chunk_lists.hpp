@@ -23,16 +23,16 @@ namespace restrip::detail {
 class ChunkLists {
  public:
   using Id = std::uint32_t;
-  static constexpr Id nobody = std::numeric_limits<Id>::max();
+  static constexpr Id no_chunk = std::numeric_limits<Id>::max();
 
   struct Chunk {
-    Id before = nobody;  // in the order of ranks
-    Id after = nobody;
-    std::uint32_t list = nobody;  // nobody: the chunk is not in use
-    std::uint32_t rank = middle;  // grows along the list
-    std::uint32_t count = 0;      // of triangles, for the owner's use
-    bool backwards = false;       // the chunk's own order is the reverse of the list's
-    bool crowded = false;         // for the owner's use, too
+    Id before = no_chunk;  // in the order of ranks
+    Id after = no_chunk;
+    std::uint32_t list = no_chunk;  // no_chunk: the chunk is not in use
+    std::uint32_t rank = middle;    // grows along the list
+    std::uint32_t count = 0;        // of triangles, for the owner's use
+    bool backwards = false;         // the chunk's own order is the reverse of the list's
+    bool crowded = false;           // for the owner's use, too
   };
 
   /// Joining and adding spread the ranks of a list anew when they would be further than `reach` from the middle of
@@ -42,7 +42,7 @@ class ChunkLists {
   [[nodiscard]] const Chunk& operator[](Id c) const noexcept { return chunks_[c]; }
   [[nodiscard]] std::uint32_t& count(Id c) noexcept { return chunks_[c].count; }
   [[nodiscard]] bool& crowded(Id c) noexcept { return chunks_[c].crowded; }
-  [[nodiscard]] bool in_use(Id c) const noexcept { return chunks_[c].list != nobody; }
+  [[nodiscard]] bool in_use(Id c) const noexcept { return chunks_[c].list != no_chunk; }
   /// Number of lists.
   [[nodiscard]] std::size_t lists() const noexcept { return sizes_.size() - free_lists_.size(); }
   /// Number of chunks of a list.
@@ -80,7 +80,7 @@ class ChunkLists {
     connect(c, fresh, after);
     connect(fresh, next, after);
     const std::uint32_t size = ++sizes_[chunk.list];
-    if (next == nobody) {
+    if (next == no_chunk) {
       if (from_middle(rank) + stride(size) > reach_)
         spread(fresh);
       else
@@ -97,7 +97,7 @@ class ChunkLists {
     Chunk& chunk = chunks_[c];
     connect(chunk.before, chunk.after, true);
     if (--sizes_[chunk.list] == 0) free_lists_.push_back(chunk.list);
-    chunk.list = nobody;
+    chunk.list = no_chunk;
     free_chunks_.push_back(c);
   }
 
@@ -105,27 +105,27 @@ class ChunkLists {
   void cut(Id c, bool after) {
     Id low = after ? c : chunks_[c].before;
     Id high = after ? chunks_[c].after : c;
-    if (low == nobody || high == nobody) return;
-    chunks_[low].after = nobody;
-    chunks_[high].before = nobody;
+    if (low == no_chunk || high == no_chunk) return;
+    chunks_[low].after = no_chunk;
+    chunks_[high].before = no_chunk;
     std::uint32_t smaller = 1;
     Id down = chunks_[low].before;
     Id up = chunks_[high].after;
-    while (down != nobody && up != nobody) {
+    while (down != no_chunk && up != no_chunk) {
       down = chunks_[down].before;
       up = chunks_[up].after;
       ++smaller;
     }
-    const bool upwards = up == nobody;  // the part that is smaller
+    const bool upwards = up == no_chunk;  // the part that is smaller
     sizes_[chunks_[c].list] -= smaller;
     const std::uint32_t list = new_list(smaller);
-    for (Id at = upwards ? high : low; at != nobody; at = towards(chunks_[at], upwards)) chunks_[at].list = list;
+    for (Id at = upwards ? high : low; at != no_chunk; at = towards(chunks_[at], upwards)) chunks_[at].list = list;
   }
   /// The same with a new chunk at the cut, which goes with the other part and reads as c does.
   Id cut_off(Id c, bool after) {
     const Id next = towards(chunks_[c], after);
     cut(c, after);
-    const Id fresh = next == nobody ? add() : add_beside(next, !after);
+    const Id fresh = next == no_chunk ? add() : add_beside(next, !after);
     chunks_[fresh].backwards = chunks_[c].backwards;
     return fresh;
   }
@@ -142,14 +142,14 @@ class ChunkLists {
     if (from_middle(chunks_[a].rank) + std::uint64_t{moving} * step > reach_) spread(a, step);
     const bool turn = a_last == b_last;
     std::uint32_t rank = chunks_[a].rank;
-    for (Id last = a, at = b; at != nobody;) {
+    for (Id last = a, at = b; at != no_chunk;) {
       Chunk& chunk = chunks_[at];
       const Id next = towards(chunk, !b_last);
       chunk.list = list;
       chunk.rank = rank = a_last ? rank + step : rank - step;
       chunk.backwards = chunk.backwards != turn;
       connect(last, at, a_last);
-      (a_last ? chunk.after : chunk.before) = nobody;
+      (a_last ? chunk.after : chunk.before) = no_chunk;
       last = at;
       at = next;
     }
@@ -164,10 +164,10 @@ class ChunkLists {
   [[nodiscard]] static Id towards(const Chunk& chunk, bool after) noexcept {
     return after ? chunk.after : chunk.before;
   }
-  // Makes b follow a, or precede it. Either may be nobody.
+  // Makes b follow a, or precede it. Either may be no_chunk.
   void connect(Id a, Id b, bool after) noexcept {
-    if (a != nobody) (after ? chunks_[a].after : chunks_[a].before) = b;
-    if (b != nobody) (after ? chunks_[b].before : chunks_[b].after) = a;
+    if (a != no_chunk) (after ? chunks_[a].after : chunks_[a].before) = b;
+    if (b != no_chunk) (after ? chunks_[b].before : chunks_[b].after) = a;
   }
   [[nodiscard]] static std::uint32_t from_middle(std::uint32_t rank) noexcept {
     return rank < middle ? middle - rank : rank - middle;
@@ -180,9 +180,9 @@ class ChunkLists {
   // Evenly spaced ranks about the middle, for the list of c.
   void spread(Id c) noexcept { spread(c, stride(sizes_[chunks_[c].list])); }
   void spread(Id c, std::uint32_t step) noexcept {
-    while (chunks_[c].before != nobody) c = chunks_[c].before;
+    while (chunks_[c].before != no_chunk) c = chunks_[c].before;
     std::uint32_t rank = middle - sizes_[chunks_[c].list] / 2 * step;
-    for (; c != nobody; c = chunks_[c].after, rank += step) chunks_[c].rank = rank;
+    for (; c != no_chunk; c = chunks_[c].after, rank += step) chunks_[c].rank = rank;
   }
   // Gives c, whose rank is that of a neighbour, one of its own: the ranks of the smallest aligned range around it that
   // is sparse enough are spaced evenly. A range of 2^i ranks is sparse when it holds no more than (2 / 1.25)^i chunks.
@@ -197,11 +197,11 @@ class ChunkLists {
       const std::uint64_t from = rank >> bits << bits;
       const std::uint64_t to = from + (std::uint64_t{1} << bits);
       if (from < middle - reach_ || to > std::uint64_t{middle} + reach_) return spread(c);
-      for (Id next = chunks_[low].before; next != nobody && chunks_[next].rank >= from; next = chunks_[low].before) {
+      for (Id next = chunks_[low].before; next != no_chunk && chunks_[next].rank >= from; next = chunks_[low].before) {
         low = next;
         ++count;
       }
-      for (Id next = chunks_[high].after; next != nobody && chunks_[next].rank < to; next = chunks_[high].after) {
+      for (Id next = chunks_[high].after; next != no_chunk && chunks_[next].rank < to; next = chunks_[high].after) {
         high = next;
         ++count;
       }
