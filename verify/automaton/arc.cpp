@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "automaton_mutants.hpp"
+
 namespace restrip::verify {
 namespace {
 
@@ -12,7 +14,7 @@ class ColoredArc {
 
   bool legal() const {
     for (std::size_t i = 0; i < word_.size(); ++i)
-      if (degree(i) > (word_[i] == 'b' ? 0 : 2)) return false;
+      if (degree(i) > (word_[i] == 'b' ? 0 : 2) && !mutated(AutomatonMutant::automaton_loosen_degree)) return false;
     return joins_only_what_it_may();
   }
 

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "arcs_around.hpp"
+#include "automaton_mutants.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -75,7 +76,7 @@ void ClassCheck::check_witnesses() {
     const AutomatonClass& stated = certificate_.classes[c];
     if (!shortest[c])
       fail(witnesses, stated.line, fmt::format("wrong witness: no arc leads to class {}", c));
-    else if (*shortest[c] != stated.witness)
+    else if (*shortest[c] != stated.witness && !mutated(AutomatonMutant::automaton_any_witness))
       fail(witnesses, stated.line,
            fmt::format("wrong witness: {} for class {}, the shortest is {}", stated.witness, c, *shortest[c]));
   }
@@ -120,7 +121,8 @@ void ClassCheck::check_step(std::size_t at, std::size_t letter) {
   const std::size_t place = place_of(word, longer.worths, step.to);
   const ProductArc& next = arcs_[place];
   ++claims_[gains].cases;
-  if (arc.comparable && next.comparable && step.gain + arc.offset != added + next.offset)
+  if (arc.comparable && next.comparable && step.gain + arc.offset != added + next.offset &&
+      !mutated(AutomatonMutant::automaton_any_gain))
     fail(gains, step.line,
          fmt::format("wrong gain: {} where the arc {} gains {}", in_words(step.gain), word,
                      in_words(added + next.offset - arc.offset)));
@@ -129,6 +131,7 @@ void ClassCheck::check_step(std::size_t at, std::size_t letter) {
     if (!certificate_.classes[step.to].values[c]) continue;
     ++claims_[origins].cases;
     const std::size_t before = step.from[c];
+    if (mutated(AutomatonMutant::automaton_any_origin)) continue;
     if (!is_solid(longer.from[c], static_cast<unsigned>(before)) || !from.values[before])
       fail(origins, step.line,
            fmt::format("wrong origin: no best colouring of {} with case {} has case {} before its last letter", word,
@@ -141,6 +144,7 @@ void ClassCheck::explore() {
   if (arcs_[0].offset != Worth{})
     fail(values, certificate_.classes[0].line, "wrong value: the empty arc is worth nothing");
   constexpr std::size_t longest = 14;
+  if (mutated(AutomatonMutant::automaton_first_arcs_only)) return;
   for (std::size_t at = 0; at < arcs_.size(); ++at)
     for (std::size_t letter = 0; letter < letters.size(); ++letter) {
       if (!certificate_.classes[arcs_[at].arc_class].steps[letter]) continue;
@@ -160,21 +164,24 @@ void ClassCheck::check_meeting(const ProductArc& x, const ProductArc& y) {
   const auto worth_of = [&](const Around& way) -> std::optional<Worth> {
     if (!x.worths[way.first] || !y.worths[way.second]) return {};
     for (const auto& [one, other] : way.joined)
-      if (!joined_before(x.word, y.word, one, other)) return {};
+      if (!joined_before(x.word, y.word, one, other) && !mutated(AutomatonMutant::automaton_join_anything)) return {};
     return *x.worths[way.first] + *y.worths[way.second] + way.worth;
   };
   const auto arcs = [&] { return fmt::format("the arcs {} and {}", x.word, y.word); };
   const Around own = around(stated->first, stated->second, stated->chord);
-  const auto own_worth = own.legal ? worth_of(own) : std::nullopt;
+  const bool own_legal = own.legal || mutated(AutomatonMutant::automaton_any_own_meeting);
+  const auto own_worth = own_legal ? worth_of(own) : std::nullopt;
   if (!own_worth || !certificate_.classes[x.arc_class].values[stated->first] ||
       !certificate_.classes[y.arc_class].values[stated->second])
     return fail(meetings, stated->line, fmt::format("unsound meeting: {}", arcs()));
-  for (const Around& way : all_around())
+  for (const Around& way : all_around()) {
+    if (way.chord && mutated(AutomatonMutant::automaton_never_chord)) continue;
     if (const auto worth = worth_of(way); worth && *worth > *own_worth)
       return fail(
           meetings, stated->line,
           fmt::format("not the best meeting: {}, {} {}{} has {} more", arcs(), all_cases[way.first].text(),
                       all_cases[way.second].text(), way.chord ? " with the chord" : "", in_words(*worth - *own_worth)));
+  }
   if (stated->value + x.offset + y.offset != *own_worth)
     fail(meetings, stated->line, fmt::format("wrong value: the meeting of {}", arcs()));
 }
@@ -204,7 +211,7 @@ void ClassCheck::check_closings() {
       continue;
     }
     for (std::size_t c = 0; c < all_cases.size(); ++c)
-      if (sound(c) && *arc.worths[c] > *arc.worths[stated->arc])
+      if (sound(c) && *arc.worths[c] > *arc.worths[stated->arc] && !mutated(AutomatonMutant::automaton_any_closing))
         fail(closings, stated->line,
              fmt::format("not the best closing: the fan {}, {} has {} more", arc.word, all_cases[c].text(),
                          in_words(*arc.worths[c] - *arc.worths[stated->arc])));

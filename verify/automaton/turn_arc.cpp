@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "automaton_mutants.hpp"
+
 namespace restrip::verify {
 namespace {
 
@@ -39,6 +41,7 @@ class TurningArc {
       const int corner = passed_about(i);
       if (corner == nowhere) continue;
       if (i > 0 && solid(i) && passed_about(i - 1) == corner) cost += weights.swap;
+      if (mutated(AutomatonMutant::turns_no_swap_at_ports)) continue;
       if (turn_port(word_[i]) && behind_port(i) == corner) cost += weights.swap;
     }
     return cost;

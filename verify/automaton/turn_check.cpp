@@ -8,6 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "automaton_mutants.hpp"
+
 namespace restrip::verify {
 namespace {
 
@@ -119,7 +121,7 @@ TurnCheck::TurnCheck(const TurnCertificate& certificate, unsigned every)
   explore();
   const bool all_hold = std::all_of(claims_.begin(), claims_.end(),
                                     [](const AutomatonClaim& claim) { return claim.failures.count == 0; });
-  if (all_hold) check_answers(every);
+  if (all_hold && !mutated(AutomatonMutant::turns_no_pairs)) check_answers(every);
 }
 
 void TurnCheck::fail(Which which, unsigned line, const std::string& what) {
@@ -205,7 +207,7 @@ void TurnCheck::check_step(std::size_t at, std::size_t letter) {
   const TurnArcKind& next = arcs_[place_of(word, hopeful, step.to)];
   if (!next.comparable || !arc.comparable) return;
   ++claims_[costs].cases;
-  if (step.cost - added != next.offset - arc.offset)
+  if (step.cost - added != next.offset - arc.offset && !mutated(AutomatonMutant::turns_any_cost))
     fail(costs, step.line,
          fmt::format("wrong cost: {} where the arc {} costs {} more", step.cost, word,
                      added + next.offset - arc.offset));
@@ -214,6 +216,7 @@ void TurnCheck::check_step(std::size_t at, std::size_t letter) {
     if (!certificate_.classes[step.to].costs[c]) continue;
     ++claims_[origins].cases;
     const std::size_t before = step.from[c];
+    if (mutated(AutomatonMutant::turns_any_origin)) continue;
     if (!is_solid(from[c], static_cast<unsigned>(before)) || !source.costs[before])
       fail(origins, step.line,
            fmt::format("wrong origin: no best colouring of {} with case {} has case {} before its last letter", word,
@@ -228,6 +231,7 @@ void TurnCheck::explore() {
   if (certificate_.classes[0].costs != empty)
     fail(values, certificate_.classes[0].line,
          "wrong value: the empty arc has the cases -- and tt, which cost nothing");
+  if (mutated(AutomatonMutant::turns_first_arcs_only)) return;
   for (std::size_t at = 0; at < arcs_.size(); ++at)
     for (std::size_t letter = 0; letter < turn_letters.size(); ++letter) {
       if (arcs_[at].word.size() >= longest_kind) {

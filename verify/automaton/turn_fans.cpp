@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "automaton_mutants.hpp"
+
 namespace restrip::verify {
 namespace {
 
@@ -96,10 +98,11 @@ class TurnSearch {
   /// What lies behind the ports, as corners.
   std::vector<CornerNumber> behind(const TurnKey& key) const {
     std::vector<CornerNumber> corners;
+    const bool no_right = mutated(AutomatonMutant::turns_search_one_side);
     for (unsigned i = 0; i < place_.k; ++i)
-      corners.push_back(is_solid(key.left, i)    ? patch_.ports[i][0]
-                        : is_solid(key.right, i) ? patch_.ports[i][1]
-                                                 : no_corner);
+      corners.push_back(is_solid(key.left, i)                 ? patch_.ports[i][0]
+                        : is_solid(key.right, i) && !no_right ? patch_.ports[i][1]
+                                                              : no_corner);
     return corners;
   }
 
@@ -159,6 +162,7 @@ class TurnSearch {
     for (unsigned e = 0; e < patch_.inner.size(); ++e) {
       if (!is_solid(inner, e)) continue;
       const CornerNumber corner = passed_about(patch_.inner[e].one);
+      if (mutated(AutomatonMutant::turns_search_no_swap)) continue;
       if (corner != no_corner && corner == passed_about(patch_.inner[e].other)) result.cost += weights_.swap;
     }
     result.port_corners.assign(place_.k, no_corner);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "arcs_around.hpp"
+#include "automaton_mutants.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -54,7 +55,7 @@ TurnWay way_around(std::size_t first, std::size_t second, bool chord, const Turn
                          (x.right != '-' && swaps(at_d, end_corner(x.right, false, AroundCorner::rim_at_d)) ? 1 : 0) +
                          (y.left != '-' && swaps(at_d, end_corner(y.left, true, AroundCorner::rim_at_d)) ? 1 : 0) +
                          (y.right != '-' && swaps(at_a, end_corner(y.right, true, AroundCorner::rim_at_a)) ? 1 : 0) +
-                         (chord && swaps(at_a, at_d) ? 1 : 0);
+                         (chord && swaps(at_a, at_d) && !mutated(AutomatonMutant::turns_no_swap_at_chord) ? 1 : 0);
   way.cost =
       weights.swap * swap_count - weights.restart * plain.worth.solid - weights.isolated * plain.worth.fewer_isolated;
   return way;

@@ -2,10 +2,7 @@
 // certificate is altered in one row, or made by a careless generator, and each must fail the claim that it breaks.
 #include <gtest/gtest.h>
 
-#include <map>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "altered_certificate.hpp"
@@ -75,47 +72,8 @@ TEST(IndexRejects, WrongWeights) {
   expect_index_noticed("weights", one_more(3), "altered.cert:", 1);
 }
 
-using CaseOfClass = std::pair<std::string, std::string>;
-
-/// Without some cases of classes, and without all that come from them: every value, step and origin that is left is
-/// true, only something better can be made.
-std::vector<std::string> without_cases(std::vector<CaseOfClass> waiting) {
-  std::map<CaseOfClass, std::vector<CaseOfClass>> longer;  // the cases that come from a case
-  std::string to;                                          // of the step whose origins follow
-  for (const std::string& line : shipped_index()) {
-    const std::vector<std::string> words = words_of(line);
-    if (words[0] == "step") to = words[3];
-    if (words[0] == "from") longer[{words[1], words[4]}].emplace_back(to, words[3]);
-  }
-  std::set<CaseOfClass> dropped;
-  while (!waiting.empty()) {
-    const CaseOfClass next = waiting.back();
-    waiting.pop_back();
-    if (next.second != "--" && dropped.insert(next).second)
-      waiting.insert(waiting.end(), longer[next].begin(), longer[next].end());
-  }
-  std::vector<std::string> lines;
-  std::size_t rows = 0;
-  for (const std::string& line : shipped_index()) {
-    const std::vector<std::string> words = words_of(line);
-    if (words[0] == "step") to = words[3];
-    if (words[0] == "value" && dropped.contains({words[1], words[2]})) continue;
-    if (words[0] == "from" && dropped.contains({to, words[3]})) continue;
-    if (words[0] == "class" || words[0] == "value" || words[0] == "step" || words[0] == "from") ++rows;
-    lines.push_back(line);
-  }
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    if (lines[i] == "section classes") lines[i + 1] = "claim rows " + std::to_string(rows);
-  return lines;
-}
-
-/// Where no best colouring needs an edge over the left link.
 TEST(IndexRejects, CasesThatAreNeededAndMissing) {
-  std::vector<CaseOfClass> cases;
-  for (const std::string& line : shipped_index())
-    if (const auto words = words_of(line); words[0] == "value" && words[1] != "0" && words[2][0] != '-')
-      cases.emplace_back(words[1], words[2]);
-  const std::string verdict = verdict_with(without_cases(cases), 100);
+  const std::string verdict = verdict_with(without_left_links(shipped_index()), 100);
   EXPECT_NE(verdict.find("missing case"), std::string::npos) << verdict;
 }
 
