@@ -99,7 +99,7 @@ constexpr int cost_of_triangles(const Layout& patch) noexcept {
 /// walk(room, color) as in index_walk.hpp.
 template <class Walk>
 constexpr Recoloring on_word(const Layout& patch, Walk&& walk) noexcept {
-  IndexArc::Entry room[max_stack_valence]{};
+  IndexArc::Entry room[max_stack_valence];
   Recoloring result;
   result.cost = cost_of_triangles(patch) +
                 walk(room, [&](std::size_t edge, bool solid) { result.colors |= Word{solid} << edge; });

@@ -3,9 +3,11 @@
 // cases, letters and links are.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "restrip/rules/bits.hpp"
 #include "restrip/rules/impl/arc_walk.hpp"
@@ -127,9 +129,12 @@ constexpr unsigned end_pair(unsigned x, unsigned y) noexcept {
   return 1U << (before[x] + y - x - 1);
 }
 
+/// More than the costs of any two colourings of a patch with the same ports differ.
+inline constexpr std::int16_t index_unsound = 0x4000;
+
 /// What A, D and the edges that no arc counts add to the costs of two cases.
 struct IndexWay {
-  std::int16_t cost = 0;
+  std::int16_t cost = index_unsound;
   bool sound = false;      ///< degrees at most two, no cycle
   std::uint8_t joins = 0;  ///< ends whose strands reach ports and are joined
 };
@@ -237,18 +242,21 @@ constexpr int walk_index_split(std::size_t k, std::size_t a, const Letters& lett
   one.read(letters, 0, a);
   other.read(letters, a, k);
   const unsigned forbidden = ~joined_ends(one.ports(), other.ports());
-  IndexChoice best;
+  // Cost and choice in one number: the least is found without branches, which would mispredict.
+  constexpr std::int64_t choices = std::int64_t{1} << 33;
+  std::int64_t best = std::numeric_limits<std::int64_t>::max();
   for (std::size_t x = one.first_case(); x < one.last_case(); ++x)
     for (std::size_t y = other.first_case(); y < other.last_case(); ++y)
-      for (const bool chord : {true, false}) {
-        const IndexWay& way = index_ways[2 * (index_case::count * cases[x] + cases[y]) + (chord ? 1 : 0)];
-        if (way.sound && (way.joins & forbidden) == 0)
-          best.offer({x, y, 0, chord, one.cost(x) + other.cost(y) + way.cost, true});
+      for (const unsigned dashed_chord : {0U, 1U}) {
+        const IndexWay& way = index_ways[2 * (index_case::count * cases[x] + cases[y]) + 1 - dashed_chord];
+        const int cost = one.cost(x) + other.cost(y) + way.cost + ((way.joins & forbidden) != 0 ? index_unsound : 0);
+        best = std::min(best, choices * cost + static_cast<std::int64_t>(x << 17 | y << 1 | dashed_chord));
       }
-  color(0, one.for_each_link(best.first, color));
-  color(a + 1, other.for_each_link(best.second, [&](std::size_t m, bool solid) { color(a + 1 + m, solid); }));
-  color(k + 2, best.chord);
-  return best.cost;
+  const auto choice = static_cast<std::size_t>(best & (choices - 1));
+  color(0, one.for_each_link(choice >> 17, color));
+  color(a + 1, other.for_each_link(choice >> 1 & 0xffff, [&](std::size_t m, bool solid) { color(a + 1 + m, solid); }));
+  color(k + 2, (choice & 1) == 0);
+  return static_cast<int>((best - static_cast<std::int64_t>(choice)) / choices);
 }
 
 template <class Letters, class Color>
