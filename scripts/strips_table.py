@@ -2,6 +2,7 @@
 """Replays meshes and prints a table of one of the documents.
 
 levels:     strips, indices and times of each mesh under every policy (docs/strips.md)
+indices:    indices and times of each mesh where indices are the cost (docs/strips.md)
 brief:      the same of one mesh in a few columns (README.md)
 cycles:     strips at the top of one mesh after many ways down and up (docs/strips.md)
 bolder:     how often a bolder recolouring than the local rule would have been valid in one mesh (docs/strips.md)
@@ -16,7 +17,8 @@ import subprocess
 import sys
 import tempfile
 
-WAYS = ["local", "linked", "quick", "quick --tie-break indices", "full", "full --states 1024", "baked"]
+WAYS = ["local", "linked", "quick", "full", "full --states 1024", "baked"]
+INDEX_WAYS = ["local", "linked", "quick", "full"]
 BRIEF_WAYS = ["local", "linked", "quick", "full", "baked"]
 CYCLE_WAYS = ["linked", "quick", "full"]
 SHOWN_CYCLES = [1, 2, 50, 100]
@@ -57,6 +59,14 @@ def per_strip(level):
 def least(levels, above):
     lengths = [per_strip(level) for level in levels if level["triangles"] > above]
     return f"{min(lengths):,.0f}" if lengths else "–"
+
+
+def per_triangle(level):
+    return level["indices"] / level["triangles"]
+
+
+def most_indices(levels, above):
+    return f"{max(per_triangle(level) for level in levels if level['triangles'] > above):.3f}"
 
 
 def nearest(levels, triangles):
@@ -102,6 +112,24 @@ def levels_table(program, meshes, ways):
                 f"{report['ns_per_operation'] / 1000:.2f}, {report['ns_per_collapse'] / 1000:.2f}",
                 "{:.1f}, {:.1f}".format(*times_bare(report)),
                 f"{report['buffer_bytes_written_per_operation']:,.0f} of {report['buffer_bytes'] / 1000:,.0f} k",
+            ])
+
+
+def indices_table(program, meshes, ways):
+    header("mesh", "`--policy`", "strips at the top", "indices per triangle at the top", "most above 1,000: up, down",
+           "ns a split, a collapse", "times the bare update")
+    for mesh in meshes:
+        for way in ways or INDEX_WAYS:
+            report = program.replay(mesh, way, "--cost", "indices")
+            up, down, top = report["levels"], report["levels_down"], report["levels"][-1]
+            line([
+                name_of(mesh),
+                f"`{way}`",
+                f"{top['strips']:,}",
+                f"{per_triangle(top):.3f}",
+                f"{most_indices(up, 1000)}, {most_indices(down, 1000)}",
+                f"{report['ns_per_operation']:,.0f}, {report['ns_per_collapse']:,.0f}",
+                "{:.1f}, {:.1f}".format(*times_bare(report)),
             ])
 
 
@@ -183,7 +211,7 @@ def isolating_table(program, meshes, _):
         line([f"`{way}`", what, *(f"{int(row['isolating']):,} of {int(row['splits']):,}, {row['percent']} %" for row in rows)])
 
 
-TABLES = {"levels": levels_table, "brief": brief_table, "cycles": cycles_table, "bolder": bolder_table, "baked": baked_table,
+TABLES = {"levels": levels_table, "indices": indices_table, "brief": brief_table, "cycles": cycles_table, "bolder": bolder_table, "baked": baked_table,
           "isolating": isolating_table}
 
 

@@ -21,7 +21,8 @@ inline StripMesh::Halfedge random_halfedge(const StripMesh& mesh, std::mt19937& 
 }
 
 // Returns false when the operation drawn was not possible.
-inline bool random_operation(StripKeeper& keeper, std::mt19937& random, bool grow) {
+template <class Keeper>
+bool random_operation(Keeper& keeper, std::mt19937& random, bool grow) {
   using Halfedge = StripMesh::Halfedge;
   using Spokes = VertexSplit<Halfedge>::Spokes;
   const StripMesh& mesh = keeper.mesh();

@@ -87,16 +87,31 @@ TEST_F(Program, LargerSearchesKeepFewerStrips) {
   EXPECT_LT(strips("--states 200"), usual);
 }
 
-TEST_F(Program, IndicesMayBreakTies) {
-  const auto indices = [](const std::string& tie_break) {
-    const Outcome replay =
-        run_program("replay --built-in --triangles 20000 --repeats 0 --policy quick --json - --tie-break " + tie_break);
+TEST_F(Program, ReplaysKeepIndicesFewWhereTheyAreTheCost) {
+  const auto indices_per_triangle = [](const char* policy, const char* cost) {
+    const Outcome replay = run_program(
+        fmt::format("replay --built-in --triangles 6000 --repeats 0 --policy {} --cost {} --json -", policy, cost));
     EXPECT_EQ(replay.code, 0);
     const auto json = nlohmann::json::parse(replay.out);
-    EXPECT_EQ(json.at("tie_break"), tie_break);
-    return json.at("levels").back().at("indices").get<double>();
+    EXPECT_EQ(json.at("cost"), cost);
+    EXPECT_EQ(json.at("levels").size(), json.at("levels_down").size());
+    double most = 0;
+    for (const char* way : {"levels", "levels_down"})
+      for (const auto& level : json.at(way)) {
+        const auto number = [&](const char* key) { return level.at(key).template get<double>(); };
+        EXPECT_EQ(number("indices"), number("triangles") + 3 * number("strips") + number("swaps") - 1);
+        if (number("triangles") > 1000) most = std::max(most, number("indices") / number("triangles"));
+      }
+    return most;
   };
-  EXPECT_LT(indices("indices"), 0.98 * indices("strips"));
+  for (const auto& [policy, at_most] : {std::pair{"local", 1.55}, {"linked", 1.46}, {"quick", 1.42}, {"full", 1.36}}) {
+    const double indices = indices_per_triangle(policy, "indices");
+    EXPECT_LT(indices, at_most) << policy;
+    EXPECT_LT(indices, indices_per_triangle(policy, "strips") * 0.95) << policy;
+  }
+  for (const char* refused : {"--policy rules --cost indices", "--policy baked --cost indices", "--cost swaps",
+                              "--policy quick --tie-break indices"})
+    EXPECT_EQ(run_program(fmt::format("replay --built-in --triangles 2000 {}", refused)).code, 2) << refused;
 }
 
 TEST_F(Program, StripifyCountsStrips) {

@@ -57,19 +57,17 @@ TEST(Walk, ClosedMesh) {
 TEST(Walk, EveryWay) {
   for (const Way& way : ways()) {
     if (way.kind == Way::Kind::mesh) continue;
-    for (const TieBreak tie_break : {TieBreak::strips, TieBreak::indices}) {
-      if (tie_break == TieBreak::indices && !way.searches()) continue;
+    for (const Cost& cost : {Cost::strips(), Cost::indices()}) {
+      if (!(cost == Cost::strips()) && !way.weighs()) continue;
       for (const Soup& soup : {make_mesh(1000), sheet(15), bow_tie()}) {
         StripMesh mesh = stripified(soup);
-        Search search = way.search;
-        search.tie_break = tie_break;
         const BakedMesh nothing;  // a walk leaves what was baked at its first step
         const WalkReport report = walk(mesh, {2'000, 6, 50}, [&](StripMesh& on) {
-          return way.begin(on, {search, &nothing});
+          return way.begin(on, {way.search_under(cost), cost, &nothing});
         });
         EXPECT_EQ(report.fault, "") << way.name;
         EXPECT_GT(report.splits + report.collapses + report.flips + report.refused, 1'900U);
-        if (report.refused < 1'000 && way.kind == Way::Kind::ours) {
+        if (report.refused < 1'000 && way.kind == Way::Kind::ours && cost == Cost::strips()) {
           EXPECT_EQ(report.isolating, 0U) << way.name;
         }
       }
@@ -85,6 +83,16 @@ TEST(Walk, FindsWhatIsKeptWrongBesideTheMesh) {
   };
   StripMesh mesh = stripified(make_mesh(500));
   EXPECT_NE(walk(mesh, {200, 2, 100}, begin<WithAStaleIndex>).fault.find("index"), std::string::npos);
+}
+
+TEST(Walk, FindsCountersThatAreWrong) {
+  struct Meddles : Operations {
+    IndexKeeper keeper;
+    explicit Meddles(StripMesh& on) : Operations(on), keeper(on, Policy::local) {}
+    [[nodiscard]] std::string fault() const { return find_fault(keeper); }
+  };
+  StripMesh mesh = stripified(make_mesh(500));
+  EXPECT_NE(walk(mesh, {200, 2, 100}, begin<Meddles>).fault.find("but the keeper says"), std::string::npos);
 }
 
 TEST(Walk, MeshWithBoundary) {

@@ -144,13 +144,13 @@ int run(const ReplayCommand& command) {
                       : source_of(command.mesh, command.simplify, command.simplify_given);
   const Way& way = command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way);
   Plan::Given given;
-  given.search = way.search;
-  if (command.states != 0) given.search = {command.states, 0, TieBreak::strips};
-  given.search->tie_break = command.tie_break;
+  given.cost = command.cost;
+  if (command.states != 0) given.search = {command.states, 0};
   if (source.baked) given.baked = &*source.baked;
   const Plan plan(way, source.mesh, given);
   source.subject.policy = way.name;
   source.subject.search = plan.search();
+  source.subject.cost = plan.cost();
   if (plan.baked() != nullptr) source.subject.baked = costs_of(*plan.baked(), plan.seconds_to_bake());
   const ReplayReport report = replay(plan, source.original, command.replay);
   std::optional<WalkTaken> walk;

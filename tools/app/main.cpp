@@ -103,11 +103,13 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
       ->capture_default_str();
   std::vector<std::string> names;
   std::vector<std::string> searching;
+  std::vector<std::string> weighing;
   std::string about;
   for (const Way& way : ways()) {
     if (way.kind == Way::Kind::mesh) continue;
     names.push_back(way.name);
     if (way.searches()) searching.push_back(way.name);
+    if (way.weighs()) weighing.push_back(way.name);
     about += fmt::format("{}: {}; ", way.name, way.says);
   }
   sub->add_option(
@@ -117,29 +119,25 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   sub->add_option("--states", command.states,
                   "of each search of the policies quick and full: always so many; more keep fewer strips and take "
                   "longer (default: "
-                  "the policy's own, fewer where strips are long enough)")
+                  "the policy's own, fewer where strips are long enough); with --cost indices: moves priced after each "
+                  "operation")
       ->check(CLI::Range(1, 1'000'000));
-  sub->add_option_function<std::string>(
-         "--tie-break",
-         [&command](const std::string& word) {
-           command.tie_break = word == "indices" ? restrip::TieBreak::indices : restrip::TieBreak::strips;
-         },
-         "what the policies quick and full keep few: strips, or strips and then the indices of plain ones")
-      ->check(CLI::IsMember({"strips", "indices"}))
-      ->default_str("strips");
+  add_cost_option(*sub, command.cost);
   CLI::Option* walk =
       sub->add_option("--walk", command.walk_steps,
                       "then that many random splits, collapses and flips on the full mesh, under the policy")
           ->check(whole_number);
   sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->check(whole_number)->capture_default_str();
   add_json_option(*sub, command.json);
-  sub->callback([sub, mesh, built_in, searching, &command] {
+  sub->callback([sub, mesh, built_in, searching, weighing, &command] {
     if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
     command.simplify_given = simplify_options_given(*sub);
-    for (const char* option : {"--states", "--tie-break"})
-      if (sub->count(option) != 0 && (command.way.empty() || !way_named(command.way).searches()))
-        throw CLI::ValidationError(option,
-                                   fmt::format("only --policy {} search", fmt::join(searching, " and --policy ")));
+    if (sub->count("--states") != 0 && (command.way.empty() || !way_named(command.way).searches()))
+      throw CLI::ValidationError("--states",
+                                 fmt::format("only --policy {} search", fmt::join(searching, " and --policy ")));
+    if (!(command.cost == restrip::Cost::strips()) && !command.way.empty() && !way_named(command.way).weighs())
+      throw CLI::ValidationError("--cost", fmt::format("--policy {} keeps the strips few; only {} know another cost",
+                                                       command.way, fmt::join(weighing, ", ")));
   });
   sub->footer("Example: restrip replay bunny.obj --base 0.02 --cycles 10 --json bunny.json");
   return sub;

@@ -126,6 +126,47 @@ std::string find_fault(const StripMesh& mesh, const StripIndex& index) {
   return {};
 }
 
+namespace {
+
+// Triangles i - 1, i and i + 1 of a strip share a vertex, which the strip turns around at i; two turns around the same
+// one are a swap.
+std::size_t count_swaps(const StripMesh& mesh, std::span<const Triangle> strip) {
+  const auto edge_after = [&](std::size_t i) {
+    for (unsigned side = 0;; ++side) {
+      const StripMesh::Halfedge h = StripMesh::halfedge(strip[i], side);
+      if (mesh.solid(h) && StripMesh::triangle(mesh.opposite(h)) == strip[i + 1])
+        return std::pair{mesh.from(h), mesh.to(h)};
+    }
+  };
+  std::size_t swaps = 0;
+  Vertex last = none;
+  for (std::size_t i = 1; i + 1 < strip.size(); ++i) {
+    const auto in = edge_after(i - 1);
+    const auto out = edge_after(i);
+    const Vertex around = in.first == out.first || in.first == out.second ? in.first : in.second;
+    swaps += static_cast<std::size_t>(around == last);
+    last = around;
+  }
+  return swaps;
+}
+
+}  // namespace
+
+std::string find_fault(const IndexKeeper& keeper) {
+  const Strips strips = extract_strips(keeper.mesh());
+  std::size_t swaps = 0;
+  std::size_t isolated = 0;
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    swaps += count_swaps(keeper.mesh(), strips[s]);
+    isolated += static_cast<std::size_t>(strips[s].size() == 1);
+  }
+  const auto differ = [](const char* what, std::size_t counted, std::size_t told) {
+    return counted == told ? std::string() : fmt::format("{} {}, but the keeper says {}", counted, what, told);
+  };
+  return differ("strips", strips.size(), keeper.strips()) + differ("swaps", swaps, keeper.swaps()) +
+         differ("isolated triangles", isolated, keeper.isolated());
+}
+
 std::string find_fault_around(const StripMesh& mesh, Vertex v) {
   const StripMesh::Halfedge first = mesh.spoke(v);
   if (first.id == none) return {};

@@ -10,7 +10,8 @@ namespace restrip::tools {
 
 Level level_of(const StripMesh& mesh, std::vector<std::string>& faults) {
   const Strips strips = extract_strips(mesh);
-  Level level{mesh.triangle_count(), strips.size(), 0, strip_index_count(mesh, strips)};
+  Level level{mesh.triangle_count(), strips.size(), 0, 0, strip_index_count(mesh, strips)};
+  if (strips.size() != 0) level.swaps = level.indices + 1 - level.triangles - 3 * level.strips;
   for (std::size_t s = 0; s < strips.size(); ++s) level.isolated += static_cast<std::size_t>(strips[s].size() == 1);
   if (strips.order.size() != level.triangles)
     faults.push_back(

@@ -14,6 +14,7 @@ struct Level {
   std::size_t triangles = 0;
   std::size_t strips = 0;    ///< isolated triangles included
   std::size_t isolated = 0;  ///< strips of one triangle
+  std::size_t swaps = 0;     ///< a first turn that needs one more index included
   std::size_t indices = 0;   ///< of the index buffer: strips with primitive restart
 };
 

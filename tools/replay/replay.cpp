@@ -32,7 +32,8 @@ class Replay {
     watch_the_way_up();
     if (report_.operations_without_rule == 0) {
       watch_the_way_down();
-      if (plan_.way().local) report_.boldness = count_bolder(plan_.mesh(), plan_.base());
+      if (plan_.way().local && plan_.cost() == Cost::strips())
+        report_.boldness = count_bolder(plan_.mesh(), plan_.base());
       measure_buffer();
       measure();
       check_top(original.empty() ? bare_triangles() : original);
@@ -130,7 +131,11 @@ class Replay {
     report_.operations_adding_strip += done.strips > 0 ? 1 : 0;
   }
 
-  Level level() { return level_of(mesh_, report_.faults); }
+  Level level() {
+    if (const std::string fault = upkeep_->fault(); !fault.empty())
+      report_.faults.push_back(fmt::format("at {} triangles: {}", mesh_.triangle_count(), fault));
+    return level_of(mesh_, report_.faults);
+  }
   void record_level() {
     report_.levels.push_back(level());
     if (!plan_.way().bakes) return;

@@ -28,6 +28,7 @@ Json json_of(const std::vector<Level>& levels) {
     json.push_back({{"triangles", level.triangles},
                     {"strips", level.strips},
                     {"isolated", level.isolated},
+                    {"swaps", level.swaps},
                     {"indices", level.indices}});
   return json;
 }
@@ -170,7 +171,7 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"policy", subject.policy},
       {"states", subject.search.states},
       {"enough", subject.search.enough},
-      {"tie_break", subject.search.tie_break == TieBreak::indices ? "indices" : "strips"},
+      {"cost", subject.cost == Cost::strips() ? "strips" : "indices"},
       {"most_strips", report.most_strips},
       {"cycles", std::move(cycles)},
       {"ns_per_operation", report.ns_per_operation},

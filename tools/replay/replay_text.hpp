@@ -8,10 +8,11 @@
 //  - operations_isolating: of them introduced an isolated triangle
 //  - operations_adding_strip: of them left more strips than before
 //  - by_valence: {"k": splits of a fan of k triangles}
-//  - levels: [{triangles, strips, isolated, indices}] from base to finest level, on the way up
+//  - levels: [{triangles, strips, isolated, swaps, indices}] from base to finest level, on the way up;
+//    indices = triangles + 3 strips + swaps - 1, a first turn the wrong way counted as a swap
 //  - levels_down: the same levels on the way back
 //  - triangles_per_strip: at the finest level
-//  - policy, states, enough, tie_break: how strips were kept
+//  - policy, cost, states, enough: how strips were kept; what was kept low: strips or indices
 //  - most_strips: of all levels on the way up, every split counted
 //  - best_in_this_mesh: {splits, collapses}, each {operations, adding_strip, adding_strip_at_best, bolder,
 //    missed_by_linked}; under local rules (bolder.hpp)
@@ -51,6 +52,7 @@ struct Subject {
   LeftOut left_out;
   std::string policy;  ///< the way's name
   Search search;       ///< of the way
+  Cost cost;           ///< what was kept low
   std::optional<BakedCosts> baked;
 };
 

@@ -7,6 +7,7 @@
 #include "replay/paper_ways.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/operations.hpp"
+#include "restrip/search/index_keeper.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {
@@ -44,6 +45,21 @@ struct Kept {
   }
 };
 
+/// The same under another cost than strips.
+struct KeptLow {
+  IndexKeeper keeper;
+  KeptLow(StripMesh& mesh, Policy policy, const Beginning& with) : keeper(mesh, policy, with.cost) {
+    DescentPlan plan = descent_of(policy);
+    plan.limits.moves = with.search.states;
+    keeper.set_plan(plan);
+  }
+  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) { return keeper.split(where, v_t); }
+  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) { return keeper.collapse(chord); }
+  Rewrite<Halfedge> flip(Halfedge h) { return keeper.flip(h); }
+  void restart(std::size_t) { keeper.rebuild(); }
+  [[nodiscard]] std::string fault() const { return find_fault(keeper); }
+};
+
 struct Baked {
   StripMesh& mesh;
   const BakedRecords<Halfedge>& records;
@@ -72,16 +88,22 @@ struct Baked {
   void restart(std::size_t level) { player.restart(level); }
 };
 
+template <class Operations, class... Arguments>
+std::unique_ptr<Upkeep> begin_by(StripMesh& mesh, Arguments&&... arguments) {
+  return std::make_unique<UpkeepBy<Operations>>(mesh, std::forward<Arguments>(arguments)...);
+}
 template <class Operations>
-std::unique_ptr<Upkeep> begin_by(StripMesh& mesh, const Beginning&) {
-  return std::make_unique<UpkeepBy<Operations>>(mesh);
+std::unique_ptr<Upkeep> begin_plainly(StripMesh& mesh, const Beginning&) {
+  return begin_by<Operations>(mesh);
 }
 
 Way kept(const char* name, const char* says, Policy policy) {
   Way way{name, says, Way::Kind::ours, [policy](StripMesh& mesh, const Beginning& with) {
-            return std::make_unique<UpkeepBy<Kept>>(mesh, policy, with.search);
+            if (with.cost == Cost::strips()) return begin_by<Kept>(mesh, policy, with.search);
+            return begin_by<KeptLow>(mesh, policy, with);
           }};
   way.search = search_of(policy);
+  way.weighed = {descent_of(policy).limits.moves, 0};
   way.local = policy == Policy::local;
   if (way.searches()) way.says += ": up to " + std::to_string(way.search.states) + " states from each strip end";
   return way;
@@ -98,8 +120,8 @@ Way baked() {
 }
 
 std::vector<Way> all_ways() {
-  std::vector<Way> all{{"bare", "the mesh update alone; strips fall apart", Way::Kind::mesh, begin_by<Bare>},
-                       {"rules", "the rules of the tables, and nothing else", Way::Kind::rules, begin_by<Rules>},
+  std::vector<Way> all{{"bare", "the mesh update alone; strips fall apart", Way::Kind::mesh, begin_plainly<Bare>},
+                       {"rules", "the rules of the tables, and nothing else", Way::Kind::rules, begin_plainly<Rules>},
                        kept("local", "the rules of the tables, one patch at a time", Policy::local),
                        kept("linked", "rules that follow the strips around the patch", Policy::linked),
                        kept("quick", "the rules, then tunnelling", Policy::quick),
@@ -128,7 +150,9 @@ const Way& usual_way(bool strips_are_baked) {
 }
 
 Plan::Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given)
-    : way_(&way), mesh_(&mesh), search_(given.search.value_or(way.search)) {
+    : way_(&way), mesh_(&mesh), search_(given.search.value_or(way.search_under(given.cost))), cost_(given.cost) {
+  if (!(cost_ == Cost::strips()) && !way.weighs())
+    throw std::invalid_argument("the way of keeping strips named " + way.name + " knows no cost but strips");
   if (way.bakes) {
     baked_ = given.baked;
     if (baked_ == nullptr) {
@@ -142,7 +166,7 @@ Plan::Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given)
     base_ = *given.base;
   } else {
     base_ = StripMesh::build(mesh.base, mesh.points.size());
-    stripify(base_, Effort::full);
+    stripify(base_, Effort::full, cost_);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "lod/bake.hpp"
 #include "lod/progressive_mesh.hpp"
 #include "replay/upkeep.hpp"
+#include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/search/keeper.hpp"
 
@@ -19,6 +20,7 @@ namespace restrip::tools {
 /// What an upkeep begins with, besides the mesh.
 struct Beginning {
   Search search;                     ///< of ways that search
+  Cost cost = Cost::strips();        ///< of ways that weigh; what they keep low
   const BakedMesh* baked = nullptr;  ///< of ways that bake; must outlive the upkeep
 };
 
@@ -37,10 +39,16 @@ struct Way {
   /// at a level that is baked, and go on by the rules elsewhere.
   std::function<std::unique_ptr<Upkeep>(StripMesh&, const Beginning&)> begin;
   Search search{};     ///< its own; one without states does not search, and takes no other
+  Search weighed{};    ///< the same under other costs than strips, where `states` counts the moves priced after each
+                       ///< operation (index_keeper.hpp); one without states: the way knows no other cost
   bool bakes = false;  ///< decides the strips of all levels beforehand, so that a level always has the same
   bool local = false;  ///< sees the patch and what it isolates, no more (what that gives away: bolder.hpp)
 
   [[nodiscard]] bool searches() const noexcept { return search.states != 0; }
+  [[nodiscard]] bool weighs() const noexcept { return weighed.states != 0; }
+  [[nodiscard]] const Search& search_under(const Cost& cost) const noexcept {
+    return cost == Cost::strips() ? search : weighed;
+  }
 };
 
 /// All of them: the mesh alone, the rules alone, ours from the least to the most costly, the paper's.
@@ -56,11 +64,13 @@ class Plan {
   /// What is there already and need not be made.
   struct Given {
     std::optional<Search> search = std::nullopt;  ///< other than the way's own
+    Cost cost = Cost::strips();                   ///< what is kept low; other costs only where the way weighs
     const StripMesh* base = nullptr;              ///< the base with strips from scratch
     const BakedMesh* baked = nullptr;             ///< must be baked from that mesh, and outlive the plan
   };
 
   /// The mesh must outlive the plan. Stripifies the base, or bakes, which may throw BadInput and take long (bake.hpp).
+  /// Throws std::invalid_argument when the way knows no such cost.
   Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given);
   Plan(const Way& way, const ProgressiveMesh& mesh) : Plan(way, mesh, Given{}) {}
   Plan(const std::string& way, const ProgressiveMesh& mesh) : Plan(way_named(way), mesh) {}
@@ -69,16 +79,18 @@ class Plan {
   [[nodiscard]] const ProgressiveMesh& mesh() const noexcept { return *mesh_; }
   [[nodiscard]] const StripMesh& base() const noexcept { return base_; }
   [[nodiscard]] const Search& search() const noexcept { return search_; }
+  [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
   [[nodiscard]] const BakedMesh* baked() const noexcept { return baked_; }    ///< null for ways that do not bake
   [[nodiscard]] double seconds_to_bake() const noexcept { return seconds_; }  ///< 0 when nothing was baked here
 
   /// Begins on a mesh, a copy of the base or of a later level (then call restart).
-  [[nodiscard]] std::unique_ptr<Upkeep> begin(StripMesh& on) const { return way_->begin(on, {search_, baked_}); }
+  [[nodiscard]] std::unique_ptr<Upkeep> begin(StripMesh& on) const { return way_->begin(on, {search_, cost_, baked_}); }
 
  private:
   const Way* way_;
   const ProgressiveMesh* mesh_;
   Search search_;
+  Cost cost_;
   std::shared_ptr<const BakedMesh> made_;
   const BakedMesh* baked_ = nullptr;
   StripMesh base_;

@@ -110,7 +110,8 @@ class Descent {
 
   void look_at_end(const StripMesh& mesh, Triangle t, unsigned side, unsigned solid, End& end) const;
   void add_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest);
-  void cut_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest);
+  void cut_move(const StripMesh& mesh, Halfedge h, std::int32_t highest);
+  void find_moves(const StripMesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked);
   void consider(const StripMove& move, std::int32_t highest);
   [[nodiscard]] bool step(StripMesh& mesh, Triangle t);
   [[nodiscard]] bool chain(StripMesh& mesh, Triangle t, const DescentLimits& limits);
@@ -123,6 +124,9 @@ class Descent {
   ColoringChange done_;
   std::array<StripMove, most_moves> found_{};
   std::size_t found_count_ = 0;
+  // Looked at since the last change of a colour: their edges need no second look, from either side.
+  std::array<Triangle, 24> looked_{};
+  std::size_t looked_count_ = 0;
   std::vector<Triangle> queue_;
   std::vector<Triangle> touched_;
 };

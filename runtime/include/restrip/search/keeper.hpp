@@ -33,31 +33,17 @@
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/policy.hpp"
 #include "restrip/search/rounds.hpp"
 #include "restrip/search/strip_index.hpp"
 #include "restrip/search/tunnel.hpp"
 
 namespace restrip {
 
-/// How far an operation looks for strips to join.
-enum class Policy {
-  local,   ///< not at all: the rules of operations.hpp, with adoption (adopt.hpp); no index
-  linked,  ///< along the strips that touch the patch (linked.hpp); no index
-  quick,   ///< tunnelling, for some 150 triangles per strip
-  full     ///< tunnelling, for several times as many
-};
-
-/// Secondary objective; fewest strips are always first.
-enum class TieBreak {
-  strips,  ///< nothing else
-  indices  ///< few swaps (see Tunnel::OnFailure::fewer_swaps), by searches that find no strip to join
-};
-
 /// How large the searches from the strip ends in a patch are, and what for.
 struct Search {
   std::uint32_t states = 0;  ///< state limit per search; 0 disables searching
   std::uint32_t enough = 0;  ///< triangles per strip: searches get smaller while strips are longer on average. 0: never
-  TieBreak tie_break = TieBreak::strips;
 };
 
 /// Searches of n states keep about 3 n triangles per strip, where holes and connected components of the mesh allow it.
@@ -67,9 +53,9 @@ struct Search {
     case Policy::linked:
       return {};
     case Policy::quick:
-      return {56, 150, TieBreak::strips};
+      return {56, 150};
     case Policy::full:
-      return {320, 0, TieBreak::strips};
+      return {320, 0};
   }
   return {};
 }
@@ -202,11 +188,9 @@ class StripKeeper {
   Rewrite<Halfedge> finish(Rewrite<Halfedge> done) {
     index_.after_patch(*mesh_, patch_);
     const std::uint32_t states = states_now();
-    const auto on_failure =
-        search_.tie_break == TieBreak::indices ? Tunnel::OnFailure::fewer_swaps : Tunnel::OnFailure::stay;
     const TunnelCounts before = tunnel_.counts();
     for (const Triangle t : patch_)
-      if (mesh_->solid_degree(t) < 2) tunnel_.join(*mesh_, index_, t, states, on_failure);
+      if (mesh_->solid_degree(t) < 2) tunnel_.join(*mesh_, index_, t, states);
     done.strips -= static_cast<int>(tunnel_.counts().joined - before.joined);
     done.isolated += static_cast<int>(tunnel_.counts().isolated - before.isolated);
     if (done.isolated > 0)

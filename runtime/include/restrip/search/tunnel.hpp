@@ -37,18 +37,15 @@ struct TunnelCounts {
 class Tunnel {
  public:
   enum class OnFailure {
-    stay,        ///< nothing changes
-    wander,      ///< the moves that led to the last state looked at are made, and the strip ends there
-    fewer_swaps  ///< the same with the state of fewest swaps, if they are fewer than now and no triangle is left alone
+    stay,   ///< nothing changes
+    wander  ///< the moves that led to the last state looked at are made, and the strip ends there
   };
 
   /// Tries to join the strip that ends at `end` with another one, looking at no more than `max_states` states. Returns
   /// true when the mesh has one strip less. `index` must be that of the mesh. Deterministic.
   ///
   /// A search that fails leaves the number of strips as it is. After `wander` the next search starts from a place that
-  /// this one could only just reach. `fewer_swaps` makes each state half as expensive again. A swap is two turns the
-  /// same way, which cost an index of a plain strip. Swaps are counted as if a chain never returned to where it has
-  /// been, so in about one case in a hundred there are a few more instead of fewer.
+  /// this one could only just reach.
   ///
   /// Cost: O(max_states * length of the chains), with chains as long as a search of that size gets (about 5 moves at
   /// 100 states, 12 at 1,000, 25 at 10,000). Does nothing when `end` is inside a strip.
@@ -91,7 +88,6 @@ class Tunnel {
     Order y;
     std::uint32_t where;        // the piece of the parent that x is in, or the name of its strip if no move touched it
     bool touched;               // which of the two
-    int swaps = 0;              // more than at the start, when they are counted
     std::uint32_t pieces = 0;   // when it has: the first one in pieces_,
     std::uint32_t current = 0;  // how many make up the path of the new end,
     std::uint32_t total = 0;    // and all paths
@@ -107,7 +103,6 @@ class Tunnel {
   bool expand(StripMesh& mesh, StripIndex& index, std::uint32_t s);
   bool move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge join, Triangle x);
   bool reach(StripMesh& mesh, StripIndex& index, const State& state);
-  [[nodiscard]] int swaps_of_move(const StripMesh& mesh, const State& state) const noexcept;
   void lay_out(std::uint32_t s);
   Piece* room_for(State& state, std::uint32_t current, std::uint32_t total);
   void rotate(std::uint32_t s);
@@ -125,8 +120,6 @@ class Tunnel {
   std::vector<std::uint32_t> seen_;
   std::uint32_t search_ = 0;
   std::uint32_t max_states_ = 0;
-  bool counts_swaps_ = false;
-  std::uint32_t straightest_ = 0;  // the state of fewest swaps
   std::vector<std::uint32_t> chain_;
   TunnelCounts counts_;
 };

@@ -23,6 +23,24 @@ constexpr unsigned turned_side(unsigned side, unsigned turn) noexcept {
 /// Is a solid edge a swap, by the turns on its two sides?
 constexpr int is_swap(unsigned turn, unsigned turn_back) noexcept { return int{(turn ^ turn_back) == 3}; }
 
+/// The solid edge of a strip one further: 1 when it is a swap, by the triangle `t`, the side from which it is seen and
+/// the turn there (not 0).
+inline int swap_behind(const StripMesh& mesh, Triangle t, unsigned side, unsigned turn) noexcept {
+  const StripMesh::Halfedge back = mesh.opposite(StripMesh::halfedge(t, turned_side(side, turn)));
+  return int{other_sides(mesh.solid_sides(StripMesh::triangle(back)), StripMesh::side(back)) == turn};
+}
+
+/// What cutting the solid edge of h changes.
+inline ColoringChange cut_change(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
+  const StripMesh::Halfedge back = mesh.opposite(h);
+  const unsigned turn = other_sides(mesh.solid_sides(StripMesh::triangle(h)), StripMesh::side(h));
+  const unsigned turn_back = other_sides(mesh.solid_sides(StripMesh::triangle(back)), StripMesh::side(back));
+  ColoringChange change{1, -is_swap(turn, turn_back), int{turn == 0} + int{turn_back == 0}};
+  if (turn != 0) change.swaps -= swap_behind(mesh, StripMesh::triangle(h), StripMesh::side(h), turn);
+  if (turn_back != 0) change.swaps -= swap_behind(mesh, StripMesh::triangle(back), StripMesh::side(back), turn_back);
+  return change;
+}
+
 /// The colours of a few triangles as a move leaves them, and of all others as the mesh has them.
 class MoveOverlay {
  public:
@@ -111,40 +129,39 @@ inline void Descent::look_at_end(const StripMesh& mesh, Triangle t, unsigned sid
     return;
   }
   // Seen from the edge to a neighbour, the strip turns to the other neighbour or, with the new edge, to the opposite.
-  std::array<Halfedge, 3> towards{};
-  std::array<unsigned, 3> turn{};
-  for (unsigned i = 1; i <= 2; ++i) {
-    if ((others & i) == 0) continue;
-    towards[i] = mesh.opposite(StripMesh::halfedge(t, detail::turned_side(side, i)));
-    turn[i] = detail::other_sides(mesh.solid_sides(StripMesh::triangle(towards[i])), StripMesh::side(towards[i]));
-  }
+  const auto neighbor = [&](unsigned i) { return mesh.opposite(StripMesh::halfedge(t, detail::turned_side(side, i))); };
+  const auto turn_at = [&](Halfedge h) {
+    return detail::other_sides(mesh.solid_sides(StripMesh::triangle(h)), StripMesh::side(h));
+  };
   if (others != 3) {
     Way& way = end.way[0];
     end.count = 1;
-    way.kept = StripMesh::triangle(towards[others]);
+    const Halfedge kept = neighbor(others);
+    way.kept = StripMesh::triangle(kept);
     way.turn = others;
-    way.swaps = int{turn[others] == others};
+    way.swaps = int{turn_at(kept) == others};
     end.fewest_swaps = way.swaps;
     return;
   }
   end.count = 2;
+  const std::array<Halfedge, 2> towards{neighbor(1), neighbor(2)};
+  const std::array<unsigned, 2> turn{turn_at(towards[0]), turn_at(towards[1])};
   for (unsigned keeps = 1; keeps <= 2; ++keeps) {
     const unsigned gives = 3 - keeps;
     Way& way = end.way[keeps - 1];
-    way.given_up = towards[gives];
-    way.freed = StripMesh::triangle(towards[gives]);
-    way.kept = StripMesh::triangle(towards[keeps]);
+    way.given_up = towards[gives - 1];
+    way.freed = StripMesh::triangle(way.given_up);
+    way.kept = StripMesh::triangle(towards[keeps - 1]);
     way.turn = keeps;
-    way.swaps = int{turn[keeps] == keeps} - int{turn[keeps] == gives} - int{turn[gives] == keeps};
-    if (turn[gives] == 0) {
-      way.isolated = 1;
-    } else {
-      // The freed triangle becomes an end: no swap on its other side any more.
-      const Halfedge behind = mesh.opposite(
-          StripMesh::halfedge(way.freed, detail::turned_side(StripMesh::side(towards[gives]), turn[gives])));
-      way.beyond = StripMesh::triangle(behind);
-      way.swaps -= int{detail::other_sides(mesh.solid_sides(way.beyond), StripMesh::side(behind)) == turn[gives]};
-    }
+    // The freed triangle becomes an end: no swap on its other side any more, if it has one. (Turned by nothing the
+    // look goes back to t, and no turn is 0 there.)
+    const unsigned freed_turn = turn[gives - 1];
+    const Halfedge behind =
+        mesh.opposite(StripMesh::halfedge(way.freed, detail::turned_side(StripMesh::side(way.given_up), freed_turn)));
+    way.beyond = StripMesh::triangle(behind);
+    way.isolated = int{freed_turn == 0};
+    way.swaps = int{turn[keeps - 1] == keeps} - int{turn[keeps - 1] == gives} - int{freed_turn == keeps} -
+                int{turn_at(behind) == freed_turn};
   }
   end.fewest_swaps = std::min(end.way[0].swaps, end.way[1].swaps);
 }
@@ -154,16 +171,9 @@ inline void Descent::consider(const StripMove& move, std::int32_t highest) {
   if (move.price <= highest) found_[found_count_++] = move;
 }
 
-inline void Descent::cut_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest) {
-  // A cut saves three swaps at most.
-  if (std::int32_t{cost_.restart} - 3 * std::int32_t{cost_.swap} > highest) return;
-  detail::MoveOverlay colors(mesh);
-  colors.change(h, false);
-  StripMove move{h};
-  move.change = colors.difference();
-  move.change.strips = 1;
+inline void Descent::cut_move(const StripMesh& mesh, Halfedge h, std::int32_t highest) {
+  StripMove move{h, {}, detail::cut_change(mesh, h)};
   move.price = move.change.price(cost_);
-  static_cast<void>(back);
   consider(move, highest);
 }
 
@@ -212,18 +222,26 @@ inline void Descent::add_moves(const StripMesh& mesh, Halfedge h, Halfedge back,
 
 inline std::span<const StripMove> Descent::moves_at(const StripMesh& mesh, Triangle t, std::int32_t highest) {
   RESTRIP_ASSERT(mesh.alive(t), "Descent::moves_at", "the triangle is not one of this mesh");
+  find_moves(mesh, t, highest, {});
+  return {found_.data(), found_count_};
+}
+
+// `looked`: triangles whose moves are known to be of no use.
+inline void Descent::find_moves(const StripMesh& mesh, Triangle t, std::int32_t highest,
+                                std::span<const Triangle> looked) {
   found_count_ = 0;
   const unsigned solid = mesh.solid_sides(t);
-  for (unsigned s = 0; s < 3; ++s) {
-    const Halfedge h = StripMesh::halfedge(t, s);
+  for (unsigned dashed = 7U & ~solid; dashed != 0; dashed &= dashed - 1) {
+    const Halfedge h = StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(dashed)));
     const Halfedge back = mesh.opposite(h);
     if (StripMesh::on_boundary(back)) continue;
-    if ((solid >> s & 1U) != 0)
-      cut_moves(mesh, h, back, highest);
-    else if (StripMesh::triangle(back) != t)
-      add_moves(mesh, h, back, highest);
+    const Triangle u = StripMesh::triangle(back);
+    if (u != t && std::find(looked.begin(), looked.end(), u) == looked.end()) add_moves(mesh, h, back, highest);
   }
-  return {found_.data(), found_count_};
+  // A cut saves three swaps at most.
+  if (std::int32_t{cost_.restart} - 3 * std::int32_t{cost_.swap} > highest) return;
+  for (unsigned rest = solid; rest != 0; rest &= rest - 1)
+    cut_move(mesh, StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(rest))), highest);
 }
 
 inline bool Descent::keeps_strips(const StripMesh& mesh, const StripMove& move) {
@@ -261,6 +279,7 @@ inline void Descent::make(StripMesh& mesh, const StripMove& move) {
   for (const Halfedge h : move.given_up)
     if (h.id != none) mesh.set_solid(h, false);
   mesh.set_solid(move.edge, adds);
+  looked_count_ = 0;
   ++counts_.made;
   done_ += move.change;
 }
@@ -286,7 +305,9 @@ inline void Descent::touch(const StripMesh& mesh, const StripMove& move) {
 
 // The best move at t that lowers the cost, if there is one.
 inline bool Descent::step(StripMesh& mesh, Triangle t) {
-  static_cast<void>(moves_at(mesh, t, -1));
+  const auto looked = std::span<const Triangle>(looked_).first(looked_count_);
+  if (std::find(looked.begin(), looked.end(), t) != looked.end()) return false;
+  find_moves(mesh, t, -1, looked);
   while (found_count_ != 0) {
     const auto end = found_.begin() + static_cast<std::ptrdiff_t>(found_count_);
     const auto best =
@@ -301,12 +322,13 @@ inline bool Descent::step(StripMesh& mesh, Triangle t) {
     std::move(best + 1, end, best);
     --found_count_;
   }
+  if (looked_count_ < looked_.size()) looked_[looked_count_++] = t;
   return false;
 }
 
 // A move that costs a little, and the best one after it, if they pay together.
 inline bool Descent::chain(StripMesh& mesh, Triangle t, const DescentLimits& limits) {
-  static_cast<void>(moves_at(mesh, t, limits.worse));
+  find_moves(mesh, t, limits.worse, {});
   std::array<StripMove, most_moves> first = found_;
   const auto end = first.begin() + static_cast<std::ptrdiff_t>(found_count_);
   for (auto one = first.begin(); one != end; ++one)  // by price; equal ones stay in their order
@@ -346,6 +368,7 @@ inline void Descent::look_again(const DescentLimits& limits, std::size_t given) 
 
 inline ColoringChange Descent::run(StripMesh& mesh, std::span<const Triangle> from, const DescentLimits& limits) {
   done_ = {};
+  looked_count_ = 0;
   queue_.assign(from.begin(), from.end());
   const std::uint64_t stop = counts_.priced + limits.moves;
   for (std::size_t head = 0; head < queue_.size() && counts_.priced < stop; ++head) {

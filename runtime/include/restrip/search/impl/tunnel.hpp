@@ -15,7 +15,6 @@ inline bool Tunnel::join(StripMesh& mesh, StripIndex& index, Triangle end, std::
   if (max_states == 0 || index.strips() < 2 || mesh.solid_degree(end) > 1) return false;
   ++counts_.searches;
   max_states_ = max_states;
-  counts_swaps_ = on_failure == OnFailure::fewer_swaps;
   start(mesh, index, end);
   bool joined = false;
   for (std::uint32_t s = 0; s < states_.size() && (s == 0 || states_.size() < max_states) && !joined; ++s) {
@@ -25,7 +24,6 @@ inline bool Tunnel::join(StripMesh& mesh, StripIndex& index, Triangle end, std::
   counts_.joined += joined ? 1U : 0U;
   if (joined) return true;
   if (on_failure == OnFailure::wander) commit(mesh, index, static_cast<std::uint32_t>(states_.size() - 1));
-  if (on_failure == OnFailure::fewer_swaps) commit(mesh, index, straightest_);
   return false;
 }
 
@@ -36,7 +34,6 @@ inline void Tunnel::start(const StripMesh& mesh, const StripIndex& index, Triang
     search_ = 1;
   }
   states_.clear();
-  straightest_ = 0;
   used_ = 0;
   start_ = end;
   seen_[end] = search_;
@@ -65,10 +62,6 @@ inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state
   seen_[y] = search_;
   const auto s = static_cast<std::uint32_t>(states_.size());
   states_.push_back(state);
-  if (counts_swaps_) {
-    states_[s].swaps = states_[state.parent].swaps + swaps_of_move(mesh, state);
-    if (states_[s].swaps < states_[straightest_].swaps && mesh.solid_degree(y) > 1) straightest_ = s;
-  }
   for (unsigned dashed = dashed_sides(mesh, y); dashed != 0; dashed &= dashed - 1) {
     const Halfedge join = lowest(y, dashed);
     const Halfedge there = mesh.opposite(join);
@@ -79,57 +72,6 @@ inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state
     if (move(mesh, index, s, join, x)) return true;
   }
   return false;
-}
-
-namespace detail {
-
-// The solid side of the triangle of h other than its own: 0 there is none, 1 the next one, 2 the one before. At most
-// two are solid.
-constexpr unsigned turn_from(unsigned solid, StripMesh::Halfedge h) noexcept {
-  const StripMesh::Halfedge next = StripMesh::next(h);
-  const StripMesh::Halfedge before = StripMesh::next(next);
-  return (solid >> StripMesh::side(next) & 1U) | (solid >> StripMesh::side(before) & 1U) << 1;
-}
-
-// A solid dual edge is a swap when the strip turns the same way on both its sides: 1, else 0. Its two halfedges, each
-// with the solid sides of its triangle.
-constexpr int is_swap(unsigned solid_g, StripMesh::Halfedge g, unsigned solid_h, StripMesh::Halfedge h) noexcept {
-  return int{(turn_from(solid_g, g) ^ turn_from(solid_h, h)) == 3};
-}
-
-}  // namespace detail
-
-// By how many a move changes the swaps: those at its two edges and at their solid neighbours, as the mesh and the cut
-// before have them.
-inline int Tunnel::swaps_of_move(const StripMesh& mesh, const State& state) const noexcept {
-  const Halfedge join_x = mesh.opposite(state.join);
-  const Halfedge cut_x = mesh.opposite(state.cut);
-  const Triangle end = StripMesh::triangle(state.join);
-  const Triangle x = StripMesh::triangle(join_x);
-  const Triangle y = StripMesh::triangle(state.cut);
-  const auto with = [](unsigned sides, Halfedge h) { return sides | 1U << StripMesh::side(h); };
-  const auto without = [](unsigned sides, Halfedge h) { return sides & ~(1U << StripMesh::side(h)); };
-
-  const unsigned end_before =
-      state.parent == 0 ? mesh.solid_sides(end) : without(mesh.solid_sides(end), states_[state.parent].cut);
-  const unsigned end_after = with(end_before, state.join);
-  const unsigned x_before = mesh.solid_sides(x);
-  const unsigned x_after = with(without(x_before, cut_x), join_x);
-  const unsigned y_before = mesh.solid_sides(y);
-  int swaps =
-      detail::is_swap(end_after, state.join, x_after, join_x) - detail::is_swap(x_before, cut_x, y_before, state.cut);
-  // The other solid edge of each of the three.
-  const auto change = [&](Triangle t, unsigned other, unsigned before, unsigned after) {
-    if (other == 0) return;
-    const Halfedge h = lowest(t, other);
-    const Halfedge g = mesh.opposite(h);
-    const unsigned beyond = mesh.solid_sides(StripMesh::triangle(g));
-    swaps += detail::is_swap(after, h, beyond, g) - detail::is_swap(before, h, beyond, g);
-  };
-  change(end, end_before, end_before, end_after);
-  change(x, without(x_before, cut_x), x_before, x_after);
-  change(y, without(y_before, state.cut), y_before, without(y_before, state.cut));
-  return swaps;
 }
 
 // All moves from a state. True when one of them has joined two strips.
