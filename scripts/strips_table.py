@@ -23,7 +23,7 @@ BRIEF_WAYS = ["local", "linked", "quick", "full", "baked"]
 CYCLE_WAYS = ["linked", "quick", "full"]
 SHOWN_CYCLES = [1, 2, 50, 100]
 PAPER_WAYS = {
-    "paper": "both halves of a cut edge inherit its colour; the two new triangles join when both are alone",
+    "paper": "both halves of a cut edge inherit its colour; the two new triangles join when both are isolated",
     "paper-tunnel": "the same, with tunnelling while more than a tenth of the strips are isolated triangles",
     "paper-alone-tunnel": "as before, but the two new triangles never join",
     "paper-alone": "never join, no tunnelling",
