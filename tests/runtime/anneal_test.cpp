@@ -113,14 +113,28 @@ TEST(Anneal, TellsTheCostOfValidColorsAndNeverRaisesIt) {
       }
 }
 
-TEST(Anneal, IndicesAreFewOnALargerMesh) {
-  StripMesh torus = sample::torus(60, 50);
-  stripify(torus, Effort::full);
-  const std::size_t fewest_strips = strip_index_count(torus, extract_strips(torus));
-  stripify(torus, Effort::full, Cost::indices());
-  const std::size_t indices = strip_index_count(torus, extract_strips(torus));
-  EXPECT_LT(indices, fewest_strips - fewest_strips / 12);
-  EXPECT_GT(indices, strip_index_lower_bound(torus));
+TEST(Anneal, IndicesAreFewOnLargerMeshes) {
+  for (StripMesh& mesh : std::array{sample::torus(60, 50), sample::rectangle(50, 40)}) {
+    const auto indices = [&mesh](Effort effort, Cost cost) {
+      stripify(mesh, effort, cost);
+      return strip_indices(mesh).size();
+    };
+    const std::size_t with_fewest_strips = indices(Effort::fast, Cost::strips());
+    const std::size_t fast = indices(Effort::fast, Cost::indices());
+    const std::size_t full = indices(Effort::full, Cost::indices());
+    EXPECT_LT(fast, with_fewest_strips - with_fewest_strips / 20);
+    EXPECT_LT(full, fast - fast / 50);
+    EXPECT_GT(full, strip_index_lower_bound(mesh));
+  }
+}
+
+TEST(Anneal, ColdItNeverAcceptsWhatCosts) {
+  StripMesh mesh = sample::torus(30, 20);
+  stripify(mesh, Effort::full, Cost::indices());
+  const std::uint64_t before = recounted(mesh, Cost::indices());
+  EXPECT_LE(anneal(mesh, Cost::indices(), {100'000, 1, 5, 0}), before);
+  // Hot, it forgets; kept is what was better.
+  EXPECT_LE(anneal(mesh, Cost::indices(), {100, 1, 5, 1000}), before);
 }
 
 TEST(Anneal, DependsOnItsArgumentsAlone) {

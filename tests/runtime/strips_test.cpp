@@ -173,11 +173,21 @@ TEST(Strips, SwapsAreToldFromFourColours) {
   }
 }
 
+TEST(Strips, AreWrittenFromColorsAsFromAList) {
+  std::mt19937 random(5);
+  for (const double share : {0.0, 0.3, 0.6, 0.9, 1.0})
+    for (StripMesh& mesh : sample::meshes()) {
+      color_at_random(mesh, share, random);
+      EXPECT_EQ(strip_indices(mesh), strip_indices(mesh, extract_strips(mesh)));
+    }
+}
+
 TEST(Strips, AnEmptyMeshHasNone) {
   const StripMesh mesh;
   const Strips strips = extract_strips(mesh);
   EXPECT_EQ(strips.size(), 0U);
   EXPECT_TRUE(strip_indices(mesh, strips).empty());
+  EXPECT_TRUE(strip_indices(mesh).empty());
   EXPECT_EQ(strip_index_count(mesh, strips), 0U);
   EXPECT_TRUE(check_coloring(mesh).valid);
 }

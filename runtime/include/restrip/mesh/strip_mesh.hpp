@@ -161,6 +161,10 @@ class StripMesh {
   }
   /// Colours every dual edge dashed.
   void clear_colors() noexcept;
+  /// Colours every dual edge: bit s of solid_sides[t] is the colour of side s of triangle t, for all triangles below
+  /// triangle_bound(). Both triangles of an edge must say the same; sides without a neighbour, and triangles that are
+  /// not alive, must say 0. Throws std::bad_alloc only while the mesh is watched; nothing has changed then.
+  void set_colors(std::span<const std::uint8_t> solid_sides);
 
   // ---- operations on the mesh alone (restrip::split and friends keep the strips as well)
   /// See SplittableMesh. The new vertex is `new_vertex`, or the next free one when none is given; vertices up to it are

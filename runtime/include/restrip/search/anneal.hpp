@@ -22,6 +22,8 @@ struct AnnealOptions {
   std::uint64_t moves = 0;   ///< changes to be tried in a round, some 80 ns each; 0: 100 for each triangle
   std::uint32_t rounds = 1;  ///< each from hot to cold; the cheapest colouring that one ends with counts
   std::uint64_t seed = 1;    ///< other seeds, other colourings, about as good
+  std::uint32_t heat = 100;  ///< first temperature: about 100 forgets the colours it begins with, 20 improves them, and
+                             ///< with 0 no change is made that costs something
 };
 
 /// Lowers the cost of a valid colouring. The cost is that of cost.hpp, with one addition: where swaps have a weight, a
@@ -41,20 +43,15 @@ namespace restrip {
 
 inline std::uint64_t anneal(StripMesh& mesh, Cost cost, const AnnealOptions& options) {
   detail::Annealing annealing(mesh, cost, options.seed);
-  detail::Annealing::Colors best = annealing.colors();
-  std::uint64_t least = annealing.cost(mesh);
-  bool better = false;
-  for (std::uint32_t round = 0; round < options.rounds && least != 0; ++round) {
-    annealing.cool(options.moves != 0 ? options.moves : mesh.triangle_count() * std::uint64_t{100});
-    if (cost.swap != 0) annealing.settle_windings(4);
-    const std::uint64_t reached = annealing.cost(mesh);
-    if (reached >= least) continue;
-    least = reached;
-    best = annealing.colors();
-    better = true;
+  annealing.keep();
+  for (std::uint32_t round = 0; round < options.rounds && annealing.least() != 0; ++round) {
+    annealing.cool(options.moves != 0 ? options.moves : mesh.triangle_count() * std::uint64_t{100}, options.heat);
+    annealing.settle_windings(4);
+    annealing.keep();
   }
-  if (better) annealing.give(best, mesh);
-  return least;
+  annealing.go_back();
+  annealing.give(mesh);
+  return annealing.least();
 }
 
 }  // namespace restrip

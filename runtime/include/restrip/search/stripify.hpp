@@ -5,7 +5,7 @@
 // 1,500 take 1.12).
 //
 //   stripify(mesh, Effort::full, Cost::indices());
-//   const std::vector<std::uint32_t> indices = strip_indices(mesh, extract_strips(mesh));
+//   const std::vector<std::uint32_t> indices = strip_indices(mesh);
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,6 @@
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/output/strips.hpp"
 #include "restrip/search/anneal.hpp"
 #include "restrip/search/greedy.hpp"
 #include "restrip/search/rounds.hpp"
@@ -26,9 +25,10 @@ namespace restrip {
 
 /// In the order of time that they take. None costs more than the one before.
 enum class Effort {
-  fast,  ///< one pass, linear time (greedy.hpp): about 200 to 700 triangles per strip
+  fast,  ///< one pass, linear time. Strips: greedy.hpp, about 200 to 700 triangles per strip; otherwise strips of some
+         ///< 50 triangles that keep turning left and right, and a few moves at their ends
   full,  ///< strips: then rounds of tunnelling (rounds.hpp), towards one strip for each connected component; otherwise
-         ///< then annealing (anneal.hpp), about 10 microseconds a triangle
+         ///< annealing (anneal.hpp), some 10 microseconds a triangle
   best   ///< strips: larger limits of tunnelling; otherwise annealing for ten times as long
 };
 
@@ -62,23 +62,44 @@ inline std::size_t tunnel_from_scratch(StripMesh& mesh, std::uint64_t states) {
 }  // namespace detail
 
 inline std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint64_t limit, std::uint64_t seed) {
-  const std::size_t greedy = stripify_fast(mesh);
   const std::uint64_t triangles = mesh.triangle_count();
-  if (effort == Effort::fast) return greedy;
   if (cost.swap == 0) {
-    const std::uint64_t states = (effort == Effort::full ? 40 : 1000) * triangles;
+    const std::size_t strips = stripify_fast(mesh);
+    if (effort == Effort::fast) return strips;
     const bool strips_alone = cost.isolated == 0;
-    const std::size_t strips = detail::tunnel_from_scratch(mesh, strips_alone && limit != 0 ? limit : states);
-    if (strips_alone) return strips;
+    const std::uint64_t states = (effort == Effort::full ? 40 : 1000) * triangles;
+    const std::size_t fewer = detail::tunnel_from_scratch(mesh, strips_alone && limit != 0 ? limit : states);
+    if (strips_alone) return fewer;
   }
-  anneal(mesh, cost, {limit != 0 && effort == Effort::full ? limit : 100 * triangles, 1, seed});
-  if (effort == Effort::best) {
-    // Small meshes take next to no time, so they are annealed until luck does not matter.
-    const std::uint64_t moves = limit != 0 ? limit : 1000 * triangles;
-    const std::uint64_t rounds = limit != 0 ? 1 : 1 + 250'000 / std::max<std::uint64_t>(moves, 1);
-    anneal(mesh, cost, {moves, static_cast<std::uint32_t>(rounds), seed + 1});
+  detail::Annealing annealing(mesh, cost, seed);
+  if (cost.swap != 0) {
+    annealing.grow();
+    annealing.settle_ends(2);
   }
-  return count_strips(mesh);
+  if (effort != Effort::fast) {
+    const auto cool = [&annealing](std::uint64_t moves, std::uint32_t heat) {
+      annealing.cool(moves, heat);
+      annealing.settle_windings(4);
+      annealing.keep();
+    };
+    annealing.keep();
+    // On regular meshes the strips as they have grown are hard to beat.
+    cool(10 * triangles, 0);
+    cool(limit != 0 && effort == Effort::full ? limit : 100 * triangles, 100);
+    if (effort == Effort::best) {
+      // Small meshes take next to no time, so they are annealed until luck does not matter.
+      const std::uint64_t moves = limit != 0 ? limit : 1000 * triangles;
+      const std::uint64_t rounds = limit != 0 ? 1 : 1 + 250'000 / std::max<std::uint64_t>(moves, 1);
+      for (std::uint64_t round = 0; round < rounds; ++round) {
+        cool(moves - moves / 5, 100);
+        annealing.go_back();
+        cool(moves / 5, 25);
+      }
+    }
+    annealing.go_back();
+  }
+  annealing.give(mesh);
+  return annealing.strips();
 }
 
 }  // namespace restrip

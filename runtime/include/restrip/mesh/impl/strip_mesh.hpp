@@ -109,6 +109,24 @@ inline void StripMesh::clear_colors() noexcept {
       if (link != edge_of_mesh) link &= ~1U;
 }
 
+inline void StripMesh::set_colors(std::span<const std::uint8_t> solid_sides) {
+  expect_touches(triangle_count());
+  for (Triangle t = 0; t < triangles_.size(); ++t) {
+    if (!alive(t)) continue;
+    Record& record = triangles_[t];
+    for (unsigned s = 0; s < 3; ++s) {
+      const std::uint32_t solid = solid_sides[t] >> s & 1U;
+      RESTRIP_ASSERT(record.link[s] != edge_of_mesh || solid == 0, "StripMesh::set_colors",
+                     describe(Refusal::boundary_edge));
+      RESTRIP_ASSERT(record.link[s] == edge_of_mesh ||
+                         (solid_sides[record.link[s] >> 3] >> (record.link[s] >> 1 & 3U) & 1U) == solid,
+                     "StripMesh::set_colors", "the two triangles of an edge say different colours");
+      if (record.link[s] != edge_of_mesh) record.link[s] = (record.link[s] & ~1U) | solid;
+    }
+    touch(t);
+  }
+}
+
 inline StripMesh::Halfedge StripMesh::spoke(Vertex v, Vertex w) const noexcept {
   const Halfedge first = spoke(v);
   if (first.id == none) return first;
@@ -404,40 +422,52 @@ inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangl
     }
   }
 
-  // Halfedges sorted by their smaller vertex (counting sort); the few that share one are matched by their larger one.
-  std::vector<std::uint32_t> start(vertex_count + 1, 0);
-  const auto each_halfedge = [&mesh](auto&& visit) {
-    for (Triangle t = 0; t < mesh.triangles_.size(); ++t)
-      for (unsigned s = 0; s < 3; ++s) visit(halfedge(t, s));
+  // Each mesh edge is listed at its smaller vertex when its first halfedge is met, and joined when the second one is.
+  struct Edge {
+    Vertex high;
+    std::uint32_t first;  // the halfedge; with `outside` once it is joined
+    std::uint32_t next;   // at the same vertex
   };
-  const auto low = [&mesh](Halfedge h) { return std::min(mesh.from(h), mesh.to(h)); };
-  const auto high = [&mesh](Halfedge h) { return std::max(mesh.from(h), mesh.to(h)); };
-  each_halfedge([&](Halfedge h) { ++start[low(h) + 1]; });
-  for (std::size_t v = 0; v < vertex_count; ++v) start[v + 1] += start[v];
-  std::vector<Halfedge> sorted(mesh.triangles_.size() * 3);
-  {
-    std::vector<std::uint32_t> fill(start.begin(), start.end() - 1);
-    each_halfedge([&](Halfedge h) { sorted[fill[low(h)]++] = h; });
-  }
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    const auto begin = sorted.begin() + static_cast<std::ptrdiff_t>(start[v]);
-    const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(start[v + 1]);
-    std::sort(begin, end, [&](Halfedge g, Halfedge h) { return std::pair{high(g), g.id} < std::pair{high(h), h.id}; });
-    for (auto group = begin; group != end;) {
-      auto stop = group;
-      while (stop != end && high(*stop) == high(*group)) ++stop;
-      const auto size = stop - group;
-      if (size == 1) {
-        ++report.boundary_edges;
-      } else if (size == 2 && mesh.from(group[0]) == mesh.to(group[1])) {
-        mesh.join(group[0], group[1]);
-      } else {
-        ++(size == 2 ? report.inconsistent_edges : report.non_manifold_edges);
-        mesh.non_manifold_[low(*group)] = mesh.non_manifold_[high(*group)] = 1;
+  constexpr std::uint32_t inconsistent = none - 1;
+  constexpr std::uint32_t non_manifold = none;
+  std::vector<Edge> edges;
+  edges.reserve(mesh.triangles_.size() * 3 / 2 + 64);
+  std::vector<std::uint32_t> edges_at(vertex_count, none);
+  for (Triangle t = 0; t < mesh.triangles_.size(); ++t)
+    for (unsigned s = 0; s < 3; ++s) {
+      const Halfedge h = halfedge(t, s);
+      const auto [low, high] = std::minmax({mesh.from(h), mesh.to(h)});
+      std::uint32_t e = edges_at[low];
+      while (e != none && edges[e].high != high) e = edges[e].next;
+      if (e == none) {
+        edges.push_back({high, h.id, std::exchange(edges_at[low], static_cast<std::uint32_t>(edges.size()))});
+        continue;
       }
-      group = stop;
+      std::uint32_t& first = edges[e].first;
+      if (first == inconsistent || first == non_manifold) {
+        first = non_manifold;
+      } else if ((first & outside) != 0) {
+        const Halfedge g{first & ~outside};
+        const Halfedge back = mesh.opposite(g);
+        mesh.link_of(g) = mesh.link_of(back) = edge_of_mesh;
+        first = non_manifold;
+      } else if (mesh.from({first}) != mesh.to(h)) {
+        first = inconsistent;
+      } else {
+        mesh.join({first}, h);
+        first |= outside;
+      }
     }
-  }
+  for (Vertex v = 0; v < vertex_count; ++v)
+    for (std::uint32_t e = edges_at[v]; e != none; e = edges[e].next) {
+      const std::uint32_t first = edges[e].first;
+      if (first != inconsistent && first != non_manifold) {
+        report.boundary_edges += (first & outside) == 0 ? 1U : 0U;
+        continue;
+      }
+      ++(first == inconsistent ? report.inconsistent_edges : report.non_manifold_edges);
+      mesh.non_manifold_[v] = mesh.non_manifold_[edges[e].high] = 1;
+    }
   mesh.find_non_manifold_vertices(report);
   if (report_out != nullptr) *report_out = report;
   return mesh;

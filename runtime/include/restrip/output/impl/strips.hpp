@@ -112,6 +112,44 @@ inline void append_indices(const StripMesh& mesh, std::span<const Triangle> stri
   indices.push_back(mesh.to(StripMesh::next(into)));
 }
 
+// Writes the strip that ends at t from there, as append_indices does, but follows the colours.
+struct WrittenStrip {
+  Triangle other_end;
+  bool wrong;  // it began with a turn to the right
+  bool wrong_backwards;
+};
+inline WrittenStrip append_from(const StripMesh& mesh, Triangle t, std::vector<std::uint32_t>& indices) {
+  if (mesh.solid_sides(t) == 0) {
+    for (const Vertex v : mesh.corners(t)) indices.push_back(v);
+    return {t, false, false};
+  }
+  WrittenStrip strip{t, false, false};
+  const StripMesh::Halfedge first =
+      StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(mesh.solid_sides(t))));
+  for (const Vertex v : {mesh.to(StripMesh::next(first)), mesh.from(first), mesh.to(first)}) indices.push_back(v);
+  StripMesh::Halfedge entry = mesh.opposite(first);
+  bool begins = true;
+  bool free_turn_left = true;
+  for (;;) {
+    const Triangle u = StripMesh::triangle(entry);
+    const unsigned ways = mesh.solid_sides(u) & ~(1U << StripMesh::side(entry));
+    if (ways == 0) break;
+    const StripMesh::Halfedge exit = StripMesh::halfedge(u, static_cast<unsigned>(std::countr_zero(ways)));
+    const bool left = !(StripMesh::next(entry) == exit);
+    if (begins) strip.wrong = !left;
+    begins = false;
+    strip.wrong_backwards = left;
+    const Vertex a = indices[indices.size() - 2];
+    if (left != free_turn_left) indices.push_back(a);
+    indices.push_back(left ? mesh.from(exit) : mesh.to(exit));
+    free_turn_left = !left;
+    entry = mesh.opposite(exit);
+  }
+  indices.push_back(mesh.to(StripMesh::next(entry)));
+  strip.other_end = StripMesh::triangle(entry);
+  return strip;
+}
+
 }  // namespace detail
 
 inline ColoringReport check_coloring(const StripMesh& mesh) {
@@ -185,6 +223,24 @@ inline std::size_t strip_index_count(const StripMesh& mesh, const Strips& strips
   std::size_t count = strips.order.size() + strips.size() * 2;
   for (std::size_t s = 0; s < strips.size(); ++s) count += detail::count_swaps(mesh, strips[s]);
   return strips.size() == 0 ? 0 : count + strips.size() - 1;
+}
+
+inline std::vector<std::uint32_t> strip_indices(const StripMesh& mesh) {
+  RESTRIP_ASSERT(check_coloring(mesh).valid, "strip_indices", "the colouring is not valid");
+  std::vector<std::uint32_t> indices;
+  indices.reserve(mesh.triangle_count() + mesh.triangle_count() / 2);
+  std::vector<bool> written(mesh.triangle_bound(), false);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t) || written[t] || mesh.solid_degree(t) > 1) continue;
+    if (!indices.empty()) indices.push_back(restart_index);
+    const std::size_t begin = indices.size();
+    const detail::WrittenStrip strip = detail::append_from(mesh, t, indices);
+    written[strip.other_end] = true;
+    if (!strip.wrong || strip.wrong_backwards) continue;
+    indices.resize(begin);
+    detail::append_from(mesh, strip.other_end, indices);
+  }
+  return indices;
 }
 
 inline std::vector<std::uint32_t> strip_indices(const StripMesh& mesh, const Strips& strips) {

@@ -11,6 +11,7 @@
 
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/search/impl/growing.hpp"
 
 namespace restrip::detail {
 
@@ -48,38 +49,50 @@ class AnnealingRandom {
 /// triangles once the strips are good.
 class Annealing {
  public:
+  /// The mesh must stay as it is, but for the colours that give() gives it.
   Annealing(const StripMesh& mesh, Cost cost, std::uint64_t seed)
-      : cost_(cost), random_(seed), across_(mesh.triangle_bound()), solid_(mesh.triangle_bound(), 0) {
-    for (Triangle t = 0; t < across_.size(); ++t)
+      : mesh_(mesh), cost_(cost), random_(seed), across_(mesh.triangle_bound()), solid_(mesh.triangle_bound(), 0) {
+    for (Triangle t = 0; t < across_.size(); ++t) {
+      across_[t] = {none, none, none};
+      if (!mesh.alive(t)) continue;
       for (unsigned s = 0; s < 3; ++s) {
-        across_[t][s] = none;
-        if (!mesh.alive(t)) continue;
         const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s));
         if (!StripMesh::on_boundary(there)) across_[t][s] = there.id;
-        if (mesh.solid(StripMesh::halfedge(t, s))) solid_[t] = static_cast<std::uint8_t>(solid_[t] | 1U << s);
       }
-    list_flaws(mesh);
+      solid_[t] = static_cast<std::uint8_t>(mesh.solid_sides(t));
+    }
   }
 
-  using Colors = std::vector<std::uint8_t>;
-  [[nodiscard]] const Colors& colors() const noexcept { return solid_; }
+  /// Colours it anew: strips of few indices in one pass.
+  void grow() { Growing(across_, solid_).run(); }
 
-  /// Colours the mesh as `colors` says, of an annealing of this mesh.
-  void give(const Colors& colors, StripMesh& mesh) const {
-    for (Triangle t = 0; t < across_.size(); ++t)
-      for (unsigned s = 0; s < 3; ++s) {
-        const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
-        const bool solid = (colors[t] >> s & 1U) != 0;
-        if (across_[t][s] != none && h.id < across_[t][s] && mesh.solid(h) != solid) mesh.set_solid(h, solid);
-      }
+  /// Keeps the colours as they are if they cost less than those kept before. Linear time.
+  void keep() {
+    const std::uint64_t now = cost();
+    if (!kept_.empty() && now >= least_) return;
+    least_ = now;
+    kept_ = solid_;
   }
+  /// The cost of the colours kept.
+  [[nodiscard]] std::uint64_t least() const noexcept { return least_; }
+  /// Goes back to the colours kept.
+  void go_back() { solid_ = kept_; }
 
-  /// Tries about so many moves while the temperature falls: from 1 to 1/2 and 1/4 in 45 % of them each, then to 0, as
-  /// shares of what makes a change for the worse by a third of a strip (or a swap, if that weighs more) as likely as
-  /// 1 / e.
-  void cool(std::uint64_t moves) {
+  [[nodiscard]] std::size_t strips() const noexcept {
+    std::size_t solid_sides = 0;
+    for (const std::uint8_t sides : solid_) solid_sides += static_cast<std::size_t>(std::popcount(sides));
+    return mesh_.triangle_count() - solid_sides / 2;
+  }
+  /// Colours the mesh.
+  void give(StripMesh& mesh) const { mesh.set_colors(solid_); }
+
+  /// Tries about so many moves while the temperature falls from `heat` hundredths to a half and a quarter of that, in
+  /// 45 % of the moves each, and then to 0. At a temperature of 1 a change for the worse by a third of a strip (or a
+  /// swap, if that weighs more) is as likely as 1 / e.
+  void cool(std::uint64_t moves, std::uint32_t heat) {
+    list_flaws();
     const std::uint64_t most = std::max<std::uint64_t>({cost_.restart, 3U * cost_.swap, cost_.isolated});
-    const std::uint64_t hot = 45'426 * most / 3;  // 45,426 = 2^16 ln 2
+    const std::uint64_t hot = 45'426 * most * heat / 300;  // 45,426 = 2^16 ln 2
     const std::uint64_t stage = moves * 9 / 20 + 1;
     tried_ = 0;
     for (std::uint64_t before = none; tried_ < moves && tried_ != before;) {
@@ -96,9 +109,20 @@ class Annealing {
     }
   }
 
+  /// Without a temperature, moves at the ends of strips, so often over all of them.
+  void settle_ends(unsigned rounds) {
+    temperature_ = 0;
+    for (unsigned round = 0; round < rounds; ++round)
+      for (Triangle t = 0; t < across_.size(); ++t) {
+        if (full(t)) continue;
+        for (unsigned s = 0; s < 3; ++s) try_move<false>(t << 2 | s);
+      }
+  }
+
   /// Without a temperature, moves at the ends of strips that begin with the wrong turn from both ends, so often over
   /// all of them: this index (cost.hpp, X) is a property of whole strips, and two walks along each strip tell it.
   void settle_windings(unsigned rounds) {
+    if (cost_.swap == 0) return;
     temperature_ = 0;
     for (unsigned round = 0; round < rounds; ++round)
       for (Triangle t = 0; t < across_.size(); ++t) {
@@ -110,10 +134,10 @@ class Annealing {
   }
 
   /// The cost of the colours as they are, a wrong winding counted as a swap. Time: linear.
-  [[nodiscard]] std::uint64_t cost(const StripMesh& mesh) const noexcept {
+  [[nodiscard]] std::uint64_t cost() const noexcept {
     std::uint64_t sum = 0;
     for (Triangle t = 0; t < across_.size(); ++t) {
-      if (!mesh.alive(t)) continue;
+      if (!mesh_.alive(t)) continue;
       if (solid_[t] == 0) sum += std::uint64_t{cost_.restart} + cost_.isolated;
       for (unsigned s = 0; s < 3; ++s) {
         const std::uint32_t h = t << 2 | s;
@@ -220,13 +244,13 @@ class Annealing {
     return wrong;
   }
 
-  void list_flaws(const StripMesh& mesh) {
+  void list_flaws() {
     flaws_.assign((across_.size() + 63) / 64, 0);
     for (Triangle t = 0; t < across_.size(); ++t)
-      if (mesh.alive(t)) note(t);
+      if (mesh_.alive(t)) note(t);
   }
   void note(Triangle t) noexcept {
-    if (flawed(t)) flaws_[t >> 6] |= std::uint64_t{1} << (t & 63U);
+    if (flawed(t) && !flaws_.empty()) flaws_[t >> 6] |= std::uint64_t{1} << (t & 63U);
   }
   // t and the triangles before and after it: those whose swaps depend on t's colours.
   void note_around(Triangle t) noexcept {
@@ -309,12 +333,15 @@ class Annealing {
     for (unsigned i = 0; i < move.cuts; ++i) note(across(move.cut[i]) >> 2);
   }
 
+  const StripMesh& mesh_;
   Cost cost_;
   AnnealingRandom random_;
   std::vector<std::array<std::uint32_t, 3>> across_;  // the opposite halfedge; none on the boundary
-  Colors solid_;                                      // bit s: side s
-  std::vector<std::uint64_t> flaws_;                  // a bit for each flawed triangle, and for some that were
-  std::uint64_t temperature_ = 0;                     // of the cost, in units of 2^-16 / ln 2
+  std::vector<std::uint8_t> solid_;                   // bit s: side s
+  std::vector<std::uint8_t> kept_;
+  std::uint64_t least_ = 0;
+  std::vector<std::uint64_t> flaws_;  // a bit for each flawed triangle, and for some that were
+  std::uint64_t temperature_ = 0;     // of the cost, in units of 2^-16 / ln 2
   std::uint64_t tried_ = 0;
 };
 
