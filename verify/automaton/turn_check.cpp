@@ -301,12 +301,12 @@ void TurnCheck::check_answers(unsigned every) {
     }
 
   // Around D and A, with the boundary between them: the case of both together.
-  struct Around {
+  struct SecondArc {
     std::string word;
     TurnCosts exact;
     TurnCosts claimed;
   };
-  std::vector<Around> seconds;
+  std::vector<SecondArc> seconds;
   const auto together = [](const TurnCosts& behind_d, const TurnCosts& before_a) {
     TurnCosts both;
     for (const TurnEntry& one : entries_of(behind_d))
@@ -323,7 +323,7 @@ void TurnCheck::check_answers(unsigned every) {
   for (std::size_t i = 1; i < arcs_.size(); i += every) {
     const TurnArcKind& first = arcs_[i];
     for (std::size_t j = 1; j < arcs_.size(); ++j) check_pair(first, arcs_[j].costs, stated(arcs_[j]), arcs_[j].word);
-    for (const Around& second : seconds) check_pair(first, second.exact, second.claimed, second.word);
+    for (const SecondArc& second : seconds) check_pair(first, second.exact, second.claimed, second.word);
 
     ++claims_[answers].cases;
     TwoLeasts exact{no_cost, no_cost};
