@@ -106,6 +106,21 @@ TEST(IndexKeeper, SameOperationsSameColours) {
   EXPECT_NE(outcome(Policy::local), outcome(Policy::full));
 }
 
+// Steps are moves priced and triangles walked past; with sixteen times the triangles an operation takes as many.
+TEST(IndexKeeper, OperationsTakeAsLongOnALargerMesh) {
+  for (const Policy policy : all_policies) {
+    const auto steps = [&](Vertex size) {
+      std::mt19937 random(24);
+      StripMesh mesh = sample::torus(size, size);
+      stripify(mesh, Effort::full, Cost::indices());
+      IndexKeeper keeper(mesh, policy);
+      for (int done = 0; done < 1000;) done += random_operation(keeper, random, done % 2 == 0) ? 1 : 0;
+      return static_cast<double>(keeper.counts().priced + keeper.counts().walked);
+    };
+    EXPECT_LT(steps(100), 1.3 * steps(25)) << static_cast<int>(policy);
+  }
+}
+
 // After a change that is not the keeper's, its counters are right again once it has counted anew.
 TEST(IndexKeeper, CountsAnewWhereItIsTold) {
   StripMesh mesh = sample::torus(12, 9);

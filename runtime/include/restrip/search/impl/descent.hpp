@@ -271,7 +271,7 @@ inline bool Descent::keeps_strips(const StripMesh& mesh, const StripMove& move) 
     from_t = next_t.in;
     from_u = next_u.in;
   }
-  return false;
+  return false;  // neither walk has come to an end
 }
 
 inline void Descent::make(StripMesh& mesh, const StripMove& move) {
