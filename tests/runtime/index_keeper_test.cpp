@@ -57,7 +57,7 @@ TEST(IndexKeeper, TellsWhatEveryOperationChanged) {
 // Random operations make rough meshes; a local minimum of the whole mesh, by chains, is the measure.
 TEST(IndexKeeper, IndicesDoNotAge) {
   std::mt19937 random(22);
-  const std::array<double, 4> allowed{1.20, 1.15, 1.10, 1.06};
+  const std::array<double, 4> allowed{1.25, 1.20, 1.15, 1.10};
   for (const Policy policy : all_policies) {
     StripMesh mesh = sample::torus(40, 40);
     stripify(mesh, Effort::full, Cost::indices());
