@@ -237,12 +237,16 @@ int run(const StripifyCommand& command) {
   const ReportOutput out(command.json, {command.mesh});
   const Soup soup = read_mesh(command.mesh);
   BuildReport report;
-  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size(), &report);
+  StripMesh mesh;
+  Medians building;
+  building.time([&] { mesh = StripMesh::build(soup.triangles, soup.points.size(), &report); });
   Medians clock;
   clock.time(
       [&] { stripify(mesh, command.effort, command.cost, command.limit * mesh.triangle_count(), command.seed); });
   const Strips strips = extract_strips(mesh);
-  const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
+  std::vector<std::uint32_t> indices;
+  Medians writing;
+  writing.time([&] { indices = strip_indices(mesh); });
   const std::size_t bound = strip_index_lower_bound(mesh);
   const std::vector<std::string> faults = find_faults(mesh);
   const std::size_t left_out = report.degenerate_triangles + report.out_of_range_triangles;
@@ -260,6 +264,8 @@ int run(const StripifyCommand& command) {
                                     {"lower_bound_indices", bound},
                                     {"acmr", cache_misses},
                                     {"seconds", seconds},
+                                    {"seconds_to_build", building.nanoseconds() * 1e-9},
+                                    {"seconds_to_write", writing.nanoseconds() * 1e-9},
                                     {"valid", faults.empty()}};
   const auto per_triangle = [triangles](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(triangles, 1));
