@@ -5,6 +5,7 @@
 // Steps are counted (step_counter.hpp) at two sizes, one twice the other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -200,6 +201,32 @@ TEST(Cost, ABufferRewritesTheRunsAroundAChange) {
     EXPECT_EQ(updating[size].allocations, 0U);
   }
   EXPECT_TRUE(grows_at_most(constant, updating[0], updating[1]));
+}
+
+// Coarsening leaves gaps, which are closed a few at a time: the longest of all updates does not depend on the mesh.
+TEST(Cost, NoUpdateOfABufferTakesLong) {
+  Cost longest[2];
+  for (const unsigned size : {0U, 1U}) {
+    StripMesh mesh = sample::torus(60, 60U << size);
+    stripify(mesh);
+    StripBuffer buffer(mesh);
+    buffer.reserve(mesh.triangle_bound());
+    std::vector<Triangle> changed;
+    changed.reserve(10'000);
+    mesh.watch(&changed);
+    const std::size_t most = mesh.triangle_count() / 4;
+    for (Triangle pass = 0; pass < 70 && mesh.triangle_count() > most; ++pass) {
+      for (Triangle t = pass % 7; t < mesh.triangle_bound() && mesh.triangle_count() > most; t += 7) {
+        if (!mesh.alive(t) || check_collapse(mesh, StripMesh::halfedge(t, t % 3)) != Refusal::granted) continue;
+        collapse(mesh, StripMesh::halfedge(t, t % 3));
+        const Cost cost = cost_of([&] { buffer.update(mesh, changed); });
+        changed.clear();
+        longest[size].steps = std::max(longest[size].steps, cost.steps);
+      }
+    }
+    EXPECT_LT(mesh.triangle_count(), 2 * most);
+  }
+  EXPECT_TRUE(grows_at_most(1.6, longest[0], longest[1]));
 }
 
 // Searches of twice as many states take little more than twice the steps: chains get longer by a move or two.

@@ -98,6 +98,14 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   sub->add_option("--repeats", command.replay.repeats, "timed runs, of which the median counts; 0: no timing")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
+  sub->add_option_function<std::string>(
+         "--buffer",
+         [&command](const std::string& word) {
+           command.replay.buffer = word == "list" ? ReplayOptions::Buffer::list : ReplayOptions::Buffer::strips;
+         },
+         "the index buffer that is kept in step: strips, or a plain list of triangles to compare with")
+      ->check(CLI::IsMember({"strips", "list"}))
+      ->default_str("strips");
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
       ->check(whole_number)
       ->capture_default_str();

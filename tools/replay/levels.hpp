@@ -16,6 +16,9 @@ struct Level {
   std::size_t isolated = 0;  ///< strips of one triangle
   std::size_t swaps = 0;     ///< a first turn that needs one more index included
   std::size_t indices = 0;   ///< of the index buffer: strips with primitive restart
+  /// The live buffer, as it is there after all operations that led here: its gaps are counted. 0: there was none.
+  std::size_t buffer_indices = 0;
+  double acmr = 0;  ///< of the live buffer, in a cache of 16 vertices, first in, first out
 };
 
 /// Counts the strips of a mesh. `faults` receives a sentence when some triangle is in no strip. Linear time.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
+#include <type_traits>
 
 #include "common/progress.hpp"
 #include "common/stopwatch.hpp"
@@ -12,6 +14,8 @@
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/output/triangle_list_buffer.hpp"
+#include "restrip/output/vertex_cache.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -92,25 +96,96 @@ class Replay {
   // ---- what a renderer would have to upload, kept in step after every operation
   void measure_buffer() {
     if (splits_.empty() || !report_.faults.empty()) return;
+    if (options_.buffer == ReplayOptions::Buffer::list)
+      measure_buffer_of<TriangleListBuffer>();
+    else
+      measure_buffer_of<StripBuffer>();
+  }
+
+  template <class Buffer>
+  void measure_buffer_of() {
     start_from_base();
     std::vector<Triangle> changed;
     mesh_.watch(&changed);
-    StripBuffer buffer(mesh_);
+    Buffer buffer(mesh_);
     std::size_t written = 0;
-    Progress progress("keeping an index buffer", splits_.size());
-    for (std::size_t i = 0; i < splits_.size(); ++i) {
-      split_one(i);
+    const auto update = [&] {
       for (const auto& range : buffer.update(mesh_, changed)) written += range.count;
       changed.clear();
+    };
+    const auto look = [&](std::vector<Level>& levels, std::size_t at) {
+      levels[at].buffer_indices = buffer.indices().size();
+      levels[at].acmr = acmr(buffer.indices(), 16, mesh_.triangle_count());
+      std::vector<Corners> drawn;
+      if constexpr (std::is_same_v<Buffer, StripBuffer>)
+        drawn = decode_strips(buffer.indices());
+      else
+        for (std::size_t i = 0; i < buffer.indices().size(); i += 3)
+          drawn.push_back({buffer.indices()[i], buffer.indices()[i + 1], buffer.indices()[i + 2]});
+      if (sorted_triangles(drawn) != sorted_triangles(triangles_of(mesh_)))
+        report_.faults.push_back(fmt::format(
+            "at {} triangles the index buffer that was kept in step does not draw the mesh", mesh_.triangle_count()));
+    };
+    Progress progress("keeping an index buffer", 2 * splits_.size());
+    std::size_t next = 0;
+    for (std::size_t i = 0; i <= splits_.size(); ++i) {
+      for (; next < report_.levels.size() && mesh_.triangle_count() == report_.levels[next].triangles; ++next)
+        look(report_.levels, next);
+      if (i == splits_.size()) break;
+      split_one(i);
+      update();
       progress.at(i);
+    }
+    report_.buffer_bytes = buffer.indices().size_bytes();
+    next = report_.levels_down.size();
+    for (std::size_t i = splits_.size();; --i) {
+      for (; next > 0 && mesh_.triangle_count() == report_.levels_down[next - 1].triangles; --next)
+        look(report_.levels_down, next - 1);
+      if (i == 0) break;
+      collapse_one(i - 1);
+      update();
+      progress.at(2 * splits_.size() - i);
     }
     mesh_.watch(nullptr);
     constexpr auto bytes_each = static_cast<double>(sizeof(std::uint32_t));
-    report_.buffer_bytes = buffer.indices().size_bytes();
-    report_.bytes_written_per_operation =
-        static_cast<double>(written) * bytes_each / static_cast<double>(splits_.size());
-    if (sorted_triangles(decode_strips(buffer.indices())) != sorted_triangles(triangles_of(mesh_)))
-      report_.faults.emplace_back("the index buffer that was kept in step does not draw the mesh");
+    const auto operations = 2 * static_cast<double>(splits_.size());
+    report_.bytes_written_per_operation = static_cast<double>(written) * bytes_each / operations;
+    if (options_.repeats != 0) time_buffer_of<Buffer>();
+  }
+
+  // Up and down with the buffer and without it by turns, the difference for each operation.
+  template <class Buffer>
+  void time_buffer_of() {
+    Medians with;
+    Medians without;
+    std::vector<Triangle> changed;
+    const auto through = [&](auto&& update) {
+      for (std::size_t i = 0; i < splits_.size(); ++i) {
+        upkeep_->play_up(std::span(splits_).subspan(i, 1), i);
+        update();
+      }
+      for (std::size_t i = splits_.size(); i-- > 0;) {
+        upkeep_->play_down(std::span(splits_).subspan(i, 1), i);
+        update();
+      }
+    };
+    for (std::size_t repeat = 0; repeat < options_.repeats; ++repeat) {
+      start_from_base();
+      without.time([&] { through([] {}); });
+      start_from_base();
+      Buffer buffer(mesh_);
+      buffer.reserve(plan_.mesh().fine_triangles());
+      mesh_.watch(&changed);
+      with.time([&] {
+        through([&] {
+          buffer.update(mesh_, changed);
+          changed.clear();
+        });
+      });
+      mesh_.watch(nullptr);
+    }
+    report_.ns_per_buffer_update =
+        (with.nanoseconds() - without.nanoseconds()) / (2 * static_cast<double>(splits_.size()));
   }
 
   void split_and_count(std::size_t index) {

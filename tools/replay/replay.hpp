@@ -18,6 +18,8 @@ struct ReplayOptions {
   std::size_t levels = 12;  ///< at which strips are counted, base and finest level among them, at least 2
   std::size_t repeats = 5;  ///< of each timed run, at least; 0: no timing
   std::size_t cycles = 0;   ///< down and up again after the first way up
+  enum class Buffer { strips, list };
+  Buffer buffer = Buffer::strips;  ///< which index buffer is kept in step
 };
 
 /// One way down to the base and up again.
@@ -46,9 +48,11 @@ struct ReplayReport {
   double ns_per_operation_bare = 0;
   double ns_per_collapse = 0;
   double ns_per_collapse_bare = 0;
-  /// An index buffer kept in step after every split of the way up (strip_buffer.hpp).
-  std::size_t buffer_bytes = 0;  ///< in the end
+  /// An index buffer kept in step after every operation of the way up and down (strip_buffer.hpp, or
+  /// triangle_list_buffer.hpp).
+  std::size_t buffer_bytes = 0;  ///< at the finest level
   double bytes_written_per_operation = 0;
+  double ns_per_buffer_update = 0;         ///< of a timed run with the buffer less one without; 0: not timed
   std::optional<BoldnessReport> boldness;  ///< under the local rules: what they lose by not looking outside the patch
   std::size_t levels_compared = 0;         ///< baked: levels reached again, with the same strips
   std::vector<std::string> faults;         ///< what a check found; empty when all is well

@@ -29,7 +29,9 @@ Json json_of(const std::vector<Level>& levels) {
                     {"strips", level.strips},
                     {"isolated", level.isolated},
                     {"swaps", level.swaps},
-                    {"indices", level.indices}});
+                    {"indices", level.indices},
+                    {"buffer_indices", level.buffer_indices},
+                    {"acmr", level.acmr}});
   return json;
 }
 
@@ -61,15 +63,18 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
     fmt::format_to(out, "  left alone: {} vertices where the mesh is no manifold, {} beside them\n",
                    left.non_manifold_vertices, left.frozen_vertices);
 
-  fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17}   {}\n", "triangles", "strips", "per strip", "isolated",
-                 "indices per tri.", "on the way back: strips, per strip");
+  fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17} {:>12} {:>6}   {}\n", "triangles", "strips", "per strip",
+                 "isolated", "indices per tri.", "live buffer", "ACMR",
+                 "on the way back: strips, per strip, live buffer");
   for (std::size_t i = 0; i < report.levels.size(); ++i) {
     const Level& level = report.levels[i];
-    fmt::format_to(out, "  {:>10} {:>10} {:>14.2f} {:>10} {:>17.3f}", level.triangles, level.strips,
-                   ratio(level.triangles, level.strips), level.isolated, ratio(level.indices, level.triangles));
+    fmt::format_to(out, "  {:>10} {:>10} {:>14.2f} {:>10} {:>17.3f} {:>12.3f} {:>6.2f}", level.triangles, level.strips,
+                   ratio(level.triangles, level.strips), level.isolated, ratio(level.indices, level.triangles),
+                   ratio(level.buffer_indices, level.triangles), level.acmr);
     if (i < report.levels_down.size())
-      fmt::format_to(out, " {:>25} {:>10.2f}", report.levels_down[i].strips,
-                     ratio(report.levels_down[i].triangles, report.levels_down[i].strips));
+      fmt::format_to(out, " {:>25} {:>10.2f} {:>12.3f}", report.levels_down[i].strips,
+                     ratio(report.levels_down[i].triangles, report.levels_down[i].strips),
+                     ratio(report.levels_down[i].buffer_indices, report.levels_down[i].triangles));
     text += '\n';
   }
 
@@ -98,8 +103,10 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   cost("a split with its strips", report.ns_per_operation, report.ns_per_operation_bare);
   cost("a collapse with its strips", report.ns_per_collapse, report.ns_per_collapse_bare);
   if (report.buffer_bytes != 0)
-    fmt::format_to(out, "\n  {:<41}{:>10.0f} bytes, of {}", "index buffer, written anew for a split",
+    fmt::format_to(out, "\n  {:<41}{:>10.0f} bytes, of {}", "live index buffer, written by an operation",
                    report.bytes_written_per_operation, report.buffer_bytes);
+  if (report.ns_per_buffer_update > 0)
+    fmt::format_to(out, "\n  {:<41}{:>7.0f} ns", "live index buffer, an update", report.ns_per_buffer_update);
   fmt::format_to(out, "\n  {:<41}{:>10}", "most strips of all levels", report.most_strips);
   if (subject.baked) {
     fmt::format_to(out, "\n  {:<41}{:>10.2f}, {:.1f} bytes", "flips of a record", subject.baked->flips_per_record,
@@ -180,6 +187,7 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"ns_per_collapse_bare", report.ns_per_collapse_bare},
       {"buffer_bytes", report.buffer_bytes},
       {"buffer_bytes_written_per_operation", report.bytes_written_per_operation},
+      {"ns_per_buffer_update", report.ns_per_buffer_update},
       {"left_out",
        {{"degenerate_triangles", subject.left_out.degenerate_triangles},
         {"non_manifold_vertices", subject.left_out.non_manifold_vertices},

@@ -29,6 +29,7 @@
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/output/triangle_list_buffer.hpp"
 #include "restrip/output/vertex_cache.hpp"
 #include "restrip/precondition.hpp"
 #include "restrip/rules/bits.hpp"

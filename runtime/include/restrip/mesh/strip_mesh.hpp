@@ -75,7 +75,7 @@ class StripMesh {
                                        BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr);
 
   // ---- walking
-  [[nodiscard]] static constexpr Halfedge halfedge(Triangle t, unsigned side) noexcept { return {t << 2 | side}; }
+  [[nodiscard]] static constexpr Halfedge halfedge(Triangle t, unsigned side = 0) noexcept { return {t << 2 | side}; }
   /// The triangle to the left; for a boundary halfedge, the triangle to the right.
   [[nodiscard]] static constexpr Triangle triangle(Halfedge h) noexcept { return (h.id & ~outside) >> 2; }
   [[nodiscard]] static constexpr unsigned side(Halfedge h) noexcept { return h.id & 3U; }
@@ -200,6 +200,8 @@ class StripMesh {
   [[nodiscard]] bool alive(Triangle t) const noexcept {
     return t < triangles_.size() && triangles_[t].corner[0] != none;
   }
+  /// The same by the name that NumberedMesh has for it.
+  [[nodiscard]] bool has_triangle(Triangle t) const noexcept { return alive(t); }
   /// Vertices are below this bound.
   [[nodiscard]] std::size_t vertex_bound() const noexcept { return spoke_.size(); }
   [[nodiscard]] bool alive(Halfedge h) const noexcept {

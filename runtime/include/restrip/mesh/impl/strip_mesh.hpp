@@ -119,7 +119,7 @@ inline void StripMesh::set_colors(std::span<const std::uint8_t> solid_sides) {
       RESTRIP_ASSERT(record.link[s] != edge_of_mesh || solid == 0, "StripMesh::set_colors",
                      describe(Refusal::boundary_edge));
       RESTRIP_ASSERT(record.link[s] == edge_of_mesh ||
-                         (solid_sides[record.link[s] >> 3] >> (record.link[s] >> 1 & 3U) & 1U) == solid,
+                         (std::uint32_t{solid_sides[record.link[s] >> 3]} >> (record.link[s] >> 1 & 3U) & 1U) == solid,
                      "StripMesh::set_colors", "the two triangles of an edge say different colours");
       if (record.link[s] != edge_of_mesh) record.link[s] = (record.link[s] & ~1U) | solid;
     }

@@ -1,143 +1,264 @@
-// StripBuffer, member by member. Included by strip_buffer.hpp.
+// BasicStripBuffer, member by member. Included by strip_buffer.hpp.
 #pragma once
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include "restrip/output/strip_buffer.hpp"
+#include "restrip/precondition.hpp"
 
 namespace restrip {
 
-inline void StripBuffer::rebuild(const StripMesh& mesh) {
-  indices_.clear();
-  runs_.clear();
-  free_runs_.clear();
-  released_.clear();
-  empty_.clear();
-  used_ = 0;
-  run_of_.assign(mesh.triangle_bound(), none);
-  const Strips strips = extract_strips(mesh);
-  for (std::size_t s = 0; s < strips.size(); ++s) write(mesh, strips[s]);
-  written_.assign(1, {0, indices_.size()});
+namespace detail {
+// Chosen by measurement on the ways of keeping strips (bench/buffer.cpp); all in indices but where said.
+inline constexpr std::uint32_t longest_run = 200;         // below RunPlaces::largest_gap
+inline constexpr std::uint32_t longest_merged_run = 144;  // runs of one strip that meet become one up to this
+inline constexpr std::size_t wasted_soft = 80;            // per mille of what is needed: from here on gaps are closed
+inline constexpr std::size_t wasted_hard = 90;            // from here on at any price
+inline constexpr std::uint32_t worth_filling = 16;        // gaps for which the last run is divided
+inline constexpr std::uint32_t easily_moved = 12;         // runs that are moved out of the way
+inline constexpr std::uint32_t pads_in_a_run = 16;        // one index in so many may be there for alignment alone
+inline constexpr std::size_t compaction_base = 160;       // moved by a compaction, at most, and
+inline constexpr std::size_t compaction_times = 4;        // so many times what the update wrote
+inline constexpr std::size_t compaction_steps = 64;       // runs looked at, and one for four indices of new text
+
+template <class Vector>
+void make_buffer_room(Vector& vector, std::size_t more) {
+  if (vector.capacity() - vector.size() < more) vector.reserve(std::max(vector.size() + more, 2 * vector.capacity()));
+}
+}  // namespace detail
+
+template <class Index>
+template <NumberedMesh Mesh>
+void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
+  stale_ = true;
+  places_.clear();
+  cells_.clear();
+  whose_.clear();
+  at_.assign(mesh.triangle_bound(), At{});
+  written_.clear();
+  cursor_ = 0;
+  touched_.clear();
+  const auto bound = static_cast<std::uint32_t>(mesh.triangle_bound());
+  for (std::uint32_t t = 0; t < bound; ++t) {
+    if (!mesh.has_triangle(t) || at_[t].place != nothing) continue;
+    const auto h = mesh.halfedge(t);
+    const int degree = static_cast<int>(mesh.solid(h)) + static_cast<int>(mesh.solid(mesh.next(h))) +
+                       static_cast<int>(mesh.solid(mesh.next(mesh.next(h))));
+    if (degree > 1) continue;
+    text_.clear();
+    names_.clear();
+    fresh_.clear();
+    collect(mesh, t);
+    assemble();
+    prepare();
+    for (const Fresh& fresh : fresh_) place_anew(fresh);
+    written_.clear();
+  }
+  written_.assign(1, {0, cells_.size()});
+  marked_ = 0;
+  stale_ = false;
 }
 
-inline std::span<const StripBuffer::Range> StripBuffer::update(const StripMesh& mesh,
-                                                               std::span<const Triangle> changed) {
-  written_.clear();
-  if (run_of_.size() < mesh.triangle_bound()) run_of_.resize(mesh.triangle_bound(), none);
-  // All runs with a changed triangle go. What is left of such a run hangs together with a changed triangle, since both
-  // sides of an edge that changes are changed: so the triangles to write are found from these.
-  for (const Triangle t : changed) {
-    if (has_run(t)) release(run_of_[t]);
-    if (!mesh.alive(t) && t < run_of_.size()) run_of_[t] = none;
-  }
-  for (const Triangle t : changed) {
-    if (!mesh.alive(t) || has_run(t)) continue;
-    collect(mesh, t);
-    write(mesh, stretch_);
-  }
-  free_runs_.insert(free_runs_.end(), released_.begin(), released_.end());
-  released_.clear();
-  if (used_ * 2 + 1024 < indices_.size())
+template <class Index>
+template <NumberedMesh Mesh>
+std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, std::span<const std::uint32_t> changed) {
+  if (stale_) {
     rebuild(mesh);
-  else
-    merge_ranges();
+    return written_;
+  }
+  stale_ = true;
+  written_.clear();
+  touched_.clear();
+  text_.clear();
+  names_.clear();
+  fresh_.clear();
+  if (at_.size() < mesh.triangle_bound()) {
+    detail::make_buffer_room(at_, mesh.triangle_bound() - at_.size());
+    at_.resize(mesh.triangle_bound());
+  }
+  for (const std::uint32_t t : changed)
+    if (t < at_.size()) forget(t);
+  for (const std::uint32_t t : changed) {
+    if (t >= mesh.triangle_bound() || at_[t].place != nothing || !mesh.has_triangle(t)) continue;
+    collect(mesh, t);
+    assemble();
+  }
+  prepare();
+  store();
+  compact();
+  trim();
+  merge_ranges();
+  stale_ = false;
   return written_;
 }
 
-// The run is no more, and its place is blank. Its number is not used again before the update is over, because its
-// triangles still name it.
-inline void StripBuffer::release(std::uint32_t run) {
-  Run& gone = runs_[run];
-  std::fill_n(indices_.begin() + static_cast<std::ptrdiff_t>(gone.first), gone.room, restart_index);
-  written_.push_back({gone.first, gone.room});
-  give_back(gone.first, gone.room);
-  used_ -= gone.used;
-  gone.triangles = 0;
-  released_.push_back(run);
+// The triangle has to be written anew.
+template <class Index>
+void BasicStripBuffer<Index>::forget(std::uint32_t t) {
+  At& at = at_[t];
+  if (at.place >= pending) return;
+  whose_[places_.first(at.place) + at.offset] = gone;
+  touch(at.place);
+  at.place = nothing;
 }
 
-inline void StripBuffer::give_back(std::size_t first, std::uint32_t room) {
-  const std::size_t size = room / room_step;
-  if (size >= empty_.size()) empty_.resize(size + 1);
-  empty_[size].push_back(first);
+template <class Index>
+void BasicStripBuffer<Index>::touch(std::uint32_t place) {
+  if (places_.touched(place)) return;
+  touched_.push_back(place);
+  places_.set_touched(place, true);
 }
 
-// The triangles without a run that lie next to each other around `start`, in strip order. Short runs at their ends are
-// taken in, so that runs do not crumble.
-inline void StripBuffer::collect(const StripMesh& mesh, Triangle start) {
-  stretch_.assign(1, start);
-  // First over the lowest solid side of the start, then over the other one.
-  unsigned past = 3;
-  for (int end = 0; end < 2; ++end) {
-    std::reverse(stretch_.begin(), stretch_.end());
-    bool may_take_in = true;
-    StripStep<StripMesh::Halfedge> next = mesh.strip_step(StripMesh::halfedge(start, past));
-    if (next.goes_on) past = StripMesh::side(mesh.opposite(next.in));
-    // In a colouring that is not valid a strip may come back to itself; what is drawn then is wrong, but there is an
-    // end.
-    for (; next.goes_on && stretch_.size() < mesh.triangle_count(); next = mesh.strip_step(next.in)) {
-      const Triangle following = StripMesh::triangle(next.in);
-      if (has_run(following)) {
-        const std::uint32_t triangles = runs_[run_of_[following]].triangles;
-        const bool is_short = std::min<std::size_t>(triangles, stretch_.size()) < max_run_ / 4;
-        if (!may_take_in || !is_short || triangles + stretch_.size() > max_run_) break;
-        release(run_of_[following]);
-        may_take_in = false;
-      }
-      stretch_.push_back(following);
-    }
-    if (past == 3) break;
-  }
+// ---- the strip around a triangle
+
+template <class Index>
+template <class Mesh>
+typename BasicStripBuffer<Index>::Piece BasicStripBuffer<Index>::load(const Mesh& mesh,
+                                                                      typename Mesh::Halfedge in) const {
+  Piece piece;
+  const auto second = mesh.next(in);
+  piece.corner = {static_cast<std::uint32_t>(mesh.from(in)), static_cast<std::uint32_t>(mesh.from(second)),
+                  static_cast<std::uint32_t>(mesh.from(mesh.next(second)))};
+  for (const std::uint32_t v : piece.corner)
+    if (v >= restart) RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
+  piece.triangle = static_cast<std::uint32_t>(mesh.triangle(in));
+  return piece;
 }
 
-inline void StripBuffer::write(const StripMesh& mesh, std::span<const Triangle> triangles) {
-  const std::size_t parts = (triangles.size() + max_run_ - 1) / max_run_;
-  for (std::size_t part = 0; part < parts; ++part) {
-    const std::size_t begin = triangles.size() * part / parts;
-    const std::size_t end = triangles.size() * (part + 1) / parts;
-    text_.clear();
-    detail::append_indices(mesh, triangles.subspan(begin, end - begin), text_);
-    text_.push_back(restart_index);
-    Run run;
-    run.used = static_cast<std::uint32_t>(text_.size());
-    run.room = (run.used + room_step - 1) / room_step * room_step;
-    run.first = place_for(run.room);
-    run.triangles = static_cast<std::uint32_t>(end - begin);
-    std::copy(text_.begin(), text_.end(), indices_.begin() + static_cast<std::ptrdiff_t>(run.first));
-    written_.push_back({run.first, run.used});
-    used_ += run.used;
-    std::uint32_t name = static_cast<std::uint32_t>(runs_.size());
-    if (free_runs_.empty()) {
-      runs_.push_back(run);
+template <class Index>
+template <class Mesh>
+void BasicStripBuffer<Index>::collect(const Mesh& mesh, std::uint32_t start) {
+  pieces_.clear();
+  seen_ = 0;
+  const auto first = mesh.halfedge(start);
+  Piece middle = load(mesh, first);
+  at_[start].place = pending;
+  auto h = first;
+  for (std::uint8_t side = 0; side < 3; ++side, h = mesh.next(h)) {
+    if (!mesh.solid(h)) continue;
+    const auto opposite_corner = static_cast<std::uint8_t>((side + 2) % 3);
+    if (middle.enters == 3) {
+      middle.enters = opposite_corner;
+      follow(mesh, mesh.opposite(h));
+      std::reverse(pieces_.begin(), pieces_.end());
+      for (Piece& piece : pieces_) flip(piece);
+      pieces_.push_back(middle);
     } else {
-      name = free_runs_.back();
-      free_runs_.pop_back();
-      runs_[name] = run;
+      pieces_[pieces_.size() - 1].leaves = opposite_corner;
+      follow(mesh, mesh.opposite(h));
+      return;
     }
-    for (std::size_t i = begin; i < end; ++i) run_of_[triangles[i]] = name;
+  }
+  if (middle.enters == 3) pieces_.push_back(middle);
+}
+
+template <class Index>
+template <class Mesh>
+void BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge in) {
+  for (;;) {
+    const auto t = static_cast<std::uint32_t>(mesh.triangle(in));
+    const At at = at_[t];
+    if (at.place == pending) return;
+    std::uint32_t far = nothing;   // offset of the last triangle of the stretch that begins here
+    std::uint32_t last = nothing;  // the triangle before it
+    if (at.place != nothing) {
+      const std::uint32_t used = places_.used(at.place);
+      if (!places_.touched(at.place)) {
+        if (seen_ + used > detail::longest_merged_run) return;
+        touch(at.place);
+      }
+      const std::uint32_t* whose = whose_.data() + places_.first(at.place);
+      std::uint32_t right = at.offset + 1;
+      while (right + 1 < used && whose[right] == nothing) ++right;
+      std::uint32_t left = at.offset - 1;
+      while (left > 1 && whose[left] == nothing) --left;
+      const bool goes_right = right + 1 < used && whose[right] < gone;
+      const bool goes_left = left > 1 && whose[left] < gone;
+      if (goes_right && goes_left) return;  // the colouring is not valid
+      Piece stretch;
+      stretch.place = at.place;
+      if (goes_right) {
+        // `inner` is the last triangle found, `far` the one before it.
+        std::uint32_t inner = right;
+        std::uint32_t pads = 0;
+        stretch.from = right;
+        for (std::uint32_t j = right + 1; j + 1 < used; ++j) {
+          if (whose[j] == nothing) continue;
+          if (whose[j] == gone) break;
+          pads += (j - inner - 1) & ~1U;
+          stretch.to = inner;
+          stretch.pads = pads;
+          last = whose[inner];
+          far = inner = j;
+        }
+        if (far != nothing) stretch.pads -= (far - stretch.to - 1) & ~1U;
+      } else if (goes_left) {
+        std::uint32_t inner = left;
+        std::uint32_t pads = 0;
+        stretch.to = left;
+        stretch.forward = false;
+        for (std::uint32_t j = left - 1; j > 1; --j) {
+          if (whose[j] == nothing) continue;
+          if (whose[j] == gone) break;
+          pads += (inner - j - 1) & ~1U;
+          stretch.from = inner;
+          stretch.pads = pads;
+          last = whose[inner];
+          far = inner = j;
+        }
+        if (far != nothing) stretch.pads -= (stretch.from - far - 1) & ~1U;
+      }
+      const std::uint32_t far_triangle = far == nothing ? nothing : whose[far];
+      forget(t);
+      if (far != nothing) {
+        Piece end = load(mesh, in);
+        end.enters = 2;
+        const auto second = mesh.next(in);
+        const bool over_second = mesh.solid(second);
+        end.leaves = over_second ? 0 : 1;
+        at_[t].place = pending;
+        pieces_.push_back(end);
+        pieces_.push_back(stretch);
+        seen_ += stretch.to - stretch.from + 3;
+        // Into the last triangle of the stretch, from the one before it.
+        auto h = mesh.halfedge(far_triangle);
+        for (int side = 0; side < 3; ++side, h = mesh.next(h))
+          if (mesh.solid(h) && static_cast<std::uint32_t>(mesh.triangle(mesh.opposite(h))) == last) break;
+        in = h;
+        forget(far_triangle);
+        at_[far_triangle].place = nothing;
+      }
+    }
+    Piece piece = load(mesh, in);
+    piece.enters = 2;
+    at_[piece.triangle].place = pending;
+    seen_ += 2;
+    const auto second = mesh.next(in);
+    const auto third = mesh.next(second);
+    if (mesh.solid(second)) {
+      piece.leaves = 0;
+      in = mesh.opposite(second);
+    } else if (mesh.solid(third)) {
+      piece.leaves = 1;
+      in = mesh.opposite(third);
+    }
+    pieces_.push_back(piece);
+    if (piece.leaves == 3) return;
   }
 }
 
-// A blank place of at least this many indices: an unused one that is not much larger, or a new one.
-inline std::size_t StripBuffer::place_for(std::uint32_t room) {
-  const std::size_t wanted = room / room_step;
-  for (std::size_t size = wanted; size < empty_.size() && size <= wanted * 2 + 2; ++size) {
-    if (empty_[size].empty()) continue;
-    const std::size_t first = empty_[size].back();
-    empty_[size].pop_back();
-    if (size > wanted) give_back(first + room, static_cast<std::uint32_t>(size - wanted) * room_step);
-    return first;
-  }
-  const std::size_t first = indices_.size();
-  indices_.resize(first + room, restart_index);
-  written_.push_back({first, room});
-  return first;
-}
+// ---- what has been written
 
-inline void StripBuffer::merge_ranges() {
+template <class Index>
+void BasicStripBuffer<Index>::merge_ranges() noexcept {
+  marked_ = 0;
   std::sort(written_.begin(), written_.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
   std::size_t kept = 0;
-  for (const Range& range : written_) {
+  for (Range range : written_) {
+    if (range.first >= cells_.size()) continue;
+    range.count = std::min(range.count, cells_.size() - range.first);
     if (kept != 0 && range.first <= written_[kept - 1].first + written_[kept - 1].count) {
       Range& last = written_[kept - 1];
       last.count = std::max(last.count, range.first + range.count - last.first);
@@ -146,6 +267,13 @@ inline void StripBuffer::merge_ranges() {
     }
   }
   written_.resize(kept);
+}
+
+template <class Index>
+void BasicStripBuffer<Index>::reserve(std::size_t triangles) {
+  at_.reserve(triangles);
+  cells_.reserve(2 * triangles);
+  whose_.reserve(2 * triangles);
 }
 
 }  // namespace restrip

@@ -1,0 +1,199 @@
+// TriangleListBuffer: an index buffer of plain triangles, three indices each, that is kept in step with a mesh,
+// rewriting only the corners that changed.
+//
+//   std::vector<Triangle> changed;
+//   mesh.watch(&changed);
+//   TriangleListBuffer buffer(mesh);                 // upload buffer.indices(), draw them as a triangle list
+//   ... operations ...
+//   for (const auto& range : buffer.update(mesh, changed)) upload(range);
+//   changed.clear();
+//
+// Every triangle has a slot. One that is removed leaves its slot to a new one or, if there is none, to the last
+// triangle of the buffer, so that there are no gaps. Slots are given in the order of the triangle numbers: numbers in
+// an order that suits the vertex cache make a buffer that does.
+//
+// Against StripBuffer. A list is the better choice where bytes written and the time of an update count, or vertices are
+// dear and the triangles come in an order made for the vertex cache; strips take half the memory, and their colours are
+// needed for them. bench/buffer.cpp measures both.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/output/strip_buffer.hpp"
+#include "restrip/precondition.hpp"
+
+namespace restrip {
+
+/// `Index`: an unsigned type of 16 or 32 bits.
+template <class Index>
+class BasicTriangleListBuffer {
+ public:
+  static_assert(std::is_same_v<Index, std::uint16_t> || std::is_same_v<Index, std::uint32_t>);
+  using Range = IndexRange;
+
+  /// Empty; the first update writes it as a whole.
+  BasicTriangleListBuffer() = default;
+  /// Writes all triangles. Linear time. Throws as rebuild() does.
+  template <NumberedMesh Mesh>
+  explicit BasicTriangleListBuffer(const Mesh& mesh) {
+    rebuild(mesh);
+  }
+
+  /// Writes everything anew. Throws std::length_error when the number of a vertex does not fit into an index (the one
+  /// with all bits set restarts strips and is no vertex), or std::bad_alloc, or what the mesh throws; then the buffer
+  /// is incomplete, and the next update writes it anew.
+  template <NumberedMesh Mesh>
+  void rebuild(const Mesh& mesh) {
+    stale_ = true;
+    cells_.clear();
+    owner_.clear();
+    slot_.assign(mesh.triangle_bound(), none_);
+    for (std::uint32_t t = 0; t < slot_.size(); ++t)
+      if (mesh.has_triangle(t)) append(t, corners_of(mesh, t));
+    written_.assign(1, {0, cells_.size()});
+    stale_ = false;
+  }
+
+  /// Brings the buffer in step with the mesh. `changed` names every triangle whose corners have changed since the last
+  /// call, and those inserted and removed; others and repetitions do no harm. Returns the ranges whose indices may have
+  /// changed, ascending and apart from each other; valid until the next call. Time linear in `changed`, but for a
+  /// logarithm and the growth of its arrays (reserve()). Throws as rebuild() does; what is drawn is not known then, and
+  /// the next update writes everything anew.
+  template <NumberedMesh Mesh>
+  std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed) {
+    if (stale_) {
+      rebuild(mesh);
+      return written_;
+    }
+    stale_ = true;
+    written_.clear();
+    if (slot_.size() < mesh.triangle_bound()) slot_.resize(mesh.triangle_bound(), none_);
+    free_.clear();
+    for (const std::uint32_t t : changed) {
+      if (t >= slot_.size() || slot_[t] == none_ || (t < mesh.triangle_bound() && mesh.has_triangle(t))) continue;
+      free_.push_back(slot_[t]);
+      owner_[slot_[t]] = none_;
+      slot_[t] = none_;
+    }
+    for (const std::uint32_t t : changed) {
+      if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) continue;
+      const std::array<Index, 3> corners = corners_of(mesh, t);
+      if (slot_[t] == none_ && free_.empty()) {
+        append(t, corners);
+        written_.push_back({cells_.size() - 3, 3});
+        continue;
+      }
+      if (slot_[t] == none_) {
+        slot_[t] = free_.back();
+        owner_[free_.back()] = t;
+        free_.pop_back();
+      }
+      write(slot_[t], corners);
+    }
+    // The last triangles fill what is left.
+    std::sort(free_.begin(), free_.end());
+    while (!free_.empty()) {
+      const auto last = static_cast<std::uint32_t>(owner_.size() - 1);
+      if (owner_[last] == none_) {
+        free_.pop_back();
+      } else {
+        const std::uint32_t slot = free_.front();
+        write(slot,
+              {cells_[std::size_t{3} * last], cells_[std::size_t{3} * last + 1], cells_[std::size_t{3} * last + 2]});
+        owner_[slot] = owner_[last];
+        slot_[owner_[last]] = slot;
+        free_.erase(free_.begin());
+      }
+      owner_.pop_back();
+      cells_.resize(cells_.size() - 3);
+    }
+    merge_ranges();
+    stale_ = false;
+    return written_;
+  }
+
+  [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
+  /// Room for a mesh of this many triangles.
+  void reserve(std::size_t triangles) {
+    cells_.reserve(3 * triangles);
+    owner_.reserve(triangles);
+    slot_.reserve(triangles);
+  }
+
+ private:
+  static constexpr std::uint32_t none_ = 0xFFFFFFFFU;
+
+  template <class Mesh>
+  static std::array<Index, 3> corners_of(const Mesh& mesh, std::uint32_t t) {
+    const auto h = mesh.halfedge(t);
+    const auto second = mesh.next(h);
+    const std::array<std::uint32_t, 3> corner{static_cast<std::uint32_t>(mesh.from(h)),
+                                              static_cast<std::uint32_t>(mesh.from(second)),
+                                              static_cast<std::uint32_t>(mesh.from(mesh.next(second)))};
+    for (const std::uint32_t v : corner)
+      if (v >= std::numeric_limits<Index>::max())
+        RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
+    return {static_cast<Index>(corner[0]), static_cast<Index>(corner[1]), static_cast<Index>(corner[2])};
+  }
+  void append(std::uint32_t t, const std::array<Index, 3>& corners) {
+    cells_.insert(cells_.end(), corners.begin(), corners.end());
+    owner_.push_back(t);
+    slot_[t] = static_cast<std::uint32_t>(owner_.size() - 1);
+  }
+  /// In the turn that leaves most indices as they are.
+  void write(std::uint32_t slot, const std::array<Index, 3>& corners) {
+    Index* cell = cells_.data() + std::size_t{3} * slot;
+    std::size_t best = 0;
+    int most = -1;
+    for (std::size_t turn = 0; turn < 3; ++turn) {
+      int same = 0;
+      for (std::size_t i = 0; i < 3; ++i) same += static_cast<int>(cell[i] == corners[(i + turn) % 3]);
+      if (same > most) {
+        most = same;
+        best = turn;
+      }
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index now = corners[(i + best) % 3];
+      if (cell[i] == now) continue;
+      cell[i] = now;
+      written_.push_back({std::size_t{3} * slot + i, 1});
+    }
+  }
+  void merge_ranges() {
+    std::sort(written_.begin(), written_.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
+    std::size_t kept = 0;
+    for (const Range& range : written_) {
+      if (range.first >= cells_.size()) break;
+      const std::size_t end = std::min(range.first + range.count, cells_.size());
+      if (kept != 0 && range.first <= written_[kept - 1].first + written_[kept - 1].count) {
+        Range& last = written_[kept - 1];
+        last.count = std::max(last.first + last.count, end) - last.first;
+      } else {
+        written_[kept++] = {range.first, end - range.first};
+      }
+    }
+    written_.resize(kept);
+  }
+
+  std::vector<Index> cells_;
+  std::vector<std::uint32_t> owner_;  // by slot
+  std::vector<std::uint32_t> slot_;   // by triangle
+  std::vector<std::uint32_t> free_;
+  std::vector<Range> written_;
+  bool stale_ = true;
+};
+
+using TriangleListBuffer = BasicTriangleListBuffer<std::uint32_t>;
+using TriangleListBuffer16 = BasicTriangleListBuffer<std::uint16_t>;
+
+}  // namespace restrip
