@@ -56,7 +56,7 @@ class BasicTriangleListBuffer {
     stale_ = true;
     cells_.clear();
     owner_.clear();
-    slot_.assign(mesh.triangle_bound(), none_);
+    slot_.assign(mesh.triangle_bound(), no_slot);
     for (std::uint32_t t = 0; t < slot_.size(); ++t)
       if (mesh.has_triangle(t)) append(t, corners_of(mesh, t));
     written_.assign(1, {0, cells_.size()});
@@ -76,23 +76,23 @@ class BasicTriangleListBuffer {
     }
     stale_ = true;
     written_.clear();
-    if (slot_.size() < mesh.triangle_bound()) slot_.resize(mesh.triangle_bound(), none_);
+    if (slot_.size() < mesh.triangle_bound()) slot_.resize(mesh.triangle_bound(), no_slot);
     free_.clear();
     for (const std::uint32_t t : changed) {
-      if (t >= slot_.size() || slot_[t] == none_ || (t < mesh.triangle_bound() && mesh.has_triangle(t))) continue;
+      if (t >= slot_.size() || slot_[t] == no_slot || (t < mesh.triangle_bound() && mesh.has_triangle(t))) continue;
       free_.push_back(slot_[t]);
-      owner_[slot_[t]] = none_;
-      slot_[t] = none_;
+      owner_[slot_[t]] = no_slot;
+      slot_[t] = no_slot;
     }
     for (const std::uint32_t t : changed) {
       if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) continue;
       const std::array<Index, 3> corners = corners_of(mesh, t);
-      if (slot_[t] == none_ && free_.empty()) {
+      if (slot_[t] == no_slot && free_.empty()) {
         append(t, corners);
         written_.push_back({cells_.size() - 3, 3});
         continue;
       }
-      if (slot_[t] == none_) {
+      if (slot_[t] == no_slot) {
         slot_[t] = free_.back();
         owner_[free_.back()] = t;
         free_.pop_back();
@@ -103,7 +103,7 @@ class BasicTriangleListBuffer {
     std::sort(free_.begin(), free_.end());
     while (!free_.empty()) {
       const auto last = static_cast<std::uint32_t>(owner_.size() - 1);
-      if (owner_[last] == none_) {
+      if (owner_[last] == no_slot) {
         free_.pop_back();
       } else {
         const std::uint32_t slot = free_.front();
@@ -130,7 +130,7 @@ class BasicTriangleListBuffer {
   }
 
  private:
-  static constexpr std::uint32_t none_ = 0xFFFFFFFFU;
+  static constexpr std::uint32_t no_slot = 0xFFFFFFFFU;
 
   template <class Mesh>
   static std::array<Index, 3> corners_of(const Mesh& mesh, std::uint32_t t) {
