@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -394,6 +396,45 @@ TEST(StripBuffer, AnUpdateEndsWhereColorsAreNotValid) {
   mesh.set_solid(mesh.spoke(0, 2), false);
   buffer.update(mesh, changed);
   EXPECT_EQ(drawn(buffer.indices()), triangles_of(mesh));
+}
+
+// What a watched mesh names is compared with all of the mesh before and after.
+TEST(StripMesh, AWatchNamesEveryTriangleThatChanges) {
+  struct Known {
+    Corners corners{};
+    std::array<std::uint32_t, 3> neighbors{};
+    unsigned solid = 0;
+    bool operator==(const Known&) const = default;
+  };
+  const auto all_of = [](const StripMesh& mesh) {
+    std::map<Triangle, Known> all;
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+      if (!mesh.alive(t)) continue;
+      Known known{mesh.corners(t), {}, mesh.solid_sides(t)};
+      for (unsigned s = 0; s < 3; ++s) known.neighbors[s] = mesh.opposite(StripMesh::halfedge(t, s)).id;
+      all.emplace(t, known);
+    }
+    return all;
+  };
+  std::mt19937 random(17);
+  for (StripMesh& mesh : sample::meshes()) {
+    StripKeeper keeper(mesh, Policy::local);
+    std::vector<Triangle> changed;
+    mesh.watch(&changed);
+    for (int round = 0; round < 60; ++round) {
+      const std::map<Triangle, Known> before = all_of(mesh);
+      changed.clear();
+      random_operation(keeper, random, round % 20 < 10);
+      const std::map<Triangle, Known> after = all_of(mesh);
+      const std::set<Triangle> named(changed.begin(), changed.end());
+      for (const auto& [t, known] : before) {
+        const auto now = after.find(t);
+        EXPECT_TRUE(named.contains(t) || (now != after.end() && now->second == known)) << "triangle " << t;
+      }
+      for (const auto& [t, known] : after) EXPECT_TRUE(named.contains(t) || before.contains(t)) << "triangle " << t;
+    }
+    mesh.watch(nullptr);
+  }
 }
 
 // A watch goes where its mesh is moved, and nowhere else.
