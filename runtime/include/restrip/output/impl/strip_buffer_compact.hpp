@@ -15,13 +15,13 @@ void BasicStripBuffer<Index>::slide(std::uint32_t p, std::uint32_t first) noexce
   const std::uint32_t used = places_.used(p);
   if (first == old) return;
   if (first < old) {
-    std::copy(cells_.begin() + old, cells_.begin() + old + used, cells_.begin() + first);
-    std::copy(whose_.begin() + old, whose_.begin() + old + used, whose_.begin() + first);
+    std::copy(cells_.data() + old, cells_.data() + old + used, cells_.data() + first);
+    std::copy(whose_.data() + old, whose_.data() + old + used, whose_.data() + first);
     for (std::uint32_t i = first; i < first + used; ++i) mark(i);
     blank(std::max(old, first + used), old + used);
   } else {
-    std::copy_backward(cells_.begin() + old, cells_.begin() + old + used, cells_.begin() + first + used);
-    std::copy_backward(whose_.begin() + old, whose_.begin() + old + used, whose_.begin() + first + used);
+    std::copy_backward(cells_.data() + old, cells_.data() + old + used, cells_.data() + first + used);
+    std::copy_backward(whose_.data() + old, whose_.data() + old + used, whose_.data() + first + used);
     blank(old, std::min(first, old + used));
     for (std::uint32_t i = first; i < first + used; ++i) mark(i);
   }
@@ -37,8 +37,8 @@ void BasicStripBuffer<Index>::move(std::uint32_t p, std::uint32_t before) noexce
   const std::uint32_t pads = places_.pads(p);
   const std::uint32_t cuts = places_.cuts(p);
   if (cursor_ == p) cursor_ = places_.previous(p);
-  std::copy_n(cells_.begin() + from, size, cells_.begin() + to);
-  std::copy_n(whose_.begin() + from, size, whose_.begin() + to);
+  std::copy_n(cells_.data() + from, size, cells_.data() + to);
+  std::copy_n(whose_.data() + from, size, whose_.data() + to);
   for (std::uint32_t k = to; k < to + size; ++k) mark(k);
   blank(from, from + size);
   places_.remove(p);
