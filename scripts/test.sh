@@ -22,11 +22,13 @@ part() {
 # beside NAME COMMAND…: the same in the background, with what is left of the processors.
 beside() {
   say "in the background: $1"
+  set -m  # a process group of its own, so that all of it can be stopped
   (
     trap - ERR EXIT
     part "$1 (in the background)" nice "${@:2}"
   ) >"$logs/background" 2>&1 &
   background=$!
+  set +m
 }
 
 # joined: waits for what runs in the background; it must have succeeded.
@@ -37,7 +39,7 @@ joined() {
   wait "$pid" || { tail -n 40 "$logs/background" >&2; false; }
 }
 background=
-trap '[ -z "$background" ] || kill "$background" 2>/dev/null' EXIT
+trap '[ -z "$background" ] || kill -- "-$background" 2>/dev/null' EXIT
 
 # RESTRIP_MESHES may name a folder of packed meshes (*.xz); they are unpacked into the build folder.
 if compgen -G "${RESTRIP_MESHES:-}/*.xz" >/dev/null; then
