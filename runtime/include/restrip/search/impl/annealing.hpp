@@ -91,7 +91,7 @@ class Annealing {
   /// swap, if that weighs more) is as likely as 1 / e.
   void cool(std::uint64_t moves, std::uint32_t heat) {
     list_flaws();
-    const std::uint64_t most = std::max<std::uint64_t>({cost_.restart, 3U * cost_.swap, cost_.isolated});
+    const std::uint64_t most = std::max<std::uint64_t>({cost_.restart, std::uint64_t{3} * cost_.swap, cost_.isolated});
     const std::uint64_t hot = 45'426 * most * heat / 300;  // 45,426 = 2^16 ln 2
     const std::uint64_t stage = moves * 9 / 20 + 1;
     tried_ = 0;
