@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string_view>
 #include <vector>
 
 #include "number_lines.hpp"
@@ -55,8 +53,6 @@ struct Numbers {
   }
 };
 
-std::string witness_of(const ArcClass& c) { return c.witness.empty() ? "-" : c.witness; }
-
 std::string in_words(Value value) { return fmt::format("{} {}", value.solid, -value.fewer_isolated); }
 
 std::size_t arcs_without_boundary(const Automaton& automaton) {
@@ -70,28 +66,11 @@ std::size_t longest_witness(const Automaton& automaton) {
   return longest;
 }
 
-/// Rows of one kind after the other, counted.
-class Rows {
- public:
-  template <class... Words>
-  void add(fmt::format_string<Words...> row, Words&&... words) {
-    fmt::format_to(std::back_inserter(text_), row, std::forward<Words>(words)...);
-    text_ += '\n';
-    ++count_;
-  }
-  [[nodiscard]] const std::string& text() const { return text_; }
-  [[nodiscard]] std::size_t count() const { return count_; }
-
- private:
-  std::string text_;
-  std::size_t count_ = 0;
-};
-
 Rows class_rows(const Automaton& automaton) {
   Rows rows;
   for (std::size_t x = 0; x < automaton.classes.size(); ++x) {
     const ArcClass& c = automaton.classes[x];
-    rows.add("class {} {}", x, witness_of(c));
+    rows.add("class {} {}", x, witness_text(c.witness));
     for (const Case k : all_cases)
       if (c.values[k]) rows.add("value {} {} {}", x, text_of(k), in_words(*c.values[k]));
     for (const Letter letter : all_letters) {
@@ -128,26 +107,7 @@ Rows meeting_rows(const Automaton& automaton) {
   return rows;
 }
 
-std::string section(std::string_view name, const Rows& rows) {
-  return fmt::format("section {}\nclaim rows {}\n{}", name, rows.count(), rows.text());
-}
-
-/// The colours of the links of a class's witness in one of its cases, from left to right.
-std::vector<bool> links_of(const Automaton& automaton, const ArcClass& c, Case k) {
-  constexpr std::string_view letter_names = "dsjb";
-  std::vector<const ArcStep*> steps;
-  std::size_t at = 0;
-  for (const char letter : c.witness) {
-    steps.push_back(&automaton.classes[at].steps[letter_names.find(letter)].value());
-    at = steps.back()->to;
-  }
-  std::vector<bool> links{right_of(k) != Reach::dashed};
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    k = (*step)->before[k];
-    links.insert(links.begin(), right_of(k) != Reach::dashed);
-  }
-  return links;
-}
+bool right_is_solid(Case k) { return right_of(k) != Reach::dashed; }
 
 }  // namespace
 
@@ -178,10 +138,9 @@ AutomatonCertificate automaton_certificate(const Automaton& automaton) {
   const Rows closings = closing_rows(automaton);
   const Rows meetings = meeting_rows(automaton);
   const std::size_t rows = classes.count() + closings.count() + meetings.count();
-  return {
-      certificate("automaton",
-                  {section("classes", classes), section("closings", closings), section("meetings", meetings)}, rows),
-      rows};
+  return {certificate("automaton",
+                      {classes.section("classes"), closings.section("closings"), meetings.section("meetings")}, rows),
+          rows};
 }
 
 std::string automaton_json(const Automaton& automaton) {
@@ -209,8 +168,9 @@ std::string classes_json(const Automaton& automaton) {
     json["witness"] = c.witness;
     for (const Case k : all_cases)
       if (c.values[k])
-        json["cases"].push_back(
-            {{"case", text_of(k)}, {"value", in_words(*c.values[k])}, {"links", links_of(automaton, c, k)}});
+        json["cases"].push_back({{"case", text_of(k)},
+                                 {"value", in_words(*c.values[k])},
+                                 {"links", witness_links(automaton, all_letters, c.witness, k, right_is_solid)}});
     list.push_back(std::move(json));
   }
   return list.dump(1) + "\n";

@@ -1,10 +1,10 @@
 // Text of the automaton's files: a constexpr header, a certificate, and figures as JSON. Same input, same bytes.
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "automaton.hpp"
+#include "automaton_text.hpp"
 #include "emit.hpp"
 
 namespace restrip::generator {
@@ -13,10 +13,6 @@ namespace restrip::generator {
 [[nodiscard]] RulesHeader automaton_header(const Automaton& automaton);
 
 /// certificates/automaton.cert, with the number of its rows.
-struct AutomatonCertificate {
-  std::string text;
-  std::size_t rows = 0;
-};
 [[nodiscard]] AutomatonCertificate automaton_certificate(const Automaton& automaton);
 
 /// Classes before and after, letters, cases, bytes.

@@ -7,7 +7,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -99,24 +98,7 @@ struct HeaderNumbers {
   }
 };
 
-std::string witness_text(const ArcClass& c) { return c.witness.empty() ? "-" : c.witness; }
-
-/// The colours of the links of a class's witness in one of its cases, from left to right.
-std::vector<bool> links_of(const Automaton& automaton, const ArcClass& c, Case k) {
-  constexpr std::string_view letter_names = "dslrSLR";
-  std::vector<const ArcStep*> steps;
-  std::size_t at = 0;
-  for (const char letter : c.witness) {
-    steps.push_back(&automaton.classes[at].steps[letter_names.find(letter)]);
-    at = steps.back()->to;
-  }
-  std::vector<bool> links{right_of(k) != Reach::dashed};
-  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-    k = (*step)->before[k];
-    links.insert(links.begin(), right_of(k) != Reach::dashed);
-  }
-  return links;
-}
+bool right_is_solid(Case k) { return right_of(k) != Reach::dashed; }
 
 }  // namespace
 
@@ -150,29 +132,24 @@ RulesHeader automaton_header(const Automaton& automaton) {
 
 AutomatonCertificate automaton_certificate(const Automaton& automaton) {
   const Weights& weights = automaton.weights;
-  std::string text;
-  std::size_t rows = 0;
-  const auto add = [&](const std::string& row) {
-    text += row + "\n";
-    ++rows;
-  };
+  Rows cost;
+  cost.add("weights {} {} {}", weights.restart, weights.swap, weights.isolated);
+  Rows classes;
   for (std::size_t x = 0; x < automaton.classes.size(); ++x) {
     const ArcClass& c = automaton.classes[x];
-    add(fmt::format("class {} {}", x, witness_text(c)));
+    classes.add("class {} {}", x, witness_text(c.witness));
     for (Case k = 0; k < case_codes; ++k)
-      if (c.costs[k]) add(fmt::format("value {} {} {}", x, text_of(k), *c.costs[k]));
+      if (c.costs[k]) classes.add("value {} {} {}", x, text_of(k), *c.costs[k]);
     for (const Letter letter : all_letters) {
       const ArcStep& step = c.steps[static_cast<std::size_t>(letter)];
-      add(fmt::format("step {} {} {} {}", x, text_of(letter), step.to, step.cost));
+      classes.add("step {} {} {} {}", x, text_of(letter), step.to, step.cost);
       for (Case k = 0; k < case_codes; ++k)
         if (automaton.classes[step.to].costs[k])
-          add(fmt::format("from {} {} {} {}", x, text_of(letter), text_of(k), text_of(step.before[k])));
+          classes.add("from {} {} {} {}", x, text_of(letter), text_of(k), text_of(step.before[k]));
     }
   }
-  const std::string cost =
-      fmt::format("section cost\nclaim rows 1\nweights {} {} {}\n", weights.restart, weights.swap, weights.isolated);
-  const std::string classes = fmt::format("section classes\nclaim rows {}\n{}", rows, text);
-  return {certificate("index-automaton", {cost, classes}, rows + 1), rows + 1};
+  const std::size_t rows = cost.count() + classes.count();
+  return {certificate("index-automaton", {cost.section("cost"), classes.section("classes")}, rows), rows};
 }
 
 std::string automaton_json(const Automaton& automaton) {
@@ -205,8 +182,9 @@ std::string classes_json(const Automaton& automaton) {
     json["witness"] = c.witness;
     for (Case k = 0; k < case_codes; ++k)
       if (c.costs[k])
-        json["cases"].push_back(
-            {{"case", text_of(k)}, {"value", std::to_string(*c.costs[k])}, {"links", links_of(automaton, c, k)}});
+        json["cases"].push_back({{"case", text_of(k)},
+                                 {"value", std::to_string(*c.costs[k])},
+                                 {"links", witness_links(automaton, all_letters, c.witness, k, right_is_solid)}});
     list.push_back(std::move(json));
   }
   return list.dump(1) + "\n";

@@ -1,9 +1,9 @@
 // Text of the index automaton's files: a constexpr header, a certificate, figures as JSON. Same input, same bytes.
 #pragma once
 
-#include <cstddef>
 #include <string>
 
+#include "automaton_text.hpp"
 #include "emit.hpp"
 #include "index_automaton.hpp"
 
@@ -13,10 +13,6 @@ namespace restrip::generator::indices {
 [[nodiscard]] RulesHeader automaton_header(const Automaton& automaton);
 
 /// certificates/index-automaton.cert, with the number of its rows.
-struct AutomatonCertificate {
-  std::string text;
-  std::size_t rows = 0;
-};
 [[nodiscard]] AutomatonCertificate automaton_certificate(const Automaton& automaton);
 
 /// Weights, classes, letters, cases, bytes.

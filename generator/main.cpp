@@ -89,7 +89,7 @@ AutomatonFiles strips_automaton() {
 
 AutomatonFiles index_automaton(const indices::Weights& weights) {
   const indices::Automaton automaton = indices::make_automaton(weights);
-  const indices::AutomatonCertificate certificate = indices::automaton_certificate(automaton);
+  const AutomatonCertificate certificate = indices::automaton_certificate(automaton);
   return {"index-automaton", automaton.classes.size(),           indices::automaton_header(automaton), certificate.text,
           certificate.rows,  indices::automaton_json(automaton), indices::classes_json(automaton)};
 }
