@@ -8,6 +8,7 @@ set(allowed_in_runtime "${std}|\"restrip/.*\"")
 set(allowed_in_tables "${std}|\"restrip/tables/([a-z_]+_)?format.hpp\"")
 set(allowed_in_tools "${std}|\"(files|restrip|common|meshes|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<unistd.h>")
 set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]")
+set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
 string(APPEND allowed_in_bench "|\"(files|common|meshes|lod|replay)/.*\"")  # bench/ measures the mesh programs too
 # Doors that are there on purpose: adapters to other libraries, the other backend of batches.
@@ -96,7 +97,7 @@ function(judge room source line out)
 endfunction()
 
 set(seen 0)
-foreach(room IN ITEMS files generator verify runtime tables tools examples bench)
+foreach(room IN ITEMS files generator verify runtime tables tools examples bench web)
   file(GLOB_RECURSE sources ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/verify/formal/")  # printers of their own, compiled by its script
   foreach(source IN LISTS sources)
@@ -148,7 +149,8 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "tools/common/any.cpp|\"meshes/soup.hpp\"" "tools/meshes/any.cpp|\"lod/simplify.hpp\""
                        "tools/lod/any.cpp|\"replay/replay.hpp\"" "tools/replay/any.cpp|\"paper/paper.hpp\""
                        "tools/paper/any.cpp|\"app/commands.hpp\"" "tools/app/any.cpp|\"restrip/search/impl/tunnel.hpp\""
-                       "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\"")
+                       "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "web/glue/any.cpp|\"lod/simplify.hpp\""
+                       "web/glue/any.cpp|\"restrip/rules/rules.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\"")
   string(REPLACE "|" ";" wrong "${wrong}")
   list(GET wrong 0 source)
   list(GET wrong 1 what)

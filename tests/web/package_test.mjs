@@ -1,0 +1,235 @@
+// The package keeps exactly the strips that the native program keeps: for each policy and cost, at the base, at the top
+// and back at the base, after an update of the index buffer for every single operation, `restrip replay` and the package
+// tell the same numbers. The index buffer, copied by its ranges alone, draws the mesh. Operations that the mesh refuses
+// change nothing. A view-dependent walk ends, wherever it went, at the triangles that the levels have. Rules are those
+// that the native tables give.
+//   node package_test.mjs WEB_FOLDER RESTRIP DUMP_TABLES SCRATCH
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+const [folder, program, dumpProgram, scratch] = process.argv.slice(2);
+mkdirSync(scratch, { recursive: true });
+const { load, restartIndex } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')));
+const { readMesh } = await import(pathToFileURL(join(folder, 'package/formats.mjs')));
+const restrip = await load();
+const file = join(folder, 'hare.pm');
+const source = readMesh('hare.pm', readFileSync(file));
+
+const sorted = (triangles) => {
+  const keys = [];
+  for (let i = 0; i < triangles.length; i += 3) {
+    const t = [triangles[i], triangles[i + 1], triangles[i + 2]];
+    const least = t.indexOf(Math.min(...t));
+    keys.push([t[least], t[(least + 1) % 3], t[(least + 2) % 3]].join(' '));
+  }
+  return keys.sort();
+};
+/// What a graphics card draws of a triangle strip with restarts.
+const drawn = (indices) => {
+  const out = [];
+  let begin = 0;
+  for (let i = 0; i < indices.length; ++i) {
+    if (indices[i] === restartIndex) begin = i + 1;
+    if (i < begin + 2) continue;
+    const [a, b, c] = (i - begin) % 2 === 0 ? [indices[i - 2], indices[i - 1], indices[i]] : [indices[i - 1], indices[i - 2], indices[i]];
+    if (a !== b && b !== c && c !== a) out.push(a, b, c);
+  }
+  return out;
+};
+
+function sameAsReplay() {
+  let compared = 0;
+  for (const cost of ['strips', 'indices']) {
+    for (const policy of ['local', 'linked', 'quick']) {
+      const told = join(scratch, `${policy}-${cost}.json`);
+      execFileSync(program, ['replay', file, '--policy', policy, '--cost', cost, '--repeats', '0', '--json', told]);
+      const native = JSON.parse(readFileSync(told, 'utf8'));
+      const mesh = restrip.progressive(source).begin({ policy, cost });
+      mesh.update();
+      const levels = new Map(native.levels.map((level) => [level.triangles, level]));
+      const levelsDown = new Map(native.levels_down.map((level) => [level.triangles, level]));
+      const compare = (level) => {
+        if (!level) return;
+        const { triangles, strips, bufferIndices } = mesh.figures;
+        assert.deepEqual({ triangles, strips, indices: mesh.plainIndices, buffer: bufferIndices },
+          { triangles: level.triangles, strips: level.strips, indices: level.indices, buffer: level.buffer_indices });
+        ++compared;
+      };
+      compare(levels.get(mesh.figures.triangles));
+      for (let level = 1; level <= mesh.levels; ++level) {
+        assert.equal(mesh.moveTo(level), 1);
+        mesh.update();
+        compare(levels.get(2 * level + source.base.length / 3));
+      }
+      assert.equal(mesh.figures.addingStrip, native.operations_adding_strip);
+      assert.equal(mesh.figures.isolating, native.operations_isolating);
+      compare(levelsDown.get(mesh.figures.triangles));
+      for (let level = mesh.levels; level-- > 0;) {
+        assert.equal(mesh.moveTo(level), 1);
+        mesh.update();
+        compare(levelsDown.get(2 * level + source.base.length / 3));
+      }
+      const { indicesWritten, operations, refused } = mesh.figures;
+      assert.equal(operations, 2 * mesh.levels);
+      assert.equal(refused, 0);
+      assert.ok(Math.abs(4 * indicesWritten / operations - native.buffer_bytes_written_per_operation) < 1e-6);
+      assert.ok(mesh.valid);
+      mesh.close();
+    }
+  }
+  assert.ok(compared >= 6 * 20, `only ${compared} levels were compared`);
+}
+
+function copiesByRanges() {
+  const mesh = restrip.progressive(source).begin({ policy: 'quick' });
+  let copy = [];
+  const follow = () => {
+    const ranges = mesh.update();
+    const live = mesh.indices;
+    copy.length = live.length;
+    for (const { first, count } of ranges) for (let i = first; i < first + count; ++i) copy[i] = live[i];
+    assert.deepEqual(copy, Array.from(live));
+    assert.deepEqual(sorted(drawn(copy)), sorted(mesh.triangles));
+  };
+  follow();
+  for (const share of [0.3, 0.31, 0.9, 0.2, 1, 0]) {
+    mesh.moveTo(Math.round(share * mesh.levels));
+    follow();
+  }
+  mesh.close();
+}
+
+function viewDependent() {
+  const mesh = restrip.progressive(source).begin({ policy: 'linked' });
+  const splits = mesh.splits;
+  const wanted = new Uint8Array(mesh.levels);
+  const near = (x) => {
+    for (let i = 0; i < mesh.levels; ++i) wanted[i] = Math.abs(mesh.points[3 * splits[4 * i + 1]] - x) < 0.2 ? 1 : 0;
+    while (mesh.approach(wanted, 500) === 500);
+    assert.equal(mesh.approach(wanted), 0);
+    assert.ok(!mesh.figures.inOrder, 'a part of the records out of order');
+    assert.ok(mesh.valid);
+    mesh.update();
+    assert.deepEqual(sorted(drawn(mesh.indices)), sorted(mesh.triangles));
+  };
+  for (const x of [0.5, 0.3, -0.4]) near(x);
+  assert.equal(mesh.figures.refused, 0);
+  // Wherever it went, the levels have their triangles.
+  const straight = restrip.progressive(source).begin({ policy: 'local' });
+  for (const share of [0.6, 0]) {
+    mesh.moveTo(Math.round(share * mesh.levels));
+    straight.moveTo(Math.round(share * mesh.levels));
+    assert.deepEqual(sorted(mesh.triangles), sorted(straight.triangles));
+  }
+  assert.equal(mesh.figures.refused, 0);
+  mesh.close();
+  straight.close();
+}
+
+function singleOperations() {
+  // An octahedron: split 4 along its edges to 0 and 1, flip, and collapse again.
+  const base = [0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5];
+  const points = [1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 1.1];
+  const mesh = restrip.progressive({ points, base, splits: [] }).begin({ policy: 'local' });
+  assert.equal(mesh.split(4, 6, 0, 1), null);
+  assert.equal(mesh.figures.triangles, 10);
+  const { kind, closed, k, a, before, ports, after } = mesh.last;
+  assert.deepEqual({ kind, closed, k, a }, { kind: 'split', closed: true, k: 4, a: 2 });
+  assert.equal(after, restrip.rule({ family: 'split', k, a, edges: before, ports }).colors);
+  assert.match(mesh.split(4, 6, 0, 1), /in use already/);
+  assert.match(mesh.collapse(4, 5), /not one of this mesh/);
+  assert.match(mesh.collapse(4, 4000), /not one of this mesh/);
+  assert.equal(mesh.flip(4, 6), null);
+  assert.match(mesh.flip(4, 6), /not one of this mesh/);
+  assert.equal(mesh.flip(0, 1), null);
+  const back = mesh.collapse(4, 6);
+  assert.equal(back, null);
+  assert.equal(mesh.figures.triangles, 8);
+  assert.ok(mesh.valid);
+  assert.throws(() => restrip.progressive({ points, base, splits: [4, 6, 0, 4] }), /split 0/);
+  mesh.close();
+}
+
+function simplifies() {
+  const soup = readMesh('hare.obj', readFileSync(join(folder, 'hare.obj')));
+  const mesh = restrip.simplified(soup, 0.1).begin({ policy: 'quick' });
+  assert.ok(mesh.figures.triangles <= 0.11 * soup.triangles.length / 3);
+  mesh.moveTo(mesh.levels);
+  assert.deepEqual(sorted(mesh.triangles), sorted(soup.triangles));
+  assert.ok(mesh.indexBound <= mesh.plainIndices);
+  mesh.close();
+}
+
+function sameRules() {
+  // Every fourth line of the native dump, and all of the flip.
+  const lines = execFileSync(dumpProgram, ['--max-k', '6'], { maxBuffer: 1 << 30, encoding: 'latin1' }).split('\n');
+  let position = {};
+  let compared = 0;
+  lines.forEach((line, number) => {
+    const words = line.split(' ');
+    if (words[0] === 'table') {
+      position = { family: words[1] };
+      if (words[1] === 'flip') return;
+      position.k = +words[3];
+      if (words[4] === 'a') position.a = +words[5];
+      if (words[4] === 'gap') position.i = +words[5];
+      if (words[4] === 'gaps') [position.i, position.j] = [+words[5], +words[6]];
+      return;
+    }
+    if (!(position.family in { split: 1, collapse: 1, 'open-split': 1, 'open-collapse': 1, 'boundary-split': 1, 'boundary-collapse': 1, flip: 1 })) return;
+    if (position.family !== 'flip' && number % 4 !== 0) return;
+    if (!/^[0-9a-f]+ [0-9a-f]+ /.test(line)) return;
+    const mask = (word) => BigInt(`0x${word}`);
+    const rule = restrip.rule({ ...position, edges: mask(words[0]), ports: mask(words[1]) });
+    if (words[2] === '-') assert.ok(!rule.valid);
+    else if (position.family === 'flip')
+      assert.deepEqual([rule.valid, rule.colors, rule.ports], [true, mask(words[2]), mask(words[3])]);
+    else assert.deepEqual([rule.valid, rule.colors], [true, mask(words[2])]);
+    ++compared;
+  });
+  assert.ok(compared > 10000, `only ${compared} rules were compared`);
+  console.log(`${compared} rules compared`);
+}
+
+function readsFormats() {
+  const bytes = (string) => new TextEncoder().encode(string);
+  const tetrahedron = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
+  const points = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
+  const faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+  const vertices = ['0 0 0', '1 0 0', '0 1 0', '0 0 1'];
+  const obj = vertices.map((v) => `v ${v}\n`).join('') + faces.map((f) => `f ${f.map((v) => `${v + 1}//1`).join(' ')}\n`).join('');
+  const off = `OFF\n4 4 0\n${vertices.join('\n')}\n${faces.map((f) => `3 ${f.join(' ')}`).join('\n')}\n`;
+  const ply = `ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n` +
+    `property list uchar int vertex_indices\nend_header\n${vertices.join('\n')}\n${faces.map((f) => `3 ${f.join(' ')}`).join('\n')}\n`;
+  for (const [name, content] of [['t.obj', obj], ['t.off', off], ['t.ply', ply]])
+    assert.deepEqual(readMesh(name, bytes(content)), { points, triangles: tetrahedron }, name);
+  // The binary ones are written by other programs.
+  const header = bytes('ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n' +
+    'element face 4\nproperty list uchar uint vertex_index\nend_header\n');
+  const body = new DataView(new ArrayBuffer(48 + 4 * 13));
+  points.forEach((c, i) => body.setFloat32(4 * i, c, true));
+  faces.forEach((f, i) => { body.setUint8(48 + 13 * i, 3); f.forEach((v, j) => body.setUint32(49 + 13 * i + 4 * j, v, true)); });
+  assert.deepEqual(readMesh('t.ply', Buffer.concat([header, new Uint8Array(body.buffer)])), { points, triangles: tetrahedron });
+  const json = JSON.stringify({ asset: { version: '2.0' }, meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
+    accessors: [{ bufferView: 0, componentType: 5126, type: 'VEC3', count: 4 }, { bufferView: 1, componentType: 5123, type: 'SCALAR', count: 12 }],
+    bufferViews: [{ buffer: 0, byteOffset: 0, byteLength: 48 }, { buffer: 0, byteOffset: 48, byteLength: 24 }], buffers: [{ byteLength: 72 }] });
+  const padded = json.padEnd(Math.ceil(json.length / 4) * 4);
+  const glb = Buffer.alloc(20 + padded.length + 8 + 72);
+  glb.writeUInt32LE(0x46546c67, 0); glb.writeUInt32LE(2, 4); glb.writeUInt32LE(glb.length, 8); glb.writeUInt32LE(padded.length, 12);
+  glb.write('JSON', 16); glb.write(padded, 20); glb.writeUInt32LE(72, 20 + padded.length);
+  points.forEach((c, i) => glb.writeFloatLE(c, 28 + padded.length + 4 * i));
+  tetrahedron.forEach((v, i) => glb.writeUInt16LE(v, 28 + padded.length + 48 + 2 * i));
+  assert.deepEqual(readMesh('t.glb', glb), { points, triangles: tetrahedron });
+  for (const [name, content, why] of [['t.obj', 'v 0 0 0\n', /no triangles/], ['t.obj', 'v 0 0 0\nf 1 2 3\n', /refers to vertex/],
+    ['t.off', 'OFF\n4 4 0\n1 2', /ends too early/], ['t.ply', 'nothing', /no PLY header/], ['t.pm', 'nothing', /no progressive mesh/],
+    ['t.glb', 'nothing', /no binary glTF/], ['t.stl', '', /none of the formats/], ['t.obj', obj.replace('v 1', 'v x'), /not a number/]])
+    assert.throws(() => readMesh(name, bytes(content)), why, name);
+}
+
+for (const test of [readsFormats, singleOperations, sameRules, copiesByRanges, viewDependent, simplifies, sameAsReplay]) {
+  test();
+  console.log(`${test.name}: as claimed`);
+}

@@ -1,0 +1,225 @@
+// The functions that JavaScript calls (js/restrip.mjs), with numbers and addresses only. A caller writes arguments that
+// are lists into memory taken by restrip_take; a function that returns a list returns the address of a List, which is
+// valid until the next call of any function.
+#include "picture.hpp"
+#include "session.hpp"
+#include "simplify.hpp"
+
+#ifdef __wasm__
+#define RESTRIP_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+#else  // where it is compiled only to be checked
+#define RESTRIP_EXPORT(name) extern "C"
+#endif
+
+namespace {
+
+using namespace restrip;
+using namespace restrip::web;
+
+struct List {
+  const void* data = nullptr;
+  std::uint32_t size = 0;  // elements
+};
+List list;
+
+struct Page {
+  std::unique_ptr<Session> session;
+  BuildReport left_out;
+  Picture picture;
+};
+
+template <class Element>
+const List* give(std::span<const Element> elements) {
+  list = {elements.data(), static_cast<std::uint32_t>(elements.size())};
+  return &list;
+}
+
+constexpr Policy policies[] = {Policy::local, Policy::linked, Policy::quick, Policy::full};
+
+// Of the last operation: kind, closed, k, a of the patch before, four masks as two numbers each, strips, isolated.
+std::array<std::uint32_t, 14> told;
+
+}  // namespace
+
+// ---- memory
+RESTRIP_EXPORT(restrip_take)
+void* restrip_take(std::uint32_t bytes) { return std::malloc(bytes); }
+RESTRIP_EXPORT(restrip_give_back)
+void restrip_give_back(void* memory) { std::free(memory); }
+
+// ---- a mesh
+/// `splits`: v_s, v_t, v_l, v_r each.
+RESTRIP_EXPORT(restrip_open)
+Page* restrip_open(const float* points, std::uint32_t point_count, const std::uint32_t* base, std::uint32_t base_count,
+                   const std::uint32_t* splits, std::uint32_t split_count) {
+  Progressive source;
+  source.points = point_count;
+  for (std::size_t i = 0; i < base_count; ++i) source.base.push_back({base[3 * i], base[3 * i + 1], base[3 * i + 2]});
+  for (std::size_t i = 0; i < split_count; ++i)
+    source.splits.push_back({splits[4 * i], splits[4 * i + 1], splits[4 * i + 2], splits[4 * i + 3]});
+  auto* page = new Page;
+  static_cast<void>(StripMesh::build(source.base, source.points, &page->left_out));
+  page->session =
+      std::make_unique<Session>(std::move(source), std::vector<float>(points, points + 3 * std::size_t{point_count}));
+  return page;
+}
+RESTRIP_EXPORT(restrip_simplify)
+Page* restrip_simplify(const float* points, std::uint32_t point_count, const std::uint32_t* triangles,
+                       std::uint32_t triangle_count, std::uint32_t wanted) {
+  std::vector<Corners> corners(triangle_count);
+  for (std::size_t i = 0; i < triangle_count; ++i)
+    corners[i] = {triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]};
+  auto* page = new Page;
+  Simplifier simplifier({points, 3 * std::size_t{point_count}}, corners);
+  page->left_out = simplifier.report();
+  page->session = std::make_unique<Session>(simplifier.run(wanted),
+                                            std::vector<float>(points, points + 3 * std::size_t{point_count}));
+  return page;
+}
+RESTRIP_EXPORT(restrip_close)
+void restrip_close(Page* page) { delete page; }
+RESTRIP_EXPORT(restrip_levels)
+std::uint32_t restrip_levels(const Page* page) {
+  return static_cast<std::uint32_t>(page->session->source().splits.size());
+}
+RESTRIP_EXPORT(restrip_refused_record)
+std::uint32_t restrip_refused_record(const Page* page) {
+  return static_cast<std::uint32_t>(page->session->refused_record());
+}
+RESTRIP_EXPORT(restrip_left_out)
+std::uint32_t restrip_left_out(const Page* page, std::uint32_t what) {
+  const BuildReport& r = page->left_out;
+  const std::size_t counts[] = {r.degenerate_triangles + r.out_of_range_triangles, r.non_manifold_vertices,
+                                r.boundary_edges};
+  return what < std::size(counts) ? static_cast<std::uint32_t>(counts[what]) : 0;
+}
+RESTRIP_EXPORT(restrip_splits)
+const List* restrip_splits(const Page* page) { return give(std::span<const Record>(page->session->source().splits)); }
+
+// ---- strips kept
+RESTRIP_EXPORT(restrip_begin)
+void restrip_begin(Page* page, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap,
+                   std::uint32_t isolated) {
+  const auto weight = [](std::uint32_t w) { return static_cast<std::uint16_t>(std::min(w, 1000U)); };
+  page->session->begin(policies[policy & 3U], {weight(restart), weight(swap), weight(isolated)});
+}
+RESTRIP_EXPORT(restrip_move)
+std::uint32_t restrip_move(Page* page, std::uint32_t level, std::uint32_t most) {
+  return static_cast<std::uint32_t>(page->session->move(level, most));
+}
+RESTRIP_EXPORT(restrip_approach)
+std::uint32_t restrip_approach(Page* page, const std::uint8_t* wanted, std::uint32_t most) {
+  return static_cast<std::uint32_t>(page->session->approach({wanted, page->session->source().splits.size()}, most));
+}
+RESTRIP_EXPORT(restrip_split)
+std::uint32_t restrip_split(Page* page, std::uint32_t v_s, std::uint32_t v_t, std::uint32_t v_l, std::uint32_t v_r) {
+  return static_cast<std::uint32_t>(page->session->split({v_s, v_t, v_l, v_r}));
+}
+RESTRIP_EXPORT(restrip_collapse)
+std::uint32_t restrip_collapse(Page* page, std::uint32_t v_s, std::uint32_t v_t) {
+  return static_cast<std::uint32_t>(page->session->collapse(v_s, v_t));
+}
+RESTRIP_EXPORT(restrip_flip)
+std::uint32_t restrip_flip(Page* page, std::uint32_t u, std::uint32_t v) {
+  return static_cast<std::uint32_t>(page->session->flip(u, v));
+}
+RESTRIP_EXPORT(restrip_describe)
+const char* restrip_describe(std::uint32_t refusal) { return describe(static_cast<Refusal>(refusal)); }
+
+// ---- the index buffer
+RESTRIP_EXPORT(restrip_update)
+const List* restrip_update(Page* page) { return give(page->session->update()); }
+RESTRIP_EXPORT(restrip_indices)
+const List* restrip_indices(const Page* page) { return give(page->session->indices()); }
+RESTRIP_EXPORT(restrip_triangles)
+const List* restrip_triangles(const Page* page) {
+  static std::vector<Corners> corners;
+  corners.clear();
+  const StripMesh& mesh = page->session->mesh();
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) corners.push_back(mesh.corners(t));
+  return give(std::span<const Corners>(corners));
+}
+
+// ---- figures
+RESTRIP_EXPORT(restrip_figures)
+const Figures* restrip_figures(Page* page) { return &page->session->figures(); }
+RESTRIP_EXPORT(restrip_plain_indices)
+std::uint32_t restrip_plain_indices(const Page* page) {
+  return static_cast<std::uint32_t>(page->session->plain_indices());
+}
+/// The fewest indices that any strips of this mesh can have.
+RESTRIP_EXPORT(restrip_index_bound)
+std::uint32_t restrip_index_bound(const Page* page) {
+  return static_cast<std::uint32_t>(strip_index_lower_bound(page->session->mesh()));
+}
+/// 1: the colouring is valid, checked from its definition.
+RESTRIP_EXPORT(restrip_valid)
+std::uint32_t restrip_valid(const Page* page) { return check_coloring(page->session->mesh()).valid ? 1 : 0; }
+
+// ---- pictures
+RESTRIP_EXPORT(restrip_runs)
+const List* restrip_runs(Page* page) { return give(page->picture.runs(*page->session)); }
+RESTRIP_EXPORT(restrip_lines)
+const List* restrip_lines(Page* page) { return give(page->picture.lines(*page->session)); }
+RESTRIP_EXPORT(restrip_pick)
+const List* restrip_pick(Page* page, float x, float y, float z, float dx, float dy, float dz) {
+  return give(page->picture.pick(*page->session, {x, y, z}, {dx, dy, dz}));
+}
+RESTRIP_EXPORT(restrip_last)
+const List* restrip_last(const Page* page) {
+  const LastOperation& last = page->session->last();
+  const auto low = [](Word w) { return static_cast<std::uint32_t>(w); };
+  const auto high = [](Word w) { return static_cast<std::uint32_t>(w >> 32); };
+  const bool closed = last.before.closed && last.after.closed;
+  told = {static_cast<std::uint32_t>(last.kind),
+          closed ? 1U : 0U,
+          last.before.k,
+          last.before.a,
+          low(last.before.edges),
+          high(last.before.edges),
+          low(last.before.ports),
+          high(last.before.ports),
+          low(last.after.edges),
+          high(last.after.edges),
+          low(last.after.ports),
+          high(last.after.ports),
+          static_cast<std::uint32_t>(last.strips),
+          static_cast<std::uint32_t>(last.isolated)};
+  return give(std::span<const std::uint32_t>(told));
+}
+RESTRIP_EXPORT(restrip_last_triangles)
+const List* restrip_last_triangles(const Page* page, std::uint32_t after) {
+  const LastOperation& last = page->session->last();
+  return give(std::span<const Corners>(after != 0 ? last.triangles_after : last.triangles_before));
+}
+
+// ---- rules
+/// `family`: 0 split, 1 collapse (x = a), 2 open split, 3 open collapse (x, y: the gaps), 4 boundary split, 5 boundary
+/// collapse (x: the gap), 6 flip. The answer: valid, change of strips, colours as two numbers, ports kept (of flips).
+/// Positions that do not exist are not valid.
+RESTRIP_EXPORT(restrip_rule)
+const List* restrip_rule(std::uint32_t family, std::uint32_t k, std::uint32_t x, std::uint32_t y, std::uint64_t edges,
+                         std::uint64_t ports) {
+  static std::array<std::uint32_t, 5> answer;
+  Rule rule;
+  Word kept = ports;
+  const bool fits = k >= (family < 2 ? 3U : 1U) && k <= max_word_valence;
+  if (family < 2 && fits && x >= 1 && x < k) {
+    rule = family == 0 ? split_rule({k, x}, edges & low_bits(k), ports & low_bits(k))
+                       : collapse_rule({k, x}, edges & low_bits(k + 3), ports & low_bits(k));
+  } else if ((family == 2 || family == 3) && fits && x < y && y <= k) {
+    rule = family == 2 ? open_split_rule({k, x, y}, edges & low_bits(k - 1), ports & low_bits(k))
+                       : open_collapse_rule({k, x, y}, edges & low_bits(k + 2), ports & low_bits(k));
+  } else if ((family == 4 || family == 5) && fits && x <= k) {
+    rule = family == 4 ? boundary_split_rule({k, x}, edges & low_bits(k - 1), ports & low_bits(k))
+                       : boundary_collapse_rule({k, x}, edges & low_bits(k), ports & low_bits(k));
+  } else if (family == 6) {
+    const FlipRule flip = flip_rule((edges & 1U) != 0, static_cast<unsigned>(ports & 15U));
+    rule = {flip.inner ? Word{1} : Word{0}, flip.strips, flip.valid};
+    kept = flip.ports;
+  }
+  answer = {rule.valid ? 1U : 0U, static_cast<std::uint32_t>(rule.strips), static_cast<std::uint32_t>(rule.colors),
+            static_cast<std::uint32_t>(rule.colors >> 32), static_cast<std::uint32_t>(kept)};
+  return give(std::span<const std::uint32_t>(answer));
+}

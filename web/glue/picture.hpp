@@ -1,0 +1,152 @@
+// What the page draws beside the index buffer: which strip each run of the buffer is part of, the strips as lines, and
+// the triangle under the cursor. Linear in the mesh; asked only while such a picture is shown.
+#pragma once
+
+#include "session.hpp"
+
+namespace restrip::web {
+
+/// A run of the index buffer and the strip that it is part of, named by the lowest triangle of that strip.
+struct PaintedRun {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  std::uint32_t strip = 0;
+};
+
+class Picture {
+ public:
+  /// The runs of the buffer.
+  std::span<const PaintedRun> runs(const Session& session) {
+    name_strips(session.mesh());
+    runs_.clear();
+    const auto cells = session.indices();
+    for (std::size_t i = 0; i < cells.size();) {
+      if (cells[i] == StripBuffer::restart) {
+        ++i;
+        continue;
+      }
+      const std::size_t first = i;
+      Triangle found = none;
+      for (; i < cells.size() && cells[i] != StripBuffer::restart; ++i)
+        if (found == none && i >= first + 2) found = triangle_of(session.mesh(), cells[i - 2], cells[i - 1], cells[i]);
+      runs_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(i - first),
+                       found == none ? 0 : strip_of_[found]});
+    }
+    return runs_;
+  }
+
+  /// Segments of the strips' middle lines: two points, the strip, and 1 where the strip ends with this segment: eight
+  /// numbers each. A strip goes from triangle to triangle through the middles of the edges between them.
+  std::span<const float> lines(const Session& session) {
+    name_strips(session.mesh());
+    lines_.clear();
+    const StripMesh& mesh = session.mesh();
+    for (std::size_t s = 0; s < strips_.size(); ++s) {
+      const auto strip = strips_[s];
+      for (std::size_t i = 0; i + 1 < strip.size(); ++i) {
+        const std::array<float, 3> from = center(session, strip[i]);
+        const std::array<float, 3> to = center(session, strip[i + 1]);
+        const std::array<float, 3> middle = middle_between(session, mesh, strip[i], strip[i + 1]);
+        put(from, middle, strip_of_[strip[i]], 0);
+        put(middle, to, strip_of_[strip[i]], i + 2 == strip.size() ? 1 : 0);
+      }
+    }
+    return lines_;
+  }
+
+  /// The nearest triangle that a ray meets, and where (three numbers); empty when it meets none.
+  std::span<const float> pick(const Session& session, const std::array<float, 3>& from,
+                              const std::array<float, 3>& along) {
+    hit_.clear();
+    float nearest = std::numeric_limits<float>::max();
+    const StripMesh& mesh = session.mesh();
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+      if (!mesh.alive(t)) continue;
+      const auto [i, j, k] = mesh.corners(t);
+      const float distance = meets(from, along, point(session, i), point(session, j), point(session, k));
+      if (distance < 0 || distance >= nearest) continue;
+      nearest = distance;
+      hit_ = {from[0] + distance * along[0], from[1] + distance * along[1], from[2] + distance * along[2]};
+    }
+    return hit_;
+  }
+
+ private:
+  using Point = std::array<float, 3>;
+
+  void name_strips(const StripMesh& mesh) {
+    strips_ = extract_strips(mesh);
+    strip_of_.assign(mesh.triangle_bound(), 0);
+    for (std::size_t s = 0; s < strips_.size(); ++s) {
+      const auto strip = strips_[s];
+      const Triangle lowest = *std::min_element(strip.begin(), strip.end());
+      for (const Triangle t : strip) strip_of_[t] = lowest;
+    }
+  }
+  [[nodiscard]] static Triangle triangle_of(const StripMesh& mesh, Vertex a, Vertex b, Vertex c) {
+    if (a == b || b == c || a == c) return none;
+    for (const auto& [from, to] : {std::array{a, b}, std::array{b, a}}) {
+      const Halfedge h = mesh.spoke(from, to);
+      if (h.id == none || StripMesh::on_boundary(h) || mesh.to(StripMesh::next(h)) != c) continue;
+      return StripMesh::triangle(h);
+    }
+    return none;
+  }
+  [[nodiscard]] static Point point(const Session& session, Vertex v) noexcept {
+    const auto p = session.points().subspan(3 * std::size_t{v}, 3);
+    return {p[0], p[1], p[2]};
+  }
+  [[nodiscard]] static Point center(const Session& session, Triangle t) noexcept {
+    Point sum{};
+    for (const Vertex v : session.mesh().corners(t))
+      for (std::size_t i = 0; i < 3; ++i) sum[i] += point(session, v)[i] / 3;
+    return sum;
+  }
+  [[nodiscard]] static Point middle_between(const Session& session, const StripMesh& mesh, Triangle t, Triangle u) {
+    Point sum{};
+    for (unsigned side = 0; side < 3; ++side) {
+      const Halfedge h = StripMesh::halfedge(t, side);
+      const Halfedge back = mesh.opposite(h);
+      if (StripMesh::on_boundary(back) || StripMesh::triangle(back) != u || !mesh.solid(h)) continue;
+      for (std::size_t i = 0; i < 3; ++i)
+        sum[i] = (point(session, mesh.from(h))[i] + point(session, mesh.to(h))[i]) / 2;
+    }
+    return sum;
+  }
+  void put(const Point& a, const Point& b, Triangle strip, float ends) {
+    lines_.insert(lines_.end(), {a[0], a[1], a[2], b[0], b[1], b[2], static_cast<float>(strip), ends});
+  }
+  [[nodiscard]] static Point minus(const Point& a, const Point& b) noexcept {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+  }
+  [[nodiscard]] static Point cross(const Point& a, const Point& b) noexcept {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  }
+  [[nodiscard]] static float dot(const Point& a, const Point& b) noexcept {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  }
+  /// How far along the ray the triangle is met; -1: not at all (Moller and Trumbore 1997).
+  [[nodiscard]] static float meets(const Point& from, const Point& along, const Point& a, const Point& b,
+                                   const Point& c) noexcept {
+    const Point e = minus(b, a);
+    const Point f = minus(c, a);
+    const Point p = cross(along, f);
+    const float determinant = dot(e, p);
+    if (determinant == 0) return -1;
+    const Point s = minus(from, a);
+    const float u = dot(s, p) / determinant;
+    const Point q = cross(s, e);
+    const float v = dot(along, q) / determinant;
+    if (u < 0 || v < 0 || u + v > 1) return -1;
+    const float distance = dot(f, q) / determinant;
+    return distance > 0 ? distance : -1;
+  }
+
+  Strips strips_;
+  std::vector<Triangle> strip_of_;
+  std::vector<PaintedRun> runs_;
+  std::vector<float> lines_;
+  std::vector<float> hit_;
+};
+
+}  // namespace restrip::web

@@ -1,0 +1,260 @@
+// Session: one progressive mesh whose strips are kept under a policy, with the index buffer that draws them. This is
+// what the page and the npm package drive; exports.cpp gives it to JavaScript.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "last_operation.hpp"
+#include "progressive.hpp"
+
+namespace restrip::web {
+
+/// All counts are of the whole session since begin(), but for those of the mesh as it is now. JavaScript reads the
+/// fields in this order.
+struct Figures {
+  std::uint32_t triangles = 0;
+  std::uint32_t strips = 0;
+  std::uint32_t played = 0;          ///< records that are split now
+  std::uint32_t in_order = 0;        ///< 1: these are the first `played` records
+  std::uint32_t buffer_indices = 0;  ///< of the live buffer, its gaps included
+  std::uint32_t operations = 0;
+  std::uint32_t adding_strip = 0;  ///< operations after which there were more strips
+  std::uint32_t isolating = 0;     ///< operations that added an isolated triangle
+  std::uint32_t refused = 0;       ///< operations that the mesh refused
+  std::uint32_t indices_written = 0;
+  std::uint32_t updates = 0;
+};
+
+class Session {
+ public:
+  /// `points`: three coordinates a vertex. refused() tells whether the records can be played.
+  Session(Progressive source, std::vector<float> points) : source_(std::move(source)), points_(std::move(points)) {
+    const std::size_t accepted = hierarchy_.read(source_);
+    if (accepted < source_.splits.size()) {
+      refused_record_ = accepted;
+      source_.splits.resize(accepted);
+    }
+    dependents_.resize(source_.splits.size());
+    played_.resize(source_.splits.size());
+    made_by_.assign(source_.points, none);
+    for (std::uint32_t i = 0; i < source_.splits.size(); ++i) made_by_[source_.splits[i].v_t] = i;
+  }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  [[nodiscard]] std::size_t refused_record() const noexcept { return refused_record_; }
+  [[nodiscard]] const Progressive& source() const noexcept { return source_; }
+  [[nodiscard]] std::span<const float> points() const noexcept { return points_; }
+  [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
+  [[nodiscard]] const LastOperation& last() const noexcept { return last_; }
+
+  /// Goes to the base and gives it strips from scratch, as `restrip replay` does.
+  void begin(Policy policy, Cost cost) {
+    by_strips_.reset();
+    by_cost_.reset();
+    mesh_ = StripMesh::build(source_.base, source_.points);
+    mesh_.reserve(source_.fine_triangles(), source_.points);
+    mesh_.watch(nullptr);
+    stripify(mesh_, Effort::full, cost);
+    if (cost == Cost::strips())
+      by_strips_.emplace(mesh_, policy);
+    else
+      by_cost_.emplace(mesh_, policy, cost);
+    std::fill(played_.begin(), played_.end(), 0);
+    std::fill(dependents_.begin(), dependents_.end(), 0);
+    figures_ = {};
+    last_ = {};
+    changed_.clear();
+    mesh_.watch(&changed_);
+    buffer_.rebuild(mesh_);
+    buffer_.reserve(source_.fine_triangles());
+    whole_ = {{0, buffer_.indices().size()}};
+  }
+
+  /// Towards the level at which the first `level` records are played: takes back what lies beyond, the last one first,
+  /// then plays what is missing, in order. At most `most` operations; returns how many were done.
+  std::size_t move(std::size_t level, std::size_t most) {
+    std::size_t done = 0;
+    for (std::size_t i = played_.size(); i-- > level && done < most;)
+      if (played_[i] != 0 && take_back(i)) ++done;
+    for (std::size_t i = 0; i < level && i < played_.size() && done < most; ++i)
+      if (played_[i] == 0 && play(i)) ++done;
+    return done;
+  }
+
+  /// Towards the set of records that `wanted` names, one byte each, and those that they need. At most `most`
+  /// operations; returns how many were done.
+  std::size_t approach(std::span<const std::uint8_t> wanted, std::size_t most) {
+    std::size_t done = 0;
+    for (std::size_t i = played_.size(); i-- > 0 && done < most;)
+      if (played_[i] != 0 && wanted[i] == 0 && dependents_[i] == 0 && take_back(i)) ++done;
+    for (std::size_t i = 0; i < played_.size() && done < most; ++i)
+      if (played_[i] == 0 && wanted[i] != 0) done += play_with_needs(i, most - done);
+    return done;
+  }
+
+  // ---- single operations, by vertices
+  Refusal split(const Record& r) {
+    const Where where = spokes_of(mesh_, r);
+    const Refusal refusal = check_split(mesh_, where, r.v_t);
+    if (refusal == Refusal::granted) do_split(where, r.v_t);
+    return refusal;
+  }
+  Refusal collapse(Vertex v_s, Vertex v_t) {
+    const Halfedge chord = edge(v_s, v_t);
+    const Refusal refusal = chord.id == none ? Refusal::no_such_edge : check_collapse(mesh_, chord);
+    if (refusal == Refusal::granted) do_collapse(chord);
+    return refusal;
+  }
+  Refusal flip(Vertex u, Vertex v) {
+    const Halfedge h = edge(u, v);
+    const Refusal refusal = h.id == none ? Refusal::no_such_edge : check_flip(mesh_, h);
+    if (refusal != Refusal::granted) return refusal;
+    const auto quad = [this](Halfedge g, std::vector<Corners>& out) {
+      out = {mesh_.corners(StripMesh::triangle(g)), mesh_.corners(StripMesh::triangle(mesh_.opposite(g)))};
+    };
+    last_.kind = LastOperation::Kind::flip;
+    last_.before = last_.after = {};
+    quad(h, last_.triangles_before);
+    const auto done = by_strips_ ? by_strips_->flip(h) : by_cost_->flip(h);
+    quad(done.halfedge, last_.triangles_after);
+    count(done);
+    return refusal;
+  }
+
+  /// Brings the buffer in step; the ranges that are to be uploaded.
+  std::span<const IndexRange> update() {
+    ++figures_.updates;
+    if (!whole_.empty()) {
+      changed_.clear();
+      buffer_.rebuild(mesh_);
+      given_ = {{0, buffer_.indices().size()}};
+      whole_.clear();
+    } else {
+      const auto ranges = buffer_.update(mesh_, changed_);
+      changed_.clear();
+      given_.assign(ranges.begin(), ranges.end());
+      for (const IndexRange& range : given_) figures_.indices_written += static_cast<std::uint32_t>(range.count);
+    }
+    return given_;
+  }
+  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return buffer_.indices(); }
+
+  [[nodiscard]] const Figures& figures() {
+    figures_.triangles = static_cast<std::uint32_t>(mesh_.triangle_count());
+    figures_.strips = static_cast<std::uint32_t>(by_strips_ ? by_strips_->strips() : by_cost_->strips());
+    std::size_t played = 0;
+    std::size_t beyond = 0;
+    for (std::size_t i = 0; i < played_.size(); ++i)
+      if (played_[i] != 0) ++played, beyond = i + 1;
+    figures_.played = static_cast<std::uint32_t>(played);
+    figures_.in_order = played == beyond ? 1 : 0;
+    figures_.buffer_indices = static_cast<std::uint32_t>(buffer_.indices().size());
+    return figures_;
+  }
+  /// Of an index buffer written from scratch. Linear time.
+  [[nodiscard]] std::size_t plain_indices() const { return strip_index_count(mesh_, extract_strips(mesh_)); }
+
+ private:
+  [[nodiscard]] Halfedge edge(Vertex from, Vertex to) const {
+    const bool there = from < mesh_.vertex_bound() && to < mesh_.vertex_bound() && mesh_.spoke(from).id != none;
+    return there ? mesh_.spoke(from, to) : Halfedge{none};
+  }
+
+  bool play(std::size_t i) {
+    const Record& r = source_.splits[i];
+    const Where where = spokes_of(mesh_, r);
+    if (check_split(mesh_, where, r.v_t) != Refusal::granted) return ++figures_.refused, false;
+    do_split(where, r.v_t);
+    played_[i] = 1;
+    for (const std::uint32_t need : hierarchy_.needs(i)) ++dependents_[need];
+    return true;
+  }
+  bool take_back(std::size_t i) {
+    const Record& r = source_.splits[i];
+    const Halfedge chord = edge(r.v_s, r.v_t);
+    if (dependents_[i] != 0 || chord.id == none || check_collapse(mesh_, chord) != Refusal::granted)
+      return ++figures_.refused, false;
+    do_collapse(chord);
+    played_[i] = 0;
+    for (const std::uint32_t need : hierarchy_.needs(i)) --dependents_[need];
+    return true;
+  }
+  std::size_t play_with_needs(std::size_t record, std::size_t most) {
+    std::size_t done = 0;
+    stack_.assign(1, static_cast<std::uint32_t>(record));
+    while (!stack_.empty() && done < most) {
+      const std::uint32_t i = stack_.back();
+      const std::size_t before = stack_.size();
+      for (const std::uint32_t need : hierarchy_.needs(i))
+        if (played_[need] == 0) stack_.push_back(need);
+      if (stack_.size() > before) continue;
+      stack_.pop_back();
+      if (played_[i] == 0 && !play(i)) return done;
+      if (played_[i] != 0) ++done;
+    }
+    return done;
+  }
+
+  void corners_of(std::vector<Corners>& out) const {
+    out.clear();
+    for (const Triangle t : patch_) out.push_back(mesh_.corners(t));
+  }
+  void do_split(const Where& where, Vertex v_t) {
+    const bool both = where.spokes == Where::Spokes::both;
+    last_.kind = LastOperation::Kind::split;
+    last_.before = both ? fan_colors(mesh_, where.left, where.right) : PatchColors{};
+    fan_triangles(mesh_, where.spokes == Where::Spokes::right_only ? where.right : where.left, patch_);
+    corners_of(last_.triangles_before);
+    const auto done = by_strips_ ? by_strips_->split(where, v_t) : by_cost_->split(where, v_t);
+    last_.after = last_.before.closed ? ring_colors(mesh_, done.halfedge) : PatchColors{};
+    edge_triangles(mesh_, done.halfedge, patch_);
+    corners_of(last_.triangles_after);
+    count(done);
+  }
+  void do_collapse(Halfedge chord) {
+    last_.kind = LastOperation::Kind::collapse;
+    last_.before = mesh_.leaves_boundary(chord) || mesh_.leaves_boundary(mesh_.opposite(chord))
+                       ? PatchColors{}
+                       : ring_colors(mesh_, chord);
+    const Vertex v_r = last_.before.closed ? mesh_.to(StripMesh::next(mesh_.opposite(chord))) : none;
+    edge_triangles(mesh_, chord, patch_);
+    corners_of(last_.triangles_before);
+    const auto done = by_strips_ ? by_strips_->collapse(chord) : by_cost_->collapse(chord);
+    last_.after = last_.before.closed ? fan_colors(mesh_, done.halfedge, mesh_.spoke(mesh_.from(done.halfedge), v_r))
+                                      : PatchColors{};
+    fan_triangles(mesh_, done.halfedge, patch_);
+    corners_of(last_.triangles_after);
+    count(done);
+  }
+  void count(const Rewrite<Halfedge>& done) {
+    ++figures_.operations;
+    if (done.strips > 0) ++figures_.adding_strip;
+    if (done.isolated > 0) ++figures_.isolating;
+    last_.strips = done.strips;
+    last_.isolated = done.isolated;
+  }
+
+  Progressive source_;
+  std::vector<float> points_;
+  Hierarchy hierarchy_;
+  std::size_t refused_record_ = none;
+  std::vector<std::uint8_t> played_;       // by record
+  std::vector<std::uint32_t> dependents_;  // by record: those played that need it
+  std::vector<std::uint32_t> made_by_;     // by vertex: the record that adds it, or none
+  std::vector<std::uint32_t> stack_;
+
+  StripMesh mesh_;
+  std::optional<StripKeeper> by_strips_;
+  std::optional<IndexKeeper> by_cost_;
+  std::vector<Triangle> changed_;
+  StripBuffer buffer_;
+  std::vector<IndexRange> whole_;  // not empty: the next update writes everything
+  std::vector<IndexRange> given_;
+  Figures figures_;
+  LastOperation last_;
+  std::vector<Triangle> patch_;
+};
+
+}  // namespace restrip::web

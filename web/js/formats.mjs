@@ -1,0 +1,182 @@
+// Mesh files that a visitor may drop on the page: OBJ, OFF, PLY, GLB (as a mesh), and OpenMesh's progressive meshes
+// (PM). Each reader returns { points, triangles } or { points, base, splits }, or throws an Error that says what is wrong.
+
+/// `name` decides by its extension.
+export function readMesh(name, buffer) {
+  const extension = name.toLowerCase().replace(/.*\./, '');
+  const readers = { obj: readObj, off: readOff, ply: readPly, glb: readGlb, pm: readPm };
+  if (!(extension in readers))
+    throw new Error(`${name}: is none of the formats ${Object.keys(readers).join(', ').toUpperCase()}`);
+  const mesh = readers[extension](buffer, name);
+  if ((mesh.triangles ?? mesh.base).length === 0) throw new Error(`${name}: has no triangles`);
+  const vertices = mesh.points.length / 3;
+  for (const corner of mesh.triangles ?? mesh.base)
+    if (!(corner >= 0 && corner < vertices)) throw new Error(`${name}: a triangle refers to vertex ${corner} of ${vertices}`);
+  for (const coordinate of mesh.points)
+    if (!Number.isFinite(coordinate)) throw new Error(`${name}: a coordinate is infinite or not a number`);
+  return mesh;
+}
+
+const text = (buffer) => new TextDecoder().decode(buffer);
+
+function addPolygon(triangles, corners) {
+  for (let i = 2; i < corners.length; ++i) triangles.push(corners[0], corners[i - 1], corners[i]);
+}
+
+function readObj(buffer) {
+  const points = [];
+  const triangles = [];
+  for (const line of text(buffer).split('\n')) {
+    const words = line.trim().split(/\s+/);
+    if (words[0] === 'v') points.push(+words[1], +words[2], +words[3]);
+    if (words[0] !== 'f') continue;
+    addPolygon(triangles, words.slice(1).map((word) => {
+      const n = parseInt(word, 10);
+      return n < 0 ? points.length / 3 + n : n - 1;
+    }));
+  }
+  return { points, triangles };
+}
+
+function readOff(buffer, name) {
+  const words = text(buffer).replace(/#.*/g, '').split(/\s+/).filter((word) => word !== '');
+  if (words[0] !== 'OFF') throw new Error(`${name}: does not begin with OFF`);
+  let at = 4;
+  const next = () => {
+    if (at >= words.length) throw new Error(`${name}: ends too early; is it complete?`);
+    return +words[at++];
+  };
+  const points = Array.from({ length: 3 * words[1] }, next);
+  const triangles = [];
+  for (let face = 0; face < +words[2]; ++face) addPolygon(triangles, Array.from({ length: next() }, next));
+  return { points, triangles };
+}
+
+const plyTypes = { char: ['Int8', 1], int8: ['Int8', 1], uchar: ['Uint8', 1], uint8: ['Uint8', 1], short: ['Int16', 2],
+  int16: ['Int16', 2], ushort: ['Uint16', 2], uint16: ['Uint16', 2], int: ['Int32', 4], int32: ['Int32', 4],
+  uint: ['Uint32', 4], uint32: ['Uint32', 4], float: ['Float32', 4], float32: ['Float32', 4], double: ['Float64', 8],
+  float64: ['Float64', 8] };
+
+function readPly(buffer, name) {
+  const bytes = new Uint8Array(buffer);
+  const head = new TextDecoder('latin1').decode(bytes.subarray(0, 65536));
+  const end = /end_header\r?\n/.exec(head);
+  if (!head.startsWith('ply') || !end) throw new Error(`${name}: has no PLY header`);
+  let format = '';
+  const elements = [];
+  for (const line of head.slice(0, end.index).split('\n')) {
+    const words = line.trim().split(/\s+/);
+    if (words[0] === 'format') format = words[1];
+    if (words[0] === 'element') elements.push({ name: words[1], count: +words[2], properties: [] });
+    if (words[0] === 'property') {
+      const list = words[1] === 'list';
+      const types = list ? [words[2], words[3]] : [words[1]];
+      for (const type of types) if (!(type in plyTypes)) throw new Error(`${name}: has a property of type ${type}`);
+      elements.at(-1).properties.push({ name: words.at(-1), list, types });
+    }
+  }
+  const body = end.index + end[0].length;
+  let read;
+  if (format === 'ascii') {
+    const words = text(bytes.subarray(body)).split(/\s+/).filter((word) => word !== '');
+    let at = 0;
+    read = () => {
+      if (at >= words.length) throw new Error(`${name}: ends too early; is it complete?`);
+      return +words[at++];
+    };
+  } else {
+    const view = new DataView(bytes.buffer, bytes.byteOffset + body);
+    const little = format === 'binary_little_endian';
+    let at = 0;
+    read = (type) => {
+      const [getter, size] = plyTypes[type];
+      if (at + size > view.byteLength) throw new Error(`${name}: ends too early; is it complete?`);
+      at += size;
+      return view[`get${getter}`](at - size, little);
+    };
+  }
+  const points = [];
+  const triangles = [];
+  for (const element of elements) {
+    for (let n = 0; n < element.count; ++n) {
+      const at = {};
+      for (const property of element.properties) {
+        if (!property.list) at[property.name] = read(property.types[0]);
+        else at[property.name] = Array.from({ length: read(property.types[0]) }, () => read(property.types[1]));
+      }
+      if (element.name === 'vertex') points.push(at.x, at.y, at.z);
+      if (element.name === 'face') addPolygon(triangles, at.vertex_indices ?? at.vertex_index ?? []);
+    }
+  }
+  return { points, triangles };
+}
+
+/// Vertices at the same place become one: glTF repeats them where normals or textures differ.
+function welded(points, triangles) {
+  const places = new Map();
+  const out = [];
+  const number = [];
+  for (let v = 0; v < points.length; v += 3) {
+    const key = `${points[v]} ${points[v + 1]} ${points[v + 2]}`;
+    if (!places.has(key)) {
+      places.set(key, out.length / 3);
+      out.push(points[v], points[v + 1], points[v + 2]);
+    }
+    number.push(places.get(key));
+  }
+  return { points: out, triangles: triangles.map((v) => number[v]) };
+}
+
+function readGlb(buffer, name) {
+  const view = new DataView(buffer.buffer ?? buffer, buffer.byteOffset ?? 0, buffer.byteLength);
+  if (view.byteLength < 20 || view.getUint32(0, true) !== 0x46546c67) throw new Error(`${name}: is no binary glTF`);
+  const jsonBytes = view.getUint32(12, true);
+  const json = JSON.parse(text(new Uint8Array(view.buffer, view.byteOffset + 20, jsonBytes)));
+  const binary = view.byteOffset + 20 + jsonBytes + 8;
+  const read = (accessorNumber) => {
+    const accessor = json.accessors[accessorNumber];
+    const part = json.bufferViews[accessor.bufferView];
+    if (!part || accessor.sparse || part.extensions) throw new Error(`${name}: is compressed or sparse, which is not read`);
+    const [getter, size] = { 5121: ['Uint8', 1], 5123: ['Uint16', 2], 5125: ['Uint32', 4], 5126: ['Float32', 4] }[accessor.componentType];
+    const width = { SCALAR: 1, VEC3: 3 }[accessor.type];
+    const stride = part.byteStride ?? size * width;
+    const data = new DataView(view.buffer, binary + (part.byteOffset ?? 0) + (accessor.byteOffset ?? 0));
+    return Array.from({ length: accessor.count * width }, (_, n) =>
+      data[`get${getter}`](Math.floor(n / width) * stride + (n % width) * size, true));
+  };
+  const points = [];
+  const triangles = [];
+  for (const mesh of json.meshes ?? []) {
+    for (const primitive of mesh.primitives) {
+      if ((primitive.mode ?? 4) !== 4) continue;
+      const first = points.length / 3;
+      for (const coordinate of read(primitive.attributes.POSITION)) points.push(coordinate);
+      const corners = primitive.indices === undefined
+        ? Array.from({ length: points.length / 3 - first }, (_, n) => n) : read(primitive.indices);
+      for (const corner of corners) triangles.push(first + corner);
+    }
+  }
+  return welded(points, triangles);
+}
+
+/// OpenMesh names a split v_t -> v_s with v_l to its left, so its v_l is our v_r.
+function readPm(buffer, name) {
+  const view = new DataView(buffer.buffer ?? buffer, buffer.byteOffset ?? 0, buffer.byteLength);
+  if (view.byteLength < 20 || text(new Uint8Array(view.buffer, view.byteOffset, 8)) !== 'ProgMesh')
+    throw new Error(`${name}: is no progressive mesh of OpenMesh`);
+  let at = 8;
+  const u32 = () => view.getUint32((at += 4) - 4, true);
+  const f32 = () => view.getFloat32((at += 4) - 4, true);
+  const [vertices, faces, count] = [u32(), u32(), u32()];
+  if (view.byteLength !== 20 + 12 * vertices + 12 * faces + 24 * count)
+    throw new Error(`${name}: has not the length that its header promises; is it complete?`);
+  const points = Array.from({ length: 3 * vertices }, f32);
+  const base = Array.from({ length: 3 * faces }, u32);
+  const splits = [];
+  for (let i = 0; i < count; ++i) {
+    points.push(f32(), f32(), f32());
+    const [vS, vR, vL] = [u32(), u32(), u32()];
+    splits.push(vS, vertices + i, vL, vR);
+  }
+  return { points, base, splits };
+}

@@ -1,0 +1,131 @@
+// Triangle strips kept while the mesh changes. A mesh is a progressive mesh: a base and vertex splits, the *records*,
+// that lead from it to the fine mesh. Strips are kept by rules proven optimal, and further by the policy.
+//
+//   import { load } from 'restrip';
+//   const restrip = await load();
+//   const mesh = restrip.simplified({ points, triangles }).begin({ policy: 'quick', cost: 'indices' });
+//   mesh.moveTo(mesh.levels / 2);
+//   for (const { first, count } of mesh.update())
+//     gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, 4 * first, mesh.indices, first, count);
+//   gl.drawElements(gl.TRIANGLE_STRIP, mesh.indices.length, gl.UNSIGNED_INT, 0);
+
+/** How far an operation looks to keep the strips good. */
+export type Policy = 'local' | 'linked' | 'quick' | 'full';
+/** What is kept low: a weight for each strip, each swap (a repeated index), each isolated triangle; 0 to 1000. */
+export type Cost = 'strips' | 'indices' | { restart: number; swap: number; isolated?: number };
+export type Family = 'split' | 'collapse' | 'open-split' | 'open-collapse' | 'boundary-split' | 'boundary-collapse' | 'flip';
+
+/** Between two strips of an index buffer; WebGL 2 and WebGPU restart there. */
+export const restartIndex: 0xffffffff;
+/** No vertex. */
+export const none: 0xffffffff;
+
+/** Without argument: restrip.wasm beside this module, in browsers and in Node. */
+export function load(source?: string | URL | BufferSource | WebAssembly.Module): Promise<Restrip>;
+
+export class Restrip {
+  /** A progressive mesh. `points`: 3 numbers a vertex; `base`: 3 a triangle; `splits`: 4 a record: v_s, the new v_t,
+   * v_l, v_r (one of the last two is `none` on the boundary). Throws when a record cannot be played. */
+  progressive(source: { points: ArrayLike<number>; base: ArrayLike<number>; splits: ArrayLike<number> }): StripMesh;
+  /** Simplifies a mesh to that share of its triangles, by quadric errors; boundary vertices stay. */
+  simplified(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): StripMesh;
+  /** The rule of a configuration, numbered as in docs/notation.md: `edges` are the loop or inner edges before. Any k
+   * up to 61. Positions and colours that do not exist are not `valid`. */
+  rule(configuration: { family: Family; k?: number; a?: number; i?: number; j?: number;
+    edges: number | bigint; ports: number | bigint }): Rule;
+}
+
+export interface Rule {
+  valid: boolean;
+  /** Change in the number of strips. */
+  strips: number;
+  /** The loop or inner edges after the operation. */
+  colors: bigint;
+  /** The ports that stay solid: all, but for flips. */
+  ports: bigint;
+}
+
+/** Some consecutive indices. */
+export interface Range { first: number; count: number }
+
+/** Since begin(). */
+export interface Figures {
+  triangles: number;
+  strips: number;
+  /** Records that are split now; when `inOrder`, the first ones. */
+  played: number;
+  inOrder: boolean;
+  bufferIndices: number;
+  operations: number;
+  /** Operations after which there were more strips; that added an isolated triangle; that the mesh refused. */
+  addingStrip: number;
+  isolating: number;
+  refused: number;
+  /** By all updates but the first. */
+  indicesWritten: number;
+  updates: number;
+}
+
+export interface LastOperation {
+  kind: 'split' | 'collapse' | 'flip';
+  /** The fan is closed and has 61 triangles or fewer; only then are k, a and the colours meaningful. */
+  closed: boolean;
+  k: number;
+  a: number;
+  before: bigint;
+  ports: bigint;
+  after: bigint;
+  portsAfter: bigint;
+  strips: number;
+  isolated: number;
+  trianglesBefore: Uint32Array;
+  trianglesAfter: Uint32Array;
+}
+
+/** Call begin() first; everything else is an error before it. A view of memory (`indices`) is valid until the next
+ * call of any method of any mesh. */
+export class StripMesh {
+  readonly points: Float32Array;
+  /** Number of records. */
+  readonly levels: number;
+  /** A copy, 4 numbers a record. */
+  readonly splits: Uint32Array;
+  readonly leftOut: { triangles: number; nonManifoldVertices: number; boundaryEdges: number };
+
+  /** Goes to the base, gives it strips from scratch, and keeps them in this way from now on. */
+  begin(options?: { policy?: Policy; cost?: Cost }): this;
+  /** Splits and collapses until the first `level` records are played, at most `most` operations. Returns their number;
+   * fewer than `most`: done. */
+  moveTo(level: number, most?: number): number;
+  /** The same towards the records marked 1 in `wanted`, a byte each, and those that they need: a view-dependent mesh. */
+  approach(wanted: Uint8Array, most?: number): number;
+  /** Single operations by vertices. Null when done, else a sentence that says why the mesh refuses. */
+  split(vS: number, vT: number, vL: number, vR: number): string | null;
+  collapse(vS: number, vT: number): string | null;
+  flip(u: number, v: number): string | null;
+
+  /** Brings the index buffer in step; returns the ranges to upload. Time linear in what changed. */
+  update(): Range[];
+  /** The index buffer: one triangle strip with restarts. A view, not a copy. */
+  readonly indices: Uint32Array;
+  /** A copy of the triangles, 3 numbers each. */
+  readonly triangles: Uint32Array;
+
+  readonly figures: Figures;
+  /** Indices of a buffer written from scratch, without gaps. Linear time. */
+  readonly plainIndices: number;
+  /** No strips of this mesh have fewer indices. Linear time. */
+  readonly indexBound: number;
+  /** Checks the colouring from its definition. Linear time. */
+  readonly valid: boolean;
+
+  /** The runs of the index buffer: first, count, and a number that names the strip. Linear time. */
+  readonly runs: Uint32Array;
+  /** The strips as lines, 8 numbers a segment: two points, the strip, 1 at its end. Linear time. */
+  readonly lines: Float32Array;
+  /** Where a ray meets the mesh first, or null. Linear time. */
+  pick(from: ArrayLike<number>, along: ArrayLike<number>): [number, number, number] | null;
+  readonly last: LastOperation | null;
+  /** Gives the memory back. */
+  close(): void;
+}
