@@ -14,65 +14,12 @@
 #include "coloring_cost.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "strip_moves.hpp"
 
 namespace restrip {
 namespace {
 
-using Halfedge = StripMesh::Halfedge;
-
-constexpr std::int32_t any_price = 1'000'000;
-
-// A dual edge as a number, the same from both sides.
-std::uint32_t edge_number(const StripMesh& mesh, Halfedge h) { return std::min(h.id, mesh.opposite(h).id); }
-
-// A move as the set of dual edges whose colours it changes.
-using Changes = std::set<std::uint32_t>;
-
-Changes changes_of(const StripMesh& mesh, const StripMove& move) {
-  Changes changes{edge_number(mesh, move.edge)};
-  for (const Halfedge h : move.given_up)
-    if (h.id != none) changes.insert(edge_number(mesh, h));
-  return changes;
-}
-
-void apply(StripMesh& mesh, const Changes& changes) {
-  std::vector<std::uint32_t> light;
-  for (const std::uint32_t id : changes) {
-    if (!mesh.solid({id})) light.push_back(id);
-    if (mesh.solid({id})) mesh.set_solid({id}, false);
-  }
-  for (const std::uint32_t id : light) mesh.set_solid({id}, true);
-}
-
-// All moves at the dual edge of h, from the definition in descent.hpp.
-std::vector<Changes> moves_of(const StripMesh& mesh, Halfedge h) {
-  const Halfedge back = mesh.opposite(h);
-  const Triangle t = StripMesh::triangle(h);
-  const Triangle u = StripMesh::triangle(back);
-  const std::uint32_t edge = edge_number(mesh, h);
-  if (mesh.solid(h)) return {{edge}};
-  const auto solid_edges = [&](Triangle triangle) {
-    std::vector<Halfedge> edges;
-    for (unsigned side = 0; side < 3; ++side)
-      if (mesh.solid(StripMesh::halfedge(triangle, side))) edges.push_back(StripMesh::halfedge(triangle, side));
-    return edges;
-  };
-  for (const Halfedge g : solid_edges(t))
-    if (StripMesh::triangle(mesh.opposite(g)) == u) return {};  // they follow each other already
-  std::vector<Changes> moves{{edge}};
-  for (const Triangle triangle : {t, u}) {
-    const std::vector<Halfedge> edges = solid_edges(triangle);
-    if (edges.size() < 2) continue;
-    std::vector<Changes> longer;
-    for (const Changes& move : moves)
-      for (const Halfedge g : edges) {
-        longer.push_back(move);
-        longer.back().insert(edge_number(mesh, g));
-      }
-    moves = longer;
-  }
-  return moves;
-}
+using namespace moves;
 
 // Compares everything at every triangle; returns how many moves were compared.
 std::size_t expect_moves_right(const StripMesh& mesh, Descent& descent) {
@@ -91,7 +38,7 @@ std::size_t expect_moves_right(const StripMesh& mesh, Descent& descent) {
       const Changes changes = changes_of(mesh, move);
       found.insert(changes);
       StripMesh after = mesh;
-      apply(after, changes);
+      recolor(after, changes);
       const bool valid = check_coloring(after).valid;
       EXPECT_EQ(descent.keeps_strips(mesh, move), valid);
       if (!valid) continue;
@@ -117,26 +64,6 @@ void expect_limits_right(const StripMesh& mesh, Descent& descent) {
       for (const StripMove& move : descent.moves_at(mesh, t, highest)) found.insert(changes_of(mesh, move));
       EXPECT_EQ(found, expected) << "triangle " << t << ", at most " << highest;
     }
-  }
-}
-
-// A random valid colouring, `share` of the edges that could be solid being so.
-void color_randomly(StripMesh& mesh, std::mt19937& random, double share) {
-  mesh.clear_colors();
-  std::vector<Halfedge> edges;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned side = 0; side < 3; ++side)
-      if (const Halfedge h = StripMesh::halfedge(t, side); !StripMesh::on_boundary(mesh.opposite(h)))
-        edges.push_back(h);
-  std::shuffle(edges.begin(), edges.end(), random);
-  Descent descent;
-  for (const Halfedge h : edges) {
-    const Triangle t = StripMesh::triangle(h);
-    const Triangle u = StripMesh::triangle(mesh.opposite(h));
-    if (mesh.solid(h) || t == u || mesh.solid_degree(t) == 2 || mesh.solid_degree(u) == 2) continue;
-    if (std::uniform_real_distribution<>(0, 1)(random) > share) continue;
-    mesh.set_solid(h, true);
-    if (!check_coloring(mesh).valid) mesh.set_solid(h, false);
   }
 }
 
@@ -182,13 +109,6 @@ TEST(Moves, ArePricedAsCountedInRandomColorings) {
   }
 }
 
-std::vector<Triangle> all_triangles(const StripMesh& mesh) {
-  std::vector<Triangle> all;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) all.push_back(t);
-  return all;
-}
-
 // The least price of a valid move in the whole mesh, by counting.
 std::int32_t best_price(const StripMesh& mesh, const Cost& cost) {
   const std::int32_t before = cost_of(mesh).price(cost);
@@ -200,7 +120,7 @@ std::int32_t best_price(const StripMesh& mesh, const Cost& cost) {
       if (StripMesh::on_boundary(back) || back.id < h.id || StripMesh::triangle(back) == t) continue;
       for (const Changes& move : moves_of(mesh, h)) {
         StripMesh after = mesh;
-        apply(after, move);
+        recolor(after, move);
         if (check_coloring(after).valid) best = std::min(best, cost_of(after).price(cost) - before);
       }
     }

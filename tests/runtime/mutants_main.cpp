@@ -27,7 +27,7 @@ constexpr const char* stages[] = {
     "*StripIndexOf.AgreesAfterRewrites*:*StripIndexOf.AgreesWhere*:Operations.AdoptionLeaves*:Operations.LargeFans*:"
     "LinkedRules.*ForAll*:LinkedRules.LargerFans*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
     "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:StripKeeper.Changes*:"
-    "InvalidColorings.*:Moves.*:Descent.*:IndexKeeper.Tells*",
+    "InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:IndexKeeper.Tells*",
 };
 constexpr std::size_t last_stage = std::size(stages);
 

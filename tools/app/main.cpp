@@ -124,11 +124,12 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
          "--policy", command.way,
          about + fmt::format("(default: {}, for a baked mesh {})", usual_way(false).name, usual_way(true).name))
       ->check(CLI::IsMember(names));
-  sub->add_option("--states", command.states,
-                  "of each search of the policies quick and full: always so many; more keep fewer strips and take "
-                  "longer (default: "
-                  "the policy's own, fewer where strips are long enough); with --cost indices: moves priced after each "
-                  "operation")
+  sub->add_option(
+         "--states", command.states,
+         "of each search of the policies quick and full: always so many; more keep fewer strips and take "
+         "longer (default: "
+         "the policy's own, fewer where strips are long enough); with --cost indices: strip ends looked at after each "
+         "operation")
       ->check(CLI::Range(1, 1'000'000));
   add_cost_option(*sub, command.cost);
   CLI::Option* walk =

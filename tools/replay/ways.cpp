@@ -49,8 +49,8 @@ struct Kept {
 struct KeptLow {
   IndexKeeper keeper;
   KeptLow(StripMesh& mesh, Policy policy, const Beginning& with) : keeper(mesh, policy, with.cost) {
-    DescentPlan plan = descent_of(policy);
-    plan.limits.moves = with.search.states;
+    IndexPlan plan = plan_of(policy);
+    plan.limits.looks = with.search.states;
     keeper.set_plan(plan);
   }
   Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) { return keeper.split(where, v_t); }
@@ -103,7 +103,7 @@ Way kept(const char* name, const char* says, Policy policy) {
             return begin_by<KeptLow>(mesh, policy, with);
           }};
   way.search = search_of(policy);
-  way.weighed = {descent_of(policy).limits.moves, 0};
+  way.weighed = {plan_of(policy).limits.looks, 0};
   way.local = policy == Policy::local;
   if (way.searches()) way.says += ": up to " + std::to_string(way.search.states) + " states from each strip end";
   return way;

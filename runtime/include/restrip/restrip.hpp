@@ -38,6 +38,7 @@
 #include "restrip/rules/rules.hpp"
 #include "restrip/search/anneal.hpp"
 #include "restrip/search/descent.hpp"
+#include "restrip/search/end_search.hpp"
 #include "restrip/search/greedy.hpp"
 #include "restrip/search/index_keeper.hpp"
 #include "restrip/search/keeper.hpp"

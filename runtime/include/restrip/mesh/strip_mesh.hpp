@@ -32,7 +32,8 @@ inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 namespace detail {
 class TwoSteps;
-}
+class TrialColors;
+}  // namespace detail
 
 /// What StripMesh::build found in its input. Nothing is repaired silently: every triangle of the input is either in
 /// the mesh or counted here as left out.
@@ -120,9 +121,18 @@ class StripMesh {
   }
   /// See restrip::strip_step. From a triangle that is entered from nowhere, halfedge(t, 3), over its lowest solid side.
   [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const noexcept {
-    const unsigned ways = solid_sides(triangle(in)) & ~(1U << side(in));
-    if (ways == 0) return {};
-    return {true, {triangles_[triangle(in)].link[static_cast<unsigned>(std::countr_zero(ways))] >> 1}};
+    const auto& link = triangles_[triangle(in)].link;
+    const unsigned s = side(in);
+    if (s == 3) {
+      const unsigned ways = solid_sides(triangle(in));
+      if (ways == 0) return {};
+      return {true, {link[static_cast<unsigned>(std::countr_zero(ways))] >> 1}};
+    }
+    // Strips turn at random: no branch.
+    const std::uint32_t after = link[side_after(s)];
+    const std::uint32_t before = link[side_before(s)];
+    const std::uint32_t out = before ^ ((before ^ after) & (0U - (after & 1U)));
+    return {(out & 1U) != 0, {out >> 1}};
   }
   /// True when the vertex that h leaves lies on the boundary. Constant time.
   [[nodiscard]] bool leaves_boundary(Halfedge h) const noexcept { return on_boundary(opposite(spoke(from(h)))); }
@@ -139,12 +149,9 @@ class StripMesh {
     RESTRIP_ASSERT(!on_boundary(h) && link_of(h) != edge_of_mesh, "StripMesh::set_solid",
                    describe(Refusal::boundary_edge));
     expect_touches(2);
-    std::uint32_t& link = link_of(h);
-    link = (link & ~1U) | static_cast<std::uint32_t>(solid);
-    std::uint32_t& back = link_of({link >> 1});
-    back = (back & ~1U) | static_cast<std::uint32_t>(solid);
+    color(h, solid);
     touch(triangle(h));
-    touch(triangle({link >> 1}));
+    touch(triangle({link_of(h) >> 1}));
   }
   /// Number of solid dual edges of t: 0 (isolated), 1 (end of a strip) or 2 in a valid coloring.
   [[nodiscard]] unsigned solid_degree(Triangle t) const noexcept {
@@ -158,6 +165,13 @@ class StripMesh {
     RESTRIP_ASSERT(alive(t), "StripMesh::solid_sides", no_such_triangle);
     const auto& link = triangles_[t].link;
     return (link[0] & 1U) | (link[1] & 1U) << 1 | (link[2] & 1U) << 2;
+  }
+  /// The solid sides of the triangle of h other than h: bit 0 for next(h), bit 1 for the one before h. Where the edge
+  /// of h is solid as well, this is how the strip turns: 0 it ends, 1 or 2.
+  [[nodiscard]] unsigned solid_beside(Halfedge h) const noexcept {
+    RESTRIP_ASSERT(is_side(h), "StripMesh::solid_beside", describe(Refusal::no_such_edge));
+    const auto& link = triangles_[triangle(h)].link;
+    return (link[side_after(side(h))] & 1U) | (link[side_before(side(h))] & 1U) << 1;
   }
   /// Colours every dual edge dashed.
   void clear_colors() noexcept;
@@ -222,6 +236,7 @@ class StripMesh {
 
  private:
   friend class detail::TwoSteps;
+  friend class detail::TrialColors;
 
   // Insertions and removals have two steps: handles are taken and given back in a fixed order by one thread, the rest
   // may be done on disjoint patches at the same time (TwoSteps of batch.hpp).
@@ -284,6 +299,14 @@ class StripMesh {
   void expect_touches_around(Vertex v);
   void touch(Triangle t) noexcept {
     if (watch_.changed != nullptr) watch_.changed->push_back(t);
+  }
+  // set_solid() that tells nobody, for colours that are taken back before anybody looks (TrialColors of
+  // end_search.hpp).
+  void color(Halfedge h, bool solid) noexcept {
+    std::uint32_t& link = link_of(h);
+    link = (link & ~1U) | static_cast<std::uint32_t>(solid);
+    std::uint32_t& back = link_of({link >> 1});
+    back = (back & ~1U) | static_cast<std::uint32_t>(solid);
   }
   void set_corner(Halfedge h, Vertex v) noexcept {
     triangles_[triangle(h)].corner[side(h)] = v;

@@ -3,8 +3,12 @@
 //
 // StripKeeper (keeper.hpp) keeps the fewest strips, which costs 15 to 25 % more indices than the best. Here an
 // operation passes its colours on as they are (a new triangle on a solid dual edge lengthens the strip that it cuts; a
-// flip follows its rule), and a descent (descent.hpp) mends what is around it. Nothing is kept beside the mesh but
-// three counters, and a strip is some 20 triangles long, so that nothing depends on the size of the mesh.
+// flip follows its rule), and a search at the strip ends around it (end_search.hpp) mends what it can. Nothing is kept
+// beside the mesh but three counters, and a strip is some 20 triangles long, so that nothing depends on the size of the
+// mesh.
+//
+// The rules of the index cost (rules/index_rules.hpp) are not used: they recolour the patch as well as can be with its
+// ports as they are, and a port that cannot be given up or taken costs more than all that they gain.
 //
 //   StripMesh mesh = ...;
 //   IndexKeeper keeper(mesh, Policy::quick);
@@ -13,7 +17,7 @@
 //
 // After warm-up nothing is allocated but what the mesh itself allocates to grow.
 //
-// Exceptions (std::bad_alloc alone). The mesh and its colouring are valid after one: the operation, or the descent that
+// Exceptions (std::bad_alloc alone). The mesh and its colouring are valid after one: the operation, or the search that
 // follows it, is done as a whole, in part or not at all. The counters are out of date: up_to_date() is false until
 // rebuild(), which the next operation calls by itself.
 #pragma once
@@ -31,32 +35,34 @@
 #include "restrip/operations/operations.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/descent.hpp"
+#include "restrip/search/end_search.hpp"
 #include "restrip/search/policy.hpp"
 
 namespace restrip {
 
 /// What follows an operation.
-struct DescentPlan {
-  /// Where the descent begins.
+struct IndexPlan {
+  /// Where the search begins.
   enum class From {
-    joints,  ///< the new triangles of a split, those that a collapse joins, the two of a flip
-    patch    ///< all triangles of the patch
+    joints,  ///< where strips do not go on: new triangles of a split, those that a collapse joins, the two of a flip
+    patch,   ///< all triangles of the patch
+    ring     ///< the same and their neighbours
   };
   From from = From::patch;
-  DescentLimits limits;
+  EndLimits limits;
 };
 
-/// The descents of the policies.
-[[nodiscard]] constexpr DescentPlan descent_of(Policy policy) noexcept {
+/// The searches of the policies.
+[[nodiscard]] constexpr IndexPlan plan_of(Policy policy) noexcept {
   switch (policy) {
     case Policy::local:
-      return {DescentPlan::From::joints, {.moves = 12, .stay = true}};
+      return {IndexPlan::From::joints, {.looks = 4}};
     case Policy::linked:
-      return {DescentPlan::From::joints, {.moves = 100}};
+      return {IndexPlan::From::patch, {.looks = 5, .length = 2}};
     case Policy::quick:
-      return {DescentPlan::From::patch, {.moves = 200}};
+      return {IndexPlan::From::patch, {.looks = 12, .length = EndSearch::max_length, .worse = 1}};
     case Policy::full:
-      return {DescentPlan::From::patch, {.moves = 400, .tries = 4, .worse = 1}};
+      return {IndexPlan::From::ring, {.looks = 70, .length = EndSearch::max_length, .worse = 2}};
   }
   return {};
 }
@@ -69,16 +75,16 @@ class IndexKeeper {
   using Halfedge = StripMesh::Halfedge;
 
   explicit IndexKeeper(StripMesh& mesh, Policy policy = Policy::quick, Cost cost = Cost::indices())
-      : mesh_(&mesh), descent_(cost), plan_(descent_of(policy)) {
+      : mesh_(&mesh), search_(cost), descent_(cost), plan_(plan_of(policy)) {
     rebuild();
   }
 
   /// From the next operation on.
-  void set_policy(Policy policy) noexcept { plan_ = descent_of(policy); }
-  void set_plan(const DescentPlan& plan) noexcept { plan_ = plan; }
+  void set_policy(Policy policy) noexcept { plan_ = plan_of(policy); }
+  void set_plan(const IndexPlan& plan) noexcept { plan_ = plan; }
 
   /// The operations of operations.hpp, with the same preconditions. `strips` and `isolated` of the result count what
-  /// the descent changed as well; last_change() also tells the swaps.
+  /// the search changed as well; last_change() also tells the swaps.
   Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
   Rewrite<Halfedge> collapse(Halfedge chord);
   Rewrite<Halfedge> flip(Halfedge h);
@@ -98,12 +104,15 @@ class IndexKeeper {
     const Cost& weights = descent_.cost();
     return weights.restart * strips_ + weights.swap * swaps_ + weights.isolated * isolated_;
   }
-  /// What the last operation and its descent changed.
+  /// What the last operation and its search changed.
   [[nodiscard]] const ColoringChange& last_change() const noexcept { return change_; }
   [[nodiscard]] const StripMesh& mesh() const noexcept { return *mesh_; }
   /// False after an exception, until rebuild() or the next operation.
   [[nodiscard]] bool up_to_date() const noexcept { return up_to_date_; }
-  [[nodiscard]] const DescentCounts& counts() const noexcept { return descent_.counts(); }
+  /// Of the searches that follow operations, and of improve().
+  [[nodiscard]] const EndCounts& counts() const noexcept { return search_.counts(); }
+  [[nodiscard]] std::uint64_t walked() const noexcept { return search_.walked(); }
+  [[nodiscard]] const DescentCounts& counts_of_improve() const noexcept { return descent_.counts(); }
 
  private:
   // The triangles whose colours a flip may change, and what they and their solid edges count.
@@ -121,18 +130,23 @@ class IndexKeeper {
 
   void begin();
   [[nodiscard]] int swap_at(Halfedge h) const;
+  void pass_through(Halfedge inner);
+  void start_at(Halfedge h);
+  Rewrite<Halfedge> split_any(const VertexSplit<Halfedge>& where, Vertex new_vertex);
+  Rewrite<Halfedge> collapse_any(Halfedge chord);
   Rewrite<Halfedge> finish(Halfedge h, std::uint32_t valence);
 
   StripMesh* mesh_;
-  Descent descent_;
-  DescentPlan plan_;
+  EndSearch search_;  // after an operation
+  Descent descent_;   // in the background
+  IndexPlan plan_;
   std::size_t strips_ = 0;
   std::size_t swaps_ = 0;
   std::size_t isolated_ = 0;
   ColoringChange change_;
   bool up_to_date_ = false;
   Triangle next_ = 0;            // of improve()
-  std::vector<Triangle> start_;  // of the descent
+  std::vector<Triangle> start_;  // where the search begins
 };
 
 }  // namespace restrip

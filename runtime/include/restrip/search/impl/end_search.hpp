@@ -1,0 +1,249 @@
+// EndSearch, member by member. Included by end_search.hpp.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <utility>
+
+#include "restrip/search/end_search.hpp"
+
+namespace restrip {
+namespace detail {
+
+/// A triangle with these solid sides is an end of a strip: it has one of them or none.
+constexpr bool is_strip_end(unsigned solid) noexcept { return (0b00010111U >> solid & 1U) != 0; }
+
+/// The neighbour that lies `turn` sides after h in its triangle, seen from there.
+inline StripMesh::Halfedge neighbor_at(const StripMesh& mesh, StripMesh::Halfedge h, unsigned turn) noexcept {
+  return mesh.opposite(StripMesh::halfedge(StripMesh::triangle(h), turned_side(StripMesh::side(h), turn)));
+}
+
+/// Colours for trial: moves are made and taken back while nobody else looks, so that nobody who watches the mesh is
+/// told.
+class TrialColors {
+ public:
+  static void make(StripMesh& mesh, const StripMove& move) noexcept {
+    if (move.given_up[1].id != none) mesh.color(move.given_up[1], false);
+    mesh.color(move.edge, true);
+  }
+  static void take_back(StripMesh& mesh, const StripMove& move) noexcept {
+    mesh.color(move.edge, false);
+    if (move.given_up[1].id != none) mesh.color(move.given_up[1], true);
+  }
+};
+
+}  // namespace detail
+
+// By price; equal ones stay in their order.
+inline void EndSearch::Found::sort() noexcept {
+  for (std::size_t i = 1; i < count; ++i)
+    for (std::size_t j = i; j > 0 && moves[j].price < moves[j - 1].price; --j) std::swap(moves[j], moves[j - 1]);
+}
+inline void EndSearch::Found::drop(std::size_t i) noexcept {
+  for (--count; i < count; ++i) moves[i] = moves[i + 1];
+}
+
+struct EndSearch::Tip {
+  Halfedge edge{};         // the dashed edge that is to become solid
+  Triangle kept = none;    // the triangle before the end in its strip
+  unsigned turn = 0;       // of the strip at the end, seen from that edge; 0 when the end is isolated
+  unsigned turn_kept = 0;  // of the strip at that triangle, seen from the end
+  int isolated = 0;        // what becomes of the end: -1 when it was isolated
+  [[nodiscard]] int swaps() const noexcept { return int{turn != 0} & int{turn_kept == turn}; }
+};
+
+// Behind the edge another strip ends.
+inline void EndSearch::find_joint(const StripMesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest,
+                                  Found& found) const {
+  const unsigned turn = mesh.solid_beside(back);
+  StripMove move{tip.edge, {}, {-1, tip.swaps() + detail::is_swap(tip.turn, turn), tip.isolated}};
+  if (turn != 0) {
+    const Halfedge kept = detail::neighbor_at(mesh, back, turn);
+    // Two triangles that share two edges and follow each other already.
+    if (StripMesh::triangle(kept) == StripMesh::triangle(tip.edge)) return;
+    move.change.swaps += int{mesh.solid_beside(kept) == turn};
+  } else {
+    --move.change.isolated;
+  }
+  move.price = move.change.price(cost_);
+  found.offer(move, highest);
+}
+
+// Behind the edge a strip passes.
+inline void EndSearch::find_exchanges(const StripMesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest,
+                                      Found& found) const {
+  const std::array<Halfedge, 2> towards{detail::neighbor_at(mesh, back, 1), detail::neighbor_at(mesh, back, 2)};
+  const Triangle end = StripMesh::triangle(tip.edge);
+  if (StripMesh::triangle(towards[0]) == end || StripMesh::triangle(towards[1]) == end) return;
+  const std::array<unsigned, 2> turn{mesh.solid_beside(towards[0]), mesh.solid_beside(towards[1])};
+  for (unsigned keeps = 1; keeps <= 2; ++keeps) {
+    const unsigned gives = 3 - keeps;
+    const unsigned turn_freed = turn[gives - 1];
+    StripMove move{tip.edge, {Halfedge{}, towards[gives - 1]}, {}};
+    move.change.isolated = tip.isolated + int{turn_freed == 0};
+    move.change.swaps = tip.swaps() + detail::is_swap(tip.turn, keeps) + int{turn[keeps - 1] == keeps} -
+                        int{turn[keeps - 1] == gives} - int{turn_freed == keeps};
+    // One swap more may go, on the other side of the triangle that becomes an end.
+    if (move.change.price(cost_) - std::int32_t{cost_.swap} > highest) continue;
+    if (StripMesh::triangle(move.given_up[1]) == tip.kept) {
+      // The three triangles lie around one vertex.
+      detail::MoveOverlay colors(mesh);
+      colors.change(move.given_up[1], false);
+      colors.change(move.edge, true);
+      move.change = colors.difference();
+    } else if (turn_freed != 0) {
+      const Halfedge beyond = detail::neighbor_at(mesh, move.given_up[1], turn_freed);
+      move.change.swaps -= int{mesh.solid_beside(beyond) == turn_freed};
+    }
+    move.price = move.change.price(cost_);
+    found.offer(move, highest);
+  }
+}
+
+inline void EndSearch::find_moves(const StripMesh& mesh, Triangle end, std::int32_t highest, Found& found) {
+  ++counts_.looked;
+  found.count = 0;
+  const unsigned solid = mesh.solid_sides(end);
+  Tip tip;
+  tip.isolated = solid == 0 ? -1 : 0;
+  if (solid != 0) {
+    const Halfedge kept = mesh.opposite(StripMesh::halfedge(end, static_cast<unsigned>(std::countr_zero(solid))));
+    tip.kept = StripMesh::triangle(kept);
+    tip.turn_kept = mesh.solid_beside(kept);
+  }
+  for (unsigned dashed = 7U & ~solid; dashed != 0; dashed &= dashed - 1) {
+    const auto side = static_cast<unsigned>(std::countr_zero(dashed));
+    tip.edge = StripMesh::halfedge(end, side);
+    const Halfedge back = mesh.opposite(tip.edge);
+    if (StripMesh::on_boundary(back) || StripMesh::triangle(back) == end) continue;
+    ++counts_.priced;
+    tip.turn = detail::other_sides(solid, side);
+    if (detail::is_strip_end(mesh.solid_sides(StripMesh::triangle(back))))
+      find_joint(mesh, tip, back, highest, found);
+    else
+      find_exchanges(mesh, tip, back, highest, found);
+  }
+}
+
+inline std::span<const StripMove> EndSearch::moves_at(const StripMesh& mesh, Triangle end, std::int32_t highest) {
+  RESTRIP_ASSERT(mesh.alive(end) && detail::is_strip_end(mesh.solid_sides(end)), "EndSearch::moves_at",
+                 "no strip ends in the triangle");
+  find_moves(mesh, end, highest, found_);
+  return {found_.moves.data(), found_.count};
+}
+
+// ---- the ends that are to be looked at
+
+// An end that has been looked at comes to the end of the queue.
+inline void EndSearch::look_later(Triangle end) noexcept {
+  for (std::size_t i = 0; i < end_count_; ++i) {
+    if (ends_[i].triangle != end || ends_[i].tried == done_with) continue;
+    if (ends_[i].tried == 0) return;
+    ends_[i].tried = done_with;
+    break;
+  }
+  if (end_count_ < max_ends) ends_[end_count_++] = {end, 0};
+}
+
+// The triangle, or the end across its only dashed edge.
+inline void EndSearch::consider(const StripMesh& mesh, Triangle t) noexcept {
+  const unsigned solid = mesh.solid_sides(t);
+  const Halfedge back = mesh.opposite(StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(7U & ~solid))));
+  // On the boundary this is t itself.
+  const Triangle end = detail::is_strip_end(solid) ? t : StripMesh::triangle(back);
+  if (detail::is_strip_end(mesh.solid_sides(end))) look_later(end);
+}
+
+// ---- moves
+
+inline void EndSearch::make(StripMesh& mesh, const StripMove& move) {
+  const bool joins = move.given_up[1].id == none;
+  if (!joins) mesh.set_solid(move.given_up[1], false);
+  mesh.set_solid(move.edge, true);
+  done_ += move.change;
+  ++counts_.made;
+  // After an exchange the triangle behind the edge is beside the new end.
+  if (!joins) look_later(StripMesh::triangle(move.given_up[1]));
+  consider(mesh, StripMesh::triangle(move.edge));
+  if (joins) consider(mesh, StripMesh::triangle(mesh.opposite(move.edge)));
+}
+
+// The best move at an end that lowers the cost, if there is one.
+inline void EndSearch::step(StripMesh& mesh, Triangle end) {
+  find_moves(mesh, end, -1, found_);
+  while (found_.count != 0) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < found_.count; ++i)
+      if (found_.moves[i].price < found_.moves[best].price) best = i;
+    if (walks_.keeps_strips(mesh, found_.moves[best])) return make(mesh, found_.moves[best]);
+    found_.drop(best);
+  }
+}
+
+// The first `length` moves of chain_, which are not made and pay together, if they close no cycle.
+inline bool EndSearch::make_chain(StripMesh& mesh, std::size_t length) {
+  std::size_t sound = 0;
+  for (; sound < length && walks_.keeps_strips(mesh, chain_[sound]); ++sound)
+    detail::TrialColors::make(mesh, chain_[sound]);
+  for (std::size_t i = sound; i-- > 0;) detail::TrialColors::take_back(mesh, chain_[i]);
+  if (sound < length) return false;
+  for (std::size_t i = 0; i < length; ++i) make(mesh, chain_[i]);
+  return true;
+}
+
+// Goes on with a chain of `made` moves, made for trial, which cost `price` together. They stay as they are where it
+// does not end in a chain that pays.
+inline bool EndSearch::chain(StripMesh& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
+                             const EndLimits& limits) {
+  const bool last = made + 1 == length;
+  Found found;
+  find_moves(mesh, end, (last ? -1 : limits.worse) - price, found);
+  found.sort();
+  for (std::size_t i = 0; i < found.count; ++i) {
+    const StripMove& move = chain_[made] = found.moves[i];
+    if (price + move.price < 0) {
+      for (std::size_t k = made; k-- > 0;) detail::TrialColors::take_back(mesh, chain_[k]);
+      if (make_chain(mesh, made + 1)) return true;
+      for (std::size_t k = 0; k < made; ++k) detail::TrialColors::make(mesh, chain_[k]);
+      continue;
+    }
+    if (last || move.given_up[1].id == none || counts_.looked >= last_look_) continue;
+    detail::TrialColors::make(mesh, move);
+    if (chain(mesh, StripMesh::triangle(move.given_up[1]), made + 1, price + move.price, length, limits)) return true;
+    detail::TrialColors::take_back(mesh, move);
+  }
+  return false;
+}
+
+// Tries chains of one length at all ends where they have not been tried. True when there may be shorter ones again.
+inline bool EndSearch::pass(StripMesh& mesh, std::uint32_t length, const EndLimits& limits) {
+  for (std::size_t i = 0; i < end_count_ && counts_.looked < last_look_; ++i) {
+    if (ends_[i].tried >= length) continue;
+    const Triangle end = ends_[i].triangle;
+    const bool is_end = detail::is_strip_end(mesh.solid_sides(end));
+    ends_[i].tried = is_end ? length : done_with;
+    if (!is_end) continue;
+    if (length == 1)
+      step(mesh, end);
+    else if (chain(mesh, end, 0, 0, length, limits))
+      return true;
+  }
+  return false;
+}
+
+inline ColoringChange EndSearch::run(StripMesh& mesh, std::span<const Triangle> from, const EndLimits& limits) {
+  done_ = {};
+  end_count_ = 0;
+  for (const Triangle t : from) {
+    RESTRIP_ASSERT(mesh.alive(t), "EndSearch::run", "a triangle is not one of this mesh");
+    consider(mesh, t);
+  }
+  last_look_ = counts_.looked + limits.looks;
+  const auto longest = std::min<std::uint32_t>(limits.length, max_length);
+  for (std::uint32_t length = 1; length <= longest && counts_.looked < last_look_;)
+    length = pass(mesh, length, limits) ? 1 : length + 1;
+  return done_;
+}
+
+}  // namespace restrip

@@ -1,0 +1,224 @@
+// Every move at the end of a strip costs what it says, and no such move is missing; a search never raises the cost,
+// tells what it changed, keeps to its limits, ends where no move at an end pays, and shows what it tries and takes back
+// to nobody. All by the definitions: moves are enumerated, made on a copy of the mesh, and the copy is counted as a
+// whole.
+#include "restrip/search/end_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "coloring_cost.hpp"
+#include "restrip/search/stripify.hpp"
+#include "sample_meshes.hpp"
+#include "strip_moves.hpp"
+
+namespace restrip {
+namespace {
+
+using namespace moves;
+
+const std::array<Cost, 4> some_costs{Cost::indices(), Cost::strips(), Cost{3, 1, 2}, Cost{2, 3, 0}};
+
+std::vector<Triangle> all_ends(const StripMesh& mesh) {
+  std::vector<Triangle> ends;
+  for (const Triangle t : all_triangles(mesh))
+    if (mesh.solid_degree(t) < 2) ends.push_back(t);
+  return ends;
+}
+
+std::vector<Changes> moves_of_end(const StripMesh& mesh, Triangle end) {
+  std::vector<Changes> all;
+  for (unsigned side = 0; side < 3; ++side) {
+    const Halfedge h = StripMesh::halfedge(end, side);
+    const Halfedge back = mesh.opposite(h);
+    if (mesh.solid(h) || StripMesh::on_boundary(back) || StripMesh::triangle(back) == end) continue;
+    for (const Changes& move : moves_of(mesh, h)) all.push_back(move);
+  }
+  return all;
+}
+
+// Compares everything at every end; returns how many moves were compared.
+std::size_t expect_end_moves_right(const StripMesh& mesh, EndSearch& search) {
+  std::size_t compared = 0;
+  const ColoringChange before = cost_of(mesh);
+  for (const Triangle end : all_ends(mesh)) {
+    const std::vector<Changes> of_end = moves_of_end(mesh, end);
+    const auto all = search.moves_at(mesh, end, any_price);
+    const std::vector<StripMove> found(all.begin(), all.end());
+    std::multiset<Changes> sets;
+    for (const StripMove& move : found) sets.insert(changes_of(mesh, move));
+    EXPECT_EQ(sets, std::multiset<Changes>(of_end.begin(), of_end.end())) << "triangle " << end;
+    for (const StripMove& move : found) {
+      StripMesh after = mesh;
+      recolor(after, changes_of(mesh, move));
+      if (!check_coloring(after).valid) continue;
+      EXPECT_EQ(move.change, cost_of(after) - before);
+      EXPECT_EQ(move.price, move.change.price(search.cost()));
+      ++compared;
+    }
+    for (std::int32_t highest = -6; highest <= 3; ++highest) {
+      std::multiset<Changes> expected;
+      for (const StripMove& move : found)
+        if (move.price <= highest) expected.insert(changes_of(mesh, move));
+      std::multiset<Changes> cheap;
+      for (const StripMove& move : search.moves_at(mesh, end, highest)) cheap.insert(changes_of(mesh, move));
+      EXPECT_EQ(cheap, expected) << "triangle " << end << ", at most " << highest;
+    }
+  }
+  return compared;
+}
+
+TEST(EndMoves, AreCompleteAndPricedAsCountedInEveryColoringOfSmallMeshes) {
+  std::size_t compared = 0;
+  for (StripMesh mesh :
+       {sample::octahedron(), sample::double_cone(3), sample::double_cone(2), sample::rectangle(2, 2)}) {
+    std::vector<Halfedge> edges;
+    for (const Triangle t : all_triangles(mesh))
+      for (unsigned side = 0; side < 3; ++side)
+        if (const Halfedge h = StripMesh::halfedge(t, side); h.id < mesh.opposite(h).id)
+          if (!StripMesh::on_boundary(mesh.opposite(h))) edges.push_back(h);
+    ASSERT_LE(edges.size(), 12U);
+    for (std::uint32_t colors = 0; colors < 1U << edges.size(); ++colors) {
+      for (std::size_t i = 0; i < edges.size(); ++i) mesh.set_solid(edges[i], (colors >> i & 1U) != 0);
+      if (!check_coloring(mesh).valid) continue;
+      EndSearch search(some_costs[colors % some_costs.size()]);
+      compared += expect_end_moves_right(mesh, search);
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GT(compared, 10'000U);
+}
+
+TEST(EndMoves, ArePricedAsCountedInRandomColorings) {
+  std::mt19937 random(31);
+  std::size_t compared = 0;
+  for (StripMesh& mesh : sample::meshes())
+    for (const double share : {0.3, 0.7, 1.0}) {
+      color_randomly(mesh, random, share);
+      for (const Cost& cost : some_costs) {
+        EndSearch search(cost);
+        compared += expect_end_moves_right(mesh, search);
+        if (HasFailure()) return;
+      }
+    }
+  EXPECT_GT(compared, 1000U);
+}
+
+// The least price of a valid move at any end, by counting.
+std::int32_t best_price_at_ends(const StripMesh& mesh, const Cost& cost) {
+  const std::int32_t before = cost_of(mesh).price(cost);
+  std::int32_t best = any_price;
+  for (const Triangle end : all_ends(mesh))
+    for (const Changes& move : moves_of_end(mesh, end)) {
+      StripMesh after = mesh;
+      recolor(after, move);
+      if (check_coloring(after).valid) best = std::min(best, cost_of(after).price(cost) - before);
+    }
+  return best;
+}
+
+// A call keeps 64 ends in mind, so it is given a few triangles at a time.
+ColoringChange run_everywhere(StripMesh& mesh, EndSearch& search, const EndLimits& limits) {
+  ColoringChange sum;
+  const std::vector<Triangle> all = all_triangles(mesh);
+  for (std::size_t i = 0; i < all.size(); i += 16)
+    sum += search.run(mesh, std::span(all).subspan(i, std::min<std::size_t>(16, all.size() - i)), limits);
+  return sum;
+}
+
+TEST(EndSearch, RepeatedEndsWhereNoMoveAtAnEndPays) {
+  std::mt19937 random(33);
+  for (StripMesh& mesh : sample::meshes())
+    for (const Cost& cost : some_costs)
+      for (const EndLimits& limits : {EndLimits{}, EndLimits{.looks = 300, .length = 3, .worse = 1}}) {
+        color_randomly(mesh, random, 0.6);
+        const ColoringChange before = cost_of(mesh);
+        EndSearch search(cost);
+        ColoringChange sum;
+        for (ColoringChange told{-1, -1, -1}; told.price(cost) < 0;) {
+          told = run_everywhere(mesh, search, limits);
+          ASSERT_TRUE(check_coloring(mesh).valid);
+          sum += told;
+          EXPECT_EQ(sum, cost_of(mesh) - before);
+          EXPECT_LE(told.price(cost), 0);
+        }
+        EXPECT_GE(best_price_at_ends(mesh, cost), 0);
+      }
+}
+
+TEST(EndSearch, LongerChainsEndLower) {
+  std::int32_t last = 0;
+  for (const std::uint32_t length : {1U, 2U, 4U}) {
+    StripMesh mesh = sample::torus(30, 30);
+    stripify_fast(mesh);
+    EndSearch search;
+    std::int32_t price = 0;
+    for (int round = 0; round < 3; ++round)
+      price += run_everywhere(mesh, search, {.looks = 1000, .length = length, .worse = 1}).price(search.cost());
+    EXPECT_LT(price, last - 10) << length;
+    last = price;
+  }
+}
+
+TEST(EndSearch, KeepsToItsLimits) {
+  for (const std::uint32_t length : {1U, 3U, 8U})
+    for (const std::uint32_t looks : {0U, 1U, 7U, 50U}) {
+      StripMesh mesh = sample::torus(20, 15);
+      stripify_fast(mesh);
+      EndSearch search;
+      for (const Triangle t : all_triangles(mesh)) {
+        const std::uint64_t before = search.counts().looked;
+        search.run(mesh, std::array{t, t}, {.looks = looks, .length = length, .worse = 2});
+        EXPECT_LE(search.counts().looked - before, looks);
+      }
+      EXPECT_EQ(search.counts().looked > 0, looks > 0);
+      EXPECT_LE(search.counts().priced, 3 * search.counts().looked);
+    }
+}
+
+// Moves that are tried and taken back are not reported, those that are made are.
+TEST(EndSearch, WatchersAreToldOfWhatIsMade) {
+  StripMesh mesh = sample::torus(20, 15);
+  stripify_fast(mesh);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  EndSearch search;
+  std::size_t told = 0;
+  std::size_t quiet = 0;
+  for (const Triangle t : all_triangles(mesh)) {
+    const StripMesh before = mesh;
+    const std::uint64_t made = search.counts().made;
+    changed.clear();
+    search.run(mesh, std::array{t}, {.looks = 100, .length = 4, .worse = 2});
+    // Two triangles of each edge, one or two edges a move.
+    EXPECT_LE(changed.size(), 4 * (search.counts().made - made));
+    quiet += search.counts().made == made ? 1U : 0U;
+    const std::set<Triangle> named(changed.begin(), changed.end());
+    for (const Triangle u : all_triangles(mesh)) {
+      if (mesh.solid_sides(u) == before.solid_sides(u)) continue;
+      EXPECT_TRUE(named.contains(u));
+      ++told;
+    }
+  }
+  EXPECT_GT(told, 50U);
+  EXPECT_GT(quiet, 50U);
+}
+
+TEST(EndSearch, DependsOnItsInputAlone) {
+  const auto outcome = [](EndSearch& search) {
+    StripMesh mesh = sample::torus(20, 15);
+    stripify_fast(mesh);
+    run_everywhere(mesh, search, {.looks = 50, .length = 4, .worse = 1});
+    return strip_indices(mesh);
+  };
+  EndSearch search;
+  const auto first = outcome(search);
+  EXPECT_EQ(first, outcome(search));  // after other work
+}
+
+}  // namespace
+}  // namespace restrip

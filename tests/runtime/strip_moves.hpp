@@ -1,0 +1,98 @@
+// Moves of descents and of searches at strip ends, made and enumerated by their definition. Knows nothing of how the
+// library finds them.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "restrip/output/strips.hpp"
+#include "restrip/search/descent.hpp"
+
+namespace restrip::moves {
+
+using Halfedge = StripMesh::Halfedge;
+
+inline constexpr std::int32_t any_price = 1'000'000;
+
+// A dual edge as a number, the same from both sides.
+inline std::uint32_t edge_number(const StripMesh& mesh, Halfedge h) { return std::min(h.id, mesh.opposite(h).id); }
+
+// A move as the set of dual edges whose colours it changes.
+using Changes = std::set<std::uint32_t>;
+
+inline Changes changes_of(const StripMesh& mesh, const StripMove& move) {
+  Changes changes{edge_number(mesh, move.edge)};
+  for (const Halfedge h : move.given_up)
+    if (h.id != none) changes.insert(edge_number(mesh, h));
+  return changes;
+}
+
+inline void recolor(StripMesh& mesh, const Changes& changes) {
+  std::vector<std::uint32_t> light;
+  for (const std::uint32_t id : changes) {
+    if (!mesh.solid({id})) light.push_back(id);
+    if (mesh.solid({id})) mesh.set_solid({id}, false);
+  }
+  for (const std::uint32_t id : light) mesh.set_solid({id}, true);
+}
+
+// All moves at the dual edge of h, from the definition in descent.hpp. Those that begin at a strip's end are the same.
+inline std::vector<Changes> moves_of(const StripMesh& mesh, Halfedge h) {
+  const Halfedge back = mesh.opposite(h);
+  const Triangle t = StripMesh::triangle(h);
+  const Triangle u = StripMesh::triangle(back);
+  const std::uint32_t edge = edge_number(mesh, h);
+  if (mesh.solid(h)) return {{edge}};
+  const auto solid_edges = [&](Triangle triangle) {
+    std::vector<Halfedge> edges;
+    for (unsigned side = 0; side < 3; ++side)
+      if (mesh.solid(StripMesh::halfedge(triangle, side))) edges.push_back(StripMesh::halfedge(triangle, side));
+    return edges;
+  };
+  for (const Halfedge g : solid_edges(t))
+    if (StripMesh::triangle(mesh.opposite(g)) == u) return {};  // they follow each other already
+  std::vector<Changes> moves{{edge}};
+  for (const Triangle triangle : {t, u}) {
+    const std::vector<Halfedge> edges = solid_edges(triangle);
+    if (edges.size() < 2) continue;
+    std::vector<Changes> longer;
+    for (const Changes& move : moves)
+      for (const Halfedge g : edges) {
+        longer.push_back(move);
+        longer.back().insert(edge_number(mesh, g));
+      }
+    moves = longer;
+  }
+  return moves;
+}
+
+// A random valid colouring, `share` of the edges that could be solid being so.
+inline void color_randomly(StripMesh& mesh, std::mt19937& random, double share) {
+  mesh.clear_colors();
+  std::vector<Halfedge> edges;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned side = 0; side < 3; ++side)
+      if (const Halfedge h = StripMesh::halfedge(t, side); !StripMesh::on_boundary(mesh.opposite(h)))
+        edges.push_back(h);
+  std::shuffle(edges.begin(), edges.end(), random);
+  for (const Halfedge h : edges) {
+    const Triangle t = StripMesh::triangle(h);
+    const Triangle u = StripMesh::triangle(mesh.opposite(h));
+    if (mesh.solid(h) || t == u || mesh.solid_degree(t) == 2 || mesh.solid_degree(u) == 2) continue;
+    if (std::uniform_real_distribution<>(0, 1)(random) > share) continue;
+    mesh.set_solid(h, true);
+    if (!check_coloring(mesh).valid) mesh.set_solid(h, false);
+  }
+}
+
+inline std::vector<Triangle> all_triangles(const StripMesh& mesh) {
+  std::vector<Triangle> all;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) all.push_back(t);
+  return all;
+}
+
+}  // namespace restrip::moves
