@@ -15,6 +15,7 @@
 
 #include "run_program.hpp"
 #include "scratch_folder.hpp"
+#include "support/sanitizers.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -77,8 +78,8 @@ TEST_F(Program, FullCircle) {
 
 TEST_F(Program, LargerSearchesKeepFewerStrips) {
   const auto strips = [](const std::string& states) {
-    const Outcome replay =
-        run_program("replay --built-in --triangles 20000 --repeats 0 --policy quick --json - " + states);
+    const Outcome replay = run_program(fmt::format(
+        "replay --built-in --triangles {} --repeats 0 --policy quick --json - {}", test::large(20'000), states));
     EXPECT_EQ(replay.code, 0);
     return nlohmann::json::parse(replay.out).at("levels").back().at("strips").get<int>();
   };

@@ -7,71 +7,32 @@
 
 #include "certificate_form.hpp"
 #include "input.hpp"
+#include "row_reader.hpp"
 
 namespace restrip::verify {
 namespace {
 
-constexpr std::array<const char*, 1> automaton_claim_words = {"rows"};
-
 /// Reads the rows of one section after the other.
 class Parser {
  public:
-  Parser(LineReader& reader, AutomatonCertificate& result) : reader_(reader), result_(result) {}
+  Parser(LineReader& reader, AutomatonCertificate& result) : rows_(reader), reader_(reader), result_(result) {}
 
   std::size_t read() {
-    const std::size_t classes = section("classes", "class");
+    rows_.begin_section("classes", "class");
     while (reader_.starts_with("class")) read_class();
     check_targets();
-    check_rows("classes", classes);
-    const std::size_t closings = section("closings", "close");
+    rows_.end_section();
+    rows_.begin_section("closings", "close");
     read_closings();
-    check_rows("closings", closings);
-    const std::size_t meetings = section("meetings", "meet");
+    rows_.end_section();
+    rows_.begin_section("meetings", "meet");
     read_meetings();
-    check_rows("meetings", meetings);
-    return result_.rows;
+    rows_.end_section();
+    return result_.rows = rows_.rows();
   }
 
  private:
-  /// The head of a section; returns how many rows it claims.
-  std::size_t section(const std::string& name, const char* first_row) {
-    std::array<StatedClaim, 1> claims;
-    const std::array<const char*, 1> rows = {first_row};
-    parse_section_head(reader_, name, automaton_claim_words, claims, rows);
-    section_start_ = result_.rows;
-    return static_cast<std::size_t>(claims[0].number);
-  }
-
-  void check_rows(const std::string& name, std::size_t claimed) {
-    const std::size_t found = result_.rows - section_start_;
-    if (found != claimed)
-      reader_.fail(fmt::format("section {} claims {} rows and has {} before this line", name, claimed, found));
-  }
-
-  void next() {
-    ++result_.rows;
-    reader_.next("a row, a section or \"end\"");
-  }
-
-  std::size_t natural(std::size_t word, std::size_t end, const char* what) const {
-    const std::int64_t n = reader_.number(word);
-    if (n < 0 || static_cast<std::size_t>(n) >= end)
-      reader_.fail(fmt::format("expected {} from 0 to {}, found {}", what, end - 1, n));
-    return static_cast<std::size_t>(n);
-  }
-
-  /// The number that must stand here.
-  void expect_number(std::size_t word, std::size_t n) const {
-    if (reader_.number(word) != static_cast<std::int64_t>(n))
-      reader_.fail(fmt::format("expected {}, found {}", n, reader_.words()[word]));
-  }
-
-  std::size_t case_at(std::size_t word) const {
-    const std::string_view text = reader_.words()[word];
-    const auto number = text.size() == 2 ? number_of({text[0], text[1]}) : std::nullopt;
-    if (!number) reader_.fail(fmt::format("\"{}\" is no case", text));
-    return *number;
-  }
+  std::size_t case_at(std::size_t word) const { return rows_.case_at(word, number_of); }
 
   Worth worth_at(std::size_t word) const {
     return {static_cast<int>(reader_.number(word)), -static_cast<int>(reader_.number(word + 1))};
@@ -80,7 +41,7 @@ class Parser {
   void read_class() {
     const std::size_t c = result_.classes.size();
     reader_.expect_words(3, "\"class\" number witness");
-    expect_number(1, c);
+    rows_.expect_number(1, c);
     AutomatonClass& made = result_.classes.emplace_back();
     made.line = reader_.line();
     const std::string_view witness = reader_.words()[2];
@@ -88,11 +49,11 @@ class Parser {
     if (made.witness.find_first_not_of(letters) != std::string::npos || made.witness.size() > longest_witness ||
         made.witness.find('b') != made.witness.rfind('b') || made.witness.empty() != (c == 0))
       reader_.fail(fmt::format("\"{}\" is no witness of class {}", witness, c));
-    next();
+    rows_.next();
     std::optional<std::size_t> last;
-    for (; reader_.starts_with("value"); next()) {
+    for (; reader_.starts_with("value"); rows_.next()) {
       reader_.expect_words(5, "\"value\" class case solid isolated");
-      expect_number(1, c);
+      rows_.expect_number(1, c);
       const std::size_t number = case_at(2);
       if (last && number <= *last) reader_.fail("expected values in the order of cases");
       last = number;
@@ -103,28 +64,23 @@ class Parser {
       if (letters[letter] != 'b' || !made.has_boundary()) read_step(c, letter);
   }
 
-  void expect_letter(std::size_t letter) const {
-    if (reader_.words()[2] != letters.substr(letter, 1))
-      reader_.fail(fmt::format("expected the letter {}, found \"{}\"", letters[letter], reader_.words()[2]));
-  }
-
   void read_step(std::size_t c, std::size_t letter) {
     if (!reader_.starts_with("step"))
       reader_.fail(
           fmt::format("expected the step of class {} by {}, found \"{}\"", c, letters[letter], reader_.rest(0)));
     reader_.expect_words(6, "\"step\" class letter class solid isolated");
-    expect_number(1, c);
-    expect_letter(letter);
+    rows_.expect_number(1, c);
+    rows_.expect_letter(2, letters[letter]);
     AutomatonStep& step = result_.classes[c].steps[letter].emplace();
     step.line = reader_.line();
-    step.to = natural(3, most_classes, "a class");
+    step.to = static_cast<std::size_t>(rows_.number_at(3, 0, most_classes - 1, "a class"));
     step.gain = worth_at(4);
-    next();
+    rows_.next();
     std::optional<std::size_t> last;
-    for (; reader_.starts_with("from"); next()) {
+    for (; reader_.starts_with("from"); rows_.next()) {
       reader_.expect_words(5, "\"from\" class letter case case");
-      expect_number(1, c);
-      expect_letter(letter);
+      rows_.expect_number(1, c);
+      rows_.expect_letter(2, letters[letter]);
       const std::size_t after = case_at(3);
       if (last && after <= *last) reader_.fail("expected origins in the order of cases");
       last = after;
@@ -158,9 +114,9 @@ class Parser {
       if (!reader_.starts_with("close"))
         reader_.fail(fmt::format("expected the closing of class {}, found \"{}\"", c, reader_.rest(0)));
       reader_.expect_words(5, "\"close\" class case solid isolated");
-      expect_number(1, c);
+      rows_.expect_number(1, c);
       result_.closings[c] = {case_at(2), worth_at(3), reader_.line()};
-      next();
+      rows_.next();
     }
   }
 
@@ -172,22 +128,22 @@ class Parser {
         if (!reader_.starts_with("meet"))
           reader_.fail(fmt::format("expected the meeting of classes {} and {}, found \"{}\"", x, y, reader_.rest(0)));
         reader_.expect_words(8, "\"meet\" class class case case chord solid isolated");
-        expect_number(1, x);
-        expect_number(2, y);
+        rows_.expect_number(1, x);
+        rows_.expect_number(2, y);
         const std::string_view chord = reader_.words()[5];
         if (chord != "chord" && chord != "-")
           reader_.fail(fmt::format("expected \"chord\" or \"-\", found \"{}\"", chord));
         result_.meetings[x][y] = {case_at(3), case_at(4), chord == "chord", worth_at(6), reader_.line()};
-        next();
+        rows_.next();
       }
   }
 
-  static constexpr std::size_t most_classes = 255;
+  static constexpr std::int64_t most_classes = 255;
   static constexpr std::size_t longest_witness = 16;
 
+  RowReader rows_;
   LineReader& reader_;
   AutomatonCertificate& result_;
-  std::size_t section_start_ = 0;
   std::map<std::pair<std::size_t, std::size_t>, Mask> given_;  ///< cases with an origin, by class and letter
 };
 

@@ -7,11 +7,11 @@ namespace restrip::verify {
 enum class AutomatonMutant {
   none,
   // the automaton of fewest strips
-  automaton_any_witness,      // nobody looks at witnesses
+  automaton_any_witness,      // witnesses are not compared
   automaton_any_gain,         // a letter may add anything
   automaton_any_origin,       // a case may come from any case
   automaton_join_anything,    // a meeting may join ports that were not joined
-  automaton_any_own_meeting,  // nobody asks whether the stated meeting is legal
+  automaton_any_own_meeting,  // the stated meeting need not be legal
   automaton_never_chord,      // meetings with the chord are not tried
   automaton_any_closing,      // better closings are not looked for
   automaton_loosen_degree,    // a triangle of an arc may have three solid edges

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <deque>
 #include <iterator>
 
 #include "arcs_around.hpp"
 #include "automaton_mutants.hpp"
+#include "witnesses.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -58,27 +58,15 @@ void ClassCheck::fail(Which which, unsigned line, const std::string& what) {
 }
 
 void ClassCheck::check_witnesses() {
-  std::vector<std::optional<std::string>> shortest(certificate_.classes.size());
-  std::deque<std::size_t> waiting{0};
-  shortest[0] = "";
-  while (!waiting.empty()) {
-    const std::size_t c = waiting.front();
-    waiting.pop_front();
-    for (std::size_t letter = 0; letter < letters.size(); ++letter) {
-      const auto& step = certificate_.classes[c].steps[letter];
-      if (!step || shortest[step->to]) continue;
-      shortest[step->to] = *shortest[c] + letters[letter];
-      waiting.push_back(step->to);
-    }
-  }
+  const auto shortest = shortest_arcs(certificate_.classes.size(), letters, [&](std::size_t c, std::size_t letter) {
+    const auto& step = certificate_.classes[c].steps[letter];
+    return step ? std::optional(step->to) : std::nullopt;
+  });
   for (std::size_t c = 0; c < certificate_.classes.size(); ++c) {
     ++claims_[witnesses].cases;
     const AutomatonClass& stated = certificate_.classes[c];
-    if (!shortest[c])
-      fail(witnesses, stated.line, fmt::format("wrong witness: no arc leads to class {}", c));
-    else if (*shortest[c] != stated.witness && !mutated(AutomatonMutant::automaton_any_witness))
-      fail(witnesses, stated.line,
-           fmt::format("wrong witness: {} for class {}, the shortest is {}", stated.witness, c, *shortest[c]));
+    if (const std::string fault = witness_fault(c, stated.witness, shortest[c]); !fault.empty())
+      fail(witnesses, stated.line, fault);
   }
 }
 

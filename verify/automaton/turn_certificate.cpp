@@ -7,90 +7,58 @@
 
 #include "certificate_form.hpp"
 #include "input.hpp"
+#include "row_reader.hpp"
 
 namespace restrip::verify {
 namespace {
 
-constexpr std::array<const char*, 1> turn_claim_words = {"rows"};
-
 /// Reads the rows of both sections.
 class TurnParser {
  public:
-  TurnParser(LineReader& reader, TurnCertificate& result) : reader_(reader), result_(result) {}
+  TurnParser(LineReader& reader, TurnCertificate& result) : rows_(reader), reader_(reader), result_(result) {}
 
   std::size_t read() {
-    const std::size_t weights = section("cost", "weights");
+    rows_.begin_section("cost", "weights");
     read_weights();
-    check_rows("cost", weights);
-    const std::size_t classes = section("classes", "class");
+    rows_.end_section();
+    rows_.begin_section("classes", "class");
     while (reader_.starts_with("class")) read_class();
     check_targets();
-    check_rows("classes", classes);
-    return result_.rows;
+    rows_.end_section();
+    return result_.rows = rows_.rows();
   }
 
  private:
   static constexpr std::int64_t most_weight = 1000;
   static constexpr std::size_t most_classes = 65536;
 
-  std::size_t section(const std::string& name, const char* first_row) {
-    std::array<StatedClaim, 1> claims;
-    const std::array<const char*, 1> rows = {first_row};
-    parse_section_head(reader_, name, turn_claim_words, claims, rows);
-    section_start_ = result_.rows;
-    return static_cast<std::size_t>(claims[0].number);
-  }
-
-  void check_rows(const std::string& name, std::size_t claimed) const {
-    const std::size_t found = result_.rows - section_start_;
-    if (found != claimed)
-      reader_.fail(fmt::format("section {} claims {} rows and has {} before this line", name, claimed, found));
-  }
-
-  void next() {
-    ++result_.rows;
-    reader_.next("a row, a section or \"end\"");
-  }
-
   int number_at(std::size_t word, std::int64_t least, std::int64_t most) const {
-    const std::int64_t n = reader_.number(word);
-    if (n < least || n > most) reader_.fail(fmt::format("expected a number from {} to {}, found {}", least, most, n));
-    return static_cast<int>(n);
+    return static_cast<int>(rows_.number_at(word, least, most));
   }
 
-  void expect_word(std::size_t word, const std::string& text) const {
-    if (reader_.words()[word] != text)
-      reader_.fail(fmt::format("expected {}, found \"{}\"", text, reader_.words()[word]));
-  }
-
-  std::size_t case_at(std::size_t word) const {
-    const std::string_view text = reader_.words()[word];
-    const auto number = text.size() == 2 ? turn_number({text[0], text[1]}) : std::nullopt;
-    if (!number) reader_.fail(fmt::format("\"{}\" is no case", text));
-    return *number;
-  }
+  std::size_t case_at(std::size_t word) const { return rows_.case_at(word, turn_number); }
 
   void read_weights() {
     reader_.expect_words(4, "\"weights\" restart swap isolated");
     result_.weights = {number_at(1, 1, most_weight), number_at(2, 0, most_weight), number_at(3, 0, most_weight)};
-    next();
+    rows_.next();
   }
 
   void read_class() {
     const std::size_t c = result_.classes.size();
     reader_.expect_words(3, "\"class\" number witness");
-    expect_word(1, std::to_string(c));
+    rows_.expect_number(1, c);
     TurnClass& made = result_.classes.emplace_back();
     made.line = reader_.line();
     const std::string_view witness = reader_.words()[2];
     if (witness != "-") made.witness = witness;
     if (made.witness.find_first_not_of(turn_letters) != std::string::npos || made.witness.empty() != (c == 0))
       reader_.fail(fmt::format("\"{}\" is no witness of class {}", witness, c));
-    next();
+    rows_.next();
     std::optional<std::size_t> last;
-    for (; reader_.starts_with("value"); next()) {
+    for (; reader_.starts_with("value"); rows_.next()) {
       reader_.expect_words(4, "\"value\" class case cost");
-      expect_word(1, std::to_string(c));
+      rows_.expect_number(1, c);
       const std::size_t number = case_at(2);
       if (last && number <= *last) reader_.fail("expected values in the order of cases");
       last = number;
@@ -101,22 +69,21 @@ class TurnParser {
   }
 
   void read_step(std::size_t c, char letter) {
-    const std::string letter_text(1, letter);
     if (!reader_.starts_with("step"))
       reader_.fail(fmt::format("expected the step of class {} by {}, found \"{}\"", c, letter, reader_.rest(0)));
     reader_.expect_words(5, "\"step\" class letter class cost");
-    expect_word(1, std::to_string(c));
-    expect_word(2, letter_text);
+    rows_.expect_number(1, c);
+    rows_.expect_letter(2, letter);
     TurnStep& step = result_.classes[c].steps[turn_letters.find(letter)];
     step.line = reader_.line();
     step.to = static_cast<std::size_t>(number_at(3, 0, most_classes - 1));
     step.cost = number_at(4, -100 * most_weight, 100 * most_weight);
-    next();
+    rows_.next();
     Mask given = 0;
-    for (; reader_.starts_with("from"); next()) {
+    for (; reader_.starts_with("from"); rows_.next()) {
       reader_.expect_words(5, "\"from\" class letter case case");
-      expect_word(1, std::to_string(c));
-      expect_word(2, letter_text);
+      rows_.expect_number(1, c);
+      rows_.expect_letter(2, letter);
       const std::size_t after = case_at(3);
       if (high_part(given, static_cast<unsigned>(after)) != 0) reader_.fail("expected origins in the order of cases");
       step.from[after] = case_at(4);
@@ -141,9 +108,9 @@ class TurnParser {
       }
   }
 
+  RowReader rows_;
   LineReader& reader_;
   TurnCertificate& result_;
-  std::size_t section_start_ = 0;
   std::vector<Mask> given_;  ///< cases with an origin, by class and letter
 };
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <limits>
 #include <optional>
 
 #include "automaton_mutants.hpp"
+#include "witnesses.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -129,27 +129,14 @@ void TurnCheck::fail(Which which, unsigned line, const std::string& what) {
 }
 
 void TurnCheck::check_witnesses() {
-  std::vector<std::optional<std::string>> shortest(certificate_.classes.size());
-  std::deque<std::size_t> waiting{0};
-  shortest[0] = "";
-  while (!waiting.empty()) {
-    const std::size_t c = waiting.front();
-    waiting.pop_front();
-    for (std::size_t letter = 0; letter < turn_letters.size(); ++letter) {
-      const std::size_t to = certificate_.classes[c].steps[letter].to;
-      if (shortest[to]) continue;
-      shortest[to] = *shortest[c] + turn_letters[letter];
-      waiting.push_back(to);
-    }
-  }
+  const auto shortest = shortest_arcs(
+      certificate_.classes.size(), turn_letters,
+      [&](std::size_t c, std::size_t letter) { return std::optional(certificate_.classes[c].steps[letter].to); });
   for (std::size_t c = 0; c < certificate_.classes.size(); ++c) {
     ++claims_[witnesses].cases;
-    const TurnClass& claimed = certificate_.classes[c];
-    if (!shortest[c])
-      fail(witnesses, claimed.line, fmt::format("wrong witness: no arc leads to class {}", c));
-    else if (*shortest[c] != claimed.witness)
-      fail(witnesses, claimed.line,
-           fmt::format("wrong witness: {} for class {}, the shortest is {}", claimed.witness, c, *shortest[c]));
+    const TurnClass& stated = certificate_.classes[c];
+    if (const std::string fault = witness_fault(c, stated.witness, shortest[c]); !fault.empty())
+      fail(witnesses, stated.line, fault);
   }
 }
 

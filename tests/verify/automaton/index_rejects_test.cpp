@@ -96,7 +96,7 @@ TEST(IndexRejects, MalformedFiles) {
   };
   EXPECT_NE(without("class 5 ").find("there is no class"), std::string::npos);
   EXPECT_NE(without("value 7 -- ").find("expected the value of case -- of class 7"), std::string::npos);
-  EXPECT_NE(without("step 3 s ").find("expected d, found \"s\""), std::string::npos);
+  EXPECT_NE(without("step 3 s ").find("expected the letter d, found \"s\""), std::string::npos);
   EXPECT_NE(without("from 3 s ").find("for each case"), std::string::npos);
   EXPECT_NE(without("weights ").find("altered.cert:"), std::string::npos);
   EXPECT_NE(without("section classes").find("altered.cert:"), std::string::npos);
