@@ -1,0 +1,149 @@
+// The viewer in headless Chromium, opened from the file system. The picture drawn from the live strips is, pixel for
+// pixel, the one drawn from a plain list of the mesh's triangles: at several levels, under policies and costs, in the
+// view-dependent modes and after a random walk of the slider. The copy of the index buffer on the graphics card is the
+// live one. The figures on the page are those of `restrip replay` for the same way. A frame does no more operations than
+// its budget. A dropped mesh is shown, a file that is none is refused with a sentence. Nothing is said on the console.
+//   node viewer_test.mjs WEB_FOLDER CHROMIUM RESTRIP SCRATCH; screenshots are written into SCRATCH
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Browser } from './browser.mjs';
+
+const [folder, chromium, program, scratch] = process.argv.slice(2);
+mkdirSync(scratch, { recursive: true });
+const address = pathToFileURL(join(folder, 'viewer.html')).href;
+
+const choose = (page, choices) => page.run((wanted) => {
+  for (const [id, value] of Object.entries(wanted)) {
+    const element = document.getElementById(id);
+    element.value = value;
+    if (element.value !== String(value)) throw new Error(`${id} has no ${value}`);
+    element.dispatchEvent(new Event(element.type === 'range' ? 'input' : 'change'));
+  }
+}, choices);
+const settled = (page) => page.until(() => {
+  const viewer = window.restripViewer;
+  return viewer?.figures !== undefined && viewer.settled;
+});
+/// How many pixels differ between strips and list, how many show the mesh, and whether the card has the live buffer.
+const compare = (page) => page.run(() => {
+  const viewer = window.restripViewer;
+  viewer.draw({ style: 'shaded', patch: false });
+  const strips = viewer.scene.pixels();
+  viewer.draw({ style: 'shaded', patch: false, list: true });
+  const list = viewer.scene.pixels();
+  let different = 0;
+  let shown = 0;
+  for (let i = 0; i < strips.length; i += 4) {
+    if (strips[i] !== list[i] || strips[i + 1] !== list[i + 1] || strips[i + 2] !== list[i + 2]) ++different;
+    if (list[i] !== list[0] || list[i + 1] !== list[1] || list[i + 2] !== list[2]) ++shown;
+  }
+  const live = viewer.mesh.indices;
+  const card = viewer.scene.copyOnCard(live.length);
+  return { different, shown, sameBuffer: card.every((index, n) => index === live[n]), ...viewer.figures };
+});
+async function agrees(page, what) {
+  await settled(page);
+  const found = await compare(page);
+  assert.equal(found.different, 0, `${what}: ${found.different} pixels differ`);
+  assert.ok(found.shown > 10000, `${what}: only ${found.shown} pixels show the mesh`);
+  assert.ok(found.sameBuffer, `${what}: the card has another buffer`);
+  assert.equal(found.refused, 0, what);
+  return found;
+}
+const quiet = (page) => assert.deepEqual(page.faults, []);
+
+const browser = await Browser.start(chromium);
+try {
+  const page = await browser.page(760, 520);
+  await page.open(address);
+  await settled(page);
+  writeFileSync(join(scratch, 'viewer.png'), await page.screenshot());
+  const levels = await page.run('restripViewer.mesh.levels');
+
+  // Levels, policies, costs; the figures beside those of the native program, which goes the same way from the base.
+  let compared = 0;
+  for (const [policy, cost] of [['local', 'strips'], ['linked', 'indices'], ['quick', 'strips']]) {
+    const told = join(scratch, 'replay.json');
+    execFileSync(program, ['replay', join(folder, 'hare.pm'), '--policy', policy, '--cost', cost, '--repeats', '0', '--levels', '4', '--json', told]);
+    const native = JSON.parse(readFileSync(told, 'utf8'));
+    const first = native.levels[0].triangles;
+    await choose(page, { level: 0, policy, cost });
+    await settled(page);
+    for (const level of native.levels) {
+      await choose(page, { level: (level.triangles - first + 1 >> 1) });
+      const found = await agrees(page, `${policy}, ${cost}, ${level.triangles} triangles`);
+      const shown = await page.run(() => ['f-triangles', 'f-strips', 'f-length'].map((id) => document.getElementById(id).textContent.replaceAll(',', '')));
+      assert.deepEqual(shown, [`${level.triangles}`, `${level.strips}`, (level.triangles / level.strips).toFixed(1)]);
+      assert.equal(found.strips, level.strips);
+      assert.equal(await page.run('restripViewer.mesh.plainIndices'), level.indices);
+      ++compared;
+    }
+  }
+  assert.equal(compared, 12);
+
+  // A random walk of the slider (seed 7), every frame within its budget.
+  let seed = 7;
+  const random = (n) => (seed = seed * 48271 % 2147483647) % n;
+  await page.run(() => { restripViewer.mostOperations = 0; });
+  for (let i = 0; i < 8; ++i) {
+    await choose(page, { level: random(levels + 1) });
+    await settled(page);
+  }
+  const walked = await agrees(page, 'after a random walk');
+  assert.ok(walked.operations > levels, `only ${walked.operations} operations`);
+  assert.ok(walked.inOrder);
+  const most = await page.run('restripViewer.mostOperations');
+  assert.ok(most > 0 && most <= 500, `${most} operations in a frame`);
+
+  // View-dependent.
+  for (const mode of ['cursor', 'silhouette']) {
+    await page.run(() => { restripViewer.cursor = [0.1, 0]; });
+    await choose(page, { level: 400, mode });
+    const found = await agrees(page, mode);
+    assert.ok(!found.inOrder && found.played > 500, `${mode}: ${found.played} records played`);
+    writeFileSync(join(scratch, `viewer-${mode}.png`), await page.screenshot());
+  }
+
+  // One operation: its patch is marked, its rule is named and shown, little is uploaded.
+  await choose(page, { mode: 'level', policy: 'local', cost: 'strips', level: 1500, style: 'lines' });
+  await settled(page);
+  await page.run(() => document.getElementById('up').click());
+  await settled(page);
+  const one = await page.run(() => ({ ...restripViewer.lastFrame, marked: restripViewer.marked?.length, text: document.getElementById('last-text').textContent,
+    pictures: document.querySelectorAll('#last-pictures svg').length }));
+  assert.equal(one.operations, 1);
+  assert.ok(one.bytes > 0 && one.bytes < one.whole / 4, `${one.bytes} of ${one.whole} bytes`);
+  assert.ok(one.marked >= 3 && one.pictures === 2);
+  assert.match(one.text, /^Vertex split, .*rule split-/);
+  writeFileSync(join(scratch, 'viewer-lines.png'), await page.screenshot());
+
+  // Meshes of a visitor.
+  const open = (name, text) => page.run((file, content) => restripViewer.open(new File([content], file)), name, text);
+  await open('nothing.obj', 'v 0 0 0\n');
+  assert.match(await page.run('document.getElementById("fault").textContent'), /nothing.obj: has no triangles/);
+  await open('own.obj', readFileSync(join(folder, 'hare.obj'), 'utf8'));
+  const own = await agrees(page, 'a mesh of the visitor');
+  assert.ok(own.triangles > 500);
+  assert.ok(await page.run('document.getElementById("fault").hidden'));
+  quiet(page);
+
+  // A telephone, in the dark: nothing sticks out sideways, one finger turns the mesh.
+  const phone = await browser.page(400, 760, { dark: true });
+  await phone.open(address);
+  await settled(phone);
+  assert.equal(await phone.run('document.documentElement.scrollWidth'), 400);
+  const yaw = await phone.run('restripViewer.camera.yaw');
+  const touch = (type, x) => phone.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: 150 }] });
+  await touch('touchStart', 100);
+  await touch('touchMove', 200);
+  await touch('touchEnd');
+  assert.notEqual(await phone.run('restripViewer.camera.yaw'), yaw);
+  await agrees(phone, 'on a telephone');
+  writeFileSync(join(scratch, 'viewer-phone.png'), await phone.screenshot());
+  quiet(phone);
+} finally {
+  await browser.stop();
+}

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Makes one page of one file each, that opens from the file system: styles, scripts, the WebAssembly module and the mesh
+are put inside.
+
+bundle.py PAGE.html OUT.html [--style FILE…] [--script FILE…] [--put NAME=FILE…]
+Scripts are ES modules in the order in which they need each other; their import and export words are taken out, so that
+names at their top levels must differ. --put replaces <!--NAME--> by the file, compressed and in base64."""
+import argparse
+import base64
+import gzip
+import re
+import sys
+from pathlib import Path
+
+
+def inlined(scripts):
+    out, seen = [], {}
+    for path in scripts:
+        text = Path(path).read_text(encoding="utf-8")
+        text = re.sub(r"^import \{[^}]*\} from '[^']*';\n", "", text, flags=re.M)
+        text = re.sub(r"^export (?=(async )?(const|class|function))", "", text, flags=re.M)
+        if re.search(r"^(import|export)\b", text, flags=re.M):
+            sys.exit(f"bundle.py: {path}: an import or export of a form that is not known here")
+        for name in re.findall(r"^(?:async )?(?:const|let|class|function) (\w+)", text, flags=re.M):
+            if name in seen:
+                sys.exit(f"bundle.py: {path}: {name} is a name in {seen[name]} as well")
+            seen[name] = path
+        if "</script" in text:
+            sys.exit(f"bundle.py: {path}: has </script in it")
+        out.append(text)
+    return "\n".join(out)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("page")
+    parser.add_argument("out")
+    parser.add_argument("--style", nargs="*", default=[])
+    parser.add_argument("--script", nargs="*", default=[])
+    parser.add_argument("--put", nargs="*", default=[])
+    given = parser.parse_args()
+    page = Path(given.page).read_text(encoding="utf-8")
+    parts = {"/*STYLE*/": "".join(Path(s).read_text(encoding="utf-8") for s in given.style), "/*SCRIPT*/": inlined(given.script)}
+    for put in given.put:
+        name, file = put.split("=", 1)
+        parts[f"<!--{name}-->"] = base64.b64encode(gzip.compress(Path(file).read_bytes(), 9, mtime=0)).decode("ascii")
+    for mark, text in parts.items():
+        if text and mark not in page:
+            sys.exit(f"bundle.py: {given.page}: has no {mark}")
+        page = page.replace(mark, text)
+    Path(given.out).parent.mkdir(parents=True, exist_ok=True)
+    Path(given.out).write_text(page, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,106 @@
+// An orbit camera: drag or one finger turns, wheel or two fingers go nearer, arrow keys and + - do the same.
+
+export const multiply = (a, b) => {
+  const out = new Float32Array(16);
+  for (let c = 0; c < 4; ++c)
+    for (let r = 0; r < 4; ++r)
+      for (let n = 0; n < 4; ++n) out[4 * c + r] += a[4 * n + r] * b[4 * c + n];
+  return out;
+};
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const unit = (a) => { const length = Math.hypot(...a); return a.map((c) => c / length); };
+
+export class Camera {
+  yaw = 0.55;
+  pitch = 0.28;
+  distance = 3;
+  target = [0, 0, 0];
+  size = 1;
+  fov = 0.62;
+
+  /// Looks at the whole of some points.
+  fit(points) {
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    points.forEach((c, i) => {
+      low[i % 3] = Math.min(low[i % 3], c);
+      high[i % 3] = Math.max(high[i % 3], c);
+    });
+    this.target = low.map((l, i) => (l + high[i]) / 2);
+    this.size = Math.hypot(...low.map((l, i) => high[i] - l)) / 2 || 1;
+    this.distance = this.size / Math.sin(this.fov / 2) * 0.95;
+  }
+  get eye() {
+    const [sy, cy, sp, cp] = [Math.sin(this.yaw), Math.cos(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch)];
+    return [this.target[0] + this.distance * cp * sy, this.target[1] + this.distance * sp, this.target[2] + this.distance * cp * cy];
+  }
+  axes() {
+    const back = unit(this.eye.map((c, i) => c - this.target[i]));
+    const right = unit(cross([0, 1, 0], back));
+    return { right, up: cross(back, right), back };
+  }
+  view() {
+    const { right, up, back } = this.axes();
+    const eye = this.eye;
+    return new Float32Array([right[0], up[0], back[0], 0, right[1], up[1], back[1], 0, right[2], up[2], back[2], 0,
+      -dot(right, eye), -dot(up, eye), -dot(back, eye), 1]);
+  }
+  projection(aspect) {
+    const near = Math.max(this.distance - 1.5 * this.size, this.distance / 100);
+    const far = this.distance + 1.5 * this.size;
+    // The whole is seen in a window of any shape.
+    const f = 1 / Math.tan(this.fov / 2) * Math.min(1, aspect);
+    return new Float32Array([f / aspect, 0, 0, 0, 0, f, 0, 0, 0, 0, (far + near) / (near - far), -1, 0, 0, 2 * far * near / (near - far), 0]);
+  }
+  /// The ray through a place of the window, both from -1 to 1.
+  ray(x, y, aspect) {
+    const { right, up, back } = this.axes();
+    const f = Math.tan(this.fov / 2) / Math.min(1, aspect);
+    return { from: this.eye, along: unit([0, 1, 2].map((i) => right[i] * x * f * aspect + up[i] * y * f - back[i])) };
+  }
+  turn(dx, dy) {
+    this.yaw -= dx;
+    this.pitch = Math.max(-1.5, Math.min(1.5, this.pitch + dy));
+  }
+  nearer(factor) {
+    this.distance = Math.max(0.3 * this.size, Math.min(20 * this.size, this.distance * factor));
+  }
+
+  /// Follows the pointers on an element; changed() after each change.
+  listen(element, changed) {
+    const pointers = new Map();
+    const spread = () => {
+      const [a, b] = [...pointers.values()];
+      return Math.hypot(a.x - b.x, a.y - b.y);
+    };
+    element.addEventListener('pointerdown', (event) => {
+      element.setPointerCapture(event.pointerId);
+      pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+    });
+    element.addEventListener('pointermove', (event) => {
+      const before = pointers.get(event.pointerId);
+      if (!before) return;
+      const apart = pointers.size === 2 ? spread() : 0;
+      pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      if (pointers.size === 1) this.turn((event.clientX - before.x) * 0.008, (event.clientY - before.y) * 0.008);
+      else if (pointers.size === 2) this.nearer(apart / Math.max(spread(), 1));
+      changed();
+    });
+    for (const name of ['pointerup', 'pointercancel']) element.addEventListener(name, (event) => pointers.delete(event.pointerId));
+    element.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      this.nearer(Math.exp(event.deltaY * 0.001));
+      changed();
+    }, { passive: false });
+    element.addEventListener('keydown', (event) => {
+      const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
+      if (event.key in turns) this.turn(...turns[event.key]);
+      else if (event.key === '+' || event.key === '=') this.nearer(0.9);
+      else if (event.key === '-') this.nearer(1 / 0.9);
+      else return;
+      event.preventDefault();
+      changed();
+    });
+  }
+}

@@ -1,0 +1,138 @@
+// Patches of splits as pictures, and their keys; docs/notation.md numbers their edges. The drawing is that of
+// scripts/pictures.py.
+
+const middle = (...places) => [0, 1].map((n) => places.reduce((sum, p) => sum + p[n], 0) / places.length);
+const has = (mask, bit) => (BigInt(mask) >> BigInt(bit) & 1n) === 1n;
+
+function rimOf(k, a) {
+  const step = 2 * Math.PI / k;
+  const start = Math.PI / 2 + step * a / 2;
+  const places = Array.from({ length: k }, (_, i) => [200 + 150 * Math.cos(start - step * i), 200 + 150 * Math.sin(start - step * i)]);
+  return [...places, places[0]];
+}
+
+class Patch {
+  faces = { old: '', new: '' };
+  strokes = { dashed: '', solid: '' };
+  nodes = [];
+  extra = '';
+  add(a, b, c, style = 'old') {
+    this.faces[style] += `M${[a, b, c].map((p) => `${p[0].toFixed(1)},${p[1].toFixed(1)}`).join('L')}z`;
+    this.nodes.push(middle(a, b, c));
+    return this.nodes.length - 1;
+  }
+  stroke(from, to, solid) {
+    this.strokes[solid ? 'solid' : 'dashed'] += `M${from[0].toFixed(1)},${from[1].toFixed(1)}L${to[0].toFixed(1)},${to[1].toFixed(1)}`;
+  }
+  join(i, j, across, solid) {
+    this.stroke(this.nodes[i], across, solid);
+    this.stroke(across, this.nodes[j], solid);
+  }
+  port(i, a, b, solid) {
+    const door = middle(a, b);
+    this.stroke(this.nodes[i], door.map((d, n) => d + (d - this.nodes[i][n]) * 0.7), solid);
+  }
+  svg(description) {
+    const dots = this.nodes.map(([x, y]) => `M${x.toFixed(1)},${y.toFixed(1)}h0`).join('');
+    const paths = { ...this.faces, ...this.strokes, node: dots };
+    return `<svg class="patch" viewBox="5 5 390 390" role="img" aria-label="${description}">` +
+      Object.entries(paths).filter(([, d]) => d).map(([style, d]) => `<path class="${style}" d="${d}"/>`).join('') + this.extra + '</svg>';
+  }
+}
+
+/// The closed fan before a split. `click`: edges can be clicked; each is a line of class `hit` that names itself.
+export function fanPicture(k, a, loop, ports, description, click = false) {
+  const rim = rimOf(k, a);
+  const center = [200, 200];
+  const patch = new Patch();
+  for (let i = 0; i < k; ++i) patch.add(center, rim[i], rim[i + 1]);
+  for (let i = 0; i < k; ++i) {
+    const across = middle(center, rim[i + 1]);
+    patch.join(i, (i + 1) % k, across, has(loop, i));
+    patch.port(i, rim[i], rim[i + 1], has(ports, i));
+    if (!click) continue;
+    const door = middle(rim[i], rim[i + 1]);
+    const outside = door.map((d, n) => d + (d - patch.nodes[i][n]) * 0.7);
+    const next = middle(center, rim[(i + 1) % k], rim[(i + 1) % k + 1]);
+    const line = (points) => points.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(' ');
+    patch.extra += `<polyline class="hit" tabindex="0" role="button" aria-pressed="${has(loop, i)}" aria-label="loop edge ${i}" data-edge="loop ${i}" points="${line([patch.nodes[i], across, next])}"/>` +
+      `<polyline class="hit" tabindex="0" role="button" aria-pressed="${has(ports, i)}" aria-label="port ${i}" data-edge="port ${i}" points="${line([patch.nodes[i], outside])}"/>`;
+  }
+  return patch.svg(description);
+}
+
+/// The ring with chord after it.
+export function ringPicture(k, a, inner, ports, description) {
+  const rim = rimOf(k, a);
+  const patch = new Patch();
+  const toward = (first, last) => middle(...rim.slice(first, last + 1)).map((c) => 200 + (c - 200) * 0.45);
+  const vS = toward(0, a);
+  const vT = toward(a, k);
+  for (let i = 0; i < k; ++i) patch.add(i < a ? vS : vT, rim[i], rim[i + 1]);
+  const nodeA = patch.add(vS, vT, rim[0], 'new');
+  const nodeD = patch.add(vT, vS, rim[a], 'new');
+  const ring = [nodeA, ...Array.from({ length: a }, (_, i) => i), nodeD, ...Array.from({ length: k - a }, (_, i) => a + i)];
+  for (let j = 0; j < k + 2; ++j) {
+    const across = middle(j <= a ? vS : vT, rim[j <= a ? j : j - 1]);
+    patch.join(ring[j], ring[(j + 1) % (k + 2)], across, has(inner, j));
+  }
+  patch.join(nodeA, nodeD, middle(vS, vT), has(inner, k + 2));
+  for (let i = 0; i < k; ++i) patch.port(i, rim[i], rim[i + 1], has(ports, i));
+  return patch.svg(description);
+}
+
+/// Pairs of consecutive solid ports that are joined in a closed fan, each as [port, the one that precedes it].
+function joinedPairs(k, loop, ports) {
+  const solid = [];
+  for (let i = 0; i < k; ++i) if (has(ports, i)) solid.push(i);
+  const pairs = [];
+  if (solid.length < 2) return pairs;
+  solid.forEach((port, n) => {
+    const before = solid[(n + solid.length - 1) % solid.length];
+    let joined = true;
+    for (let i = before; i !== port; i = (i + 1) % k) joined &&= has(loop, i);
+    if (joined) pairs.push([port, before]);
+  });
+  return pairs;
+}
+
+function maskOf(k, ports, pairs) {
+  const solid = [];
+  for (let i = 0; i < k; ++i) if (has(ports, i)) solid.push(i);
+  let joined = 0n;
+  for (const [p, q] of pairs)
+    for (const [port, other] of [[p, q], [q, p]]) {
+      const n = solid.indexOf(port);
+      if (solid[(n + solid.length - 1) % solid.length] === other) joined |= 1n << BigInt(port);
+    }
+  return joined;
+}
+
+/// The key of a closed fan that is split at (k, a), and the smallest key of its orbit, which has the page's row.
+export function representative(k, a, loop, ports) {
+  const pairs = joinedPairs(k, loop, ports);
+  const maps = [(i) => i, (i) => (((a - 1 - i) % k) + k) % k];
+  if (2 * a === k) maps.push((i) => (i + a) % k, (i) => (((2 * a - 1 - i) % k) + k) % k);
+  let best = null;
+  for (const map of maps) {
+    let moved = 0n;
+    for (let i = 0; i < k; ++i) if (has(ports, i)) moved |= 1n << BigInt(map(i));
+    const joined = maskOf(k, moved, pairs.map(([p, q]) => [map(p), map(q)]));
+    if (!best || moved < best.ports || (moved === best.ports && joined < best.joined)) best = { ports: moved, joined };
+  }
+  return best;
+}
+
+/// How the atlas names the rule of a key.
+export const ruleName = (k, a, { ports, joined }) => `split-${k}-${a}-${ports.toString(16)}-${joined.toString(16)}`;
+
+/// A split at (k, a) with a > k / 2, seen from its other new triangle: (k, k - a).
+export function listed(k, a, loop, ports) {
+  if (2 * a <= k) return { a, loop, ports };
+  const turn = (mask) => {
+    let out = 0n;
+    for (let i = 0; i < k; ++i) if (has(mask, (i + a) % k)) out |= 1n << BigInt(i);
+    return out;
+  };
+  return { a: k - a, loop: turn(BigInt(loop)), ports: turn(BigInt(ports)) };
+}

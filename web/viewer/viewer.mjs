@@ -1,0 +1,318 @@
+// The viewer: a progressive mesh whose strips are kept in WebAssembly, drawn from the live index buffer.
+import { load } from '../js/restrip.mjs';
+import { readMesh } from '../js/formats.mjs';
+import { Camera } from './camera.mjs';
+import { Scene } from './scene.mjs';
+import { fanPicture, listed, representative, ringPicture, ruleName } from './patch.mjs';
+
+const by = (id) => document.getElementById(id);
+/// Operations in a frame, so that a frame stays short under every policy.
+const operationsPerFrame = { local: 1500, linked: 1500, quick: 500, full: 100 };
+
+async function embedded(id) {
+  const packed = Uint8Array.from(atob(by(id).textContent.trim()), (c) => c.charCodeAt(0));
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}
+
+class Viewer {
+  camera = new Camera();
+  cursor = null;
+  level = 0;
+  // Of recent operations: how many, and how long.
+  timed = { operations: 0, milliseconds: 0 };
+  lastFrame = { operations: 0, bytes: 0, whole: 0 };
+  #asked = false;
+  mostOperations = 0;  // of any frame
+  #moved = true;
+  #done = true;
+
+  constructor(restrip) {
+    this.restrip = restrip;
+    this.scene = new Scene(by('canvas'));
+    this.camera.listen(by('canvas'), () => this.#changed());
+    by('canvas').addEventListener('pointermove', (event) => {
+      const box = by('canvas').getBoundingClientRect();
+      this.cursor = [(event.clientX - box.left) / box.width * 2 - 1, 1 - (event.clientY - box.top) / box.height * 2];
+      if (by('mode').value === 'cursor' && event.buttons === 0) this.#changed();
+    });
+    by('level').addEventListener('input', () => { this.level = +by('level').value; this.#changed(); });
+    by('down').addEventListener('click', () => this.step(-1));
+    by('up').addEventListener('click', () => this.step(1));
+    for (const id of ['policy', 'cost']) by(id).addEventListener('change', () => this.begin());
+    by('mode').addEventListener('change', () => this.#changed());
+    by('style').addEventListener('change', () => this.ask());
+    by('compare').addEventListener('click', () => this.compare());
+    by('file').addEventListener('change', () => by('file').files.length && this.open(by('file').files[0]));
+    document.addEventListener('keydown', (event) => {
+      if (['SELECT', 'INPUT'].includes(event.target.tagName)) return;
+      if (event.key === '.') this.step(1);
+      if (event.key === ',') this.step(-1);
+    });
+    const stage = by('stage');
+    stage.addEventListener('dragover', (event) => { event.preventDefault(); stage.classList.add('over'); });
+    stage.addEventListener('dragleave', () => stage.classList.remove('over'));
+    stage.addEventListener('drop', (event) => {
+      event.preventDefault();
+      stage.classList.remove('over');
+      if (event.dataTransfer.files.length) this.open(event.dataTransfer.files[0]);
+    });
+    new ResizeObserver(() => this.#resize()).observe(stage);
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.ask());
+  }
+
+  // ---- meshes
+  async open(file) {
+    try {
+      await this.show(readMesh(file.name, await file.arrayBuffer()), file.name);
+    } catch (error) {
+      this.fault(error.message);
+    }
+  }
+  async show(source, name) {
+    const mesh = source.base ? this.restrip.progressive(source) : this.restrip.simplified(source);
+    if (mesh.levels === 0) {
+      mesh.close();
+      throw new Error(`${name}: no edge of it can be collapsed, so it has one level only`);
+    }
+    this.mesh?.close();
+    this.mesh = mesh;
+    by('fault').hidden = true;
+    this.splits = mesh.splits;
+    this.camera.fit(mesh.points);
+    this.scene.setPoints(mesh.points);
+    mesh.begin({ policy: 'local' }).moveTo(mesh.levels);
+    this.normals = this.#normalsOf(mesh.triangles);
+    const left = mesh.leftOut;
+    by('mesh-text').textContent = `${name}: ${mesh.figures.triangles.toLocaleString('en')} triangles, ${mesh.levels.toLocaleString('en')} levels below.` +
+      (left.triangles ? ` ${left.triangles} degenerate triangles were left out.` : '') +
+      (left.nonManifoldVertices ? ` The mesh is not a manifold at ${left.nonManifoldVertices} vertices, which stay as they are.` : '');
+    by('level').max = mesh.levels;
+    this.level = Math.round(mesh.levels * 0.35);
+    this.begin();
+  }
+  #normalsOf(triangles) {
+    const p = this.mesh.points;
+    const normals = new Float32Array(p.length);
+    for (let i = 0; i < triangles.length; i += 3) {
+      const [a, b, c] = [3 * triangles[i], 3 * triangles[i + 1], 3 * triangles[i + 2]];
+      const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
+      const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
+      const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+      for (const v of [a, b, c]) for (let k = 0; k < 3; ++k) normals[v + k] += n[k];
+    }
+    for (let v = 0; v < normals.length; v += 3) {
+      const length = Math.hypot(normals[v], normals[v + 1], normals[v + 2]) || 1;
+      for (let k = 0; k < 3; ++k) normals[v + k] /= length;
+    }
+    return normals;
+  }
+  /// The base with strips from scratch, then the way up under the chosen policy: what is seen does not depend on what
+  /// was seen before.
+  begin() {
+    this.mesh.begin({ policy: by('policy').value, cost: by('cost').value });
+    this.timed = { operations: 0, milliseconds: 0 };
+    this.#upload();
+    this.mesh.moveTo(Math.min(this.level, this.mesh.levels));
+    this.#changed();
+  }
+
+  // ---- single steps
+  step(by_) {
+    by('mode').value = 'level';
+    this.level = Math.max(0, Math.min(this.mesh.levels, this.level + by_));
+    this.#changed();
+  }
+  /// Nothing is left to be done.
+  get settled() { return !this.#asked && !this.#moved && this.#done; }
+  #changed() {
+    this.#moved = true;
+    this.ask();
+  }
+  ask() {
+    if (this.#asked) return;
+    this.#asked = true;
+    requestAnimationFrame(() => this.frame());
+  }
+  #resize() {
+    const box = by('stage').getBoundingClientRect();
+    const scale = Math.min(window.devicePixelRatio || 1, 2);
+    by('canvas').width = Math.max(1, Math.round(box.width * scale));
+    by('canvas').height = Math.max(1, Math.round(box.height * scale));
+    this.ask();
+  }
+
+  // ---- a frame
+  /// Which records are wanted in the view-dependent modes: the level everywhere, all of them where one looks.
+  #wanted() {
+    const mode = by('mode').value;
+    const { points, levels } = this.mesh;
+    const wanted = new Uint8Array(levels).fill(1, 0, this.level);
+    const canvas = by('canvas');
+    if (mode === 'cursor') {
+      const { from, along } = this.camera.ray(...(this.cursor ?? [0, 0]), canvas.width / canvas.height);
+      const hit = this.mesh.pick(from, along);
+      if (!hit) return wanted;
+      const near = (0.22 * this.camera.size) ** 2;
+      for (let i = this.level; i < levels; ++i) {
+        const v = 3 * this.splits[4 * i + 1];
+        if ((points[v] - hit[0]) ** 2 + (points[v + 1] - hit[1]) ** 2 + (points[v + 2] - hit[2]) ** 2 < near) wanted[i] = 1;
+      }
+      return wanted;
+    }
+    const eye = this.camera.eye;
+    for (let i = this.level; i < levels; ++i) {
+      const v = 3 * this.splits[4 * i + 1];
+      const [x, y, z] = [eye[0] - points[v], eye[1] - points[v + 1], eye[2] - points[v + 2]];
+      const facing = (x * this.normals[v] + y * this.normals[v + 1] + z * this.normals[v + 2]) / Math.hypot(x, y, z);
+      if (Math.abs(facing) < 0.2) wanted[i] = 1;
+    }
+    return wanted;
+  }
+  #upload() {
+    const ranges = this.mesh.update();  // may move the indices
+    this.scene.upload(this.mesh.indices, ranges);
+  }
+  frame() {
+    const started = performance.now();
+    this.#asked = false;
+    const { mesh, scene } = this;
+    if (!mesh) return;
+    if (this.#moved || !this.#done) {
+      const most = operationsPerFrame[by('policy').value];
+      const wanted = by('mode').value === 'level' ? null : this.#wanted();
+      const before = performance.now();
+      const done = wanted ? mesh.approach(wanted, most) : mesh.moveTo(this.level, most);
+      this.timed.milliseconds += performance.now() - before;
+      this.timed.operations += done;
+      if (this.timed.operations > 20000) for (const key in this.timed) this.timed[key] /= 2;
+      this.#moved = false;
+      this.#done = done < most;
+      this.mostOperations = Math.max(this.mostOperations, done);
+      scene.bytesUploaded = 0;
+      this.#upload();
+      if (done > 0 || scene.bytesUploaded > 0)
+        this.lastFrame = { operations: done, bytes: scene.bytesUploaded, whole: 4 * mesh.indices.length };
+      this.figures = mesh.figures;
+      this.showLast();
+    }
+    this.draw();
+    this.showFigures(performance.now() - started);
+    if (!this.#done) this.ask();
+  }
+  colors() {
+    const dark = matchMedia('(prefers-color-scheme: dark)').matches;
+    return dark ? { ink: [0.62, 0.66, 0.72], paper: [0.051, 0.059, 0.071] } : { ink: [0.86, 0.87, 0.88], paper: [0.914, 0.929, 0.945] };
+  }
+  /// `list`: draws the triangles of the mesh one by one, from no strips.
+  draw({ style = by('style').value, list = false, patch = true } = {}) {
+    const { mesh } = this;
+    const marked = patch && this.marked ? this.marked : null;
+    this.scene.draw(this.camera, { style, length: mesh.indices.length, ...this.colors(), patch: marked,
+      runs: style === 'strips' && !list ? mesh.runs : null, segments: style === 'lines' && !list ? mesh.lines : null,
+      list: list ? mesh.triangles : null });
+  }
+
+  // ---- what is said
+  fault(message) {
+    by('fault').textContent = message;
+    by('fault').hidden = false;
+  }
+  showFigures(milliseconds) {
+    const f = this.figures;
+    const number = (n) => n.toLocaleString('en');
+    const bytes = (n) => (n < 1e6 ? `${(n / 1000).toFixed(1)} kB` : `${(n / 1e6).toFixed(2)} MB`);
+    by('level').value = this.level;
+    by('level-text').textContent = `${number(f.played)} of ${number(this.mesh.levels)} splits`;
+    by('f-triangles').textContent = number(f.triangles);
+    by('f-strips').textContent = number(f.strips);
+    by('f-length').textContent = (f.triangles / f.strips).toFixed(1);
+    by('f-indices').textContent = (f.bufferIndices / f.triangles).toFixed(3);
+    by('f-operations').textContent = number(this.lastFrame.operations);
+    by('f-bytes').textContent = bytes(this.lastFrame.bytes);
+    by('f-whole').textContent = bytes(this.lastFrame.whole);
+    by('f-time').textContent = this.timed.operations > 50 ? `${(1000 * this.timed.milliseconds / this.timed.operations).toFixed(1)} µs` : '–';
+    by('f-frame').textContent = `${milliseconds.toFixed(1)} ms`;
+    by('down').disabled = this.level === 0;
+    by('up').disabled = this.level === this.mesh.levels;
+  }
+  showLast() {
+    const last = this.figures.operations > 0 ? this.mesh.last : null;
+    this.marked = last && this.lastFrame.operations === 1 ? last.trianglesAfter : null;
+    if (!last) return;
+    const change = last.strips === 0 ? 'the number of strips is the same' :
+      `${Math.abs(last.strips)} strip${Math.abs(last.strips) === 1 ? '' : 's'} ${last.strips > 0 ? 'more' : 'fewer'}`;
+    const what = { split: 'Vertex split', collapse: 'Edge collapse', flip: 'Edge flip' }[last.kind];
+    if (!last.closed) {
+      by('last-text').textContent = `${what} at the boundary of the mesh: ${change}.`;
+      by('last-pictures').replaceChildren();
+      return;
+    }
+    const { k, a, ports } = last;
+    const place = `${what}, a vertex of ${k} triangles (k = ${k}, a = ${a}): ${change}.`;
+    // A split leads from a fan to a ring with chord, a collapse back.
+    const [from, to] = last.kind === 'split' ? [fanPicture, ringPicture] : [ringPicture, fanPicture];
+    const pictures = [[from(k, a, last.before, ports, 'before'), 'before']];
+    const { colors } = this.restrip.rule({ family: last.kind, k, a, edges: last.before, ports });
+    const asRule = colors === last.after && last.portsAfter === ports;
+    if (by('cost').value === 'indices') {
+      by('last-text').textContent = `${place} To keep indices low no rule is looked up: the new triangles continue the strips ` +
+        'on which they land, and small changes follow as long as they save indices.';
+    } else {
+      const rule = `rule${this.#nameOf(last)}`;
+      by('last-text').innerHTML = asRule ? `${place} That is its ${rule}.`
+        : `${place} Its ${rule} keeps the ports; the policy then changed colours further.`;
+      if (!asRule) pictures.push([to(k, a, colors, ports, 'after the rule'), 'the rule']);
+    }
+    pictures.push([to(k, a, last.after, last.portsAfter, 'after'), 'after']);
+    by('last-pictures').innerHTML = pictures.map(([svg, caption]) => `<figure>${svg}<figcaption>${caption}</figcaption></figure>`).join('');
+  }
+  /// A link to the rule of a split that the atlas has.
+  #nameOf({ kind, k, a, before, ports }) {
+    if (kind !== 'split' || k > 8) return '';
+    const seen = listed(k, a, before, ports);
+    const key = representative(k, seen.a, seen.loop, seen.ports);
+    const id = ruleName(k, seen.a, key);
+    return ` <a href="atlas/split-${k}-${seen.a}.html#${id}">${id}</a>`;
+  }
+  async compare() {
+    by('compare').disabled = true;
+    const rows = [];
+    const cost = by('cost').value;
+    const source = { points: this.mesh.points, base: this.#baseOf(), splits: this.splits };
+    for (const policy of ['local', 'linked', 'quick', 'full']) {
+      by('compared').textContent = `${policy} …`;
+      await new Promise((done) => setTimeout(done, 30));
+      const mesh = this.restrip.progressive(source).begin({ policy, cost });
+      const before = performance.now();
+      mesh.moveTo(mesh.levels);
+      const each = (performance.now() - before) * 1000 / mesh.levels;
+      const { triangles, strips, addingStrip } = mesh.figures;
+      rows.push([policy, strips, (mesh.plainIndices / triangles).toFixed(3), `${(100 * addingStrip / mesh.levels).toFixed(1)} %`, each.toFixed(1)]);
+      if (policy === 'full') this.bound = mesh.indexBound / triangles;
+      mesh.close();
+    }
+    by('compared').innerHTML = '<table><thead><tr><th>policy<th>strips<th>indices per triangle<th>splits that add a strip<th>µs a split</tr></thead><tbody>' +
+      rows.map((row) => `<tr>${row.map((cell) => `<td>${typeof cell === 'number' ? cell.toLocaleString('en') : cell}`).join('')}</tr>`).join('') +
+      `</tbody></table><p>At the finest level. No strips of this mesh have fewer than ${this.bound.toFixed(3)} indices per triangle; a triangle list has 3.</p>`;
+    by('compare').disabled = false;
+  }
+  #baseOf() {
+    const { policy, cost } = { policy: by('policy').value, cost: by('cost').value };
+    this.mesh.begin({ policy: 'local' });
+    const base = this.mesh.triangles;
+    this.mesh.begin({ policy, cost });
+    this.begin();
+    return base;
+  }
+}
+
+try {
+  const restrip = await load(await embedded('wasm'));
+  const viewer = new Viewer(restrip);
+  window.restripViewer = viewer;  // for the console, and for tests
+  await viewer.show(readMesh('hare.pm', await embedded('mesh')), 'hare');
+} catch (error) {
+  by('fault').textContent = error.message;
+  by('fault').hidden = false;
+  console.error(error);
+}
