@@ -57,7 +57,7 @@ const quiet = (page) => assert.deepEqual(page.faults, []);
 
 const browser = await Browser.start(chromium);
 try {
-  const page = await browser.page(760, 520);
+  const page = await browser.page(840, 520);
   await page.open(address);
   await settled(page);
   writeFileSync(join(scratch, 'viewer.png'), await page.screenshot());

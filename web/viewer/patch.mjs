@@ -1,17 +1,17 @@
 // Patches of splits as pictures, and their keys; docs/notation.md numbers their edges. The drawing is that of
 // scripts/pictures.py.
 
-const middle = (...places) => [0, 1].map((n) => places.reduce((sum, p) => sum + p[n], 0) / places.length);
-const has = (mask, bit) => (BigInt(mask) >> BigInt(bit) & 1n) === 1n;
+export const middle = (...places) => [0, 1].map((n) => places.reduce((sum, p) => sum + p[n], 0) / places.length);
+export const has = (mask, bit) => (BigInt(mask) >> BigInt(bit) & 1n) === 1n;
 
-function rimOf(k, a) {
+export function rimOf(k, a) {
   const step = 2 * Math.PI / k;
   const start = Math.PI / 2 + step * a / 2;
   const places = Array.from({ length: k }, (_, i) => [200 + 150 * Math.cos(start - step * i), 200 + 150 * Math.sin(start - step * i)]);
   return [...places, places[0]];
 }
 
-class Patch {
+export class Patch {
   faces = { old: '', new: '' };
   strokes = { dashed: '', solid: '' };
   nodes = [];
@@ -108,11 +108,12 @@ function maskOf(k, ports, pairs) {
   return joined;
 }
 
-/// The key of a closed fan that is split at (k, a), and the smallest key of its orbit, which has the page's row.
-export function representative(k, a, loop, ports) {
+/// Of the keys in the orbit of a closed fan that is split at (k, a), the smallest, which has a row in the atlas; or the
+/// key of the fan itself.
+export function representative(k, a, loop, ports, itself = false) {
   const pairs = joinedPairs(k, loop, ports);
-  const maps = [(i) => i, (i) => (((a - 1 - i) % k) + k) % k];
-  if (2 * a === k) maps.push((i) => (i + a) % k, (i) => (((2 * a - 1 - i) % k) + k) % k);
+  const maps = itself ? [(i) => i] : [(i) => i, (i) => (((a - 1 - i) % k) + k) % k];
+  if (2 * a === k && !itself) maps.push((i) => (i + a) % k, (i) => (((2 * a - 1 - i) % k) + k) % k);
   let best = null;
   for (const map of maps) {
     let moved = 0n;

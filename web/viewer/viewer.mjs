@@ -1,6 +1,7 @@
 // The viewer: a progressive mesh whose strips are kept in WebAssembly, drawn from the live index buffer.
 import { load } from '../js/restrip.mjs';
 import { readMesh } from '../js/formats.mjs';
+import { embedded } from './embedded.mjs';
 import { Camera } from './camera.mjs';
 import { Scene } from './scene.mjs';
 import { fanPicture, listed, representative, ringPicture, ruleName } from './patch.mjs';
@@ -8,11 +9,6 @@ import { fanPicture, listed, representative, ringPicture, ruleName } from './pat
 const by = (id) => document.getElementById(id);
 /// Operations in a frame, so that a frame stays short under every policy.
 const operationsPerFrame = { local: 1500, linked: 1500, quick: 500, full: 100 };
-
-async function embedded(id) {
-  const packed = Uint8Array.from(atob(by(id).textContent.trim()), (c) => c.charCodeAt(0));
-  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
-}
 
 class Viewer {
   camera = new Camera();
@@ -164,7 +160,7 @@ class Viewer {
       const v = 3 * this.splits[4 * i + 1];
       const [x, y, z] = [eye[0] - points[v], eye[1] - points[v + 1], eye[2] - points[v + 2]];
       const facing = (x * this.normals[v] + y * this.normals[v + 1] + z * this.normals[v + 2]) / Math.hypot(x, y, z);
-      if (Math.abs(facing) < 0.2) wanted[i] = 1;
+      if (Math.abs(facing) < 0.12) wanted[i] = 1;
     }
     return wanted;
   }
@@ -295,6 +291,7 @@ class Viewer {
       rows.map((row) => `<tr>${row.map((cell) => `<td>${typeof cell === 'number' ? cell.toLocaleString('en') : cell}`).join('')}</tr>`).join('') +
       `</tbody></table><p>At the finest level. No strips of this mesh have fewer than ${this.bound.toFixed(3)} indices per triangle; a triangle list has 3.</p>`;
     by('compare').disabled = false;
+    this.ask();
   }
   #baseOf() {
     const { policy, cost } = { policy: by('policy').value, cost: by('cost').value };

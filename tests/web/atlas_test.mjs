@@ -1,0 +1,158 @@
+// The atlas in headless Chromium. Its rules are those of the native dump: every valid configuration of a split with k <= 6
+// leads, by the key that the page's own script computes, to a row whose answer, moved back by the symmetry, costs what
+// the library's answer costs; and rows and copies together are as many as the certificate has. The tables are complete
+// without JavaScript. What is painted by clicks has the answer of the library, or a reason why it has none.
+//   node atlas_test.mjs WEB_FOLDER CHROMIUM DUMP_TABLES SCRATCH; screenshots are written into SCRATCH
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { Browser } from './browser.mjs';
+
+const [folder, chromium, dumpProgram, scratch] = process.argv.slice(2);
+const root = fileURLToPath(new URL('../../', import.meta.url));
+const { representative } = await import(pathToFileURL(join(root, 'web/viewer/patch.mjs')));
+mkdirSync(scratch, { recursive: true });
+const address = (page) => pathToFileURL(join(folder, page)).href;
+const count = (mask) => mask.toString(2).replaceAll('0', '').length;
+
+/// The rows of a page: by name, [ports, joined, loop, colours].
+const rowsOf = (page) => new Map([...readFileSync(join(folder, 'atlas', page), 'utf8').matchAll(/<tr id="([^"]*)" class="([^"]*)" data-k="([^"]*)"/g)]
+  .map(([, name, kinds, numbers]) => [name, { kinds, numbers: numbers.split(' ').map(Number) }]));
+
+// ---- rows against certificates: each rule has its row, with its answer
+let rules = 0;
+for (const family of ['split', 'collapse', 'fan-collapse', 'open-split', 'boundary-split', 'flip']) {
+  let rows;
+  let place = '';
+  let left = 0;
+  for (const line of readFileSync(join(root, `tables/certificates/${family}.cert`), 'latin1').split('\n')) {
+    const words = line.split(' ');
+    if (words[0] === 'section' || words[0] === 'end') {
+      assert.equal(left, 0, `${place}: rows that no rule has`);
+      if (words[0] === 'end') break;
+      place = [family, ...words.filter((word) => /^\d+$/.test(word))].join('-');
+      rows = rowsOf(`${place}.html`);
+      left = rows.size;
+    }
+    if (words[0] !== 'rule') continue;
+    const row = rows.get(`${place}-${words[1]}-${words[2]}`);
+    assert.ok(row, `${place}: no row for ${words[1]} ${words[2]}`);
+    const [ports, joined, third, last] = row.numbers;
+    const answer = family === 'flip' ? [third, last] : [last];
+    assert.deepEqual([ports, joined, ...answer], words.slice(1, family === 'flip' ? 5 : 4).map((word) => parseInt(word, 16)));
+    ++rules;
+    --left;
+  }
+}
+assert.equal(rules, 5919 + 351 + 1362 + 40862 + 10873 + 11, 'the certificates have other rules; correct the number here');
+
+// ---- rows against the dump
+let configurations = 0;
+const reached = new Set();
+{
+  let position = null;
+  let rows;
+  for (const line of execFileSync(dumpProgram, ['--max-k', '6'], { maxBuffer: 1 << 30, encoding: 'latin1' }).split('\n')) {
+    const words = line.split(' ');
+    if (words[0] === 'table') {
+      position = words[1] === 'split' && 2 * words[5] <= +words[3] ? { k: +words[3], a: +words[5] } : null;
+      if (position) rows = rowsOf(`split-${position.k}-${position.a}.html`);
+      continue;
+    }
+    if (!position || words.length !== 3 || words[2] === '-') continue;
+    const [loop, ports, inner] = words.map((word) => BigInt(`0x${word}`));
+    const { k, a } = position;
+    const key = representative(k, a, loop, ports);
+    const name = `split-${k}-${a}-${key.ports.toString(16)}-${key.joined.toString(16)}`;
+    const row = rows.get(name);
+    assert.ok(row, `${line}: no row ${name}`);
+    assert.equal(count(row.numbers[3]), count(inner), `${line}: row ${name} keeps another number of edges`);
+    if (2 - count(inner) + count(loop) > 0) {
+      assert.match(row.kinds, /\bcosts\b/);
+      reached.add(name);
+    }
+    ++configurations;
+  }
+  assert.equal(configurations, 44 + 2 * 160 + 2 * 572 + 3 * 2040);
+  for (const page of readdirSync(join(folder, 'atlas')).filter((name) => /^split-[3-6]-/.test(name)))
+    for (const [name, { kinds }] of rowsOf(page)) assert.equal(/\bcosts\b/.test(kinds), reached.has(name), name);
+}
+console.log(`${rules} rules, ${configurations} configurations`);
+
+const browser = await Browser.start(chromium);
+try {
+  // Without JavaScript: every rule of the page in words, and every link of the index leads somewhere.
+  const plain = await browser.page(1100, 800, { scripts: false });
+  await plain.open(address('atlas/split-4-2.html'));
+  writeFileSync(join(scratch, 'atlas-plain.png'), await plain.screenshot());
+
+  const page = await browser.page(1200, 900);
+  for (const start of ['index.html', 'atlas/index.html']) {
+    await page.open(address(start));
+    const links = await page.run('[...document.links].map((link) => link.href).concat([...document.images].map((image) => image.src))');
+    assert.ok(links.length >= 6, `${start}: ${links.length} links`);
+    for (const link of links) readFileSync(new URL(link.replace(/#.*/, '')));
+    writeFileSync(join(scratch, `${start.replace('/', '-').replace('.html', '')}.png`), await page.screenshot());
+  }
+  assert.equal(await page.run('document.querySelectorAll("table.index tbody tr").length'), 15 + 6 + 1 + 70 + 24 + 8);
+
+  // A link to a rule shows it, with its pictures; the filters leave what they say.
+  await page.open(`${address('atlas/split-8-4.html')}#split-8-4-15-4`);
+  const linked = await page.run(() => {
+    const row = document.querySelector('tr:target');
+    const { top, bottom } = row.getBoundingClientRect();
+    return { seen: top >= 0 && bottom <= innerHeight, height: bottom - top };
+  });
+  assert.ok(linked.seen, 'the linked row is not in sight');
+  await page.until('document.querySelectorAll("tr:target svg.patch").length === 2');
+  const filtered = await page.run(() => {
+    const form = document.getElementById('filter');
+    form.querySelector('[name=costs]').click();
+    const wanted = document.querySelector('#rules tr.costs').cells[2].textContent;
+    form.ports.value = wanted;
+    form.dispatchEvent(new Event('input'));
+    return [...document.querySelectorAll('#rules tbody tr:not([hidden])')].map((row) => [row.className, row.cells[2].textContent, wanted]);
+  });
+  assert.ok(filtered.length > 0);
+  for (const [kinds, ports, wanted] of filtered) {
+    assert.match(kinds, /\bcosts\b/);
+    assert.equal(ports, wanted);
+  }
+  for (const other of ['open-split-5-1-3', 'boundary-split-4-1', 'collapse-6', 'fan-collapse-5', 'flip']) {
+    await page.open(address(`atlas/${other}.html`));
+    await page.until('document.querySelectorAll("#rules tbody tr:first-child svg.patch").length === 2');
+    assert.equal(await page.run('[...document.querySelectorAll("path")].some((path) => /NaN|undefined/.test(path.getAttribute("d")))'), false, other);
+  }
+
+  // Painting.
+  await page.open(address('atlas/paint.html'));
+  await page.until('!!window.restripPainter');
+  const paint = (k, a, loop, ports) => page.run((n, m, clicks) => {
+    for (const [id, value] of [['k', n], ['a', m]]) {
+      document.getElementById(id).value = value;
+      document.getElementById(id).dispatchEvent(new Event('input'));
+    }
+    document.getElementById('clear').click();
+    for (const edge of clicks) document.querySelector(`[data-edge="${edge}"]`).dispatchEvent(new MouseEvent('click', { bubbles: true }));
+    return { verdict: document.getElementById('verdict').textContent, after: document.querySelectorAll('#after svg').length };
+  }, k, a, [...loop.map((i) => `loop ${i}`), ...ports.map((i) => `port ${i}`)]);
+  const good = await paint(4, 2, [0, 1], [3]);
+  assert.match(good.verdict, /Rule split-4-2-/);
+  assert.equal(good.after, 1);
+  assert.match((await paint(4, 2, [0, 1], [1])).verdict, /No strips have these colours: triangle 1 has three solid lines/);
+  assert.match((await paint(5, 1, [0, 1, 2, 3, 4], [])).verdict, /closes a cycle/);
+  assert.match((await paint(20, 9, [0, 1, 4, 5, 6], [3, 8])).verdict, /the automaton computed this rule/);
+  writeFileSync(join(scratch, 'paint.png'), await page.screenshot());
+  assert.deepEqual(page.faults, []);
+
+  const phone = await browser.page(400, 760);
+  for (const each of ['index.html', 'atlas/index.html', 'atlas/split-5-2.html', 'atlas/paint.html']) {
+    await phone.open(address(each));
+    assert.equal(await phone.run('document.documentElement.scrollWidth'), 400, `${each} sticks out sideways`);
+  }
+  assert.deepEqual(phone.faults, []);
+} finally {
+  await browser.stop();
+}

@@ -1,0 +1,55 @@
+// The pages of the atlas: pictures are drawn when their rows come into sight, rows are filtered, a link's row is shown.
+import { fanPicture, ringPicture } from '../viewer/patch.mjs';
+import { anyFan, flipPicture, openSplitPicture } from './drawings.mjs';
+
+function pairsOf(ports, joined, closed) {
+  const solid = [];
+  for (let i = 0; 1 << i <= ports; ++i) if (ports >> i & 1) solid.push(i);
+  return solid.flatMap((p, n) => (joined >> p & 1 && (closed || n > 0) ? [[p, solid[(n + solid.length - 1) % solid.length]]] : []));
+}
+
+function drawRow(row, { family, n, at }) {
+  const [p, q, r, s] = row.dataset.k.split(' ').map(Number);
+  const k = +n;
+  const places = at === '' ? [] : at.split(' ').map(Number);
+  if (family === 'flip') return flipPicture(false, q === 1, p, 'before') + flipPicture(true, s === 1, r, 'after');
+  if (family === 'split') return fanPicture(k, places[0], r, p, 'before') + ringPicture(k, places[0], s, p, 'after');
+  const closed = family === 'collapse';
+  if (closed || family === 'fan-collapse')
+    return anyFan({ closed, k }, 0, p, 'what the rule reads: the ports, and which are joined', pairsOf(p, q, closed)) +
+      anyFan({ closed, k }, s, p, 'after');
+  return anyFan({ closed: false, k }, r, p, 'before') + openSplitPicture(k, places, s, p, 'after');
+}
+
+const table = document.getElementById('rules');
+if (table) {
+  const rows = [...table.tBodies[0].rows];
+  const watcher = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      if (!isIntersecting) continue;
+      watcher.unobserve(target);
+      if (target.cells[0].innerHTML === '') target.cells[0].innerHTML = drawRow(target, table.dataset);
+    }
+  }, { rootMargin: '600px' });
+  rows.forEach((row) => watcher.observe(row));
+
+  const form = document.getElementById('filter');
+  const filter = () => {
+    const kinds = [...form.querySelectorAll('[type=checkbox]:checked')].map((box) => box.name);
+    const wanted = form.ports?.value.match(/\d+/g)?.reduce((mask, i) => mask | 1 << i, 0);
+    let shown = 0;
+    for (const row of rows) {
+      row.hidden = !kinds.every((kind) => row.classList.contains(kind)) ||
+        (wanted !== undefined && +row.dataset.k.split(' ')[0] !== wanted);
+      shown += row.hidden ? 0 : 1;
+    }
+    form.querySelector('output').textContent = shown === rows.length ? `${shown} rules` : `${shown} of ${rows.length} rules`;
+  };
+  form.hidden = false;
+  form.addEventListener('input', filter);
+  form.addEventListener('submit', (event) => event.preventDefault());
+  filter();
+  const go = () => document.getElementById(location.hash.slice(1))?.scrollIntoView({ block: 'center' });
+  addEventListener('hashchange', go);
+  if (location.hash) go();
+}
