@@ -6,7 +6,7 @@ set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
-need "${build_packages[@]}"
+need "${build_packages[@]}" "${web_packages[@]}"
 
 say "building"
 cmake --preset programs >/dev/null
@@ -33,3 +33,7 @@ cat <<'END'
 For comparison: the paper (Porcu, Sanna, Scateni), which has rules for 4-vertices and lets the new triangles of every other
 split inherit colours, reports an isolated triangle in 52.7 % of the splits of its teapot and 51.5 % of those of its bunny.
 END
+
+say "making the pages: a viewer, and an atlas of all rules"
+cmake --build --preset programs --target web
+echo "open them in a browser: file://$PWD/build/programs/web/index.html"

@@ -29,6 +29,8 @@ need() {
 
 build_packages=(g++ cmake ninja-build libboost-graph-dev libnauty2-dev libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
   libssl-dev libgtest-dev)
+# Wanted by the pages for the browser.
+web_packages=(python3 clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32)
 # Wanted by tests alone.
 test_packages=(libcgal-dev libtbb-dev cadical python3 clang-14 libclang-rt-14-dev clang-tidy-14 clang-format-14 xz-utils
   parallel openmpi-bin g++-multilib lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32 nodejs chromium)

@@ -37,8 +37,6 @@ class Session {
     }
     dependents_.resize(source_.splits.size());
     played_.resize(source_.splits.size());
-    made_by_.assign(source_.points, none);
-    for (std::uint32_t i = 0; i < source_.splits.size(); ++i) made_by_[source_.splits[i].v_t] = i;
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -65,6 +63,7 @@ class Session {
     std::fill(dependents_.begin(), dependents_.end(), 0);
     figures_ = {};
     last_ = {};
+    checked_ = false;
     changed_.clear();
     mesh_.watch(&changed_);
     buffer_.rebuild(mesh_);
@@ -75,11 +74,21 @@ class Session {
   /// Towards the level at which the first `level` records are played: takes back what lies beyond, the last one first,
   /// then plays what is missing, in order. At most `most` operations; returns how many were done.
   std::size_t move(std::size_t level, std::size_t most) {
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < played_.size(); ++i) left += (played_[i] != 0) != (i < level) ? 1 : 0;
+    left = std::min(left, most);
     std::size_t done = 0;
-    for (std::size_t i = played_.size(); i-- > level && done < most;)
-      if (played_[i] != 0 && take_back(i)) ++done;
-    for (std::size_t i = 0; i < level && i < played_.size() && done < most; ++i)
-      if (played_[i] == 0 && play(i)) ++done;
+    for (std::size_t i = played_.size(); i-- > level && done < most;) {
+      if (played_[i] == 0) continue;
+      tell_ = done + 1 == left;
+      if (take_back(i)) ++done;
+    }
+    for (std::size_t i = 0; i < level && i < played_.size() && done < most; ++i) {
+      if (played_[i] != 0) continue;
+      tell_ = done + 1 == left;
+      if (play(i)) ++done;
+    }
+    tell_ = true;
     return done;
   }
 
@@ -94,23 +103,24 @@ class Session {
     return done;
   }
 
-  // ---- single operations, by vertices
+  // ---- single operations, by vertices. From then on records are checked before they are played.
   Refusal split(const Record& r) {
     const Where where = spokes_of(mesh_, r);
     const Refusal refusal = check_split(mesh_, where, r.v_t);
-    if (refusal == Refusal::granted) do_split(where, r.v_t);
+    if (refusal == Refusal::granted) checked_ = true, do_split(where, r.v_t);
     return refusal;
   }
   Refusal collapse(Vertex v_s, Vertex v_t) {
     const Halfedge chord = edge(v_s, v_t);
     const Refusal refusal = chord.id == none ? Refusal::no_such_edge : check_collapse(mesh_, chord);
-    if (refusal == Refusal::granted) do_collapse(chord);
+    if (refusal == Refusal::granted) checked_ = true, do_collapse(chord);
     return refusal;
   }
   Refusal flip(Vertex u, Vertex v) {
     const Halfedge h = edge(u, v);
     const Refusal refusal = h.id == none ? Refusal::no_such_edge : check_flip(mesh_, h);
     if (refusal != Refusal::granted) return refusal;
+    checked_ = true;
     const auto quad = [this](Halfedge g, std::vector<Corners>& out) {
       out = {mesh_.corners(StripMesh::triangle(g)), mesh_.corners(StripMesh::triangle(mesh_.opposite(g)))};
     };
@@ -165,7 +175,7 @@ class Session {
   bool play(std::size_t i) {
     const Record& r = source_.splits[i];
     const Where where = spokes_of(mesh_, r);
-    if (check_split(mesh_, where, r.v_t) != Refusal::granted) return ++figures_.refused, false;
+    if (checked_ && check_split(mesh_, where, r.v_t) != Refusal::granted) return ++figures_.refused, false;
     do_split(where, r.v_t);
     played_[i] = 1;
     for (const std::uint32_t need : hierarchy_.needs(i)) ++dependents_[need];
@@ -174,7 +184,7 @@ class Session {
   bool take_back(std::size_t i) {
     const Record& r = source_.splits[i];
     const Halfedge chord = edge(r.v_s, r.v_t);
-    if (dependents_[i] != 0 || chord.id == none || check_collapse(mesh_, chord) != Refusal::granted)
+    if (checked_ && (dependents_[i] != 0 || chord.id == none || check_collapse(mesh_, chord) != Refusal::granted))
       return ++figures_.refused, false;
     do_collapse(chord);
     played_[i] = 0;
@@ -202,6 +212,7 @@ class Session {
     for (const Triangle t : patch_) out.push_back(mesh_.corners(t));
   }
   void do_split(const Where& where, Vertex v_t) {
+    if (!tell_) return count(by_strips_ ? by_strips_->split(where, v_t) : by_cost_->split(where, v_t));
     const bool both = where.spokes == Where::Spokes::both;
     last_.kind = LastOperation::Kind::split;
     last_.before = both ? fan_colors(mesh_, where.left, where.right) : PatchColors{};
@@ -214,6 +225,7 @@ class Session {
     count(done);
   }
   void do_collapse(Halfedge chord) {
+    if (!tell_) return count(by_strips_ ? by_strips_->collapse(chord) : by_cost_->collapse(chord));
     last_.kind = LastOperation::Kind::collapse;
     last_.before = mesh_.leaves_boundary(chord) || mesh_.leaves_boundary(mesh_.opposite(chord))
                        ? PatchColors{}
@@ -242,7 +254,6 @@ class Session {
   std::size_t refused_record_ = none;
   std::vector<std::uint8_t> played_;       // by record
   std::vector<std::uint32_t> dependents_;  // by record: those played that need it
-  std::vector<std::uint32_t> made_by_;     // by vertex: the record that adds it, or none
   std::vector<std::uint32_t> stack_;
 
   StripMesh mesh_;
@@ -254,6 +265,8 @@ class Session {
   std::vector<IndexRange> given_;
   Figures figures_;
   LastOperation last_;
+  bool tell_ = true;      // the operations that follow are to be described in last_
+  bool checked_ = false;  // the mesh may be one where records cannot be played
   std::vector<Triangle> patch_;
 };
 
