@@ -8,6 +8,8 @@
 #include "lod/pm_file.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/mesh_file.hpp"
+#include "meshes/strip_file.hpp"
+#include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "target.hpp"
 #include "tools/shapes.hpp"
@@ -71,6 +73,14 @@ std::string big_endian_ply() {
          std::string(42, '\0') + std::string("\0\0\0\3\0\0\0\1\0\2x", 11);
 }
 
+std::string ply_of_strips() {
+  const Soup shape = sheet(2);
+  StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
+  stripify(mesh);
+  const std::vector<std::uint32_t> indices = strip_indices(mesh);
+  return strip_bytes({shape.points, indices, shape.triangles}, ".ply");
+}
+
 }  // namespace
 
 std::vector<Target> mesh_targets() {
@@ -98,7 +108,8 @@ std::vector<Target> mesh_targets() {
        {mesh_bytes(shape, ".ply"), big_endian_ply(),
         "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element edge 1\nproperty int a\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 "
-        "0 0\n0 1 0\n7\n3 0 1 2\n"},
+        "0 0\n0 1 0\n7\n3 0 1 2\n",
+        ply_of_strips()},
        soup(read_ply),
        10000},
       {"stl",

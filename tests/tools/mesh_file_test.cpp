@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <fstream>
 
@@ -169,6 +170,26 @@ TEST(Ply, Refusals) {
   expect_refused(read_ply, with("7 3 0 1 2", "7 3 0 1 5"), "refers to vertex 5");
   expect_refused(read_ply, with("7 3 0 1 2", "7 3 0 1"), "ends among the faces");
   expect_refused(read_ply, with("comment c", "commend c"), "unknown keyword");
+}
+
+// A turn the other way is a repeated index; what draws nothing is no triangle.
+TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
+  const auto with = [](std::string_view lists) {
+    return fmt::format(
+        "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+        "element tristrips {}\nproperty uchar material\nproperty list int int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n{}",
+        std::count(lists.begin(), lists.end(), '\n'), lists);
+  };
+  const auto triangles = [&](std::string_view lists) { return read_ply(with(lists), "f").triangles; };
+  EXPECT_EQ(triangles("9 4 0 1 2 3\n"), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}}));
+  EXPECT_EQ(triangles("9 5 0 1 2 1 3\n"), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}})) << "a swap";
+  EXPECT_EQ(triangles("9 8 0 1 2 -1 2 1 3 -1\n9 2 0 1\n9 3 2 3 4\n"),
+            (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
+  expect_refused(read_ply, with("9 3 0 1 6\n"), "refers to vertex 6");
+  expect_refused(read_ply, with("9 3 0 1 -2\n"), "strip list 0 has a corner -2, which is no vertex");
+  expect_refused(read_ply, with("9 3 0 1\n"), "ends among the strips");
+  expect_refused(read_ply, with("9 2 0 1\n"), "no triangles");
 }
 
 std::string stl_binary(const Soup& soup) {

@@ -20,9 +20,7 @@
 #include "replay/walk.hpp"
 #include "replay/ways.hpp"
 #include "restrip/operations/operations.hpp"
-#include "restrip/output/index_bound.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/output/vertex_cache.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -231,54 +229,6 @@ int run(const MakeMeshCommand& command) {
       fmt::format("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size()),
       json.dump(2) + "\n");
   return 0;
-}
-
-int run(const StripifyCommand& command) {
-  const ReportOutput out(command.json, {command.mesh});
-  const Soup soup = read_mesh(command.mesh);
-  BuildReport report;
-  StripMesh mesh;
-  Medians building;
-  building.time([&] { mesh = StripMesh::build(soup.triangles, soup.points.size(), &report); });
-  Medians clock;
-  clock.time(
-      [&] { stripify(mesh, command.effort, command.cost, command.limit * mesh.triangle_count(), command.seed); });
-  const Strips strips = extract_strips(mesh);
-  std::vector<std::uint32_t> indices;
-  Medians writing;
-  writing.time([&] { indices = strip_indices(mesh); });
-  const std::size_t bound = strip_index_lower_bound(mesh);
-  const std::vector<std::string> faults = find_faults(mesh);
-  const std::size_t left_out = report.degenerate_triangles + report.out_of_range_triangles;
-  const double seconds = clock.nanoseconds() * 1e-9;
-  const std::size_t triangles = mesh.triangle_count();
-  // Indices that are repeated, in the middle of a strip or at its beginning.
-  const std::size_t swaps = triangles == 0 ? 0 : indices.size() + 1 - triangles - 3 * strips.size();
-  const double cache_misses = acmr(indices, 16, triangles);
-  const nlohmann::ordered_json json{{"triangles", triangles},
-                                    {"left_out", left_out},
-                                    {"strips", strips.size()},
-                                    {"components", connected_components(mesh)},
-                                    {"swaps", swaps},
-                                    {"indices", indices.size()},
-                                    {"lower_bound_indices", bound},
-                                    {"acmr", cache_misses},
-                                    {"seconds", seconds},
-                                    {"seconds_to_build", building.nanoseconds() * 1e-9},
-                                    {"seconds_to_write", writing.nanoseconds() * 1e-9},
-                                    {"valid", faults.empty()}};
-  const auto per_triangle = [triangles](std::size_t count) {
-    return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(triangles, 1));
-  };
-  out.print(
-      fmt::format("{}: {} triangles ({} degenerate ones left out) in {} strips, {} connected components\n"
-                  "{:.3f} indices per triangle (at least {:.3f} in any strips), {} swaps, {:.3f} vertex cache misses "
-                  "per triangle (FIFO 16), {:.3f} seconds\n",
-                  command.mesh.string(), triangles, left_out, strips.size(), connected_components(mesh),
-                  per_triangle(indices.size()), per_triangle(bound), swaps, cache_misses, seconds),
-      json.dump(2) + "\n");
-  for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
-  return faults.empty() ? 0 : 1;
 }
 
 int run(const DrawCommand& command) {

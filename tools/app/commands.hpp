@@ -11,6 +11,7 @@
 #include "lod/bake.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
+#include "meshes/strip_file.hpp"
 #include "paper/paper.hpp"
 #include "replay/replay.hpp"
 #include "restrip/search/stripify.hpp"
@@ -67,6 +68,8 @@ int run(const MakeMeshCommand& command);
 
 struct StripifyCommand {
   std::filesystem::path mesh;
+  std::filesystem::path out;  ///< empty: the strips are counted and not written
+  GltfPrimitives gltf = GltfPrimitives::restart;
   Effort effort = Effort::fast;
   Cost cost = Cost::strips();
   std::uint64_t limit = 0;  ///< of stripify(), for each triangle; 0: its own

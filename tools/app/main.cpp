@@ -191,8 +191,23 @@ CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
 }
 
 CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
-  CLI::App* sub = app.add_subcommand("stripify", "Make the strips of a mesh from scratch");
+  CLI::App* sub = app.add_subcommand("stripify", "Make the strips of a mesh from scratch, and write them");
   sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl")->required();
+  const auto* output = sub->add_option("-o,--output", command.out,
+                                       ".ply (tristrips), .glb, .obj (triangles in their order) or .bin (indices of 32 "
+                                       "bits, 0xFFFFFFFF between strips)");
+  const auto* gltf = sub->add_option_function<std::string>(
+                            "--gltf",
+                            [&command](const std::string& word) {
+                              command.gltf = word == "list"     ? GltfPrimitives::list
+                                             : word == "strips" ? GltfPrimitives::strips
+                                                                : GltfPrimitives::restart;
+                            },
+                            "what a .glb has: restart: one primitive, for viewers with KHR_mesh_primitive_restart; "
+                            "strips: a primitive "
+                            "for each strip; list: a list of triangles")
+                         ->check(CLI::IsMember({"restart", "strips", "list"}))
+                         ->default_str("restart");
   const auto* effort =
       sub->add_option("--effort", command.effort, "fast: one pass; full: a search or annealing; best: ten times longer")
           ->transform(CLI::CheckedTransformer(std::map<std::string, restrip::Effort>{
@@ -207,14 +222,16 @@ CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
   const auto* seed =
       sub->add_option("--seed", command.seed, "of annealing")->check(whole_number)->capture_default_str();
   add_json_option(*sub, command.json);
-  sub->callback([effort, limit, seed, &command] {
+  sub->callback([output, gltf, effort, limit, seed, &command] {
+    if (*gltf && (!*output || restrip::files::extension_of(command.out) != ".glb"))
+      throw CLI::ValidationError("--gltf", "only an output that ends in .glb has primitives");
     const bool anneals = command.effort != restrip::Effort::fast && !(command.cost == restrip::Cost::strips());
     if (*limit && command.effort == restrip::Effort::fast)
       throw CLI::ValidationError("--limit", fmt::format("{} fast has none", effort->get_name()));
     if (*seed && !anneals)
       throw CLI::ValidationError("--seed", "only --effort full and best with --cost indices draw at random");
   });
-  sub->footer("Example: restrip stripify bunny.obj --effort full --cost indices");
+  sub->footer("Example: restrip stripify bunny.obj --effort full --cost indices -o bunny.glb");
   return sub;
 }
 

@@ -1,5 +1,6 @@
-// PLY (the Stanford polygon format): text, little-endian and big-endian. Elements `vertex` (x, y, z) and `face`
-// (vertex_indices or vertex_index); all else is stepped over by its declared type.
+// PLY (the Stanford polygon format): text, little-endian and big-endian. Elements `vertex` (x, y, z), `face` and
+// `tristrips` (vertex_indices or vertex_index; in strips -1 begins the next one); all else is stepped over by its
+// declared type.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -63,6 +64,8 @@ class PlyReader {
         read_vertices(element);
       else if (element.name == "face")
         read_faces(element);
+      else if (element.name == "tristrips")
+        read_strips(element);
       else
         for (std::size_t i = 0; i < element.count; ++i)
           for (const Property& property : element.properties) skip(property);
@@ -216,23 +219,51 @@ class PlyReader {
     }
   }
 
+  static bool lists_corners(const Property& property) {
+    return property.length && (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+
+  std::uint32_t corner_of(double index, const char* kind, std::size_t number) const {
+    if (!(index >= 0) || index > static_cast<double>(max_vertices) || index != std::floor(index))
+      refuse(fmt::format("{} {} has a corner {}, which is no vertex", kind, number, index));
+    return static_cast<std::uint32_t>(index);
+  }
+
   void read_faces(const Element& element) {
     std::vector<std::uint32_t> corners;
     for (std::size_t i = 0; i < element.count; ++i)
       for (const Property& property : element.properties) {
-        if (!property.length || (property.name != "vertex_indices" && property.name != "vertex_index")) {
+        if (!lists_corners(property)) {
           skip(property);
           continue;
         }
         const std::size_t size = length(property);
         corners.clear();
-        for (std::size_t corner = 0; corner < size; ++corner) {
-          const double index = value(property.type, "faces");
-          if (!(index >= 0) || index > static_cast<double>(max_vertices) || index != std::floor(index))
-            refuse(fmt::format("face {} has a corner {}, which is no vertex", i, index));
-          corners.push_back(static_cast<std::uint32_t>(index));
-        }
+        for (std::size_t corner = 0; corner < size; ++corner)
+          corners.push_back(corner_of(value(property.type, "faces"), "face", i));
         soup_.add_face(corners);
+      }
+  }
+
+  void read_strips(const Element& element) {
+    std::vector<std::uint32_t> strip;
+    for (std::size_t i = 0; i < element.count; ++i)
+      for (const Property& property : element.properties) {
+        if (!lists_corners(property)) {
+          skip(property);
+          continue;
+        }
+        for (std::size_t left = length(property); left > 0; --left) {
+          const double index = value(property.type, "strips");
+          if (index != -1) {
+            strip.push_back(corner_of(index, "strip list", i));
+            continue;
+          }
+          soup_.add_strip(strip);
+          strip.clear();
+        }
+        soup_.add_strip(strip);
+        strip.clear();
       }
   }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "common/bad_input.hpp"
@@ -39,6 +40,15 @@ void SoupBuilder::add_face(std::span<const std::uint32_t> corners) {
   if (soup_.triangles.size() + corners.size() - 2 > max_triangles)
     throw BadInput(fmt::format("{}: more than {} triangles; cut the mesh in pieces", name_, max_triangles));
   for (std::size_t i = 2; i < corners.size(); ++i) soup_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+}
+
+void SoupBuilder::add_strip(std::span<const std::uint32_t> indices) {
+  for (std::size_t i = 2; i < indices.size(); ++i) {
+    const std::uint32_t third = indices[i];
+    const std::array<std::uint32_t, 3> corners = i % 2 == 0 ? std::array{indices[i - 2], indices[i - 1], third}
+                                                            : std::array{indices[i - 1], indices[i - 2], third};
+    if (corners[0] != corners[1] && corners[1] != third && third != corners[0]) add_face(corners);
+  }
 }
 
 Soup SoupBuilder::finish() && {

@@ -28,6 +28,9 @@ class SoupBuilder {
   void add_point(double x, double y, double z);
   /// Corners may refer to points that come later. Throws BadInput when there are too many.
   void add_face(std::span<const std::uint32_t> corners);
+  /// The triangles that a strip of these indices draws. A repeated index turns the strip and draws nothing; fewer than
+  /// three indices draw nothing either.
+  void add_strip(std::span<const std::uint32_t> indices);
   [[nodiscard]] std::size_t point_count() const noexcept { return soup_.points.size(); }
 
   /// The soup. Throws BadInput when a face refers to a vertex that the file does not have, or when there is no

@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""Claim: `restrip stripify -o` writes, in every format, the oriented triangles of its input, as the strips that it tells of;
+and reads its own PLY strips back. The files are taken apart here by their formats' definitions, with no code of restrip's.
+
+    strip_files_test.py restrip SCRATCH
+"""
+import json
+import pathlib
+import struct
+import subprocess
+import sys
+
+restrip, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
+RESTART = {2: 0xFFFF, 4: 0xFFFFFFFF}
+
+
+def run(*arguments, code=0):
+    done = subprocess.run([restrip, *map(str, arguments)], capture_output=True, text=True, check=False)
+    assert done.returncode == code, (arguments, done.returncode, done.stderr)
+    return done
+
+
+def rotated(corners):
+    at = corners.index(min(corners))
+    return tuple(corners[at:] + corners[:at])
+
+
+def triangles_of_strip(strip):
+    made = []
+    for i in range(len(strip) - 2):
+        a, b, c = strip[i:i + 3]
+        if len({a, b, c}) == 3:
+            made.append(rotated([a, b, c] if i % 2 == 0 else [b, a, c]))
+    return made
+
+
+def strips_between(indices, restart):
+    strips = [[]]
+    for index in indices:
+        if index == restart:
+            strips.append([])
+        else:
+            strips[-1].append(index)
+    return strips
+
+
+def drawn(strips):
+    return sorted(t for strip in strips for t in triangles_of_strip(strip))
+
+
+def obj(path):
+    points, triangles = [], []
+    for line in path.read_text().splitlines():
+        words = line.split()
+        if words[:1] == ["v"]:
+            points.append(struct.unpack("<3f", struct.pack("<3f", *map(float, words[1:]))))
+        elif words[:1] == ["f"]:
+            triangles.append(rotated([int(word) - 1 for word in words[1:]]))
+    return points, sorted(triangles)
+
+
+def ply(path):
+    head, body = path.read_bytes().split(b"end_header\n", 1)
+    lines = head.decode().splitlines()
+    assert lines[:2] == ["ply", "format binary_little_endian 1.0"], lines
+    assert lines[3:6] == [f"property float {axis}" for axis in "xyz"], lines
+    assert lines[6:] == ["element tristrips 1", "property list int int vertex_indices"], lines
+    count = int(lines[2].removeprefix("element vertex "))
+    points = list(struct.iter_unpack("<3f", body[:12 * count]))
+    (length,) = struct.unpack_from("<i", body, 12 * count)
+    assert len(body) == 12 * count + 4 + 4 * length
+    return points, strips_between(struct.unpack_from(f"<{length}i", body, 12 * count + 4), -1)
+
+
+def glb(path):
+    """The points, and (mode, indices, width) of each primitive; checks what the format demands of what is there."""
+    data = path.read_bytes()
+    magic, version, length = struct.unpack_from("<4sII", data)
+    assert (magic, version, length) == (b"glTF", 2, len(data))
+    chunks, at = [], 12
+    while at < len(data):
+        size, kind = struct.unpack_from("<I4s", data, at)
+        assert size % 4 == 0
+        chunks.append((kind, data[at + 8:at + 8 + size]))
+        at += 8 + size
+    assert at == len(data) and [kind for kind, _ in chunks] == [b"JSON", b"BIN\0"]
+    doc, binary = json.loads(chunks[0][1]), chunks[1][1]
+    assert doc["asset"]["version"] == "2.0" and doc["scenes"][doc["scene"]]["nodes"] == [0]
+    assert 0 <= len(binary) - doc["buffers"][0]["byteLength"] < 4
+
+    def accessor(number):
+        about = doc["accessors"][number]
+        view = doc["bufferViews"][about["bufferView"]]
+        letter, width = {5123: ("H", 2), 5125: ("I", 4), 5126: ("f", 4)}[about["componentType"]]
+        parts = {"SCALAR": 1, "VEC3": 3}[about["type"]]
+        offset = about.get("byteOffset", 0)
+        size = width * parts * about["count"]
+        assert about["count"] > 0 and offset % width == 0 and offset + size <= view["byteLength"]
+        begin = view.get("byteOffset", 0) + offset
+        assert begin % width == 0 and view.get("byteOffset", 0) + view["byteLength"] <= doc["buffers"][0]["byteLength"]
+        flat = struct.unpack(f"<{parts * about['count']}{letter}", binary[begin:begin + size])
+        return about, width, flat
+
+    primitives = doc["meshes"][doc["nodes"][0]["mesh"]]["primitives"]
+    about, _, flat = accessor(primitives[0]["attributes"]["POSITION"])
+    points = list(zip(*[iter(flat)] * 3))
+    for axis in range(3):
+        for bound, of in ((about["min"], min), (about["max"], max)):
+            told = struct.unpack("<f", struct.pack("<f", bound[axis]))[0]
+            assert told == of(point[axis] for point in points)
+    made = []
+    for primitive in primitives:
+        assert primitive["attributes"] == primitives[0]["attributes"]
+        _, width, indices = accessor(primitive["indices"])
+        made.append((primitive["mode"], list(indices), width))
+    extensions = doc.get("extensionsRequired", [])
+    assert extensions == doc.get("extensionsUsed", [])
+    restarts = any(RESTART[width] in indices for _, indices, width in made)
+    assert extensions == (["KHR_mesh_primitive_restart"] if restarts else [])
+    return points, made
+
+
+def check(name, triangles, width):
+    source = scratch / f"{name}.obj"
+    run("make-mesh", "-o", source, "--triangles", triangles)
+    points, expected = obj(source)
+    told = None
+    for out in (f"{name}.ply", f"{name}.bin", f"{name}-list.obj", f"{name}.glb"):
+        report = run("stripify", source, "--cost", "indices", "-o", scratch / out, "--json", "-").stdout
+        told = json.loads(report)
+        assert told["triangles"] == len(expected) and told["left_out"] == 0
+
+    ply_points, strips = ply(scratch / f"{name}.ply")
+    assert ply_points == points and len(strips) == told["strips"] and drawn(strips) == expected
+    assert sum(map(len, strips)) + len(strips) - 1 == told["indices"]
+
+    indices = [index for (index,) in struct.iter_unpack("<I", (scratch / f"{name}.bin").read_bytes())]
+    assert len(indices) == told["indices"] and strips_between(indices, RESTART[4]) == strips
+    assert obj(scratch / f"{name}-list.obj") == (points, expected)
+
+    glb_points, primitives = glb(scratch / f"{name}.glb")
+    assert glb_points == points and [(mode, w) for mode, _, w in primitives] == [(5, width)]
+    assert strips_between(primitives[0][1], RESTART[width]) == strips
+    run("stripify", source, "--cost", "indices", "-o", scratch / f"{name}-strips.glb", "--gltf", "strips")
+    assert glb(scratch / f"{name}-strips.glb") == (points, [(5, strip, width) for strip in strips])
+    run("stripify", source, "--cost", "indices", "-o", scratch / f"{name}-list.glb", "--gltf", "list")
+    _, ((mode, flat, list_width),) = glb(scratch / f"{name}-list.glb")
+    assert (mode, list_width) == (4, width)
+    assert sorted(rotated(flat[i:i + 3]) for i in range(0, len(flat), 3)) == expected
+
+    # Back in: the same oriented triangles, whatever strips they came in.
+    run("stripify", scratch / f"{name}.ply", "-o", scratch / f"{name}-again.obj")
+    assert obj(scratch / f"{name}-again.obj") == (points, expected)
+
+
+scratch.mkdir(parents=True, exist_ok=True)
+check("small", 600, 2)
+check("large", 140_000, 4)  # more than 65,534 vertices
+
+mesh = scratch / "small.obj"
+for arguments, words in (
+        (("-o", scratch / "x.off"), "name a file that ends so"),
+        (("-o", scratch / "x.ply", "--gltf", "list"), "--gltf"),
+        (("--gltf", "list"), "--gltf"),
+        (("-o", mesh), "small.obj")):
+    before = mesh.read_bytes()
+    refused = run("stripify", mesh, *arguments, code=2).stderr
+    assert words in refused, refused
+    assert mesh.read_bytes() == before and not (scratch / "x.ply").exists() and not (scratch / "x.off").exists()
+print("strip files: all hold")

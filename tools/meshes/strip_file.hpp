@@ -1,0 +1,39 @@
+// Strips as a file: PLY with a `tristrips` element, binary glTF, OBJ, or the bare index buffer.
+//
+//   .ply  binary; one list of indices, -1 between strips, as Stanford's scans have it (Cyberware's `tristrips`)
+//   .glb  glTF 2.0; indices of 16 bits where they suffice, else of 32; GltfPrimitives says in which primitives
+//   .obj  the triangles in the order of the strips: OBJ knows no strips
+//   .bin  the indices alone, 32 bits each, little-endian, 0xFFFFFFFF between strips
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "meshes/soup.hpp"
+
+namespace restrip::tools {
+
+enum class GltfPrimitives {
+  restart,  ///< one primitive for all strips; needs a viewer that knows KHR_mesh_primitive_restart (a draft of 2026)
+  strips,   ///< a primitive for each strip: plain glTF 2.0, but each takes about 200 bytes of JSON
+  list      ///< one list of triangles: plain glTF 2.0
+};
+
+/// An index buffer of strips and what it draws.
+struct StripFile {
+  std::span<const Point> points;
+  std::span<const std::uint32_t> indices;  ///< restart_index between strips
+  std::span<const Corners> triangles;      ///< the same, drawn, in order
+};
+
+/// The extensions in which strips are written.
+[[nodiscard]] std::vector<std::string> written_strip_extensions();
+/// The bytes of a file with this extension, in lower case. Throws BadInput when it is none of those, and where the
+/// format cannot hold the mesh: glTF and the lists of PLY have less than 2^31 values, and glTF no mesh without
+/// triangles.
+[[nodiscard]] std::string strip_bytes(const StripFile& file, const std::string& extension,
+                                      GltfPrimitives primitives = GltfPrimitives::restart);
+
+}  // namespace restrip::tools
