@@ -6,7 +6,7 @@
 //   node package_test.mjs WEB_FOLDER RESTRIP DUMP_TABLES SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdirSync, readFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 
@@ -229,7 +229,28 @@ function readsFormats() {
     assert.throws(() => readMesh(name, bytes(content)), why, name);
 }
 
-for (const test of [readsFormats, singleOperations, sameRules, copiesByRanges, viewDependent, simplifies, sameAsReplay]) {
+function asDependency() {
+  // As another project sees the package: by its name and its exports, with what is packed alone.
+  const project = join(scratch, 'project');
+  rmSync(project, { recursive: true, force: true });
+  const installed = join(project, 'node_modules/restrip');
+  mkdirSync(installed, { recursive: true });
+  const about = JSON.parse(readFileSync(join(folder, 'package/package.json'), 'utf8'));
+  for (const packed of ['package.json', ...about.files]) copyFileSync(join(folder, 'package', packed), join(installed, packed));
+  writeFileSync(join(project, 'main.mjs'), `import { load } from 'restrip';
+    import { readMesh } from 'restrip/formats';
+    const content = new TextEncoder().encode('v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n');
+    const mesh = (await load()).simplified(readMesh('t.obj', content)).begin();
+    mesh.update();
+    console.log(mesh.indices.join());`);
+  assert.equal(execFileSync(process.execPath, ['main.mjs'], { cwd: project, encoding: 'utf8' }).trim(), '0,1,2,4294967295');
+  for (const { types, default: code } of Object.values(about.exports).filter((path) => typeof path === 'object'))
+    for (const path of [types, code]) assert.ok(about.files.includes(path.slice(2)), path);
+  // Bundlers for browsers would look for a module of Node that is named in the text.
+  assert.doesNotMatch(readFileSync(join(installed, 'restrip.mjs'), 'utf8'), /(import\(|from )[^\n]*'node:/);
+}
+
+for (const test of [asDependency, readsFormats, singleOperations, sameRules, copiesByRanges, viewDependent, simplifies, sameAsReplay]) {
   test();
   console.log(`${test.name}: as claimed`);
 }

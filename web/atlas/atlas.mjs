@@ -1,5 +1,5 @@
 // The pages of the atlas: pictures are drawn when their rows come into sight, rows are filtered, a link's row is shown.
-import { fanPicture, ringPicture } from '../viewer/patch.mjs';
+import { fanPicture, named, ringPicture } from '../viewer/patch.mjs';
 import { anyFan, flipPicture, openSplitPicture } from './drawings.mjs';
 
 function pairsOf(ports, joined, closed) {
@@ -21,6 +21,16 @@ function drawRow(row, { family, n, at }) {
   return anyFan({ closed: false, k }, r, p, 'before') + openSplitPicture(k, places, s, p, 'after');
 }
 
+/// All dashed, with names: what the numbers in the table mean.
+function numbering({ family, n, at }) {
+  const k = +n;
+  const places = at === '' ? [] : at.split(' ').map(Number);
+  if (family === 'flip') return '';
+  if (family === 'split') return ringPicture(k, places[0], 0, 0, 'the names of edges and ports');
+  if (family.endsWith('collapse')) return anyFan({ closed: family === 'collapse', k }, 0, 0, 'the names of edges and ports');
+  return openSplitPicture(k, places, 0, 0, 'the names of edges and ports');
+}
+
 const table = document.getElementById('rules');
 if (table) {
   const rows = [...table.tBodies[0].rows];
@@ -32,6 +42,9 @@ if (table) {
     }
   }, { rootMargin: '600px' });
   rows.forEach((row) => watcher.observe(row));
+
+  const names = document.getElementById('names');
+  if (names) names.innerHTML = named(() => numbering(table.dataset));
 
   const form = document.getElementById('filter');
   const filter = () => {

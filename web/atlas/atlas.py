@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Makes the atlas: a page for each section of the certificates, with a row for each of their rules, and an index.
 
-atlas.py CERTIFICATES OUT --style FILE… --script FILE…
-Reads tables/certificates (docs/certificate.md); what it says of a rule it reads there or counts from docs/notation.md."""
+atlas.py CERTIFICATES OUT --replay JSON --style FILE… --script FILE…
+Reads tables/certificates (docs/certificate.md); what it says of a rule it reads there or counts from
+docs/notation.md. Which valences are met it reads in what `restrip replay --json` wrote of the viewer's mesh."""
 import argparse
+import json
 import sys
 from collections import defaultdict
 from pathlib import Path
@@ -229,6 +231,8 @@ WHY = """<p>Why nothing is better: of the edges in a pair of braces at least one
 triangle would have three solid edges, a cycle would close, or two ports would be joined that were not joined before. The
 sets share no edge, so each takes a dashed edge of its own. In none of the cases does the rule leave more edges dashed than
 that, or as many and more triangles alone.</p>"""
+LEGEND = ('<p class="legend"><i class="key solid"></i> same strip <i class="key dashed"></i> different strips '
+          '<i class="key fresh"></i> new triangles <i class="key dots"></i> joined before</p>')
 NOTES = {
     "split": "f0 … f{k1} lead around the ring A, t0 … , D, … and back to A; f{k2} joins the two new triangles A and D.",
     "collapse": "f0 … f{km} are the loop edges of the fan that is left: f0 joins t0 and t1. The same rule serves every position.",
@@ -265,11 +269,11 @@ def section_page(section, known, page):
     filters = "".join(f'<label><input type="checkbox" name="{n}"> {w}</label>' for n, w in
                       ((("costs", "adds a strip somewhere"),) if "split" in section.family else ()) +
                       (("alone", "leaves a triangle alone"), ("symmetric", "is its own mirror image or turn")))
-    body = (f'<h1>{escaped(section.title())}</h1><p>{facts}</p><p>{note}</p>{WHY}'
+    body = (f'<h1>{escaped(section.title())}</h1><div id="names"></div><p>{facts}</p><p>{note}</p>{WHY}'
             '<p>A solid port is a strip that leaves the patch. A rule may join two of them only if they were joined before. '
             'The theorem <code>all_correct</code> (verify/formal/Answers.v, checked by Coq) says that what the library answers here is '
             'sound and that nothing sound is preferred to it.</p>'
-            f'<form id="filter" hidden>{filters}<label>solid ports <input name="ports" size="10" placeholder="0 3"></label>'
+            f'{LEGEND}<form id="filter" hidden>{filters}<label>solid ports <input name="ports" size="10" placeholder="0 3"></label>'
             '<output></output></form>'
             f'<div class="wide"><table id="rules" data-family="{section.family}" data-n="{k}" data-at="{" ".join(map(str, section.places))}">'
             f'<thead><tr>{"".join(f"<th>{c}</th>" for c in columns)}</tr></thead><tbody>\n{rows}\n</tbody></table></div>')
@@ -297,13 +301,13 @@ def flip_page(section, page):
             f'valid configurations of {section.claims["configurations"]}. A flip may have to give a port up: two ports that '
             'come to hang on one triangle would otherwise be joined, and the strips outside might close a cycle. Coq checks the '
             'answers of the library for flips in verify/formal/Flip.v.</p>' + WHY +
-            '<form id="filter" hidden><label><input type="checkbox" name="costs"> adds a strip</label><output></output></form>'
+            LEGEND + '<form id="filter" hidden><label><input type="checkbox" name="costs"> adds a strip</label><output></output></form>'
             '<div class="wide"><table id="rules" data-family="flip" data-n="4" data-at=""><thead><tr>' +
             "".join(f"<th>{c}</th>" for c in columns) + "</tr></thead><tbody>\n" + "\n".join(rows) + "\n</tbody></table></div>")
     return page("The flip", body)
 
 
-def index_page(families, picture, page):
+def index_page(families, picture, met, page):
     body = ("<h1>Atlas of rules</h1>"
             "<p>A strip is a path through triangles that share an edge. When a vertex is split, two triangles come into the mesh and "
             "cut the paths around it. A <em>rule</em> says how the edges of that patch are to be coloured afterwards, solid where a "
@@ -314,12 +318,14 @@ def index_page(families, picture, page):
     for family, (title, _) in FAMILIES.items():
         sections = families[family]
         rows = ""
+        with_met = family == "split"
         for s in sections:
             total += len(s.rules)
             rows += (f'<tr><td><a href="{s.name}.html">{escaped(s.title().split(": ")[-1])}</a></td><td>{grouped(len(s.rules))}</td>'
-                     f'<td>{grouped(s.claims["valid"])}</td><td>{grouped(s.claims["costing"])}</td><td>{signed(s.claims["worst-isolated"])}</td></tr>')
+                     f'<td>{grouped(s.claims["valid"])}</td><td>{grouped(s.claims["costing"])}</td><td>{signed(s.claims["worst-isolated"])}</td>'
+                     + (f"<td>{100 * met.get(str(s.k), 0) / sum(met.values()):.1f} %</td>" if with_met else "") + "</tr>")
         table = ('<div class="wide"><table class="index"><thead><tr><th></th><th>rules</th><th>valid configurations</th><th>of which cost a strip</th>'
-                 f'<th>most triangles isolated</th></tr></thead><tbody>{rows}</tbody></table></div>')
+                 f'<th>most triangles isolated</th>{"<th>splits of the viewer’s mesh with this k</th>" if with_met else ""}</tr></thead><tbody>{rows}</tbody></table></div>')
         shown = table if len(sections) < 20 else f"<details><summary>{len(sections)} positions</summary>{table}</details>"
         body += f"<h2>{title}</h2>{shown}"
     body += (f"<p>{grouped(total)} rules in all, for vertices of up to 8 triangles. For larger ones a finite automaton answers, exactly "
@@ -331,6 +337,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("certificates", type=Path)
     parser.add_argument("out", type=Path)
+    parser.add_argument("--replay", type=Path, required=True)
     parser.add_argument("--style", nargs="+", required=True)
     parser.add_argument("--script", nargs="+", required=True)
     given = parser.parse_args()
@@ -358,9 +365,9 @@ def main():
     (ports, joined, colors), _ = chosen
     loop = known[5, True][ports, joined][3]
     picture = ('<div class="pictures"><figure>' + fan_picture(5, 2, loop, ports, "before") + "<figcaption>before the split</figcaption></figure><figure>" +
-                     split_picture(5, 2, colors, ports, "after") + "<figcaption>after it, by its rule</figcaption></figure></div>"
-                     '<p class="legend"><i class="key solid"></i> same strip <i class="key dashed"></i> different strips <i class="key fresh"></i> new triangles</p>')
-    (given.out / "index.html").write_text(index_page(families, picture, page), encoding="utf-8")
+                     split_picture(5, 2, colors, ports, "after") + "<figcaption>after it, by its rule</figcaption></figure></div>" + LEGEND)
+    met = json.loads(given.replay.read_text(encoding="utf-8"))["by_valence"]
+    (given.out / "index.html").write_text(index_page(families, picture, met, page), encoding="utf-8")
 
 
 if __name__ == "__main__":

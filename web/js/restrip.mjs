@@ -18,7 +18,8 @@ export async function load(source = new URL('./restrip.wasm', import.meta.url)) 
   if (source instanceof WebAssembly.Module) module = source;
   else if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) module = await WebAssembly.compile(source);
   else if (String(source).startsWith('file:')) {
-    const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ 'node:fs/promises');
+    const files = 'node:fs/promises';  // a name that bundlers for browsers do not look for
+    const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);
     module = await WebAssembly.compile(await readFile(new URL(source)));
   } else {
     const answer = await fetch(source);

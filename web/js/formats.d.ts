@@ -1,0 +1,8 @@
+/** Reads OBJ, OFF, PLY, GLB, or an OpenMesh progressive mesh (PM); the extension of `name` decides. Polygons are cut into
+ * triangles. Throws an Error that says what is wrong. */
+export function readMesh(name: string, content: ArrayBuffer | Uint8Array): Mesh | ProgressiveMesh;
+
+/** Three numbers a vertex, three a triangle. */
+export interface Mesh { points: number[]; triangles: number[]; base?: undefined }
+/** See Restrip.progressive. */
+export interface ProgressiveMesh { points: number[]; base: number[]; splits: number[]; triangles?: undefined }
