@@ -135,6 +135,7 @@ class BasicStripBuffer {
   void collect(const Mesh& mesh, std::uint32_t start);
   template <class Mesh>
   void follow(const Mesh& mesh, typename Mesh::Halfedge in);
+  static std::uint32_t pads_within(const std::uint32_t* whose, std::uint32_t from, std::uint32_t to) noexcept;
   template <class Mesh>
   Piece load(const Mesh& mesh, typename Mesh::Halfedge in) const;
   void assemble();
@@ -165,7 +166,7 @@ class BasicStripBuffer {
   void blank(std::uint32_t first, std::uint32_t end) noexcept;
   void slide(std::uint32_t p, std::uint32_t first) noexcept;
   void remove(std::uint32_t p) noexcept;
-  void mark(std::size_t cell) noexcept;
+  void mark(std::size_t first, std::size_t end) noexcept;
   void compact() noexcept;
   std::size_t move_from_the_end(std::size_t budget) noexcept;
   void slide_together(std::uint32_t p) noexcept;

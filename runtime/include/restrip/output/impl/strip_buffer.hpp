@@ -154,6 +154,19 @@ void BasicStripBuffer<Index>::collect(const Mesh& mesh, std::uint32_t start) {
   if (middle.enters == 3) pieces_.push_back(middle);
 }
 
+// Repeated indices that could go: of each gap between two triangles all, or all but one.
+template <class Index>
+std::uint32_t BasicStripBuffer<Index>::pads_within(const std::uint32_t* whose, std::uint32_t from,
+                                                   std::uint32_t to) noexcept {
+  std::uint32_t pads = 0;
+  std::uint32_t gap = 0;
+  for (std::uint32_t i = from; i < to; ++i) {
+    gap = whose[i] == nothing ? gap + 1 : 0;
+    pads += gap != 0 && gap % 2 == 0 ? 2 : 0;
+  }
+  return pads;
+}
+
 template <class Index>
 template <class Mesh>
 void BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge in) {
@@ -179,37 +192,34 @@ void BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge i
       if (goes_right && goes_left) return;  // the colouring is not valid
       Piece stretch;
       stretch.place = at.place;
+      // The stretch ends before the last triangle that stays, `far`; `last` is the one before that.
       if (goes_right) {
-        // `inner` is the last triangle found, `far` the one before it.
-        std::uint32_t inner = right;
-        std::uint32_t pads = 0;
-        stretch.from = right;
-        for (std::uint32_t j = right + 1; j + 1 < used; ++j) {
-          if (whose[j] == nothing) continue;
-          if (whose[j] == gone) break;
-          pads += (j - inner - 1) & ~1U;
-          stretch.to = inner;
-          stretch.pads = pads;
-          last = whose[inner];
-          far = inner = j;
+        std::uint32_t end = right + 1;
+        while (end + 1 < used && whose[end] != gone) ++end;
+        while (whose[--end] == nothing) {
         }
-        if (far != nothing) stretch.pads -= (far - stretch.to - 1) & ~1U;
+        stretch.from = right;
+        if (end != right) {
+          far = stretch.to = end;
+          while (whose[--stretch.to] == nothing) {
+          }
+          last = whose[stretch.to];
+        }
       } else if (goes_left) {
-        std::uint32_t inner = left;
-        std::uint32_t pads = 0;
+        std::uint32_t begin = left - 1;
+        while (begin > 1 && whose[begin] != gone) --begin;
+        while (whose[++begin] == nothing) {
+        }
         stretch.to = left;
         stretch.forward = false;
-        for (std::uint32_t j = left - 1; j > 1; --j) {
-          if (whose[j] == nothing) continue;
-          if (whose[j] == gone) break;
-          pads += (inner - j - 1) & ~1U;
-          stretch.from = inner;
-          stretch.pads = pads;
-          last = whose[inner];
-          far = inner = j;
+        if (begin != left) {
+          far = stretch.from = begin;
+          while (whose[++stretch.from] == nothing) {
+          }
+          last = whose[stretch.from];
         }
-        if (far != nothing) stretch.pads -= (stretch.from - far - 1) & ~1U;
       }
+      if (far != nothing) stretch.pads = pads_within(whose, stretch.from, stretch.to);
       const std::uint32_t far_triangle = far == nothing ? nothing : whose[far];
       forget(t);
       if (far != nothing) {

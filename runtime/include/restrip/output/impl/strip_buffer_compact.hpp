@@ -17,13 +17,13 @@ void BasicStripBuffer<Index>::slide(std::uint32_t p, std::uint32_t first) noexce
   if (first < old) {
     std::copy(cells_.data() + old, cells_.data() + old + used, cells_.data() + first);
     std::copy(whose_.data() + old, whose_.data() + old + used, whose_.data() + first);
-    for (std::uint32_t i = first; i < first + used; ++i) mark(i);
+    mark(first, first + used);
     blank(std::max(old, first + used), old + used);
   } else {
     std::copy_backward(cells_.data() + old, cells_.data() + old + used, cells_.data() + first + used);
     std::copy_backward(whose_.data() + old, whose_.data() + old + used, whose_.data() + first + used);
     blank(old, std::min(first, old + used));
-    for (std::uint32_t i = first; i < first + used; ++i) mark(i);
+    mark(first, first + used);
   }
   places_.set(p, first, used, places_.pads(p));
 }
@@ -39,7 +39,7 @@ void BasicStripBuffer<Index>::move(std::uint32_t p, std::uint32_t before) noexce
   if (cursor_ == p) cursor_ = places_.previous(p);
   std::copy_n(cells_.data() + from, size, cells_.data() + to);
   std::copy_n(whose_.data() + from, size, whose_.data() + to);
-  for (std::uint32_t k = to; k < to + size; ++k) mark(k);
+  mark(to, to + size);
   blank(from, from + size);
   places_.remove(p);
   places_.insert(before, to, size, pads);  // has the number that was given back last: the same
@@ -144,7 +144,7 @@ std::size_t BasicStripBuffer<Index>::move_from_the_end(std::size_t budget) noexc
   fresh_[0].length = static_cast<std::uint32_t>(text_.size());
   if (fresh_[0].length > gap) return 0;
   cells_[first + kept + 1] = restart;
-  mark(first + kept + 1);
+  mark(first + kept + 1, first + kept + 2);
   whose_[first + kept + 1] = nothing;
   const std::uint32_t to = places_.end(before);
   places_.set(last, first, kept + 2, std::min(places_.pads(last), (kept - 2) & ~1U));

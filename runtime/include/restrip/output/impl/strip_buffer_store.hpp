@@ -27,32 +27,35 @@ void BasicStripBuffer<Index>::prepare() {
 }
 
 template <class Index>
-void BasicStripBuffer<Index>::mark(std::size_t cell) noexcept {
-  ++marked_;
+void BasicStripBuffer<Index>::mark(std::size_t first, std::size_t end) noexcept {
+  marked_ += end - first;
   if (!written_.empty()) {
     Range& last = written_.back();
-    if (cell >= last.first && cell <= last.first + last.count + 2) {
-      last.count = std::max(last.count, cell - last.first + 1);
+    if (first >= last.first && first <= last.first + last.count + 2) {
+      last.count = std::max(last.count, end - last.first);
       return;
     }
   }
   if (written_.size() == written_.capacity() && !written_.empty()) {
     // No room to tell it exactly.
     Range& last = written_.back();
-    const std::size_t first = std::min(last.first, cell);
-    last = {first, std::max(last.first + last.count, cell + 1) - first};
+    const std::size_t begin = std::min(last.first, first);
+    last = {begin, std::max(last.first + last.count, end) - begin};
     return;
   }
-  written_.push_back({cell, 1});
+  written_.push_back({first, end - first});
 }
 
 template <class Index>
 void BasicStripBuffer<Index>::blank(std::uint32_t first, std::uint32_t end) noexcept {
   for (std::uint32_t i = first; i < end; ++i) {
-    whose_[i] = nothing;
-    if (cells_[i] == restart) continue;
-    cells_[i] = restart;
-    mark(i);
+    const std::uint32_t begin = i;
+    for (; i < end && cells_[i] != restart; ++i) {
+      whose_[i] = nothing;
+      cells_[i] = restart;
+    }
+    if (i != begin) mark(begin, i);
+    if (i < end) whose_[i] = nothing;
   }
 }
 
@@ -72,10 +75,11 @@ void BasicStripBuffer<Index>::write(std::uint32_t p, std::uint32_t first, const 
   const Index* text = text_.data() + fresh.begin;
   const std::uint32_t* names = names_.data() + fresh.begin;
   for (std::uint32_t i = 0; i < fresh.length; ++i) {
-    if (cell[i] != text[i]) {
-      cell[i] = text[i];
-      mark(first + i);
-    }
+    const std::uint32_t begin = i;
+    for (; i < fresh.length && cell[i] != text[i]; ++i) cell[i] = text[i];
+    if (i != begin) mark(first + begin, first + i);
+  }
+  for (std::uint32_t i = 0; i < fresh.length; ++i) {
     if (all || whose[i] != names[i]) {
       whose[i] = names[i];
       if (names[i] < gone) at_[names[i]] = {p, i};
@@ -219,7 +223,7 @@ void BasicStripBuffer<Index>::place_anew(const Fresh& fresh) noexcept {
     cells_.resize(first + fresh.length, restart);
     whose_.resize(first + fresh.length, nothing);
     places_.set_length(first + fresh.length);
-    mark(first + fresh.length - 1);  // its restart index is there already, but nobody knows
+    mark(first + fresh.length - 1, first + fresh.length);  // its restart index is there already, but nobody knows
   } else {
     first = places_.end(before) + std::min((places_.gap(before) - fresh.length) / 2, 4U);
   }

@@ -147,9 +147,8 @@ void BasicStripBuffer<Index>::append(const Piece& piece, bool leaves) {
   }
   const Index p = text_[text_.size() - 2];
   const Index q = text_[text_.size() - 1];
-  std::uint32_t third = corner[0];
-  if (third == p || third == q) third = corner[1];
-  if (third == p || third == q) third = corner[2];
+  // p and q are corners; of the three, one is left.
+  const std::uint32_t third = corner[0] ^ corner[1] ^ corner[2] ^ p ^ q;
   if (out < 3 && corner[out] == q) put(p, nothing);
   put(static_cast<Index>(third), piece.triangle);
 }
