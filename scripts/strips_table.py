@@ -7,6 +7,7 @@ brief:      the same of one mesh in a few columns (README.md)
 cycles:     strips at the top of one mesh after many ways down and up (docs/strips.md)
 bolder:     how often a bolder recolouring than the local rule would have been valid in one mesh (docs/strips.md)
 baked:      what baked strips cost (docs/baked.md)
+baked-indices:  the same where indices are the cost (docs/baked.md)
 isolating:  splits that isolate a triangle under the paper's method, mesh by mesh (docs/paper.md)
 """
 import argparse
@@ -200,6 +201,30 @@ def baked_table(program, meshes, _):
         ])
 
 
+def baked_indices_table(program, meshes, _):
+    header("mesh", "triangles", "strips at the top", "indices per triangle at the top", "most above 1,000",
+           "flips a record", "bytes a record", "bake, s", "split, collapse: times bare")
+    for mesh in meshes:
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "mesh.baked")
+            baked = program.run("bake", mesh, "--cost", "indices", "-o", file)
+            report = program.replay(file, "baked")
+        if not report["baked"]["levels_compared"]:
+            sys.exit(f"{mesh}: no level was compared")
+        top = report["levels"][-1]
+        line([
+            name_of(mesh),
+            f"{baked['base_triangles']:,} to {baked['triangles']:,}",
+            f"{top['strips']:,}",
+            f"{per_triangle(top):.3f}",
+            most_indices(report["levels"] + report["levels_down"], 1000),
+            f"{baked['flips_per_record']:.1f}",
+            f"{baked['bytes_per_record']:.1f}",
+            f"{baked['seconds']:.1f}",
+            "{:.2f}, {:.2f}".format(*times_bare(report)),
+        ])
+
+
 def isolating_table(program, meshes, _):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.check_call([program.path, "paper", "--out", folder, *meshes], stdout=subprocess.DEVNULL)
@@ -211,7 +236,7 @@ def isolating_table(program, meshes, _):
         line([f"`{way}`", what, *(f"{int(row['isolating']):,} of {int(row['splits']):,}, {row['percent']} %" for row in rows)])
 
 
-TABLES = {"levels": levels_table, "indices": indices_table, "brief": brief_table, "cycles": cycles_table, "bolder": bolder_table, "baked": baked_table,
+TABLES = {"levels": levels_table, "indices": indices_table, "brief": brief_table, "cycles": cycles_table, "bolder": bolder_table, "baked": baked_table, "baked-indices": baked_indices_table,
           "isolating": isolating_table}
 
 

@@ -19,9 +19,14 @@ namespace restrip::tools {
 namespace {
 
 TEST(Bake, ReportsWhatEveryLevelHas) {
-  for (const Soup& soup : {make_mesh(1500), sheet(18), tetrahedron()}) {
+  for (const auto& [soup, cost] : {std::pair{make_mesh(1500), Cost::strips()},
+                                   {sheet(18), Cost::strips()},
+                                   {tetrahedron(), Cost::strips()},
+                                   {make_mesh(1500), Cost::indices()},
+                                   {sheet(18), Cost::indices()},
+                                   {tetrahedron(), Cost::indices()}}) {
     BakeReport report;
-    const BakedMesh baked = bake(simplify(soup, {0.05, BoundaryPolicy::move}).mesh, {20'000}, &report);
+    const BakedMesh baked = bake(simplify(soup, {0.05, BoundaryPolicy::move}).mesh, {20'000, cost}, &report);
     ASSERT_EQ(baked.records.size(), baked.mesh.splits.size());
     StripMesh mesh = baked.base;
     std::size_t strips = check_coloring(mesh).strips;
@@ -40,6 +45,7 @@ TEST(Bake, ReportsWhatEveryLevelHas) {
     }
     EXPECT_EQ(strips, report.top_strips);
     EXPECT_GE(strips, report.top_at_least);
+    EXPECT_EQ(report.top_indices, strip_indices(mesh, extract_strips(mesh)).size());
     EXPECT_EQ(report.top_at_least, strips_at_least(mesh));
     EXPECT_EQ(most, report.most_strips);
     EXPECT_EQ(fewest, report.fewest_levels);
@@ -68,9 +74,27 @@ TEST(Bake, AClosedMeshHasOneStripAtEveryLevel) {
   EXPECT_EQ(played.levels_compared, 2 * 3 * played.levels.size());
 }
 
+// Every level has fewer indices, most by a seventh, and few colours change.
+TEST(Bake, IndicesAreFewerWhereTheyAreTheCost) {
+  const Soup soup = make_mesh(4000);
+  const ProgressiveMesh mesh = simplify(soup, {0.05, BoundaryPolicy::move}).mesh;
+  const BakedMesh strips = bake(mesh);
+  const BakedMesh indices = bake(mesh, {1'000'000, Cost::indices()});
+  ReplayOptions options;
+  options.repeats = 0;
+  const ReplayReport of_strips = replay(played_from(strips), soup.triangles, options);
+  const ReplayReport of_indices = replay(played_from(indices), soup.triangles, options);
+  EXPECT_TRUE(of_indices.valid());
+  EXPECT_GT(of_indices.levels_compared, 0U);
+  ASSERT_EQ(of_strips.levels.size(), of_indices.levels.size());
+  for (std::size_t i = 0; i < of_strips.levels.size(); ++i)
+    EXPECT_LT(of_indices.levels[i].indices * 10, of_strips.levels[i].indices * 9) << i;
+  EXPECT_LT(indices.records.flips.size(), strips.records.flips.size());
+}
+
 TEST(Bake, ReplayNoticesStripsThatAreNotTheMeshs) {
   const Soup soup = make_mesh(1000);
-  BakedMesh baked = bake(simplify(soup, {0.05, BoundaryPolicy::move}).mesh, {20'000});
+  BakedMesh baked = bake(simplify(soup, {0.05, BoundaryPolicy::move}).mesh, {20'000, Cost::strips()});
   ReplayOptions options;
   options.repeats = 0;
   EXPECT_TRUE(replay(played_from(baked), soup.triangles, options).valid());
@@ -100,10 +124,12 @@ TEST(Bake, SomeStripsAreNeededWhateverTheColors) {
 
 TEST(Bake, IsReproducible) {
   const ProgressiveMesh mesh = simplify(make_mesh(1000), {0.05, BoundaryPolicy::move}).mesh;
-  const BakedMesh one = bake(mesh, {20'000});
-  const BakedMesh other = bake(mesh, {20'000});
-  EXPECT_EQ(one.records.first, other.records.first);
-  EXPECT_TRUE(one.records.flips == other.records.flips);
+  for (const Cost& cost : {Cost::strips(), Cost::indices()}) {
+    const BakedMesh one = bake(mesh, {20'000, cost});
+    const BakedMesh other = bake(mesh, {20'000, cost});
+    EXPECT_EQ(one.records.first, other.records.first);
+    EXPECT_TRUE(one.records.flips == other.records.flips);
+  }
 }
 
 TEST(Bake, NamesASplitThatDoesNotFit) {

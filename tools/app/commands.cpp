@@ -194,6 +194,7 @@ int run(const BakeCommand& command) {
                                     {"components", report.components},
                                     {"base_strips", report.base_strips},
                                     {"top_strips", report.top_strips},
+                                    {"top_indices", report.top_indices},
                                     {"top_at_least", report.top_at_least},
                                     {"most_strips", report.most_strips},
                                     {"levels_with_fewest", report.fewest_levels},

@@ -168,9 +168,13 @@ CLI::App* add_bake(CLI::App& app, BakeCommand& command) {
   sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or a progressive mesh of OpenMesh (.pm)")->required();
   sub->add_option("-o,--output", command.out, "the .baked file")->required();
   add_simplify_options(*sub, command.simplify);
-  sub->add_option("--effort", command.bake.effort, "edges walked to save one strip, before search goes further away")
+  sub->add_option("--effort", command.bake.effort,
+                  "edges walked to save one strip, before search goes further away; with --cost indices 500 of them "
+                  "are one look "
+                  "at a strip end, of which each record has so many")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
       ->capture_default_str();
+  add_cost_option(*sub, command.bake.cost);
   add_json_option(*sub, command.json);
   sub->callback([sub, &command] { command.simplify_given = simplify_options_given(*sub); });
   sub->footer("Example: restrip bake bunny.obj -o bunny.baked");

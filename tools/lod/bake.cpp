@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "common/bad_input.hpp"
 #include "common/progress.hpp"
@@ -12,6 +13,8 @@
 #include "lod/trail_search.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/end_search.hpp"
 #include "restrip/search/rounds.hpp"
 #include "restrip/search/strip_index.hpp"
 #include "restrip/search/stripify.hpp"
@@ -21,6 +24,22 @@ namespace restrip::tools {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
+
+VertexSplit<Halfedge> where_of(const StripMesh& mesh, const BakedMesh& baked, std::size_t i) {
+  const Record& record = baked.mesh.splits[i];
+  const auto where = spokes_of(mesh, record);
+  const Refusal refusal = check_split(mesh, where, record.v_t);
+  if (refusal != Refusal::granted)
+    throw BadInput(
+        fmt::format("split {} ({} -> {}) is not possible: {}", i, record.v_s, record.v_t, describe(refusal)));
+  return where;
+}
+
+void end_record(BakedRecords<Halfedge>& records) {
+  if (records.flips.size() > std::numeric_limits<std::uint32_t>::max())
+    throw BadInput("the mesh is too large: its records flip more than 2^32 colours");
+  records.first.push_back(static_cast<std::uint32_t>(records.flips.size()));
+}
 
 class Baker {
  public:
@@ -54,6 +73,7 @@ class Baker {
       progress.at(i);
     }
     report_.top_strips = index_.strips();
+    report_.top_indices = strip_indices(mesh_).size();
     report_.top_at_least = strips_at_least(mesh_);
     report_.flips = baked_.records.flips.size();
     report_.states = trails_.states() + tunnel_.counts().states;
@@ -73,15 +93,10 @@ class Baker {
   }
 
   void split_plainly(std::size_t i) {
-    const Record& record = baked_.mesh.splits[i];
-    const auto where = spokes_of(mesh_, record);
-    const Refusal refusal = check_split(mesh_, where, record.v_t);
-    if (refusal != Refusal::granted)
-      throw BadInput(
-          fmt::format("split {} ({} -> {}) is not possible: {}", i, record.v_s, record.v_t, describe(refusal)));
+    const auto where = where_of(mesh_, baked_, i);
     fan_triangles(mesh_, where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left, patch_);
     index_.before_patch(mesh_, patch_);
-    const Halfedge chord = split_baked(mesh_, where, {}, record.v_t).halfedge;
+    const Halfedge chord = split_baked(mesh_, where, {}, baked_.mesh.splits[i].v_t).halfedge;
     edge_triangles(mesh_, chord, patch_);
     index_.after_patch(mesh_, patch_);
     // The inserted triangles first: trails from there are the shortest.
@@ -163,9 +178,7 @@ class Baker {
       if ((same - i) % 2 == 1) records.flips.push_back(flips_[i]);
       i = same;
     }
-    if (records.flips.size() > std::numeric_limits<std::uint32_t>::max())
-      throw BadInput("the mesh is too large: its records flip more than 2^32 colours");
-    records.first.push_back(static_cast<std::uint32_t>(records.flips.size()));
+    end_record(records);
   }
 
   BakedMesh& baked_;
@@ -183,6 +196,104 @@ class Baker {
   std::vector<Halfedge> changed_;
   std::size_t wait_ = 1;
   std::size_t waited_ = 0;
+};
+
+/// Bakes fewest indices: after each plain split a search at the strip ends around it, with chains as long as they get.
+class IndexBaker {
+ public:
+  IndexBaker(BakedMesh& baked, const BakeOptions& options) : baked_(baked), search_(options.cost) {
+    constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+    limits_ = {.looks = static_cast<std::uint32_t>(std::min(options.effort / effort_of_a_look, most)),
+               .length = EndSearch::max_length,
+               .worse = 2};
+  }
+
+  BakeReport run() {
+    Medians clock;
+    clock.time([this] { walk_up(); });
+    report_.seconds = clock.nanoseconds() * 1e-9;
+    return report_;
+  }
+
+ private:
+  static constexpr std::size_t effort_of_a_look = 500;
+
+  void walk_up() {
+    stripify(baked_.base, Effort::best, search_.cost());
+    mesh_ = baked_.base;
+    mesh_.reserve(baked_.mesh.fine_triangles(), baked_.mesh.points.size());
+    mesh_.watch(&changed_);
+    report_.components = connected_components(mesh_);
+    strips_ = report_.base_strips = count_strips(mesh_);
+    changed_.resize(mesh_.triangle_bound());
+    std::iota(changed_.begin(), changed_.end(), Triangle{0});
+    note_colors();
+    count_level();
+    Progress progress("baking", baked_.mesh.splits.size());
+    for (std::size_t i = 0; i < baked_.mesh.splits.size(); ++i) {
+      bake_split(i);
+      count_level();
+      progress.at(i);
+    }
+    report_.top_strips = strips_;
+    report_.top_indices = strip_indices(mesh_).size();
+    report_.top_at_least = strips_at_least(mesh_);
+    report_.flips = baked_.records.flips.size();
+    report_.states = search_.counts().looked;
+  }
+
+  void count_level() {
+    report_.most_strips = std::max(report_.most_strips, strips_);
+    if (strips_ <= report_.components) ++report_.fewest_levels;
+  }
+
+  void bake_split(std::size_t i) {
+    changed_.clear();
+    const auto done = split_baked(mesh_, where_of(mesh_, baked_, i), {}, baked_.mesh.splits[i].v_t);
+    note_colors();
+    // From the patch and two rings around it.
+    edge_triangles(mesh_, done.halfedge, from_);
+    for (std::size_t ring = 0, begin = 0; ring < 2; ++ring)
+      for (const std::size_t end = from_.size(); begin < end; ++begin)
+        for (unsigned side = 0; side < 3; ++side)
+          if (const Halfedge back = mesh_.opposite(StripMesh::halfedge(from_[begin], side));
+              !StripMesh::on_boundary(back))
+            from_.push_back(StripMesh::triangle(back));
+    changed_.clear();
+    const ColoringChange change = search_.run(mesh_, from_, limits_);
+    strips_ += static_cast<std::size_t>(done.strips + change.strips);
+    write_flips();
+  }
+
+  /// The colours of triangles that have changed; the others have what they had.
+  void note_colors() {
+    colors_.resize(mesh_.triangle_bound());
+    for (const Triangle t : changed_) colors_[t] = static_cast<std::uint8_t>(mesh_.solid_sides(t));
+  }
+
+  void write_flips() {
+    std::sort(changed_.begin(), changed_.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+    for (const Triangle t : changed_) {
+      const unsigned now = mesh_.solid_sides(t);
+      for (unsigned side = 0; side < 3; ++side) {
+        const Halfedge h = StripMesh::halfedge(t, side);
+        if (((now ^ colors_[t]) >> side & 1U) != 0 && h.id < mesh_.opposite(h).id) baked_.records.flips.push_back(h);
+      }
+    }
+    note_colors();
+    end_record(baked_.records);
+  }
+
+  BakedMesh& baked_;
+  EndSearch search_;
+  EndLimits limits_;
+  BakeReport report_;
+  StripMesh mesh_;
+  std::size_t strips_ = 0;
+  std::vector<Triangle> from_;
+  std::vector<Triangle> changed_;
+  std::vector<std::uint8_t> colors_;
 };
 
 }  // namespace
@@ -218,7 +329,8 @@ BakedMesh bake(ProgressiveMesh mesh, const BakeOptions& options, BakeReport* rep
   baked.base = StripMesh::build(mesh.base, mesh.points.size());
   mesh.base = triangles_of(baked.base);
   baked.mesh = std::move(mesh);
-  const BakeReport made = Baker(baked, options).run();
+  const BakeReport made =
+      options.cost == Cost::strips() ? Baker(baked, options).run() : IndexBaker(baked, options).run();
   if (report != nullptr) *report = made;
   return baked;
 }

@@ -5,14 +5,17 @@
 #include <vector>
 
 #include "lod/progressive_mesh.hpp"
+#include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/baked.hpp"
 
 namespace restrip::tools {
 
 struct BakeOptions {
-  /// Work for a record that would add a strip: edges walked by the search for short trails, some 30 ns each.
+  /// Fewest strips: work for a record that would add one, in edges walked by the search for short trails, some 30 ns
+  /// each. Other costs: 500 of it are one look at a strip end (end_search.hpp), of which each record has so many.
   std::size_t effort = 1'000'000;
+  Cost cost = Cost::strips();  ///< what is to be low at every level
 };
 
 /// A progressive mesh with its strips: the base in colours, and for each split the flips of baked.hpp.
@@ -27,6 +30,7 @@ struct BakeReport {
   std::size_t base_strips = 0;    ///< strips of the base
   std::size_t most_strips = 0;    ///< of all levels, every record counted
   std::size_t top_strips = 0;     ///< of the finest level
+  std::size_t top_indices = 0;    ///< of a buffer of its strips
   std::size_t top_at_least = 0;   ///< strips_at_least() there
   std::size_t fewest_levels = 0;  ///< levels with as many strips as components
   std::size_t flips = 0;
@@ -39,7 +43,8 @@ struct BakeReport {
 [[nodiscard]] std::size_t strips_at_least(const StripMesh& mesh);
 
 /// Stripifies the base and walks up. After each split it looks for the fewest flips that leave one strip for each
-/// connected component: first around the split, and where that fails, by tunnelling from further away.
+/// connected component: first around the split, and where that fails, by tunnelling from further away. Under another
+/// cost it lowers the cost around each split by chains of moves at strip ends.
 /// Throws BadInput when a split cannot be done, naming it. Deterministic but for `seconds`.
 [[nodiscard]] BakedMesh bake(ProgressiveMesh mesh, const BakeOptions& options = {}, BakeReport* report = nullptr);
 
