@@ -1,5 +1,6 @@
 // A mesh of your own: six small functions around a half-edge structure that you have already, and restrip keeps its
-// strips while you flip edges. Splits and collapses need one more function each (mesh.hpp).
+// strips while you flip edges. Splits and collapses need one more function each (mesh.hpp). Five more number triangles
+// and vertices (numbered_mesh.hpp), and you get index buffers.
 #include <cstdio>
 #include <restrip/restrip.hpp>
 #include <utility>
@@ -36,8 +37,8 @@ class MyMesh {
     const Side l_u = side(next(next(h)));
     const Side u_r = side(next(g));
     const Side r_v = side(next(next(g)));
-    from(h) = r_v.from;
-    from(g) = l_u.from;
+    leave(h, r_v.from);
+    leave(g, l_u.from);
     put(next(h), l_u);
     put(next(next(h)), u_r);
     put(next(g), r_v);
@@ -45,35 +46,45 @@ class MyMesh {
     return h;
   }
 
+  // What index buffers ask for.
+  [[nodiscard]] std::uint32_t triangle(int h) const { return static_cast<std::uint32_t>(h) / 3; }
+  [[nodiscard]] int halfedge(std::uint32_t t) const { return static_cast<int>(3 * t); }
+  [[nodiscard]] bool has_triangle(std::uint32_t) const { return true; }
+  [[nodiscard]] std::size_t triangle_bound() const { return from_.size() / 3; }
+  [[nodiscard]] std::uint32_t from(int h) const {
+    return static_cast<std::uint32_t>(from_[static_cast<std::size_t>(h)]);
+  }
+
  private:
   struct Side {
     int name, from, twin;
     bool solid;
   };
-  [[nodiscard]] Side side(int h) { return {h, from(h), twin(h), solid(h)}; }
+  [[nodiscard]] Side side(int h) { return {h, from_[static_cast<std::size_t>(h)], twin(h), solid(h)}; }
   void put(int h, const Side& side) {
     const bool alone = side.twin == ~side.name;
-    from(h) = side.from;
+    leave(h, side.from);
     solid_[static_cast<std::size_t>(h)] = side.solid;
     twin(h) = alone ? ~h : side.twin;
     if (!alone) twin(side.twin) = h;
   }
-  int& from(int h) { return from_[static_cast<std::size_t>(h)]; }
+  void leave(int h, int vertex) { from_[static_cast<std::size_t>(h)] = vertex; }
   int& twin(int h) { return twin_[static_cast<std::size_t>(h)]; }
 
   std::vector<int> from_, twin_;
   std::vector<bool> solid_;
 };
-static_assert(restrip::FlippableMesh<MyMesh>);
+static_assert(restrip::FlippableMesh<MyMesh> && restrip::NumberedMesh<MyMesh>);
 
 int main() {
   // Six triangles around vertex 0, the first five of them one strip.
   MyMesh mesh({0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 6, 0, 6, 1});
   for (int t = 0; t < 4; ++t) mesh.set_solid(3 * t + 2, true);
-  int strips = 2;
   for (const int h : {2, 8, 5}) {
     const auto done = restrip::flip(mesh, h);
-    strips += done.strips;
-    std::printf("a flip changed the number of strips by %+d: now %d\n", done.strips, strips);
+    std::printf("a flip changed the number of strips by %+d\n", done.strips);
   }
+  for (const std::uint32_t index : restrip::strip_indices(mesh))
+    index == restrip::restart_index ? (void)std::printf("| ") : (void)std::printf("%u ", index);
+  std::printf("\n");
 }

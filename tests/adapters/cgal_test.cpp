@@ -12,7 +12,7 @@ namespace {
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 static_assert(SplittableMesh<SurfaceMeshStrips<Point>> && CollapsibleMesh<SurfaceMeshStrips<Point>> &&
-              FlippableMesh<SurfaceMeshStrips<Point>>);
+              FlippableMesh<SurfaceMeshStrips<Point>> && NumberedMesh<SurfaceMeshStrips<Point>>);
 
 class Foreign {
  public:

@@ -11,7 +11,7 @@ namespace {
 
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 static_assert(SplittableMesh<OpenMeshStrips<Mesh>> && CollapsibleMesh<OpenMeshStrips<Mesh>> &&
-              FlippableMesh<OpenMeshStrips<Mesh>>);
+              FlippableMesh<OpenMeshStrips<Mesh>> && NumberedMesh<OpenMeshStrips<Mesh>>);
 
 class Foreign {
  public:

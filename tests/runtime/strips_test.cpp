@@ -12,9 +12,11 @@
 #include <random>
 #include <vector>
 
+#include "hand_made_mesh.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/output/vertex_cache.hpp"
+#include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -245,6 +247,42 @@ TEST(VertexCache, MissesAreThoseOfAQueue) {
   }
   EXPECT_EQ(vertex_cache_misses({}, 16), 0U);
   EXPECT_EQ(acmr({}, 16, 0), 0);
+}
+
+// What a mesh of another structure gets is what a StripMesh of the same triangles gets.
+TEST(Strips, OfAMeshMadeByHand) {
+  for (const StripMesh& shape : {sample::rectangle(7, 4), sample::torus(6, 5), sample::octahedron()}) {
+    StripMesh mesh = shape;
+    sample::HandMade dashed(mesh);
+    EXPECT_EQ(count_strips(dashed), mesh.triangle_count());
+    EXPECT_EQ(check_coloring(dashed).isolated, mesh.triangle_count());
+    stripify(mesh);
+    sample::HandMade other(mesh);
+    other.take_colors(mesh);
+    EXPECT_EQ(count_strips(other), count_strips(mesh));
+    const ColoringReport report = check_coloring(other);
+    EXPECT_TRUE(report.valid);
+    EXPECT_EQ(report.triangles, mesh.triangle_count());
+    EXPECT_EQ(report.strips, count_strips(mesh));
+    const Strips strips = extract_strips(other);
+    EXPECT_EQ(strips.size(), count_strips(mesh));
+    std::vector<std::uint32_t> indices = strip_indices(other);
+    EXPECT_EQ(indices.size(), strip_indices(mesh).size());
+    EXPECT_EQ(indices.size(), strip_index_count(other, strips));
+    EXPECT_EQ(indices, strip_indices(other, strips));
+    // Vertices are numbered from 1000 there.
+    for (std::uint32_t& index : indices) index -= index == restart_index ? 0 : 1000;
+    std::vector<Corners> drawn = decode(indices);
+    std::vector<Corners> expected = triangles_of(mesh);
+    std::sort(drawn.begin(), drawn.end());
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(drawn, expected);
+    // A solid cycle around a vertex, and a triangle with three solid edges.
+    for (int h = 0; h < other.size(); ++h)
+      if (!other.on_boundary(other.opposite(h))) other.set_solid(h, true);
+    EXPECT_FALSE(check_coloring(other).valid);
+    EXPECT_THROW((void)count_strips(other), std::invalid_argument);
+  }
 }
 
 }  // namespace

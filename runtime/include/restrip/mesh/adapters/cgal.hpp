@@ -11,14 +11,16 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "restrip/mesh/mesh.hpp"
 
 namespace restrip {
 
-/// Colours of the dual edges of a CGAL surface mesh. Models SplittableMesh, CollapsibleMesh and FlippableMesh. The mesh
-/// must outlive it.
+/// Colours of the dual edges of a CGAL surface mesh. Models SplittableMesh, CollapsibleMesh, FlippableMesh and
+/// NumberedMesh. The mesh must outlive it.
 template <class Point>
 class SurfaceMeshStrips {
  public:
@@ -38,6 +40,13 @@ class SurfaceMeshStrips {
   [[nodiscard]] bool on_boundary(Halfedge h) const { return mesh_.is_border(h); }
   [[nodiscard]] bool solid(Halfedge h) const { return solid_[mesh_.edge(h)]; }
   void set_solid(Halfedge h, bool solid) { solid_[mesh_.edge(h)] = solid; }
+
+  // For index buffers: the indices of CGAL's faces and vertices.
+  [[nodiscard]] std::uint32_t triangle(Halfedge h) const { return mesh_.face(h); }
+  [[nodiscard]] Halfedge halfedge(std::uint32_t t) const { return mesh_.halfedge(typename Mesh::Face_index(t)); }
+  [[nodiscard]] bool has_triangle(std::uint32_t t) const { return !mesh_.is_removed(typename Mesh::Face_index(t)); }
+  [[nodiscard]] std::size_t triangle_bound() const { return mesh_.num_faces(); }
+  [[nodiscard]] std::uint32_t from(Halfedge h) const { return mesh_.source(h); }
 
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, const Point& point) {
     using Spokes = typename VertexSplit<Halfedge>::Spokes;

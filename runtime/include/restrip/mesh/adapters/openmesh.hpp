@@ -11,14 +11,16 @@
 
 #include <OpenMesh/Core/Mesh/Handles.hh>
 #include <OpenMesh/Core/Utils/Property.hh>
+#include <cstddef>
+#include <cstdint>
 
 #include "restrip/mesh/mesh.hpp"
 
 namespace restrip {
 
-/// Colours of the dual edges of an OpenMesh TriMesh. Models SplittableMesh, CollapsibleMesh and FlippableMesh. The mesh
-/// must outlive it and must not be garbage-collected while halfedge handles are kept (the colours themselves survive
-/// that).
+/// Colours of the dual edges of an OpenMesh TriMesh. Models SplittableMesh, CollapsibleMesh, FlippableMesh and
+/// NumberedMesh. The mesh must outlive it and must not be garbage-collected while halfedge handles are kept (the
+/// colours themselves survive that).
 template <class TriMesh>
 class OpenMeshStrips {
  public:
@@ -49,6 +51,21 @@ class OpenMeshStrips {
   [[nodiscard]] bool leaves_boundary(Halfedge h) const { return mesh_.is_boundary(mesh_.from_vertex_handle(h)); }
   [[nodiscard]] bool solid(Halfedge h) const { return mesh_.property(solid_, mesh_.edge_handle(h)) != 0; }
   void set_solid(Halfedge h, bool solid) { mesh_.property(solid_, mesh_.edge_handle(h)) = solid ? 1 : 0; }
+
+  // For index buffers: the indices of OpenMesh's faces and vertices.
+  [[nodiscard]] std::uint32_t triangle(Halfedge h) const {
+    return static_cast<std::uint32_t>(mesh_.face_handle(h).idx());
+  }
+  [[nodiscard]] Halfedge halfedge(std::uint32_t t) const {
+    return mesh_.halfedge_handle(OpenMesh::FaceHandle(static_cast<int>(t)));
+  }
+  [[nodiscard]] bool has_triangle(std::uint32_t t) const {
+    return !mesh_.status(OpenMesh::FaceHandle(static_cast<int>(t))).deleted();
+  }
+  [[nodiscard]] std::size_t triangle_bound() const { return mesh_.n_faces(); }
+  [[nodiscard]] std::uint32_t from(Halfedge h) const {
+    return static_cast<std::uint32_t>(mesh_.from_vertex_handle(h).idx());
+  }
 
   /// `new_vertex` has been added to the mesh and belongs to no triangle yet.
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Vertex new_vertex) {
