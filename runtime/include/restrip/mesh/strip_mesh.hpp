@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,12 @@ inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 namespace detail {
 class TwoSteps;
 class TrialColors;
+
+template <class T>
+concept IndexList = requires(const T& t) {
+  requires std::is_same_v<std::remove_cv_t<typename decltype(std::span(t))::element_type>, std::uint32_t> ||
+      std::is_same_v<std::remove_cv_t<typename decltype(std::span(t))::element_type>, std::uint16_t>;
+};
 }  // namespace detail
 
 /// What StripMesh::build found in its input. Nothing is repaired silently: every triangle of the input is either in
@@ -74,6 +81,13 @@ class StripMesh {
   /// read, when there are more than `max_triangles` triangles or more than 2^32 - 1 vertices.
   [[nodiscard]] static StripMesh build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
                                        BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr);
+  /// The same from an index buffer, anything that a std::span of 16-bit or 32-bit unsigned integers can be made of:
+  /// three corners for each triangle. Throws std::invalid_argument too, when the number of indices is not a multiple of
+  /// three. Takes 12 bytes a triangle for the time of the call.
+  template <class Indices>
+  requires detail::IndexList<Indices>
+  [[nodiscard]] static StripMesh build(const Indices& indices, std::size_t vertex_count, BuildReport* report = nullptr,
+                                       std::vector<std::uint32_t>* origin = nullptr);
 
   // ---- walking
   [[nodiscard]] static constexpr Halfedge halfedge(Triangle t, unsigned side = 0) noexcept { return {t << 2 | side}; }

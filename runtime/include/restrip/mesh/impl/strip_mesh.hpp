@@ -399,6 +399,17 @@ inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
   return h;
 }
 
+template <class Indices>
+requires detail::IndexList<Indices> StripMesh StripMesh::build(const Indices& indices, std::size_t vertex_count,
+                                                               BuildReport* report,
+                                                               std::vector<std::uint32_t>* origin) {
+  const std::span corners(indices);
+  if (corners.size() % 3 != 0) RESTRIP_THROW(std::invalid_argument, "restrip: a triangle has three indices");
+  std::vector<std::array<Vertex, 3>> triangles(corners.size() / 3);
+  for (std::size_t i = 0; i < corners.size(); ++i) triangles[i / 3][i % 3] = corners[i];
+  return build(triangles, vertex_count, report, origin);
+}
+
 inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
                                   BuildReport* report_out, std::vector<std::uint32_t>* origin) {
   if (triangles.size() > max_triangles)
