@@ -195,33 +195,6 @@ TEST(Descent, KeepsToItsLimits) {
   }
 }
 
-// A descent that stays changes edges of the triangles given and of their neighbours, and no others.
-TEST(Descent, StaysWhereItIsToldTo) {
-  std::mt19937 random(17);
-  std::size_t changed = 0;
-  for (int round = 0; round < 200; ++round) {
-    StripMesh mesh = sample::torus(12, 9);
-    color_randomly(mesh, random, 0.8);
-    const StripMesh before = mesh;
-    const Triangle given = static_cast<Triangle>(random() % mesh.triangle_bound());
-    Descent descent;
-    descent.run(mesh, std::array{given, given}, {.stay = true});
-    for (const Triangle t : all_triangles(mesh)) {
-      if (mesh.solid_sides(t) == before.solid_sides(t)) continue;
-      ++changed;
-      bool near = t == given;
-      for (unsigned side = 0; side < 3; ++side) {
-        const Triangle beside = StripMesh::triangle(mesh.opposite(StripMesh::halfedge(given, side)));
-        near = near || beside == t;
-        for (unsigned s = 0; s < 3; ++s)
-          near = near || StripMesh::triangle(mesh.opposite(StripMesh::halfedge(beside, s))) == t;
-      }
-      EXPECT_TRUE(near);
-    }
-  }
-  EXPECT_GT(changed, 200U);
-}
-
 // The dual edges around a tube that is one ring of triangles.
 std::vector<Halfedge> ring_of(const StripMesh& mesh) {
   std::vector<Halfedge> ring;

@@ -64,7 +64,6 @@ struct DescentLimits {
   std::uint32_t moves = std::numeric_limits<std::uint32_t>::max();  ///< moves priced; the last look may go beyond
   std::uint32_t tries = 0;  ///< chains: first moves tried at each triangle where no single move pays; 0: no chains
   std::int32_t worse = 0;   ///< chains: what their first move may cost
-  bool stay = false;        ///< look at no triangles but those given, again and again
 };
 
 /// Sums over all calls.
@@ -117,7 +116,6 @@ class Descent {
   [[nodiscard]] bool chain(StripMesh& mesh, Triangle t, const DescentLimits& limits);
   void take_back(StripMesh& mesh, const StripMove& move);
   void touch(const StripMesh& mesh, const StripMove& move);
-  void look_again(const DescentLimits& limits, std::size_t given);
 
   Cost cost_;
   DescentCounts counts_;

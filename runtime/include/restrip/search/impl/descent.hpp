@@ -359,13 +359,6 @@ inline bool Descent::chain(StripMesh& mesh, Triangle t, const DescentLimits& lim
   return false;
 }
 
-inline void Descent::look_again(const DescentLimits& limits, std::size_t given) {
-  for (const Triangle t : touched_) {
-    const auto end = queue_.begin() + static_cast<std::ptrdiff_t>(given);
-    if (!limits.stay || std::find(queue_.begin(), end, t) != end) queue_.push_back(t);
-  }
-}
-
 inline ColoringChange Descent::run(StripMesh& mesh, std::span<const Triangle> from, const DescentLimits& limits) {
   done_ = {};
   looked_count_ = 0;
@@ -373,7 +366,8 @@ inline ColoringChange Descent::run(StripMesh& mesh, std::span<const Triangle> fr
   const std::uint64_t stop = counts_.priced + limits.moves;
   for (std::size_t head = 0; head < queue_.size() && counts_.priced < stop; ++head) {
     const Triangle t = queue_[head];
-    if (step(mesh, t) || (limits.tries != 0 && chain(mesh, t, limits))) look_again(limits, from.size());
+    if (step(mesh, t) || (limits.tries != 0 && chain(mesh, t, limits)))
+      queue_.insert(queue_.end(), touched_.begin(), touched_.end());
   }
   return done_;
 }
