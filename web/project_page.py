@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Makes the project's page of README.md, with the plots of docs/: project_page.py ROOT OUT_FOLDER --style FILE…
 
-Knows as much Markdown as README.md has. What the page leaves out: how to build and use the library, links into docs/."""
+Knows as much Markdown as README.md has. What the page leaves out: how to build and use the library.
+Documents are named, not linked."""
 import argparse
 import re
 import shutil
@@ -21,7 +22,8 @@ def inline(text):
     text = escaped(text)
     text = re.sub(r"!\[([^\]]*)\]\(docs/([^)]*)\)", r'<img src="\2" alt="\1">', text)
     text = re.sub(r"\[([^\]]*)\]\((?:http[^)]*)\)", r"\1", text)
-    text = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", text)
+    text = re.sub(r"\[([^\]]*)\]\((#[^)]*)\)", r'<a href="\2">\1</a>', text)
+    text = re.sub(r"\[([^\]]*)\]\(([^)#]*)[^)]*\)", lambda link: link[1] if link[1] == link[2] else f"{link[1]} (<code>{link[2]}</code>)", text)
     text = re.sub(r"`([^`]*)`", r"<code>\1</code>", text)
     text = re.sub(r"\*\*([^*]*)\*\*", r"<strong>\1</strong>", text)
     return re.sub(r"\*([^*]+)\*", r"<em>\1</em>", text)
@@ -75,7 +77,7 @@ def main():
     parts = [f'<h1>restrip</h1>\n{blocks(found["restrip"])}\n<p><a class="button" href="viewer.html">See strips move with the level of detail</a> '
              '<a class="button" href="atlas/index.html">Atlas of rules</a> <a class="button" href="atlas/paint.html">Paint a configuration</a></p>']
     for name in SECTIONS[1:]:
-        parts.append(f"<h2>{escaped(name)}</h2>\n{blocks(found[name])}")
+        parts.append(f"<h2 id=\"{name.lower().replace(' ', '-')}\">{escaped(name)}</h2>\n{blocks(found[name])}")
     for file, caption in PLOTS:
         parts.append(f'<figure class="plot"><img src="{file}" alt="{escaped(caption)}"><figcaption>{escaped(caption)}</figcaption></figure>')
     given.out.mkdir(parents=True, exist_ok=True)

@@ -18,6 +18,7 @@ class Viewer {
   timed = { operations: 0, milliseconds: 0 };
   lastFrame = { operations: 0, bytes: 0, whole: 0 };
   #asked = false;
+  #told = -1;  // the operations that the last one was told of
   mostOperations = 0;  // of any frame
   #moved = true;
   #done = true;
@@ -107,6 +108,7 @@ class Viewer {
   begin() {
     this.mesh.begin({ policy: by('policy').value, cost: by('cost').value });
     this.timed = { operations: 0, milliseconds: 0 };
+    this.#told = -1;
     this.#upload();
     this.mesh.moveTo(Math.min(this.level, this.mesh.levels));
     this.#changed();
@@ -232,8 +234,20 @@ class Viewer {
     by('up').disabled = this.level === this.mesh.levels;
   }
   showLast() {
+    if (this.figures.operations === this.#told) return;
+    this.#told = this.figures.operations;
     const last = this.figures.operations > 0 ? this.mesh.last : null;
-    this.marked = last && this.lastFrame.operations === 1 ? last.trianglesAfter : null;
+    this.marked = null;
+    if (last && this.lastFrame.operations === 1) {
+      // First as it was, a moment later as it is.
+      const { operations } = this.figures;
+      this.marked = last.trianglesBefore;
+      setTimeout(() => {
+        if (this.figures.operations !== operations) return;
+        this.marked = last.trianglesAfter;
+        this.ask();
+      }, 500);
+    }
     if (!last) return;
     const change = last.strips === 0 ? 'the number of strips is the same' :
       `${Math.abs(last.strips)} strip${Math.abs(last.strips) === 1 ? '' : 's'} ${last.strips > 0 ? 'more' : 'fewer'}`;
