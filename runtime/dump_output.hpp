@@ -58,4 +58,7 @@ class Output {
 /// The trees of linked_split_rule() and linked_collapse_rule() (docs/certificate.md, "Dump of linked rules").
 void linked_rules(Output& out, std::size_t max_k);
 
+/// The numbers of the automaton, and a digest of its answers to every key of every position with k <= max_k.
+void automaton(Output& out, std::size_t max_k);
+
 }  // namespace restrip::dump

@@ -1,6 +1,6 @@
 // restrip-dump-tables: prints what the compiled rules answer to every configuration, valid or not, in every position,
 // so that those who trust neither the generator nor the look-up in the tables can compare (docs/certificate.md, "Table
-// dump", and "Dump of linked rules", the output with --linked).
+// dump"; "Dump of linked rules", the output with --linked; "Dump of the automaton", that with --automaton).
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -116,24 +116,41 @@ void tables(Output& out, std::size_t max_k) {
 
 int main(int argc, char** argv) {
   bool linked = false;
+  bool automaton = false;
   std::size_t max_k = restrip::table_max_k;
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (word == "--linked") {
       linked = true;
+    } else if (word == "--automaton") {
+      automaton = true;
     } else if (word == "--max-k" && i + 1 < argc && std::string_view(argv[i + 1]).size() == 1 &&
                argv[i + 1][0] >= '3' && argv[i + 1][0] <= static_cast<char>('0' + restrip::table_max_k)) {
       max_k = static_cast<std::size_t>(argv[++i][0] - '0');
     } else {
-      std::fprintf(stderr,
-                   "usage: restrip-dump-tables [--linked] [--max-k K]\n"
-                   "  what the compiled rules answer; with --linked, what the linked look-up picks; 3 <= K <= %u\n",
-                   static_cast<unsigned>(restrip::table_max_k));
+      std::fprintf(
+          stderr,
+          "usage: restrip-dump-tables [--linked | --automaton] [--max-k K]\n"
+          "  what the compiled rules answer; with --linked, what the linked look-up picks; with --automaton, the\n"
+          "  numbers of the automaton and digests of what it answers; 3 <= K <= %u\n",
+          static_cast<unsigned>(restrip::table_max_k));
       return 2;
     }
   }
+  if (linked && automaton) {
+    std::fputs("restrip-dump-tables: choose one of --linked and --automaton\n", stderr);
+    return 2;
+  }
   Output out(stdout);
-  out.line(linked ? "restrip-linked-dump 1" : "restrip-table-dump 2");
-  linked ? restrip::dump::linked_rules(out, max_k) : tables(out, max_k);
+  if (automaton) {
+    out.line("restrip-automaton-dump 1");
+    restrip::dump::automaton(out, max_k);
+  } else if (linked) {
+    out.line("restrip-linked-dump 1");
+    restrip::dump::linked_rules(out, max_k);
+  } else {
+    out.line("restrip-table-dump 2");
+    tables(out, max_k);
+  }
   return out.finish() ? 0 : 1;
 }

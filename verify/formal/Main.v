@@ -17,6 +17,7 @@ Import ListNotations.
 Require Import Spec Graph Locality Strips Table Rows Linked Sequences.
 Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped LowerBound.
 Require EveryFan EverySplit EveryCollapse EveryOpen EveryBoundary EverySize EveryFigures.
+Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects.
 
 (** ** Graphs *)
 Theorem locality : forall p, sensible p (before p) -> sensible p (after p) -> forall s c x,
@@ -246,6 +247,46 @@ Theorem correct_tables_cost : forall p T U strips alone, correct p T -> correct 
   within p T strips alone -> within p U strips alone.
 Proof. exact EverySize.correct_within. Qed.
 Print Assumptions correct_tables_cost.
+
+(** ** The shipped automaton
+
+    The numbers of automaton.hpp, and the look-up of [Header.v], which says what arc_walk.hpp does with them. For every k and every
+    position: the table of its answers is correct, keeps every mesh valid, and the answer is a function of the key. The
+    last theorem but one compares what the look-up says with what the compiled one says, for every key of every position
+    with k <= 7; the last one sees automata refused in which one bit was changed. *)
+Definition serves (p : patch) (closed : bool) (answer : coloring -> coloring -> coloring) : Prop :=
+  exists T, correct p T /\ safe p T /\ reduces_to p closed T (fun s J => Some (answer s J)).
+Theorem automaton_split : forall k a, 3 <= k -> 1 <= a < k ->
+  serves (split k a) true (Header.split_answer Automaton.automaton k a).
+Proof. exact (Served.split_served _ Automaton.automaton_ok). Qed.
+Print Assumptions automaton_split.
+Theorem automaton_collapse : forall k a, 3 <= k -> 1 <= a < k ->
+  serves (collapse k a) true (Header.collapse_answer Automaton.automaton k).
+Proof. exact (Served.collapse_served _ Automaton.automaton_ok). Qed.
+Print Assumptions automaton_collapse.
+Theorem automaton_open_split : forall k i j, 1 <= k -> i < j <= k ->
+  serves (open_split k i j) false (Header.open_split_answer Automaton.automaton k i j).
+Proof. exact (Served.open_split_served _ Automaton.automaton_ok). Qed.
+Print Assumptions automaton_open_split.
+Theorem automaton_open_collapse : forall k i j, 1 <= k -> i < j <= k ->
+  serves (open_collapse k i j) false (Header.fan_collapse_answer Automaton.automaton k).
+Proof. exact (Served.open_collapse_served _ Automaton.automaton_ok). Qed.
+Print Assumptions automaton_open_collapse.
+Theorem automaton_boundary_split : forall k i, 1 <= k -> i <= k ->
+  serves (boundary_split k i) false (Header.boundary_split_answer Automaton.automaton k i).
+Proof. exact (Served.boundary_split_served _ Automaton.automaton_ok). Qed.
+Print Assumptions automaton_boundary_split.
+Theorem automaton_boundary_collapse : forall k i, 1 <= k -> i <= k ->
+  serves (boundary_collapse k i) false (Header.fan_collapse_answer Automaton.automaton k).
+Proof. exact (Served.boundary_collapse_served _ Automaton.automaton_ok). Qed.
+Print Assumptions automaton_boundary_collapse.
+Theorem automaton_looked_up : map fst AutomatonNumbers.digests = Header.positions 7 /\
+  forallb (fun d => N.eqb (Header.digest_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d)) AutomatonNumbers.digests = true.
+Proof. exact Automaton.looked_up. Qed.
+Print Assumptions automaton_looked_up.
+Theorem wrong_automata_refused : forallb (fun H => negb (Meetings.header_ok H)) AutomatonRejects.wrong_automata = true.
+Proof. exact AutomatonRejects.wrong_automata_refused. Qed.
+Print Assumptions wrong_automata_refused.
 
 (** ** Linked rules
 

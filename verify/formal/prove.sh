@@ -33,7 +33,7 @@ cmake --build --preset programs --target restrip-dump-tables >/dev/null
 
 say "building the printers"
 mkdir -p "$out/coq" "$out/fresh"
-for printer in print_tables print_rows; do
+for printer in print_tables print_rows print_automaton; do
   c++ -std=c++20 -O2 -o "$out/$printer" "verify/formal/$printer.cpp"
 done
 
@@ -41,6 +41,8 @@ say "printing the tables and the certificates"
 rm -f "$out"/fresh/*.v
 build/programs/bin/restrip-dump-tables >"$out/tables.dump"
 "$out/print_tables" "$out/fresh" <"$out/tables.dump" >"$out/printed"
+build/programs/bin/restrip-dump-tables --automaton --max-k 7 >"$out/automaton.dump"
+"$out/print_automaton" "$out/fresh" <"$out/automaton.dump"
 for family in "${certificates[@]}"; do
   "$out/print_rows" "$out/fresh" <"tables/certificates/$family.cert"
 done
@@ -111,7 +113,7 @@ took() {
 say "coqchk (log: $out/coqchk.log)"
 checking=$SECONDS
 modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.LowerBound Restrip.Flip
-  Restrip.EveryFan Restrip.Facts Restrip.EveryBoundary)
+  Restrip.EveryFan Restrip.Facts Restrip.EveryBoundary Restrip.Served)
 [ "$full" = no ] || modules=(Restrip.Main)
 coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
 grep -q '^\* Axioms: <none>' "$out/coqchk.log"
@@ -124,6 +126,8 @@ for i in "${!theorems[@]}"; do
     locality) files=(Graph Locality) ;;
     valid_is_stripped) files=(Graph Strips) ;;
     valid_* | costing_*) files=(Figures) ;;
+    wrong_automata_refused) files=(AutomatonRejects) ;;
+    automaton_*) files=(Arcs Rings Closings Header Kinds Ends Meetings Played Neighbours Keys Walks WalkFamilies WalkOpen Served Automaton) ;;
     wrong_* | careless_*) files=(Rejects) ;;
     answers) files=(Answers) ;;
     every_sequence_*) files=(Sequences EverySize) ;;

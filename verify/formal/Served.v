@@ -1,0 +1,41 @@
+(** * What a header that passes serves *)
+Require Import Arith Bool List NArith.
+Import ListNotations.
+Require Import Spec Header Kinds Meetings Walks WalkFamilies WalkOpen.
+
+(** What the header's check has found is never looked into here. *)
+Local Opaque found closed closings_ok meetings_ok.
+Lemma all_three (a b c : bool) : (if a then if b then c else false else false) = true -> a = true /\ c = true /\ b = true.
+Proof. destruct a, b, c; auto. Qed.
+
+Section Served.
+  Variable H : header.
+  Hypothesis ok : header_ok H = true.
+  Lemma parts_ok : closed H (found H) = true /\ meetings_ok H (listed (found H)) = true /\ closings_ok H (listed (found H)) = true.
+  Proof. exact (all_three _ _ _ ok). Qed.
+
+  Theorem split_served k a : 3 <= k -> 1 <= a < k -> serves_keys (split k a) true (split_answer H k a).
+  Proof.
+    intros Hk Ha. destruct parts_ok as (F & M & S). apply (served _ _ _ of_closed); [exact (split_walked H (found H) F M k a Hk Ha)|]. intros s J lab Ls. apply closed_clean. exact Ls.
+  Qed.
+  Theorem collapse_served k a : 3 <= k -> 1 <= a < k -> serves_keys (collapse k a) true (collapse_answer H k).
+  Proof.
+    intros Hk Ha. destruct parts_ok as (F & M & S). apply (served _ _ _ of_closed); [exact (collapse_walked H (found H) F S k a Hk Ha)|]. intros s J lab Ls. apply closed_clean. exact Ls.
+  Qed.
+  Theorem open_split_served k i j : 1 <= k -> i < j <= k -> serves_keys (open_split k i j) false (open_split_answer H k i j).
+  Proof.
+    intros Hk Hj. destruct parts_ok as (F & M & S). apply (served _ _ _ of_open); [exact (open_split_walked H (found H) F M k i j Hk Hj)|]. intros s J lab Ls. apply open_clean. exact Ls.
+  Qed.
+  Theorem open_collapse_served k i j : 1 <= k -> i < j <= k -> serves_keys (open_collapse k i j) false (fan_collapse_answer H k).
+  Proof.
+    intros Hk Hj. destruct parts_ok as (F & M & S). apply (served _ _ _ of_open); [exact (open_collapse_walked H (found H) F S k i j Hk Hj)|]. intros s J lab Ls. apply open_clean. exact Ls.
+  Qed.
+  Theorem boundary_split_served k i : 1 <= k -> i <= k -> serves_keys (boundary_split k i) false (boundary_split_answer H k i).
+  Proof.
+    intros Hk Hi. destruct parts_ok as (F & M & S). apply (served _ _ _ of_open); [exact (boundary_split_walked H (found H) F S k i Hk Hi)|]. intros s J lab Ls. apply open_clean. exact Ls.
+  Qed.
+  Theorem boundary_collapse_served k i : 1 <= k -> i <= k -> serves_keys (boundary_collapse k i) false (fan_collapse_answer H k).
+  Proof.
+    intros Hk Hi. destruct parts_ok as (F & M & S). apply (served _ _ _ of_open); [exact (boundary_collapse_walked H (found H) F S k i Hk Hi)|]. intros s J lab Ls. apply open_clean. exact Ls.
+  Qed.
+End Served.
