@@ -24,6 +24,7 @@ def inline(text):
     text = re.sub(r"\[([^\]]*)\]\((?:http[^)]*)\)", r"\1", text)
     text = re.sub(r"\[([^\]]*)\]\((#[^)]*)\)", r'<a href="\2">\1</a>', text)
     text = re.sub(r"\[([^\]]*)\]\(([^)#]*)[^)]*\)", lambda link: link[1] if link[1] == link[2] else f"{link[1]} (<code>{link[2]}</code>)", text)
+    text = re.sub(r"\(([^()]*) \((<code>[^<]*</code>)\)\)", r"(\1: \2)", text)
     text = re.sub(r"`([^`]*)`", r"<code>\1</code>", text)
     text = re.sub(r"\*\*([^*]*)\*\*", r"<strong>\1</strong>", text)
     return re.sub(r"\*([^*]+)\*", r"<em>\1</em>", text)
