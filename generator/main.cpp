@@ -1,292 +1,19 @@
 // restrip-generate: writes the tables, their certificates, and the dumps with which others check us.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
-#include <mutex>
-#include <numeric>
-#include <optional>
-#include <set>
 #include <stdexcept>
 #include <string>
-#include <utility>
-#include <variant>
-#include <vector>
 
-#include "automaton.hpp"
 #include "count.hpp"
-#include "digest.hpp"
 #include "dump.hpp"
-#include "emit.hpp"
-#include "emit_automaton.hpp"
-#include "emit_index_automaton.hpp"
-#include "files/output.hpp"
 #include "files/system_calls.hpp"
-#include "part.hpp"
-#include "shard.hpp"
-#include "share.hpp"
-
-namespace {
+#include "table_files.hpp"
 
 using namespace restrip::generator;
-namespace files = restrip::files;
-
-struct TablesOptions {
-  std::string out;
-  std::string shard;
-  unsigned max_k = 8;
-  unsigned threads = 1;
-  Goal goal = Goal::strips;
-};
-
-/// Solves the parts with these places in `all`, the largest valences first, which take longest.
-void solve_parts(std::vector<Part>& all, std::vector<std::size_t> places, unsigned threads) {
-  std::stable_sort(places.begin(), places.end(),
-                   [&](std::size_t x, std::size_t y) { return position_of(all[x]).k > position_of(all[y]).k; });
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  std::mutex mutex;
-  std::size_t done = 0;
-  share(places.size(), threads, [&](std::size_t i) {
-    solve(all[places[i]]);
-    if (!terminal) return;
-    const std::lock_guard lock(mutex);
-    fmt::print(stderr, "\rsolved {} of {} sections", ++done, places.size());
-  });
-  if (terminal) fmt::print(stderr, "\r{:40}\r", "");
-}
-
-const std::string headers = "include/restrip/tables/";
-
-std::string header_path(const std::string& family) {
-  std::string file = family;
-  std::replace(file.begin(), file.end(), '-', '_');
-  return headers + file + ".hpp";
-}
-
-std::string certificate_path(const std::string& family) { return "certificates/" + family + ".cert"; }
-
-/// The two files of an automaton, which serves every valence.
-struct AutomatonFiles {
-  std::string name;
-  std::size_t classes = 0;
-  RulesHeader header;
-  std::string certificate;
-  std::size_t rows = 0;
-  std::string json;
-  std::string classes_json;
-};
-
-AutomatonFiles strips_automaton() {
-  const Automaton automaton = make_automaton();
-  const AutomatonCertificate certificate = automaton_certificate(automaton);
-  return {"automaton",      automaton.classes.size(),  automaton_header(automaton), certificate.text,
-          certificate.rows, automaton_json(automaton), classes_json(automaton)};
-}
-
-AutomatonFiles index_automaton(const indices::Weights& weights) {
-  const indices::Automaton automaton = indices::make_automaton(weights);
-  const AutomatonCertificate certificate = indices::automaton_certificate(automaton);
-  return {"index-automaton", automaton.classes.size(),           indices::automaton_header(automaton), certificate.text,
-          certificate.rows,  indices::automaton_json(automaton), indices::classes_json(automaton)};
-}
-
-/// "strips", "indices", or the weights of a strip, a swap and an isolated triangle with commas between them.
-AutomatonFiles automaton_for(const std::string& cost) {
-  if (cost == "strips") return strips_automaton();
-  if (cost == "indices") return index_automaton({});
-  indices::Weights weights;
-  int end = 0;
-  if (std::sscanf(cost.c_str(), "%4d,%4d,%4d%n", &weights.restart, &weights.swap, &weights.isolated, &end) != 3 ||
-      static_cast<std::size_t>(end) != cost.size())
-    throw std::invalid_argument(
-        fmt::format("--cost {}: expected strips, indices, or the weights of a strip, a swap and an isolated triangle, "
-                    "as in 3,1,0",
-                    cost));
-  return index_automaton(weights);
-}
-
-std::string summary(const AutomatonFiles& files) {
-  return fmt::format("{:<16} {:>3} classes   {:>6} rows   {:>6} bytes\n", files.name, files.classes, files.rows,
-                     files.header.bytes);
-}
-
-/// The files that write_tables writes, whatever the largest valence; MANIFEST, which vouches for the others, last.
-files::OutputSet table_files(const std::string& out) {
-  std::set<std::filesystem::path> names{headers + "rows.hpp",           headers + "linked.hpp",
-                                        header_path("automaton"),       certificate_path("automaton"),
-                                        header_path("index-automaton"), certificate_path("index-automaton")};
-  for (const Part& part : parts(3)) {
-    names.insert(certificate_path(part.family));
-    if (std::holds_alternative<Section>(part.section)) names.insert(header_path(part.family));
-  }
-  std::vector<std::filesystem::path> in_order(names.begin(), names.end());
-  in_order.emplace_back("MANIFEST");
-  return files::OutputSet(out, in_order);
-}
-
-/// Solved parts, family by family.
-struct Families {
-  std::vector<SolvedFamily> rules;
-  std::vector<LinkedFamily> linked;
-};
-
-/// The last family, if that is its name, or a new one.
-template <class Solved>
-Solved& family_called(const std::string& name, std::vector<Solved>& families) {
-  if (families.empty() || families.back().name != name) families.push_back({name, {}, {}});
-  return families.back();
-}
-
-Families by_family(std::vector<Part> all) {
-  Families families;
-  for (Part& part : all) {
-    if (auto* section = std::get_if<Section>(&part.section)) {
-      SolvedFamily& family = family_called(part.family, families.rules);
-      family.sections.push_back(std::move(*section));
-      family.texts.push_back(std::move(part.text));
-    } else {
-      LinkedFamily& family = family_called(name_of(position_of(part).family), families.linked);
-      family.sections.push_back(std::move(std::get<LinkedSection>(part.section)));
-      family.texts.push_back(std::move(part.text));
-    }
-  }
-  return families;
-}
-
-/// The files of the tables, and what is printed about them.
-struct TableFiles {
-  struct File {
-    std::string text;
-    std::size_t rows = 0;  ///< as MANIFEST lists them
-  };
-  std::map<std::string, File> by_path;
-  std::string told;
-
-  /// Hands the files over, and MANIFEST behind them.
-  [[nodiscard]] std::vector<files::NamedBytes> take() {
-    std::string manifest = "restrip-manifest 1\n";
-    std::vector<files::NamedBytes> all;
-    for (auto& [path, file] : by_path) {
-      manifest += fmt::format("{} {} {} {}\n", sha256(file.text), file.text.size(), file.rows, path);
-      all.push_back({path, std::move(file.text)});
-    }
-    all.push_back({"MANIFEST", manifest});
-    return all;
-  }
-};
-
-std::string summary(const std::string& family, std::size_t sections, std::size_t rules, std::size_t bytes) {
-  return fmt::format("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", family, sections, rules, bytes);
-}
-
-Packing packing_of(const std::vector<SolvedFamily>& families, bool of_closed_fans, unsigned max_k) {
-  std::vector<const Section*> sections;
-  for (const SolvedFamily& family : families)
-    for (const Section& section : family.sections)
-      if (section.position.family != Family::flip && closed(section.position.family) == of_closed_fans)
-        sections.push_back(&section);
-  return pack(sections, max_k);
-}
-
-void add_rules(const std::vector<SolvedFamily>& families, unsigned max_k, TableFiles& to) {
-  const Packing closed_packing = packing_of(families, true, max_k);
-  const Packing open_packing = packing_of(families, false, max_k);
-  to.by_path[headers + "rows.hpp"] = {rows_header(closed_packing, open_packing, max_k), 0};
-  for (const SolvedFamily& family : families) {
-    const bool on_closed = closed(family.sections[0].position.family);
-    const RulesHeader header = rules_header(family, on_closed ? closed_packing : open_packing, max_k);
-    to.by_path[header_path(family.name)] = {header.text, family.rows()};
-    to.by_path[certificate_path(family.name)] = {certificate(family.name, family.texts, family.rows()), family.rows()};
-    to.told += summary(family.name, family.sections.size(), family.rows(), header.bytes);
-  }
-}
-
-void add_linked(const std::vector<LinkedFamily>& families, unsigned max_k, TableFiles& to) {
-  const RulesHeader header = linked_header(families, max_k);
-  std::size_t sections = 0;
-  std::size_t alternatives = 0;
-  for (const LinkedFamily& family : families) {
-    const std::string name = "linked-" + family.name;
-    to.by_path[certificate_path(name)] = {certificate(name, family.texts, family.alternatives()),
-                                          family.alternatives()};
-    sections += family.sections.size();
-    alternatives += family.alternatives();
-  }
-  to.by_path[headers + "linked.hpp"] = {header.text, alternatives};
-  to.told += summary("linked", sections, alternatives, header.bytes);
-}
-
-void add_automaton(const AutomatonFiles& automaton, TableFiles& to) {
-  to.by_path[header_path(automaton.name)] = {automaton.header.text, automaton.rows};
-  to.by_path[certificate_path(automaton.name)] = {automaton.certificate, automaton.rows};
-  to.told += summary(automaton);
-}
-
-void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) {
-  const Families families = by_family(std::move(all));
-  TableFiles tables;
-  add_rules(families.rules, max_k, tables);
-  add_linked(families.linked, max_k, tables);
-  add_automaton(strips_automaton(), tables);
-  add_automaton(index_automaton({}), tables);
-  out.write(tables.take());
-  fmt::print("{}", tables.told);
-}
-
-void write_automaton(const std::string& cost, const std::string& folder, const std::string& json,
-                     const std::string& classes) {
-  const AutomatonFiles automaton = automaton_for(cost);
-  files::OutputSet out(folder, {header_path(automaton.name), certificate_path(automaton.name)});
-  std::optional<files::Output> json_out;
-  if (!json.empty() && json != "-") json_out.emplace(json, files::OutputRules{{".json"}, {}});
-  std::optional<files::Output> classes_out;
-  if (!classes.empty()) classes_out.emplace(classes, files::OutputRules{{".json"}, {}});
-  out.write({{header_path(automaton.name), automaton.header.text},
-             {certificate_path(automaton.name), automaton.certificate}});
-  if (json_out) json_out->write(automaton.json);
-  if (classes_out) classes_out->write(automaton.classes_json);
-  fmt::print("{}", json == "-" ? automaton.json : summary(automaton));
-}
-
-void make_tables(const TablesOptions& options) {
-  files::OutputSet out = table_files(options.out);
-  std::vector<Part> all = parts(options.max_k, options.goal);
-  std::vector<std::size_t> everything(all.size());
-  std::iota(everything.begin(), everything.end(), std::size_t{0});
-  solve_parts(all, everything, options.threads);
-  write_tables(out, std::move(all), options.max_k);
-}
-
-void make_shard(const TablesOptions& options) {
-  const Shard shard = shard_named(options.shard);
-  files::OutputSet out(options.out, {file_name(shard)});
-  const std::string id = generator_id(RESTRIP_VERSION);
-  std::vector<Part> all = parts(options.max_k);
-  const std::vector<std::size_t> places = share_of(all, shard.index, shard.count);
-  solve_parts(all, places, options.threads);
-  std::vector<const Part*> solved;
-  std::size_t rows = 0;
-  for (const std::size_t i : places) {
-    solved.push_back(&all[i]);
-    rows += rows_of(all[i]);
-  }
-  const std::string text = shard_text(shard, options.max_k, id, solved);
-  out.write({{file_name(shard), text}});
-  fmt::print("shard {} of {}: {} of {} sections, {} rows, {} bytes\n", shard.index, shard.count, solved.size(),
-             all.size(), rows, text.size());
-}
-
-void merge(const std::string& in, const std::string& folder) {
-  files::OutputSet out = table_files(folder);
-  Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
-  write_tables(out, std::move(merged.parts), merged.max_k);
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   restrip::files::ignore_file_size_signal();
@@ -328,22 +55,19 @@ int main(int argc, char** argv) {
   merge_command->add_option("--out", merge_out, "Directory that receives the tables")->required();
   merge_command->footer("\nExample:\n  restrip-generate merge --in /tmp/shards --out /tmp/tables\n");
 
-  std::string automaton_out;
-  std::string automaton_json_file;
-  std::string automaton_classes;
-  std::string automaton_cost = "strips";
+  AutomatonOptions automaton;
   auto* automaton_command =
       app.add_subcommand("automaton", "Write the automaton that answers fans of every valence, and its certificate");
-  automaton_command->add_option("--out", automaton_out, "Directory that receives them")->required();
+  automaton_command->add_option("--out", automaton.out, "Directory that receives them")->required();
   automaton_command
       ->add_option(
-          "--cost", automaton_cost,
+          "--cost", automaton.cost,
           "What is best: strips (fewest strips, then fewest isolated triangles), indices (3 for a strip, 1 for "
           "a swap), or R,S,I, the weights of a strip, a swap and an isolated triangle")
       ->capture_default_str();
-  automaton_command->add_option("--json", automaton_json_file,
+  automaton_command->add_option("--json", automaton.json,
                                 "Write its figures to this file; - for standard output, in place of the text");
-  automaton_command->add_option("--classes", automaton_classes,
+  automaton_command->add_option("--classes", automaton.classes,
                                 "Write every class with a best colouring of each case to this JSON file, for pictures");
   automaton_command->footer(
       "\nExamples:\n"
@@ -388,8 +112,8 @@ int main(int argc, char** argv) {
   }
   try {
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
-    if (*automaton_command) write_automaton(automaton_cost, automaton_out, automaton_json_file, automaton_classes);
-    if (*merge_command) merge(merge_in, merge_out);
+    if (*automaton_command) make_automaton_files(automaton);
+    if (*merge_command) merge_shards(merge_in, merge_out);
     if (*dump_command) {
       const Family chosen = names.at(family);
       if (chosen != Family::flip && (k_option->empty() || k < smallest_valence(chosen)))

@@ -1,0 +1,39 @@
+// What restrip-generate writes to files: headers, certificates and MANIFEST; shards of them; an automaton.
+#pragma once
+
+#include <string>
+
+#include "preference.hpp"
+
+namespace restrip::generator {
+
+struct TablesOptions {
+  std::string out;    ///< the folder that receives the files
+  std::string shard;  ///< "I/N", or empty for everything
+  unsigned max_k = 8;
+  unsigned threads = 1;
+  Goal goal = Goal::strips;
+};
+
+// All of these look at their output paths before they work, say on standard output what they wrote, show progress on a
+// terminal, and throw std::exception with file and remedy.
+
+/// Headers, certificates and MANIFEST, all at once.
+void make_tables(const TablesOptions& options);
+
+/// One of several shares of the sections, for merge_shards().
+void make_shard(const TablesOptions& options);
+
+/// What make_tables() writes, from the shards in the folder `in`.
+void merge_shards(const std::string& in, const std::string& out);
+
+/// The automaton's header and certificate.
+struct AutomatonOptions {
+  std::string cost = "strips";  ///< "strips", "indices", or the weights of a strip, a swap and an isolated triangle
+  std::string out;              ///< the folder that receives them
+  std::string json;             ///< file for its figures, "-" for standard output, or empty
+  std::string classes;          ///< JSON file for its classes, or empty
+};
+void make_automaton_files(const AutomatonOptions& options);
+
+}  // namespace restrip::generator
