@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "count.hpp"
 #include "dump.hpp"
@@ -30,8 +32,10 @@ int main(int argc, char** argv) {
   tables_command->add_option("--max-k", tables.max_k, "Largest valence")
       ->check(CLI::Range(3, 13))
       ->capture_default_str();
-  tables_command->add_option("--threads", tables.threads, "Threads; the bytes written do not depend on it")
-      ->check(CLI::Range(1, 256))
+  tables_command
+      ->add_option("--threads", tables.threads,
+                   "Threads, 0: one for each processor; the bytes written do not depend on it")
+      ->check(CLI::Range(0, 256))
       ->capture_default_str();
   auto* shard_option = tables_command->add_option(
       "--shard", tables.shard, "I/N: solve only the I-th of N shares and write DIR/shard-I-of-N.txt, for `merge`");
@@ -41,6 +45,13 @@ int main(int argc, char** argv) {
                    "Between equally good rules: strips that stay long, or fewer indices in a plain strip")
       ->transform(CLI::CheckedTransformer(goals))
       ->default_str("strips")
+      ->excludes(shard_option);
+  tables_command
+      ->add_option(
+          "--cost", tables.cost,
+          "Of the index rules: indices (3 for a strip, 1 for a swap), or R,S,I, the weights of a strip, a swap "
+          "and an isolated triangle")
+      ->capture_default_str()
       ->excludes(shard_option);
   tables_command->footer(
       "\nExample, two shares by two machines, then all together:\n"
@@ -111,6 +122,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   try {
+    if (tables.threads == 0) tables.threads = std::max(1U, std::thread::hardware_concurrency());
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
     if (*automaton_command) make_automaton_files(automaton);
     if (*merge_command) merge_shards(merge_in, merge_out);

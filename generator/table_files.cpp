@@ -82,19 +82,22 @@ AutomatonFiles index_automaton(const indices::Weights& weights) {
           certificate.rows,  indices::automaton_json(automaton), indices::classes_json(automaton)};
 }
 
-/// "strips", "indices", or the weights of a strip, a swap and an isolated triangle with commas between them.
-AutomatonFiles automaton_for(const std::string& cost) {
-  if (cost == "strips") return strips_automaton();
-  if (cost == "indices") return index_automaton({});
+/// "indices", or the weights of a strip, a swap and an isolated triangle with commas between them.
+indices::Weights weights_named(const std::string& cost) {
   indices::Weights weights;
+  if (cost == "indices") return weights;
   int end = 0;
   if (std::sscanf(cost.c_str(), "%4d,%4d,%4d%n", &weights.restart, &weights.swap, &weights.isolated, &end) != 3 ||
       static_cast<std::size_t>(end) != cost.size())
     throw std::invalid_argument(
-        fmt::format("--cost {}: expected strips, indices, or the weights of a strip, a swap and an isolated triangle, "
-                    "as in 3,1,0",
+        fmt::format("--cost {}: expected a name that --help lists, or the weights of a strip, a swap and an isolated "
+                    "triangle, as in 3,1,0",
                     cost));
-  return index_automaton(weights);
+  return weights;
+}
+
+AutomatonFiles automaton_for(const std::string& cost) {
+  return cost == "strips" ? strips_automaton() : index_automaton(weights_named(cost));
 }
 
 std::string summary(const AutomatonFiles& files) {
@@ -214,13 +217,13 @@ void add_automaton(const AutomatonFiles& automaton, TableFiles& to) {
   to.told += summary(automaton);
 }
 
-void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) {
+void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k, const indices::Weights& weights) {
   const Families families = by_family(std::move(all));
   TableFiles tables;
   add_rules(families.rules, max_k, tables);
   add_linked(families.linked, max_k, tables);
   add_automaton(strips_automaton(), tables);
-  add_automaton(index_automaton({}), tables);
+  add_automaton(index_automaton(weights), tables);
   out.write(tables.take());
   fmt::print("{}", tables.told);
 }
@@ -228,12 +231,13 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k) 
 }  // namespace
 
 void make_tables(const TablesOptions& options) {
+  const indices::Weights weights = weights_named(options.cost);
   files::OutputSet out = table_files(options.out);
   std::vector<Part> all = parts(options.max_k, options.goal);
   std::vector<std::size_t> everything(all.size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
   solve_parts(all, everything, options.threads);
-  write_tables(out, std::move(all), options.max_k);
+  write_tables(out, std::move(all), options.max_k, weights);
 }
 
 void make_shard(const TablesOptions& options) {
@@ -258,7 +262,7 @@ void make_shard(const TablesOptions& options) {
 void merge_shards(const std::string& in, const std::string& folder) {
   files::OutputSet out = table_files(folder);
   Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
-  write_tables(out, std::move(merged.parts), merged.max_k);
+  write_tables(out, std::move(merged.parts), merged.max_k, {});
 }
 
 void make_automaton_files(const AutomatonOptions& options) {

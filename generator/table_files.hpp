@@ -13,6 +13,7 @@ struct TablesOptions {
   unsigned max_k = 8;
   unsigned threads = 1;
   Goal goal = Goal::strips;
+  std::string cost = "indices";  ///< of the index rules: "indices", or weights as in AutomatonOptions
 };
 
 // All of these look at their output paths before they work, say on standard output what they wrote, show progress on a

@@ -112,6 +112,13 @@ void tables(Output& out, std::size_t max_k) {
     for (unsigned ports = 0; ports < 16; ++ports) flip(out, inner, ports, restrip::flip_rule(inner, ports));
 }
 
+/// The number from 3 to table_max_k that a word says; 0 for any other word.
+std::size_t valence_named(std::string_view word) {
+  for (std::size_t k = 3; k <= restrip::table_max_k; ++k)
+    if (word == std::to_string(k)) return k;
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -124,9 +131,8 @@ int main(int argc, char** argv) {
       linked = true;
     } else if (word == "--automaton") {
       automaton = true;
-    } else if (word == "--max-k" && i + 1 < argc && std::string_view(argv[i + 1]).size() == 1 &&
-               argv[i + 1][0] >= '3' && argv[i + 1][0] <= static_cast<char>('0' + restrip::table_max_k)) {
-      max_k = static_cast<std::size_t>(argv[++i][0] - '0');
+    } else if (word == "--max-k" && i + 1 < argc && valence_named(argv[i + 1]) != 0) {
+      max_k = valence_named(argv[++i]);
     } else {
       std::fprintf(
           stderr,

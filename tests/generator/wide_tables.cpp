@@ -1,10 +1,12 @@
 // Tables that go beyond k = 8, compiled: every rule and every list of k = 9 is as good as what the runtime's exact
-// solver finds. Run by wide_tables.sh.
+// solver finds, and so is what the linked look-up picks where no strip is seen to its end. Run by wide_tables.sh.
 #include <bit>
 #include <cstdio>
+#include <map>
 #include <set>
 #include <utility>
 
+#include "restrip/operations/linked.hpp"
 #include "restrip/rules/exact.hpp"
 #include "restrip/tables/boundary_split.hpp"
 #include "restrip/tables/collapse.hpp"
@@ -90,13 +92,15 @@ Word first_of(const Table& table, unsigned place, Word ports, Word joined) {
   return ~Word{0};
 }
 
-void closed_families(Word ports, Word joined) {
+void closed_families(Word loop, Word ports, Word joined) {
+  const auto nothing_seen = [](std::size_t) { return restrip::out_of_sight; };
   for (unsigned a = 1; 2 * a <= k; ++a) {
     const Shape ring{k + 2, true, 0, a + 1};
     const Word inserted = Word{1} | Word{1} << (a + 1);
     const Value best = restrip::exact::best_split(k, a, ports, joined).value;
     expect(value_of(ring, cell(tables::split, tables::closed_rows, a - 1, ports, joined), ports, inserted), best);
     expect(value_of(ring, first_of(tables::linked_split, a - 1, ports, joined), ports, inserted), best);
+    expect(value_of(ring, restrip::linked_split_rule({k, a}, loop, ports, nothing_seen).colors, ports, inserted), best);
   }
   const Shape fan{k, true, 0, 0};
   const Value best = restrip::exact::best_collapse(k, ports, joined).value;
@@ -122,15 +126,15 @@ void open_families(Word ports, Word joined) {
 }  // namespace
 
 int main() {
-  Keys closed_keys;
+  std::map<std::pair<Word, Word>, Word> closed_keys;  // each with a loop that has it
   Keys open_keys;
   for (Word loop = 0; loop < Word{1} << k; ++loop)
     for (Word ports = 0; ports < Word{1} << k; ++ports) {
-      if (restrip::valid_closed(k, loop, ports)) closed_keys.emplace(ports, restrip::joined_closed(k, loop, ports));
+      if (restrip::valid_closed(k, loop, ports)) closed_keys[{ports, restrip::joined_closed(k, loop, ports)}] = loop;
       if (loop < Word{1} << (k - 1) && restrip::valid_open(k, loop, ports))
         open_keys.emplace(ports, restrip::joined_open(k, loop, ports));
     }
-  for (const auto& [ports, joined] : closed_keys) closed_families(ports, joined);
+  for (const auto& [key, loop] : closed_keys) closed_families(loop, key.first, key.second);
   for (const auto& [ports, joined] : open_keys) open_families(ports, joined);
   std::printf("%zu and %zu keys of k = %u: %d rules and lists, %d wrong\n", closed_keys.size(), open_keys.size(), k,
               checked, wrong);

@@ -21,6 +21,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "restrip/operations/adopt.hpp"
@@ -36,16 +37,18 @@ inline constexpr int out_of_sight = -2;  ///< it was followed as far as allowed
 /// How many triangles a strip is followed outward unless the caller says otherwise.
 inline constexpr std::size_t default_reach = 24;
 
-static_assert(tables::linked_split.first.size() == table_max_k + 1 && table_max_k <= 8);
-
 namespace detail {
+
+/// As in the tables: four bits for each port, its partner, or itself when it has none.
+using Pairing = std::remove_cv_t<decltype(tables::pairings)>::value_type;
+static_assert(tables::linked_split.first.size() == table_max_k + 1 && 4 * table_max_k <= 8 * sizeof(Pairing));
 
 /// Decides which recolourings are sound, and looks outward no more than necessary: each port once at most.
 template <class LookOut>
 class Outlook {
  public:
   /// `joined` as in a key, and a pair that it has no bit for, if there is one. Ports are counted from `by` on, in a fan
-  /// of k <= 8 triangles.
+  /// of k <= table_max_k triangles.
   constexpr Outlook(std::size_t k, std::size_t by, Word ports, Word joined, Word pair, LookOut& look_out)
       : k_(k), by_(by), ports_(ports), look_out_(&look_out) {
     for (auto& port : beyond_) port = not_asked;
@@ -63,7 +66,7 @@ class Outlook {
   }
 
   /// Does a recolouring with this pairing surely close no cycle?
-  constexpr bool sound(std::uint32_t after) {
+  constexpr bool sound(Pairing after) {
     if (after == before_ || after == no_pairs) return true;
     for (Word rest = ports_; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<std::size_t>(std::countr_zero(rest));
@@ -76,14 +79,12 @@ class Outlook {
  private:
   static constexpr std::int8_t not_asked = -3;
   static constexpr std::int8_t comes_back = -4;
-  static constexpr std::uint32_t no_pairs = 0x76543210;
+  static constexpr auto no_pairs = static_cast<Pairing>(0xfedcba9876543210U);
 
-  static constexpr std::size_t partner(std::uint32_t pairing, std::size_t i) noexcept {
-    return pairing >> (4 * i) & 15U;
-  }
-  static constexpr std::uint32_t with_pair(std::uint32_t pairing, std::size_t i, std::size_t j) noexcept {
+  static constexpr std::size_t partner(Pairing pairing, std::size_t i) noexcept { return pairing >> (4 * i) & 15U; }
+  static constexpr Pairing with_pair(Pairing pairing, std::size_t i, std::size_t j) noexcept {
     if (partner(pairing, i) != i) return pairing;  // two ports, and both bits of `joined` say so
-    const auto swap = static_cast<std::uint32_t>(i ^ j);
+    const auto swap = static_cast<Pairing>(i ^ j);
     return pairing ^ (swap << (4 * i) | swap << (4 * j));
   }
 
@@ -100,7 +101,7 @@ class Outlook {
 
   // Leaves through port `at` and follows the path: strip_ends, comes_back to `home`, or the port where it goes out of
   // sight.
-  constexpr int follow(std::uint32_t pairing, std::size_t at, std::size_t home) {
+  constexpr int follow(Pairing pairing, std::size_t at, std::size_t home) {
     for (;;) {
       const int back = beyond(at);
       if (back == out_of_sight) return static_cast<int>(at);
@@ -112,7 +113,7 @@ class Outlook {
     }
   }
 
-  constexpr bool stays_open(std::uint32_t after, std::size_t i, std::size_t j) {
+  constexpr bool stays_open(Pairing after, std::size_t i, std::size_t j) {
     const int one = follow(after, j, i);
     if (one < 0) return one == strip_ends;
     const int two = follow(after, i, j);
@@ -127,8 +128,8 @@ class Outlook {
   std::size_t by_;
   Word ports_;
   LookOut* look_out_;
-  std::uint32_t before_ = no_pairs;
-  std::int8_t beyond_[8] = {};
+  Pairing before_ = no_pairs;
+  std::int8_t beyond_[table_max_k] = {};
 };
 
 /// The first recolouring of a list that is sound.
