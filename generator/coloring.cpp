@@ -14,7 +14,7 @@ struct Partial {
   std::vector<unsigned> strip;  // label: the smallest node of the strip
 };
 
-Coloring describe(const Side& side, Mask inner, const Partial& state) {
+Coloring describe(const Side& side, Constraint constraint, Mask inner, const Partial& state) {
   Coloring coloring;
   coloring.inner = inner;
   std::vector<Mask> ports_of_node(side.nodes, 0);
@@ -23,56 +23,57 @@ Coloring describe(const Side& side, Mask inner, const Partial& state) {
     const unsigned node = side.owner[p];
     ports_of_node[node] |= bit(p);
     ports_of_strip[state.strip[node]] |= bit(p);
-    if (state.degree[node] == 2) coloring.full |= bit(p);
-    if (state.degree[node] == 1) coloring.exclusive |= bit(p);
+    if (state.degree[node] == constraint.most_edges) coloring.full |= bit(p);
   }
   for (unsigned node = 0; node < side.nodes; ++node) {
     if (state.degree[node] == 0) coloring.lonely.push_back(ports_of_node[node]);
     if (ports_of_strip[node] != 0) coloring.strips.push_back(ports_of_strip[node]);
+    const int room = static_cast<int>(constraint.most_edges) - static_cast<int>(state.degree[node]);
+    if (0 < room && room < std::popcount(ports_of_node[node])) coloring.crowds.push_back({ports_of_node[node], room});
   }
   return coloring;
 }
 
-void extend(const Side& side, unsigned edge, Mask inner, const Partial& state, std::vector<Coloring>& found) {
+void extend(const Side& side, Constraint constraint, unsigned edge, Mask inner, const Partial& state,
+            std::vector<Coloring>& found) {
   if (edge == side.edges.size()) {
-    found.push_back(describe(side, inner, state));
+    found.push_back(describe(side, constraint, inner, state));
     return;
   }
-  extend(side, edge + 1, inner, state, found);
+  extend(side, constraint, edge + 1, inner, state, found);
   const auto [u, v] = side.edges[edge];
-  if (state.degree[u] == 2 || state.degree[v] == 2 || state.strip[u] == state.strip[v]) return;
+  const bool full = std::max(state.degree[u], state.degree[v]) == constraint.most_edges;
+  if (full || state.strip[u] == state.strip[v]) return;
   Partial next = state;
   ++next.degree[u];
   ++next.degree[v];
   const auto [keep, drop] = std::minmax(state.strip[u], state.strip[v]);
   std::replace(next.strip.begin(), next.strip.end(), unsigned{drop}, unsigned{keep});
-  extend(side, edge + 1, inner | bit(edge), next, found);
+  extend(side, constraint, edge + 1, inner | bit(edge), next, found);
 }
 
 }  // namespace
 
-std::vector<Coloring> legal_colorings(const Side& side) {
+std::vector<Coloring> legal_colorings(const Side& side, Constraint constraint) {
   Partial empty{std::vector<unsigned>(side.nodes, 0), std::vector<unsigned>(side.nodes)};
   std::iota(empty.strip.begin(), empty.strip.end(), 0U);
   std::vector<Coloring> found;
-  extend(side, 0, 0, empty, found);
+  extend(side, constraint, 0, 0, empty, found);
   std::sort(found.begin(), found.end(), [](const Coloring& x, const Coloring& y) { return x.inner < y.inner; });
   return found;
 }
 
-std::optional<Outcome> with_ports(const Side& side, const Coloring& coloring, Mask ports) {
+std::optional<Outcome> with_ports(const Coloring& coloring, Mask ports) {
   if ((coloring.full & ports) != 0) return std::nullopt;
-  if (const Mask shared = coloring.exclusive & ports; shared != 0) {
-    // Only a flip has nodes with two ports.
-    for (unsigned p = 0; p < side.owner.size(); ++p)
-      for (unsigned q = p + 1; q < side.owner.size(); ++q)
-        if (side.owner[p] == side.owner[q] && (shared & bit(p)) != 0 && (shared & bit(q)) != 0) return std::nullopt;
-  }
+  for (const auto& [of_node, room] : coloring.crowds)
+    if (std::popcount(of_node & ports) > room) return std::nullopt;
   Outcome outcome;
   outcome.solid = static_cast<unsigned>(std::popcount(coloring.inner));
   for (const Mask node : coloring.lonely) outcome.isolated += (node & ports) == 0 ? 1U : 0U;
   for (const Mask strip : coloring.strips)
-    if (const Mask ends = strip & ports; std::popcount(ends) == 2) outcome.pairs.push_back(ends);
+    for (Mask rest = strip & ports; rest != 0; rest &= rest - 1)
+      for (Mask others = rest & (rest - 1); others != 0; others &= others - 1)
+        outcome.pairs.push_back((rest & -rest) | (others & -others));
   return outcome;
 }
 

@@ -34,7 +34,7 @@ void for_each_valid(const Position& position, const Side& before, Visit&& visit)
   const auto ports_end = Mask{1} << before.owner.size();
   for (const Coloring& coloring : legal_colorings(before)) {
     for (Mask ports = 0; ports < ports_end; ++ports) {
-      const auto outcome = with_ports(before, coloring, ports);
+      const auto outcome = with_ports(coloring, ports);
       if (!outcome) continue;
       const Mask joined = position.family == Family::flip
                               ? coloring.inner

@@ -199,7 +199,7 @@ std::string section_text(const Section& section) {
   fmt::format_to(out, "claim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n", claims.costing,
                  claims.worst_strips, claims.worst_isolated);
   const bool flip = section.position.family == Family::flip;
-  const Reasoner reasoner(section.position);
+  const Reasoner reasoner(operation_of(section.position, Sight::patch, section.goal));
   for (const Row& row : section.rows) {
     fmt::format_to(out, "{} {:x} {:x} ", row.witness < 0 ? "rule" : "copy", row.key.ports, row.key.joined);
     if (flip)
@@ -209,7 +209,8 @@ std::string section_text(const Section& section) {
     if (row.witness >= 0)
       fmt::format_to(out, " by {}", section.symmetry[static_cast<std::size_t>(row.witness)].name());
     else
-      fmt::format_to(out, " because {}", reasoner.reason(row).text());
+      fmt::format_to(out, " because {}",
+                     reasoner.reason(row.key.ports, pairs_before(section.position, row.key), row).text());
     text += '\n';
   }
   return text;

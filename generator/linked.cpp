@@ -15,28 +15,26 @@ using Pairs = std::vector<Mask>;
 
 struct Candidate {
   Alternative alternative;
-  std::int64_t tie = 0;
+  CriterionValues values{};
 
-  [[nodiscard]] auto rank() const {
-    return std::tuple{-static_cast<int>(alternative.solid), alternative.isolated, tie, alternative.recoloring};
-  }
+  [[nodiscard]] auto rank() const { return std::tie(values, alternative.recoloring); }
 };
 
 bool is_part_of(const Pairs& some, const Pairs& all) {
   return std::includes(all.begin(), all.end(), some.begin(), some.end());
 }
 
-std::vector<Alternative> list_of(const Position& position, const Side& after, const std::vector<Coloring>& colorings,
-                                 Mask ports, Goal goal) {
+std::vector<Alternative> list_of(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports) {
+  const Side& after = operation.patch.after;
   // For each pairing its best recolouring; then those that no better one covers.
   std::map<Pairs, Candidate> best;
   for (const Coloring& coloring : colorings) {
-    const auto outcome = with_ports(after, coloring, ports);
+    const auto outcome = with_ports(coloring, ports);
     if (!outcome) continue;
     Pairs pairs = outcome->pairs;
     std::sort(pairs.begin(), pairs.end());
     const Candidate candidate{{coloring.inner, outcome->solid, outcome->isolated, pairs},
-                              tie_break(position, after, coloring, *outcome, ports, Sight::outside, goal)};
+                              values_of(operation.preference, after, coloring, *outcome, ports, ports)};
     const auto [place, fresh] = best.try_emplace(pairs, candidate);
     if (!fresh && candidate.rank() < place->second.rank()) place->second = candidate;
   }
@@ -73,10 +71,10 @@ std::vector<LinkedSection> linked_sections_of(Family family, unsigned max_k) {
 }
 
 void solve(LinkedSection& section) {
-  const Side after = patch_of_rows(section.position).after;
-  const std::vector<Coloring> colorings = legal_colorings(after);
+  const Operation operation = operation_of(section.position, Sight::outside, section.goal);
+  const std::vector<Coloring> colorings = legal_colorings(operation.patch.after);
   for (Mask ports = 0; ports < Mask{1} << section.position.k; ++ports)
-    section.lists.push_back(list_of(section.position, after, colorings, ports, section.goal));
+    section.lists.push_back(list_of(operation, colorings, ports));
 }
 
 }  // namespace restrip::generator

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "coloring.hpp"
+#include "family_operation.hpp"
 #include "patch.hpp"
-#include "preference.hpp"
 
 namespace restrip::generator {
 

@@ -22,6 +22,12 @@ struct Side {
   std::vector<unsigned> owner;
 };
 
+/// What the solid edges must be: no cycle, and at most so many at a triangle. Two make strips, one a matching, three a
+/// forest.
+struct Constraint {
+  unsigned most_edges = 2;
+};
+
 /// Before and after share the ports; nothing else need correspond.
 struct Patch {
   Side before;

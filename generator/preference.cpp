@@ -2,28 +2,13 @@
 
 #include <bit>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 namespace restrip::generator {
 namespace {
 
-/// What is counted, and how much one of it weighs. The weights were found by climbing from a guess, one or a few
-/// weights at a time, with replays of real meshes from 2 % to 100 % as the judge; docs/tables.md has the figures.
-struct Weights {
-  int solid_chord;         ///< the chord is solid
-  int joined_pair;         ///< two ports are joined inside
-  int end_facing_out;      ///< a strip ends at a fan triangle whose port is dashed: it may go on there one day
-  int end_at_port;         ///< a strip enters by a port and ends at once
-  int end_at_new;          ///< a strip ends at A or D
-  int neighbouring_ends;   ///< an inner edge between two strip ends
-  int square_of_ports;     ///< for each strip, the square of the fan triangles it covers: long strips
-  int solid_at_new;        ///< a solid edge of A or D
-  int solid_in_first_arc;  ///< a solid edge between A and D on the side of the first arc
-};
-
-constexpr Weights of_local_rules{64, -49, -53, -4, 100, -11, -14, 64, 7};
-constexpr Weights of_linked_rules{63, -102, -37, 0, 101, 85, 11, 57, 11};
-
+/// Solid edges at each node.
 struct Degrees {
   std::vector<int> inner;
   std::vector<int> all;
@@ -41,10 +26,9 @@ Degrees degrees(const Side& side, const Coloring& coloring, Mask ports) {
   return d;
 }
 
-/// Swaps inside the patch: pairs of neighbours that a strip passes with two turns the same way. Ring and path edges
-/// come in order, a chord after them. Along the ring a fan triangle is passed with a left turn and left or entered over
-/// its port with a right one; at an inserted triangle, which points outward, it is the other way round, the chord being
-/// its port.
+/// Swaps inside the patch. Ring and path edges come in order, a chord after them. Along the ring a fan triangle is
+/// passed with a left turn and left or entered over its port with a right one; at an inserted triangle, which points
+/// outward, it is the other way round, the chord being its port.
 int swaps(const Side& after, const Coloring& coloring, Mask ports) {
   const auto fan = static_cast<unsigned>(after.owner.size());
   const bool chord = after.nodes == fan + 2;
@@ -68,32 +52,52 @@ int swaps(const Side& after, const Coloring& coloring, Mask ports) {
 
 }  // namespace
 
-std::int64_t tie_break(const Position& position, const Side& after, const Coloring& coloring, const Outcome& outcome,
-                       Mask ports, Sight sight, Goal goal) {
-  const Weights& weight = sight == Sight::patch ? of_local_rules : of_linked_rules;
-  const bool chord = position.family == Family::split || position.family == Family::open_split;
-  const auto fan = static_cast<unsigned>(after.owner.size());
-  const Degrees degree = degrees(after, coloring, ports);
-  std::int64_t sum = 0;
-  for (unsigned node = 0; node < after.nodes; ++node) {
-    const bool is_new = node >= fan;
-    const bool end = degree.all[node] == 1;
-    if (is_new) sum += std::int64_t{weight.solid_at_new} * degree.inner[node] + (end ? weight.end_at_new : 0);
-    if (!is_new && end) sum += (ports >> node & 1U) != 0 ? weight.end_at_port : weight.end_facing_out;
-  }
-  for (const auto& [u, v] : after.edges)
-    if (degree.all[u] == 1 && degree.all[v] == 1) sum += weight.neighbouring_ends;
-  for (const Mask strip : coloring.strips)
-    sum += std::int64_t{weight.square_of_ports} * std::popcount(strip) * std::popcount(strip);
-  constexpr std::int64_t above_all = 1000;
-  if (goal == Goal::indices && position.family != Family::flip) sum += above_all * swaps(after, coloring, ports);
-  sum += std::int64_t{weight.joined_pair} * static_cast<std::int64_t>(outcome.pairs.size());
-  if (chord) {
-    sum += std::int64_t{weight.solid_chord} * static_cast<int>(coloring.inner >> (after.edges.size() - 1) & 1U);
-    const Mask first_arc = (Mask{2} << position.at) - 1;
-    sum += std::int64_t{weight.solid_in_first_arc} * std::popcount(coloring.inner & first_arc);
-  }
-  return sum;
+CriterionValues values_of(const Preference& preference, const Side& after, const Coloring& coloring,
+                          const Outcome& outcome, Mask ports, Mask kept) {
+  const Degrees degree = degrees(after, coloring, kept);
+  const auto end = [&](unsigned node) { return degree.all[node] == 1; };
+  const auto nodes_where = [&](Mask of, const auto& holds) {
+    int count = 0;
+    for (unsigned node = 0; node < after.nodes; ++node) count += (of >> node & 1U) != 0 && holds(node) ? 1 : 0;
+    return count;
+  };
+  const auto counted = [&](const Term& term) -> int {
+    switch (term.count) {
+      case Count::strips:
+        return static_cast<int>(after.nodes - outcome.solid) - std::popcount(kept);
+      case Count::isolated:
+        return static_cast<int>(outcome.isolated);
+      case Count::given_up:
+        return std::popcount(ports & ~kept);
+      case Count::kept:
+        return std::popcount(kept & term.of);
+      case Count::joined:
+        return static_cast<int>(outcome.pairs.size());
+      case Count::solid:
+        return std::popcount(coloring.inner & term.of);
+      case Count::ends:
+        return nodes_where(term.of, end);
+      case Count::ends_at_port:
+        return nodes_where(term.of, [&](unsigned node) { return end(node) && degree.inner[node] == 0; });
+      case Count::neighbouring_ends: {
+        int count = 0;
+        for (const auto& [u, v] : after.edges) count += end(u) && end(v) ? 1 : 0;
+        return count;
+      }
+      case Count::squares: {
+        int sum = 0;
+        for (const Mask strip : coloring.strips) sum += std::popcount(strip) * std::popcount(strip);
+        return sum;
+      }
+      case Count::swaps:
+        return swaps(after, coloring, kept);
+    }
+    throw std::logic_error("a count without a meaning");
+  };
+  CriterionValues values{};
+  for (std::size_t i = 0; i < preference.size(); ++i)
+    for (const Term& term : preference[i]) values[i] += term.weight * counted(term);
+  return values;
 }
 
 }  // namespace restrip::generator

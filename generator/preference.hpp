@@ -1,28 +1,53 @@
-// Which sound recolouring is the rule (docs/theory.md section 4): two criteria that are proved, and a tie-break that is
-// measured.
+// What makes one sound recolouring better than another: criteria that are compared in turn, each a weighted sum of
+// counts (docs/operation-file.md, "Cost").
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstdint>
+#include <vector>
 
 #include "coloring.hpp"
 #include "patch.hpp"
 
 namespace restrip::generator {
 
-/// What the strips of a patch are known to do outside it: nothing, or where they come back (linked.hpp). Each has its
-/// own weights.
-enum class Sight { patch, outside };
-
-/// What rules are preferred for, where strips and isolated triangles leave a choice.
-enum class Goal {
-  strips,  ///< long strips after thousands of operations
-  indices  ///< few swaps: two turns the same way in a row, each of which costs a plain strip one index
+/// docs/operation-file.md says what each counts. `swaps` is for fans alone: pairs of neighbours that a strip passes
+/// with two turns the same way.
+enum class Count {
+  strips,
+  isolated,
+  given_up,
+  kept,
+  joined,
+  solid,
+  ends,
+  ends_at_port,
+  neighbouring_ends,
+  squares,
+  swaps
 };
 
-/// The third criterion: a number, smaller is better, for recolourings that are equal in solid edges and isolated
-/// triangles. Depends on the patch alone, never on the machine. Chosen by replaying real meshes (docs/tables.md says
-/// how).
-[[nodiscard]] std::int64_t tie_break(const Position& position, const Side& after, const Coloring& coloring,
-                                     const Outcome& outcome, Mask ports, Sight sight, Goal goal);
+struct Term {
+  static constexpr Mask all = ~Mask{0};
+
+  Count count = Count::strips;
+  std::int64_t weight = 1;
+  Mask of = all;  ///< edges or nodes of the side after, or ports; for the counts that choose among them
+};
+
+using Criterion = std::vector<Term>;
+using Preference = std::vector<Criterion>;
+
+/// No preference has more criteria.
+inline constexpr std::size_t most_criteria = 8;
+
+/// What the criteria add up to; smaller is better, compared in turn.
+using CriterionValues = std::array<std::int64_t, most_criteria>;
+
+/// CriterionValues of a coloring of `after` whose ports `kept` are solid, out of the ports that were. Depends on the
+/// patch alone, never on the machine.
+[[nodiscard]] CriterionValues values_of(const Preference& preference, const Side& after, const Coloring& coloring,
+                                        const Outcome& outcome, Mask ports, Mask kept);
 
 }  // namespace restrip::generator

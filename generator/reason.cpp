@@ -51,23 +51,6 @@ bool choose_disjoint(const std::vector<EdgeSet>& sets, std::size_t from, int cou
   return false;
 }
 
-/// The pairs of ports that a key says were joined before, two bits each.
-std::vector<Mask> pairs_before(const Position& position, const Key& key) {
-  if (position.family == Family::flip) {
-    const Side before = make_patch(position).before;
-    for (const Coloring& coloring : legal_colorings(before))
-      if (coloring.inner == key.joined) return with_ports(before, coloring, key.ports).value().pairs;
-  }
-  std::vector<Mask> pairs;
-  for (unsigned i = 0; i < position.k; ++i) {
-    const Mask port = Mask{1} << i;
-    if ((key.joined & port) == 0) continue;
-    const Mask below = key.ports & (port - 1);
-    pairs.push_back(port | std::bit_floor(below != 0 ? below : key.ports & ~port));
-  }
-  return pairs;
-}
-
 }  // namespace
 
 std::size_t Reason::leaves() const { return cases.empty() ? 1 : cases[0].leaves() + cases[1].leaves(); }
@@ -79,7 +62,8 @@ std::string Reason::text() const {
   return words.empty() ? "-" : words;
 }
 
-Reasoner::Reasoner(const Position& position) : position_(position), after_(patch_of_rows(position).after) {
+Reasoner::Reasoner(const Operation& operation)
+    : gives_ports_up_(operation.may_give_up != 0), after_(operation.patch.after) {
   const std::size_t inner = after_.edges.size();
   const auto port = [&](std::size_t p) { return single(inner + p); };
   for (unsigned node = 0; node < after_.nodes; ++node) {
@@ -104,14 +88,12 @@ Reasoner::Reasoner(const Position& position) : position_(position), after_(patch
     }
 }
 
-Reasoner::Goal Reasoner::goal_of(const Row& row) const {
+Reasoner::Goal Reasoner::goal_of(Mask solid_ports, const std::vector<Mask>& joined, const Choice& best) const {
   const std::size_t inner = after_.edges.size();
-  const bool gives_ports_up = position_.family == Family::flip;
-  const EdgeSet ports = row.key.ports << inner;
+  const EdgeSet ports = solid_ports << inner;
   const EdgeSet everything = (single(inner) - 1) | ports;
   Goal goal;
-  goal.edges = gives_ports_up ? everything : everything & ~ports;
-  const std::vector<Mask> joined = pairs_before(position_, row.key);
+  goal.edges = gives_ports_up_ ? everything : everything & ~ports;
   for (const Forbidden& set : forbidden_)
     if ((set.edges & ~everything) == 0 && std::find(joined.begin(), joined.end(), set.pair) == joined.end())
       goal.sets.push_back(set.edges & goal.edges);
@@ -124,10 +106,10 @@ Reasoner::Goal Reasoner::goal_of(const Row& row) const {
     // A triangle of a fan with a solid port is never isolated.
     if ((edges & ~goal.edges) == 0) goal.triangles.push_back(edges);
   }
-  const EdgeSet recoloring = row.recoloring | row.kept << inner;
+  const EdgeSet recoloring = best.recoloring | best.kept << inner;
   goal.dashed = std::popcount(goal.edges & ~recoloring);
-  goal.isolated = static_cast<int>(row.isolated);
-  goal.given_up = std::popcount(row.key.ports & ~row.kept);
+  goal.isolated = static_cast<int>(best.isolated);
+  goal.given_up = std::popcount(solid_ports & ~best.kept);
   return goal;
 }
 
@@ -171,8 +153,8 @@ bool Reasoner::find(const Goal& goal, EdgeSet solid, EdgeSet dashed, std::size_t
   return false;
 }
 
-Reason Reasoner::reason(const Row& row) const {
-  const Goal goal = goal_of(row);
+Reason Reasoner::reason(Mask ports, const std::vector<Mask>& joined, const Choice& best) const {
+  const Goal goal = goal_of(ports, joined, best);
   Reason reason;
   for (std::size_t leaves = 1; !find(goal, 0, 0, leaves, reason); ++leaves) continue;
   return reason;

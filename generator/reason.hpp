@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "section.hpp"
+#include "search.hpp"
 
 namespace restrip::generator {
 
@@ -23,14 +23,16 @@ struct Reason {
   [[nodiscard]] std::string text() const;
 };
 
-/// Finds reasons for the rules of one section.
+/// Finds reasons for the rules of one operation whose preference begins with fewest_strips(); what it may give up are
+/// all its ports, or none.
 class Reasoner {
  public:
-  explicit Reasoner(const Position& position);
+  explicit Reasoner(const Operation& operation);
 
-  /// A reason with as few leaves as possible; the first one in a fixed order. `row` must be the best of its key.
-  /// Exponential in the leaves, of which the best rules of fans of up to eight triangles need five at most.
-  [[nodiscard]] Reason reason(const Row& row) const;
+  /// A reason with as few leaves as possible; the first one in a fixed order. `best` must be the best choice for these
+  /// solid ports and pairs that were joined before (two bits each). Exponential in the leaves, of which the best rules
+  /// of fans of up to eight triangles need five at most.
+  [[nodiscard]] Reason reason(Mask ports, const std::vector<Mask>& joined, const Choice& best) const;
 
  private:
   /// Edges that cannot all be solid, unless `pair` was joined before; ports come after the inner edges here, always.
@@ -48,11 +50,11 @@ class Reasoner {
     int isolated = 0;
     int given_up = 0;
   };
-  [[nodiscard]] Goal goal_of(const Row& row) const;
+  [[nodiscard]] Goal goal_of(Mask ports, const std::vector<Mask>& joined, const Choice& best) const;
   [[nodiscard]] bool find(const Goal& goal, EdgeSet solid, EdgeSet dashed, std::size_t leaves, Reason& reason) const;
   [[nodiscard]] bool find_leaf(const Goal& goal, EdgeSet solid, EdgeSet dashed, Reason& reason) const;
 
-  Position position_;
+  bool gives_ports_up_;
   Side after_;
   std::vector<Forbidden> forbidden_;
 };

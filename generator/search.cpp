@@ -5,84 +5,45 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "preference.hpp"
-
 namespace restrip::generator {
-namespace {
 
-/// Pairs among a flip's four ports, one bit for each of the 4 x 4 (low, high).
-Mask flip_pairs(const std::vector<Mask>& pairs) {
-  Mask mask = 0;
-  for (const Mask pair : pairs) {
-    const int low = std::countr_zero(pair);
-    const int high = std::countr_zero(std::bit_floor(pair));
-    mask |= Mask{1} << (4 * low + high);
-  }
-  return mask;
+void PortPairs::add(unsigned low, unsigned high) {
+  const unsigned place = high * (high - 1) / 2 + low;
+  words[place / 64] |= std::uint64_t{1} << place % 64;
 }
 
-}  // namespace
+PortPairs port_pairs(const std::vector<Mask>& pairs) {
+  PortPairs set;
+  for (const Mask pair : pairs)
+    set.add(static_cast<unsigned>(std::countr_zero(pair)), static_cast<unsigned>(std::bit_width(pair)) - 1);
+  return set;
+}
 
-Candidates::Candidates(const Position& position, const Side& after, const std::vector<Coloring>& colorings, Mask ports,
-                       Goal goal)
-    : position_(position), goal_(goal) {
+Candidates::Candidates(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports) {
+  const Side& after = operation.patch.after;
+  const Mask may_give_up = ports & operation.may_give_up;
   for (const Coloring& coloring : colorings) {
-    if (position.family != Family::flip) {
-      add(after, coloring, ports, ports);
-      continue;
-    }
-    for (Mask kept = ports;; kept = (kept - 1) & ports) {
-      add(after, coloring, ports, kept);
-      if (kept == 0) break;
+    for (Mask given_up = may_give_up;; given_up = (given_up - 1) & may_give_up) {
+      const Mask kept = ports & ~given_up;
+      if (const auto outcome = with_ports(coloring, kept)) {
+        const auto lost = static_cast<unsigned>(std::popcount(given_up));
+        candidates_.push_back({{coloring.inner, kept, outcome->solid, outcome->isolated + lost},
+                               port_pairs(outcome->pairs),
+                               values_of(operation.preference, after, coloring, *outcome, ports, kept)});
+      }
+      if (given_up == 0) break;
     }
   }
   std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& x, const Candidate& y) {
-    const auto rank = [](const Candidate& c) {
-      const int ports_kept = std::popcount(c.row.kept);
-      return std::tuple{-static_cast<int>(c.row.solid) - ports_kept,
-                        c.row.isolated,
-                        -ports_kept,
-                        c.tie,
-                        c.row.recoloring,
-                        c.row.kept};
-    };
-    return rank(x) < rank(y);
+    return std::tie(x.values, x.choice.recoloring, x.choice.kept) <
+           std::tie(y.values, y.choice.recoloring, y.choice.kept);
   });
 }
 
-void Candidates::add(const Side& after, const Coloring& coloring, Mask ports, Mask kept) {
-  const auto outcome = with_ports(after, coloring, kept);
-  if (!outcome) return;
-  const auto given_up = static_cast<unsigned>(std::popcount(ports & ~kept));
-  Candidate candidate;
-  candidate.row = {{}, coloring.inner, kept, outcome->solid, outcome->isolated + given_up, -1};
-  candidate.tie = tie_break(position_, after, coloring, *outcome, kept, Sight::patch, goal_);
-  if (position_.family == Family::flip) {
-    candidate.joins = flip_pairs(outcome->pairs);
-  } else {
-    // A pair of ports that are not consecutive is in no key: such a recolouring is never sound.
-    bool leftover = false;
-    candidate.joins = joined_to_previous(outcome->pairs, kept, position_.k, closed(position_.family), &leftover);
-    if (leftover) return;
-  }
-  candidates_.push_back(candidate);
-}
-
-Row Candidates::best(const Key& key) const {
-  Mask allowed = key.joined;
-  if (position_.family == Family::flip) {
-    // The key is the configuration itself; its pairing follows from it.
-    const Side before = make_patch(position_).before;
-    for (const Coloring& coloring : legal_colorings(before))
-      if (coloring.inner == key.joined) allowed = flip_pairs(with_ports(before, coloring, key.ports).value().pairs);
-  }
-  for (const Candidate& candidate : candidates_) {
-    if ((candidate.joins & ~allowed) != 0) continue;
-    Row row = candidate.row;
-    row.key = key;
-    return row;
-  }
-  throw std::logic_error("a key without a sound recolouring");
+const Choice& Candidates::best(const PortPairs& joined_before) const {
+  for (const Candidate& candidate : candidates_)
+    if (candidate.joins.within(joined_before)) return candidate.choice;
+  throw std::invalid_argument("some configuration has no sound recolouring: let ports be given up");
 }
 
 }  // namespace restrip::generator

@@ -1,33 +1,52 @@
 // Exhaustive search: the best sound recolouring for every key.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
-#include "section.hpp"
+#include "operation.hpp"
 
 namespace restrip::generator {
 
-/// Sound recolourings of one port mask, best first, in the order of preference of docs/theory.md section 4.
+/// A set of pairs of ports, at most sixteen ports: bit j (j - 1) / 2 + i stands for {i, j}, i < j.
+struct PortPairs {
+  std::array<std::uint64_t, 2> words{};
+
+  void add(unsigned low, unsigned high);
+  [[nodiscard]] bool within(const PortPairs& others) const {
+    return ((words[0] & ~others.words[0]) | (words[1] & ~others.words[1])) == 0;
+  }
+};
+
+/// The same of masks with two bits each.
+[[nodiscard]] PortPairs port_pairs(const std::vector<Mask>& pairs);
+
+/// The colours after an operation.
+struct Choice {
+  Mask recoloring = 0;
+  Mask kept = 0;          ///< ports that stay solid
+  unsigned solid = 0;     ///< solid inner edges
+  unsigned isolated = 0;  ///< isolated triangles; a port given up counts as one
+};
+
+/// Valid recolourings of one port mask, best first.
 class Candidates {
  public:
-  /// `after` is the side after the operation, `colorings` its legal colorings. A flip may give ports up.
-  Candidates(const Position& position, const Side& after, const std::vector<Coloring>& colorings, Mask ports,
-             Goal goal);
+  /// `colorings` are the legal ones of the side after the operation.
+  Candidates(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports);
 
-  /// The best recolouring that is sound for the key. There always is one: everything dashed, ports given up if they
-  /// must.
-  [[nodiscard]] Row best(const Key& key) const;
+  /// The best recolouring that joins no pair of ports but these, which were joined before. Throws
+  /// std::invalid_argument when there is none; with everything dashed inside and nothing given up there always is one
+  /// for fans.
+  [[nodiscard]] const Choice& best(const PortPairs& joined_before) const;
 
  private:
   struct Candidate {
-    Row row;
-    Mask joins = 0;  // for fans: its pairing, as the second mask of a key; for flips: a mask of pairs
-    std::int64_t tie = 0;
+    Choice choice;
+    PortPairs joins;
+    CriterionValues values{};
   };
-  void add(const Side& after, const Coloring& coloring, Mask ports, Mask kept);
-
-  Position position_;
-  Goal goal_;
   std::vector<Candidate> candidates_;
 };
 

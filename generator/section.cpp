@@ -22,16 +22,10 @@ Family family_named(const std::string& name) {
 
 /// The image of a key: the symmetry moves the ports, and the pairs that `joined` stands for.
 Key image_of(const Key& key, const Symmetry& symmetry, const Position& position) {
-  if (position.family == Family::flip) return {permute(key.ports, symmetry.port), key.joined};
   const Mask ports = permute(key.ports, symmetry.port);
-  std::vector<Mask> pairs;
-  const auto bit = [](unsigned i) { return Mask{1} << i; };
-  for (unsigned i = 0; i < position.k; ++i) {
-    if ((key.joined & bit(i)) == 0) continue;
-    const Mask below = key.ports & (bit(i) - 1);
-    const Mask previous = std::bit_floor(below != 0 ? below : key.ports & ~bit(i));
-    pairs.push_back(permute(previous | bit(i), symmetry.port));
-  }
+  if (position.family == Family::flip) return {ports, key.joined};
+  std::vector<Mask> pairs = pairs_before(position, key);
+  for (Mask& pair : pairs) pair = permute(pair, symmetry.port);
   return {ports, joined_to_previous(pairs, ports, position.k, closed(position.family))};
 }
 
@@ -88,11 +82,11 @@ std::vector<Key> keys_of(const Section& section) {
 
 void find_rows(Section& section) {
   const std::vector<Key> keys = keys_of(section);
-  const Side after = patch_of_rows(section.position).after;
-  const std::vector<Coloring> colorings = legal_colorings(after);
+  const Operation operation = operation_of(section.position, Sight::patch, section.goal);
+  const std::vector<Coloring> colorings = legal_colorings(operation.patch.after);
   std::map<Key, Row> rows;
   for (auto key = keys.begin(); key != keys.end();) {
-    const Candidates candidates(section.position, after, colorings, key->ports, section.goal);
+    const Candidates candidates(operation, colorings, key->ports);
     const Mask ports = key->ports;
     for (; key != keys.end() && key->ports == ports; ++key) {
       // The representative is the orbit's smallest key, so it has been answered when a copy comes up.
@@ -106,7 +100,7 @@ void find_rows(Section& section) {
         }
       }
       if (witness < 0) {
-        rows[*key] = candidates.best(*key);
+        rows[*key] = {candidates.best(port_pairs(pairs_before(section.position, *key))), *key};
         continue;
       }
       const Symmetry& symmetry = section.symmetry[static_cast<std::size_t>(witness)];
@@ -151,6 +145,23 @@ const std::vector<std::string>& certificate_families() {
 
 Patch patch_of_rows(const Position& position) {
   return collapses(position.family) ? make_fan_patch(position.k, closed(position.family)) : make_patch(position);
+}
+
+std::vector<Mask> pairs_before(const Position& position, const Key& key) {
+  if (position.family == Family::flip) {
+    // The key is the configuration itself; its pairing follows from it.
+    const Side before = make_patch(position).before;
+    for (const Coloring& coloring : legal_colorings(before))
+      if (coloring.inner == key.joined) return with_ports(coloring, key.ports).value().pairs;
+  }
+  std::vector<Mask> pairs;
+  for (unsigned i = 0; i < position.k; ++i) {
+    const Mask port = Mask{1} << i;
+    if ((key.joined & port) == 0) continue;
+    const Mask below = key.ports & (port - 1);
+    pairs.push_back(port | std::bit_floor(below != 0 ? below : key.ports & ~port));
+  }
+  return pairs;
 }
 
 std::vector<Section> sections_of(const std::string& certificate_family, unsigned max_k) {

@@ -7,20 +7,17 @@
 #include <vector>
 
 #include "configuration.hpp"
+#include "family_operation.hpp"
 #include "patch.hpp"
-#include "preference.hpp"
+#include "search.hpp"
 #include "symmetry.hpp"
 
 namespace restrip::generator {
 
-/// A rule: the colours after. `kept` are the ports that stay solid: all of them, but for flips.
-struct Row {
+/// A rule: the colours after.
+struct Row : Choice {
   Key key;
-  Mask recoloring = 0;
-  Mask kept = 0;
-  unsigned solid = 0;     ///< solid inner edges after
-  unsigned isolated = 0;  ///< isolated triangles after; a port given up counts as one
-  int witness = -1;       ///< index of the symmetry that leads to the representative; -1 for the representative itself
+  int witness = -1;  ///< index of the symmetry that leads to the representative; -1 for the representative itself
 };
 
 /// What the configurations of a section add up to; the words are those of docs/certificate.md.
@@ -49,6 +46,9 @@ struct Section {
 
 /// What the rows of a position act on: its patch, or the fan alone when the operation removes triangles.
 [[nodiscard]] Patch patch_of_rows(const Position& position);
+
+/// The pairs of ports that a key says were joined before, two bits each.
+[[nodiscard]] std::vector<Mask> pairs_before(const Position& position, const Key& key);
 
 /// Every section of a certificate in ascending order of position, as yet without symmetries, rows and claims, for
 /// valences up to max_k (at most 13, so that a recolouring has 16 bits).

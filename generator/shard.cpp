@@ -117,7 +117,7 @@ void read_rows(LinkedSection& section, Reader& reader) {
                                            [](const Coloring& c, Mask wanted) { return c.inner < wanted; });
     std::optional<Outcome> outcome;
     if (words.good && words.at_end() && ports >= last && coloring != colorings.end() && coloring->inner == inner)
-      outcome = with_ports(after, *coloring, ports);
+      outcome = with_ports(*coloring, ports);
     if (!outcome) reader.refuse("a legal recolouring of these or greater ports");
     std::sort(outcome->pairs.begin(), outcome->pairs.end());
     section.lists[ports].push_back({inner, outcome->solid, outcome->isolated, outcome->pairs});

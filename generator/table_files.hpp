@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "preference.hpp"
+#include "family_operation.hpp"
 
 namespace restrip::generator {
 

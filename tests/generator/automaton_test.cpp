@@ -31,7 +31,7 @@ std::size_t compare(const AutomatonReader& reader, const Section& section) {
       ADD_FAILURE() << "not legal: " << answer.recoloring;
       continue;
     }
-    const auto outcome = with_ports(after, *coloring, row.key.ports);
+    const auto outcome = with_ports(*coloring, row.key.ports);
     if (!outcome) {
       ADD_FAILURE() << "a triangle has three solid edges";
       continue;

@@ -1,0 +1,20 @@
+// An operation: what the search knows of one. The families of docs/notation.md are such (family_operation.hpp), and so
+// are those of operation files (operations/).
+#pragma once
+
+#include "patch.hpp"
+#include "preference.hpp"
+
+namespace restrip::generator {
+
+struct Operation {
+  Patch patch;
+  Constraint constraint;
+  Mask may_give_up = 0;  ///< ports that may be solid before and dashed after
+  Preference preference;
+};
+
+/// Fewest strips; then fewest isolated triangles, a port given up counting as one; then fewest ports given up.
+[[nodiscard]] Preference fewest_strips();
+
+}  // namespace restrip::generator
