@@ -70,7 +70,8 @@ Claims sum(const std::vector<Claims>& parts) {
   return total;
 }
 
-/// With its last line: from the two sums a reader can tell which single byte was altered.
+}  // namespace
+
 std::string sealed(std::string text, std::size_t rows) {
   std::uint64_t sum = 0;
   std::uint64_t weighted = 0;
@@ -81,8 +82,6 @@ std::string sealed(std::string text, std::size_t rows) {
   }
   return text + fmt::format("end {} {} {}\n", rows, sum, weighted);
 }
-
-}  // namespace
 
 std::size_t SolvedFamily::rows() const {
   std::size_t n = 0;

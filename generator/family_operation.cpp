@@ -59,8 +59,6 @@ Criterion tie_break(const Position& position, const Side& after, Sight sight, Go
 
 }  // namespace
 
-Preference fewest_strips() { return {{{Count::strips}}, {{Count::isolated}, {Count::given_up}}, {{Count::given_up}}}; }
-
 Operation operation_of(const Position& position, Sight sight, Goal goal) {
   Operation operation{patch_of_rows(position), {}, 0, fewest_strips()};
   if (position.family == Family::flip) operation.may_give_up = 0b1111;

@@ -13,9 +13,30 @@
 #include "count.hpp"
 #include "dump.hpp"
 #include "files/system_calls.hpp"
+#include "operations/describe.hpp"
+#include "operations/write.hpp"
 #include "table_files.hpp"
 
 using namespace restrip::generator;
+
+namespace {
+
+/// The place, unless its family has no such one.
+Position checked(Position place) {
+  if (place.family == Family::flip) return {place.family, 4, 0, 0};
+  const bool ring = closed(place.family);
+  const bool one_gap = place.family == Family::boundary_split || place.family == Family::boundary_collapse;
+  if (place.k < smallest_valence(place.family))
+    throw std::invalid_argument(fmt::format("this family needs --k {} or more", smallest_valence(place.family)));
+  if (ring && (place.at < 1 || place.at >= place.k))
+    throw std::invalid_argument(fmt::format("--at: expected an arc of 1 to {} triangles", place.k - 1));
+  if (!ring && (place.at > place.k || (!one_gap && (place.to <= place.at || place.to > place.k))))
+    throw std::invalid_argument(
+        fmt::format("expected gaps from 0 to {}{}", place.k, one_gap ? "" : ", --at smaller than --to"));
+  return place;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   restrip::files::ignore_file_size_signal();
@@ -85,6 +106,18 @@ int main(int argc, char** argv) {
       "  restrip-generate automaton --cost strips --out /tmp/automaton\n"
       "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n");
 
+  RulesOptions rules;
+  auto* rules_command =
+      app.add_subcommand("rules", "Write the table and the certificate of operations of your own (operation files)");
+  rules_command->add_option("--operation", rules.files, "Operation file, as docs/operation-file.md describes it")
+      ->required();
+  rules_command->add_option("--out", rules.out, "Directory that receives them")->required();
+  rules_command->add_option("--json", rules.json,
+                            "Write the figures to this file; - for standard output, in place of the text");
+  rules_command->footer(
+      "\nExample, from the top of the source tree:\n"
+      "  restrip-generate rules --operation tables/operations/bisect.json --out /tmp/rules\n");
+
   std::string family = "split";
   unsigned k = 0;
   auto* dump_command = app.add_subcommand("dump", "Print every rule as CSV, one row for each valid configuration");
@@ -110,6 +143,19 @@ int main(int argc, char** argv) {
   auto* k_option =
       dump_command->add_option("--k", k, "Valence: 3 … 13 (open families: 1 … 13)")->check(CLI::Range(1, 13));
 
+  Position place{Family::split, 0, 0, 0};
+  std::string described_family = "split";
+  auto* describe_command =
+      app.add_subcommand("describe", "Print the operation file of a family at one position, to start from");
+  describe_command->add_option("--family", described_family, "As for dump")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  describe_command->add_option("--k", place.k, "Valence, 1 … 8; not for the flip")->check(CLI::Range(1, 8));
+  describe_command->add_option("--at", place.at, "Arc a of a closed fan, gap i of an open one")
+      ->check(CLI::Range(0, 8));
+  describe_command->add_option("--to", place.to, "Gap j of an open fan")->check(CLI::Range(0, 8));
+  describe_command->footer("\nExample:\n  restrip-generate describe --family split --k 4 --at 2 > split.json\n");
+
   unsigned count_max_k = 8;
   bool json = false;
   auto* count_command = app.add_subcommand("count", "Count configurations and orbits, beside the paper's figures");
@@ -126,11 +172,16 @@ int main(int argc, char** argv) {
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
     if (*automaton_command) make_automaton_files(automaton);
     if (*merge_command) merge_shards(merge_in, merge_out);
+    if (*rules_command) make_rules(rules);
     if (*dump_command) {
       const Family chosen = names.at(family);
       if (chosen != Family::flip && (k_option->empty() || k < smallest_valence(chosen)))
         throw std::invalid_argument(fmt::format("--family {} needs --k {} or more", family, smallest_valence(chosen)));
       dump(chosen, k, stdout);
+    }
+    if (*describe_command) {
+      place.family = names.at(described_family);
+      fmt::print("{}", operation_file_text(described(checked(place))));
     }
     if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");

@@ -14,7 +14,4 @@ struct Operation {
   Preference preference;
 };
 
-/// Fewest strips; then fewest isolated triangles, a port given up counting as one; then fewest ports given up.
-[[nodiscard]] Preference fewest_strips();
-
 }  // namespace restrip::generator

@@ -52,6 +52,8 @@ int swaps(const Side& after, const Coloring& coloring, Mask ports) {
 
 }  // namespace
 
+Preference fewest_strips() { return {{{Count::strips}}, {{Count::isolated}, {Count::given_up}}, {{Count::given_up}}}; }
+
 CriterionValues values_of(const Preference& preference, const Side& after, const Coloring& coloring,
                           const Outcome& outcome, Mask ports, Mask kept) {
   const Degrees degree = degrees(after, coloring, kept);

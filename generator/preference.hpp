@@ -39,6 +39,9 @@ struct Term {
 using Criterion = std::vector<Term>;
 using Preference = std::vector<Criterion>;
 
+/// Fewest strips; then fewest isolated triangles, a port given up counting as one; then fewest ports given up.
+[[nodiscard]] Preference fewest_strips();
+
 /// No preference has more criteria.
 inline constexpr std::size_t most_criteria = 8;
 

@@ -29,43 +29,6 @@ Key image_of(const Key& key, const Symmetry& symmetry, const Position& position)
   return {ports, joined_to_previous(pairs, ports, position.k, closed(position.family))};
 }
 
-std::vector<unsigned> inverse(const std::vector<unsigned>& to) {
-  std::vector<unsigned> from(to.size());
-  for (unsigned i = 0; i < to.size(); ++i) from[to[i]] = i;
-  return from;
-}
-
-/// Tells the smallest configuration of each orbit.
-class Smallest {
- public:
-  Smallest(const Patch& patch, const std::vector<Symmetry>& group) {
-    const auto images = [](std::size_t bits, const std::vector<unsigned>& to) {
-      std::vector<Mask> image(std::size_t{1} << bits);
-      for (Mask mask = 0; mask < image.size(); ++mask) image[mask] = permute(mask, to);
-      return image;
-    };
-    for (const Symmetry& s : group) {
-      before_.push_back(images(patch.before.edges.size(), s.before));
-      ports_.push_back(images(patch.before.owner.size(), s.port));
-    }
-  }
-  [[nodiscard]] bool operator()(Mask before, Mask ports) const {
-    for (std::size_t s = 0; s < before_.size(); ++s)
-      if (std::pair{before_[s][before], ports_[s][ports]} < std::pair{before, ports}) return false;
-    return true;
-  }
-  [[nodiscard]] std::size_t orbits() const {
-    std::size_t n = 0;
-    for (Mask before = 0; before < before_[0].size(); ++before)
-      for (Mask ports = 0; ports < ports_[0].size(); ++ports) n += (*this)(before, ports) ? 1U : 0U;
-    return n;
-  }
-
- private:
-  std::vector<std::vector<Mask>> before_;
-  std::vector<std::vector<Mask>> ports_;
-};
-
 /// The keys that some valid configuration has, in ascending order. Configurations are many (26 million at one position
 /// of k = 12) and are not kept.
 std::vector<Key> keys_of(const Section& section) {

@@ -9,6 +9,7 @@
 #include <set>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 namespace restrip::generator {
 namespace {
@@ -28,7 +29,7 @@ void take_generator(int, int* image, int*, int, int, int n) {
 }
 
 /// Vertices: the ports, the nodes before, the nodes after; each kind a colour of its own.
-std::vector<Permutation> automorphisms(const Patch& patch) {
+std::vector<Permutation> permutations(const Patch& patch) {
   const auto ports = static_cast<unsigned>(patch.before.owner.size());
   const unsigned first_after = ports + patch.before.nodes;
   const unsigned n = first_after + patch.after.nodes;
@@ -96,12 +97,20 @@ std::vector<unsigned> on_edges(const Side& side, const Permutation& p, unsigned 
   return image;
 }
 
-Symmetry named(const Patch& patch, const Permutation& p) {
+PatchMap map_of(const Patch& patch, const Permutation& p) {
   const auto k = static_cast<unsigned>(patch.before.owner.size());
-  Symmetry s;
-  s.port.assign(p.begin(), p.begin() + k);
-  s.before = on_edges(patch.before, p, k);
-  s.after = on_edges(patch.after, p, k + patch.before.nodes);
+  const unsigned first_after = k + patch.before.nodes;
+  PatchMap map;
+  map.port.assign(p.begin(), p.begin() + k);
+  map.before = on_edges(patch.before, p, k);
+  map.after = on_edges(patch.after, p, first_after);
+  for (unsigned node = 0; node < patch.after.nodes; ++node) map.nodes.push_back(p[first_after + node] - first_after);
+  return map;
+}
+
+Symmetry named(PatchMap map) {
+  Symmetry s{std::move(map), false, 0};
+  const auto k = static_cast<unsigned>(s.port.size());
   s.n = s.port[0];
   const auto is = [&](bool mirror) {
     for (unsigned i = 0; i < k; ++i)
@@ -118,9 +127,15 @@ Symmetry named(const Patch& patch, const Permutation& p) {
 
 std::string Symmetry::name() const { return fmt::format("{} {}", mirror ? "mirror" : "turn", n); }
 
+std::vector<PatchMap> automorphisms(const Patch& patch) {
+  std::vector<PatchMap> maps;
+  for (const auto& p : permutations(patch)) maps.push_back(map_of(patch, p));
+  return maps;
+}
+
 std::vector<Symmetry> symmetries(const Patch& patch) {
   std::vector<Symmetry> list;
-  for (const auto& p : automorphisms(patch)) list.push_back(named(patch, p));
+  for (PatchMap& map : automorphisms(patch)) list.push_back(named(std::move(map)));
   std::sort(list.begin(), list.end(), [](const Symmetry& x, const Symmetry& y) {
     return std::tie(x.mirror, x.n, x.after, x.before) < std::tie(y.mirror, y.n, y.after, y.before);
   });
@@ -131,6 +146,31 @@ Mask permute(Mask mask, const std::vector<unsigned>& to) {
   Mask image = 0;
   for (unsigned i = 0; i < to.size(); ++i) image |= (mask >> i & 1U) << to[i];
   return image;
+}
+
+std::vector<unsigned> inverse(const std::vector<unsigned>& to) {
+  std::vector<unsigned> from(to.size());
+  for (unsigned i = 0; i < to.size(); ++i) from[to[i]] = i;
+  return from;
+}
+
+std::vector<Mask> Smallest::images(std::size_t bits, const std::vector<unsigned>& to) {
+  std::vector<Mask> image(std::size_t{1} << bits);
+  for (Mask mask = 0; mask < image.size(); ++mask) image[mask] = permute(mask, to);
+  return image;
+}
+
+bool Smallest::operator()(Mask before, Mask ports) const {
+  for (std::size_t s = 0; s < before_.size(); ++s)
+    if (std::pair{before_[s][before], ports_[s][ports]} < std::pair{before, ports}) return false;
+  return true;
+}
+
+std::size_t Smallest::orbits() const {
+  std::size_t n = 0;
+  for (Mask before = 0; before < before_[0].size(); ++before)
+    for (Mask ports = 0; ports < ports_[0].size(); ++ports) n += (*this)(before, ports) ? 1U : 0U;
+  return n;
 }
 
 }  // namespace restrip::generator

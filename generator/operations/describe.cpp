@@ -1,0 +1,89 @@
+#include "operations/describe.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "family_operation.hpp"
+#include "operations/operation_words.hpp"
+
+namespace restrip::generator {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string name_at(const Position& position) {
+  switch (position.family) {
+    case Family::flip:
+      return name_of(position.family);
+    case Family::open_split:
+    case Family::open_collapse:
+      return fmt::format("{}-k{}-i{}-j{}", name_of(position.family), position.k, position.at, position.to);
+    case Family::boundary_split:
+    case Family::boundary_collapse:
+      return fmt::format("{}-k{}-i{}", name_of(position.family), position.k, position.at);
+    case Family::split:
+    case Family::collapse:
+      return fmt::format("{}-k{}-a{}", name_of(position.family), position.k, position.at);
+  }
+  throw std::logic_error("a family without a name");
+}
+
+Json places(Mask mask) {
+  Json list = Json::array();
+  for (unsigned i = 0; mask >> i != 0; ++i)
+    if ((mask >> i & 1U) != 0) list.push_back(i);
+  return list;
+}
+
+Json json_of(const Side& side) {
+  Json edges = Json::array();
+  for (const auto& [u, v] : side.edges) edges.push_back({u, v});
+  return {{"triangles", side.nodes}, {"edges", edges}, {"ports", side.owner}};
+}
+
+Json json_of(const Preference& preference, const Side& after) {
+  Json criteria = Json::array();
+  for (const Criterion& criterion : preference) {
+    Json terms = Json::array();
+    for (const Term& term : criterion) {
+      const CountWord& word = word_of(term.count);
+      Json json{{"count", word.word}};
+      if (term.weight != 1) json["weight"] = term.weight;
+      const Mask all = everything(word.among, after);
+      if (word.among != Among::nothing && (term.of & all) != all) json[member_of(word.among)] = places(term.of & all);
+      terms.push_back(json);
+    }
+    criteria.push_back(terms);
+  }
+  return criteria;
+}
+
+}  // namespace
+
+NamedOperation described(const Position& position) {
+  Operation operation = operation_of(position, Sight::patch, Goal::strips);
+  operation.patch = make_patch(position);
+  return {name_at(position), "", std::move(operation)};
+}
+
+std::string operation_file_text(const NamedOperation& named) {
+  const Operation& operation = named.operation;
+  Json json{{"restrip_operation", 1}, {"name", named.name}};
+  if (!named.about.empty()) json["about"] = named.about;
+  json["constraint"] = constraint_words.at(operation.constraint.most_edges - 1);
+  json["before"] = json_of(operation.patch.before);
+  json["after"] = json_of(operation.patch.after);
+  const Mask all = (Mask{1} << operation.patch.before.owner.size()) - 1;
+  if (operation.may_give_up != 0)
+    json["give_up"] = operation.may_give_up == all ? Json("all") : places(operation.may_give_up);
+  json["cost"] = json_of(operation.preference, operation.patch.after);
+  // One member a line.
+  std::string text;
+  for (const auto& [member, value] : json.items())
+    text += fmt::format("{}  {}: {}", text.empty() ? "{\n" : ",\n", Json(member).dump(), value.dump());
+  return text + "\n}\n";
+}
+
+}  // namespace restrip::generator

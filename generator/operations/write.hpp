@@ -1,0 +1,19 @@
+// What `restrip-generate rules` writes.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace restrip::generator {
+
+struct RulesOptions {
+  std::vector<std::string> files;  ///< operation files
+  std::string out;                 ///< the folder that receives header and certificate of each
+  std::string json;                ///< file for the figures, "-" for standard output in place of the text, or empty
+};
+
+/// Solves every operation and writes its files, all at once. Says on standard output what it wrote. Throws
+/// std::exception with file and remedy.
+void make_rules(const RulesOptions& options);
+
+}  // namespace restrip::generator

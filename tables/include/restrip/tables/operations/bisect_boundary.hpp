@@ -1,0 +1,19 @@
+// A new vertex on a boundary edge: the triangle beside it becomes two.
+// Written by `restrip-generate rules` from the operation file of bisect-boundary. Do not edit.
+// Explained in restrip/tables/operation_format.hpp.
+#pragma once
+
+#include "restrip/tables/operation_format.hpp"
+
+namespace restrip::tables {
+
+inline constexpr OperationTable<std::uint8_t, 4> bisect_boundary{
+    {1, 0},
+    {2, 1},
+    2,
+    false,
+    {
+    4, 5, 6, 7,
+    }};
+
+}  // namespace restrip::tables

@@ -1,0 +1,149 @@
+// Operation files. The families of docs/notation.md, written as such files and read again, get the rules that are
+// shipped for them; files that are wrong are refused with their line; and symmetries respect what a file asks for.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <string>
+#include <vector>
+
+#include "operations/describe.hpp"
+#include "operations/operation_file.hpp"
+#include "operations/solve.hpp"
+#include "section.hpp"
+
+namespace restrip::generator {
+namespace {
+
+/// The shipped row for a key of the file: fans know only the pairs of consecutive ports, since no others can be joined
+/// afterwards; a flip's key is the configuration.
+const Row& shipped(const Section& section, const OperationKey& key) {
+  const Position& position = section.position;
+  const std::vector<Mask> pairs = pairs_of(key.joined);
+  if (position.family != Family::flip)
+    return row_of(section, {key.ports, joined_to_previous(pairs, key.ports, position.k, closed(position.family))});
+  for (const Row& row : section.rows)
+    if (row.key.ports == key.ports && pairs_before(position, row.key) == pairs) return row;
+  throw std::logic_error("no row");
+}
+
+NamedOperation reread(const NamedOperation& named) {
+  return parse_operation(named.name + ".json", operation_file_text(named));
+}
+
+class FamiliesAsFiles : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(FamiliesAsFiles, GetTheShippedRules) {
+  std::size_t compared = 0;
+  std::size_t searched = 0;
+  for (const Section& section : solve(GetParam(), 7, 2)) {
+    for (const Position& position : section.serves) {
+      for (const OperationRow& made : solve(reread(described(position))).rows) {
+        const Row& row = shipped(section, made.key);
+        EXPECT_EQ(made.choice.solid, row.solid);
+        EXPECT_EQ(made.choice.isolated, row.isolated);
+        EXPECT_EQ(std::popcount(made.choice.kept), std::popcount(row.kept));
+        ++compared;
+        // A copy is the image of its rule: as good, but the tie-break at its own place may choose another.
+        if (row.witness >= 0 || made.witness >= 0) continue;
+        EXPECT_EQ(made.choice.recoloring, row.recoloring);
+        EXPECT_EQ(made.choice.kept, row.kept);
+        ++searched;
+      }
+    }
+  }
+  EXPECT_GT(searched, compared / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Operations, FamiliesAsFiles, ::testing::ValuesIn(certificate_families()),
+                         [](const auto& family) {
+                           std::string name = family.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+const std::string bisect = R"({
+  "restrip_operation": 1,
+  "name": "bisect",
+  "constraint": "strips",
+  "before": {"triangles": 2, "edges": [[0, 1]], "ports": [0, 0, 1, 1]},
+  "after": {"triangles": 4, "edges": [[0, 1], [1, 2], [2, 3], [3, 0]], "ports": [0, 1, 2, 3]},
+  "give_up": "none",
+  "cost": [
+    [{"count": "strips"}],
+    [{"count": "isolated", "weight": 2}, {"count": "given_up"}]
+  ]
+})";
+
+struct Fault {
+  std::string from;
+  std::string to;
+  std::string said;
+};
+
+TEST(OperationFiles, AreRefusedWithTheLine) {
+  ASSERT_NO_THROW(static_cast<void>(parse_operation("b.json", bisect)));
+  const std::vector<Fault> faults{
+      {"\"restrip_operation\": 1", "\"restrip_operation\": 2", "b.json:2: restrip_operation: expected a version"},
+      {"\"bisect\"", "\"Bisect\"", "b.json:3: name: expected lower-case"},
+      {"\"bisect\"", "\"bi--sect\"", "b.json:3: name: expected lower-case"},
+      {"\"bisect\",", "\"bisect\"", "b.json:4: this is not JSON"},
+      {"\"strips\",", "\"strip\",", "b.json:4: constraint: expected \"strips\""},
+      {"\"constraint\"", "\"constraints\"", "b.json:4: constraints: unknown member"},
+      {"{\"triangles\": 2,", "{\"triangles\": 0,", "b.json:5: before.triangles: expected a number of triangles from 1"},
+      {"{\"triangles\": 2,", "{", "b.json:5: before: expected a member \"triangles\""},
+      {"[[0, 1]]", "[[0, 0]]", "b.json:5: before.edges[0]: expected two different"},
+      {"[[0, 1]]", "[[0, 1], [1, 0]]", "b.json:5: before.edges[1]: these triangles have an edge already"},
+      {"[[0, 1]]", "[[0, 2]]", "b.json:5: before.edges[0][1]: expected a triangle from 0 to 1"},
+      {"[[0, 1]]", "[[0, 1, 1]]", "b.json:5: before.edges[0]: expected two triangles"},
+      {"[0, 0, 1, 1]", "[0, 0, 0, 1]", "b.json:5: before.ports[2]: triangle 0 has more than three"},
+      {"[0, 0, 1, 1]", "[]", "b.json:5: before.ports: expected 1 to 8 ports"},
+      {"[0, 1, 2, 3]}", "[0, 1, 2]}", "b.json:6: after.ports: expected as many ports as before"},
+      {"\"none\"", "\"some\"", "b.json:7: give_up: expected \"none\""},
+      {"\"none\"", "[0, 4]", "b.json:7: give_up[1]: expected a port from 0 to 3"},
+      {"\"none\"", "[1, 1]", "b.json:7: give_up[1]: this port is there already"},
+      {"[{\"count\": \"strips\"}]", "[]", "b.json:9: cost[0]: expected at least one term"},
+      {"\"strips\"}", "\"strips\", \"edges\": [0]}",
+       "b.json:9: cost[0][0].edges: \"strips\" does not choose among edges"},
+      {"\"isolated\"", "\"lonely\"", "b.json:10: cost[1][0].count: expected one of strips,"},
+      {"\"weight\": 2", "\"weight\": 2000001", "b.json:10: cost[1][0].weight: expected a weight from -1000000"},
+      {"\"weight\": 2", "\"weight\": 0.5", "b.json:10: cost[1][0].weight: expected a weight"}};
+  for (const Fault& fault : faults) {
+    std::string text = bisect;
+    const std::size_t at = text.find(fault.from);
+    ASSERT_NE(at, std::string::npos) << fault.from;
+    text.replace(at, fault.from.size(), fault.to);
+    try {
+      static_cast<void>(parse_operation("b.json", text));
+      ADD_FAILURE() << "taken: " << fault.to;
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(std::string(error.what()).substr(0, fault.said.size()), fault.said);
+    }
+  }
+}
+
+TEST(OperationFiles, WithoutASoundRecolouringAreRefused) {
+  // Three solid ports cannot stay on one triangle.
+  const std::string text = R"({"restrip_operation": 1, "name": "join", "constraint": "strips",
+    "before": {"triangles": 3, "edges": [[0, 1], [1, 2], [2, 0]], "ports": [0, 1, 2]},
+    "after": {"triangles": 1, "edges": [], "ports": [0, 0, 0]}})";
+  EXPECT_THROW(static_cast<void>(solve(parse_operation("join.json", text))), std::runtime_error);
+}
+
+TEST(OperationSymmetries, KeepWhatTheFileAsksFor) {
+  const auto symmetries = [](const std::string& from, const std::string& to) {
+    std::string text = bisect;
+    text.replace(text.find(from), from.size(), to);
+    return symmetries_of(parse_operation("b.json", text).operation).size();
+  };
+  // The quadrilateral with its diagonal: the half turn and two mirrors; before and after have them in common.
+  EXPECT_EQ(symmetries("none", "none"), 4U);
+  EXPECT_EQ(symmetries("none", "all"), 4U);
+  EXPECT_EQ(symmetries("\"none\"", "[0]"), 1U);
+  EXPECT_EQ(symmetries("\"none\"", "[0, 2]"), 2U);
+  EXPECT_EQ(symmetries("{\"count\": \"given_up\"}", R"({"count": "ends", "triangles": [0, 1]})"), 2U);
+  EXPECT_EQ(symmetries("{\"count\": \"given_up\"}", R"({"count": "solid", "edges": [0]})"), 2U);
+}
+
+}  // namespace
+}  // namespace restrip::generator
