@@ -26,6 +26,7 @@
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/operations.hpp"
+#include "restrip/operations/refine.hpp"
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"

@@ -20,7 +20,8 @@ enum class Refusal {
   too_few_triangles,  ///< a closed fan of fewer than three triangles would remain
   dangling_edge,      ///< a triangle to be removed has no other neighbour than across the collapsed edge
   edge_exists,        ///< the flipped edge is in the mesh already
-  vertex_in_use       ///< the vertex named for a split has triangles already
+  vertex_in_use,      ///< the vertex named for a split has triangles already
+  other_valence       ///< the vertex to be removed does not have as many triangles as this operation takes away
 };
 
 /// One sentence for a person.
@@ -52,6 +53,8 @@ enum class Refusal {
       return "the flipped edge exists already";
     case Refusal::vertex_in_use:
       return "the vertex named for the split is in use already";
+    case Refusal::other_valence:
+      return "the vertex to be removed has another number of triangles than this operation needs";
   }
   return "unknown";
 }

@@ -1,0 +1,60 @@
+// split_face, bisect and their inverses: operations on two to four triangles, with strips kept.
+//
+// A new vertex inside a triangle or on an edge could be made by split() as well, which recolours the whole fan around a
+// vertex. Here the patch is the triangles beside the new vertex and nothing else, so time does not depend on valences
+// (a StripMesh moves a vertex of its own choice, and never one that has more triangles than the patch). Longest-edge
+// bisection of terrains and of finite elements refines and coarsens so. The rules come from operation files,
+// tables/operations/*.json; docs/toolkit.md shows how to add one of your own.
+//
+//     split_face   one triangle becomes three         join_faces   and back
+//     bisect       the triangles beside an edge       merge        and back
+//                  become two each
+//
+// As in operations.hpp: nothing outside the patch is read or written, except that a port given up, which only the
+// inverses may do, dashes an edge of the triangle behind it; preconditions are those of the mesh operation, checked in
+// debug builds; exceptions of the mesh leave the colouring valid.
+#pragma once
+
+#include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/checked.hpp"
+#include "restrip/operations/operations.hpp"
+
+namespace restrip {
+
+/// Puts a new vertex v_t into the triangle of h, which leaves v_s. Rewrite::halfedge is v_s -> v_t, its valence 3.
+template <SplittableMesh Mesh>
+Rewrite<typename Mesh::Halfedge> split_face(Mesh& mesh, typename Mesh::Halfedge h);
+
+/// Removes v_t, a vertex of three triangles, of `chord` = v_s -> v_t: what split_face() did. Rewrite::halfedge leaves
+/// v_s and is a side of the triangle that remains, which lies to the left of its opposite; its valence is 3.
+template <CollapsibleMesh Mesh>
+Rewrite<typename Mesh::Halfedge> join_faces(Mesh& mesh, typename Mesh::Halfedge chord);
+
+/// Puts a new vertex v_t on the mesh edge of h, interior or on the boundary; h leaves v_s. Rewrite::halfedge is v_s ->
+/// v_t, its valence the triangles around v_t: 4, or 2 on the boundary.
+template <SplittableMesh Mesh>
+Rewrite<typename Mesh::Halfedge> bisect(Mesh& mesh, typename Mesh::Halfedge h);
+
+/// Removes v_t, an interior vertex of four triangles or a boundary vertex of two, of `chord` = v_s -> v_t, and joins
+/// v_s to the vertex opposite: what bisect() did. On the boundary `chord` or its opposite has no triangle.
+/// Rewrite::halfedge is the mesh edge that takes the place of two, as it leaves v_s; its valence is 4, or 2.
+template <CollapsibleMesh Mesh>
+Rewrite<typename Mesh::Halfedge> merge(Mesh& mesh, typename Mesh::Halfedge chord);
+
+// May it be done on a StripMesh? See checks.hpp. A few steps; the inverses as check_collapse().
+[[nodiscard]] inline Refusal check_split_face(const StripMesh& mesh, StripMesh::Halfedge h);
+[[nodiscard]] inline Refusal check_join_faces(const StripMesh& mesh, StripMesh::Halfedge chord);
+[[nodiscard]] inline Refusal check_bisect(const StripMesh& mesh, StripMesh::Halfedge h);
+[[nodiscard]] inline Refusal check_merge(const StripMesh& mesh, StripMesh::Halfedge chord);
+
+// For operations from an untrusted source, see checked.hpp.
+inline Checked checked_split_face(StripMesh& mesh, StripMesh::Halfedge h);
+inline Checked checked_join_faces(StripMesh& mesh, StripMesh::Halfedge chord);
+inline Checked checked_bisect(StripMesh& mesh, StripMesh::Halfedge h);
+inline Checked checked_merge(StripMesh& mesh, StripMesh::Halfedge chord);
+
+}  // namespace restrip
+
+#include "restrip/operations/impl/refine.hpp"

@@ -1,0 +1,255 @@
+// split_face, bisect and their inverses: they make the mesh that they promise, on a bare list of triangles; the
+// colouring stays valid, and what they tell of strips and isolated triangles is what a census of the whole mesh finds,
+// mixed with splits, collapses and flips, on closed and open meshes; each undoes the other; their checks refuse what is
+// not theirs.
+#include "restrip/operations/refine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "../support/sanitizers.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/output/strips.hpp"
+#include "sample_meshes.hpp"
+#include "triangle_list.hpp"
+
+namespace restrip {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+
+bare::List bare_list_of(const StripMesh& mesh) {
+  bare::List list;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) list.push_back(mesh.corners(t));
+  return bare::sorted(std::move(list));
+}
+
+enum class Refining { split_face, join_faces, bisect, merge };
+
+Checked checked_refining(StripMesh& mesh, Refining kind, Halfedge h) {
+  switch (kind) {
+    case Refining::split_face:
+      return checked_split_face(mesh, h);
+    case Refining::join_faces:
+      return checked_join_faces(mesh, h);
+    case Refining::bisect:
+      return checked_bisect(mesh, h);
+    case Refining::merge:
+      break;
+  }
+  return checked_merge(mesh, h);
+}
+
+/// The bare list after an operation that puts `added` between the corners from and to of one triangle, or of an edge.
+bare::List refined_list(const bare::List& list, Refining kind, Vertex from, Vertex to, Vertex apex, Vertex added) {
+  bare::List result;
+  for (const auto& c : list) {
+    const auto has = [&](Vertex v) { return std::find(c.begin(), c.end(), v) != c.end(); };
+    const bool whole = has(from) && has(to) && has(apex);
+    if (kind == Refining::split_face ? !whole : !has(from) || !has(to)) {
+      result.push_back(c);
+      continue;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (kind == Refining::bisect && c[i] != from && c[i] != to) continue;
+      bare::Corners part = c;
+      part[i] = added;
+      result.push_back(part);
+    }
+  }
+  return bare::sorted(result);
+}
+
+struct Census {
+  long strips = 0;
+  long isolated = 0;
+};
+
+Census census(const StripMesh& mesh) {
+  const ColoringReport report = check_coloring(mesh);
+  EXPECT_TRUE(report.valid);
+  return {static_cast<long>(report.strips), static_cast<long>(report.isolated)};
+}
+
+class RefineWalk {
+ public:
+  RefineWalk(StripMesh start, unsigned seed) : mesh_(std::move(start)), random_(seed) {}
+
+  void run(std::size_t operations) {
+    const std::size_t size = mesh_.triangle_count();
+    told_ = census(mesh_);
+    for (done_ = 0; done_ < operations && !::testing::Test::HasFailure();) {
+      const bool grow = mesh_.triangle_count() < size / 2 || (mesh_.triangle_count() < 2 * size && random_() % 2 == 0);
+      const Halfedge h = random_halfedge();
+      const bool did = random_() % 3 == 0 ? others(h, grow) : ours(h, grow);
+      done_ += did ? 1 : 0;
+      if (did && done_ % 8 == 0) compare();
+    }
+    compare();
+  }
+
+  std::array<std::size_t, 4> granted{};
+
+ private:
+  Halfedge random_halfedge() {
+    for (;;) {
+      const Halfedge h{static_cast<std::uint32_t>(random_() % mesh_.triangle_bound()) << 2 |
+                       static_cast<std::uint32_t>(random_() % 3)};
+      if (mesh_.alive(h)) return random_() % 2 == 0 ? h : mesh_.opposite(h);
+    }
+  }
+
+  void tell(const Rewrite<Halfedge>& done) {
+    told_.strips += done.strips;
+    told_.isolated += done.isolated;
+  }
+
+  void compare() {
+    const Census counted = census(mesh_);
+    EXPECT_EQ(told_.strips, counted.strips);
+    EXPECT_EQ(told_.isolated, counted.isolated);
+  }
+
+  bool ours(Halfedge h, bool grow) {
+    const Refining kind = grow ? (random_() % 2 == 0 ? Refining::split_face : Refining::bisect)
+                               : (random_() % 2 == 0 ? Refining::join_faces : Refining::merge);
+    const bool look = random_() % 16 == 0;
+    const bare::List before = look ? bare_list_of(mesh_) : bare::List{};
+    const Vertex from = mesh_.from(h);
+    const Vertex to = mesh_.to(h);
+    const Vertex apex = StripMesh::on_boundary(h) ? none : mesh_.to(StripMesh::next(h));
+    const Checked done = checked_refining(mesh_, kind, h);
+    if (look && !done) {
+      EXPECT_EQ(bare_list_of(mesh_), before);
+    }
+    if (!done) return false;
+    ++granted[static_cast<std::size_t>(kind)];
+    tell(done.rewrite);
+    const Halfedge made = done.rewrite.halfedge;
+    EXPECT_EQ(mesh_.from(made), from);
+    if (!look) return true;
+    if (grow) {
+      EXPECT_EQ(bare_list_of(mesh_), refined_list(before, kind, from, to, apex, mesh_.to(made)));
+    } else if (kind == Refining::merge) {
+      EXPECT_EQ(before, refined_list(bare_list_of(mesh_), Refining::bisect, from, mesh_.to(made), none, to));
+    } else {
+      const Halfedge inside = StripMesh::next(mesh_.opposite(made));
+      EXPECT_EQ(before,
+                refined_list(bare_list_of(mesh_), Refining::split_face, from, mesh_.to(made), mesh_.to(inside), to));
+    }
+    return true;
+  }
+
+  bool others(Halfedge h, bool grow) {
+    if (random_() % 4 == 0) {
+      const Checked done = checked_flip(mesh_, h);
+      if (done) tell(done.rewrite);
+      return done.granted();
+    }
+    if (!grow) {
+      const Checked done = checked_collapse(mesh_, h);
+      if (done) tell(done.rewrite);
+      return done.granted();
+    }
+    VertexSplit<Halfedge> where{h, h};
+    for (unsigned turns = 1 + random_() % 4; turns > 0; --turns)
+      if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh_, where.right);
+    const Checked done = checked_split(mesh_, where);
+    if (done) tell(done.rewrite);
+    return done.granted();
+  }
+
+  StripMesh mesh_;
+  std::mt19937 random_;
+  std::size_t done_ = 0;
+  Census told_;
+};
+
+TEST(Refine, TellsWhatItChangedInAMillionOperations) {
+  std::array<std::size_t, 4> granted{};
+  unsigned seed = 1;
+  for (const StripMesh& start : sample::meshes()) {
+    RefineWalk walk(start, seed++);
+    walk.run(test::large(160'000));
+    for (std::size_t i = 0; i < 4; ++i) granted[i] += walk.granted[i];
+  }
+  for (const std::size_t times : granted) EXPECT_GT(times, 4000U);
+}
+
+TEST(Refine, InversesUndoEachOther) {
+  for (const StripMesh& start : sample::meshes())
+    for (Triangle t = 0; t < start.triangle_bound(); ++t)
+      for (unsigned side = 0; side < 6; ++side) {
+        const Halfedge there = StripMesh::halfedge(t, side % 3);
+        const Halfedge h = side < 3 ? there : start.opposite(there);
+        for (const auto& [forth, back] :
+             {std::pair{Refining::split_face, Refining::join_faces}, {Refining::bisect, Refining::merge}}) {
+          StripMesh mesh = start;
+          const Checked done = checked_refining(mesh, forth, h);
+          if (!done) continue;
+          EXPECT_EQ(done.rewrite.valence, forth == Refining::split_face ? 3U
+                                          : StripMesh::on_boundary(h) || StripMesh::on_boundary(start.opposite(h))
+                                              ? 2U
+                                              : 4U);
+          const Checked undone = checked_refining(mesh, back, done.rewrite.halfedge);
+          ASSERT_TRUE(undone) << describe(undone.refusal);
+          EXPECT_EQ(bare_list_of(mesh), bare_list_of(start));
+          EXPECT_TRUE(check_coloring(mesh).valid);
+          if (forth == Refining::bisect) {
+            EXPECT_EQ(mesh.from(undone.rewrite.halfedge), start.from(h));
+            EXPECT_EQ(mesh.to(undone.rewrite.halfedge), start.to(h));
+          }
+        }
+      }
+}
+
+// Around v_t there must be just the triangles that the operation takes away.
+TEST(Refine, RefusesOtherValences) {
+  const StripMesh sphere = sample::sphere(1);
+  std::set<std::size_t> seen;
+  for (Vertex v = 0; v < sphere.vertex_bound(); ++v) {
+    std::size_t valence = 0;
+    Halfedge chord = sphere.opposite(sphere.spoke(v));
+    for_each_spoke(sphere, v, [&](Halfedge) { ++valence; });
+    seen.insert(valence);
+    EXPECT_EQ(check_merge(sphere, chord), valence == 4 ? Refusal::granted : Refusal::other_valence);
+    EXPECT_EQ(check_join_faces(sphere, chord), Refusal::other_valence);
+  }
+  EXPECT_EQ(seen, (std::set<std::size_t>{4, 6}));
+  const StripMesh rectangle = sample::rectangle(4, 3);
+  const Halfedge outside = rectangle.opposite(rectangle.spoke(0));
+  const Halfedge rim = StripMesh::on_boundary(outside) ? outside : rectangle.opposite(outside);
+  EXPECT_EQ(check_split_face(rectangle, {none}), Refusal::no_such_edge);
+  EXPECT_EQ(check_bisect(rectangle, {none}), Refusal::no_such_edge);
+  EXPECT_EQ(check_merge(rectangle, {none}), Refusal::no_such_edge);
+  EXPECT_EQ(check_join_faces(rectangle, {none}), Refusal::no_such_edge);
+  ASSERT_TRUE(StripMesh::on_boundary(rim));
+  EXPECT_EQ(check_split_face(rectangle, rim), Refusal::boundary_edge);
+  EXPECT_EQ(check_bisect(rectangle, rim), Refusal::granted);
+}
+
+// The facts of the tables, from the certificates' claims: refining costs a strip at most, and inside a face none.
+TEST(Refine, RefiningIsolatesNothing) {
+  std::mt19937 random(7);
+  StripMesh mesh = sample::torus(12, 9);
+  int most = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const Halfedge h = StripMesh::halfedge(static_cast<Triangle>(random() % mesh.triangle_count()), 0);
+    const bool face = random() % 2 == 0;
+    const auto done = face ? split_face(mesh, h) : bisect(mesh, h);
+    EXPECT_LE(done.isolated, 0);
+    EXPECT_LE(done.strips, face ? 0 : 1);
+    most = std::max(most, done.strips);
+  }
+  EXPECT_EQ(most, 1);
+}
+
+}  // namespace
+}  // namespace restrip
