@@ -21,13 +21,14 @@ namespace {
 /// what takes a tenth of a second or more.
 constexpr const char* stages[] = {
     "Operations.AnyValence:Operations.AdoptionGoes*:Operations.AdoptionThat*:Operations.AFree*:"
-    "Operations.Going*:Operations.Invalid*:Operations.Refused*:Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:"
+    "Refine.Inverses*:Refine.Refuses*:Refine.Refining*:Operations.Going*:Operations.Invalid*:Operations.Refused*:"
+    "Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:"
     "Checks.Checked*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:StripBuffer.RunsAre*:Strips.*:"
     "ChunkLists.*:*StripIndexOf.AgreesAfterCuts*",
     "*StripIndexOf.AgreesAfterRewrites*:*StripIndexOf.AgreesWhere*:Operations.AdoptionLeaves*:Operations.LargeFans*:"
     "LinkedRules.*ForAll*:LinkedRules.LargerFans*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
     "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:StripKeeper.Changes*:"
-    "InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:IndexKeeper.Tells*",
+    "Refine.Keepers*:InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:IndexKeeper.Tells*",
 };
 constexpr std::size_t last_stage = std::size(stages);
 

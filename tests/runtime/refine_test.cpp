@@ -14,8 +14,11 @@
 #include <vector>
 
 #include "../support/sanitizers.hpp"
+#include "index_agrees.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/keeper.hpp"
+#include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 #include "triangle_list.hpp"
 
@@ -72,7 +75,7 @@ struct Census {
   long isolated = 0;
 };
 
-Census census(const StripMesh& mesh) {
+Census census_of(const StripMesh& mesh) {
   const ColoringReport report = check_coloring(mesh);
   EXPECT_TRUE(report.valid);
   return {static_cast<long>(report.strips), static_cast<long>(report.isolated)};
@@ -84,13 +87,13 @@ class RefineWalk {
 
   void run(std::size_t operations) {
     const std::size_t size = mesh_.triangle_count();
-    told_ = census(mesh_);
+    told_ = census_of(mesh_);
     for (done_ = 0; done_ < operations && !::testing::Test::HasFailure();) {
       const bool grow = mesh_.triangle_count() < size / 2 || (mesh_.triangle_count() < 2 * size && random_() % 2 == 0);
       const Halfedge h = random_halfedge();
       const bool did = random_() % 3 == 0 ? others(h, grow) : ours(h, grow);
       done_ += did ? 1 : 0;
-      if (did && done_ % 8 == 0) compare();
+      if (did && done_ % 32 == 0) compare();
     }
     compare();
   }
@@ -112,7 +115,7 @@ class RefineWalk {
   }
 
   void compare() {
-    const Census counted = census(mesh_);
+    const Census counted = census_of(mesh_);
     EXPECT_EQ(told_.strips, counted.strips);
     EXPECT_EQ(told_.isolated, counted.isolated);
   }
@@ -208,6 +211,43 @@ TEST(Refine, InversesUndoEachOther) {
           }
         }
       }
+}
+
+// Under a keeper told is counted as well, and its index follows.
+TEST(Refine, KeepersFollow) {
+  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+    StripMesh mesh = sample::torus(12, 9);
+    stripify(mesh, Effort::fast);
+    StripKeeper keeper(mesh, policy);
+    std::mt19937 random(3);
+    Census told = census_of(mesh);
+    for (std::uint32_t n = 0; n < test::large(4000); ++n) {
+      const bool grow = mesh.triangle_count() < 200 || (mesh.triangle_count() < 600 && random() % 2 == 0);
+      const Halfedge h{static_cast<std::uint32_t>(random() % mesh.triangle_bound()) << 2 |
+                       static_cast<std::uint32_t>(random() % 3)};
+      if (!mesh.alive(h)) continue;
+      const bool face = random() % 2 == 0;
+      Rewrite<Halfedge> done;
+      if (grow)
+        done = face ? keeper.split_face(h) : keeper.bisect(h);
+      else if (face && check_join_faces(mesh, h) == Refusal::granted)
+        done = keeper.join_faces(h);
+      else if (!face && check_merge(mesh, h) == Refusal::granted)
+        done = keeper.merge(h);
+      else
+        continue;
+      told.strips += done.strips;
+      told.isolated += done.isolated;
+      if (n % 16 != 0) continue;
+      const Census counted = census_of(mesh);
+      ASSERT_EQ(told.strips, counted.strips);
+      ASSERT_EQ(told.isolated, counted.isolated);
+      ASSERT_EQ(static_cast<long>(keeper.strips()), counted.strips);
+      if (keeper.index() != nullptr) {
+        ASSERT_TRUE(agrees(*keeper.index(), mesh));
+      }
+    }
+  }
 }
 
 // Around v_t there must be just the triangles that the operation takes away.

@@ -32,6 +32,7 @@
 #include "restrip/operations/adopt.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/operations.hpp"
+#include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/policy.hpp"
 #include "restrip/search/rounds.hpp"
@@ -109,7 +110,7 @@ class StripKeeper {
     edge_triangles(*mesh_, chord, patch_);
     index_.before_patch(*mesh_, patch_);
     const Rewrite<Halfedge> done = restrip::collapse(*mesh_, chord);
-    std::erase_if(patch_, [this](Triangle t) { return !mesh_->alive(t); });
+    forget_removed();
     return finish(done);
   }
   Rewrite<Halfedge> flip(Halfedge h) {
@@ -119,14 +120,30 @@ class StripKeeper {
     patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_->opposite(h))});
     index_.before_patch(*mesh_, patch_);
     Rewrite<Halfedge> done = finish(restrip::flip(*mesh_, h));
-    up_to_date_ = false;
-    // A flip may give ports up, and so isolate a triangle beside the patch.
-    for (const Triangle t : patch_)
-      for (unsigned side = 0; side < 3; ++side)
-        if (const Halfedge across = mesh_->opposite(StripMesh::halfedge(t, side)); !StripMesh::on_boundary(across))
-          adopt_isolated(done, across);
-    up_to_date_ = true;
+    adopt_beside_patch(done);
     return done;
+  }
+
+  /// Those of refine.hpp, likewise. Linked rules have none of their own here: linked is as local.
+  Rewrite<Halfedge> split_face(Halfedge h) {
+    RESTRIP_ASSERT(check_split_face(*mesh_, h) == Refusal::granted, "StripKeeper::split_face",
+                   describe(check_split_face(*mesh_, h)));
+    return insert(h, false, [&] { return restrip::split_face(*mesh_, h); });
+  }
+  Rewrite<Halfedge> bisect(Halfedge h) {
+    RESTRIP_ASSERT(check_bisect(*mesh_, h) == Refusal::granted, "StripKeeper::bisect",
+                   describe(check_bisect(*mesh_, h)));
+    return insert(h, true, [&] { return restrip::bisect(*mesh_, h); });
+  }
+  Rewrite<Halfedge> join_faces(Halfedge chord) {
+    RESTRIP_ASSERT(check_join_faces(*mesh_, chord) == Refusal::granted, "StripKeeper::join_faces",
+                   describe(check_join_faces(*mesh_, chord)));
+    return remove(chord, [&] { return restrip::join_faces(*mesh_, chord); });
+  }
+  Rewrite<Halfedge> merge(Halfedge chord) {
+    RESTRIP_ASSERT(check_merge(*mesh_, chord) == Refusal::granted, "StripKeeper::merge",
+                   describe(check_merge(*mesh_, chord)));
+    return remove(chord, [&] { return restrip::merge(*mesh_, chord); });
   }
 
   /// Background work: goes on with rounds over all strip ends (rounds.hpp), looking at about `budget` states. Returns
@@ -199,11 +216,53 @@ class StripKeeper {
     up_to_date_ = true;
     return done;
   }
+  /// A new vertex in the triangle of h, or on its edge. Nothing is isolated by that.
+  template <class Do>
+  Rewrite<Halfedge> insert(Halfedge h, bool on_edge, Do&& operation) {
+    begin();
+    if (!tunnels()) return counted(operation());
+    patch_.clear();
+    for (const Halfedge side : {h, mesh_->opposite(h)})
+      if (!StripMesh::on_boundary(side) && (on_edge || side == h)) patch_.push_back(StripMesh::triangle(side));
+    index_.before_patch(*mesh_, patch_);
+    const Rewrite<Halfedge> done = operation();
+    fan_triangles(*mesh_, mesh_->opposite(done.halfedge), patch_);
+    return finish(done);
+  }
+  /// The end of the chord is removed.
+  template <class Do>
+  Rewrite<Halfedge> remove(Halfedge chord, Do&& operation) {
+    begin();
+    fan_triangles(*mesh_, mesh_->opposite(chord), patch_);
+    if (tunnels()) index_.before_patch(*mesh_, patch_);
+    Rewrite<Halfedge> done = operation();
+    forget_removed();
+    done = tunnels() ? finish(done) : counted(done);
+    for (const Triangle t : patch_) adopt_isolated(done, StripMesh::halfedge(t, 0));
+    adopt_beside_patch(done);
+    return done;
+  }
+  void forget_removed() {
+    std::erase_if(patch_, [this](Triangle t) { return !mesh_->alive(t); });
+  }
+  /// An operation that gives ports up may isolate a triangle beside the patch.
+  void adopt_beside_patch(Rewrite<Halfedge>& done) {
+    up_to_date_ = false;
+    for (const Triangle t : patch_)
+      for (unsigned side = 0; side < 3; ++side)
+        if (const Halfedge across = mesh_->opposite(StripMesh::halfedge(t, side)); !StripMesh::on_boundary(across))
+          adopt_isolated(done, across);
+    up_to_date_ = true;
+  }
   void adopt_isolated(Rewrite<Halfedge>& done, Halfedge h) {
-    const Mending mending = detail::adopt_with(
-        *mesh_, h, 4, [this](Halfedge g, bool solid) { solid ? index_.link(*mesh_, g) : index_.cut(*mesh_, g); });
+    const Mending mending = detail::adopt_with(*mesh_, h, 4, [this](Halfedge g, bool solid) {
+      if (!tunnels())
+        mesh_->set_solid(g, solid);
+      else
+        solid ? index_.link(*mesh_, g) : index_.cut(*mesh_, g);
+    });
     done = detail::with(done, mending);
-    strips_ = index_.strips();
+    strips_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(strips_) + mending.strips);
   }
 
   StripMesh* mesh_;
