@@ -41,17 +41,9 @@ std::uint64_t partners(const std::vector<Mask>& pairs, unsigned max_k) {
   return packed;
 }
 
-std::string identifier(std::string name) {
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
 std::string flip_header(const SolvedFamily& family) {
-  std::vector<unsigned> table(32, 0xff);
-  for (const Row& row : family.sections.at(0).rows)
-    table[row.key.joined << 4 | row.key.ports] = row.recoloring << 4 | row.kept;
   return banner(fmt::format("Rules of the flip: {} valid configurations.", family.rows())) +
-         "inline constexpr FlipTable flip{\n" + numbers(table) + "};\n" + footer;
+         "inline constexpr FlipTable flip{\n" + numbers(flip_cells(family.sections.at(0))) + "};\n" + footer;
 }
 
 /// One number for several positions: counts add up, worst cases are the worst.
@@ -83,6 +75,11 @@ std::string sealed(std::string text, std::size_t rows) {
   return text + fmt::format("end {} {} {}\n", rows, sum, weighted);
 }
 
+std::string identifier(std::string name) {
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
 std::size_t SolvedFamily::rows() const {
   std::size_t n = 0;
   for (const Section& section : sections) n += section.rows.size();
@@ -100,31 +97,15 @@ std::string rows_header(const Packing& closed, const Packing& open, unsigned max
 
 RulesHeader rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k) {
   if (family.name == "flip") return {flip_header(family), 32};
-  std::vector<unsigned> first(max_k + 1, 0);
-  std::vector<unsigned> cells(max_k + 1, 0);
-  std::vector<Mask> rules;
-  unsigned last_k = 0;
-  Mask widest = 0;
-  for (const Section& section : family.sections) {
-    const unsigned k = section.position.k;
-    if (k != last_k) first[k] = static_cast<unsigned>(rules.size());
-    last_k = k;
-    cells[k] = packing.cells[k];
-    const std::size_t block = rules.size();
-    rules.resize(block + packing.cells[k], 0);
-    for (const Row& row : section.rows) {
-      widest = std::max(widest, row.recoloring);
-      for (const Mask joined : spellings(row.key))
-        rules[block + packing.start[std::size_t{1} << k | row.key.ports] + joined] = row.recoloring;
-    }
-  }
+  const RuleBlocks blocks = fill(family.sections, packing, max_k);
+  const bool wide = *std::max_element(blocks.rules.begin(), blocks.rules.end()) > 0xff;
   std::string text = banner(
       fmt::format("Rules of the family {}: {} in {} blocks.", family.name, family.rows(), family.sections.size()));
-  text += fmt::format("inline constexpr RuleTable<{}, {}, {}> {}{{\n", widest > 0xff ? "std::uint16_t" : "std::uint8_t",
-                      max_k, rules.size(), identifier(family.name));
-  text += "    {" + numbers(first).substr(4) + "    },\n    {" + numbers(cells).substr(4) + "    },\n    {\n" +
-          numbers(rules) + "    },\n};\n";
-  return {text + footer, rules.size() * (widest > 0xff ? 2 : 1)};
+  text += fmt::format("inline constexpr RuleTable<{}, {}, {}> {}{{\n", wide ? "std::uint16_t" : "std::uint8_t", max_k,
+                      blocks.rules.size(), identifier(family.name));
+  text += "    {" + numbers(blocks.first).substr(4) + "    },\n    {" + numbers(blocks.cells).substr(4) +
+          "    },\n    {\n" + numbers(blocks.rules) + "    },\n};\n";
+  return {text + footer, blocks.rules.size() * (wide ? 2 : 1)};
 }
 
 std::size_t LinkedFamily::alternatives() const {

@@ -22,6 +22,9 @@ struct SolvedFamily {
   [[nodiscard]] std::size_t rows() const;
 };
 
+/// A family's name as programs and files spell it: with underscores.
+[[nodiscard]] std::string identifier(std::string name);
+
 /// restrip/tables/rows.hpp: where the rows of keys start, for closed and open fans.
 [[nodiscard]] std::string rows_header(const Packing& closed, const Packing& open, unsigned max_k);
 

@@ -13,6 +13,7 @@
 #include "count.hpp"
 #include "dump.hpp"
 #include "files/system_calls.hpp"
+#include "languages/languages.hpp"
 #include "operations/describe.hpp"
 #include "operations/write.hpp"
 #include "table_files.hpp"
@@ -48,7 +49,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", RESTRIP_VERSION);
 
   TablesOptions tables;
-  auto* tables_command = app.add_subcommand("tables", "Write constexpr headers, certificates and MANIFEST");
+  auto* tables_command = app.add_subcommand(
+      "tables", "Write constexpr headers, certificates and MANIFEST, or the rules in another language");
   tables_command->add_option("--out", tables.out, "Directory that receives them")->required();
   tables_command->add_option("--max-k", tables.max_k, "Largest valence")
       ->check(CLI::Range(3, 13))
@@ -74,11 +76,21 @@ int main(int argc, char** argv) {
           "and an isolated triangle")
       ->capture_default_str()
       ->excludes(shard_option);
+  std::vector<std::string> tables_languages;
+  tables_command
+      ->add_option("--language", tables_languages,
+                   "c++ (the default: headers, certificates and MANIFEST), c or json: one file with "
+                   "data and look-up; may be given several times")
+      ->check(CLI::IsMember(language_files()))
+      ->allow_extra_args(false)
+      ->excludes(shard_option);
   tables_command->footer(
       "\nExample, two shares by two machines, then all together:\n"
       "  restrip-generate tables --shard 1/2 --out /tmp/shards\n"
       "  restrip-generate tables --shard 2/2 --out /tmp/shards\n"
-      "  restrip-generate merge --in /tmp/shards --out /tmp/tables\n");
+      "  restrip-generate merge --in /tmp/shards --out /tmp/tables\n"
+      "Example, restrip_tables.h and restrip_tables.json:\n"
+      "  restrip-generate tables --language c --language json --out /tmp/tables\n");
 
   std::string merge_in;
   std::string merge_out;
@@ -169,6 +181,7 @@ int main(int argc, char** argv) {
   }
   try {
     if (tables.threads == 0) tables.threads = std::max(1U, std::thread::hardware_concurrency());
+    if (!tables_languages.empty()) tables.languages = {tables_languages.begin(), tables_languages.end()};
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
     if (*automaton_command) make_automaton_files(automaton);
     if (*merge_command) merge_shards(merge_in, merge_out);

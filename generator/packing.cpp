@@ -43,4 +43,27 @@ Packing pack(const std::vector<const Section*>& sections, unsigned max_k) {
   return packing;
 }
 
+RuleBlocks fill(const std::vector<Section>& sections, const Packing& packing, unsigned max_k) {
+  RuleBlocks blocks{std::vector<unsigned>(max_k + 1, 0), std::vector<unsigned>(max_k + 1, 0), {}};
+  unsigned last_k = 0;
+  for (const Section& section : sections) {
+    const unsigned k = section.position.k;
+    if (k != last_k) blocks.first[k] = static_cast<unsigned>(blocks.rules.size());
+    last_k = k;
+    blocks.cells[k] = packing.cells[k];
+    const std::size_t block = blocks.rules.size();
+    blocks.rules.resize(block + packing.cells[k], 0);
+    for (const Row& row : section.rows)
+      for (const Mask joined : spellings(row.key))
+        blocks.rules[block + packing.start[std::size_t{1} << k | row.key.ports] + joined] = row.recoloring;
+  }
+  return blocks;
+}
+
+std::vector<unsigned> flip_cells(const Section& section) {
+  std::vector<unsigned> table(32, 0xff);
+  for (const Row& row : section.rows) table[row.key.joined << 4 | row.key.ports] = row.recoloring << 4 | row.kept;
+  return table;
+}
+
 }  // namespace restrip::generator

@@ -22,4 +22,15 @@ struct Packing {
 /// are joined, each of their bits alone.
 [[nodiscard]] std::vector<Mask> spellings(const Key& key);
 
+/// The rules of a family of fans in their cells: members as in RuleTable of restrip/tables/format.hpp.
+struct RuleBlocks {
+  std::vector<unsigned> first;  ///< index k
+  std::vector<unsigned> cells;  ///< index k
+  std::vector<Mask> rules;      ///< cells without a key hold 0
+};
+[[nodiscard]] RuleBlocks fill(const std::vector<Section>& sections, const Packing& packing, unsigned max_k);
+
+/// The rules of the flip, as in FlipTable of restrip/tables/format.hpp.
+[[nodiscard]] std::vector<unsigned> flip_cells(const Section& section);
+
 }  // namespace restrip::generator

@@ -48,11 +48,11 @@ std::size_t rows_of(const Part& part) {
   return rows;
 }
 
-void solve(Part& part) {
+void solve(Part& part, Wanted wanted) {
   std::visit(
       [&](auto& section) {
         solve(section);
-        part.text = section_text(section);
+        if (wanted == Wanted::rules_and_text) part.text = section_text(section);
       },
       part.section);
 }

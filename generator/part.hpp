@@ -25,8 +25,11 @@ struct Part {
 /// How many rows a solved part has.
 [[nodiscard]] std::size_t rows_of(const Part& part);
 
+/// What is wanted of a part: with the text come the reasons, which take most of the time.
+enum class Wanted { rules, rules_and_text };
+
 /// Finds rules and reasons, and writes the text. Threads may solve different parts at the same time.
-void solve(Part& part);
+void solve(Part& part, Wanted wanted = Wanted::rules_and_text);
 
 /// The place in `all` of the parts that belong to shard `index` (1 … count) of `count`, ascending. Every part is in
 /// exactly one shard. Parts are dealt out by an estimate of their time, the longest first, each to the shard that has

@@ -22,6 +22,7 @@
 #include "emit_automaton.hpp"
 #include "emit_index_automaton.hpp"
 #include "files/output.hpp"
+#include "languages/languages.hpp"
 #include "part.hpp"
 #include "shard.hpp"
 #include "share.hpp"
@@ -32,14 +33,15 @@ namespace {
 namespace files = restrip::files;
 
 /// Solves the parts with these places in `all`, the largest valences first, which take longest.
-void solve_parts(std::vector<Part>& all, std::vector<std::size_t> places, unsigned threads) {
+void solve_parts(std::vector<Part>& all, std::vector<std::size_t> places, unsigned threads,
+                 Wanted wanted = Wanted::rules_and_text) {
   std::stable_sort(places.begin(), places.end(),
                    [&](std::size_t x, std::size_t y) { return position_of(all[x]).k > position_of(all[y]).k; });
   const bool terminal = isatty(STDERR_FILENO) != 0;
   std::mutex mutex;
   std::size_t done = 0;
   share(places.size(), threads, [&](std::size_t i) {
-    solve(all[places[i]]);
+    solve(all[places[i]], wanted);
     if (!terminal) return;
     const std::lock_guard lock(mutex);
     fmt::print(stderr, "\rsolved {} of {} sections", ++done, places.size());
@@ -49,11 +51,7 @@ void solve_parts(std::vector<Part>& all, std::vector<std::size_t> places, unsign
 
 const std::string headers = "include/restrip/tables/";
 
-std::string header_path(const std::string& family) {
-  std::string file = family;
-  std::replace(file.begin(), file.end(), '-', '_');
-  return headers + file + ".hpp";
-}
+std::string header_path(const std::string& family) { return headers + identifier(family) + ".hpp"; }
 
 std::string certificate_path(const std::string& family) { return "certificates/" + family + ".cert"; }
 
@@ -106,10 +104,13 @@ std::string summary(const AutomatonFiles& files) {
 }
 
 /// The files that write_tables writes, whatever the largest valence; MANIFEST, which vouches for the others, last.
-files::OutputSet table_files(const std::string& out) {
-  std::set<std::filesystem::path> names{headers + "rows.hpp",           headers + "linked.hpp",
-                                        header_path("automaton"),       certificate_path("automaton"),
-                                        header_path("index-automaton"), certificate_path("index-automaton")};
+files::OutputSet table_files(const std::string& out, const std::set<std::string>& wanted) {
+  std::set<std::filesystem::path> names;
+  for (const std::string& language : wanted)
+    for (const LanguageFile& file : language_files().at(language)) names.insert(file.name);
+  if (!wanted.contains("c++")) return files::OutputSet(out, {names.begin(), names.end()});
+  names.insert({headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"), certificate_path("automaton"),
+                header_path("index-automaton"), certificate_path("index-automaton")});
   for (const Part& part : parts(3)) {
     names.insert(certificate_path(part.family));
     if (std::holds_alternative<Section>(part.section)) names.insert(header_path(part.family));
@@ -183,13 +184,21 @@ Packing packing_of(const std::vector<SolvedFamily>& families, bool of_closed_fan
   return pack(sections, max_k);
 }
 
-void add_rules(const std::vector<SolvedFamily>& families, unsigned max_k, TableFiles& to) {
-  const Packing closed_packing = packing_of(families, true, max_k);
-  const Packing open_packing = packing_of(families, false, max_k);
-  to.by_path[headers + "rows.hpp"] = {rows_header(closed_packing, open_packing, max_k), 0};
+/// The packings that serve all rules of closed fans, and all of open ones.
+struct Packings {
+  Packing closed;
+  Packing open;
+};
+
+Packings packings_of(const std::vector<SolvedFamily>& families, unsigned max_k) {
+  return {packing_of(families, true, max_k), packing_of(families, false, max_k)};
+}
+
+void add_rules(const std::vector<SolvedFamily>& families, const Packings& packings, unsigned max_k, TableFiles& to) {
+  to.by_path[headers + "rows.hpp"] = {rows_header(packings.closed, packings.open, max_k), 0};
   for (const SolvedFamily& family : families) {
     const bool on_closed = closed(family.sections[0].position.family);
-    const RulesHeader header = rules_header(family, on_closed ? closed_packing : open_packing, max_k);
+    const RulesHeader header = rules_header(family, on_closed ? packings.closed : packings.open, max_k);
     to.by_path[header_path(family.name)] = {header.text, family.rows()};
     to.by_path[certificate_path(family.name)] = {certificate(family.name, family.texts, family.rows()), family.rows()};
     to.told += summary(family.name, family.sections.size(), family.rows(), header.bytes);
@@ -217,14 +226,36 @@ void add_automaton(const AutomatonFiles& automaton, TableFiles& to) {
   to.told += summary(automaton);
 }
 
-void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k, const indices::Weights& weights) {
+/// The files of other languages than C++. MANIFEST does not list them: it vouches for what restrip-verify reads.
+std::vector<files::NamedBytes> other_languages(const std::vector<SolvedFamily>& families, const Packings& packings,
+                                               const TablesOptions& options, std::string& told) {
+  std::map<std::string, std::string> by_name;
+  const TableLayout layout = table_layout(families, packings.closed, packings.open, options.max_k);
+  for (const std::string& language : options.languages)
+    for (const LanguageFile& file : language_files().at(language)) by_name[file.name] = file.bytes(layout);
+  std::vector<files::NamedBytes> files;
+  for (auto& [name, bytes] : by_name) {
+    told += fmt::format("{:<20} {:>8} bytes, with {} of tables\n", name, bytes.size(), layout.bytes());
+    files.push_back({name, std::move(bytes)});
+  }
+  return files;
+}
+
+/// From all parts, or, when C++ is not among the languages, those of the rules.
+void write_tables(files::OutputSet& out, std::vector<Part> all, const TablesOptions& options,
+                  const indices::Weights& weights) {
   const Families families = by_family(std::move(all));
+  const Packings packings = packings_of(families.rules, options.max_k);
   TableFiles tables;
-  add_rules(families.rules, max_k, tables);
-  add_linked(families.linked, max_k, tables);
-  add_automaton(strips_automaton(), tables);
-  add_automaton(index_automaton(weights), tables);
-  out.write(tables.take());
+  std::vector<files::NamedBytes> written = other_languages(families.rules, packings, options, tables.told);
+  if (options.languages.contains("c++")) {
+    add_rules(families.rules, packings, options.max_k, tables);
+    add_linked(families.linked, options.max_k, tables);
+    add_automaton(strips_automaton(), tables);
+    add_automaton(index_automaton(weights), tables);
+    for (files::NamedBytes& file : tables.take()) written.push_back(std::move(file));
+  }
+  out.write(written);
   fmt::print("{}", tables.told);
 }
 
@@ -232,12 +263,14 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, unsigned max_k, 
 
 void make_tables(const TablesOptions& options) {
   const indices::Weights weights = weights_named(options.cost);
-  files::OutputSet out = table_files(options.out);
+  files::OutputSet out = table_files(options.out, options.languages);
   std::vector<Part> all = parts(options.max_k, options.goal);
+  const bool cpp = options.languages.contains("c++");
+  if (!cpp) std::erase_if(all, [](const Part& part) { return std::holds_alternative<LinkedSection>(part.section); });
   std::vector<std::size_t> everything(all.size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
-  solve_parts(all, everything, options.threads);
-  write_tables(out, std::move(all), options.max_k, weights);
+  solve_parts(all, everything, options.threads, cpp ? Wanted::rules_and_text : Wanted::rules);
+  write_tables(out, std::move(all), options, weights);
 }
 
 void make_shard(const TablesOptions& options) {
@@ -260,9 +293,11 @@ void make_shard(const TablesOptions& options) {
 }
 
 void merge_shards(const std::string& in, const std::string& folder) {
-  files::OutputSet out = table_files(folder);
+  TablesOptions options;
+  files::OutputSet out = table_files(folder, options.languages);
   Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
-  write_tables(out, std::move(merged.parts), merged.max_k, {});
+  options.max_k = merged.max_k;
+  write_tables(out, std::move(merged.parts), options, {});
 }
 
 void make_automaton_files(const AutomatonOptions& options) {

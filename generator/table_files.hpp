@@ -1,6 +1,7 @@
 // What restrip-generate writes to files: headers, certificates and MANIFEST; shards of them; an automaton.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "family_operation.hpp"
@@ -13,13 +14,14 @@ struct TablesOptions {
   unsigned max_k = 8;
   unsigned threads = 1;
   Goal goal = Goal::strips;
-  std::string cost = "indices";  ///< of the index rules: "indices", or weights as in AutomatonOptions
+  std::string cost = "indices";            ///< of the index rules: "indices", or weights as in AutomatonOptions
+  std::set<std::string> languages{"c++"};  ///< of language_files()
 };
 
 // All of these look at their output paths before they work, say on standard output what they wrote, show progress on a
 // terminal, and throw std::exception with file and remedy.
 
-/// Headers, certificates and MANIFEST, all at once.
+/// The files of the languages, all at once; those of C++ are headers, certificates and MANIFEST.
 void make_tables(const TablesOptions& options);
 
 /// One of several shares of the sections, for merge_shards().

@@ -5,6 +5,7 @@ counts:     configurations, orbits and rules that add a strip, for splits and fo
 families:   rules and bytes of each family of tables, k <= 8 (docs/tables.md)
 programs:   bytes of split and collapse of a StripMesh, compiled by g++ -Os -DNDEBUG against single headers with tables
             up to different k (docs/tables.md)
+languages:  bytes of the rule tables in other languages than C++, k <= 8 (docs/languages.md)
 shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
 """
 import argparse
@@ -69,6 +70,20 @@ def print_families(generate):
     line(["row starts, for those up to fan-collapse", "", f"{row_starts(8):,}"])
 
 
+FILE_LINE = re.compile(r"^(restrip_tables\.\S+) +(\d+) bytes, with (\d+) of tables$", re.M)
+FILE_HOLDS = {"restrip_tables.h": "C99 header: data and look-up", "restrip_tables.json": "data; its schema is [tables.schema.json](tables.schema.json)"}
+LANGUAGE_NAMES = ("c", "json")
+
+
+def print_languages(generate):
+    header("file", "what it holds", "bytes of the file", "bytes of tables")
+    with tempfile.TemporaryDirectory() as folder:
+        wanted = [word for language in LANGUAGE_NAMES for word in ("--language", language)]
+        told = subprocess.check_output([generate, "tables", "--threads", "2", "--out", folder, *wanted], text=True)
+    for name, size, tables in FILE_LINE.findall(told):
+        line([f"`{name}`", FILE_HOLDS[name], f"{int(size):,}", f"{int(tables):,}"])
+
+
 def section_bytes(path, pattern):
     lines = subprocess.check_output(["size", "-A", path], text=True).splitlines()
     return sum(int(line.split()[1]) for line in lines if re.match(pattern, line))
@@ -123,7 +138,8 @@ def print_shards(generate):
                   f"{bytes_below(tables) / 1e6:.1f} MB", f"{sum(size for _, size in families.values()) / 1e6:.1f} MB"])
 
 
-TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "shards": print_shards}
+TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "languages": print_languages,
+          "shards": print_shards}
 
 
 def main():

@@ -1,0 +1,59 @@
+// The tables as JSON; docs/tables.schema.json is the schema.
+#include <fmt/format.h>
+
+#include <set>
+
+#include "languages/languages.hpp"
+#include "number_lines.hpp"
+
+namespace restrip::generator {
+namespace {
+
+/// A member whose value is an array of numbers; the last comma of `numbers` goes.
+std::string json_numbers(const TableLayout& layout, const std::string& name, const std::string& key) {
+  std::string text = numbers(layout.array(name).values);
+  text.erase(text.find_last_of(','), 1);
+  return fmt::format("\"{}\": [\n{}]", key, text);
+}
+
+std::string json_look_up(const LookUp& look_up) {
+  std::string position;
+  for (const std::string& name : look_up.position)
+    position += fmt::format("{}\"{}\"", position.empty() ? "" : ", ", name);
+  return fmt::format(
+      "{{\"name\": \"{}\", \"position\": [{}], \"family\": \"{}\", \"from_fan\": {}, \"before_bits\": {}, "
+      "\"after_bits\": {}, \"triangles\": {}}}",
+      look_up.name, position, look_up.family, look_up.from_fan, look_up.before_bits, look_up.after_bits,
+      look_up.triangles);
+}
+
+}  // namespace
+
+std::string json_tables(const TableLayout& layout) {
+  std::string text = fmt::format(
+      "{{\n\"format\": \"restrip-tables\",\n\"version\": 1,\n"
+      "\"license\": \"MIT, Copyright (c) 2026 The restrip authors\",\n"
+      "\"command\": \"restrip-generate tables --language json --max-k {0}\",\n\"max_k\": {0},\n\"operations\": [",
+      layout.max_k);
+  std::string between = "\n    ";
+  for (const LookUp& look_up : look_ups()) {
+    text += between + json_look_up(look_up);
+    between = ",\n    ";
+  }
+  text += "\n],\n\"rows\": {\n" + json_numbers(layout, "closed_rows", "closed") + ",\n" +
+          json_numbers(layout, "open_rows", "open") + "\n},\n\"families\": {";
+  between = "\n";
+  std::set<std::string> written;
+  for (const LookUp& look_up : look_ups()) {
+    if (look_up.position.empty() || !written.insert(look_up.family).second) continue;
+    text += fmt::format("{}\"{}\": {{\n\"rows\": \"{}\"", between, look_up.family,
+                        look_up.rows == "closed_rows" ? "closed" : "open");
+    for (const char* part : {"first", "cells", "rules"})
+      text += ",\n" + json_numbers(layout, look_up.family + "_" + part, part);
+    text += "\n}";
+    between = ",\n";
+  }
+  return text + "\n},\n" + json_numbers(layout, "flip_rules", "flip") + "\n}\n";
+}
+
+}  // namespace restrip::generator

@@ -1,0 +1,51 @@
+// The rule tables as plain arrays, from which the files of all languages are written (languages/languages.hpp). What
+// the numbers mean is in tables/include/restrip/tables/format.hpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "emit.hpp"
+
+namespace restrip::generator {
+
+struct TableArray {
+  std::string name;   ///< "closed_rows", "split_first", "split_cells", "split_rules", …, "flip_rules"
+  unsigned bits = 8;  ///< of an element, 8, 16 or 32: the fewest that hold its values
+  std::vector<std::uint32_t> values;
+
+  [[nodiscard]] std::size_t bytes() const { return values.size() * bits / 8; }
+};
+
+struct TableLayout {
+  unsigned max_k = 0;
+  std::vector<TableArray> arrays;
+
+  [[nodiscard]] std::size_t bytes() const;
+  /// Throws std::out_of_range when there is no such array.
+  [[nodiscard]] const TableArray& array(const std::string& name) const;
+};
+
+/// An operation that the tables answer: what a look-up is asked, and which rules it reads (docs/notation.md).
+struct LookUp {
+  std::string name;
+  std::vector<std::string> position;  ///< the numbers that say where, k first; none for the flip
+  std::string where;                  ///< their ranges, for people
+  std::string family;                 ///< "F" of the arrays F_first, F_cells, F_rules; "flip" has F_rules alone
+  std::string rows;                   ///< the array of row starts, empty for the flip
+  bool from_fan = false;  ///< true when the colours before are those of the fan, so that triangles are added
+  int before_bits = 0;    ///< bits of the colours before: k more than this, but for the flip
+  int after_bits = 0;     ///< the same after
+  int triangles = 0;      ///< triangles after, less those before
+};
+
+/// All seven, in the order of docs/notation.md.
+[[nodiscard]] const std::vector<LookUp>& look_ups();
+
+/// The solved families of rules, with the packings of their keys.
+[[nodiscard]] TableLayout table_layout(const std::vector<SolvedFamily>& families, const Packing& closed,
+                                       const Packing& open, unsigned max_k);
+
+}  // namespace restrip::generator

@@ -1,0 +1,2 @@
+#define RESTRIP_TABLES_IMPLEMENTATION
+#include "restrip_tables.h"

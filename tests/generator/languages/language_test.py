@@ -1,0 +1,203 @@
+"""The tables in another language answer as the C++ look-up does: every operation in every position with k <= 8, all
+colours and ports, valid or not. Digests of the answers are compared, a line for each position (answers.cpp), so that they
+can be computed wherever the look-up runs. That a wrong rule shows is tested with one number altered at a time: exactly the
+operations that read it must differ. The example of docs/languages.md is run and prints what stands there.
+
+  language_test.py LANGUAGE --generate PROGRAM --answers PROGRAM --tables FOLDER --scratch FOLDER --root FOLDER --with PROGRAM…
+
+--tables is the folder of restrip-generate's files; --with names what the language needs, in the order of its class below.
+"""
+import argparse
+import json
+import re
+import shutil
+import subprocess
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+MAX_K = 8
+# The operations that read the rules of a family, by their numbers in the lines of answers.cpp.
+READERS = {"split": "0", "collapse": "1", "open_split": "2", "fan_collapse": "35", "boundary_split": "4", "flip": "6"}
+
+
+def run(*command, **more):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **more)
+    if done.returncode != 0:
+        raise SystemExit(f"{' '.join(map(str, command))}: ended with {done.returncode}\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
+    if done.stderr:
+        raise SystemExit(f"{' '.join(map(str, command))}: said\n{done.stderr[-3000:]}")
+    return done.stdout
+
+
+def compare(what, found, expected):
+    """The operations of the lines that differ, sorted; "r" is the last line, rules where there must be none."""
+    lines, wanted = found.splitlines(), expected.splitlines()
+    if len(wanted) < 30 or [line.split()[:4] for line in lines] != [line.split()[:4] for line in wanted]:
+        raise SystemExit(f"{what}: positions are missing, or there are too many:\n{found}")
+    return "".join(sorted({line[0] for line, other in zip(lines, wanted) if line != other}))
+
+
+def must_be_equal(what, found, expected):
+    wrong = compare(what, found, expected)
+    if wrong:
+        raise SystemExit(f"{what}: other answers than those of C++, in operations {wrong}:\n{found}\nexpected:\n{expected}")
+
+
+def altered_number(text, opening):
+    """The text with another number in place of the first that is not 0 behind `opening`, and not 255."""
+    begin = text.index(opening) + len(opening)
+    number = re.compile(r"\b(?!0\b|255\b)\d+").search(text, begin)
+    return text[:number.start()] + str(int(number[0]) ^ 1) + text[number.end():]
+
+
+class C:
+    file = "restrip_tables.h"
+    block = "c"
+
+    def __init__(self, gcc):
+        self.gcc = gcc
+
+    def compiled(self, folder, scratch, *flags):
+        program = scratch / "driver"
+        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", *flags, "-I", folder,
+            HERE / "driver.c", HERE / "data.c", "-o", program)
+        return program
+
+    def answers(self, folder, scratch, max_k):
+        return run(self.compiled(folder, scratch, "-O1" if max_k == MAX_K else "-O0"), max_k)
+
+    def altered(self, text, family):
+        return altered_number(text, re.search(rf"restrip_{family}_rules\[\d+\] = ", text)[0])
+
+    def example(self, text, folder, scratch):
+        (scratch / "example.c").write_text(text, encoding="utf-8")
+        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Werror", "-I", folder, scratch / "example.c", "-o", scratch / "example")
+        return run(scratch / "example")
+
+    def more(self, folder, scratch, expected):
+        """No undefined behaviour, no library, and C++ takes it as well."""
+        checked = self.compiled(folder, scratch, "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
+        must_be_equal("with sanitizers", run(checked, 6), expected(6))
+        run(self.gcc, "-std=c99", "-O2", "-ffreestanding", "-I", folder, "-c", HERE / "data.c", "-o", scratch / "data.o")
+        called = run("nm", "--undefined-only", scratch / "data.o")
+        if called:
+            raise SystemExit(f"the data and bodies call something:\n{called}")
+        run(self.gcc, "-x", "c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I", folder, "-fsyntax-only", HERE / "data.c")
+
+
+class Json:
+    file = "restrip_tables.json"
+    block = "python"
+
+    def __init__(self, node, python):
+        self.node, self.python = node, python
+
+    def answers(self, folder, scratch, max_k):
+        return run(self.node, HERE / "driver.mjs", folder / self.file, max_k)
+
+    def altered(self, text, family):
+        return altered_number(text, '"flip": [' if family == "flip" else
+                              text[:text.index('"rules": [', text.index(f'\n"{family}": {{')) + 10])
+
+    def example(self, text, folder, scratch):
+        return run(self.python, "-c", text, cwd=folder)
+
+    def more(self, folder, scratch, expected):
+        """The file is as the schema says; files that are not are told apart."""
+        schema = json.loads((ROOT / "docs/tables.schema.json").read_text(encoding="utf-8"))
+        tables = json.loads((folder / self.file).read_text(encoding="utf-8"))
+        faults = list(against(schema, tables, schema))
+        if faults:
+            raise SystemExit(f"{self.file} is not as docs/tables.schema.json says: {faults[0]}")
+        for arrays in tables["families"].values():
+            del arrays["rules"][5:]  # enough to be spoilt
+        for member in tables:
+            if not list(against(schema, {name: value for name, value in tables.items() if name != member}, schema)):
+                raise SystemExit(f"docs/tables.schema.json does without {member}")
+        for spoil in (lambda t: t["rows"].update(closed=[]), lambda t: t["flip"].pop(), lambda t: t.update(max_k=14),
+                      lambda t: t["families"]["split"]["rules"].append(65536), lambda t: t.update(version=2),
+                      lambda t: t["families"].update(other={}), lambda t: t["operations"][0].update(name="other")):
+            spoilt = json.loads(json.dumps(tables))
+            spoil(spoilt)
+            if not list(against(schema, spoilt, schema)):
+                raise SystemExit("docs/tables.schema.json takes tables that are wrong")
+
+
+KNOWN = set()  # schemas looked at
+
+
+def against(schema, value, whole):
+    """Faults of a value; of the words of JSON Schema those that our schema uses."""
+    if "$ref" in schema:
+        yield from against(whole["$defs"][schema["$ref"].split("/")[-1]], value, whole)
+        return
+    unknown = () if id(schema) in KNOWN else set(schema) - {"$schema", "$id", "$defs", "title", "description", "type", "const", "enum", "minimum", "maximum",
+                             "properties", "required", "additionalProperties", "items", "minItems", "maxItems"}
+    if unknown:
+        raise SystemExit(f"docs/tables.schema.json uses {unknown}, which this test does not know")
+    KNOWN.add(id(schema))
+    kinds = {"object": dict, "array": list, "integer": int, "string": str, "boolean": bool}
+    if "type" in schema and (not isinstance(value, kinds[schema["type"]]) or schema["type"] == "integer" and isinstance(value, bool)):
+        yield f"{str(value)[:50]} is not of type {schema['type']}"
+        return
+    if "const" in schema and value != schema["const"] or "enum" in schema and value not in schema["enum"]:
+        yield f"{value} is not {schema.get('const', schema.get('enum'))}"
+    if isinstance(value, int) and not schema.get("minimum", value) <= value <= schema.get("maximum", value):
+        yield f"{value} is out of range"
+    if isinstance(value, list):
+        if not schema.get("minItems", 0) <= len(value) <= schema.get("maxItems", len(value)):
+            yield f"{len(value)} elements"
+        for element in value:
+            yield from against(schema.get("items", {}), element, whole)
+    if isinstance(value, dict):
+        yield from (f"{name} is missing" for name in schema.get("required", []) if name not in value)
+        for name, member in value.items():
+            if name in schema.get("properties", {}):
+                yield from against(schema["properties"][name], member, whole)
+            elif not schema.get("additionalProperties", True):
+                yield f"{name} is unknown"
+
+
+LANGUAGES = {"c": C, "json": Json}
+
+parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+parser.add_argument("language", choices=LANGUAGES)
+for option in ("answers", "tables", "scratch", "root"):
+    parser.add_argument("--" + option, required=True, type=Path)
+parser.add_argument("--with", required=True, nargs="+", dest="programs")
+ARGUMENTS = parser.parse_args()
+ROOT = ARGUMENTS.root
+
+
+def expected_answers(max_k):
+    return run(ARGUMENTS.answers, max_k)
+
+
+def main():
+    language = LANGUAGES[ARGUMENTS.language](*ARGUMENTS.programs)
+    shutil.rmtree(ARGUMENTS.scratch, ignore_errors=True)
+    altered = ARGUMENTS.scratch / "altered"
+    altered.mkdir(parents=True)
+    all_answers = expected_answers(MAX_K)
+    must_be_equal(language.file, language.answers(ARGUMENTS.tables, ARGUMENTS.scratch, MAX_K), all_answers)
+
+    text = (ARGUMENTS.tables / language.file).read_text(encoding="utf-8")
+    few_answers = expected_answers(4)
+    for family, readers in READERS.items():
+        (altered / language.file).write_text(language.altered(text, family), encoding="utf-8")
+        differ = compare("altered", language.answers(altered, ARGUMENTS.scratch, 4), few_answers)
+        if differ != readers:
+            raise SystemExit(f"a rule of {family} was altered, and operations {differ} differ, not {readers}")
+
+    page = (ROOT / "docs/languages.md").read_text(encoding="utf-8")
+    example = re.search(rf"```{language.block}\n(.+?)```\n\nIt prints:\n\n```text\n(.+?)```", page, re.S)
+    if not example:
+        raise SystemExit(f"docs/languages.md has no ```{language.block} block followed by \"It prints:\" and a ```text block")
+    printed = language.example(example[1], ARGUMENTS.tables, ARGUMENTS.scratch)
+    if printed != example[2]:
+        raise SystemExit(f"the example of docs/languages.md prints\n{printed}instead of\n{example[2]}")
+    language.more(ARGUMENTS.tables, ARGUMENTS.scratch, expected_answers)
+    print(f"{language.file}: {len(all_answers.splitlines())} digests agree, {len(READERS)} altered rules were noticed")
+
+
+main()
