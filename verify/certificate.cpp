@@ -96,7 +96,7 @@ SectionRows parse_section(LineReader& reader, const Section& section) {
 Certificate parse_certificate(const std::string& file, std::string text, const Family& family) {
   Certificate certificate;
   certificate.file = file;
-  parse_form(file, std::move(text), family.name, [&](LineReader& reader) {
+  parse_form(file, std::move(text), family_head(family.name), [&](LineReader& reader) {
     for (const Section& section : family.sections) {
       certificate.sections.push_back(parse_section(reader, section));
       certificate.rows += certificate.sections.back().rows.size();

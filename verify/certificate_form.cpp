@@ -35,8 +35,10 @@ void parse_end(const LineReader& reader, std::size_t rows) {
 
 }  // namespace
 
-void parse_form(const std::string& file, std::string text, const std::string& family,
-                const std::function<std::size_t(LineReader&)>& read_sections) {
+FormHead family_head(const std::string& family) { return {"restrip-certificate 2", "family " + family, "a section"}; }
+
+void parse_form(const std::string& file, std::string text, const FormHead& head,
+                const std::function<std::size_t(LineReader&)>& read_body) {
   const std::optional<Place> altered = altered_byte(text);
   if (altered && !mutated(Mutant::skip_sums))
     throw InputError(
@@ -44,12 +46,12 @@ void parse_form(const std::string& file, std::string text, const std::string& fa
         fmt::format("byte {} of this line was altered, or more than one byte: the sums in the last line tell",
                     altered->byte));
   LineReader reader(file, std::move(text));
-  reader.next("\"restrip-certificate 2\"");
-  reader.expect_line("restrip-certificate 2");
-  reader.next("\"family\"");
-  reader.expect_line("family " + family);
-  reader.next("a section");
-  const std::size_t rows = read_sections(reader);
+  for (const std::string& line : {head.title, head.subject}) {
+    reader.next(fmt::format("\"{}\"", line));
+    reader.expect_line(line);
+  }
+  reader.next(head.first);
+  const std::size_t rows = read_body(reader);
   parse_end(reader, rows);
 }
 

@@ -16,10 +16,18 @@ struct StatedClaim {
   unsigned line = 0;
 };
 
-/// Reads a certificate from its first line to its last. `read_sections` finds the reader on the first section's head,
-/// leaves it on the last line, and returns how many rows it has read.
-void parse_form(const std::string& file, std::string text, const std::string& family,
-                const std::function<std::size_t(LineReader&)>& read_sections);
+/// The first two lines of a certificate, and what comes behind them.
+struct FormHead {
+  std::string title;    ///< "restrip-certificate 2"
+  std::string subject;  ///< "family split"
+  std::string first;    ///< what an error calls the third line: "a section"
+};
+FormHead family_head(const std::string& family);
+
+/// Reads a certificate from its first line to its last. `read_body` finds the reader on the third line, leaves it on
+/// the last one, and returns how many rows it has read.
+void parse_form(const std::string& file, std::string text, const FormHead& head,
+                const std::function<std::size_t(LineReader&)>& read_body);
 
 /// The head of a section and its claims, each of `words` once. Leaves the reader on the first row; its first word has
 /// to be one of `row_words`.

@@ -10,6 +10,7 @@
 
 #include "certificate.hpp"
 #include "merit.hpp"
+#include "report.hpp"
 
 namespace restrip::verify {
 
@@ -17,19 +18,6 @@ namespace restrip::verify {
 /// fails one is not asked the next.
 enum class RowClaim { covered, sound, most_solid, fewest_isolated, most_ports_kept };
 inline constexpr std::size_t row_claim_count = 5;
-
-/// How often something did not hold, and the first time in full.
-struct Failures {
-  std::uint64_t count = 0;
-  std::string first;
-  void add(const std::string& counterexample) {
-    if (count++ == 0) first = counterexample;
-  }
-  void add(const Failures& later) {
-    if (count == 0) first = later.first;
-    count += later.count;
-  }
-};
 
 /// The answer that the certificate gives to a configuration, packed; or one of the two below.
 using Answer = std::uint16_t;

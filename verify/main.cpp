@@ -1,4 +1,5 @@
-// restrip-verify: proves the certificates by exhaustion, from docs/notation.md and docs/certificate.md alone.
+// restrip-verify: proves certificates by exhaustion. Those of the families from docs/notation.md and
+// docs/certificate.md alone, those of an operation of a user's own from its file and docs/operation-file.md alone.
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -7,6 +8,7 @@
 #include <stdexcept>
 
 #include "input.hpp"
+#include "operations/verify_operation.hpp"
 #include "verify.hpp"
 
 namespace {
@@ -15,16 +17,18 @@ constexpr int all_claims_hold = 0;
 constexpr int some_claim_fails = 1;
 constexpr int bad_input = 2;
 
-int run(const restrip::verify::Options& options, bool as_json) {
+/// `verify` takes a listener and returns totals; `last` makes the last line of them.
+template <class Verify, class Last>
+int run(const Verify& verify, const Last& last, bool as_json) {
   using namespace restrip::verify;
   std::vector<ClaimResult> claims;
   if (!as_json) fmt::print("{}", heading());
-  const Totals totals = verify_tables(options, [&](const ClaimResult& result) {
+  const Totals totals = verify([&](const ClaimResult& result) {
     claims.push_back(result);
     if (!as_json) fmt::print("{}", line_of(result));
     std::fflush(stdout);
   });
-  fmt::print("{}", as_json ? json_of(claims, totals) : last_line(totals));
+  fmt::print("{}", as_json ? json_of(claims, totals) : last(totals));
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::runtime_error("standard output: what was found could not be written");
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
@@ -34,6 +38,7 @@ int run(const restrip::verify::Options& options, bool as_json) {
 
 int main(int argc, char** argv) {
   restrip::verify::Options options;
+  restrip::verify::operations::OperationOptions own;
   options.show_progress = isatty(STDERR_FILENO) != 0;
   bool as_json = false;
 
@@ -42,7 +47,14 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
       "Example, from the top of the source tree:\n"
-      "  build/release/bin/restrip-verify --tables-dir tables --all");
+      "  build/release/bin/restrip-verify --tables-dir tables --all\n\n"
+      "An operation of one's own (docs/operation-file.md):\n"
+      "  build/release/bin/restrip-verify --operation tables/operations/bisect.json \\\n"
+      "    --certificate tables/certificates/operations/bisect.cert");
+  CLI::Option* const operation = app.add_option("--operation", own.operation,
+                                                "An operation of one's own: its file. With it go only --certificate, "
+                                                "--dump-command and --json");
+  app.add_option("--certificate", own.certificate, "The certificate of the operation")->needs(operation);
   app.add_option("--tables-dir", options.tables_dir, "The folder with MANIFEST and certificates/")
       ->capture_default_str();
   app.add_option("--dump-command", options.dump_command,
@@ -61,10 +73,18 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "How many threads; the result does not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
+  for (CLI::Option* option : app.get_options())
+    if (const std::string name = option->get_name(); name != "--operation" && name != "--certificate" &&
+                                                     name != "--dump-command" && name != "--json" && name != "--help")
+      operation->excludes(option);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
+  }
+  if (!own.operation.empty() && own.certificate.empty() && options.dump_command.empty()) {
+    fmt::print(stderr, "restrip-verify: --operation needs --certificate, --dump-command or both\n");
+    return bad_input;
   }
   if (options.max_k != restrip::verify::largest_fan && !options.headers_only) {
     fmt::print(stderr, "restrip-verify: --max-k needs --headers: the certificates go to k = 8\n");
@@ -76,7 +96,12 @@ int main(int argc, char** argv) {
   }
 
   try {
-    return run(options, as_json);
+    if (own.operation.empty())
+      return run([&](const auto& listener) { return restrip::verify::verify_tables(options, listener); },
+                 restrip::verify::last_line, as_json);
+    own.dump_command = options.dump_command;
+    return run([&](const auto& listener) { return restrip::verify::operations::verify_operation(own, listener); },
+               [&](const auto& totals) { return restrip::verify::operations::last_line_of(own, totals); }, as_json);
   } catch (const std::exception& error) {
     std::fflush(stdout);
     fmt::print(stderr, "restrip-verify: {}\n", error.what());

@@ -9,6 +9,19 @@
 
 namespace restrip::verify {
 
+/// How often something did not hold, and the first time in full.
+struct Failures {
+  std::uint64_t count = 0;
+  std::string first;
+  void add(const std::string& counterexample) {
+    if (count++ == 0) first = counterexample;
+  }
+  void add(const Failures& later) {
+    if (count == 0) first = later.first;
+    count += later.count;
+  }
+};
+
 struct ClaimResult {
   std::string subject;  ///< a family, or what else the claim is about
   std::string claim;

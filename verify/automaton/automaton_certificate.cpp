@@ -152,7 +152,8 @@ class Parser {
 AutomatonCertificate parse_automaton(const std::string& file, std::string text) {
   AutomatonCertificate result;
   result.file = file;
-  parse_form(file, std::move(text), "automaton", [&](LineReader& reader) { return Parser(reader, result).read(); });
+  parse_form(file, std::move(text), family_head("automaton"),
+             [&](LineReader& reader) { return Parser(reader, result).read(); });
   return result;
 }
 

@@ -119,7 +119,7 @@ class TurnParser {
 TurnCertificate parse_turn_automaton(const std::string& file, std::string text) {
   TurnCertificate result;
   result.file = file;
-  parse_form(file, std::move(text), "index-automaton",
+  parse_form(file, std::move(text), family_head("index-automaton"),
              [&](LineReader& reader) { return TurnParser(reader, result).read(); });
   return result;
 }
