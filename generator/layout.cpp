@@ -1,7 +1,6 @@
 #include "layout.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace restrip::generator {
 namespace {
@@ -38,11 +37,10 @@ std::size_t TableLayout::bytes() const {
   return sum;
 }
 
-const TableArray& TableLayout::array(const std::string& name) const {
+const TableArray* TableLayout::find(const std::string& name) const {
   const auto found =
       std::find_if(arrays.begin(), arrays.end(), [&](const TableArray& array) { return array.name == name; });
-  if (found == arrays.end()) throw std::out_of_range("the tables have no array " + name);
-  return *found;
+  return found == arrays.end() ? nullptr : &*found;
 }
 
 TableLayout table_layout(const std::vector<SolvedFamily>& families, const Packing& closed, const Packing& open,
@@ -53,11 +51,12 @@ TableLayout table_layout(const std::vector<SolvedFamily>& families, const Packin
       layout.arrays.push_back(array_of("flip_rules", flip_cells(family.sections.at(0))));
       continue;
     }
-    const bool on_closed = generator::closed(family.sections.at(0).position.family);
+    const Family acts = family.sections.at(0).position.family;
+    const bool on_closed = generator::closed(acts);
     const RuleBlocks blocks = fill(family.sections, on_closed ? closed : open, max_k);
     const std::string name = identifier(family.name);
     layout.arrays.push_back(array_of(name + "_first", blocks.first));
-    layout.arrays.push_back(array_of(name + "_cells", blocks.cells));
+    if (!collapses(acts)) layout.arrays.push_back(array_of(name + "_cells", blocks.cells));
     layout.arrays.push_back(array_of(name + "_rules", blocks.rules));
   }
   return layout;

@@ -24,8 +24,8 @@ struct TableLayout {
   std::vector<TableArray> arrays;
 
   [[nodiscard]] std::size_t bytes() const;
-  /// Throws std::out_of_range when there is no such array.
-  [[nodiscard]] const TableArray& array(const std::string& name) const;
+  /// Null when there is no such array.
+  [[nodiscard]] const TableArray* find(const std::string& name) const;
 };
 
 /// An operation that the tables answer: what a look-up is asked, and which rules it reads (docs/notation.md).
@@ -33,8 +33,8 @@ struct LookUp {
   std::string name;
   std::vector<std::string> position;  ///< the numbers that say where, k first; none for the flip
   std::string where;                  ///< their ranges, for people
-  std::string family;                 ///< "F" of the arrays F_first, F_cells, F_rules; "flip" has F_rules alone
-  std::string rows;                   ///< the array of row starts, empty for the flip
+  std::string family;     ///< "F" of the arrays F_first, F_rules, and F_cells where the position counts; F_rules: flip
+  std::string rows;       ///< the array of row starts, empty for the flip
   bool from_fan = false;  ///< true when the colours before are those of the fan, so that triangles are added
   int before_bits = 0;    ///< bits of the colours before: k more than this, but for the flip
   int after_bits = 0;     ///< the same after

@@ -71,8 +71,9 @@ def print_families(generate):
 
 
 FILE_LINE = re.compile(r"^(restrip_tables\.\S+) +(\d+) bytes, with (\d+) of tables$", re.M)
-FILE_HOLDS = {"restrip_tables.h": "C99 header: data and look-up", "restrip_tables.json": "data; its schema is [tables.schema.json](tables.schema.json)"}
-LANGUAGE_NAMES = ("c", "json")
+FILE_HOLDS = {"restrip_tables.h": "C99 header: data and look-up", "restrip_tables.rs": "Rust module: data and look-up",
+              "restrip_tables.json": "data; its schema is [tables.schema.json](tables.schema.json)"}
+LANGUAGE_NAMES = ("c", "json", "rust")
 
 
 def print_languages(generate):

@@ -10,8 +10,8 @@ namespace restrip::generator {
 namespace {
 
 /// A member whose value is an array of numbers; the last comma of `numbers` goes.
-std::string json_numbers(const TableLayout& layout, const std::string& name, const std::string& key) {
-  std::string text = numbers(layout.array(name).values);
+std::string json_numbers(const TableArray& array, const std::string& key) {
+  std::string text = numbers(array.values);
   text.erase(text.find_last_of(','), 1);
   return fmt::format("\"{}\": [\n{}]", key, text);
 }
@@ -40,8 +40,8 @@ std::string json_tables(const TableLayout& layout) {
     text += between + json_look_up(look_up);
     between = ",\n    ";
   }
-  text += "\n],\n\"rows\": {\n" + json_numbers(layout, "closed_rows", "closed") + ",\n" +
-          json_numbers(layout, "open_rows", "open") + "\n},\n\"families\": {";
+  text += "\n],\n\"rows\": {\n" + json_numbers(*layout.find("closed_rows"), "closed") + ",\n" +
+          json_numbers(*layout.find("open_rows"), "open") + "\n},\n\"families\": {";
   between = "\n";
   std::set<std::string> written;
   for (const LookUp& look_up : look_ups()) {
@@ -49,11 +49,12 @@ std::string json_tables(const TableLayout& layout) {
     text += fmt::format("{}\"{}\": {{\n\"rows\": \"{}\"", between, look_up.family,
                         look_up.rows == "closed_rows" ? "closed" : "open");
     for (const char* part : {"first", "cells", "rules"})
-      text += ",\n" + json_numbers(layout, look_up.family + "_" + part, part);
+      if (const TableArray* array = layout.find(look_up.family + "_" + part))
+        text += ",\n" + json_numbers(*array, part);
     text += "\n}";
     between = ",\n";
   }
-  return text + "\n},\n" + json_numbers(layout, "flip_rules", "flip") + "\n}\n";
+  return text + "\n},\n" + json_numbers(*layout.find("flip_rules"), "flip") + "\n}\n";
 }
 
 }  // namespace restrip::generator

@@ -11,6 +11,7 @@ const std::map<std::string, std::vector<LanguageFile>>& language_files() {
       {"c++", {}},
       {"c", {{"restrip_tables.h", c_header}}},
       {"json", {{"restrip_tables.json", json_tables}}},
+      {"rust", {{"restrip_tables.rs", rust_module}}},
   };
   return files;
 }

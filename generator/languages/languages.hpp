@@ -47,5 +47,6 @@ struct TableWords {
 
 [[nodiscard]] std::string c_header(const TableLayout& layout);
 [[nodiscard]] std::string json_tables(const TableLayout& layout);
+[[nodiscard]] std::string rust_module(const TableLayout& layout);
 
 }  // namespace restrip::generator

@@ -126,6 +126,38 @@ class Json:
 KNOWN = set()  # schemas looked at
 
 
+class Rust:
+    file = "restrip_tables.rs"
+    block = "rust"
+
+    def __init__(self, rustc):
+        self.rustc = rustc
+
+    def compiled(self, folder, scratch, source, *flags):
+        """The source beside the module, where `mod` looks for it."""
+        work = scratch / "crate"
+        work.mkdir(exist_ok=True)
+        shutil.copy(folder / self.file, work)
+        (work / "program.rs").write_text(source, encoding="utf-8")
+        run(self.rustc, "--edition", "2021", "-D", "warnings", *flags, work / "program.rs", "-o", work / "program")
+        return work / "program"
+
+    def answers(self, folder, scratch, max_k):
+        source = (HERE / "driver.rs").read_text(encoding="utf-8")
+        flags = ("-C", "opt-level=1") if max_k == MAX_K else ()
+        return run(self.compiled(folder, scratch, source, "-C", "overflow-checks=on", *flags), max_k)
+
+    def altered(self, text, family):
+        return altered_number(text, re.search(rf"const {family.upper()}_RULES: .* = &", text)[0])
+
+    def example(self, text, folder, scratch):
+        return run(self.compiled(folder, scratch, text, "-A", "dead_code"))
+
+    def more(self, folder, scratch, expected):
+        """The module does without the standard library and without unsafe code."""
+        self.compiled(folder, scratch, "#![no_std]\n#![forbid(unsafe_code)]\npub mod restrip_tables;\n", "--crate-type", "lib")
+
+
 def against(schema, value, whole):
     """Faults of a value; of the words of JSON Schema those that our schema uses."""
     if "$ref" in schema:
@@ -158,7 +190,7 @@ def against(schema, value, whole):
                 yield f"{name} is unknown"
 
 
-LANGUAGES = {"c": C, "json": Json}
+LANGUAGES = {"c": C, "json": Json, "rust": Rust}
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("language", choices=LANGUAGES)

@@ -78,7 +78,7 @@ class Place {
     this.#patch = new Patch(k, inserted, ring);
     this.#starts = json.rows[this.#table.rows];
     const [place, seen] = operation.from_fan ? Place.#place(k, p, q, ring) : [0, null];
-    this.#first = this.#table.first[k] + place * this.#table.cells[k];
+    this.#first = this.#table.first[k] + (place === 0 ? 0 : place * this.#table.cells[k]);
     this.#seen = seen;
   }
 
