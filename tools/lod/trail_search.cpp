@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "restrip/mesh/walks.hpp"
+
 namespace restrip::tools {
 namespace {
 
@@ -53,14 +55,11 @@ void TrailSearch::measure_distances(const std::vector<Triangle>& ends) {
     for (std::size_t i = 0; i < measured_.size(); ++i) {
       const Triangle t = measured_[i];
       if (distance_[t] == 2 * longest + 1) break;
-      for (unsigned side = 0; side < 3; ++side) {
-        const Halfedge there = mesh_->opposite(StripMesh::halfedge(t, side));
-        if (StripMesh::on_boundary(there)) continue;
-        const Triangle u = StripMesh::triangle(there);
-        if (distance_[u] != far) continue;
+      for_each_neighbor(*mesh_, t, [&](Triangle u) {
+        if (distance_[u] != far) return;
         distance_[u] = static_cast<std::uint8_t>(distance_[t] + 1);
         measured_.push_back(u);
-      }
+      });
     }
   };
   spread(ends);

@@ -22,6 +22,14 @@ void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit) {
   } while (!(h == first));
 }
 
+/// Calls visit(neighbour) for every triangle that shares an edge with t; twice where it shares two edges.
+template <class Visit>
+void for_each_neighbor(const StripMesh& mesh, Triangle t, Visit&& visit) {
+  for (unsigned s = 0; s < 3; ++s)
+    if (const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s)); !StripMesh::on_boundary(there))
+      visit(StripMesh::triangle(there));
+}
+
 /// Number of connected components of the dual graph: no colouring has fewer strips. Linear time.
 [[nodiscard]] inline std::size_t connected_components(const StripMesh& mesh) {
   std::vector<bool> met(mesh.triangle_bound(), false);
@@ -35,12 +43,10 @@ void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit) {
     while (!open.empty()) {
       const Triangle t = open.back();
       open.pop_back();
-      for (unsigned s = 0; s < 3; ++s) {
-        const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s));
-        if (StripMesh::on_boundary(there) || met[StripMesh::triangle(there)]) continue;
-        met[StripMesh::triangle(there)] = true;
-        open.push_back(StripMesh::triangle(there));
-      }
+      for_each_neighbor(mesh, t, [&](Triangle u) {
+        if (!met[u]) open.push_back(u);
+        met[u] = true;
+      });
     }
   }
   return components;
@@ -92,6 +98,14 @@ inline void edge_triangles(const StripMesh& mesh, StripMesh::Halfedge chord, std
   patch.clear();
   detail::add_fan(mesh, chord, patch);
   detail::add_fan(mesh, back, patch, left, right);
+}
+
+/// Appends the neighbours of the triangles in `patch`, then theirs, and so on: `rings` times. Many triangles come more
+/// than once. May throw what the vector throws.
+inline void add_rings(const StripMesh& mesh, std::vector<Triangle>& patch, unsigned rings) {
+  for (std::size_t i = 0; rings > 0; --rings)
+    for (const std::size_t end = patch.size(); i < end; ++i)
+      for_each_neighbor(mesh, patch[i], [&](Triangle t) { patch.push_back(t); });
 }
 
 }  // namespace restrip

@@ -17,9 +17,7 @@ inline void IndexKeeper::Place::add(Triangle t) noexcept {
   if (std::find(triangles_.begin(), end, t) == end) triangles_[count_++] = t;
 }
 inline void IndexKeeper::Place::add_neighbors(const StripMesh& mesh, Triangle t) noexcept {
-  for (unsigned s = 0; s < 3; ++s)
-    if (const Halfedge back = mesh.opposite(StripMesh::halfedge(t, s)); !StripMesh::on_boundary(back))
-      add(StripMesh::triangle(back));
+  for_each_neighbor(mesh, t, [this](Triangle u) { add(u); });
 }
 
 inline ColoringChange IndexKeeper::Place::counted(const StripMesh& mesh) const noexcept {
@@ -90,13 +88,7 @@ inline int IndexKeeper::swap_at(Halfedge h) const { return mesh_->solid(h) && is
 inline void IndexKeeper::start_at(Halfedge h) { start_.push_back(StripMesh::triangle(h)); }
 
 inline Rewrite<StripMesh::Halfedge> IndexKeeper::finish(Halfedge h, std::uint32_t valence) {
-  if (plan_.from == IndexPlan::From::ring) {
-    const std::size_t patch = start_.size();
-    for (std::size_t i = 0; i < patch; ++i)
-      for (unsigned side = 0; side < 3; ++side)
-        if (const Halfedge back = mesh_->opposite(StripMesh::halfedge(start_[i], side)); !StripMesh::on_boundary(back))
-          start_at(back);
-  }
+  if (plan_.from == IndexPlan::From::ring) add_rings(*mesh_, start_, 1);
   change_ += search_.run(*mesh_, start_, plan_.limits);
   strips_ += static_cast<std::size_t>(change_.strips);
   swaps_ += static_cast<std::size_t>(change_.swaps);
