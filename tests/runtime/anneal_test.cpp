@@ -16,9 +16,12 @@
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "strip_moves.hpp"
 
 namespace restrip {
 namespace {
+
+using moves::dual_edges;
 
 constexpr std::array<Cost, 5> annealed_costs{Cost::indices(), {3, 1, 2}, {1, 0, 1}, {100, 70, 1}, {0, 1, 0}};
 
@@ -30,16 +33,6 @@ std::uint64_t recounted(const StripMesh& mesh, Cost cost) {
   std::uint64_t isolated = 0;
   for (std::size_t s = 0; s < strips.size(); ++s) isolated += strips[s].size() == 1 ? 1U : 0U;
   return std::uint64_t{cost.restart} * strips.size() + std::uint64_t{cost.swap} * swaps + cost.isolated * isolated;
-}
-
-std::vector<StripMesh::Halfedge> dual_edges(const StripMesh& mesh) {
-  std::vector<StripMesh::Halfedge> edges;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned s = 0; s < 3; ++s) {
-      const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
-      if (!StripMesh::on_boundary(mesh.opposite(h)) && h.id < mesh.opposite(h).id) edges.push_back(h);
-    }
-  return edges;
 }
 
 // Meshes of at most 15 dual edges, so at most 2^15 colourings.

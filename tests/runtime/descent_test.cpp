@@ -67,29 +67,12 @@ void expect_limits_right(const StripMesh& mesh, Descent& descent) {
   }
 }
 
-const std::array<Cost, 4> costs{Cost::indices(), Cost::strips(), Cost{3, 1, 2}, Cost{2, 3, 0}};
-
 TEST(Moves, AreCompleteAndPricedAsCountedInEveryColoringOfSmallMeshes) {
-  std::vector<StripMesh> small{sample::octahedron(), sample::double_cone(3), sample::double_cone(2),
-                               sample::rectangle(2, 2)};
-  for (const StripMesh& mesh : sample::meshes())
-    if (mesh.triangle_count() < 8) small.push_back(mesh);
   std::size_t compared = 0;
-  for (StripMesh& mesh : small) {
-    std::vector<Halfedge> edges;
-    for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-      for (unsigned side = 0; side < 3; ++side)
-        if (const Halfedge h = StripMesh::halfedge(t, side); h.id < mesh.opposite(h).id)
-          if (!StripMesh::on_boundary(mesh.opposite(h))) edges.push_back(h);
-    ASSERT_LE(edges.size(), 12U);
-    for (std::uint32_t colors = 0; colors < 1U << edges.size(); ++colors) {
-      for (std::size_t i = 0; i < edges.size(); ++i) mesh.set_solid(edges[i], (colors >> i & 1U) != 0);
-      if (!check_coloring(mesh).valid) continue;
-      Descent descent(costs[colors % costs.size()]);
-      compared += expect_moves_right(mesh, descent);
-      if (HasFailure()) return;
-    }
-  }
+  for_each_small_coloring([&](const StripMesh& mesh, const Cost& cost) {
+    Descent descent(cost);
+    compared += expect_moves_right(mesh, descent);
+  });
   EXPECT_GT(compared, 10'000U);
 }
 
@@ -98,7 +81,7 @@ TEST(Moves, ArePricedAsCountedInRandomColorings) {
   for (StripMesh& mesh : sample::meshes()) {
     for (const double share : {0.3, 0.7, 1.0}) {
       color_randomly(mesh, random, share);
-      for (const Cost& cost : costs) {
+      for (const Cost& cost : some_costs) {
         Descent descent(cost);
         expect_limits_right(mesh, descent);
       }
@@ -113,17 +96,14 @@ TEST(Moves, ArePricedAsCountedInRandomColorings) {
 std::int32_t best_price(const StripMesh& mesh, const Cost& cost) {
   const std::int32_t before = cost_of(mesh).price(cost);
   std::int32_t best = any_price;
-  for (const Triangle t : all_triangles(mesh))
-    for (unsigned side = 0; side < 3; ++side) {
-      const Halfedge h = StripMesh::halfedge(t, side);
-      const Halfedge back = mesh.opposite(h);
-      if (StripMesh::on_boundary(back) || back.id < h.id || StripMesh::triangle(back) == t) continue;
-      for (const Changes& move : moves_of(mesh, h)) {
-        StripMesh after = mesh;
-        recolor(after, move);
-        if (check_coloring(after).valid) best = std::min(best, cost_of(after).price(cost) - before);
-      }
+  for (const Halfedge h : dual_edges(mesh)) {
+    if (StripMesh::triangle(mesh.opposite(h)) == StripMesh::triangle(h)) continue;
+    for (const Changes& move : moves_of(mesh, h)) {
+      StripMesh after = mesh;
+      recolor(after, move);
+      if (check_coloring(after).valid) best = std::min(best, cost_of(after).price(cost) - before);
     }
+  }
   return best;
 }
 
@@ -131,7 +111,7 @@ std::int32_t best_price(const StripMesh& mesh, const Cost& cost) {
 TEST(Descent, RepeatedEndsWhereNoMoveImproves) {
   std::mt19937 random(11);
   for (StripMesh& mesh : sample::meshes()) {
-    for (const Cost& cost : costs) {
+    for (const Cost& cost : some_costs) {
       for (const std::uint32_t tries : {0U, 3U}) {
         color_randomly(mesh, random, 0.6);
         const ColoringChange before = cost_of(mesh);

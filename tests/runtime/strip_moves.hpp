@@ -2,7 +2,11 @@
 // library finds them.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <set>
@@ -10,12 +14,15 @@
 
 #include "restrip/output/strips.hpp"
 #include "restrip/search/descent.hpp"
+#include "sample_meshes.hpp"
 
 namespace restrip::moves {
 
 using Halfedge = StripMesh::Halfedge;
 
 inline constexpr std::int32_t any_price = 1'000'000;
+
+inline const std::array<Cost, 4> some_costs{Cost::indices(), Cost::strips(), Cost{3, 1, 2}, Cost{2, 3, 0}};
 
 // A dual edge as a number, the same from both sides.
 inline std::uint32_t edge_number(const StripMesh& mesh, Halfedge h) { return std::min(h.id, mesh.opposite(h).id); }
@@ -69,6 +76,42 @@ inline std::vector<Changes> moves_of(const StripMesh& mesh, Halfedge h) {
   return moves;
 }
 
+inline std::vector<Triangle> all_triangles(const StripMesh& mesh) {
+  std::vector<Triangle> all;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    if (mesh.alive(t)) all.push_back(t);
+  return all;
+}
+
+// All dual edges, each from one side.
+inline std::vector<Halfedge> dual_edges(const StripMesh& mesh) {
+  std::vector<Halfedge> edges;
+  for (const Triangle t : all_triangles(mesh))
+    for (unsigned side = 0; side < 3; ++side)
+      if (const Halfedge h = StripMesh::halfedge(t, side); h.id < mesh.opposite(h).id)
+        if (!StripMesh::on_boundary(mesh.opposite(h))) edges.push_back(h);
+  return edges;
+}
+
+// Calls visit(mesh, cost) for every valid colouring of every sample mesh of fewer than eight triangles, and of some
+// more; one of some_costs with each.
+template <class Visit>
+void for_each_small_coloring(Visit&& visit) {
+  std::vector<StripMesh> small{sample::octahedron(), sample::double_cone(3), sample::double_cone(2),
+                               sample::rectangle(2, 2)};
+  for (const StripMesh& mesh : sample::meshes())
+    if (mesh.triangle_count() < 8) small.push_back(mesh);
+  for (StripMesh& mesh : small) {
+    const std::vector<Halfedge> edges = dual_edges(mesh);
+    ASSERT_LE(edges.size(), 12U);
+    for (std::uint32_t colors = 0; colors < 1U << edges.size(); ++colors) {
+      for (std::size_t i = 0; i < edges.size(); ++i) mesh.set_solid(edges[i], (colors >> i & 1U) != 0);
+      if (check_coloring(mesh).valid) visit(mesh, some_costs[colors % some_costs.size()]);
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
 // A random valid colouring, `share` of the edges that could be solid being so.
 inline void color_randomly(StripMesh& mesh, std::mt19937& random, double share) {
   mesh.clear_colors();
@@ -86,13 +129,6 @@ inline void color_randomly(StripMesh& mesh, std::mt19937& random, double share) 
     mesh.set_solid(h, true);
     if (!check_coloring(mesh).valid) mesh.set_solid(h, false);
   }
-}
-
-inline std::vector<Triangle> all_triangles(const StripMesh& mesh) {
-  std::vector<Triangle> all;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) all.push_back(t);
-  return all;
 }
 
 }  // namespace restrip::moves
