@@ -59,6 +59,21 @@ struct StripMove {
   std::int32_t price = 0;  ///< of that change
 };
 
+namespace detail {
+/// The moves found by one look; at most six.
+struct FoundMoves {
+  std::array<StripMove, 6> moves{};
+  std::size_t count = 0;
+
+  void offer(const StripMove& move, std::int32_t highest) noexcept {
+    if (move.price <= highest) moves[count++] = move;
+  }
+  void sort() noexcept;
+  [[nodiscard]] const StripMove* begin() const noexcept { return moves.data(); }
+  [[nodiscard]] const StripMove* end() const noexcept { return moves.data() + count; }
+};
+}  // namespace detail
+
 /// What one call of Descent::run may do.
 struct DescentLimits {
   std::uint32_t moves = std::numeric_limits<std::uint32_t>::max();  ///< moves priced; the last look may go beyond
@@ -105,9 +120,8 @@ class Descent {
  private:
   struct End;
   struct Way;
-  static constexpr std::size_t most_moves = 6;
 
-  void look_at_end(const StripMesh& mesh, Triangle t, unsigned side, unsigned solid, End& end) const;
+  void look_at_end(const StripMesh& mesh, Halfedge h, End& end) const;
   void add_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest);
   void cut_move(const StripMesh& mesh, Halfedge h, std::int32_t highest);
   void find_moves(const StripMesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked);
@@ -120,8 +134,7 @@ class Descent {
   Cost cost_;
   DescentCounts counts_;
   ColoringChange done_;
-  std::array<StripMove, most_moves> found_{};
-  std::size_t found_count_ = 0;
+  detail::FoundMoves found_;
   // Looked at since the last change of a colour: their edges need no second look, from either side.
   std::array<Triangle, 24> looked_{};
   std::size_t looked_count_ = 0;

@@ -75,7 +75,6 @@ class EndSearch {
   [[nodiscard]] std::uint64_t walked() const noexcept { return walks_.counts().walked; }
 
  private:
-  static constexpr std::size_t most_moves = 6;
   static constexpr std::uint32_t done_with = max_length + 1;
 
   /// An end that is to be looked at, and the length of the chains that have been tried there.
@@ -83,16 +82,7 @@ class EndSearch {
     Triangle triangle;
     std::uint32_t tried;
   };
-  /// The moves at one end. A chain has one of these for each of its moves.
-  struct Found {
-    std::array<StripMove, most_moves> moves;
-    std::size_t count = 0;
-    void offer(const StripMove& move, std::int32_t highest) noexcept {
-      if (move.price <= highest) moves[count++] = move;
-    }
-    void sort() noexcept;
-    void drop(std::size_t i) noexcept;
-  };
+  using Found = detail::FoundMoves;
   /// The end of a strip, as its neighbours see it.
   struct Tip;
 

@@ -223,7 +223,7 @@ void BasicStripBuffer<Index>::place_anew(const Fresh& fresh) noexcept {
     cells_.resize(first + fresh.length, restart);
     whose_.resize(first + fresh.length, nothing);
     places_.set_length(first + fresh.length);
-    mark(first + fresh.length - 1, first + fresh.length);  // its restart index is there already, but nobody knows
+    mark(first + fresh.length - 1, first + fresh.length);  // set by resize(), so write() does not mark it
   } else {
     first = places_.end(before) + std::min((places_.gap(before) - fresh.length) / 2, 4U);
   }

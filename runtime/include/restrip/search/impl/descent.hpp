@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
+#include <utility>
 
 #include "restrip/search/descent.hpp"
 
@@ -23,21 +24,25 @@ constexpr unsigned turned_side(unsigned side, unsigned turn) noexcept {
 /// Is a solid edge a swap, by the turns on its two sides?
 constexpr int is_swap(unsigned turn, unsigned turn_back) noexcept { return int{(turn ^ turn_back) == 3}; }
 
-/// The solid edge of a strip one further: 1 when it is a swap, by the triangle `t`, the side from which it is seen and
-/// the turn there (not 0).
-inline int swap_behind(const StripMesh& mesh, Triangle t, unsigned side, unsigned turn) noexcept {
-  const StripMesh::Halfedge back = mesh.opposite(StripMesh::halfedge(t, turned_side(side, turn)));
-  return int{other_sides(mesh.solid_sides(StripMesh::triangle(back)), StripMesh::side(back)) == turn};
+/// The neighbour that lies `turn` sides after h in its triangle, seen from there.
+inline StripMesh::Halfedge neighbor_at(const StripMesh& mesh, StripMesh::Halfedge h, unsigned turn) noexcept {
+  return mesh.opposite(StripMesh::halfedge(StripMesh::triangle(h), turned_side(StripMesh::side(h), turn)));
+}
+
+/// A strip enters the triangle of h over h and turns there by `turn`, not 0: 1 when the edge by which it leaves is a
+/// swap.
+inline int swap_behind(const StripMesh& mesh, StripMesh::Halfedge h, unsigned turn) noexcept {
+  return int{mesh.solid_beside(neighbor_at(mesh, h, turn)) == turn};
 }
 
 /// What cutting the solid edge of h changes.
 inline ColoringChange cut_change(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
   const StripMesh::Halfedge back = mesh.opposite(h);
-  const unsigned turn = other_sides(mesh.solid_sides(StripMesh::triangle(h)), StripMesh::side(h));
-  const unsigned turn_back = other_sides(mesh.solid_sides(StripMesh::triangle(back)), StripMesh::side(back));
+  const unsigned turn = mesh.solid_beside(h);
+  const unsigned turn_back = mesh.solid_beside(back);
   ColoringChange change{1, -is_swap(turn, turn_back), int{turn == 0} + int{turn_back == 0}};
-  if (turn != 0) change.swaps -= swap_behind(mesh, StripMesh::triangle(h), StripMesh::side(h), turn);
-  if (turn_back != 0) change.swaps -= swap_behind(mesh, StripMesh::triangle(back), StripMesh::side(back), turn_back);
+  if (turn != 0) change.swaps -= swap_behind(mesh, h, turn);
+  if (turn_back != 0) change.swaps -= swap_behind(mesh, back, turn_back);
   return change;
 }
 
@@ -101,6 +106,12 @@ class MoveOverlay {
 
 }  // namespace detail
 
+// By price; equal ones stay in their order.
+inline void detail::FoundMoves::sort() noexcept {
+  for (std::size_t i = 1; i < count; ++i)
+    for (std::size_t j = i; j > 0 && moves[j].price < moves[j - 1].price; --j) std::swap(moves[j], moves[j - 1]);
+}
+
 /// One way in which a triangle makes room for an edge.
 struct Descent::Way {
   Halfedge given_up{};     // {none}: the triangle has room
@@ -121,31 +132,27 @@ struct Descent::End {
 
 // The swaps and isolated triangles that change on this side of a new edge, whatever happens on the other. The new edge
 // itself is not counted.
-inline void Descent::look_at_end(const StripMesh& mesh, Triangle t, unsigned side, unsigned solid, End& end) const {
-  const unsigned others = detail::other_sides(solid, side);
+inline void Descent::look_at_end(const StripMesh& mesh, Halfedge h, End& end) const {
+  const unsigned others = mesh.solid_beside(h);
   if (others == 0) {
     end.count = 1;
     end.way[0].isolated = -1;
     return;
   }
   // Seen from the edge to a neighbour, the strip turns to the other neighbour or, with the new edge, to the opposite.
-  const auto neighbor = [&](unsigned i) { return mesh.opposite(StripMesh::halfedge(t, detail::turned_side(side, i))); };
-  const auto turn_at = [&](Halfedge h) {
-    return detail::other_sides(mesh.solid_sides(StripMesh::triangle(h)), StripMesh::side(h));
-  };
   if (others != 3) {
     Way& way = end.way[0];
     end.count = 1;
-    const Halfedge kept = neighbor(others);
+    const Halfedge kept = detail::neighbor_at(mesh, h, others);
     way.kept = StripMesh::triangle(kept);
     way.turn = others;
-    way.swaps = int{turn_at(kept) == others};
+    way.swaps = int{mesh.solid_beside(kept) == others};
     end.fewest_swaps = way.swaps;
     return;
   }
   end.count = 2;
-  const std::array<Halfedge, 2> towards{neighbor(1), neighbor(2)};
-  const std::array<unsigned, 2> turn{turn_at(towards[0]), turn_at(towards[1])};
+  const std::array<Halfedge, 2> towards{detail::neighbor_at(mesh, h, 1), detail::neighbor_at(mesh, h, 2)};
+  const std::array<unsigned, 2> turn{mesh.solid_beside(towards[0]), mesh.solid_beside(towards[1])};
   for (unsigned keeps = 1; keeps <= 2; ++keeps) {
     const unsigned gives = 3 - keeps;
     Way& way = end.way[keeps - 1];
@@ -153,22 +160,21 @@ inline void Descent::look_at_end(const StripMesh& mesh, Triangle t, unsigned sid
     way.freed = StripMesh::triangle(way.given_up);
     way.kept = StripMesh::triangle(towards[keeps - 1]);
     way.turn = keeps;
-    // The freed triangle becomes an end: no swap on its other side any more, if it has one. (Turned by nothing the
-    // look goes back to t, and no turn is 0 there.)
+    // The freed triangle becomes an end: no swap on its other side any more, if it has one. (A turn of 0 leads
+    // back to the triangle of h, where no turn is 0.)
     const unsigned freed_turn = turn[gives - 1];
-    const Halfedge behind =
-        mesh.opposite(StripMesh::halfedge(way.freed, detail::turned_side(StripMesh::side(way.given_up), freed_turn)));
+    const Halfedge behind = detail::neighbor_at(mesh, way.given_up, freed_turn);
     way.beyond = StripMesh::triangle(behind);
     way.isolated = int{freed_turn == 0};
     way.swaps = int{turn[keeps - 1] == keeps} - int{turn[keeps - 1] == gives} - int{freed_turn == keeps} -
-                int{turn_at(behind) == freed_turn};
+                int{mesh.solid_beside(behind) == freed_turn};
   }
   end.fewest_swaps = std::min(end.way[0].swaps, end.way[1].swaps);
 }
 
 inline void Descent::consider(const StripMove& move, std::int32_t highest) {
   ++counts_.priced;
-  if (move.price <= highest) found_[found_count_++] = move;
+  found_.offer(move, highest);
 }
 
 inline void Descent::cut_move(const StripMesh& mesh, Halfedge h, std::int32_t highest) {
@@ -178,13 +184,10 @@ inline void Descent::cut_move(const StripMesh& mesh, Halfedge h, std::int32_t hi
 }
 
 inline void Descent::add_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest) {
-  const Triangle t = StripMesh::triangle(h);
   const Triangle u = StripMesh::triangle(back);
-  const unsigned solid_t = mesh.solid_sides(t);
-  const unsigned solid_u = mesh.solid_sides(u);
   End here;
-  look_at_end(mesh, t, StripMesh::side(h), solid_t, here);
-  const int giving = int{here.count == 2} + int{detail::other_sides(solid_u, StripMesh::side(back)) == 3};
+  look_at_end(mesh, h, here);
+  const int giving = int{here.count == 2} + int{mesh.solid_beside(back) == 3};
   // The other side saves three swaps at most, and two triangles stop being isolated at most.
   if (std::int32_t{cost_.restart} * (giving - 1) + std::int32_t{cost_.swap} * (here.fewest_swaps - 3) -
           2 * std::int32_t{cost_.isolated} >
@@ -193,7 +196,7 @@ inline void Descent::add_moves(const StripMesh& mesh, Halfedge h, Halfedge back,
     return;
   }
   End there;
-  look_at_end(mesh, u, StripMesh::side(back), solid_u, there);
+  look_at_end(mesh, back, there);
   for (unsigned i = 0; i < here.count; ++i) {
     const Way& a = here.way[i];
     // Two triangles that share two edges and follow each other already.
@@ -223,13 +226,13 @@ inline void Descent::add_moves(const StripMesh& mesh, Halfedge h, Halfedge back,
 inline std::span<const StripMove> Descent::moves_at(const StripMesh& mesh, Triangle t, std::int32_t highest) {
   RESTRIP_ASSERT(mesh.alive(t), "Descent::moves_at", "the triangle is not one of this mesh");
   find_moves(mesh, t, highest, {});
-  return {found_.data(), found_count_};
+  return {found_.begin(), found_.end()};
 }
 
 // `looked`: triangles whose moves are known to be of no use.
 inline void Descent::find_moves(const StripMesh& mesh, Triangle t, std::int32_t highest,
                                 std::span<const Triangle> looked) {
-  found_count_ = 0;
+  found_.count = 0;
   const unsigned solid = mesh.solid_sides(t);
   for (unsigned dashed = 7U & ~solid; dashed != 0; dashed &= dashed - 1) {
     const Halfedge h = StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(dashed)));
@@ -308,19 +311,13 @@ inline bool Descent::step(StripMesh& mesh, Triangle t) {
   const auto looked = std::span<const Triangle>(looked_).first(looked_count_);
   if (std::find(looked.begin(), looked.end(), t) != looked.end()) return false;
   find_moves(mesh, t, -1, looked);
-  while (found_count_ != 0) {
-    const auto end = found_.begin() + static_cast<std::ptrdiff_t>(found_count_);
-    const auto best =
-        std::min_element(found_.begin(), end, [](const StripMove& a, const StripMove& b) { return a.price < b.price; });
-    if (keeps_strips(mesh, *best)) {
-      const StripMove move = *best;
-      make(mesh, move);
-      touched_.clear();
-      touch(mesh, move);
-      return true;
-    }
-    std::move(best + 1, end, best);
-    --found_count_;
+  found_.sort();
+  for (const StripMove& move : found_) {
+    if (!keeps_strips(mesh, move)) continue;
+    make(mesh, move);
+    touched_.clear();
+    touch(mesh, move);
+    return true;
   }
   if (looked_count_ < looked_.size()) looked_[looked_count_++] = t;
   return false;
@@ -329,21 +326,18 @@ inline bool Descent::step(StripMesh& mesh, Triangle t) {
 // A move that costs a little, and the best one after it, if they pay together.
 inline bool Descent::chain(StripMesh& mesh, Triangle t, const DescentLimits& limits) {
   find_moves(mesh, t, limits.worse, {});
-  std::array<StripMove, most_moves> first = found_;
-  const auto end = first.begin() + static_cast<std::ptrdiff_t>(found_count_);
-  for (auto one = first.begin(); one != end; ++one)  // by price; equal ones stay in their order
-    std::rotate(std::upper_bound(first.begin(), one, *one,
-                                 [](const StripMove& a, const StripMove& b) { return a.price < b.price; }),
-                one, one + 1);
+  detail::FoundMoves first = found_;
+  first.sort();
   std::uint32_t tries = 0;
-  for (auto one = first.begin(); one != end && tries < limits.tries; ++one) {
-    if (!keeps_strips(mesh, *one)) continue;
+  for (const StripMove& one : first) {
+    if (tries == limits.tries) break;
+    if (!keeps_strips(mesh, one)) continue;
     ++tries;
-    make(mesh, *one);
+    make(mesh, one);
     touched_.clear();
-    touch(mesh, *one);
+    touch(mesh, one);
     StripMove best;
-    best.price = -one->price;
+    best.price = -one.price;
     const std::size_t touched = touched_.size();
     for (std::size_t i = 0; i < touched; ++i) {
       for (const StripMove& two : moves_at(mesh, touched_[i], best.price - 1))
@@ -354,7 +348,7 @@ inline bool Descent::chain(StripMesh& mesh, Triangle t, const DescentLimits& lim
       touch(mesh, best);
       return true;
     }
-    take_back(mesh, *one);
+    take_back(mesh, one);
   }
   return false;
 }

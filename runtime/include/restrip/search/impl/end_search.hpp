@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstddef>
-#include <utility>
 
 #include "restrip/search/end_search.hpp"
 
@@ -14,13 +13,7 @@ namespace detail {
 /// A triangle with these solid sides is an end of a strip: it has one of them or none.
 constexpr bool is_strip_end(unsigned solid) noexcept { return (0b00010111U >> solid & 1U) != 0; }
 
-/// The neighbour that lies `turn` sides after h in its triangle, seen from there.
-inline StripMesh::Halfedge neighbor_at(const StripMesh& mesh, StripMesh::Halfedge h, unsigned turn) noexcept {
-  return mesh.opposite(StripMesh::halfedge(StripMesh::triangle(h), turned_side(StripMesh::side(h), turn)));
-}
-
-/// Colours for trial: moves are made and taken back while nobody else looks, so that nobody who watches the mesh is
-/// told.
+/// Moves that are made for trial and taken back before the search returns. A watched mesh does not report them.
 class TrialColors {
  public:
   static void make(StripMesh& mesh, const StripMove& move) noexcept {
@@ -34,15 +27,6 @@ class TrialColors {
 };
 
 }  // namespace detail
-
-// By price; equal ones stay in their order.
-inline void EndSearch::Found::sort() noexcept {
-  for (std::size_t i = 1; i < count; ++i)
-    for (std::size_t j = i; j > 0 && moves[j].price < moves[j - 1].price; --j) std::swap(moves[j], moves[j - 1]);
-}
-inline void EndSearch::Found::drop(std::size_t i) noexcept {
-  for (--count; i < count; ++i) moves[i] = moves[i + 1];
-}
 
 struct EndSearch::Tip {
   Halfedge edge{};         // the dashed edge that is to become solid
@@ -93,8 +77,7 @@ inline void EndSearch::find_exchanges(const StripMesh& mesh, const Tip& tip, Hal
       colors.change(move.edge, true);
       move.change = colors.difference();
     } else if (turn_freed != 0) {
-      const Halfedge beyond = detail::neighbor_at(mesh, move.given_up[1], turn_freed);
-      move.change.swaps -= int{mesh.solid_beside(beyond) == turn_freed};
+      move.change.swaps -= detail::swap_behind(mesh, move.given_up[1], turn_freed);
     }
     move.price = move.change.price(cost_);
     found.offer(move, highest);
@@ -113,12 +96,11 @@ inline void EndSearch::find_moves(const StripMesh& mesh, Triangle end, std::int3
     tip.turn_kept = mesh.solid_beside(kept);
   }
   for (unsigned dashed = 7U & ~solid; dashed != 0; dashed &= dashed - 1) {
-    const auto side = static_cast<unsigned>(std::countr_zero(dashed));
-    tip.edge = StripMesh::halfedge(end, side);
+    tip.edge = StripMesh::halfedge(end, static_cast<unsigned>(std::countr_zero(dashed)));
     const Halfedge back = mesh.opposite(tip.edge);
     if (StripMesh::on_boundary(back) || StripMesh::triangle(back) == end) continue;
     ++counts_.priced;
-    tip.turn = detail::other_sides(solid, side);
+    tip.turn = mesh.solid_beside(tip.edge);
     if (detail::is_strip_end(mesh.solid_sides(StripMesh::triangle(back))))
       find_joint(mesh, tip, back, highest, found);
     else
@@ -130,7 +112,7 @@ inline std::span<const StripMove> EndSearch::moves_at(const StripMesh& mesh, Tri
   RESTRIP_ASSERT(mesh.alive(end) && detail::is_strip_end(mesh.solid_sides(end)), "EndSearch::moves_at",
                  "no strip ends in the triangle");
   find_moves(mesh, end, highest, found_);
-  return {found_.moves.data(), found_.count};
+  return {found_.begin(), found_.end()};
 }
 
 // ---- the ends that are to be looked at
@@ -172,13 +154,9 @@ inline void EndSearch::make(StripMesh& mesh, const StripMove& move) {
 // The best move at an end that lowers the cost, if there is one.
 inline void EndSearch::step(StripMesh& mesh, Triangle end) {
   find_moves(mesh, end, -1, found_);
-  while (found_.count != 0) {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < found_.count; ++i)
-      if (found_.moves[i].price < found_.moves[best].price) best = i;
-    if (walks_.keeps_strips(mesh, found_.moves[best])) return make(mesh, found_.moves[best]);
-    found_.drop(best);
-  }
+  found_.sort();
+  for (const StripMove& move : found_)
+    if (walks_.keeps_strips(mesh, move)) return make(mesh, move);
 }
 
 // The first `length` moves of chain_, which are not made and pay together, if they close no cycle.
@@ -200,8 +178,8 @@ inline bool EndSearch::chain(StripMesh& mesh, Triangle end, std::size_t made, st
   Found found;
   find_moves(mesh, end, (last ? -1 : limits.worse) - price, found);
   found.sort();
-  for (std::size_t i = 0; i < found.count; ++i) {
-    const StripMove& move = chain_[made] = found.moves[i];
+  for (const StripMove& move : found) {
+    chain_[made] = move;
     if (price + move.price < 0) {
       for (std::size_t k = made; k-- > 0;) detail::TrialColors::take_back(mesh, chain_[k]);
       if (make_chain(mesh, made + 1)) return true;

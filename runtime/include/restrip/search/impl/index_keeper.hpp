@@ -28,15 +28,13 @@ inline ColoringChange IndexKeeper::Place::counted(const StripMesh& mesh) const n
     const unsigned solid = mesh.solid_sides(t);
     count.isolated += int{solid == 0};
     for (unsigned rest = solid; rest != 0; rest &= rest - 1) {
-      const auto side = static_cast<unsigned>(std::countr_zero(rest));
-      const Halfedge back = mesh.opposite(StripMesh::halfedge(t, side));
-      const Triangle other = StripMesh::triangle(back);
+      const Halfedge h = StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(rest)));
+      const Triangle other = StripMesh::triangle(mesh.opposite(h));
       const auto first = triangles_.begin();
       if (std::find(first, first + static_cast<std::ptrdiff_t>(i), other) != first + static_cast<std::ptrdiff_t>(i))
         continue;  // counted there
       --count.strips;
-      count.swaps += detail::is_swap(detail::other_sides(solid, side),
-                                     detail::other_sides(mesh.solid_sides(other), StripMesh::side(back)));
+      count.swaps += int{is_swap(mesh, h)};
     }
   }
   return count;
@@ -191,7 +189,7 @@ inline Rewrite<StripMesh::Halfedge> IndexKeeper::collapse(Halfedge chord) {
       passes >> 1 ? 0 : (ring >> a & fan.ports >> (a - 1) & 1) | (ring >> (a + 1) & fan.ports >> a & 1) << 1;
   for (Word rest = left | right << 2; rest != 0; rest &= rest - 1) {
     const Halfedge h = joints[static_cast<std::size_t>(std::countr_zero(rest))];
-    change_.swaps -= detail::swap_behind(*mesh_, StripMesh::triangle(h), StripMesh::side(h), mesh_->solid_beside(h));
+    change_.swaps -= detail::swap_behind(*mesh_, h, mesh_->solid_beside(h));
   }
   const Halfedge spoke = mesh_->remove_vertex(chord, std::span<const Halfedge>(fan.spokes + a - 1, k - a));
   if ((passes & 1U) != 0) mesh_->set_solid(joints[0], true);
