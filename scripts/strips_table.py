@@ -173,17 +173,29 @@ def bolder_table(program, meshes, _):
                                                     ("bolder", "missed_by_linked", "adding_strip", "adding_strip_at_best")])
 
 
+def bake_and_play(program, mesh, bake_options, replay_options):
+    """The reports of `bake` and of a replay of its file."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "mesh.baked")
+        baked = program.run("bake", mesh, *bake_options, "-o", file)
+        report = program.replay(file, "baked", *replay_options)
+    if not report["baked"]["levels_compared"]:
+        sys.exit(f"{mesh}: no level was compared")
+    return baked, report
+
+
+def baking_cost(baked):
+    return [f"{baked['flips_per_record']:.1f}", f"{baked['bytes_per_record']:.1f}", f"{baked['seconds']:.1f}"]
+
+
+BAKING_COST = ("flips a record", "bytes a record", "bake, s")
+
+
 def baked_table(program, meshes, _):
     header("mesh", "connected components", "triangles", "strips at the reported levels, coarse to fine, up and down",
-           "most of all levels", "needed at least at the top", "flips a record", "bytes a record", "bake, s",
-           "split: ns, bare, times", "collapse: ns, bare, times")
+           "most of all levels", "needed at least at the top", *BAKING_COST, "split: ns, bare, times", "collapse: ns, bare, times")
     for mesh in meshes:
-        with tempfile.TemporaryDirectory() as folder:
-            file = os.path.join(folder, "mesh.baked")
-            baked = program.run("bake", mesh, "-o", file)
-            report = program.replay(file, "baked", "--cycles", "2")
-        if not report["baked"]["levels_compared"]:
-            sys.exit(f"{mesh}: no level was compared")
+        baked, report = bake_and_play(program, mesh, [], ["--cycles", "2"])
         strips = [level["strips"] for level in report["levels"]]
         split, collapse = times_bare(report)
         line([
@@ -193,24 +205,17 @@ def baked_table(program, meshes, _):
             f"{strips[0]} at each of the {len(strips)}" if len(set(strips)) == 1 else ", ".join(map(str, strips)),
             f"{baked['most_strips']}",
             f"{baked['top_at_least']}",
-            f"{baked['flips_per_record']:.1f}",
-            f"{baked['bytes_per_record']:.1f}",
-            f"{baked['seconds']:.1f}",
+            *baking_cost(baked),
             f"{report['ns_per_operation']:.0f}, {report['ns_per_operation_bare']:.0f}, {split:.2f}",
             f"{report['ns_per_collapse']:.0f}, {report['ns_per_collapse_bare']:.0f}, {collapse:.2f}",
         ])
 
 
 def baked_indices_table(program, meshes, _):
-    header("mesh", "triangles", "strips at the top", "indices per triangle at the top", "most above 1,000",
-           "flips a record", "bytes a record", "bake, s", "split, collapse: times bare")
+    header("mesh", "triangles", "strips at the top", "indices per triangle at the top", "most above 1,000", *BAKING_COST,
+           "split, collapse: times bare")
     for mesh in meshes:
-        with tempfile.TemporaryDirectory() as folder:
-            file = os.path.join(folder, "mesh.baked")
-            baked = program.run("bake", mesh, "--cost", "indices", "-o", file)
-            report = program.replay(file, "baked")
-        if not report["baked"]["levels_compared"]:
-            sys.exit(f"{mesh}: no level was compared")
+        baked, report = bake_and_play(program, mesh, ["--cost", "indices"], [])
         top = report["levels"][-1]
         line([
             name_of(mesh),
@@ -218,9 +223,7 @@ def baked_indices_table(program, meshes, _):
             f"{top['strips']:,}",
             f"{per_triangle(top):.3f}",
             most_indices(report["levels"] + report["levels_down"], 1000),
-            f"{baked['flips_per_record']:.1f}",
-            f"{baked['bytes_per_record']:.1f}",
-            f"{baked['seconds']:.1f}",
+            *baking_cost(baked),
             "{:.2f}, {:.2f}".format(*times_bare(report)),
         ])
 
@@ -236,8 +239,8 @@ def isolating_table(program, meshes, _):
         line([f"`{way}`", what, *(f"{int(row['isolating']):,} of {int(row['splits']):,}, {row['percent']} %" for row in rows)])
 
 
-TABLES = {"levels": levels_table, "indices": indices_table, "brief": brief_table, "cycles": cycles_table, "bolder": bolder_table, "baked": baked_table, "baked-indices": baked_indices_table,
-          "isolating": isolating_table}
+TABLES = {"levels": levels_table, "indices": indices_table, "brief": brief_table, "cycles": cycles_table, "bolder": bolder_table,
+          "baked": baked_table, "baked-indices": baked_indices_table, "isolating": isolating_table}
 
 
 def main():

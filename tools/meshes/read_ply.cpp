@@ -229,42 +229,43 @@ class PlyReader {
     return static_cast<std::uint32_t>(index);
   }
 
+  /// Calls read(i, list) for each list of corners of element i, and steps over the rest.
+  template <class Read>
+  void for_each_list(const Element& element, Read&& read) {
+    for (std::size_t i = 0; i < element.count; ++i)
+      for (const Property& property : element.properties)
+        if (lists_corners(property))
+          read(i, property);
+        else
+          skip(property);
+  }
+
   void read_faces(const Element& element) {
     std::vector<std::uint32_t> corners;
-    for (std::size_t i = 0; i < element.count; ++i)
-      for (const Property& property : element.properties) {
-        if (!lists_corners(property)) {
-          skip(property);
-          continue;
-        }
-        const std::size_t size = length(property);
-        corners.clear();
-        for (std::size_t corner = 0; corner < size; ++corner)
-          corners.push_back(corner_of(value(property.type, "faces"), "face", i));
-        soup_.add_face(corners);
-      }
+    for_each_list(element, [&](std::size_t i, const Property& list) {
+      corners.clear();
+      for (std::size_t left = length(list); left > 0; --left)
+        corners.push_back(corner_of(value(list.type, "faces"), "face", i));
+      soup_.add_face(corners);
+    });
   }
 
   void read_strips(const Element& element) {
     std::vector<std::uint32_t> strip;
-    for (std::size_t i = 0; i < element.count; ++i)
-      for (const Property& property : element.properties) {
-        if (!lists_corners(property)) {
-          skip(property);
-          continue;
-        }
-        for (std::size_t left = length(property); left > 0; --left) {
-          const double index = value(property.type, "strips");
-          if (index != -1) {
-            strip.push_back(corner_of(index, "strip list", i));
-            continue;
-          }
-          soup_.add_strip(strip);
-          strip.clear();
-        }
-        soup_.add_strip(strip);
-        strip.clear();
+    const auto end_strip = [&] {
+      soup_.add_strip(strip);
+      strip.clear();
+    };
+    for_each_list(element, [&](std::size_t i, const Property& list) {
+      for (std::size_t left = length(list); left > 0; --left) {
+        const double index = value(list.type, "strips");
+        if (index == -1)
+          end_strip();
+        else
+          strip.push_back(corner_of(index, "strip list", i));
       }
+      end_strip();
+    });
   }
 
   const std::string& name_;
