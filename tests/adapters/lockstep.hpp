@@ -1,4 +1,4 @@
-// The same random operations on a StripMesh and on somebody else's mesh through its adapter: afterwards both have the
+// The same random operations on a StripMesh and on a foreign mesh through its adapter: afterwards both have the
 // same triangles and the same colours, edge by edge, and an index buffer of theirs draws the same.
 #pragma once
 

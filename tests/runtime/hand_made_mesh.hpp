@@ -13,8 +13,8 @@
 
 namespace restrip::sample {
 
-/// A half-edge structure of somebody else: three halfedges a triangle, ~h beyond the boundary, flips, and a list of
-/// what changed. Triangle and vertex numbers begin at 7 and 1000, to be no array's.
+/// A half-edge structure as a user may have one: three halfedges a triangle, ~h beyond the boundary, flips, and a list
+/// of what changed. Triangle and vertex numbers begin at 7 and 1000, so that they are not the indices of arrays.
 class HandMade {
  public:
   using Halfedge = int;

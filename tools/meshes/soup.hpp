@@ -1,4 +1,4 @@
-// A triangle soup: what a mesh file says, before anybody has an opinion on it.
+// A triangle soup: points and triangles as a mesh file lists them, unchecked.
 #pragma once
 
 #include <array>

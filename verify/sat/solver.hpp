@@ -1,5 +1,5 @@
 #pragma once
-// Running the SAT solver and, when the user names one, somebody else's proof checker.
+// Running the SAT solver and, when the user names one, another proof checker.
 
 #include <optional>
 #include <string>
