@@ -14,7 +14,7 @@ std::optional<Target> chosen;
 
 std::vector<Target> all_targets() {
   std::vector<Target> all = mesh_targets();
-  for (auto* more : {&table_targets, &shard_targets})
+  for (auto* more : {&table_targets, &operation_targets, &shard_targets})
     for (Target& target : more()) all.push_back(std::move(target));
   return all;
 }

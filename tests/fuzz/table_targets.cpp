@@ -9,7 +9,7 @@
 #include "drat_proof.hpp"
 #include "input.hpp"
 #include "linked_certificate.hpp"
-#include "sums.hpp"
+#include "sealed.hpp"
 #include "table_dump.hpp"
 #include "target.hpp"
 
@@ -19,34 +19,6 @@ namespace {
 using namespace verify;
 
 constexpr unsigned small_max_k = 4;  // of the tables in tests/corpus
-
-/// With the sums in its last line that the lines above ask for, so that alterations reach the reader.
-std::string sealed(std::string_view text) {
-  const std::size_t end = text.rfind("end ");
-  if (end == std::string_view::npos) return std::string(text);
-  const std::string_view above = text.substr(0, end);
-  const std::string_view rows = text.substr(end + 4, text.find(' ', end + 4) - end - 4);
-  const ByteSums sums = sums_of(above);
-  return fmt::format("{}end {} {} {}\n", above, rows, sums.plain, sums.weighted);
-}
-
-std::vector<std::string> lines_of(std::string_view text) {  // a stream would take a shortage of memory for the end
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size(); at += lines.back().size() + 1)
-    lines.emplace_back(text.substr(at, text.find('\n', at) - at));
-  return lines;
-}
-
-template <class Read>
-std::function<bool(std::string_view)> refusing(Read&& read) {
-  return [read](std::string_view bytes) {
-    try {
-      return read(bytes);
-    } catch (const InputError&) {
-      return false;
-    }
-  };
-}
 
 /// One target for each certificate of the small tables.
 Target certificate_target(const Family& family) {

@@ -17,9 +17,11 @@ struct Target {
   unsigned runs = 0;  ///< that a test makes; some two seconds with sanitizers
 };
 
-/// The readers of meshes, of tables as the verifier reads them, and of the generator's shards.
+/// The readers of meshes, of tables as the verifier reads them, of operations of a user's own as it reads those, and of
+/// the generator's shards.
 [[nodiscard]] std::vector<Target> mesh_targets();
 [[nodiscard]] std::vector<Target> table_targets();
+[[nodiscard]] std::vector<Target> operation_targets();
 [[nodiscard]] std::vector<Target> shard_targets();
 
 /// A promise of a reader: throws std::logic_error when it is broken.

@@ -68,7 +68,7 @@ TEST(ForgedCertificate, UnsoundRows) {
                        "unsound: triangle 0 has 3 solid edges after");
   split.expect_refused([](auto& forged) { Forgery::row(forged, 0, 0).after.inner = 7; }, 1,
                        "unsound: solid inner edges close a cycle after");
-  const Forgery bisect("bisect");
+  const Forgery bisect("bisect-costs");
   bisect.expect_refused(
       [](auto& forged) { Forgery::row(forged, 5, 0).after.inner = 3; }, 1,
       "    before  edges 0-1, ports 0\" 1: 2\" 3:\n    after   edges 0=1 1=2 2-3 3-0, ports 0\" 1: 2\" 3:\n"
@@ -86,7 +86,7 @@ TEST(ForgedCertificate, UnsoundRows) {
 
 // For each criterion a sound recolouring that is as good in all before it and worse in this one.
 TEST(ForgedCertificate, RowsThatAreWorseByOneCriterion) {
-  const Forgery bisect("bisect");
+  const Forgery bisect("bisect-costs");
   const std::vector<std::string> criteria = {"strips + -1 joined", "2 isolated + given_up",
                                              "-1 squares + ends_at_port(0,3)",
                                              "neighbouring_ends + -1 solid(1) + 3 ends(0,1,2,3)"};
@@ -115,7 +115,7 @@ TEST(ForgedCertificate, PortsGivenUpOrTaken) {
   Forgery("merge-face")
       .expect_refused([](auto& forged) { Forgery::row(forged, 1, 0).after.ports = 0; }, 1,
                       "not best: strips is 1, and may be 0");
-  const Forgery bisect("bisect");
+  const Forgery bisect("bisect-costs");
   bisect.expect_refused([](auto& forged) { Forgery::row(forged, 2, 0).after.ports = 0; }, 1,
                         "port 1 is given up and may not be");
   bisect.expect_refused([](auto& forged) { Forgery::row(forged, 1, 0).after.ports = 5; }, 1,
@@ -123,7 +123,7 @@ TEST(ForgedCertificate, PortsGivenUpOrTaken) {
 }
 
 TEST(ForgedCertificate, CopiesThatFollowFromNoRule) {
-  const Forgery bisect("bisect");
+  const Forgery bisect("bisect-costs");
   bisect.expect_refused(
       [](auto& forged) {
         Forgery::row(forged, 4, 0).by = {2, 1, 0, 3};
@@ -155,7 +155,7 @@ TEST(ForgedCertificate, CopiesThatFollowFromNoRule) {
 
 TEST(ForgedCertificate, EveryClaimThatIsWrong) {
   std::size_t tried = 0;
-  for (const char* name : {"bisect", "merge-face-matching"}) {
+  for (const char* name : {"bisect-costs", "merge-face-matching"}) {
     const Forgery forgery(name);
     for (std::size_t i = 0; i < forgery.good.claims.size(); ++i)
       for (const long by : {-1, 1}) {
@@ -206,7 +206,7 @@ TEST(ForgedCertificate, Form) {
     EXPECT_EQ(split.verdict(good.substr(0, length)).exit_code, 2) << length;
 }
 
-/// Dumps of `bisect` and of an operation on matchings.
+/// Dumps of `bisect-costs` and of an operation on matchings.
 struct ForgedDump {
   Forgery forgery;
   std::string good = forgery.naive.dump(forgery.good);
@@ -231,7 +231,7 @@ struct ForgedDump {
 };
 
 TEST(ForgedDump, WrongAnswers) {
-  const ForgedDump bisect("bisect");
+  const ForgedDump bisect("bisect-costs");
   bisect.expect_refused("0 0 7 0", "0 0 6 0", "line 3:\n");
   bisect.expect_refused("0 0 7 0", "0 0 6 0", "not best: strips + -1 joined is 2, and may be 1");
   bisect.expect_refused("0 5 a 5", "0 5 3 5", "unsound: with ports 0-2 connected outside");
@@ -244,8 +244,9 @@ TEST(ForgedDump, WrongAnswers) {
 }
 
 TEST(ForgedDump, Form) {
-  const ForgedDump bisect("bisect");
-  bisect.expect_refused("operation bisect", "operation split-face", "line 2: expected \"operation bisect\"");
+  const ForgedDump bisect("bisect-costs");
+  bisect.expect_refused("operation bisect-costs", "operation split-face",
+                        "line 2: expected \"operation bisect-costs\"");
   bisect.expect_refused("0 1 7 1", "", "expected \"0 1 \" and an answer, found \"0 2 e 2\"");
   bisect.expect_refused("0 1 7 1", "0 1 7", "expected \"0 1 \" and \"-\" or two masks, 4 and 4 bits at most");
   bisect.expect_refused("0 1 7 1", "0 1 17 1", "two masks, 4 and 4 bits at most");

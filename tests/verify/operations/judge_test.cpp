@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <random>
@@ -121,7 +123,7 @@ TEST(OperationJudge, AgreesWithANaiveMethodOnRandomOperations) {
   std::mt19937 random(seed);
   std::size_t judged = 0;
   std::size_t certified = 0;
-  const std::string path = testing::TempDir() + "/random-operation.json";
+  const std::string path = fmt::format("{}/random-operation-{}.json", testing::TempDir(), getpid());
   for (unsigned round = 0; round < 40; ++round) {
     const auto ports = static_cast<unsigned>(1 + random() % 4);
     const std::string before = random_side(random, ports);
@@ -143,6 +145,7 @@ TEST(OperationJudge, AgreesWithANaiveMethodOnRandomOperations) {
     ASSERT_EQ(verdict.exit_code, 0) << text << '\n' << verdict.text;
     ++certified;
   }
+  std::remove(path.c_str());
   EXPECT_GT(judged, 10000U);
   EXPECT_GT(certified, 15U);
 }

@@ -33,7 +33,7 @@ class PassingFile {
 }  // namespace
 
 const std::vector<std::string> corpus_operations = {
-    "split-face", "merge-face", "bisect", "bisect-boundary-matching", "merge-face-matching", "flip-forest"};
+    "split-face", "merge-face", "bisect-costs", "bisect-boundary-matching", "merge-face-matching", "flip-forest"};
 
 std::string corpus_path(const std::string& name, const std::string& extension) {
   return fmt::format("{}/operations/{}.{}", RESTRIP_CORPUS_DIR, name, extension);

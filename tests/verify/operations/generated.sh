@@ -1,0 +1,34 @@
+#!/bin/sh
+# The verifier proves what the generator writes: operations of the corpus, which have costs, constraints and ports given up
+# in all ways, and families described as operations. A split of eight triangles has as many ports as there may be.
+#   generated.sh GENERATOR VERIFIER CORPUS SCRATCH [small]      small: without the split of eight triangles
+set -eu
+generate=$1 verify=$2 corpus=$3 scratch=$4 small=${5-}
+
+rm -rf "$scratch"
+mkdir -p "$scratch"
+cp "$corpus"/*.json "$scratch"
+describe() {
+  "$generate" describe "$@" > "$scratch/described.json"
+  name=$(sed -n 's/^ *"name": "\(.*\)",$/\1/p' "$scratch/described.json")
+  mv "$scratch/described.json" "$scratch/${name:?describe names no operation}.json"
+}
+describe --family split --k 4 --at 2
+describe --family collapse --k 4 --at 1
+describe --family open-split --k 3 --at 1 --to 2
+describe --family open-collapse --k 3 --at 0 --to 2
+describe --family boundary-split --k 4 --at 2
+describe --family boundary-collapse --k 3 --at 1
+describe --family flip
+[ "$small" = small ] || describe --family split --k 8 --at 3
+
+count=0
+for file in "$scratch"/*.json; do
+  "$generate" rules --operation "$file" --out "$scratch/rules" > "$scratch/said"
+  name=$(basename "$file" .json)
+  "$verify" --operation "$file" --certificate "$scratch/rules/certificates/operations/$name.cert" > "$scratch/said" ||
+    { cat "$scratch/said"; exit 1; }
+  tail -1 "$scratch/said"
+  count=$((count + 1))
+done
+[ "$count" -ge 13 ] || { echo "only $count operations"; exit 1; }
