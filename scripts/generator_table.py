@@ -5,6 +5,7 @@ counts:     configurations, orbits and rules that add a strip, for splits and fo
 families:   rules and bytes of each family of tables, k <= 8 (docs/tables.md)
 programs:   bytes of split and collapse of a StripMesh, compiled by g++ -Os -DNDEBUG against single headers with tables
             up to different k (docs/tables.md)
+operations: claims of the certificates of the shipped operation files, proved by the verifier (docs/toolkit.md)
 languages:  bytes of the rule tables in other languages than C++, k <= 8 (docs/languages.md)
 shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
 """
@@ -68,6 +69,19 @@ def print_families(generate):
         for family, (rules, size) in make_tables(generate, 8, folder).items():
             line([NOTES.get(family, family), f"{rules:,}", f"{size:,}"])
     line(["row starts, for those up to fan-collapse", "", f"{row_starts(8):,}"])
+
+
+def print_operations(generate):
+    header("file", "operation", "configurations", "valid", "rules", "strips added at worst", "isolated at worst", "bytes")
+    folder = os.path.join(HERE, "tables", "operations")
+    files = sorted(os.path.join(folder, name) for name in os.listdir(folder))
+    with tempfile.TemporaryDirectory() as out:
+        report = json.loads(subprocess.check_output([generate, "rules", "--operation", *files, "--out", out, "--json", "-"]))
+    for file, row in zip(files, report["operations"]):
+        with open(file, encoding="utf-8") as source:
+            about = json.load(source)["about"]
+        line([f"`{os.path.basename(file)}`", about.rstrip(".")] +
+             [f"{row[what]:,}" for what in ("configurations", "valid", "keys", "worst_strips", "worst_isolated", "bytes")])
 
 
 FILE_LINE = re.compile(r"^(restrip_tables\.\S+) +(\d+) bytes, with (\d+) of tables$", re.M)
@@ -139,7 +153,8 @@ def print_shards(generate):
                   f"{bytes_below(tables) / 1e6:.1f} MB", f"{sum(size for _, size in families.values()) / 1e6:.1f} MB"])
 
 
-TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "languages": print_languages,
+TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "operations": print_operations,
+          "languages": print_languages,
           "shards": print_shards}
 
 
