@@ -140,6 +140,10 @@ TEST(ForgedCertificate, CopiesThatFollowFromNoRule) {
         Forgery::row(forged, 4, 0).by = {0, 1, 2, 3};
       },
       1, "wrong witness: it takes the key to 4 0, which has no rule row");
+  // Giving up the other port is as good, but not the image of what the rule does.
+  Forgery("merge-face")
+      .expect_refused([](auto& forged) { Forgery::row(forged, 5, 0).after.ports = 4; }, 1,
+                      "wrong witness: no symmetry that moves the ports so takes the recolouring to");
   const Forgery split("split-face");
   // As good a recolouring, but not the image of the rule's.
   split.expect_refused([](auto& forged) { Forgery::row(forged, 2, 0).after.inner = 6; }, 1,

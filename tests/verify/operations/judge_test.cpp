@@ -13,6 +13,7 @@
 #include <random>
 
 #include "operation_verdict.hpp"
+#include "patch_symmetry.hpp"
 #include "rule_judge.hpp"
 
 namespace restrip::verify::operations::test {
@@ -72,6 +73,37 @@ TEST(OperationJudge, GoodCertificatesAndDumpsHold) {
         verdict_on(corpus_path(name, "json"), certificate->text(), naive.dump(*certificate));
     EXPECT_EQ(verdict.exit_code, 0) << name << '\n' << verdict.text;
   }
+}
+
+// The four symmetries of a flip, less those that the ports that may be given up or the cost forbid.
+TEST(OperationJudge, SymmetriesLeaveTheCostAsItIs) {
+  const auto symmetries = [](const std::string& cost, const std::string& give_up) {
+    const OperationFile operation = parse_operation_file(
+        "flip", fmt::format(R"({{"restrip_operation": 1, "name": "flip", "constraint": "strips", "cost": {},
+ "before": {{"triangles": 2, "edges": [[0, 1]], "ports": [0, 0, 1, 1]}},
+ "after": {{"triangles": 2, "edges": [[0, 1]], "ports": [1, 0, 0, 1]}}, "give_up": {}}})",
+                            cost, give_up));
+    return PatchSymmetries(operation).order();
+  };
+  const std::string all = "\"all\"";
+  EXPECT_EQ(symmetries(R"([[{"count": "strips"}]])", all), 4);
+  EXPECT_EQ(symmetries(R"([[{"count": "strips"}]])", "[0, 1]"), 2);
+  EXPECT_EQ(symmetries(R"([[{"count": "strips"}]])", "[0]"), 1);
+  EXPECT_EQ(symmetries(R"([[{"count": "kept", "ports": [0]}]])", all), 1);
+  EXPECT_EQ(symmetries(R"([[{"count": "kept", "ports": [0, 1, 2, 3]}]])", all), 4);
+  EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}]])", all), 2);
+  EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}, {"count": "ends", "triangles": [1]}]])", all), 4);
+  // Other weights, other counts, in other criteria, and more often.
+  EXPECT_EQ(
+      symmetries(R"([[{"count": "ends", "triangles": [0]}, {"count": "ends", "triangles": [1], "weight": 2}]])", all),
+      2);
+  EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}, {"count": "ends_at_port", "triangles": [1]}]])", all),
+            2);
+  EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}], [{"count": "ends", "triangles": [1]}]])", all), 2);
+  EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}, {"count": "ends", "triangles": [0]},
+ {"count": "ends", "triangles": [1]}]])",
+                       all),
+            2);
 }
 
 /// A random side with so many ports: edges and ports where triangles have room.
