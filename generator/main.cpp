@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
   std::vector<std::string> tables_languages;
   tables_command
       ->add_option("--language", tables_languages,
-                   "c++ (the default: headers, certificates and MANIFEST), c, json or rust: one file with "
+                   "c++ (the default: headers, certificates and MANIFEST), c, rust, json, glsl or wgsl: "
                    "data and look-up; may be given several times")
       ->check(CLI::IsMember(language_files()))
       ->allow_extra_args(false)

@@ -84,19 +84,22 @@ def print_operations(generate):
              [f"{row[what]:,}" for what in ("configurations", "valid", "keys", "worst_strips", "worst_isolated", "bytes")])
 
 
-FILE_LINE = re.compile(r"^(restrip_tables\.\S+) +(\d+) bytes, with (\d+) of tables$", re.M)
-FILE_HOLDS = {"restrip_tables.h": "C99 header: data and look-up", "restrip_tables.rs": "Rust module: data and look-up",
+FILE_LINE = re.compile(r"^(restrip_tables\.\S+) +(\d+) bytes$", re.M)
+DATA_LINE = re.compile(r"^rules up to k = \d+: (\d+) bytes of data$", re.M)
+FILE_HOLDS = {"restrip_tables.h": "C99 header: data and look-up", "restrip_tables.glsl": "GLSL: look-up", "restrip_tables.wgsl": "WGSL: look-up",
+              "restrip_tables.bin": "data for GLSL and WGSL", "restrip_tables.rs": "Rust module: data and look-up",
               "restrip_tables.json": "data; its schema is [tables.schema.json](tables.schema.json)"}
-LANGUAGE_NAMES = ("c", "json", "rust")
+LANGUAGE_NAMES = ("c", "json", "rust", "glsl", "wgsl")
 
 
 def print_languages(generate):
-    header("file", "what it holds", "bytes of the file", "bytes of tables")
+    header("file", "what it holds", "bytes", "read-only data of a program, bytes")
     with tempfile.TemporaryDirectory() as folder:
         wanted = [word for language in LANGUAGE_NAMES for word in ("--language", language)]
         told = subprocess.check_output([generate, "tables", "--threads", "2", "--out", folder, *wanted], text=True)
-    for name, size, tables in FILE_LINE.findall(told):
-        line([f"`{name}`", FILE_HOLDS[name], f"{int(size):,}", f"{int(tables):,}"])
+    data = int(DATA_LINE.search(told)[1])
+    for name, size in FILE_LINE.findall(told):
+        line([f"`{name}`", FILE_HOLDS[name], f"{int(size):,}", f"{data:,}" if name.endswith((".h", ".rs", ".bin")) else ""])
 
 
 def section_bytes(path, pattern):

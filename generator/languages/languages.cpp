@@ -2,9 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
 #include <cstdlib>
 
 namespace restrip::generator {
+namespace {
+
+/// The words as a file, little-endian.
+std::string words_file(const TableLayout& layout) {
+  std::string bytes;
+  for (const std::uint32_t word : table_words(layout).words)
+    for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
+  return bytes;
+}
+
+}  // namespace
 
 const std::map<std::string, std::vector<LanguageFile>>& language_files() {
   static const std::map<std::string, std::vector<LanguageFile>> files{
@@ -12,6 +26,8 @@ const std::map<std::string, std::vector<LanguageFile>>& language_files() {
       {"c", {{"restrip_tables.h", c_header}}},
       {"json", {{"restrip_tables.json", json_tables}}},
       {"rust", {{"restrip_tables.rs", rust_module}}},
+      {"glsl", {{"restrip_tables.glsl", glsl_source}, {"restrip_tables.bin", words_file}}},
+      {"wgsl", {{"restrip_tables.wgsl", wgsl_source}, {"restrip_tables.bin", words_file}}},
   };
   return files;
 }
@@ -47,6 +63,45 @@ std::string language_manual(const std::string& comment) {
         "takes O(k) steps."})
     text += fmt::format("{} {}\n", comment, line);
   return text;
+}
+
+TableWords table_words(const TableLayout& layout) {
+  TableWords data{{0}, {}};
+  for (const TableArray& array : layout.arrays) {
+    data.places.push_back({capitals(array.name), static_cast<unsigned>(data.words.size()), array.bits});
+    const std::size_t in_a_word = 32 / array.bits;
+    for (std::size_t i = 0; i < array.values.size(); ++i) {
+      if (i % in_a_word == 0) data.words.push_back(0);
+      data.words.back() |= array.values[i] << (i % in_a_word * array.bits);
+    }
+  }
+  std::uint32_t checksum = 0x811c9dc5;
+  for (std::size_t i = 1; i < data.words.size(); ++i) checksum = (checksum ^ data.words[i]) * 0x01000193;
+  data.words[0] = checksum;
+  return data;
+}
+
+std::string shader_manual(const std::string& comment, const TableWords& data) {
+  return fmt::format(
+      "{0}\n"
+      "{0} The data are in restrip_tables.bin, written by the same command: {1} words of 32 bits, little-endian, to "
+      "be\n"
+      "{0} copied into a storage buffer as they are. If restrip_words[0] is not RESTRIP_CHECKSUM, file and data do "
+      "not\n"
+      "{0} belong together.\n"
+      "{0}\n"
+      "{0} Bad input: for colours that no valid stripification has (three solid edges at a triangle, a solid cycle, "
+      "bits\n"
+      "{0} outside the patch), and for positions that the tables do not hold (k > RESTRIP_MAX_K, a or gaps out of "
+      "range),\n"
+      "{0} every member of the answer is 0 and `valid` is false.\n"
+      "{0}\n",
+      comment, data.words.size());
+}
+
+std::string capitals(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+  return name;
 }
 
 }  // namespace restrip::generator

@@ -34,7 +34,7 @@ struct LanguageFile {
 /// bit, and each array begins with a word. The first word is the checksum of the others.
 struct TableWords {
   struct Place {
-    std::string name;   ///< of the array
+    std::string name;   ///< of the array, in capitals
     unsigned word = 0;  ///< where it begins
     unsigned bits = 8;  ///< of an element
   };
@@ -43,10 +43,18 @@ struct TableWords {
 };
 [[nodiscard]] TableWords table_words(const TableLayout& layout);
 
+/// What a user of a shader must know beside language_manual().
+[[nodiscard]] std::string shader_manual(const std::string& comment, const TableWords& data);
+
+/// In capitals, for constants.
+[[nodiscard]] std::string capitals(std::string name);
+
 // ---- One emitter a language ----
 
 [[nodiscard]] std::string c_header(const TableLayout& layout);
 [[nodiscard]] std::string json_tables(const TableLayout& layout);
 [[nodiscard]] std::string rust_module(const TableLayout& layout);
+[[nodiscard]] std::string glsl_source(const TableLayout& layout);
+[[nodiscard]] std::string wgsl_source(const TableLayout& layout);
 
 }  // namespace restrip::generator

@@ -2,9 +2,6 @@
 // program is compiled.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-
 #include "languages/languages.hpp"
 #include "number_lines.hpp"
 
@@ -286,11 +283,6 @@ const fn open_key(patch: Patch, inner: u32, ports: u32) -> u32 {
     OPEN_ROWS[(1 << patch.k | ports) as usize] as u32 + patch.joined(inner, ports)
 }
 )";
-
-std::string capitals(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-  return name;
-}
 
 }  // namespace
 

@@ -6,13 +6,13 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
 export class Browser {
-  static async start(program) {
+  static async start(program, ...flags) {
     const browser = new Browser();
     browser.profile = mkdtempSync(join(tmpdir(), 'restrip-chromium-'));
     browser.process = spawn(program, ['--headless', '--no-sandbox', '--remote-debugging-pipe', `--user-data-dir=${browser.profile}`,
       '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run',
       '--disable-background-networking', '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--hide-scrollbars',
-      '--force-device-scale-factor=1', 'about:blank'], { stdio: ['ignore', 'ignore', 'pipe', 'pipe', 'pipe'] });
+      '--force-device-scale-factor=1', ...flags, 'about:blank'], { stdio: ['ignore', 'ignore', 'pipe', 'pipe', 'pipe'] });
     browser.stderr = '';
     browser.process.stderr.on('data', (data) => { browser.stderr = (browser.stderr + data).slice(-20000); });
     browser.ended = new Promise((resolve) => browser.process.on('exit', resolve));
