@@ -34,6 +34,7 @@ struct Term {
   Count count = Count::strips;
   std::int64_t weight = 1;
   Mask of = all;  ///< edges or nodes of the side after, or ports; for the counts that choose among them
+  friend bool operator==(const Term&, const Term&) = default;
 };
 
 using Criterion = std::vector<Term>;

@@ -62,8 +62,13 @@ std::string Reason::text() const {
   return words.empty() ? "-" : words;
 }
 
-Reasoner::Reasoner(const Operation& operation)
-    : gives_ports_up_(operation.may_give_up != 0), after_(operation.patch.after) {
+bool has_reasons(const Operation& operation) {
+  const Preference first = fewest_strips();
+  return operation.constraint.most_edges >= 2 && operation.preference.size() >= first.size() &&
+         std::equal(first.begin(), first.end(), operation.preference.begin());
+}
+
+Reasoner::Reasoner(const Operation& operation) : may_give_up_(operation.may_give_up), after_(operation.patch.after) {
   const std::size_t inner = after_.edges.size();
   const auto port = [&](std::size_t p) { return single(inner + p); };
   for (unsigned node = 0; node < after_.nodes; ++node) {
@@ -72,7 +77,7 @@ Reasoner::Reasoner(const Operation& operation)
       if (after_.edges[e].u == node || after_.edges[e].v == node) edges |= single(e);
     for (std::size_t p = 0; p < after_.owner.size(); ++p)
       if (after_.owner[p] == node) edges |= port(p);
-    if (std::popcount(edges) == 3) forbidden_.push_back({edges, 0});
+    if (std::popcount(edges) > static_cast<int>(operation.constraint.most_edges)) forbidden_.push_back({edges, 0});
   }
   std::vector<EdgeSet> paths;
   for (std::size_t e = 0; e < inner; ++e) {
@@ -93,7 +98,8 @@ Reasoner::Goal Reasoner::goal_of(Mask solid_ports, const std::vector<Mask>& join
   const EdgeSet ports = solid_ports << inner;
   const EdgeSet everything = (single(inner) - 1) | ports;
   Goal goal;
-  goal.edges = gives_ports_up_ ? everything : everything & ~ports;
+  const EdgeSet staying = (solid_ports & ~may_give_up_) << inner;
+  goal.edges = everything & ~staying;
   for (const Forbidden& set : forbidden_)
     if ((set.edges & ~everything) == 0 && std::find(joined.begin(), joined.end(), set.pair) == joined.end())
       goal.sets.push_back(set.edges & goal.edges);
@@ -103,7 +109,7 @@ Reasoner::Goal Reasoner::goal_of(Mask solid_ports, const std::vector<Mask>& join
       if (after_.edges[e].u == node || after_.edges[e].v == node) edges |= single(e);
     for (std::size_t p = 0; p < after_.owner.size(); ++p)
       if (after_.owner[p] == node) edges |= single(inner + p) & ports;
-    // A triangle of a fan with a solid port is never isolated.
+    // A triangle with a solid port that stays is never isolated.
     if ((edges & ~goal.edges) == 0) goal.triangles.push_back(edges);
   }
   const EdgeSet recoloring = best.recoloring | best.kept << inner;

@@ -9,7 +9,7 @@
 
 namespace restrip::generator {
 
-/// Edges of the side after an operation: inner edges first; then the ports, for a flip.
+/// Edges of the side after an operation: inner edges first; then the ports, of which those count that may be given up.
 using EdgeSet = Mask;
 
 /// Either two cases, an edge solid and the same edge dashed, or disjoint sets of edges that cannot all be solid.
@@ -23,8 +23,10 @@ struct Reason {
   [[nodiscard]] std::string text() const;
 };
 
-/// Finds reasons for the rules of one operation whose preference begins with fewest_strips(); what it may give up are
-/// all its ports, or none.
+/// Whether reasons can be given for the rules of an operation: strips or forests, preferred by fewest_strips() first.
+[[nodiscard]] bool has_reasons(const Operation& operation);
+
+/// Finds reasons for the rules of one operation that has them.
 class Reasoner {
  public:
   explicit Reasoner(const Operation& operation);
@@ -54,7 +56,7 @@ class Reasoner {
   [[nodiscard]] bool find(const Goal& goal, EdgeSet solid, EdgeSet dashed, std::size_t leaves, Reason& reason) const;
   [[nodiscard]] bool find_leaf(const Goal& goal, EdgeSet solid, EdgeSet dashed, Reason& reason) const;
 
-  bool gives_ports_up_;
+  Mask may_give_up_;
   Side after_;
   std::vector<Forbidden> forbidden_;
 };

@@ -12,35 +12,6 @@ constexpr std::array<const char*, 2> row_words = {"rule", "copy"};
 
 bool starts_row(const LineReader& reader) { return reader.starts_with("rule") || reader.starts_with("copy"); }
 
-/// Reads a reason that starts at word `at`, which is left behind it. `asked` are the edges of the cases around it.
-Reason parse_reason(const LineReader& reader, std::size_t& at, unsigned edges, Mask asked) {
-  const auto word = [&] { return at < reader.words().size() ? reader.words()[at] : "the end of the line"; };
-  const auto expect = [&](std::string_view expected) {
-    if (word() != expected) reader.fail(fmt::format("expected \"{}\", found \"{}\"", expected, word()));
-    ++at;
-  };
-  const auto is_mask = [&] { return at < reader.words().size() && word() != "else"; };
-  Reason reason;
-  if (word() == "-") {
-    ++at;
-  } else if (word() == "if") {
-    if (++at == reader.words().size()) reader.fail("expected the number of an edge, found the end of the line");
-    const std::int64_t edge = reader.number(at++);
-    if (edge < 0 || edge >= edges) reader.fail(fmt::format("expected an edge from 0 to {}, found {}", edges - 1, edge));
-    reason.edge = static_cast<unsigned>(edge);
-    if (is_solid(asked, reason.edge)) reader.fail(fmt::format("edge {} makes cases of a case of its own", edge));
-    asked |= single(reason.edge);
-    expect("then");
-    reason.cases.push_back(parse_reason(reader, at, edges, asked));
-    expect("else");
-    reason.cases.push_back(parse_reason(reader, at, edges, asked));
-  } else {
-    if (!is_mask()) reader.fail(fmt::format("expected a reason, found \"{}\"", word()));
-    for (; is_mask(); ++at) reason.sets.push_back(reader.mask(at, edges));
-  }
-  return reason;
-}
-
 Row parse_row(const LineReader& reader, const Section& section, bool gives_ports_up) {
   Row row;
   row.copy = reader.starts_with("copy");
@@ -62,10 +33,7 @@ Row parse_row(const LineReader& reader, const Section& section, bool gives_ports
     if (n < 0 || n >= section.ports) reader.fail(fmt::format("expected a number from 0 to {}", section.ports - 1));
     row.by = {kind == "mirror", static_cast<unsigned>(n)};
   } else {
-    std::size_t at = masks + 2;
-    row.reason = parse_reason(reader, at, section.recoloring_bits + (gives_ports_up ? section.ports : 0), 0);
-    if (at != reader.words().size())
-      reader.fail(fmt::format("expected the end of the reason, found \"{}\"", reader.rest(at)));
+    row.reason = parse_reason(reader, masks + 2, section.recoloring_bits + (gives_ports_up ? section.ports : 0));
   }
   return row;
 }
@@ -104,11 +72,6 @@ Certificate parse_certificate(const std::string& file, std::string text, const F
     return certificate.rows;
   });
   return certificate;
-}
-
-std::string Reason::text() const {
-  if (!cases.empty()) return fmt::format("if {} then {} else {}", edge, cases[0].text(), cases[1].text());
-  return sets.empty() ? "-" : fmt::format("{:x}", fmt::join(sets, " "));
 }
 
 std::string text_of(const Row& row, bool gives_ports_up) {

@@ -7,20 +7,10 @@
 #include <vector>
 
 #include "certificate_form.hpp"
+#include "reason_text.hpp"
 #include "symmetry.hpp"
 
 namespace restrip::verify {
-
-/// Why nothing is preferred to a rule: two cases, an edge solid and the same edge dashed, or sets of edges that cannot
-/// all be solid.
-struct Reason {
-  unsigned edge = 0;
-  std::vector<Reason> cases;  ///< solid, dashed; empty for a leaf
-  std::vector<Mask> sets;     ///< of a leaf
-
-  /// As the certificate writes it.
-  std::string text() const;
-};
 
 struct Row {
   bool copy = false;

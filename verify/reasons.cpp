@@ -101,10 +101,6 @@ class ReasonChecker {
   Loss row_loss_;
 };
 
-std::size_t cases_of(const Reason& reason) {
-  return reason.cases.empty() ? 1 : cases_of(reason.cases[0]) + cases_of(reason.cases[1]);
-}
-
 }  // namespace
 
 std::string fault_of_reason(const Row& row, const Section& section) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -80,8 +81,20 @@ class JsonValue {
 };
 
 Json json_of(const std::string& file, const std::string& text) {
+  // The last of two members of one name would silently win.
+  std::vector<std::set<std::string>> members;
+  std::string twice;
+  const auto look = [&](int, Json::parse_event_t event, Json& value) {
+    if (event == Json::parse_event_t::object_start) members.emplace_back();
+    if (event == Json::parse_event_t::object_end) members.pop_back();
+    if (event == Json::parse_event_t::key && !members.back().insert(value.get<std::string>()).second)
+      twice = value.get<std::string>();
+    return true;
+  };
   try {
-    return Json::parse(text);
+    Json json = Json::parse(text, look);
+    if (!twice.empty()) throw std::runtime_error(fmt::format("{}: the member \"{}\" is there twice", file, twice));
+    return json;
   } catch (const Json::parse_error& error) {
     const std::size_t end = std::min(error.byte, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
@@ -182,7 +195,8 @@ Preference preference_from(const JsonValue& value, const Side& after) {
   for (const JsonValue& criterion : value.elements("criteria")) {
     preference.emplace_back();
     for (const JsonValue& term : criterion.elements("terms")) preference.back().push_back(term_from(term, after));
-    if (preference.back().empty()) criterion.refuse("expected at least one term");
+    if (preference.back().empty() || preference.back().size() > most_terms)
+      criterion.refuse(fmt::format("expected 1 to {} terms", most_terms));
   }
   if (preference.empty() || preference.size() > most_criteria)
     value.refuse(fmt::format("expected 1 to {} criteria", most_criteria));

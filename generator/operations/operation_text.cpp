@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "emit.hpp"
 #include "number_lines.hpp"
+#include "reason.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -34,9 +36,13 @@ std::string operation_certificate(const NamedOperation& named, const OperationRu
                  claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
   fmt::format_to(out, "claim keys {}\nclaim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n",
                  rules.rows.size(), claims.costing, claims.worst_strips, claims.worst_isolated);
+  std::optional<Reasoner> reasoner;
+  if (has_reasons(named.operation)) reasoner.emplace(named.operation);
   for (const OperationRow& row : rules.rows) {
     fmt::format_to(out, "{} {:x} {:x} {:x} {:x}", row.witness < 0 ? "rule" : "copy", row.key.ports, row.key.joined,
                    row.choice.recoloring, row.choice.kept);
+    if (row.witness < 0 && reasoner)
+      fmt::format_to(out, " because {}", reasoner->reason(row.key.ports, pairs_of(row.key.joined), row.choice).text());
     if (row.witness >= 0)
       fmt::format_to(out, " by {}", fmt::join(rules.symmetry[static_cast<std::size_t>(row.witness)].port, " "));
     text += '\n';

@@ -39,15 +39,27 @@ RuleRow parse_row_of(const LineReader& reader, const OperationFile& operation) {
     reader.fail(fmt::format("expected \"rule\", \"copy\" or \"end\", found \"{}\"", reader.rest(0)));
   if (row.copy)
     reader.expect_words(6 + ports, fmt::format("\"copy\", 4 masks, \"by\" and {} ports", ports));
-  else
-    reader.expect_words(5, "\"rule\" and 4 masks");
+  else if (reader.words().size() < 7 || reader.words()[5] != "because")
+    reader.expect_words(5, "\"rule\" and 4 masks, or behind them \"because\" and a reason");
   row.key = {reader.mask(1, ports), {reader.mask(2, ports * (ports - 1) / 2)}};
   row.after = {reader.mask(3, operation.after.inner_edges()), reader.mask(4, ports)};
   if (row.copy) {
     if (reader.words()[5] != "by") reader.fail(fmt::format("expected \"by\", found \"{}\"", reader.words()[5]));
     row.by = parse_ports(reader, 6, ports);
+  } else if (reader.words().size() > 5) {
+    if (!may_have_reasons(operation))
+      reader.fail("reasons are for strips and forests whose cost begins as it does by default; expected none");
+    row.reason = parse_reason(reader, 6, operation.after.inner_edges() + ports);
   }
   return row;
+}
+
+void check_row_reason(const LineReader& reader, const std::vector<RuleRow>& rows, const RuleRow& row) {
+  if (row.copy) return;
+  const auto rule = std::find_if(rows.begin(), rows.end(), [](const RuleRow& r) { return !r.copy; });
+  if (rule != rows.end() && rule->reason.has_value() != row.reason.has_value())
+    reader.fail(fmt::format("the rule in line {} has {} reason: expected the same of all", rule->line,
+                            rule->reason ? "a" : "no"));
 }
 
 void check_row_order(const LineReader& reader, const std::vector<RuleRow>& rows, const RuleRow& row) {
@@ -63,7 +75,8 @@ void check_row_order(const LineReader& reader, const std::vector<RuleRow>& rows,
 std::string RuleRow::text() const {
   const std::string masks = fmt::format("{} {:x} {:x} {:x} {:x}", copy ? "copy" : "rule", key.ports, key.joined.bits,
                                         after.inner, after.ports);
-  return copy ? fmt::format("{} by {}", masks, fmt::join(by, " ")) : masks;
+  if (copy) return fmt::format("{} by {}", masks, fmt::join(by, " "));
+  return reason ? fmt::format("{} because {}", masks, reason->text()) : masks;
 }
 
 const RuleRow* OperationCertificate::row_of(OperationKey key) const {
@@ -84,6 +97,7 @@ OperationCertificate parse_operation_certificate(const std::string& file, std::s
                for (; !reader.starts_with("end"); reader.next("a row or \"end\"")) {
                  RuleRow row = parse_row_of(reader, operation);
                  check_row_order(reader, certificate.rows, row);
+                 check_row_reason(reader, certificate.rows, row);
                  certificate.rows.push_back(std::move(row));
                }
                return certificate.rows.size();

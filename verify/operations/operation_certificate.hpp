@@ -3,11 +3,13 @@
 // form: grammar, claims and rows in order, sums. Whether a row is true is checked elsewhere.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "certificate_form.hpp"
 #include "patch_symmetry.hpp"
+#include "reason_text.hpp"
 
 namespace restrip::verify::operations {
 
@@ -15,7 +17,8 @@ struct RuleRow {
   bool copy = false;
   OperationKey key;
   Colors after;
-  Permutation by;  ///< of a copy: where each port goes
+  Permutation by;                ///< of a copy: where each port goes
+  std::optional<Reason> reason;  ///< of a rule; all rules have one, or none has
   unsigned line = 0;
 
   /// As the certificate writes it.

@@ -216,6 +216,13 @@ unsigned OperationFile::most_solid() const {
   return 3;
 }
 
+bool may_have_reasons(const OperationFile& operation) {
+  const std::vector<Criterion> first = {
+      {{Count::strips, 1, 0}}, {{Count::isolated, 1, 0}, {Count::given_up, 1, 0}}, {{Count::given_up, 1, 0}}};
+  return operation.constraint != Constraint::matching && operation.cost.size() >= first.size() &&
+         std::equal(first.begin(), first.end(), operation.cost.begin());
+}
+
 OperationFile parse_operation_file(const std::string& file, std::string_view text) {
   const Json json = parse_json(file, text);
   const Value whole(file, json, {});

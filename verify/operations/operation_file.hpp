@@ -77,6 +77,10 @@ struct OperationFile {
   unsigned most_solid() const;
 };
 
+/// Whether rules of the operation may have reasons: strips or forests, where fewest strips come first, then fewest
+/// isolated triangles and ports given up, then fewest ports given up.
+bool may_have_reasons(const OperationFile& operation);
+
 /// InputError "file:line:column: member: expected …" when anything is not as docs/operation-file.md says.
 OperationFile parse_operation_file(const std::string& file, std::string_view text);
 

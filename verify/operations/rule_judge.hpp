@@ -34,6 +34,12 @@ class RuleJudge {
   /// What is wrong, in full: colours drawn, the world in which they do not fit, the recolouring that is better.
   std::string explained(Colors configuration, Colors recoloring, const Judged& judged) const;
 
+  /// In every world that the valid configuration fits.
+  bool is_sound(Colors configuration, Colors recoloring) const {
+    return admissible(configuration.ports, recoloring.ports) && after_.class_of(recoloring) != FitClasses::not_valid &&
+           !refuting_world(configuration, recoloring);
+  }
+
   /// A sound recolouring that none is better than; nullopt where none is sound.
   std::optional<Colors> best(Colors configuration) const { return best_[before_.class_of(configuration)]; }
   CostValues cost(Colors configuration, Colors recoloring) const {

@@ -9,6 +9,7 @@
 #include "certificate_judge.hpp"
 #include "input.hpp"
 #include "operation_dump.hpp"
+#include "reason_check.hpp"
 
 namespace restrip::verify::operations {
 namespace {
@@ -77,6 +78,13 @@ void report_certificate(RuleJudge& judge, const OperationCertificate& certificat
                         OperationReport& report) {
   const RowCheck rows = check_rows(judge, certificate);
   report_rows(judge.operation(), rows, certificate, judge.pairs(), report);
+  if (may_have_reasons(judge.operation())) {
+    const ReasonCheck reasons = check_rule_reasons(judge, certificate);
+    report.claim("the reasons why nothing is better are reasons",
+                 reasons.reasons == 0 ? "the certificate gives none"
+                                      : fmt::format("sets by the worlds, {} cases at most", reasons.most_cases),
+                 reasons.reasons, reasons.wrong);
+  }
   const PatchSymmetries symmetries(judge.operation());
   report.claim("copies follow from rules by symmetry",
                fmt::format("{:.0f} symmetries by backtracking", symmetries.order()), certificate.rows.size(),

@@ -192,7 +192,8 @@ TEST(ForgedCertificate, Form) {
   expect("rule 0 0 3 0", "rule 0 0 8 0", 7, "expected a mask of at most 3 bits, found \"8\"");
   expect("rule 0 0 3 0", "rule 0 8 3 0", 7, "expected a mask of at most 3 bits, found \"8\"");
   expect("rule 0 0 3 0", "rule 0 0 03 0", 7, "mask without leading zeros, found \"03\"");
-  expect("rule 0 0 3 0", "rule 0 0 3", 7, "expected \"rule\" and 4 masks, found \"rule 0 0 3\"");
+  expect("rule 0 0 3 0", "rule 0 0 3", 7,
+         "expected \"rule\" and 4 masks, or behind them \"because\" and a reason, found \"rule 0 0 3\"");
   expect("rule 0 0 3 0", "rules 0 0 3 0", 7, "expected \"rule\", \"copy\" or \"end\"");
   expect("copy 2 0 5 2 by 1 0 2", "copy 2 0 5 2 by 1 1 2", 7, "expected each port from 0 to 2 once, found \"1 1 2\"");
   expect("copy 2 0 5 2 by 1 0 2", "copy 2 0 5 2 by 1 0 3", 7, "expected each port from 0 to 2 once");
