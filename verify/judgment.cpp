@@ -66,6 +66,7 @@ Judge::Judge(const Section& section, const SectionRows& rows, const Operation& o
   row_of_key_.resize(mask_count(section.ports + section.key_bits));
   for (const Row& row : rows.rows) row_of_key_[concatenated(row.key.ports, row.key.second, section.key_bits)] = &row;
   judgment_.row_used.resize(rows.rows.size());
+  if (!searched(operation)) own_.resize(rows.rows.size());
   judgment_.answers.resize(mask_count(operation.before.inner_edges() + section.ports), not_valid);
 }
 
@@ -79,12 +80,14 @@ void Judge::judge(const PortSlice& slice) {
   }
 }
 
+const SurveyedColoring* Judge::own_recoloring(const PortSlice& slice, const Row& row) {
+  if (searched(operation_)) return find(slice, row.after, operation_.gives_ports_up);
+  std::optional<SurveyedColoring>& own = own_[static_cast<std::size_t>(&row - rows_.rows.data())];
+  if (!own) own = {row.after, survey(operation_.after, row.after)};
+  return &*own;
+}
+
 void Judge::judge_configuration(const PortSlice& slice, const SurveyedColoring& configuration) {
-  // Only the first failure of each kind is put into words.
-  const auto fail = [&](RowClaim claim, const Row* row, const auto& in_words) {
-    Failures& failures = judgment_.failures[static_cast<std::size_t>(claim)];
-    failures.add(failures.count == 0 ? explained(in_words(), slice, configuration, row) : std::string{});
-  };
   Answer& answer = judgment_.answers[concatenated(configuration.colors.inner, slice.ports, section_.ports)];
   answer = no_row;
 
@@ -92,7 +95,7 @@ void Judge::judge_configuration(const PortSlice& slice, const SurveyedColoring& 
   const Row* row = row_of_key_[concatenated(key.ports, key.second, section_.key_bits)];
   if (row == nullptr) {
     if (!mutated(Mutant::accept_missing))
-      fail(RowClaim::covered, row,
+      fail(RowClaim::covered, slice, configuration, row,
            [&] { return fmt::format("missing row: no row has the key {:x} {:x}", key.ports, key.second); });
     return;
   }
@@ -101,17 +104,28 @@ void Judge::judge_configuration(const PortSlice& slice, const SurveyedColoring& 
   ++judgment_.with_row;
 
   const PortPairs joined_before = configuration.survey.joined;
-  const SurveyedColoring* own = find(slice, row->after, operation_.gives_ports_up);
+  const SurveyedColoring* own = own_recoloring(slice, *row);
   if (!is_sound(own, joined_before)) {
-    fail(RowClaim::sound, row, [&] { return "unsound row: " + unsoundness(own, joined_before, operation_.after); });
+    fail(RowClaim::sound, slice, configuration, row,
+         [&] { return "unsound row: " + unsoundness(own, joined_before, operation_.after); });
     return;
   }
   ++judgment_.with_sound_row;
-  judgment_.pairs += slice.after.size();
   const Merit merit = merit_of(own->survey, own->colors, slice.ports);
-  const Best best = search(slice, joined_before, operation_.after);
+  if (searched(operation_)) search_better(slice, configuration, *row, merit);
+
+  const Cost cost = cost_of(operation_, configuration, merit);
+  judgment_.costing += cost.strips >= 1 ? 1U : 0U;
+  judgment_.worst_strips = std::max(judgment_.worst_strips.value_or(cost.strips), cost.strips);
+  judgment_.worst_isolated = std::max(judgment_.worst_isolated.value_or(cost.isolated), cost.isolated);
+}
+
+/// Holds the row of a configuration, which has this merit, against all recolourings.
+void Judge::search_better(const PortSlice& slice, const SurveyedColoring& configuration, const Row& row, Merit merit) {
+  judgment_.pairs += slice.after.size();
+  const Best best = search(slice, configuration.survey.joined, operation_.after);
   const auto inferior = [&](RowClaim claim, const char* crime, int found, const char* what, int possible) {
-    fail(claim, row, [&] {
+    fail(claim, slice, configuration, &row, [&] {
       return fmt::format("{}: {} {} where {} are possible; better:\n{}", crime, found, what, possible,
                          drawn(operation_.after, best.recoloring->colors, "    "));
     });
@@ -126,11 +140,6 @@ void Judge::judge_configuration(const PortSlice& slice, const SurveyedColoring& 
              -best.merit.fewer_isolated);
   else if (as_lonely && merit.ports_kept < best.merit.ports_kept && !mutated(Mutant::ignore_ports_kept))
     inferior(RowClaim::most_ports_kept, "gives up ports", merit.ports_kept, "kept", best.merit.ports_kept);
-
-  const Cost cost = cost_of(operation_, configuration, merit);
-  judgment_.costing += cost.strips >= 1 ? 1U : 0U;
-  judgment_.worst_strips = std::max(judgment_.worst_strips.value_or(cost.strips), cost.strips);
-  judgment_.worst_isolated = std::max(judgment_.worst_isolated.value_or(cost.isolated), cost.isolated);
 }
 
 std::string Judge::explained(const std::string& what, const PortSlice& slice, const SurveyedColoring& configuration,

@@ -32,7 +32,7 @@ struct Judgment {
   std::uint64_t configurations = 0;
   std::uint64_t valid = 0;
   std::uint64_t with_row = 0;        ///< valid ones that have a row: whose row was tested for soundness
-  std::uint64_t with_sound_row = 0;  ///< those of them whose row was held against all recolourings
+  std::uint64_t with_sound_row = 0;  ///< those of them whose row is sound
   std::uint64_t pairs = 0;           ///< (configuration with a sound row, recolouring)
   std::uint64_t costing = 0;
   std::optional<int> worst_strips;
@@ -52,6 +52,15 @@ class Judge {
 
  private:
   void judge_configuration(const PortSlice& slice, const SurveyedColoring& configuration);
+  const SurveyedColoring* own_recoloring(const PortSlice& slice, const Row& row);
+  void search_better(const PortSlice& slice, const SurveyedColoring& configuration, const Row& row, Merit merit);
+  /// Only the first failure of each kind is put into words.
+  template <class InWords>
+  void fail(RowClaim claim, const PortSlice& slice, const SurveyedColoring& configuration, const Row* row,
+            const InWords& in_words) {
+    Failures& failures = judgment_.failures[static_cast<std::size_t>(claim)];
+    failures.add(failures.count == 0 ? explained(in_words(), slice, configuration, row) : std::string{});
+  }
   std::string explained(const std::string& what, const PortSlice& slice, const SurveyedColoring& configuration,
                         const Row* row) const;
 
@@ -60,6 +69,7 @@ class Judge {
   const Operation& operation_;
   std::string file_;
   std::vector<const Row*> row_of_key_;
+  std::vector<std::optional<SurveyedColoring>> own_;  ///< by row, where no recolourings are searched
   Judgment judgment_;
 };
 

@@ -146,14 +146,13 @@ void check_claims(const LinkedTask& task, LinkedCheck& check) {
   }
 }
 
-/// The partner of each of eight ports, four bits each: itself where it has none.
-std::uint32_t partners(PortPairs joined) {
-  constexpr unsigned ports = 8;
-  std::uint32_t all = 0;
-  for (unsigned i = ports; i-- > 0;) {
+/// The partner of each port, four bits each: itself where it has none, as have those behind the patch's own.
+std::uint64_t partners(PortPairs joined, unsigned ports, unsigned places) {
+  std::uint64_t all = 0;
+  for (unsigned i = places; i-- > 0;) {
     unsigned partner = i;
     for (unsigned j = 0; j < ports; ++j)
-      if (j != i && joined.has(i, j)) partner = j;
+      if (i < ports && j != i && joined.has(i, j)) partner = j;
     all = all * 16 + partner;
   }
   return all;
@@ -164,6 +163,7 @@ std::uint32_t partners(PortPairs joined) {
 LinkedCheck check_linked(const LinkedTask& task) {
   LinkedCheck check;
   const Patch& after = task.section->operations.front().after;
+  check.searched = searched(task.section->operations.front());
   BesideCheck beside(task, check);
   double last = thread_seconds();
   for (Mask ports = 0; ports < mask_count(after.ports()); ++ports) {
@@ -176,7 +176,7 @@ LinkedCheck check_linked(const LinkedTask& task) {
     check_list(after, recolorings, ports, list, task.file, check.lists);
     const double listed = thread_seconds();
     check.listing_seconds += listed - last;
-    beside.check(ports, recolorings, list);
+    if (check.searched) beside.check(ports, recolorings, list);
     last = thread_seconds();
     check.beside_seconds += last - listed;
   }
@@ -184,13 +184,14 @@ LinkedCheck check_linked(const LinkedTask& task) {
   return check;
 }
 
-std::vector<std::string> dump_of(const Section& section, const SectionLists& lists) {
+std::vector<std::string> dump_of(const Section& section, const SectionLists& lists, unsigned places) {
   const Patch& after = section.operations.front().after;
   std::vector<std::string> lines;
   for (Mask ports = 0; ports < mask_count(section.ports); ++ports) {
     lines.push_back(fmt::format("{:x}", ports));
     for (const Alternative& row : lists.list(ports))
-      lines.back() += fmt::format(" {:x} {:x}", row.inner, partners(survey(after, {row.inner, ports}).joined));
+      lines.back() += fmt::format(" {:x} {:x}", row.inner,
+                                  partners(survey(after, {row.inner, ports}).joined, section.ports, places));
   }
   return lines;
 }

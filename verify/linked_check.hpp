@@ -11,6 +11,7 @@ struct LinkedCheck {
   std::uint64_t worlds = 0;          ///< (ports, matching outside)
   std::uint64_t beside = 0;          ///< (alternative, matching outside)
   std::uint64_t configurations = 0;  ///< valid ones before the operation, all positions
+  bool searched = true;              ///< beside everything outside; beyond largest_fan only the lists are checked
   ListFailures lists;
   Failures condition;  ///< sound in the world, or not, other than the alternative's pairs say
   Failures best;       ///< beside some matching the first sound row is not the best
@@ -33,7 +34,7 @@ struct LinkedTask {
 LinkedCheck check_linked(const LinkedTask& task);
 
 /// The lines that a dump of the compiled tables must have for this section, without newlines: for each port mask its
-/// list, with the pairings as they are found on the graph.
-std::vector<std::string> dump_of(const Section& section, const SectionLists& lists);
+/// list, with the pairings as they are found on the graph, of so many ports each.
+std::vector<std::string> dump_of(const Section& section, const SectionLists& lists, unsigned places);
 
 }  // namespace restrip::verify

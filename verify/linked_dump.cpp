@@ -113,7 +113,7 @@ class Reader {
     if (!answered) return;
     ++check_.configurations;
     const auto [place, is_new] =
-        known_.try_emplace(std::array{before.ports, own.joined.bits, static_cast<Mask>(root.kind), root.number});
+        known_.try_emplace({before.ports, own.joined.bits, std::uint64_t{static_cast<Mask>(root.kind)}, root.number});
     if (is_new) {
       if (!judges_[before.ports]) judges_[before.ports] = std::make_unique<TreeJudge>(operation_->after, before.ports);
       place->second = judges_[before.ports]->judge(questions_, root, own.joined);
@@ -139,7 +139,7 @@ class Reader {
   const Operation* operation_ = nullptr;
   std::vector<Question> questions_;
   std::vector<std::unique_ptr<TreeJudge>> judges_;  ///< by ports
-  std::map<std::array<Mask, 4>, TreeJudge::Verdict> known_;
+  std::map<std::array<std::uint64_t, 4>, TreeJudge::Verdict> known_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@ namespace {
 LinkedCheck sum_of(const std::vector<LinkedCheck>& checks) {
   LinkedCheck sum;
   for (const LinkedCheck& check : checks) {
+    sum.searched = sum.searched && check.searched;
     sum.recolorings += check.recolorings;
     sum.worlds += check.worlds;
     sum.beside += check.beside;
@@ -35,6 +36,7 @@ void report_linked(const LinkedFamily& family, const std::vector<LinkedCheck>& c
                           const Failures& failures) {
     listener({family.name, claim, method, cases, seconds, failures.count, failures.first});
   };
+  const std::string limit = sum.searched ? "" : fmt::format(", k <= {}", largest_fan);
   const auto of = [&](ListClaim claim) { return sum.lists[static_cast<std::size_t>(claim)]; };
 
   report("every port mask has its list", "all port masks", lists, 0, of(ListClaim::present));
@@ -45,12 +47,12 @@ void report_linked(const LinkedFamily& family, const std::vector<LinkedCheck>& c
          of(ListClaim::uncovered));
   report("lists are complete", "all recolourings, ports joined compared", sum.recolorings, sum.listing_seconds,
          of(ListClaim::complete));
-  report("an alternative is sound just when its pairs say so", "patch and outside as one graph, all matchings",
+  report("an alternative is sound just when its pairs say so", "patch and outside as one graph, all matchings" + limit,
          sum.beside, 0, sum.condition);
-  report("beside any outside nothing beats the first sound one", "the same graphs, search of all recolourings",
+  report("beside any outside nothing beats the first sound one", "the same graphs, search of all recolourings" + limit,
          sum.worlds, sum.beside_seconds, sum.best);
   report("where only colours are known it equals the local rule",
-         fmt::format("the same graphs; {}.cert", family.local.name), sum.configurations, 0, sum.local);
+         fmt::format("the same graphs; {}.cert{}", family.local.name, limit), sum.configurations, 0, sum.local);
   report("the stated numbers", "recounted", linked_claim_words.size() * checks.size(), 0, sum.claims);
 }
 

@@ -63,9 +63,12 @@ int main(int argc, char** argv) {
                  "A program that prints what the linked look-up picks; all of it is judged");
   app.add_flag("--headers", options.headers_only,
                "Read no certificates: judge what the dump commands print in every position by itself");
-  app.add_option("--max-k", options.max_k, "With --headers: the largest fans that the dumps have")
+  app.add_option(
+         "--max-k", options.max_k,
+         "The largest fans of the certificates, or with --headers of the dumps. Beyond k = 8 rules are proved by "
+         "their reasons, and not searched for a second time")
       ->capture_default_str()
-      ->check(CLI::Range(3U, restrip::verify::largest_fan));
+      ->check(CLI::Range(3U, restrip::verify::largest_judged_fan));
   app.add_flag("--all", options.second_formulation,
                "Check also that a second formulation (forbidden sets, no strip walked) agrees everywhere");
   app.add_flag("--json", as_json, "Print the claims as JSON");
@@ -86,8 +89,10 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "restrip-verify: --operation needs --certificate, --dump-command or both\n");
     return bad_input;
   }
-  if (options.max_k != restrip::verify::largest_fan && !options.headers_only) {
-    fmt::print(stderr, "restrip-verify: --max-k needs --headers: the certificates go to k = 8\n");
+  if (options.max_k > restrip::verify::largest_fan && (options.headers_only || !options.linked_dump_command.empty())) {
+    fmt::print(stderr,
+               "restrip-verify: --max-k {}: --headers and --linked-dump-command judge fans of up to {} triangles\n",
+               options.max_k, restrip::verify::largest_fan);
     return bad_input;
   }
   if (options.headers_only && options.dump_command.empty() && options.linked_dump_command.empty()) {

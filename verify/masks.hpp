@@ -25,18 +25,18 @@ constexpr Mask concatenated(Mask high, Mask low, unsigned low_bits) { return hig
 constexpr Mask high_part(Mask both, unsigned low_bits) { return both >> low_bits; }
 constexpr Mask low_part(Mask both, unsigned low_bits) { return both & (mask_count(low_bits) - 1); }
 
-/// A set of unordered pairs of ports, at most eight ports: bit j(j-1)/2 + i stands for {i, j}, i < j.
+/// A set of unordered pairs of ports, at most eleven ports: bit j(j-1)/2 + i stands for {i, j}, i < j.
 struct PortPairs {
-  Mask bits = 0;
+  std::uint64_t bits = 0;
 
   static constexpr PortPairs of(unsigned one, unsigned other) {
     const unsigned low = one < other ? one : other;
     const unsigned high = one < other ? other : one;
-    return {single(high * (high - 1) / 2 + low)};
+    return {std::uint64_t{1} << (high * (high - 1) / 2 + low)};
   }
   constexpr void add(unsigned one, unsigned other) { bits |= of(one, other).bits; }
   constexpr bool has(unsigned one, unsigned other) const { return (bits & of(one, other).bits) != 0; }
-  constexpr bool within(PortPairs whole) const { return is_subset(bits, whole.bits); }
+  constexpr bool within(PortPairs whole) const { return (bits & ~whole.bits) == 0; }
   friend constexpr bool operator==(PortPairs, PortPairs) = default;
   friend constexpr auto operator<=>(PortPairs, PortPairs) = default;
 };

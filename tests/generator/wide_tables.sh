@@ -5,5 +5,5 @@ set -eu
 generate=$1 compiler=$2 include=$3 format=$4 source=$5 scratch=$6
 rm -rf "$scratch"
 "$generate" tables --max-k 9 --threads 2 --out "$scratch"
-"$compiler" -std=c++20 -O1 -Wall -Wextra -Werror -I "$scratch/include" -I "$include" -I "$format" "$source" -o "$scratch/wide_tables"
-"$scratch/wide_tables"
+"$compiler" -std=c++20 -O1 -Wall -Wextra -Werror -I "$scratch/include" -I "$include" -I "$format" "$source" -o "$scratch.program"
+"$scratch.program"

@@ -50,6 +50,9 @@ int main(int argc, char** argv) {
   app.add_option("--cost", cost, "Which automaton: of fewest strips, of the index cost, or both")
       ->capture_default_str()
       ->check(CLI::IsMember({"strips", "indices", "both"}));
+  app.add_option("--tables-max-k", options.tables_max_k, "The largest fans of the other certificates in the folder")
+      ->capture_default_str()
+      ->check(CLI::Range(3U, restrip::verify::largest_judged_fan));
   app.add_option("--max-k", options.max_k, "The largest fans that are searched as a whole for fewest strips")
       ->capture_default_str()
       ->check(CLI::Range(1, 12));

@@ -134,7 +134,7 @@ void TurnJoints::observe(const std::string& word, Mask links, bool may_be_new) {
 Mask pair_of_ends(unsigned one, unsigned other) {
   const unsigned low = std::min(one, other);
   const unsigned high = std::max(one, other);
-  return PortPairs::of(low, high).bits;
+  return static_cast<Mask>(PortPairs::of(low, high).bits);  // of four ends
 }
 
 TurnWays::TurnWays(const TurnWeights& weights) {

@@ -63,13 +63,13 @@ void verify_strips(const AutomatonOptions& options, AutomatonTotals& totals, Cla
   // Answers are read through steps and meetings that belong together only if all of that holds.
   if (totals.failed != 0) return;
 
-  for (const Family& family : all_families()) {
+  for (const Family& family : all_families(options.tables_max_k)) {
     if (family.sections.front().operations.front().gives_ports_up) continue;
     const std::string file = certificate_of(options, family.name);
     const FanCheck check = check_against_rows(certificate, family, parse_certificate(file, read_file(file), family));
     teller.tell("automaton", fmt::format("worth what the rules of {} are", family.name),
-                fmt::format("k <= 8, {} positions, {} the very rule", check.places, check.same), check.keys,
-                check.failures);
+                fmt::format("k <= {}, {} positions, {} the very rule", options.tables_max_k, check.places, check.same),
+                check.keys, check.failures);
   }
   for (unsigned k = 1; k <= options.max_k; ++k) {
     const unsigned every = k > largest_fan ? options.every : 1;

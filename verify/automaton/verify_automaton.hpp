@@ -3,18 +3,20 @@
 
 #include <string>
 
+#include "operation.hpp"
 #include "report.hpp"
 
 namespace restrip::verify {
 
 struct AutomatonOptions {
   std::string tables_dir = "tables";
-  bool strips = true;        ///< look at automaton.cert
-  bool indices = true;       ///< look at index-automaton.cert
-  unsigned max_k = 10;       ///< the largest fans that are searched for the automaton of fewest strips
-  unsigned every = 1;        ///< of the fans with k > 8 only every n-th place
-  unsigned index_max_k = 6;  ///< the largest fans that are searched for the index automaton
-  unsigned index_every = 1;  ///< of the pairs of its arcs, and of its fans with k > 5, only every n-th
+  bool strips = true;                   ///< look at automaton.cert
+  bool indices = true;                  ///< look at index-automaton.cert
+  unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, which are compared
+  unsigned max_k = 10;                  ///< the largest fans that are searched for the automaton of fewest strips
+  unsigned every = 1;                   ///< of the fans with k > 8 only every n-th place
+  unsigned index_max_k = 6;             ///< the largest fans that are searched for the index automaton
+  unsigned index_every = 1;             ///< of the pairs of its arcs, and of its fans with k > 5, only every n-th
 };
 
 struct AutomatonTotals {

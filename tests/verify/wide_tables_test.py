@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Claim: restrip-verify judges tables of k = 9, which it does not search: it accepts them as the generator makes them, and
+refuses each forgery by the claim that it breaks, although sums, counts and MANIFEST fit the forgery.
+
+  wide_tables_test.py restrip-verify TABLES
+"""
+import hashlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+VERIFY, TABLES = sys.argv[1], Path(sys.argv[2])
+BOUNDARY = "\nsection k 9 gap 2\n"
+LISTS = "\nsection k 9\n"
+
+# Family, section, what is replaced there for the first time, by what, and the claim that must fail.
+FORGERIES = [
+    ("boundary-split", BOUNDARY, "\nrule 2 0 1fd because 3\n", "\nrule 2 0 1fc because 3\n",
+     "every rule has a reason why nothing is preferred to it"),
+    ("boundary-split", BOUNDARY, "\nrule 2 0 1fd because 3\n", "\nrule 2 0 1fd because 4\n",
+     "every rule has a reason why nothing is preferred to it"),
+    ("boundary-split", BOUNDARY, "\nrule 2 0 1fd because 3\n", "\nrule 2 0 1ff because 3\n", "every row is sound"),
+    ("boundary-split", BOUNDARY, "\nrule 3 2 1fe because 3\n", "\n", "every valid configuration has a row"),
+    ("boundary-split", BOUNDARY, "\nclaim costing 382\n", "\nclaim costing 381\n", "the stated numbers"),
+    ("linked-collapse", LISTS, r"\nalternative 1ff [0-9a-f]+\n", "\n", "lists are complete"),
+]
+
+
+def verdict(folder, families):
+    """Exit code, and the claims that do not hold."""
+    command = [VERIFY, "--tables-dir", folder, "--max-k", "9"]
+    for family in families:
+        command += ["--family", family]
+    done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    return done.returncode, [line for line in done.stdout.splitlines() if line.startswith("FAILS")], done.stdout
+
+
+def sealed(text):
+    """The certificate with the number of its rows and its sums as they must be."""
+    body = text[:text.rindex("\nend ") + 1]
+    rows = len(re.findall(r"^(?:rule|copy|alternative) ", body, re.M))
+    data = body.encode()
+    weighted = sum((i + 1) * byte for i, byte in enumerate(data))
+    return f"{body}end {rows} {sum(data)} {weighted}\n", rows
+
+
+def forge(folder, family, section, old, new):
+    path = folder / "certificates" / f"{family}.cert"
+    text = path.read_text()
+    at = text.index(section)
+    forged, count = re.subn(old, new, text[at:], count=1)
+    assert count == 1, f"{path}: {old!r} is not in {section!r}"
+    text, rows = sealed(text[:at] + forged)
+    path.write_text(text)
+    manifest = folder / "MANIFEST"
+    line = f"{hashlib.sha256(text.encode()).hexdigest()} {len(text)} {rows} certificates/{family}.cert"
+    lines = [line if old_line.endswith(f" certificates/{family}.cert") else old_line
+             for old_line in manifest.read_text().splitlines()]
+    manifest.write_text("\n".join(lines) + "\n")
+
+
+code, failed, printed = verdict(TABLES, ["boundary-split", "linked-collapse"])
+assert code == 0 and not failed and "search of all recolourings, k <= 8" in printed, printed
+for family, section, old, new, claim in FORGERIES:
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch) / "tables"
+        shutil.copytree(TABLES, folder)
+        forge(folder, family, section, old, new)
+        code, failed, printed = verdict(folder, [family])
+        assert code == 1 and any(claim in line for line in failed), f"{old!r} -> {new!r}: {code}\n{printed}"
+        assert all(claim in line or "the stated numbers" in line or "every row has" in line for line in failed), printed
+print(f"{len(FORGERIES)} forgeries refused")
