@@ -7,6 +7,7 @@ programs:   bytes of split and collapse of a StripMesh, compiled by g++ -Os -DND
             up to different k (docs/tables.md)
 operations: claims of the certificates of the shipped operation files, proved by the verifier (docs/toolkit.md)
 languages:  bytes of the rule tables in other languages than C++, k <= 8 (docs/languages.md)
+verified:   time of making tables up to different k and of verifying them with what they compile to (docs/cmake.md)
 shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
 """
 import argparse
@@ -135,6 +136,21 @@ def watched(*command):
         return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, printed.read()
 
 
+def print_verified(generate):
+    header("`MAX_K`", "generating, seconds", "`t.rules`, seconds", "its largest memory", "bytes of headers")
+    sources = [os.path.join(HERE, "runtime", f"dump_{part}.cpp") for part in ("automaton", "linked", "tables")]
+    includes = [word for room in ("runtime", "tables") for word in ("-I", os.path.join(HERE, room, "include"))]
+    for k in (6, 8, 9, 10):
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as elsewhere:
+            made, dump = os.path.join(folder, "include"), os.path.join(elsewhere, "dump")
+            generated = watched(generate, "tables", "--max-k", str(k), "--out", folder)
+            subprocess.check_call(["g++", "-std=c++20", "-O2", "-I", made, *includes, *sources, "-o", dump])
+            verified = watched(os.path.join(os.path.dirname(generate), "restrip-verify"), "--tables-dir", folder,
+                               "--max-k", str(k), "--all", "--dump-command", dump)
+            line([str(k), f"{generated[0]:.1f}", f"{verified[0]:.1f}", f"{verified[1]:.0f} MiB",
+                  f"{bytes_below(made) / 1e6:.1f} MB"])
+
+
 def bytes_below(folder):
     return sum(os.path.getsize(os.path.join(path, name)) for path, _, names in os.walk(folder) for name in names)
 
@@ -157,8 +173,7 @@ def print_shards(generate):
 
 
 TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "operations": print_operations,
-          "languages": print_languages,
-          "shards": print_shards}
+          "languages": print_languages, "shards": print_shards, "verified": print_verified}
 
 
 def main():

@@ -1,0 +1,8 @@
+# The programs that make and verify tables, as a user's build calls them, and as they are installed: the component `generator`.
+foreach(name IN ITEMS generate verify verify-automaton dump-tables)
+  add_executable(restrip::${name} ALIAS restrip-${name})
+  set_target_properties(restrip-${name} PROPERTIES EXPORT_NAME ${name})
+endforeach()
+install(TARGETS restrip-generate restrip-verify restrip-verify-automaton restrip-dump-tables EXPORT restripGeneratorTargets
+        RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT generator)
+install(EXPORT restripGeneratorTargets NAMESPACE restrip:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/restrip COMPONENT generator)

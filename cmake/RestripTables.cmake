@@ -1,0 +1,186 @@
+# Tables made in a user's build: restrip_generate_tables() and restrip_verify_tables(). docs/cmake.md is the manual.
+#
+# Who includes this file sets the global property RESTRIP_VERSION first, and afterwards has the programs as targets
+# restrip::generate, restrip::verify, restrip::verify-automaton: programs of this machine, built in the same build
+# or imported. An installed package and a subdirectory share all of it.
+include_guard(GLOBAL)
+
+# The largest fans that the generator makes, and that the verifier judges.
+set_property(GLOBAL PROPERTY RESTRIP_LARGEST_FAN 13)
+set_property(GLOBAL PROPERTY RESTRIP_LARGEST_VERIFIED_FAN 10)
+
+set(RESTRIP_HOST_PROGRAMS "" CACHE PATH "Folder of restrip-generate and the other programs, to run on this machine")
+
+# _restrip_import_programs(WHY): imports the programs as they are found; WHY tells what is missing, or is empty.
+function(_restrip_import_programs why)
+  set(${why} "" PARENT_SCOPE)
+  foreach(name IN ITEMS generate verify verify-automaton dump-tables)
+    if(TARGET restrip::${name})
+      continue()
+    endif()
+    set(program "program-NOTFOUND")
+    if(RESTRIP_HOST_PROGRAMS)
+      find_program(program restrip-${name} PATHS ${RESTRIP_HOST_PROGRAMS} NO_CACHE NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH)
+    else()
+      find_program(program restrip-${name} NO_CACHE NO_CMAKE_FIND_ROOT_PATH)
+    endif()
+    if(NOT program)
+      set(${why} "restrip-${name} was not found; install restrip with its programs, or name their folder by RESTRIP_HOST_PROGRAMS"
+          PARENT_SCOPE)
+      return()
+    endif()
+    add_executable(restrip::${name} IMPORTED GLOBAL)
+    set_target_properties(restrip::${name} PROPERTIES IMPORTED_LOCATION ${program})
+  endforeach()
+  # A program for another machine, or of another version, is noticed here and not in the middle of a build.
+  get_target_property(program restrip::generate IMPORTED_LOCATION)
+  if(NOT program)  # as install(EXPORT) writes it
+    get_target_property(configurations restrip::generate IMPORTED_CONFIGURATIONS)
+    list(GET configurations 0 configuration)
+    get_target_property(program restrip::generate IMPORTED_LOCATION_${configuration})
+  endif()
+  get_property(version GLOBAL PROPERTY RESTRIP_VERSION)
+  execute_process(COMMAND ${program} --version OUTPUT_VARIABLE found RESULT_VARIABLE result ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT result EQUAL 0)
+    set(${why} "${program} does not run on this machine; name the folder of programs that do by RESTRIP_HOST_PROGRAMS" PARENT_SCOPE)
+  elseif(NOT found STREQUAL version)
+    set(${why} "${program} has version ${found}, these headers have ${version}; name the folder of programs of the same version by RESTRIP_HOST_PROGRAMS"
+        PARENT_SCOPE)
+  endif()
+endfunction()
+
+# _restrip_check_programs(CALLER): stops unless there are programs that run on this machine.
+function(_restrip_check_programs caller)
+  if(NOT TARGET restrip::generate)
+    message(FATAL_ERROR "${caller}: there is no restrip::generate. With a package: find_package(restrip COMPONENTS generator). "
+                        "As a subdirectory: set RESTRIP_BUILD_GENERATOR, or name the folder of installed programs by RESTRIP_HOST_PROGRAMS")
+  endif()
+  get_target_property(imported restrip::generate IMPORTED)
+  if(CMAKE_CROSSCOMPILING AND NOT imported AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
+    message(FATAL_ERROR "${caller}: this build makes programs for another machine; name the folder of programs of this "
+                        "machine by RESTRIP_HOST_PROGRAMS")
+  endif()
+endfunction()
+
+# restrip_generate_tables(TARGET t [MAX_K n] [COST strips|indices|r,s,i] [TIE_BREAK strips|indices] [LANGUAGE name…])
+function(restrip_generate_tables)
+  set(known "TARGET, MAX_K, COST, TIE_BREAK, LANGUAGE")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;MAX_K;COST;TIE_BREAK" "LANGUAGE")
+  if(DEFINED arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "restrip_generate_tables: ${arg_UNPARSED_ARGUMENTS}: unknown; known are ${known}")
+  endif()
+  if(DEFINED arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "restrip_generate_tables: ${arg_KEYWORDS_MISSING_VALUES}: a value must follow")
+  endif()
+  if(NOT DEFINED arg_TARGET)
+    message(FATAL_ERROR "restrip_generate_tables: TARGET is missing: the name of the library to be made")
+  endif()
+  if(TARGET ${arg_TARGET})
+    message(FATAL_ERROR "restrip_generate_tables: TARGET ${arg_TARGET}: there is a target of this name")
+  endif()
+  _restrip_check_programs(restrip_generate_tables)
+  set(options "")
+  if(NOT DEFINED arg_MAX_K)
+    set(arg_MAX_K 8)
+  endif()
+  get_property(largest GLOBAL PROPERTY RESTRIP_LARGEST_FAN)
+  if(NOT arg_MAX_K MATCHES "^[0-9]+$" OR arg_MAX_K LESS 3 OR arg_MAX_K GREATER largest)
+    message(FATAL_ERROR "restrip_generate_tables: MAX_K ${arg_MAX_K}: expected a number from 3 to ${largest}, the triangles of "
+                        "the largest fans in the tables; larger fans are answered without a table")
+  endif()
+  list(APPEND options --max-k ${arg_MAX_K})
+  set(cost "")
+  if(DEFINED arg_COST AND NOT arg_COST MATCHES "^(strips|indices)$")
+    if(NOT arg_COST MATCHES "^[0-9]+,[0-9]+,[0-9]+$")
+      message(FATAL_ERROR "restrip_generate_tables: COST ${arg_COST}: expected strips, indices, or the weights of a strip, a swap "
+                          "and an isolated triangle, as in 3,1,0")
+    endif()
+    set(cost --cost ${arg_COST})
+  endif()
+  if(DEFINED arg_TIE_BREAK)
+    if(NOT arg_TIE_BREAK MATCHES "^(strips|indices)$")
+      message(FATAL_ERROR "restrip_generate_tables: TIE_BREAK ${arg_TIE_BREAK}: expected strips or indices")
+    endif()
+    list(APPEND options --tie-break ${arg_TIE_BREAK})
+  endif()
+
+  # The options are a file that changes when they do: Make does not look at the command.
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/restrip/${arg_TARGET})
+  list(JOIN options " " content)
+  file(CONFIGURE OUTPUT ${folder}.options CONTENT "${content} ${cost} ${arg_LANGUAGE}\n" @ONLY)
+  set(headers automaton boundary_split collapse fan_collapse flip index_automaton linked open_split rows split)
+  list(TRANSFORM headers REPLACE "(.+)" "${folder}/include/restrip/tables/\\1.hpp")
+  add_custom_command(
+    OUTPUT ${folder}/MANIFEST  # written last
+    BYPRODUCTS ${headers}
+    COMMAND restrip::generate tables --out ${folder} --threads 0 ${options} ${cost}
+    DEPENDS ${folder}.options $<TARGET_FILE:restrip::generate>
+    COMMENT "Generating the tables of ${arg_TARGET}"
+    VERBATIM)
+  set(made ${folder}/MANIFEST)
+  # Other languages have a folder of their own, because the MANIFEST lists all that is in that of the tables.
+  if(DEFINED arg_LANGUAGE)
+    list(REMOVE_ITEM arg_LANGUAGE c++)
+  endif()
+  if(arg_LANGUAGE)
+    list(TRANSFORM arg_LANGUAGE PREPEND --language=)
+    add_custom_command(
+      OUTPUT ${folder}-languages.made
+      COMMAND restrip::generate tables --out ${folder}-languages --threads 0 ${options} ${arg_LANGUAGE}
+      COMMAND ${CMAKE_COMMAND} -E touch ${folder}-languages.made
+      DEPENDS ${folder}.options $<TARGET_FILE:restrip::generate>
+      COMMENT "Generating the tables of ${arg_TARGET} in other languages"
+      VERBATIM)
+    list(APPEND made ${folder}-languages.made)
+  endif()
+  add_custom_target(${arg_TARGET}_files DEPENDS ${made})
+  add_library(${arg_TARGET} INTERFACE)
+  add_dependencies(${arg_TARGET} ${arg_TARGET}_files)
+  target_link_libraries(${arg_TARGET} INTERFACE restrip::restrip)
+  # Whoever links this has the folder before that of the shipped tables: see runtime/CMakeLists.txt.
+  set_target_properties(${arg_TARGET} PROPERTIES INTERFACE_RESTRIP_TABLES ${folder}/include RESTRIP_FOLDER ${folder}
+                                                 RESTRIP_MAX_K ${arg_MAX_K})
+  if(arg_LANGUAGE)
+    target_include_directories(${arg_TARGET} INTERFACE ${folder}-languages)
+  endif()
+endfunction()
+
+# restrip_verify_tables(t)
+function(restrip_verify_tables target)
+  if(ARGC GREATER 1)
+    message(FATAL_ERROR "restrip_verify_tables: ${ARGN}: unknown; the name of one target is all that it takes")
+  endif()
+  set(folder folder-NOTFOUND)
+  if(TARGET ${target})
+    get_target_property(folder ${target} RESTRIP_FOLDER)
+  endif()
+  if(NOT folder)
+    message(FATAL_ERROR "restrip_verify_tables: ${target}: is no target that restrip_generate_tables() made")
+  endif()
+  _restrip_check_programs(restrip_verify_tables)
+  get_target_property(max_k ${target} RESTRIP_MAX_K)
+  get_property(largest GLOBAL PROPERTY RESTRIP_LARGEST_VERIFIED_FAN)
+  if(max_k GREATER largest)
+    message(FATAL_ERROR "restrip_verify_tables: ${target}: has MAX_K ${max_k}, and the verifier judges fans of up to ${largest} triangles")
+  endif()
+
+  # What the compiled headers answer is printed by a program of this build, if it can be run.
+  set(dump "")
+  if(CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
+    message(STATUS "restrip_verify_tables: ${target}: the compiled tables are not judged; for that set CMAKE_CROSSCOMPILING_EMULATOR")
+  else()
+    set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/dump)
+    if(NOT EXISTS ${sources}/dump_tables.cpp)  # not installed: restrip is a subdirectory
+      set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../runtime)
+    endif()
+    add_executable(${target}_dump ${sources}/dump_automaton.cpp ${sources}/dump_linked.cpp ${sources}/dump_tables.cpp)
+    target_link_libraries(${target}_dump PRIVATE ${target})
+    set(command ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${target}_dump>)
+    list(TRANSFORM command REPLACE "(.+)" "'\\1'")
+    list(JOIN command " " command)
+    set(dump --dump-command ${command})
+  endif()
+  add_test(NAME ${target}.rules COMMAND $<TARGET_FILE:restrip::verify> --tables-dir ${folder} --max-k ${max_k} --all ${dump})
+  add_test(NAME ${target}.automata
+           COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8 --index-max-k 4)
+endfunction()

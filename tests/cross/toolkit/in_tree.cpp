@@ -1,0 +1,31 @@
+// Claim: a program linked with tables of its own has them, although the library is named first, and they are worth what
+// the automaton answers; tables in C that were generated with them answer the same.
+#include <cstdio>
+
+#include "restrip/rules/exact.hpp"
+#include "restrip/rules/rules.hpp"
+#define RESTRIP_TABLES_IMPLEMENTATION
+#include "restrip_tables.h"
+
+static_assert(restrip::table_max_k == 4);
+
+int main() {
+  int compared = 0;
+  for (std::size_t k = 3; k <= 5; ++k)  // 5 is answered without a table
+    for (std::size_t a = 1; a < k; ++a)
+      for (restrip::Word loop = 0; loop < restrip::bit(k); ++loop)
+        for (restrip::Word ports = 0; ports < restrip::bit(k); ++ports) {
+          const restrip::Rule rule = restrip::split_rule({k, a}, loop, ports);
+          if (rule.valid != restrip::valid_closed(k, loop, ports)) return 1;
+          if (!rule.valid) continue;
+          const restrip_rule in_c = restrip_split(static_cast<unsigned>(k), static_cast<unsigned>(a),
+                                                  static_cast<unsigned>(loop), static_cast<unsigned>(ports));
+          if ((in_c.valid != 0) != (k <= 4)) return 1;
+          if (k <= 4 && in_c.colors != rule.colors) return 1;
+          const auto best = restrip::exact::best_split(k, a, ports, restrip::joined_closed(k, loop, ports));
+          if (std::popcount(rule.colors) != best.value.solid) return 1;
+          ++compared;
+        }
+  std::printf("%d rules\n", compared);
+  return compared == 2 * 44 + 3 * 160 + 4 * 572 ? 0 : 1;
+}
