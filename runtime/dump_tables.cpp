@@ -134,13 +134,14 @@ int main(int argc, char** argv) {
     } else if (word == "--max-k" && i + 1 < argc && valence_named(argv[i + 1]) != 0) {
       max_k = valence_named(argv[++i]);
     } else {
+      const bool asked = word == "--help";
       std::fprintf(
-          stderr,
+          asked ? stdout : stderr,
           "usage: restrip-dump-tables [--linked | --automaton] [--max-k K]\n"
           "  what the compiled rules answer; with --linked, what the linked look-up picks; with --automaton, the\n"
           "  numbers of the automaton and digests of what it answers; 3 <= K <= %u\n",
           static_cast<unsigned>(restrip::table_max_k));
-      return 2;
+      return asked ? 0 : 2;
     }
   }
   if (linked && automaton) {

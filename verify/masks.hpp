@@ -36,6 +36,7 @@ struct PortPairs {
   }
   constexpr void add(unsigned one, unsigned other) { bits |= of(one, other).bits; }
   constexpr bool has(unsigned one, unsigned other) const { return (bits & of(one, other).bits) != 0; }
+  constexpr unsigned count() const { return static_cast<unsigned>(std::popcount(bits)); }
   constexpr bool within(PortPairs whole) const { return (bits & ~whole.bits) == 0; }
   friend constexpr bool operator==(PortPairs, PortPairs) = default;
   friend constexpr auto operator<=>(PortPairs, PortPairs) = default;

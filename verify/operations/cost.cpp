@@ -55,7 +55,7 @@ std::int64_t count_of(const Term& term, const Counted& counted) {
     case Count::joined: {
       const std::optional<SolidGraph> graph = inner_graph(side, counted.colors.inner);
       if (!graph) throw std::logic_error("the joined ports of a colouring with a cycle");
-      return solid_count(joined_ports(side, *graph, counted.colors.ports).bits);
+      return joined_ports(side, *graph, counted.colors.ports).count();
     }
     case Count::solid:
       return solid_count(counted.colors.inner & term.among);
