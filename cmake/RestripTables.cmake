@@ -62,10 +62,11 @@ function(_restrip_check_programs caller)
   endif()
 endfunction()
 
-# restrip_generate_tables(TARGET t [MAX_K n] [COST strips|indices|r,s,i] [TIE_BREAK strips|indices] [LANGUAGE name…])
+# restrip_generate_tables(TARGET t [MAX_K n] [COST strips|indices|r,s,i] [TIE_BREAK strips|indices] [LANGUAGE name…]
+#                         [OPERATION file…])
 function(restrip_generate_tables)
-  set(known "TARGET, MAX_K, COST, TIE_BREAK, LANGUAGE")
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;MAX_K;COST;TIE_BREAK" "LANGUAGE")
+  set(known "TARGET, MAX_K, COST, TIE_BREAK, LANGUAGE, OPERATION")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;MAX_K;COST;TIE_BREAK" "LANGUAGE;OPERATION")
   if(DEFINED arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "restrip_generate_tables: ${arg_UNPARSED_ARGUMENTS}: unknown; known are ${known}")
   endif()
@@ -104,10 +105,19 @@ function(restrip_generate_tables)
     list(APPEND options --tie-break ${arg_TIE_BREAK})
   endif()
 
+  set(operations "")
+  foreach(file IN LISTS arg_OPERATION)
+    get_filename_component(file ${file} ABSOLUTE)
+    if(NOT EXISTS ${file})
+      message(FATAL_ERROR "restrip_generate_tables: OPERATION ${file}: there is no such file")
+    endif()
+    list(APPEND operations ${file})
+  endforeach()
+
   # The options are a file that changes when they do: Make does not look at the command.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/restrip/${arg_TARGET})
   list(JOIN options " " content)
-  file(CONFIGURE OUTPUT ${folder}.options CONTENT "${content} ${cost} ${arg_LANGUAGE}\n" @ONLY)
+  file(CONFIGURE OUTPUT ${folder}.options CONTENT "${content} ${cost} ${arg_LANGUAGE} ${operations}\n" @ONLY)
   set(headers automaton boundary_split collapse fan_collapse flip index_automaton linked open_split rows split)
   list(TRANSFORM headers REPLACE "(.+)" "${folder}/include/restrip/tables/\\1.hpp")
   add_custom_command(
@@ -133,6 +143,18 @@ function(restrip_generate_tables)
       VERBATIM)
     list(APPEND made ${folder}-languages.made)
   endif()
+  if(operations)
+    set(arguments ${operations})
+    list(TRANSFORM arguments PREPEND --operation=)
+    add_custom_command(
+      OUTPUT ${folder}-operations.made
+      COMMAND restrip::generate rules --out ${folder}-operations ${arguments}
+      COMMAND ${CMAKE_COMMAND} -E touch ${folder}-operations.made
+      DEPENDS ${folder}.options ${operations} $<TARGET_FILE:restrip::generate>
+      COMMENT "Generating the operations of ${arg_TARGET}"
+      VERBATIM)
+    list(APPEND made ${folder}-operations.made)
+  endif()
   add_custom_target(${arg_TARGET}_files DEPENDS ${made})
   add_library(${arg_TARGET} INTERFACE)
   add_dependencies(${arg_TARGET} ${arg_TARGET}_files)
@@ -143,6 +165,45 @@ function(restrip_generate_tables)
   if(arg_LANGUAGE)
     target_include_directories(${arg_TARGET} INTERFACE ${folder}-languages)
   endif()
+  if(operations)
+    target_include_directories(${arg_TARGET} INTERFACE ${folder}-operations/include)
+    set_target_properties(${arg_TARGET} PROPERTIES RESTRIP_OPERATIONS "${operations}")
+  endif()
+endfunction()
+
+# _restrip_verify_operation(t FILE FOLDER): a test of one operation's certificate, and of its table as it was compiled.
+function(_restrip_verify_operation target file folder)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  file(READ ${file} text)
+  string(JSON name ERROR_VARIABLE error GET "${text}" name)
+  if(error)
+    message(FATAL_ERROR "restrip_verify_tables: ${target}: ${file}: ${error}")
+  endif()
+  string(REPLACE - _ identifier ${name})
+  set(dump "")
+  if(NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR)
+    set(program ${target}_dump_${identifier})
+    file(CONFIGURE OUTPUT ${folder}-operations.dump/${identifier}.cpp CONTENT
+"#include \"restrip/tables/operation_dump.hpp\"
+#include \"restrip/tables/operations/@identifier@.hpp\"
+int main() { return restrip::tables::print_dump(\"@name@\", restrip::tables::@identifier@); }
+" @ONLY)
+    add_executable(${program} ${folder}-operations.dump/${identifier}.cpp)
+    target_link_libraries(${program} PRIVATE ${target})
+    _restrip_command_of(${program} command)
+    set(dump --dump-command ${command})
+  endif()
+  add_test(NAME ${target}.operation.${name}
+           COMMAND $<TARGET_FILE:restrip::verify> --operation ${file}
+                   --certificate ${folder}-operations/certificates/operations/${name}.cert ${dump})
+endfunction()
+
+# _restrip_command_of(PROGRAM OUT): how a shell runs a program of this build.
+function(_restrip_command_of program out)
+  set(command ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${program}>)
+  list(TRANSFORM command REPLACE "(.+)" "'\\1'")
+  list(JOIN command " " command)
+  set(${out} ${command} PARENT_SCOPE)
 endfunction()
 
 # restrip_verify_tables(t)
@@ -175,12 +236,16 @@ function(restrip_verify_tables target)
     endif()
     add_executable(${target}_dump ${sources}/dump_automaton.cpp ${sources}/dump_linked.cpp ${sources}/dump_tables.cpp)
     target_link_libraries(${target}_dump PRIVATE ${target})
-    set(command ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${target}_dump>)
-    list(TRANSFORM command REPLACE "(.+)" "'\\1'")
-    list(JOIN command " " command)
+    _restrip_command_of(${target}_dump command)
     set(dump --dump-command ${command})
   endif()
   add_test(NAME ${target}.rules COMMAND $<TARGET_FILE:restrip::verify> --tables-dir ${folder} --max-k ${max_k} --all ${dump})
   add_test(NAME ${target}.automata
            COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8 --index-max-k 4)
+  get_target_property(operations ${target} RESTRIP_OPERATIONS)
+  if(operations)
+    foreach(file IN LISTS operations)
+      _restrip_verify_operation(${target} ${file} ${folder})
+    endforeach()
+  endif()
 endfunction()

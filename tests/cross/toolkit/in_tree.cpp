@@ -4,10 +4,14 @@
 
 #include "restrip/rules/exact.hpp"
 #include "restrip/rules/rules.hpp"
+#include "restrip/tables/operations/bisect.hpp"
+#include "restrip/tables/operations/bisect_boundary.hpp"
 #define RESTRIP_TABLES_IMPLEMENTATION
 #include "restrip_tables.h"
 
 static_assert(restrip::table_max_k == 4);
+static_assert(restrip::tables::rule_of(restrip::tables::bisect, 0, 0).valid);
+static_assert(restrip::tables::rule_of(restrip::tables::bisect_boundary, 0, 0).valid);
 
 int main() {
   int compared = 0;
