@@ -1,13 +1,17 @@
 // What the C++ look-up answers, as digests in the format of the drivers beside this file: a line for each operation and
-// position, "operation k p q digest". The digest is the sum of mix() over all colours before and all ports, valid or
-// not, modulo 2^32, so that programs that answer in parallel can add it up in any order.
+// position, "operation k p q digest", for all operations, 0 to 6, or those in a second argument such as 024. The digest
+// is the sum of mix() over all colours before and all ports, valid or not, modulo 2^32, so that programs that answer in
+// parallel can add it up in any order.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include "restrip/rules/rules.hpp"
 
 namespace {
+
+const char* wanted = "0123456";  // operations
 
 using restrip::Word;
 
@@ -30,6 +34,7 @@ std::uint32_t mix(Word before, Word ports, std::uint32_t answer) {
 template <class At>
 void line(unsigned operation, std::size_t k, std::size_t p, std::size_t q, std::size_t before_bits,
           std::size_t port_bits, At&& at) {
+  if (std::strchr(wanted, static_cast<char>('0' + operation)) == nullptr) return;
   std::uint32_t digest = 0;
   for (Word before = 0; before < restrip::bit(before_bits); ++before)
     for (Word ports = 0; ports < restrip::bit(port_bits); ++ports) digest += mix(before, ports, at(before, ports));
@@ -39,11 +44,12 @@ void line(unsigned operation, std::size_t k, std::size_t p, std::size_t q, std::
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::size_t max_k = argc == 2 ? std::strtoul(argv[1], nullptr, 10) : 0;
+  const std::size_t max_k = argc == 2 || argc == 3 ? std::strtoul(argv[1], nullptr, 10) : 0;
   if (max_k < 3 || max_k > restrip::table_max_k) {
-    std::fprintf(stderr, "usage: answers K, 3 <= K <= %u\n", static_cast<unsigned>(restrip::table_max_k));
+    std::fprintf(stderr, "usage: answers K [OPERATIONS], 3 <= K <= %u\n", static_cast<unsigned>(restrip::table_max_k));
     return 2;
   }
+  if (argc == 3) wanted = argv[2];
   for (unsigned collapse = 0; collapse < 2; ++collapse)
     for (std::size_t k = 3; k <= max_k; ++k)
       for (std::size_t a = 1; a < k; ++a)

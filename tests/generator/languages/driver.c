@@ -2,8 +2,11 @@
    The position of a split or collapse of a closed fan is p = a; in an open fan p = i and q = j; unused ones are 0. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "restrip_tables.h"
+
+static const char* wanted = "0123456"; /* operations */
 
 static uint32_t packed(bool valid, uint32_t colors, int32_t strips) {
   return valid ? UINT32_C(0x80000000) | (uint32_t)(strips + 8) << 16 | colors : 0;
@@ -40,6 +43,7 @@ static uint32_t mix(uint32_t before, uint32_t ports, uint32_t answered) {
 
 static void line(unsigned operation, uint32_t k, uint32_t p, uint32_t q, uint32_t before_bits, uint32_t port_bits) {
   uint32_t digest = 0, before, ports;
+  if (strchr(wanted, (int)('0' + operation)) == NULL) return;
   for (before = 0; before >> before_bits == 0; ++before)
     for (ports = 0; ports >> port_bits == 0; ++ports)
       digest += mix(before, ports, answer(operation, k, p, q, before, ports));
@@ -51,6 +55,7 @@ int main(int argc, char** argv) {
   const uint32_t max_k = argc > 1 ? (uint32_t)strtoul(argv[1], NULL, 10) : RESTRIP_TABLES_MAX_K;
   uint32_t k, p, q, outside = 0;
   unsigned operation;
+  if (argc > 2) wanted = argv[2];
   for (operation = 0; operation < 6; ++operation)
     for (k = 0; k < 20; ++k)
       for (p = 0; p < 20; ++p)

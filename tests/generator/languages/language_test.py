@@ -3,9 +3,10 @@ colours and ports, valid or not. Digests of the answers are compared, a line for
 can be computed wherever the look-up runs. That a wrong rule shows is tested with one number altered at a time: exactly the
 operations that read it must differ. The example of docs/languages.md is run and prints what stands there.
 
-  language_test.py LANGUAGE --generate PROGRAM --answers PROGRAM --tables FOLDER --scratch FOLDER --root FOLDER --with PROGRAM…
+  language_test.py LANGUAGE --answers PROGRAM --tables FOLDER --scratch FOLDER --root FOLDER --with PROGRAM…
 
---tables is the folder of restrip-generate's files; --with names what the language needs, in the order of its class below.
+--answers is answers.cpp, compiled; --tables is the folder of restrip-generate's files; --with names what the language
+needs, in the order of its class below. Software devices for shaders are asked less (first_collapses).
 """
 import argparse
 import json
