@@ -11,7 +11,7 @@
 namespace restrip::generator {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string name_at(const Position& position) {
   switch (position.family) {
@@ -30,26 +30,26 @@ std::string name_at(const Position& position) {
   throw std::logic_error("a family without a name");
 }
 
-Json places(Mask mask) {
-  Json list = Json::array();
+OrderedJson places(Mask mask) {
+  OrderedJson list = OrderedJson::array();
   for (unsigned i = 0; mask >> i != 0; ++i)
     if ((mask >> i & 1U) != 0) list.push_back(i);
   return list;
 }
 
-Json json_of(const Side& side) {
-  Json edges = Json::array();
+OrderedJson json_of(const Side& side) {
+  OrderedJson edges = OrderedJson::array();
   for (const auto& [u, v] : side.edges) edges.push_back({u, v});
   return {{"triangles", side.nodes}, {"edges", edges}, {"ports", side.owner}};
 }
 
-Json json_of(const Preference& preference, const Side& after) {
-  Json criteria = Json::array();
+OrderedJson json_of(const Preference& preference, const Side& after) {
+  OrderedJson criteria = OrderedJson::array();
   for (const Criterion& criterion : preference) {
-    Json terms = Json::array();
+    OrderedJson terms = OrderedJson::array();
     for (const Term& term : criterion) {
       const CountWord& word = word_of(term.count);
-      Json json{{"count", word.word}};
+      OrderedJson json{{"count", word.word}};
       if (term.weight != 1) json["weight"] = term.weight;
       const Mask all = everything(word.among, after);
       if (word.among != Among::nothing && (term.of & all) != all) json[member_of(word.among)] = places(term.of & all);
@@ -70,19 +70,19 @@ NamedOperation described(const Position& position) {
 
 std::string operation_file_text(const NamedOperation& named) {
   const Operation& operation = named.operation;
-  Json json{{"restrip_operation", 1}, {"name", named.name}};
+  OrderedJson json{{"restrip_operation", 1}, {"name", named.name}};
   if (!named.about.empty()) json["about"] = named.about;
   json["constraint"] = constraint_words.at(operation.constraint.most_edges - 1);
   json["before"] = json_of(operation.patch.before);
   json["after"] = json_of(operation.patch.after);
   const Mask all = (Mask{1} << operation.patch.before.owner.size()) - 1;
   if (operation.may_give_up != 0)
-    json["give_up"] = operation.may_give_up == all ? Json("all") : places(operation.may_give_up);
+    json["give_up"] = operation.may_give_up == all ? OrderedJson("all") : places(operation.may_give_up);
   json["cost"] = json_of(operation.preference, operation.patch.after);
   // One member a line.
   std::string text;
   for (const auto& [member, value] : json.items())
-    text += fmt::format("{}  {}: {}", text.empty() ? "{\n" : ",\n", Json(member).dump(), value.dump());
+    text += fmt::format("{}  {}: {}", text.empty() ? "{\n" : ",\n", OrderedJson(member).dump(), value.dump());
   return text + "\n}\n";
 }
 

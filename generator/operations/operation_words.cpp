@@ -6,25 +6,25 @@
 namespace restrip::generator {
 namespace {
 
-constexpr std::array<CountWord, 10> words{{{"strips", Count::strips, Among::nothing},
-                                           {"isolated", Count::isolated, Among::nothing},
-                                           {"given_up", Count::given_up, Among::nothing},
-                                           {"kept", Count::kept, Among::ports},
-                                           {"joined", Count::joined, Among::nothing},
-                                           {"solid", Count::solid, Among::edges},
-                                           {"ends", Count::ends, Among::triangles},
-                                           {"ends_at_port", Count::ends_at_port, Among::triangles},
-                                           {"neighbouring_ends", Count::neighbouring_ends, Among::nothing},
-                                           {"squares", Count::squares, Among::nothing}}};
+constexpr std::array<CountWord, 10> all_words{{{"strips", Count::strips, Among::nothing},
+                                               {"isolated", Count::isolated, Among::nothing},
+                                               {"given_up", Count::given_up, Among::nothing},
+                                               {"kept", Count::kept, Among::ports},
+                                               {"joined", Count::joined, Among::nothing},
+                                               {"solid", Count::solid, Among::edges},
+                                               {"ends", Count::ends, Among::triangles},
+                                               {"ends_at_port", Count::ends_at_port, Among::triangles},
+                                               {"neighbouring_ends", Count::neighbouring_ends, Among::nothing},
+                                               {"squares", Count::squares, Among::nothing}}};
 
 }  // namespace
 
-std::span<const CountWord> count_words() { return words; }
+std::span<const CountWord> count_words() { return all_words; }
 
 const CountWord& word_of(Count count) {
   const auto* const found =
-      std::find_if(words.begin(), words.end(), [&](const CountWord& word) { return word.count == count; });
-  if (found == words.end()) throw std::logic_error("operation files have no word for this count");
+      std::find_if(all_words.begin(), all_words.end(), [&](const CountWord& word) { return word.count == count; });
+  if (found == all_words.end()) throw std::logic_error("operation files have no word for this count");
   return *found;
 }
 
