@@ -58,9 +58,9 @@ Page* restrip_open(const float* points, std::uint32_t point_count, const std::ui
   for (std::size_t i = 0; i < split_count; ++i)
     source.splits.push_back({splits[4 * i], splits[4 * i + 1], splits[4 * i + 2], splits[4 * i + 3]});
   auto* page = new Page;
-  static_cast<void>(StripMesh::build(source.base, source.points, &page->left_out));
   page->session =
       std::make_unique<Session>(std::move(source), std::vector<float>(points, points + 3 * std::size_t{point_count}));
+  page->left_out = page->session->base_report();
   return page;
 }
 RESTRIP_EXPORT(restrip_simplify)

@@ -42,12 +42,15 @@ struct Progressive {
   }
 };
 
+/// The halfedge between two vertices, or {none} when there is none or no such vertex.
+[[nodiscard]] inline Halfedge find_edge(const StripMesh& mesh, Vertex from, Vertex to) {
+  const bool there = from < mesh.vertex_bound() && to < mesh.vertex_bound() && mesh.spoke(from).id != none;
+  return there ? mesh.spoke(from, to) : Halfedge{none};
+}
+
 /// The spokes of a split, found by its vertices; those that are not there are {none}, and check_split refuses them.
 [[nodiscard]] inline Where spokes_of(const StripMesh& mesh, const Record& r) {
-  const auto spoke = [&](Vertex to) {
-    const bool there = r.v_s < mesh.vertex_bound() && to < mesh.vertex_bound() && mesh.spoke(r.v_s).id != none;
-    return there ? mesh.spoke(r.v_s, to) : Halfedge{none};
-  };
+  const auto spoke = [&](Vertex to) { return find_edge(mesh, r.v_s, to); };
   if (r.v_r == none) return {spoke(r.v_l), {}, Where::Spokes::left_only};
   if (r.v_l == none) return {{}, spoke(r.v_r), Where::Spokes::right_only};
   return {spoke(r.v_l), spoke(r.v_r), Where::Spokes::both};
@@ -58,11 +61,12 @@ struct Progressive {
 /// that each of its members needs, and a record can be taken back when no other that is played needs it.
 class Hierarchy {
  public:
-  /// Plays all records once. Returns the number of the first that the mesh refuses, or the number of records.
-  [[nodiscard]] std::size_t read(const Progressive& source) {
+  /// Plays all records once. Returns the number of the first that the mesh refuses, or the number of records. `report`
+  /// is of the base.
+  [[nodiscard]] std::size_t read(const Progressive& source, BuildReport& report) {
     first_.assign(1, 0);
     needs_.clear();
-    StripMesh mesh = StripMesh::build(source.base, source.points);
+    StripMesh mesh = StripMesh::build(source.base, source.points, &report);
     mesh.reserve(source.fine_triangles(), source.points);
     std::vector<std::uint32_t> last(source.fine_triangles(), none);  // by triangle: the record that it was last part of
     std::vector<Triangle> patch;

@@ -27,10 +27,16 @@ struct Figures {
 };
 
 class Session {
+  /// The result of `use` with the keeper of this session.
+  template <class Use>
+  auto with_keeper(Use&& use) {
+    return by_strips_ ? use(*by_strips_) : use(*by_cost_);
+  }
+
  public:
   /// `points`: three coordinates a vertex. refused() tells whether the records can be played.
   Session(Progressive source, std::vector<float> points) : source_(std::move(source)), points_(std::move(points)) {
-    const std::size_t accepted = hierarchy_.read(source_);
+    const std::size_t accepted = hierarchy_.read(source_, base_report_);
     if (accepted < source_.splits.size()) {
       refused_record_ = accepted;
       source_.splits.resize(accepted);
@@ -42,6 +48,7 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   [[nodiscard]] std::size_t refused_record() const noexcept { return refused_record_; }
+  [[nodiscard]] const BuildReport& base_report() const noexcept { return base_report_; }
   [[nodiscard]] const Progressive& source() const noexcept { return source_; }
   [[nodiscard]] std::span<const float> points() const noexcept { return points_; }
   [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
@@ -111,13 +118,13 @@ class Session {
     return refusal;
   }
   Refusal collapse(Vertex v_s, Vertex v_t) {
-    const Halfedge chord = edge(v_s, v_t);
+    const Halfedge chord = find_edge(mesh_, v_s, v_t);
     const Refusal refusal = chord.id == none ? Refusal::no_such_edge : check_collapse(mesh_, chord);
     if (refusal == Refusal::granted) checked_ = true, do_collapse(chord);
     return refusal;
   }
   Refusal flip(Vertex u, Vertex v) {
-    const Halfedge h = edge(u, v);
+    const Halfedge h = find_edge(mesh_, u, v);
     const Refusal refusal = h.id == none ? Refusal::no_such_edge : check_flip(mesh_, h);
     if (refusal != Refusal::granted) return refusal;
     checked_ = true;
@@ -127,7 +134,7 @@ class Session {
     last_.kind = LastOperation::Kind::flip;
     last_.before = last_.after = {};
     quad(h, last_.triangles_before);
-    const auto done = by_strips_ ? by_strips_->flip(h) : by_cost_->flip(h);
+    const auto done = with_keeper([&](auto& keeper) { return keeper.flip(h); });
     quad(done.halfedge, last_.triangles_after);
     count(done);
     return refusal;
@@ -153,7 +160,7 @@ class Session {
 
   [[nodiscard]] const Figures& figures() {
     figures_.triangles = static_cast<std::uint32_t>(mesh_.triangle_count());
-    figures_.strips = static_cast<std::uint32_t>(by_strips_ ? by_strips_->strips() : by_cost_->strips());
+    figures_.strips = static_cast<std::uint32_t>(with_keeper([](auto& keeper) { return keeper.strips(); }));
     std::size_t played = 0;
     std::size_t beyond = 0;
     for (std::size_t i = 0; i < played_.size(); ++i)
@@ -167,11 +174,6 @@ class Session {
   [[nodiscard]] std::size_t plain_indices() const { return strip_index_count(mesh_, extract_strips(mesh_)); }
 
  private:
-  [[nodiscard]] Halfedge edge(Vertex from, Vertex to) const {
-    const bool there = from < mesh_.vertex_bound() && to < mesh_.vertex_bound() && mesh_.spoke(from).id != none;
-    return there ? mesh_.spoke(from, to) : Halfedge{none};
-  }
-
   bool play(std::size_t i) {
     const Record& r = source_.splits[i];
     const Where where = spokes_of(mesh_, r);
@@ -183,7 +185,7 @@ class Session {
   }
   bool take_back(std::size_t i) {
     const Record& r = source_.splits[i];
-    const Halfedge chord = edge(r.v_s, r.v_t);
+    const Halfedge chord = find_edge(mesh_, r.v_s, r.v_t);
     if (checked_ && (dependents_[i] != 0 || chord.id == none || check_collapse(mesh_, chord) != Refusal::granted))
       return ++figures_.refused, false;
     do_collapse(chord);
@@ -212,33 +214,37 @@ class Session {
     for (const Triangle t : patch_) out.push_back(mesh_.corners(t));
   }
   void do_split(const Where& where, Vertex v_t) {
-    if (!tell_) return count(by_strips_ ? by_strips_->split(where, v_t) : by_cost_->split(where, v_t));
-    const bool both = where.spokes == Where::Spokes::both;
-    last_.kind = LastOperation::Kind::split;
-    last_.before = both ? fan_colors(mesh_, where.left, where.right) : PatchColors{};
-    fan_triangles(mesh_, where.spokes == Where::Spokes::right_only ? where.right : where.left, patch_);
-    corners_of(last_.triangles_before);
-    const auto done = by_strips_ ? by_strips_->split(where, v_t) : by_cost_->split(where, v_t);
+    if (tell_) {
+      last_.kind = LastOperation::Kind::split;
+      last_.before = where.spokes == Where::Spokes::both ? fan_colors(mesh_, where.left, where.right) : PatchColors{};
+      fan_triangles(mesh_, where.spokes == Where::Spokes::right_only ? where.right : where.left, patch_);
+      corners_of(last_.triangles_before);
+    }
+    const auto done = with_keeper([&](auto& keeper) { return keeper.split(where, v_t); });
+    count(done);
+    if (!tell_) return;
     last_.after = last_.before.closed ? ring_colors(mesh_, done.halfedge) : PatchColors{};
     edge_triangles(mesh_, done.halfedge, patch_);
     corners_of(last_.triangles_after);
-    count(done);
   }
   void do_collapse(Halfedge chord) {
-    if (!tell_) return count(by_strips_ ? by_strips_->collapse(chord) : by_cost_->collapse(chord));
-    last_.kind = LastOperation::Kind::collapse;
-    last_.before = mesh_.leaves_boundary(chord) || mesh_.leaves_boundary(mesh_.opposite(chord))
-                       ? PatchColors{}
-                       : ring_colors(mesh_, chord);
-    const Vertex v_r = last_.before.closed ? mesh_.to(StripMesh::next(mesh_.opposite(chord))) : none;
-    edge_triangles(mesh_, chord, patch_);
-    corners_of(last_.triangles_before);
-    const auto done = by_strips_ ? by_strips_->collapse(chord) : by_cost_->collapse(chord);
+    Vertex v_r = none;
+    if (tell_) {
+      last_.kind = LastOperation::Kind::collapse;
+      last_.before = mesh_.leaves_boundary(chord) || mesh_.leaves_boundary(mesh_.opposite(chord))
+                         ? PatchColors{}
+                         : ring_colors(mesh_, chord);
+      if (last_.before.closed) v_r = mesh_.to(StripMesh::next(mesh_.opposite(chord)));
+      edge_triangles(mesh_, chord, patch_);
+      corners_of(last_.triangles_before);
+    }
+    const auto done = with_keeper([&](auto& keeper) { return keeper.collapse(chord); });
+    count(done);
+    if (!tell_) return;
     last_.after = last_.before.closed ? fan_colors(mesh_, done.halfedge, mesh_.spoke(mesh_.from(done.halfedge), v_r))
                                       : PatchColors{};
     fan_triangles(mesh_, done.halfedge, patch_);
     corners_of(last_.triangles_after);
-    count(done);
   }
   void count(const Rewrite<Halfedge>& done) {
     ++figures_.operations;
@@ -251,6 +257,7 @@ class Session {
   Progressive source_;
   std::vector<float> points_;
   Hierarchy hierarchy_;
+  BuildReport base_report_;
   std::size_t refused_record_ = none;
   std::vector<std::uint8_t> played_;       // by record
   std::vector<std::uint32_t> dependents_;  // by record: those played that need it
