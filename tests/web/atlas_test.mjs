@@ -1,6 +1,7 @@
 // The atlas in headless Chromium. Its rules are those of the native dump: every valid configuration of a split with k <= 6
 // leads, by the key that the page's own script computes, to a row whose answer, moved back by the symmetry, costs what
-// the library's answer costs; and rows and copies together are as many as the certificate has. The tables are complete
+// the library's answer costs; and rows and copies together are as many as the certificate has. The patch drawn before each
+// collapse has, by the library, the rule of its row, and there are as many such patches as in the dump. The tables are complete
 // without JavaScript. What is painted by clicks has the answer of the library, or a reason why it has none.
 //   node atlas_test.mjs WEB_FOLDER CHROMIUM DUMP_TABLES SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
@@ -12,14 +13,15 @@ import { Browser } from './browser.mjs';
 
 const [folder, chromium, dumpProgram, scratch] = process.argv.slice(2);
 const root = fileURLToPath(new URL('../../', import.meta.url));
+const { load } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')));
 const { representative } = await import(pathToFileURL(join(root, 'web/viewer/patch.mjs')));
 mkdirSync(scratch, { recursive: true });
 const address = (page) => pathToFileURL(join(folder, page)).href;
 const count = (mask) => mask.toString(2).replaceAll('0', '').length;
 
 /// The rows of a page: by name, [ports, joined, loop, colours].
-const rowsOf = (page) => new Map([...readFileSync(join(folder, 'atlas', page), 'utf8').matchAll(/<tr id="([^"]*)" class="([^"]*)" data-k="([^"]*)"/g)]
-  .map(([, name, kinds, numbers]) => [name, { kinds, numbers: numbers.split(' ').map(Number) }]));
+const rowsOf = (page) => new Map([...readFileSync(join(folder, 'atlas', page), 'utf8').matchAll(/<tr id="([^"]*)" class="([^"]*)" data-k="([^"]*)"(?: data-before="([^"]*)")?(.*)/g)]
+  .map(([, name, kinds, numbers, before, rest]) => [name, { kinds, numbers: numbers.split(' ').map(Number), before: before?.split(' ').map(Number), rest }]));
 
 // ---- rows against certificates: each rule has its row, with its answer
 let rules = 0;
@@ -80,6 +82,67 @@ const reached = new Set();
     for (const [name, { kinds }] of rowsOf(page)) assert.equal(/\bcosts\b/.test(kinds), reached.has(name), name);
 }
 console.log(`${rules} rules, ${configurations} configurations`);
+
+// ---- patches before a collapse
+{
+  const restrip = await load();
+  let drawn = 0;
+  const pages = readdirSync(join(folder, 'atlas')).filter((name) => /collapse-/.test(name));
+  for (const page of pages) {
+    const [, family, k] = /^(.*)-(\d+)\.html$/.exec(page);
+    for (const [name, { numbers: [ports, , , colors], before: [edges, i, j] }] of rowsOf(page)) {
+      const place = family === 'collapse' ? { family, a: i } : j === undefined ? { family: 'boundary-collapse', i } : { family: 'open-collapse', i, j };
+      const rule = restrip.rule({ ...place, k: +k, edges, ports });
+      assert.deepEqual([rule.valid, rule.colors], [true, BigInt(colors)], name);
+      ++drawn;
+    }
+  }
+  assert.equal(drawn, 351 + 1362);
+
+  // By key, from the dump: two ports are joined when one can walk from one to the other over solid edges.
+  const counts = new Map();
+  let position = null;
+  for (const line of execFileSync(dumpProgram, ['--max-k', '5'], { maxBuffer: 1 << 30, encoding: 'latin1' }).split('\n')) {
+    const words = line.split(' ');
+    if (words[0] === 'table') {
+      const [, family, , k, , i, j] = words;
+      position = { family, k: +k, closed: family === 'collapse' };
+      const nodes = Array.from({ length: +k }, (_, t) => t);
+      if (family === 'collapse' && 2 * i <= +k) nodes.splice(+i, 0, 'D'), nodes.unshift('A');
+      else if (family === 'open-collapse' && +i + +j <= +k) nodes.splice(+j, 0, 'D'), nodes.splice(+i, 0, 'A');
+      else if (family === 'boundary-collapse' && 2 * i <= +k) nodes.splice(+i, 0, 'A');
+      else position = null;
+      if (!position) continue;
+      position.edges = nodes.slice(1).map((node, n) => [nodes[n], node]);
+      if (position.closed) position.edges.push([nodes.at(-1), nodes[0]]);
+      if (nodes.includes('D')) position.edges.push(['A', 'D']);
+      continue;
+    }
+    if (!position || words.length !== 3 || words[2] === '-') continue;
+    const [inner, ports] = words.map((word) => parseInt(word, 16));
+    const solid = position.edges.filter((_, n) => inner >> n & 1);
+    const reached = (from) => {
+      const there = new Set([from]);
+      for (const node of there) for (const [a, b] of solid) if (a === node) there.add(b); else if (b === node) there.add(a);
+      return there;
+    };
+    const doors = Array.from({ length: position.k }, (_, t) => t).filter((t) => ports >> t & 1);
+    let joined = 0;
+    doors.forEach((port, n) => {
+      if (doors.length < 2 || (n === 0 && !position.closed)) return;
+      if (reached(port).has(doors.at(n - 1))) joined |= 1 << port;
+    });
+    const name = `${position.closed ? '' : 'fan-'}collapse-${position.k}-${ports.toString(16)}-${joined.toString(16)}`;
+    counts.set(name, (counts.get(name) ?? 0) + 1);
+  }
+  let compared = 0;
+  for (const page of pages.filter((name) => /-[1-5]\.html$/.test(name)))
+    for (const [name, { rest }] of rowsOf(page)) {
+      assert.match(rest, new RegExp(`<td>${counts.get(name).toLocaleString('en')}</td>`), name);
+      ++compared;
+    }
+  assert.ok(compared > 100, `only ${compared} rows were compared`);
+}
 
 const browser = await Browser.start(chromium);
 try {

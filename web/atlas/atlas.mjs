@@ -2,12 +2,6 @@
 import { fanPicture, named, ringPicture } from '../viewer/patch.mjs';
 import { anyFan, flipPicture, openSplitPicture } from './drawings.mjs';
 
-function pairsOf(ports, joined, closed) {
-  const solid = [];
-  for (let i = 0; 1 << i <= ports; ++i) if (ports >> i & 1) solid.push(i);
-  return solid.flatMap((p, n) => (joined >> p & 1 && (closed || n > 0) ? [[p, solid[(n + solid.length - 1) % solid.length]]] : []));
-}
-
 function drawRow(row, { family, n, at }) {
   const [p, q, r, s] = row.dataset.k.split(' ').map(Number);
   const k = +n;
@@ -15,9 +9,12 @@ function drawRow(row, { family, n, at }) {
   if (family === 'flip') return flipPicture(false, q === 1, p, 'before') + flipPicture(true, s === 1, r, 'after');
   if (family === 'split') return fanPicture(k, places[0], r, p, 'before') + ringPicture(k, places[0], s, p, 'after');
   const closed = family === 'collapse';
-  if (closed || family === 'fan-collapse')
-    return anyFan({ closed, k }, 0, p, 'what the rule reads: the ports, and which are joined', pairsOf(p, q, closed)) +
-      anyFan({ closed, k }, s, p, 'after');
+  if (closed || family === 'fan-collapse') {
+    const [inner, ...gaps] = row.dataset.before.split(' ').map(Number);
+    const before = 'a patch before, with the fewest solid edges';
+    const ring = closed ? ringPicture(k, gaps[0], inner, p, before) : openSplitPicture(k, gaps, inner, p, before);
+    return ring + anyFan({ closed, k, a: gaps[0] }, s, p, 'after');
+  }
   return anyFan({ closed: false, k }, r, p, 'before') + openSplitPicture(k, places, s, p, 'after');
 }
 

@@ -152,20 +152,79 @@ def configurations(k, closed):
     return out
 
 
-def order_after(section):
-    """The nodes of the patch after the operation, in the order of its inner edges, 't' numbers and 'A', 'D'."""
-    k = section.k
+def split_order(closed, k, places):
+    """The nodes of a patch with its new triangles, in the order of its inner edges, 't' numbers and 'A', 'D'; whether the last
+    is joined to the first; whether there is a chord."""
     t = list(range(k))
-    if section.family == "split":
-        a = section.places[0]
+    if closed:
+        a, = places
         return ["A", *t[:a], "D", *t[a:]], True, True
-    if section.family == "open-split":
-        i, j = section.places
+    if len(places) == 2:
+        i, j = places
         return [*t[:i], "A", *t[i:j], "D", *t[j:]], False, True
-    if section.family == "boundary-split":
-        i = section.places[0]
-        return [*t[:i], "A", *t[i:]], False, False
-    return t, section.closed, False
+    i, = places
+    return [*t[:i], "A", *t[i:]], False, False
+
+
+def order_after(section):
+    if "split" in section.family:
+        return split_order(section.closed, section.k, section.places)
+    return list(range(section.k)), section.closed, False
+
+
+def strips_within(nodes, edges):
+    """The two ends of each strip that solid edges make of the nodes (a lonely node twice); none if they are no strips."""
+    beside = {node: [] for node in nodes}
+    for a, b in edges:
+        beside[a].append(b)
+        beside[b].append(a)
+    if any(len(there) > 2 for there in beside.values()):
+        return None
+    ends, seen = [], set()
+    for node in nodes:
+        if node in seen or len(beside[node]) == 2:
+            continue
+        last, here = None, node
+        while here is not None:
+            seen.add(here)
+            last, here = here, next((there for there in beside[here] if there not in seen), None)
+        ends.append((node, last))
+    return ends if len(seen) == len(nodes) else None  # what is left are cycles
+
+
+def before_collapses(k, closed):
+    """By key: how many valid patches before a collapse have it, at all positions, and of those with the fewest solid edges the
+    first, as its position and inner edges."""
+    places = ([(a,) for a in range(1, k // 2 + 1)] if closed else
+              [(i, j) for i in range(k + 1) for j in range(i + 1, k - i + 1)] + [(i,) for i in range(k // 2 + 1)])
+    shapes = {}  # by the triangles that may have a port, and which two of them are the ends of a strip
+    for place in places:
+        nodes, ring, chord = split_order(closed, k, place)
+        edges = list(zip(nodes, nodes[1:] + nodes[:1] if ring else nodes[1:]))
+        edges += [("A", "D")] if chord else []
+        for inner in range(1 << len(edges)):
+            ends = strips_within(nodes, [edge for n, edge in enumerate(edges) if inner >> n & 1])
+            if ends is None:
+                continue
+            pairs = tuple(pair for pair in ends if pair[0] != pair[1] and "A" not in pair and "D" not in pair)
+            free = sum(1 << node for node in {node for pair in ends for node in pair} if isinstance(node, int))
+            count, best = shapes.get((free, pairs), (0, (99,)))
+            shapes[free, pairs] = (count + 1, min(best, (inner.bit_count(), place, inner)))
+    out = {}
+    for (free, pairs), (count, best) in shapes.items():
+        joined_to = dict(pairs) | {b: a for a, b in pairs}
+        ports = free
+        while True:
+            solid, joined = bits(ports), 0
+            for n, port in enumerate(solid):
+                if len(solid) > 1 and (closed or n > 0) and joined_to.get(port) == solid[n - 1]:
+                    joined |= 1 << port
+            known, least = out.get((ports, joined), (0, (99,)))
+            out[ports, joined] = (known + count, min(least, best))
+            if ports == 0:
+                break
+            ports = (ports - 1) & free
+    return {key: (count, *best[1:]) for key, (count, best) in out.items()}
 
 
 def isolated_after(section, ports, colors):
@@ -206,10 +265,13 @@ def row(section, group, orbit, known, key, colors, tree):
     name = f"{section.name}-{ports:x}-{joined:x}"
     pairs = " ".join(f"{a}–{b}" for a, b in sorted(sorted(p) for p in joined_pairs(section.k, ports, joined, section.closed)))
     # Only the fan before a split has loop edges to be counted.
-    _, low, high, example = known[key] if "split" in section.family else (0, 0, 0, 0)
+    splits = "split" in section.family
+    _, low, high, example = known[key] if splits else (0, 0, 0, 0)
+    count, place, inner = (0, (), 0) if splits else known[key]
+    before = "" if splits else f' data-before="{" ".join(map(str, (inner, *place)))}"'
     kinds = []
     cost = ""
-    if "split" in section.family:
+    if splits:
         new = 1 if section.family == "boundary-split" else 2
         changes = [new - colors.bit_count() + n for n in (low, high)]
         cost = signed(changes[0]) if low == high else f"{signed(changes[0])} to {signed(changes[1])}"
@@ -221,9 +283,9 @@ def row(section, group, orbit, known, key, colors, tree):
         picture = (fan_picture(section.k, section.places[0], example, ports, "before") +
                    split_picture(section.k, section.places[0], colors, ports, "after"))
     cells = [f'<a href="#{name}">{ports:x}-{joined:x}</a>', numbers(ports), pairs or "–", numbers(colors)]
-    cells += [cost] if "split" in section.family else []
+    cells += [cost] if splits else [grouped(count)]
     cells += [str(orbit), in_words(tree)]
-    return (f'<tr id="{name}" class="{" ".join(kinds)}" data-k="{ports} {joined} {example} {colors}">'
+    return (f'<tr id="{name}" class="{" ".join(kinds)}" data-k="{ports} {joined} {example} {colors}"{before}>'
             f'<td class="pic">{picture}</td>' + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>")
 
 
@@ -232,11 +294,14 @@ triangle would have three solid edges, a cycle would close, or two ports would b
 sets share no edge, so each takes a dashed edge of its own. In none of the cases does the rule leave more edges dashed than
 that, or as many and more triangles alone.</p>"""
 LEGEND = ('<p class="legend"><i class="key solid"></i> same strip <i class="key dashed"></i> different strips '
-          '<i class="key fresh"></i> new triangles <i class="key dots"></i> joined before</p>')
+          '<i class="key fresh"></i> new triangles</p>')
 NOTES = {
     "split": "f0 … f{k1} lead around the ring A, t0 … , D, … and back to A; f{k2} joins the two new triangles A and D.",
-    "collapse": "f0 … f{km} are the loop edges of the fan that is left: f0 joins t0 and t1. The same rule serves every position.",
-    "fan-collapse": "f0 … are the loop edges of the open fan that is left: f0 joins t0 and t1. The same rule serves both kinds of collapse at the boundary, at every position.",
+    "collapse": "f0 … f{km} are the loop edges of the fan that is left: f0 joins t0 and t1. A rule depends only on the ports and on "
+                "which of them are joined before, so it serves every position and many patches. One with the fewest solid edges is drawn.",
+    "fan-collapse": "f0 … are the loop edges of the open fan that is left: f0 joins t0 and t1. A rule depends only on the ports and on "
+                    "which of them are joined before, so it serves both kinds of collapse at the boundary, every position, and many "
+                    "patches. One with the fewest solid edges is drawn.",
     "open-split": "f0 … f{k} lead along the path of all triangles; f{k1} joins the two new triangles.",
     "boundary-split": "f0 … f{km} lead along the path of all triangles."}
 
@@ -257,7 +322,7 @@ def section_page(section, known, page):
     k = section.k
     note = NOTES[section.family].format(k=k, k1=k + 1, k2=k + 2, km=k - 1)
     columns = ["", "rule", "solid ports", "joined before", "solid edges after"]
-    columns += ["change in strips"] if "split" in section.family else []
+    columns += ["change in strips"] if "split" in section.family else ["patches before, one of them drawn"]
     columns += ["in its orbit", "why nothing is better"]
     costs = claims["costing"]
     facts = (f"{grouped(claims['configurations'])} configurations, {grouped(claims['valid'])} of them valid. "
@@ -356,14 +421,16 @@ def main():
     known = {}
     for family, sections in families.items():
         for section in sections:
-            shape = (section.k, section.closed)
+            shape = (section.k, section.closed, "collapse" in family)
             if family != "flip" and shape not in known:
-                known[shape] = configurations(*shape)
+                known[shape] = before_collapses(*shape[:2]) if shape[2] else configurations(*shape[:2])
+                if shape[2] and sum(count for count, *_ in known[shape].values()) != section.claims["valid"]:
+                    sys.exit(f"atlas.py: {section.name}: the keys have not as many configurations as the certificate says")
             text = flip_page(section, page) if family == "flip" else section_page(section, known[shape], page)
             (given.out / f"{section.name}.html").write_text(text, encoding="utf-8")
     chosen = next((key, tree) for key, tree in families["split"][4].rules if len(bits(key[0])) == 3)
     (ports, joined, colors), _ = chosen
-    loop = known[5, True][ports, joined][3]
+    loop = known[5, True, False][ports, joined][3]
     picture = ('<div class="pictures"><figure>' + fan_picture(5, 2, loop, ports, "before") + "<figcaption>before the split</figcaption></figure><figure>" +
                      split_picture(5, 2, colors, ports, "after") + "<figcaption>after it, by its rule</figcaption></figure></div>" + LEGEND)
     met = json.loads(given.replay.read_text(encoding="utf-8"))["by_valence"]

@@ -1,4 +1,4 @@
-// Patches that the viewer does not draw: open fans, flips, and what a rule knows before it: which ports are joined.
+// Patches that the viewer does not draw: open fans and flips.
 import { Patch, has, middle, rimOf } from '../viewer/patch.mjs';
 
 /// The rim of an open fan: k + 1 places, from the right end of the boundary to the left one, seen from inside the mesh.
@@ -11,20 +11,15 @@ function openRim(k) {
 }
 const hub = [200, 235];
 
-/// A fan, closed or open, with its loop edges. `joined`: instead of the loop edges, lines between the ports that are
-/// joined in it, somehow.
-export function anyFan({ closed, k, a = 1 }, loop, ports, description, joined = null) {
+/// A fan, closed or open, with its loop edges.
+export function anyFan({ closed, k, a = 1 }, loop, ports, description) {
   const rim = closed ? rimOf(k, a) : openRim(k);
   const center = closed ? [200, 200] : hub;
   const patch = new Patch();
   for (let i = 0; i < k; ++i) patch.add(center, rim[i], rim[i + 1]);
   for (let i = 0; i < k; ++i) {
-    if (joined === null && (closed || i + 1 < k)) patch.join(i, (i + 1) % k, middle(center, rim[i + 1]), has(loop, i));
+    if (closed || i + 1 < k) patch.join(i, (i + 1) % k, middle(center, rim[i + 1]), has(loop, i));
     patch.port(i, rim[i], rim[i + 1], has(ports, i));
-  }
-  for (const [p, q] of joined ?? []) {
-    const [x, y] = middle(patch.nodes[p], patch.nodes[q], center, center);
-    patch.extra += `<path class="joined" d="M${patch.nodes[p].join()}Q${x},${y} ${patch.nodes[q].join()}"/>`;
   }
   return patch.svg(description);
 }
