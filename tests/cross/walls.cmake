@@ -22,7 +22,7 @@ set(never_in_examples "/impl/")
 set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
-set(floors_runtime tables precondition.hpp rules|mesh operations|output search restrip.hpp)
+set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats restrip.hpp)
 set(floors_tools files|restrip common meshes lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.

@@ -9,11 +9,11 @@
 
 #include "common/bad_input.hpp"
 #include "lod/coloring_check.hpp"
-#include "lod/dual_order.hpp"
 #include "lod/pm_file.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
 #include "replay/replay.hpp"
+#include "restrip/formats/dual_order.hpp"
 #include "shapes.hpp"
 
 namespace restrip::tools {

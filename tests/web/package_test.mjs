@@ -83,6 +83,137 @@ function sameAsReplay() {
   assert.ok(compared >= 6 * 20, `only ${compared} levels were compared`);
 }
 
+/// The file read in the browser and played, beside `restrip replay` of the same file; every level twice, up and down.
+function sameAsBaked() {
+  const baked = join(folder, 'hare.baked');
+  const told = join(scratch, 'baked.json');
+  execFileSync(program, ['replay', baked, '--policy', 'baked', '--repeats', '0', '--levels', '40', '--json', told]);
+  const native = JSON.parse(readFileSync(told, 'utf8'));
+  assert.ok(native.levels.length >= 30);
+  const mesh = restrip.baked(readMesh('hare.baked', readFileSync(baked)).baked);
+  assert.ok(mesh.hasBakedStrips);
+  assert.deepEqual([mesh.levels, mesh.points.length], [source.splits.length / 4, source.points.length]);
+  mesh.begin({ policy: 'baked' });
+  const straight = restrip.progressive(source).begin({ policy: 'local' });
+  mesh.update();
+  const levels = new Map(native.levels.map((level) => [level.triangles, level]));
+  const buffers = new Map();
+  let compared = 0;
+  const compare = () => {
+    const { triangles, strips, played, inOrder, baked: inStep } = mesh.figures;
+    assert.ok(inStep && inOrder);
+    const level = levels.get(triangles);
+    if (!level) return;
+    assert.deepEqual({ strips, indices: mesh.plainIndices }, { strips: level.strips, indices: level.indices });
+    straight.moveTo(played);
+    const shown = sorted(mesh.triangles);
+    assert.deepEqual(shown, sorted(straight.triangles));
+    assert.deepEqual(sorted(drawn(mesh.indices)), shown);
+    // The strips of a level are the same from both sides: so are its runs, named by their lowest triangle.
+    const lines = mesh.lines;
+    if (buffers.has(triangles)) assert.deepEqual(lines, buffers.get(triangles));
+    else buffers.set(triangles, lines);
+    ++compared;
+  };
+  const to = (level) => {
+    assert.equal(mesh.moveTo(level), 1);
+    mesh.update();
+    compare();
+  };
+  compare();
+  for (let level = 1; level <= mesh.levels; ++level) to(level);
+  assert.equal(mesh.figures.addingStrip, native.operations_adding_strip);
+  for (let level = mesh.levels; level-- > 0;) to(level);
+  assert.equal(compared, 2 * native.levels.length - 1);  // the finest one once
+  assert.ok(Math.abs(4 * mesh.figures.indicesWritten / mesh.figures.operations - native.buffer_bytes_written_per_operation) < 1e-6);
+
+  // Out of order the rules go on, with valid strips that are counted; begin() leads back.
+  const wanted = new Uint8Array(mesh.levels).fill(1, 800, 1000);
+  mesh.approach(wanted);
+  assert.ok(!mesh.figures.baked && !mesh.figures.inOrder && mesh.valid);
+  mesh.moveTo(mesh.levels);
+  mesh.update();
+  assert.ok(!mesh.figures.baked && mesh.valid);
+  assert.equal(mesh.figures.strips, new Set(Array.from(mesh.runs).filter((_, n) => n % 3 === 2)).size);
+  assert.equal(mesh.figures.refused, 0);
+  mesh.begin({ policy: 'baked' }).moveTo(mesh.levels);
+  assert.ok(mesh.figures.baked);
+  assert.equal(mesh.figures.strips, native.levels.at(-1).strips);
+  // An operation that is none of the records ends it as well, even where it adds the next vertex.
+  mesh.begin({ policy: 'baked' });
+  const [, vT] = mesh.splits;
+  const [a, b, c] = mesh.triangles;
+  assert.equal(mesh.flip(a, b) === null || mesh.flip(b, c) === null || mesh.split(a, vT, b, c) === null, true);
+  assert.ok(!mesh.figures.baked && mesh.valid);
+  assert.throws(() => straight.begin({ policy: 'baked' }), /no baked strips/);
+  // The same mesh under another policy is the one of the progressive mesh.
+  mesh.begin({ policy: 'linked' }).moveTo(1000);
+  straight.begin({ policy: 'linked' }).moveTo(1000);
+  mesh.update();
+  straight.update();
+  assert.deepEqual(mesh.indices.slice(), straight.indices.slice());
+  mesh.close();
+  straight.close();
+}
+
+function refusesDamage() {
+  // A small baked mesh: an octahedron, each triangle cut into four, twice.
+  let triangles = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+  const points = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]];
+  for (let round = 0; round < 2; ++round) {
+    const between = new Map();
+    const middle = (i, j) => {
+      const key = `${Math.min(i, j)} ${Math.max(i, j)}`;
+      if (!between.has(key)) between.set(key, points.push(points[i].map((x, n) => x + points[j][n])) - 1);
+      return between.get(key);
+    };
+    triangles = triangles.flatMap(([i, j, k]) => {
+      const [ij, jk, ki] = [middle(i, j), middle(j, k), middle(k, i)];
+      return [[i, ij, ki], [j, jk, ij], [k, ki, jk], [ij, jk, ki]];
+    });
+  }
+  const file = join(scratch, 'small.obj');
+  writeFileSync(file, points.map((p) => `v ${p.join(' ')}\n`).join('') + triangles.map((t) => `f ${t.map((v) => v + 1).join(' ')}\n`).join(''));
+  execFileSync(program, ['bake', file, '--base', '0.2', '-o', join(scratch, 'small.baked')]);
+  const whole = readFileSync(join(scratch, 'small.baked'));
+  const mesh = restrip.baked(whole).begin({ policy: 'baked' });
+  mesh.moveTo(mesh.levels);
+  assert.equal(mesh.figures.triangles, triangles.length);
+  mesh.close();
+  const refused = (bytes, why = /^Error: baked mesh: [a-z]/) => assert.throws(() => restrip.baked(bytes), why);
+  for (let size = 0; size < whole.length; ++size) refused(whole.subarray(0, size));
+  for (let at = 0; at < whole.length; ++at) {
+    for (const change of [1, 0x80, 0xff]) {
+      const altered = Buffer.from(whole);
+      altered[at] ^= change;
+      refused(altered);
+    }
+  }
+  refused(Buffer.concat([whole, Buffer.alloc(1)]), /checksum/);
+  refused(Buffer.from('ProgMesh'), /no baked mesh/);
+  // With a checksum that fits: refused by what is wrong, or at least a mesh that can be played.
+  const said = new Set();
+  let played = 0;
+  for (let at = 12; at < whole.length - 8; ++at) {
+    const altered = Buffer.from(whole);
+    altered[at] ^= 1 << at % 8;
+    let hash = 0xcbf29ce484222325n;
+    for (const byte of altered.subarray(0, -8)) hash = BigInt.asUintN(64, (hash ^ BigInt(byte)) * 0x100000001b3n);
+    altered.writeBigUInt64LE(hash, altered.length - 8);
+    try {
+      const forged = restrip.baked(altered).begin({ policy: 'baked' });
+      forged.moveTo(forged.levels);
+      assert.ok(forged.valid && forged.figures.refused === 0);
+      forged.close();
+      ++played;
+    } catch (error) {
+      assert.match(error.message, /^baked mesh: /);
+      said.add(error.message.replace(/\d+/g, 'n'));
+    }
+  }
+  assert.ok(played > 0 && said.size >= 6, `${played} played, and ${[...said].join('; ')}`);
+}
+
 function copiesByRanges() {
   const mesh = restrip.progressive(source).begin({ policy: 'quick' });
   let copy = [];
@@ -223,6 +354,39 @@ function readsFormats() {
   points.forEach((c, i) => glb.writeFloatLE(c, 28 + padded.length + 4 * i));
   tetrahedron.forEach((v, i) => glb.writeUInt16LE(v, 28 + padded.length + 48 + 2 * i));
   assert.deepEqual(readMesh('t.glb', glb), { points, triangles: tetrahedron });
+  // Strips: those that the native program writes, in each of its two forms.
+  for (const form of ['restart', 'strips']) {
+    const strips = join(scratch, `${form}.glb`);
+    execFileSync(program, ['stripify', join(folder, 'hare.obj'), '--gltf', form, '-o', strips]);
+    const list = readMesh('hare.obj', readFileSync(join(folder, 'hare.obj')));
+    const there = readMesh('hare.glb', readFileSync(strips));
+    const number = new Map();  // of a place, in both files
+    const renumbered = (mesh) => sorted(mesh.triangles.map((v) => {
+      const place = [0, 1, 2].map((n) => Math.fround(mesh.points[3 * v + n])).join();
+      if (!number.has(place)) number.set(place, number.size);
+      return number.get(place);
+    }));
+    assert.deepEqual(renumbered(there), renumbered(list), form);
+  }
+  // A fan of two triangles, and strips restarted, with indices of 8 bits.
+  const small = (mode, indices) => {
+    const padTo4 = (n) => Math.ceil(n / 4) * 4;
+    const text = JSON.stringify({ asset: { version: '2.0' }, meshes: [{ primitives: [{ mode, attributes: { POSITION: 0 }, indices: 1 }] }],
+      accessors: [{ bufferView: 0, componentType: 5126, type: 'VEC3', count: 4 }, { bufferView: 1, componentType: 5121, type: 'SCALAR', count: indices.length }],
+      bufferViews: [{ buffer: 0, byteOffset: 0, byteLength: 48 }, { buffer: 0, byteOffset: 48, byteLength: indices.length }], buffers: [{ byteLength: 48 + indices.length }] });
+    const head = text.padEnd(padTo4(text.length));
+    const out = Buffer.alloc(28 + head.length + 48 + padTo4(indices.length));
+    [0x46546c67, 2, out.length, head.length].forEach((n, i) => out.writeUInt32LE(n, 4 * i));
+    out.write('JSON', 16);
+    out.write(head, 20);
+    out.writeUInt32LE(48 + padTo4(indices.length), 20 + head.length);
+    points.forEach((c, i) => out.writeFloatLE(c, 28 + head.length + 4 * i));
+    indices.forEach((n, i) => out.writeUInt8(n, 28 + head.length + 48 + i));
+    return readMesh('t.glb', out).triangles;
+  };
+  assert.deepEqual(small(6, [0, 1, 2, 3]), [0, 1, 2, 0, 2, 3]);
+  assert.deepEqual(small(5, [0, 1, 2, 3, 255, 1, 2, 3]), [0, 1, 2, 2, 1, 3, 1, 2, 3]);
+
   for (const [name, content, why] of [['t.obj', 'v 0 0 0\n', /no triangles/], ['t.obj', 'v 0 0 0\nf 1 2 3\n', /refers to vertex/],
     ['t.off', 'OFF\n4 4 0\n1 2', /ends too early/], ['t.ply', 'nothing', /no PLY header/], ['t.pm', 'nothing', /no progressive mesh/],
     ['t.glb', 'nothing', /no binary glTF/], ['t.stl', '', /none of the formats/], ['t.obj', obj.replace('v 1', 'v x'), /not a number/]])
@@ -250,7 +414,7 @@ function asDependency() {
   assert.doesNotMatch(readFileSync(join(installed, 'restrip.mjs'), 'utf8'), /(import\(|from )[^\n]*'node:/);
 }
 
-for (const test of [asDependency, readsFormats, singleOperations, sameRules, copiesByRanges, viewDependent, simplifies, sameAsReplay]) {
+for (const test of [asDependency, readsFormats, singleOperations, sameRules, copiesByRanges, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
   test();
   console.log(`${test.name}: as claimed`);
 }

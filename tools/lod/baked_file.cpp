@@ -4,49 +4,25 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 
 #include "common/bad_input.hpp"
 #include "files/reading.hpp"
-#include "lod/coloring_check.hpp"
-#include "lod/dual_order.hpp"
 #include "lod/pm_file.hpp"
-#include "restrip/mesh/checks.hpp"
+#include "restrip/formats/baked_file.hpp"
+#include "restrip/formats/baked_format.hpp"
+#include "restrip/formats/dual_order.hpp"
 
 namespace restrip::tools {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-using Spokes = VertexSplit<Halfedge>::Spokes;
-
-constexpr std::string_view magic = "RestripB";
-constexpr std::uint32_t version = 1;
-constexpr std::size_t header_bytes = 24;
-constexpr std::size_t checksum_bytes = 8;
-constexpr std::size_t point_bytes = 12;
-constexpr std::size_t triangle_bytes = 13;
-constexpr std::size_t least_record_bytes = point_bytes + 3;
-
-// Flips further away are named by the halfedge itself.
-constexpr std::size_t near_edges = 2048;
-
-/// The vertices around v, in ascending order: the names of v_l and v_r are their places in this list.
-void neighbors_of(const StripMesh& mesh, Vertex v, std::vector<Vertex>& out) {
-  out.clear();
-  for_each_spoke(mesh, v, [&](Halfedge h) { out.push_back(mesh.to(h)); });
-  std::sort(out.begin(), out.end());
-}
-
-/// A dual edge by the lower one of its two halfedges.
-Halfedge canonical(const StripMesh& mesh, Halfedge h) { return {std::min(h.id, mesh.opposite(h).id)}; }
+using baked_format::canonical;
 
 std::uint8_t colors(const StripMesh& mesh, Triangle t) {
   unsigned bits = 0;
   for (unsigned side = 0; side < 3; ++side) bits |= unsigned{mesh.solid(StripMesh::halfedge(t, side))} << side;
   return static_cast<std::uint8_t>(bits);
 }
-
-// ---- writing
 
 class Writer {
  public:
@@ -57,8 +33,8 @@ class Writer {
 
   std::string run() {
     const std::size_t base_points = mesh_.points.size() - mesh_.splits.size();
-    bytes_ = magic;
-    put(version);
+    bytes_ = baked_format::magic;
+    put(baked_format::version);
     put(static_cast<std::uint32_t>(base_points));
     put(static_cast<std::uint32_t>(mesh_.base.size()));
     put(static_cast<std::uint32_t>(mesh_.splits.size()));
@@ -97,7 +73,7 @@ class Writer {
     const Record& record = mesh_.splits[i];
     put(mesh_.points[record.v_t]);
     put_number(record.v_s);
-    neighbors_of(now_, record.v_s, neighbors_);
+    baked_format::neighbors_of(now_, record.v_s, neighbors_);
     const auto place = [this](Vertex v) -> std::uint64_t {
       if (v == none) return 0;
       return static_cast<std::uint64_t>(std::lower_bound(neighbors_.begin(), neighbors_.end(), v) -
@@ -115,7 +91,7 @@ class Writer {
     near_.clear();
     far_.clear();
     order_.start(now_, chord);
-    for (std::size_t n = 0; n < near_edges && near_.size() < wanted_.size(); ++n) {
+    for (std::size_t n = 0; n < baked_format::near_edges && near_.size() < wanted_.size(); ++n) {
       const Halfedge h = order_.edge(n);
       if (h.id == none) break;
       if (std::binary_search(wanted_.begin(), wanted_.end(), canonical(now_, h).id)) {
@@ -146,165 +122,22 @@ class Writer {
   std::vector<std::uint64_t> far_;
 };
 
-// ---- reading
-
-class Reader {
- public:
-  Reader(std::string_view bytes, const std::string& name) : rest_(bytes), name_(name) {}
-
-  BakedMesh run() {
-    check_whole();
-    rest_.remove_prefix(magic.size() + 4);
-    rest_.remove_suffix(checksum_bytes);
-    const std::size_t points = u32();
-    const std::size_t triangles = u32();
-    const std::size_t splits = u32();
-    if (triangles == 0) fail("its base has no triangles");
-    if (points * point_bytes + triangles * triangle_bytes + splits * least_record_bytes > rest_.size())
-      fail("its header promises more than it holds");
-    baked_.mesh.points.reserve(points + splits);
-    for (std::size_t v = 0; v < points; ++v) baked_.mesh.points.push_back(point());
-    read_base(triangles, points + splits);
-    now_ = baked_.base;
-    now_.reserve(triangles + 2 * splits, points + splits);
-    baked_.mesh.splits.reserve(splits);
-    for (std::size_t i = 0; i < splits; ++i) read_record(i);
-    if (!rest_.empty()) fail("it goes on behind its last record");
-    if (!find_faults(now_).empty()) fail("the colours of its finest level are not valid");
-    return std::move(baked_);
-  }
-
- private:
-  [[noreturn]] void fail(std::string_view what) const {
-    throw BadInput(fmt::format("{}: {}; bake it again (restrip bake)", name_, what));
-  }
-  void check_whole() const {
-    if (!rest_.starts_with(magic))
-      throw BadInput(
-          fmt::format("{}: no baked mesh: it does not begin with '{}'; make one by restrip bake", name_, magic));
-    if (rest_.size() < header_bytes + checksum_bytes) fail("it ends inside its header: the file is not complete");
-    Reader header(rest_.substr(magic.size()), name_);
-    if (const std::uint32_t found = header.u32(); found != version)
-      fail(fmt::format("it is of version {}, and this program reads version {}", found, version));
-    const std::string_view body = rest_.substr(0, rest_.size() - checksum_bytes);
-    Reader end(rest_.substr(body.size()), name_);
-    const std::uint64_t low = end.u32();
-    if ((std::uint64_t{end.u32()} << 32 | low) != fnv1a(body))
-      fail("its checksum does not fit: the file is truncated or altered");
-  }
-
-  std::uint8_t u8() {
-    if (rest_.empty()) fail("it ends inside a record");
-    const auto value = static_cast<std::uint8_t>(rest_.front());
-    rest_.remove_prefix(1);
-    return value;
-  }
-  std::uint32_t u32() {
-    std::uint32_t value = 0;
-    for (unsigned i = 0; i < 4; ++i) value |= std::uint32_t{u8()} << (8 * i);
-    return value;
-  }
-  Point point() {
-    Point p;
-    for (float* coordinate : {&p.x, &p.y, &p.z}) {
-      *coordinate = std::bit_cast<float>(u32());
-      if (!std::isfinite(*coordinate)) fail("a coordinate in it is infinite or not a number");
-    }
-    return p;
-  }
-  std::uint64_t number() {
-    std::uint64_t value = 0;
-    for (unsigned shift = 0; shift < 63; shift += 7) {
-      const std::uint64_t byte = u8();
-      value |= (byte & 127U) << shift;
-      if (byte < 128) return value;
-    }
-    fail("a number in it is too long");
-  }
-
-  void read_base(std::size_t triangles, std::size_t fine_points) {
-    std::vector<Corners>& base = baked_.mesh.base;
-    base.resize(triangles);
-    for (Corners& triangle : base)
-      for (Vertex& corner : triangle) {
-        corner = u32();
-        if (corner >= baked_.mesh.points.size()) fail("a triangle of its base names a vertex that is not there");
-      }
-    baked_.base = StripMesh::build(base, fine_points);
-    if (baked_.base.triangle_count() != triangles) fail("a triangle of its base is degenerate");
-    StripMesh& mesh = baked_.base;
-    std::vector<std::uint8_t> stored(triangles);
-    for (Triangle t = 0; t < triangles; ++t) {
-      stored[t] = u8();
-      for (unsigned side = 0; side < 3; ++side) {
-        const Halfedge h = StripMesh::halfedge(t, side);
-        if ((stored[t] >> side & 1U) != 0 && !StripMesh::on_boundary(mesh.opposite(h))) mesh.set_solid(h, true);
-      }
-    }
-    for (Triangle t = 0; t < triangles; ++t)
-      if (colors(mesh, t) != stored[t]) fail("neighbours in its base disagree on a colour");
-    if (!find_faults(mesh).empty()) fail("the colours of its base are not valid");
-  }
-
-  void read_record(std::size_t i) {
-    const auto v_t = static_cast<Vertex>(baked_.mesh.points.size());
-    baked_.mesh.points.push_back(point());
-    const auto fail_here = [&](std::string_view what) { fail(fmt::format("record {}: {}", i, what)); };
-    const std::uint64_t v_s = number();
-    if (v_s >= v_t || now_.spoke(static_cast<Vertex>(v_s)).id == none)
-      fail_here("it splits a vertex that is not there");
-    Record record{static_cast<Vertex>(v_s), v_t, none, none};
-    neighbors_of(now_, record.v_s, neighbors_);
-    const std::uint64_t apexes = number();
-    const std::size_t radix = neighbors_.size() + 1;
-    if (apexes == 0 || apexes / radix >= radix) fail_here("its apexes are not neighbours of the split vertex");
-    if (const std::size_t left = apexes / radix; left != 0) record.v_l = neighbors_[left - 1];
-    if (const std::size_t right = apexes % radix; right != 0) record.v_r = neighbors_[right - 1];
-    const auto where = spokes_of(now_, record);
-    if (const Refusal refusal = check_split(now_, where); refusal != Refusal::granted) fail_here(describe(refusal));
-    const Halfedge chord = split_baked(now_, where, {}, v_t).halfedge;
-    read_flips(chord, i);
-    detail::flip_colors(now_, baked_.records[i]);
-    for (const Halfedge h : baked_.records[i])
-      for (const Halfedge beside : {h, now_.opposite(h)})
-        if (now_.solid_degree(StripMesh::triangle(beside)) > 2) fail_here("it gives a triangle three solid edges");
-    baked_.mesh.splits.push_back(record);
-  }
-
-  void read_flips(Halfedge chord, std::size_t i) {
-    std::vector<Halfedge>& flips = baked_.records.flips;
-    const auto fail_here = [&] { fail(fmt::format("record {}: it flips a dual edge that is not there", i)); };
-    const std::uint64_t head = number();
-    order_.start(now_, chord);
-    std::uint64_t next = 0;
-    for (std::uint64_t n = head / 2; n > 0; --n, ++next) {
-      next += number();
-      const Halfedge h = next < near_edges ? order_.edge(next) : Halfedge{none};
-      if (h.id == none) fail_here();
-      flips.push_back(canonical(now_, h));
-    }
-    next = 0;
-    for (std::uint64_t n = head % 2 == 0 ? 0 : number(); n > 0; --n, ++next) {
-      next += number();
-      if (next >= 3 * std::uint64_t{now_.triangle_bound()}) fail_here();
-      const Halfedge h = StripMesh::halfedge(static_cast<Triangle>(next / 3), static_cast<unsigned>(next % 3));
-      if (StripMesh::on_boundary(now_.opposite(h))) fail_here();
-      flips.push_back(canonical(now_, h));
-    }
-    baked_.records.first.push_back(static_cast<std::uint32_t>(flips.size()));
-  }
-
-  std::string_view rest_;
-  const std::string& name_;
-  BakedMesh baked_;
-  StripMesh now_;
-  DualOrder order_;
-  std::vector<Vertex> neighbors_;
-};
-
 }  // namespace
 
-BakedMesh parse_baked(std::string_view bytes, const std::string& name) { return Reader(bytes, name).run(); }
+BakedMesh parse_baked(std::string_view bytes, const std::string& name) {
+  BakedFile file;
+  const std::string fault = restrip::read_baked(std::as_bytes(std::span(bytes)), file);
+  if (!bytes.starts_with(baked_format::magic))
+    throw BadInput(fmt::format("{}: {}; make one by restrip bake", name, fault));
+  if (!fault.empty()) throw BadInput(fmt::format("{}: {}; bake it again (restrip bake)", name, fault));
+  BakedMesh baked;
+  for (const auto& [x, y, z] : file.points) baked.mesh.points.push_back({x, y, z});
+  baked.mesh.base = std::move(file.base);
+  for (const auto& [v_s, v_t, v_l, v_r] : file.splits) baked.mesh.splits.push_back({v_s, v_t, v_l, v_r});
+  baked.base = std::move(file.mesh);
+  baked.records = std::move(file.records);
+  return baked;
+}
 
 BakedMesh read_baked(const std::filesystem::path& file) { return parse_baked(files::read_whole(file), file.string()); }
 

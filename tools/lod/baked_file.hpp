@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "lod/bake.hpp"
+#include "restrip/formats/baked_format.hpp"
 
 namespace restrip::tools {
 
@@ -20,12 +21,9 @@ inline constexpr std::string_view baked_extension = ".baked";
 /// Renumbers the vertices in order of appearance, as pm_bytes does.
 [[nodiscard]] std::string baked_bytes(const BakedMesh& baked);
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo): every step is a bijection of its state, so no change of a single byte goes
-/// unseen.
+/// baked_format::fnv1a of characters.
 [[nodiscard]] constexpr std::uint64_t fnv1a(std::string_view bytes) noexcept {
-  std::uint64_t hash = 0xCBF29CE484222325ULL;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ULL;
-  return hash;
+  return baked_format::fnv1a(std::span<const char>(bytes));
 }
 
 }  // namespace restrip::tools

@@ -23,7 +23,8 @@ struct List {
 List list;
 
 struct Page {
-  std::unique_ptr<Session> session;
+  std::unique_ptr<Session> session;  // none when the bytes of a baked mesh were refused
+  std::string damage;                // why
   BuildReport left_out;
   Picture picture;
 };
@@ -76,6 +77,19 @@ Page* restrip_simplify(const float* points, std::uint32_t point_count, const std
                                             std::vector<float>(points, points + 3 * std::size_t{point_count}));
   return page;
 }
+RESTRIP_EXPORT(restrip_open_baked)
+Page* restrip_open_baked(const std::byte* bytes, std::uint32_t count) {
+  auto* page = new Page;
+  BakedFile file;
+  page->damage = read_baked({bytes, count}, file);
+  if (!page->damage.empty()) return page;
+  page->session = std::make_unique<Session>(std::move(file));
+  page->left_out = page->session->base_report();
+  return page;
+}
+/// Why the bytes of a baked mesh were refused; then nothing but restrip_close may be called. Else empty.
+RESTRIP_EXPORT(restrip_damage)
+const char* restrip_damage(const Page* page) { return page->damage.c_str(); }
 RESTRIP_EXPORT(restrip_close)
 void restrip_close(Page* page) { delete page; }
 RESTRIP_EXPORT(restrip_levels)
@@ -95,6 +109,10 @@ std::uint32_t restrip_left_out(const Page* page, std::uint32_t what) {
 }
 RESTRIP_EXPORT(restrip_splits)
 const List* restrip_splits(const Page* page) { return give(std::span<const Record>(page->session->source().splits)); }
+RESTRIP_EXPORT(restrip_points)
+const List* restrip_points(const Page* page) { return give(page->session->points()); }
+RESTRIP_EXPORT(restrip_has_baked_strips)
+std::uint32_t restrip_has_baked_strips(const Page* page) { return page->session->has_baked_strips() ? 1 : 0; }
 
 // ---- strips kept
 RESTRIP_EXPORT(restrip_begin)
@@ -103,6 +121,8 @@ void restrip_begin(Page* page, std::uint32_t policy, std::uint32_t restart, std:
   const auto weight = [](std::uint32_t w) { return static_cast<std::uint16_t>(std::min(w, 1000U)); };
   page->session->begin(policies[policy & 3U], {weight(restart), weight(swap), weight(isolated)});
 }
+RESTRIP_EXPORT(restrip_begin_baked)
+void restrip_begin_baked(Page* page) { page->session->begin_baked(); }
 RESTRIP_EXPORT(restrip_move)
 std::uint32_t restrip_move(Page* page, std::uint32_t level, std::uint32_t most) {
   return static_cast<std::uint32_t>(page->session->move(level, most));

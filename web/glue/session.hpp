@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "baked_strips.hpp"
 #include "last_operation.hpp"
 #include "progressive.hpp"
 
@@ -24,12 +25,14 @@ struct Figures {
   std::uint32_t refused = 0;       ///< operations that the mesh refused
   std::uint32_t indices_written = 0;
   std::uint32_t updates = 0;
+  std::uint32_t baked = 0;  ///< 1: the strips are baked ones, at a level that was baked
 };
 
 class Session {
   /// The result of `use` with the keeper of this session.
   template <class Use>
   auto with_keeper(Use&& use) {
+    if (by_bake_) return use(*by_bake_);
     return by_strips_ ? use(*by_strips_) : use(*by_cost_);
   }
 
@@ -44,11 +47,13 @@ class Session {
     dependents_.resize(source_.splits.size());
     played_.resize(source_.splits.size());
   }
+  explicit Session(BakedFile file) : Session(progressive_of(file), coordinates_of(file)) { file_ = std::move(file); }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   [[nodiscard]] std::size_t refused_record() const noexcept { return refused_record_; }
   [[nodiscard]] const BuildReport& base_report() const noexcept { return base_report_; }
+  [[nodiscard]] bool has_baked_strips() const noexcept { return file_.has_value(); }
   [[nodiscard]] const Progressive& source() const noexcept { return source_; }
   [[nodiscard]] std::span<const float> points() const noexcept { return points_; }
   [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
@@ -56,26 +61,20 @@ class Session {
 
   /// Goes to the base and gives it strips from scratch, as `restrip replay` does.
   void begin(Policy policy, Cost cost) {
-    by_strips_.reset();
-    by_cost_.reset();
-    mesh_ = StripMesh::build(source_.base, source_.points);
-    mesh_.reserve(source_.fine_triangles(), source_.points);
-    mesh_.watch(nullptr);
+    begin_with(StripMesh::build(source_.base, source_.points));
     stripify(mesh_, Effort::full, cost);
     if (cost == Cost::strips())
       by_strips_.emplace(mesh_, policy);
     else
       by_cost_.emplace(mesh_, policy, cost);
-    std::fill(played_.begin(), played_.end(), 0);
-    std::fill(dependents_.begin(), dependents_.end(), 0);
-    figures_ = {};
-    last_ = {};
-    checked_ = false;
-    changed_.clear();
-    mesh_.watch(&changed_);
-    buffer_.rebuild(mesh_);
-    buffer_.reserve(source_.fine_triangles());
-    whole_ = {{0, buffer_.indices().size()}};
+    begin_buffer();
+  }
+  /// The same with the baked strips of the base, if there are any.
+  void begin_baked() {
+    if (!file_) return;
+    begin_with(file_->mesh);
+    by_bake_.emplace(mesh_, *file_);
+    begin_buffer();
   }
 
   /// Towards the level at which the first `level` records are played: takes back what lies beyond, the last one first,
@@ -114,20 +113,20 @@ class Session {
   Refusal split(const Record& r) {
     const Where where = spokes_of(mesh_, r);
     const Refusal refusal = check_split(mesh_, where, r.v_t);
-    if (refusal == Refusal::granted) checked_ = true, do_split(where, r.v_t);
+    if (refusal == Refusal::granted) leave_records(), do_split(where, r.v_t);
     return refusal;
   }
   Refusal collapse(Vertex v_s, Vertex v_t) {
     const Halfedge chord = find_edge(mesh_, v_s, v_t);
     const Refusal refusal = chord.id == none ? Refusal::no_such_edge : check_collapse(mesh_, chord);
-    if (refusal == Refusal::granted) checked_ = true, do_collapse(chord);
+    if (refusal == Refusal::granted) leave_records(), do_collapse(chord);
     return refusal;
   }
   Refusal flip(Vertex u, Vertex v) {
     const Halfedge h = find_edge(mesh_, u, v);
     const Refusal refusal = h.id == none ? Refusal::no_such_edge : check_flip(mesh_, h);
     if (refusal != Refusal::granted) return refusal;
-    checked_ = true;
+    leave_records();
     const auto quad = [this](Halfedge g, std::vector<Corners>& out) {
       out = {mesh_.corners(StripMesh::triangle(g)), mesh_.corners(StripMesh::triangle(mesh_.opposite(g)))};
     };
@@ -167,6 +166,7 @@ class Session {
       if (played_[i] != 0) ++played, beyond = i + 1;
     figures_.played = static_cast<std::uint32_t>(played);
     figures_.in_order = played == beyond ? 1 : 0;
+    figures_.baked = by_bake_ && by_bake_->in_step() ? 1 : 0;
     figures_.buffer_indices = static_cast<std::uint32_t>(buffer_.indices().size());
     return figures_;
   }
@@ -174,6 +174,41 @@ class Session {
   [[nodiscard]] std::size_t plain_indices() const { return strip_index_count(mesh_, extract_strips(mesh_)); }
 
  private:
+  [[nodiscard]] static Progressive progressive_of(const BakedFile& file) {
+    Progressive out{file.base, {}, file.points.size()};
+    for (const BakedSplit& split : file.splits) out.splits.push_back({split.v_s, split.v_t, split.v_l, split.v_r});
+    return out;
+  }
+  [[nodiscard]] static std::vector<float> coordinates_of(const BakedFile& file) {
+    std::vector<float> out;
+    for (const auto& point : file.points) out.insert(out.end(), point.begin(), point.end());
+    return out;
+  }
+  void begin_with(StripMesh base) {
+    by_strips_.reset();
+    by_cost_.reset();
+    by_bake_.reset();
+    mesh_ = std::move(base);
+    mesh_.reserve(source_.fine_triangles(), source_.points);
+    mesh_.watch(nullptr);
+  }
+  void begin_buffer() {
+    std::fill(played_.begin(), played_.end(), 0);
+    std::fill(dependents_.begin(), dependents_.end(), 0);
+    figures_ = {};
+    last_ = {};
+    checked_ = false;
+    changed_.clear();
+    mesh_.watch(&changed_);
+    buffer_.rebuild(mesh_);
+    buffer_.reserve(source_.fine_triangles());
+    whole_ = {{0, buffer_.indices().size()}};
+  }
+  /// From now on the mesh is not what the records expect.
+  void leave_records() {
+    checked_ = true;
+    if (by_bake_) by_bake_->leave_step();
+  }
   bool play(std::size_t i) {
     const Record& r = source_.splits[i];
     const Where where = spokes_of(mesh_, r);
@@ -258,6 +293,7 @@ class Session {
   std::vector<float> points_;
   Hierarchy hierarchy_;
   BuildReport base_report_;
+  std::optional<BakedFile> file_;  // of a baked mesh
   std::size_t refused_record_ = none;
   std::vector<std::uint8_t> played_;       // by record
   std::vector<std::uint32_t> dependents_;  // by record: those played that need it
@@ -266,6 +302,7 @@ class Session {
   StripMesh mesh_;
   std::optional<StripKeeper> by_strips_;
   std::optional<IndexKeeper> by_cost_;
+  std::optional<BakedStrips> by_bake_;
   std::vector<Triangle> changed_;
   StripBuffer buffer_;
   std::vector<IndexRange> whole_;  // not empty: the next update writes everything

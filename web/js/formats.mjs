@@ -1,12 +1,14 @@
 // Mesh files that a visitor may drop on the page: OBJ, OFF, PLY, GLB (as a mesh), and OpenMesh's progressive meshes
 // (PM). Each reader returns { points, triangles } or { points, base, splits }, or throws an Error that says what is wrong.
+// Baked meshes are read by the library (Restrip.baked); here they are { baked }, their bytes.
 
 /// `name` decides by its extension.
 export function readMesh(name, buffer) {
   const extension = name.toLowerCase().replace(/.*\./, '');
+  if (extension === 'baked') return { baked: new Uint8Array(buffer.buffer ?? buffer, buffer.byteOffset ?? 0, buffer.byteLength) };
   const readers = { obj: readObj, off: readOff, ply: readPly, glb: readGlb, pm: readPm };
   if (!(extension in readers))
-    throw new Error(`${name}: is none of the formats ${Object.keys(readers).join(', ').toUpperCase()}`);
+    throw new Error(`${name}: is none of the formats ${[...Object.keys(readers), 'baked'].join(', ').toUpperCase()}`);
   const mesh = readers[extension](buffer, name);
   if ((mesh.triangles ?? mesh.base).length === 0) throw new Error(`${name}: has no triangles`);
   const vertices = mesh.points.length / 3;
@@ -127,6 +129,20 @@ function welded(points, triangles) {
   return { points: out, triangles: triangles.map((v) => number[v]) };
 }
 
+/// The corners of the triangles of a list (mode 4), of strips (5) or fans (6); index `restart` begins anew.
+function asTriangles(corners, mode, restart) {
+  if (mode === 4) return corners;
+  const out = [];
+  let first = 0;
+  corners.forEach((c, n) => {
+    if (c === restart) first = n + 1;
+    if (n < first + 2) return;
+    const [a, b] = mode === 6 ? [corners[first], corners[n - 1]] : (n - first) % 2 === 0 ? [corners[n - 2], corners[n - 1]] : [corners[n - 1], corners[n - 2]];
+    if (a !== b && b !== c && c !== a) out.push(a, b, c);
+  });
+  return out;
+}
+
 function readGlb(buffer, name) {
   const view = new DataView(buffer.buffer ?? buffer, buffer.byteOffset ?? 0, buffer.byteLength);
   if (view.byteLength < 20 || view.getUint32(0, true) !== 0x46546c67) throw new Error(`${name}: is no binary glTF`);
@@ -148,12 +164,14 @@ function readGlb(buffer, name) {
   const triangles = [];
   for (const mesh of json.meshes ?? []) {
     for (const primitive of mesh.primitives) {
-      if ((primitive.mode ?? 4) !== 4) continue;
+      const mode = primitive.mode ?? 4;
+      if (mode < 4) continue;  // points and lines
       const first = points.length / 3;
       for (const coordinate of read(primitive.attributes.POSITION)) points.push(coordinate);
       const corners = primitive.indices === undefined
         ? Array.from({ length: points.length / 3 - first }, (_, n) => n) : read(primitive.indices);
-      for (const corner of corners) triangles.push(first + corner);
+      const restart = { 5121: 0xff, 5123: 0xffff, 5125: 0xffffffff }[json.accessors[primitive.indices]?.componentType];
+      for (const corner of asTriangles(corners, mode, restart)) triangles.push(first + corner);
     }
   }
   return welded(points, triangles);

@@ -9,8 +9,9 @@
 //     gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, 4 * first, mesh.indices, first, count);
 //   gl.drawElements(gl.TRIANGLE_STRIP, mesh.indices.length, gl.UNSIGNED_INT, 0);
 
-/** How far an operation looks to keep the strips good. */
-export type Policy = 'local' | 'linked' | 'quick' | 'full';
+/** How far an operation looks to keep the strips good. 'baked': not at all, the strips of each level were decided by
+ * `restrip bake`; for meshes opened by Restrip.baked. */
+export type Policy = 'local' | 'linked' | 'quick' | 'full' | 'baked';
 /** What is kept low: a weight for each strip, each swap (a repeated index), each isolated triangle; 0 to 1000. */
 export type Cost = 'strips' | 'indices' | { restart: number; swap: number; isolated?: number };
 export type Family = 'split' | 'collapse' | 'open-split' | 'open-collapse' | 'boundary-split' | 'boundary-collapse' | 'flip';
@@ -29,6 +30,9 @@ export class Restrip {
   progressive(source: { points: ArrayLike<number>; base: ArrayLike<number>; splits: ArrayLike<number> }): StripMesh;
   /** Simplifies a mesh to that share of its triangles, by quadric errors; boundary vertices stay. */
   simplified(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): StripMesh;
+  /** A baked mesh, from the bytes of the file that `restrip bake` wrote. Throws when they are truncated, altered, or no
+   * mesh. */
+  baked(bytes: ArrayBuffer | ArrayBufferView): StripMesh;
   /** The rule of a configuration, numbered as in docs/notation.md: `edges` are the loop or inner edges before. Any k
    * up to 61. Positions and colours that do not exist are not `valid`. */
   rule(configuration: { family: Family; k?: number; a?: number; i?: number; j?: number;
@@ -57,13 +61,17 @@ export interface Figures {
   inOrder: boolean;
   bufferIndices: number;
   operations: number;
-  /** Operations after which there were more strips; that added an isolated triangle; that the mesh refused. */
+  /** Operations after which there were more strips; that added an isolated triangle (not counted while `baked`); that the
+   * mesh refused. */
   addingStrip: number;
   isolating: number;
   refused: number;
   /** By all updates but the first. */
   indicesWritten: number;
   updates: number;
+  /** The strips are those that were baked for this level. Under policy 'baked' that ends with the first operation out of
+   * order; from then on the rules keep the strips, until begin(). */
+  baked: boolean;
 }
 
 export interface LastOperation {
@@ -90,9 +98,12 @@ export class StripMesh {
   readonly levels: number;
   /** A copy, 4 numbers a record. */
   readonly splits: Uint32Array;
+  /** May be begun with policy 'baked'. */
+  readonly hasBakedStrips: boolean;
   readonly leftOut: { triangles: number; nonManifoldVertices: number; boundaryEdges: number };
 
-  /** Goes to the base, gives it strips from scratch, and keeps them in this way from now on. */
+  /** Goes to the base, gives it strips from scratch, and keeps them in this way from now on. Policy 'baked' begins with the
+   * baked strips instead, whatever the cost. */
   begin(options?: { policy?: Policy; cost?: Cost }): this;
   /** Splits and collapses until the first `level` records are played, at most `most` operations. Returns their number;
    * fewer than `most`: done. */

@@ -10,7 +10,7 @@ export const restartIndex = 0xffffffff;
 export const none = 0xffffffff;
 
 const figureNames = ['triangles', 'strips', 'played', 'inOrder', 'bufferIndices', 'operations', 'addingStrip',
-  'isolating', 'refused', 'indicesWritten', 'updates'];
+  'isolating', 'refused', 'indicesWritten', 'updates', 'baked'];
 
 /// Compiles the module: its bytes, or where to fetch it from; the file beside this one when nothing is given.
 export async function load(source = new URL('./restrip.wasm', import.meta.url)) {
@@ -48,6 +48,18 @@ export class Restrip {
     const wanted = Math.max(4, Math.round(triangles.length / 3 * share));
     return this.#opened(this.#with([Float32Array.from(points), Uint32Array.from(triangles)],
       (p, t) => this.#wasm.restrip_simplify(p, points.length / 3, t, triangles.length / 3, wanted)), points);
+  }
+
+  /// A baked mesh, from the bytes of its file.
+  baked(bytes) {
+    const copy = Uint8Array.from(ArrayBuffer.isView(bytes) ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes));
+    const page = this.#with([copy], (b) => this.#wasm.restrip_open_baked(b, copy.length));
+    const damage = textAt(this.#wasm, this.#wasm.restrip_damage(page));
+    if (damage !== '') {
+      this.#wasm.restrip_close(page);
+      throw new Error(`baked mesh: ${damage}`);
+    }
+    return this.#opened(page, this.#list(this.#wasm.restrip_points(page), Float32Array));
   }
 
   /// The rule of a configuration.
@@ -94,6 +106,11 @@ function listAt(wasm, address, Type, width) {
   return size === 0 ? new Type(0) : new Type(wasm.memory.buffer, data, size * width);
 }
 
+function textAt(wasm, address) {
+  const memory = new Uint8Array(wasm.memory.buffer);
+  return new TextDecoder().decode(memory.slice(address, memory.indexOf(0, address)));
+}
+
 export class StripMesh {
   #wasm;
   #page;
@@ -121,9 +138,16 @@ export class StripMesh {
     return { triangles: count(0), nonManifoldVertices: count(1), boundaryEdges: count(2) };
   }
 
+  get hasBakedStrips() { return this.#wasm.restrip_has_baked_strips(this.#page) === 1; }
+
   begin({ policy = 'quick', cost = 'strips' } = {}) {
+    if (policy === 'baked') {
+      if (!this.hasBakedStrips) throw new RangeError('this mesh has no baked strips; open the file of a baked mesh');
+      this.#wasm.restrip_begin_baked(this.#page);
+      return this;
+    }
     const number = policies.indexOf(policy);
-    if (number < 0) throw new RangeError(`there is no policy ${policy}; there are ${policies.join(', ')}`);
+    if (number < 0) throw new RangeError(`there is no policy ${policy}; there are ${policies.join(', ')}, and baked for baked meshes`);
     const { restart, swap, isolated = 0 } = typeof cost === 'string' ? costs[cost] : cost;
     this.#wasm.restrip_begin(this.#page, number, restart, swap, isolated);
     return this;
@@ -142,9 +166,7 @@ export class StripMesh {
   flip(u, v) { return this.#done(this.#wasm.restrip_flip(this.#page, u, v)); }
   #done(refusal) {
     if (refusal === 0) return null;
-    const memory = new Uint8Array(this.#wasm.memory.buffer);
-    const from = this.#wasm.restrip_describe(refusal);
-    return new TextDecoder().decode(memory.slice(from, memory.indexOf(0, from)));
+    return textAt(this.#wasm, this.#wasm.restrip_describe(refusal));
   }
 
   update() {
@@ -159,7 +181,7 @@ export class StripMesh {
   get figures() {
     const raw = new Uint32Array(this.#wasm.memory.buffer, this.#wasm.restrip_figures(this.#page), figureNames.length);
     const figures = Object.fromEntries(figureNames.map((name, n) => [name, raw[n]]));
-    figures.inOrder = figures.inOrder === 1;
+    for (const flag of ['inOrder', 'baked']) figures[flag] = figures[flag] === 1;
     return figures;
   }
   get plainIndices() { return this.#wasm.restrip_plain_indices(this.#page); }

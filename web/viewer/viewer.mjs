@@ -8,7 +8,7 @@ import { fanPicture, listed, representative, ringPicture, ruleName } from './pat
 
 const by = (id) => document.getElementById(id);
 /// Operations in a frame, so that a frame stays short under every policy.
-const operationsPerFrame = { local: 1500, linked: 1500, quick: 500, full: 100 };
+const operationsPerFrame = { local: 1500, linked: 1500, quick: 500, full: 100, baked: 1500 };
 
 class Viewer {
   camera = new Camera();
@@ -36,7 +36,12 @@ class Viewer {
     by('down').addEventListener('click', () => this.step(-1));
     by('up').addEventListener('click', () => this.step(1));
     for (const id of ['policy', 'cost']) by(id).addEventListener('change', () => this.begin());
-    by('mode').addEventListener('change', () => this.#changed());
+    by('mode').addEventListener('change', () => {
+      // Out of order baked strips are lost; the base has them again.
+      const lost = by('policy').value === 'baked' && by('mode').value === 'level' && !this.mesh.figures.baked;
+      if (lost) this.begin();
+      else this.#changed();
+    });
     by('style').addEventListener('change', () => this.ask());
     by('compare').addEventListener('click', () => this.compare());
     by('file').addEventListener('change', () => by('file').files.length && this.open(by('file').files[0]));
@@ -62,17 +67,22 @@ class Viewer {
     try {
       await this.show(readMesh(file.name, await file.arrayBuffer()), file.name);
     } catch (error) {
-      this.fault(error.message);
+      this.fault(error.message.startsWith(file.name) ? error.message : `${file.name}: ${error.message}`);
     }
   }
   async show(source, name) {
-    const mesh = source.base ? this.restrip.progressive(source) : this.restrip.simplified(source);
+    const mesh = source.baked ? this.restrip.baked(source.baked)
+      : source.base ? this.restrip.progressive(source) : this.restrip.simplified(source);
     if (mesh.levels === 0) {
       mesh.close();
       throw new Error(`${name}: no edge of it can be collapsed, so it has one level only`);
     }
     this.mesh?.close();
     this.mesh = mesh;
+    this.file = source.baked;
+    const baked = by('policy').querySelector('[value=baked]');
+    baked.disabled = baked.hidden = !mesh.hasBakedStrips;
+    if (baked.disabled && by('policy').value === 'baked') by('policy').value = 'quick';
     by('fault').hidden = true;
     this.splits = mesh.splits;
     this.camera.fit(mesh.points);
@@ -107,6 +117,7 @@ class Viewer {
   /// was seen before.
   begin() {
     this.mesh.begin({ policy: by('policy').value, cost: by('cost').value });
+    by('cost').disabled = by('policy').value === 'baked';
     this.timed = { operations: 0, milliseconds: 0 };
     this.#told = -1;
     this.#upload();
@@ -264,7 +275,9 @@ class Viewer {
     const pictures = [[from(k, a, last.before, ports, 'before'), 'before']];
     const { colors } = this.restrip.rule({ family: last.kind, k, a, edges: last.before, ports });
     const asRule = colors === last.after && last.portsAfter === ports;
-    if (by('cost').value === 'indices') {
+    if (this.figures.baked) {
+      by('last-text').textContent = `${place} No rule was looked up: \`restrip bake\` decided these strips beforehand, with long searches.`;
+    } else if (by('cost').value === 'indices' && by('policy').value !== 'baked') {
       by('last-text').textContent = `${place} To keep indices low no rule is looked up: the new triangles continue the strips ` +
         'on which they land, and small changes follow as long as they save indices.';
     } else {
@@ -289,10 +302,10 @@ class Viewer {
     const rows = [];
     const cost = by('cost').value;
     const source = { points: this.mesh.points, base: this.#baseOf(), splits: this.splits };
-    for (const policy of ['local', 'linked', 'quick', 'full']) {
+    for (const policy of ['local', 'linked', 'quick', 'full', ...(this.file ? ['baked'] : [])]) {
       by('compared').textContent = `${policy} …`;
       await new Promise((done) => setTimeout(done, 30));
-      const mesh = this.restrip.progressive(source).begin({ policy, cost });
+      const mesh = (policy === 'baked' ? this.restrip.baked(this.file) : this.restrip.progressive(source)).begin({ policy, cost });
       const before = performance.now();
       mesh.moveTo(mesh.levels);
       const each = (performance.now() - before) * 1000 / mesh.levels;
@@ -321,7 +334,7 @@ try {
   const restrip = await load(await embedded('wasm'));
   const viewer = new Viewer(restrip);
   window.restripViewer = viewer;  // for the console, and for tests
-  await viewer.show(readMesh('hare.pm', await embedded('mesh')), 'hare');
+  await viewer.show(readMesh('hare.baked', await embedded('mesh')), 'hare');
 } catch (error) {
   by('fault').textContent = error.message;
   by('fault').hidden = false;

@@ -8,13 +8,14 @@
 //   rules/                   look a rule up: constexpr, knows no mesh
 //   mesh/                    what a mesh must offer, StripMesh, checks of preconditions, walks
 //   operations/, output/     operations with strips kept; strips and index buffers out
-//   search/                  what looks further than a patch: strips from scratch, keepers with a policy
+//   search/, formats/        what looks further than a patch: strips from scratch, keepers with a policy; files read
 //
 // Not included here: operations/batch.hpp (needs threads), mesh/adapters/ (need OpenMesh or CGAL).
 //
 // scripts/amalgamate.py makes one file of all this.
 #pragma once
 
+#include "restrip/formats/baked_file.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/mesh.hpp"

@@ -8,7 +8,7 @@
 
 #include "restrip/mesh/strip_mesh.hpp"
 
-namespace restrip::tools {
+namespace restrip {
 
 /// The walk starts with the triangles given, takes each triangle's sides 0, 1, 2, numbers a dual edge when it first
 /// meets it, and goes on with the triangles beyond in the order in which it met them.
@@ -62,4 +62,4 @@ class DualOrder {
   std::size_t done_ = 0;
 };
 
-}  // namespace restrip::tools
+}  // namespace restrip

@@ -1,0 +1,49 @@
+// Reads baked meshes, the files that `restrip bake` writes (docs/baked.md has the format), from memory.
+//
+//   BakedFile file;
+//   if (const std::string fault = read_baked(bytes, file); !fault.empty()) return report(fault);
+//   BakedPlayer player(file.mesh, file.records);
+//   player.split(i, spokes_of(file.mesh, file.splits[i]), file.splits[i].v_t);
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/baked.hpp"
+
+namespace restrip {
+
+/// One vertex split, by vertices; read backward, a collapse of v_t into v_s. v_l is to the left of v_s -> v_t. Where
+/// the new edge lies on the boundary one of v_l and v_r is `none`.
+struct BakedSplit {
+  Vertex v_s = none;
+  Vertex v_t = none;
+  Vertex v_l = none;
+  Vertex v_r = none;
+};
+
+struct BakedFile {
+  std::vector<std::array<float, 3>> points;  ///< of all vertices, those of the base first, then one for each split
+  std::vector<std::array<Vertex, 3>> base;   ///< triangle t of the base has handle t in `mesh`
+  std::vector<BakedSplit> splits;            ///< from coarse to fine
+  StripMesh mesh;                            ///< the base, in its colours
+  BakedRecords<StripMesh::Halfedge> records;
+};
+
+/// The spokes of a split of the mesh as it is before that split.
+[[nodiscard]] inline VertexSplit<StripMesh::Halfedge> spokes_of(const StripMesh& mesh, const BakedSplit& split);
+
+/// Returns an empty string and fills `file`, or says what is wrong with the bytes, in words that follow the name of the
+/// file and a colon; then `file` is as it was. Refused are bytes that are truncated, altered (the checksum covers
+/// each), of another version, or describe splits or colours that no mesh can have. All records are played once: the
+/// time is that of reading and of the finest mesh. Memory is in proportion to the bytes. Throws std::bad_alloc only,
+/// and std::length_error for more triangles than a StripMesh can hold.
+[[nodiscard]] inline std::string read_baked(std::span<const std::byte> bytes, BakedFile& file);
+
+}  // namespace restrip
+
+#include "restrip/formats/impl/baked_file.hpp"
