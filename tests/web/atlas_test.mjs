@@ -183,6 +183,20 @@ try {
     assert.match(kinds, /\bcosts\b/);
     assert.equal(ports, wanted);
   }
+  // The rules met most often come first, as met.csv has them, and filtered are those that are met.
+  const met = new Map(readFileSync(join(root, 'web/atlas/met.csv'), 'latin1').trim().split('\n').slice(1).map((line) => line.split(','))
+    .map(([name, ...counts]) => [name, counts.reduce((sum, n) => sum + +n, 0)]));
+  await page.open(address('atlas/split-6-3.html'));
+  const byMet = await page.run(() => {
+    document.getElementById('often').click();
+    document.querySelector('#filter [name=met]').click();
+    return [...document.querySelectorAll('#rules tbody tr:not([hidden])')].map((row) => row.id);
+  });
+  assert.ok(byMet.length > 50, `${byMet.length} rules are met`);
+  assert.deepEqual(new Set(byMet), new Set([...met.keys()].filter((name) => name.startsWith('split-6-3-'))));
+  byMet.reduce((before, name) => assert.ok(met.get(before) >= met.get(name)) ?? name);
+  assert.equal(await page.run(() => (document.getElementById('often').click(), document.querySelector('#rules tbody tr').id)), 'split-6-3-0-0');
+
   for (const other of ['open-split-5-1-3', 'boundary-split-4-1', 'collapse-6', 'fan-collapse-5', 'flip']) {
     await page.open(address(`atlas/${other}.html`));
     await page.until('document.querySelectorAll("#rules tbody tr:first-child svg.patch").length === 2');

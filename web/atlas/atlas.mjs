@@ -45,7 +45,7 @@ if (table) {
 
   const form = document.getElementById('filter');
   const filter = () => {
-    const kinds = [...form.querySelectorAll('[type=checkbox]:checked')].map((box) => box.name);
+    const kinds = [...form.querySelectorAll('[name]:checked')].map((box) => box.name);
     const wanted = form.ports?.value.match(/\d+/g)?.reduce((mask, i) => mask | 1 << i, 0);
     let shown = 0;
     for (const row of rows) {
@@ -55,6 +55,12 @@ if (table) {
     }
     form.querySelector('output').textContent = shown === rows.length ? `${shown} rules` : `${shown} of ${rows.length} rules`;
   };
+  // In the order of the certificate, or by how often a rule is met.
+  document.getElementById('often')?.addEventListener('input', (event) => {
+    const met = (row) => +(row.dataset.met ?? 0);
+    const order = event.target.checked ? rows.toSorted((a, b) => met(b) - met(a)) : rows;
+    table.tBodies[0].append(...order);
+  });
   form.hidden = false;
   form.addEventListener('input', filter);
   form.addEventListener('submit', (event) => event.preventDefault());

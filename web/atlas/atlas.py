@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Makes the atlas: a page for each section of the certificates, with a row for each of their rules, and an index.
 
-atlas.py CERTIFICATES OUT --replay JSON --style FILE… --script FILE…
+atlas.py CERTIFICATES OUT --met CSV --style FILE… --script FILE…
 Reads tables/certificates (docs/certificate.md); what it says of a rule it reads there or counts from
-docs/notation.md. Which valences are met it reads in what `restrip replay --json` wrote of the viewer's mesh."""
+docs/notation.md. How often splits meet a rule it reads in met.csv, which scripts/met_rules.mjs wrote of real meshes."""
 import argparse
-import json
+import csv
 import sys
 from collections import defaultdict
 from pathlib import Path
@@ -260,7 +260,20 @@ def signed(n):
     return f"+{n}" if n > 0 else str(n).replace("-", "−")
 
 
-def row(section, group, orbit, known, key, colors, tree):
+def met_at(met, section):
+    """Splits of real meshes at the position of this section."""
+    return sum(n for name, n in met.items() if name.startswith(f"{section.name}-"))
+
+
+def often(met, name):
+    """Of 10,000 splits of real meshes, how many meet this rule; in words."""
+    if met.get(name, 0) == 0:
+        return "–"
+    share = 10000 * met[name] / sum(met.values())
+    return f"{share:.2f}" if share >= 0.01 else "under 0.01"
+
+
+def row(section, group, orbit, known, key, colors, tree, met):
     ports, joined = key
     name = f"{section.name}-{ports:x}-{joined:x}"
     pairs = " ".join(f"{a}–{b}" for a, b in sorted(sorted(p) for p in joined_pairs(section.k, ports, joined, section.closed)))
@@ -268,7 +281,7 @@ def row(section, group, orbit, known, key, colors, tree):
     splits = "split" in section.family
     _, low, high, example = known[key] if splits else (0, 0, 0, 0)
     count, place, inner = (0, (), 0) if splits else known[key]
-    before = "" if splits else f' data-before="{" ".join(map(str, (inner, *place)))}"'
+    more = "" if splits else f' data-before="{" ".join(map(str, (inner, *place)))}"'
     kinds = []
     cost = ""
     if splits:
@@ -278,14 +291,18 @@ def row(section, group, orbit, known, key, colors, tree):
         kinds += ["costs"] if changes[1] > 0 else []
     kinds += ["alone"] if isolated_after(section, ports, colors) else []
     kinds += ["symmetric"] if orbit < group else []
+    if name in met:
+        kinds.append("met")
+        more += f' data-met="{met[name]}"'
     picture = ""
     if section.family == "split" and section.k <= 4:
         picture = (fan_picture(section.k, section.places[0], example, ports, "before") +
                    split_picture(section.k, section.places[0], colors, ports, "after"))
     cells = [f'<a href="#{name}">{ports:x}-{joined:x}</a>', numbers(ports), pairs or "–", numbers(colors)]
     cells += [cost] if splits else [grouped(count)]
+    cells += [often(met, name)] if section.family == "split" else []
     cells += [str(orbit), in_words(tree)]
-    return (f'<tr id="{name}" class="{" ".join(kinds)}" data-k="{ports} {joined} {example} {colors}"{before}>'
+    return (f'<tr id="{name}" class="{" ".join(kinds)}" data-k="{ports} {joined} {example} {colors}"{more}>'
             f'<td class="pic">{picture}</td>' + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>")
 
 
@@ -306,7 +323,7 @@ NOTES = {
     "boundary-split": "f0 … f{km} lead along the path of all triangles."}
 
 
-def section_page(section, known, page):
+def section_page(section, known, met, page):
     orbits = defaultdict(lambda: 1)
     for key, symmetry, by in section.copies:
         orbits[key_after(section.k, key[0], key[1], section.closed, symmetry, by)] += 1
@@ -317,12 +334,13 @@ def section_page(section, known, page):
     palindrome = {"split": True, "open-split": section.places and sum(section.places) == section.k,
                   "boundary-split": section.places and 2 * section.places[0] == section.k}.get(section.family, True)
     group = 2 * section.k if section.family == "collapse" else 4 if split_in_halves else 2 if palindrome else 1
-    rows = "\n".join(row(section, group, orbits[tuple(k[:2])], known, tuple(k[:2]), k[2], tree) for k, tree in section.rules)
+    rows = "\n".join(row(section, group, orbits[tuple(k[:2])], known, tuple(k[:2]), k[2], tree, met) for k, tree in section.rules)
     claims = section.claims
     k = section.k
     note = NOTES[section.family].format(k=k, k1=k + 1, k2=k + 2, km=k - 1)
     columns = ["", "rule", "solid ports", "joined before", "solid edges after"]
     columns += ["change in strips"] if "split" in section.family else ["patches before, one of them drawn"]
+    columns += ["met by 10,000 splits"] if section.family == "split" else []
     columns += ["in its orbit", "why nothing is better"]
     costs = claims["costing"]
     facts = (f"{grouped(claims['configurations'])} configurations, {grouped(claims['valid'])} of them valid. "
@@ -333,12 +351,17 @@ def section_page(section, known, page):
               f"In {grouped(costs)} configurations the best rule adds a strip; none adds more than {claims['worst-strips']}."))
     filters = "".join(f'<label><input type="checkbox" name="{n}"> {w}</label>' for n, w in
                       ((("costs", "adds a strip somewhere"),) if "split" in section.family else ()) +
-                      (("alone", "leaves a triangle alone"), ("symmetric", "is its own mirror image or turn")))
+                      (("alone", "leaves a triangle alone"), ("symmetric", "is its own mirror image or turn")) +
+                      ((("met", "met on real meshes"),) if section.family == "split" else ()))
+    sorting = '<label><input type="checkbox" id="often"> most often met first</label>' if section.family == "split" else ""
+    if section.family == "split":
+        facts += (f" Of the splits of four real meshes, from 2 % of their triangles up, {100 * met_at(met, section) / sum(met.values()):.1f} % are at this "
+                  f"position; they meet {grouped(rows.count(' data-met='))} of these rules.")
     body = (f'<h1>{escaped(section.title())}</h1><div id="names"></div><p>{facts}</p><p>{note}</p>{WHY}'
             '<p>A solid port is a strip that leaves the patch. A rule may join two of them only if they were joined before. '
             'The theorem <code>all_correct</code> (verify/formal/Answers.v, checked by Coq) says that what the library answers here is '
             'sound and that nothing sound is preferred to it.</p>'
-            f'{LEGEND}<form id="filter" hidden>{filters}<label>solid ports <input name="ports" size="10" placeholder="0 3"></label>'
+            f'{LEGEND}<form id="filter" hidden>{filters}{sorting}<label>solid ports <input name="ports" size="10" placeholder="0 3"></label>'
             '<output></output></form>'
             f'<div class="wide"><table id="rules" data-family="{section.family}" data-n="{k}" data-at="{" ".join(map(str, section.places))}">'
             f'<thead><tr>{"".join(f"<th>{c}</th>" for c in columns)}</tr></thead><tbody>\n{rows}\n</tbody></table></div>')
@@ -388,9 +411,9 @@ def index_page(families, picture, met, page):
             total += len(s.rules)
             rows += (f'<tr><td><a href="{s.name}.html">{escaped(s.title().split(": ")[-1])}</a></td><td>{grouped(len(s.rules))}</td>'
                      f'<td>{grouped(s.claims["valid"])}</td><td>{grouped(s.claims["costing"])}</td><td>{signed(s.claims["worst-isolated"])}</td>'
-                     + (f"<td>{100 * met.get(str(s.k), 0) / sum(met.values()):.1f} %</td>" if with_met else "") + "</tr>")
+                     + (f"<td>{100 * met_at(met, s) / sum(met.values()):.1f} %</td>" if with_met else "") + "</tr>")
         table = ('<div class="wide"><table class="index"><thead><tr><th></th><th>rules</th><th>valid configurations</th><th>of which cost a strip</th>'
-                 f'<th>most triangles isolated</th>{"<th>splits of the viewer’s mesh with this k</th>" if with_met else ""}</tr></thead><tbody>{rows}</tbody></table></div>')
+                 f'<th>most triangles isolated</th>{"<th>splits of real meshes</th>" if with_met else ""}</tr></thead><tbody>{rows}</tbody></table></div>')
         shown = table if len(sections) < 20 else f"<details><summary>{len(sections)} positions</summary>{table}</details>"
         body += f"<h2>{title}</h2>{shown}"
     body += (f"<p>{grouped(total)} rules in all, for vertices of up to 8 triangles. For larger ones a finite automaton answers, exactly "
@@ -402,7 +425,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("certificates", type=Path)
     parser.add_argument("out", type=Path)
-    parser.add_argument("--replay", type=Path, required=True)
+    parser.add_argument("--met", type=Path, required=True)
     parser.add_argument("--style", nargs="+", required=True)
     parser.add_argument("--script", nargs="+", required=True)
     given = parser.parse_args()
@@ -417,6 +440,8 @@ def main():
                 '<nav><a href="../index.html">restrip</a> <a href="../viewer.html">Viewer</a> <a href="index.html">Atlas of rules</a></nav>\n'
                 f'<main>{body}</main>\n</body>\n</html>\n')
 
+    with given.met.open(encoding="ascii", newline="") as file:
+        met = {name: sum(map(int, counts)) for name, *counts in list(csv.reader(file))[1:]}
     families = {family: read(given.certificates / f"{family}.cert") for family in FAMILIES}
     known = {}
     for family, sections in families.items():
@@ -426,14 +451,16 @@ def main():
                 known[shape] = before_collapses(*shape[:2]) if shape[2] else configurations(*shape[:2])
                 if shape[2] and sum(count for count, *_ in known[shape].values()) != section.claims["valid"]:
                     sys.exit(f"atlas.py: {section.name}: the keys have not as many configurations as the certificate says")
-            text = flip_page(section, page) if family == "flip" else section_page(section, known[shape], page)
+            text = flip_page(section, page) if family == "flip" else section_page(section, known[shape], met, page)
             (given.out / f"{section.name}.html").write_text(text, encoding="utf-8")
     chosen = next((key, tree) for key, tree in families["split"][4].rules if len(bits(key[0])) == 3)
     (ports, joined, colors), _ = chosen
     loop = known[5, True, False][ports, joined][3]
     picture = ('<div class="pictures"><figure>' + fan_picture(5, 2, loop, ports, "before") + "<figcaption>before the split</figcaption></figure><figure>" +
                      split_picture(5, 2, colors, ports, "after") + "<figcaption>after it, by its rule</figcaption></figure></div>" + LEGEND)
-    met = json.loads(given.replay.read_text(encoding="utf-8"))["by_valence"]
+    rules = {f"{s.name}-{key[0]:x}-{key[1]:x}" for s in families["split"] for key, _ in s.rules}
+    if stray := set(met) - rules - {"boundary", "larger"}:
+        sys.exit(f"atlas.py: {given.met}: {min(stray)} is no rule of the certificates; make the file anew")
     (given.out / "index.html").write_text(index_page(families, picture, met, page), encoding="utf-8")
 
 
