@@ -140,7 +140,7 @@ def print_verified(generate):
     header("`MAX_K`", "generating, seconds", "`t.rules`, seconds", "its largest memory", "bytes of headers")
     sources = [os.path.join(HERE, "runtime", f"dump_{part}.cpp") for part in ("automaton", "linked", "tables")]
     includes = [word for room in ("runtime", "tables") for word in ("-I", os.path.join(HERE, room, "include"))]
-    for k in (6, 8, 9, 10):
+    for k in (6, 8, 9):
         with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as elsewhere:
             made, dump = os.path.join(folder, "include"), os.path.join(elsewhere, "dump")
             generated = watched(generate, "tables", "--max-k", str(k), "--out", folder)
