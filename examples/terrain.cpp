@@ -1,7 +1,7 @@
-// A terrain under longest-edge bisection (Rivara 1984; ROAM, right-triangulated terrains): refined in front of a camera
-// that flies over it, coarsened behind it. The rules of bisect() and merge() keep the strips, and here they keep one for
-// the whole terrain. This flies a hundred frames; `example_terrain time` flies a thousand, and says how long the rules
-// took in a frame, beside making strips from scratch.
+// A terrain under longest-edge bisection (Rivara 1984; ROAM, right-triangulated terrains): refined in front of a
+// camera that flies over it, coarsened behind it. The rules of bisect() and merge() keep the strips, and here they keep
+// one for the whole terrain. This flies a hundred frames; `example_terrain time` flies a thousand, and says how long
+// the rules took in a frame, beside making strips from scratch.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
