@@ -10,7 +10,8 @@
 //   operations/, output/     operations with strips kept; strips and index buffers out
 //   search/, formats/        what looks further than a patch: strips from scratch, keepers with a policy; files read
 //
-// Not included here: operations/batch.hpp (needs threads), mesh/adapters/ (need OpenMesh or CGAL).
+// Not included here: operations/batch.hpp (needs threads), mesh/adapters/ and operations/adapters/ (need OpenMesh or
+// CGAL), operations/test_adapter.hpp (for tests).
 //
 // scripts/amalgamate.py makes one file of all this.
 #pragma once
@@ -25,6 +26,7 @@
 #include "restrip/operations/adopt.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/checked.hpp"
+#include "restrip/operations/hooks.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"

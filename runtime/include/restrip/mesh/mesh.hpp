@@ -2,7 +2,7 @@
 //
 // You need not use StripMesh. Write an adapter with the members below around your own structure
 // (adapters/openmesh.hpp and adapters/cgal.hpp are two, StripMesh models the concepts directly) and hand it to split(),
-// collapse() and flip().
+// collapse() and flip(). Whether an adapter keeps the contract below is what operations/test_adapter.hpp tests.
 //
 // Exceptions. Any function of a mesh may throw, and the exception leaves the operation that called it. If the mesh
 // keeps two promises, its colouring is valid after an exception, though perhaps not optimal: some dual edges may be

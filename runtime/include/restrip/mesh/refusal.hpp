@@ -21,7 +21,9 @@ enum class Refusal {
   dangling_edge,      ///< a triangle to be removed has no other neighbour than across the collapsed edge
   edge_exists,        ///< the flipped edge is in the mesh already
   vertex_in_use,      ///< the vertex named for a split has triangles already
-  other_valence       ///< the vertex to be removed does not have as many triangles as this operation takes away
+  other_valence,      ///< the vertex to be removed does not have as many triangles as this operation takes away
+  colors_not_valid    ///< debug builds, on meshes other than StripMesh: a triangle at the operation has three solid
+                      ///< edges, or a boundary edge is solid
 };
 
 /// One sentence for a person.
@@ -55,6 +57,9 @@ enum class Refusal {
       return "the vertex named for the split is in use already";
     case Refusal::other_valence:
       return "the vertex to be removed has another number of triangles than this operation needs";
+    case Refusal::colors_not_valid:
+      return "the colours here are those of no valid colouring: was the mesh changed without restrip? "
+             "(operations/hooks.hpp)";
   }
   return "unknown";
 }

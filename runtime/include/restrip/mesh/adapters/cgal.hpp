@@ -5,7 +5,8 @@
 //   restrip::collapse(strips, halfedge);                        // v_s -> v_t: v_t goes
 //   restrip::split(strips, {to_left, to_right}, point);         // point of the new vertex
 //
-// Include this header only where you have CGAL (5.4 or later).
+// Include this header only where you have CGAL (5.4 or later). For CGAL's edge_collapse there is a visitor,
+// operations/adapters/cgal_edge_collapse.hpp.
 #pragma once
 
 #include <CGAL/Surface_mesh.h>

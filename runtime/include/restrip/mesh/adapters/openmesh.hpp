@@ -6,7 +6,8 @@
 //   restrip::split(strips, {to_left, to_right}, new_vertex);    // new_vertex: added by you, with its point
 //
 // Needs OpenMesh 8 or later; include this header only where you have it. collapse() wants the status attributes of
-// vertices, edges, halfedges and faces (OpenMesh marks what it removes); the constructor requests them.
+// vertices, edges, halfedges and faces (OpenMesh marks what it removes); the constructor requests them. For OpenMesh's
+// own decimaters there is a module, operations/adapters/openmesh_decimater.hpp.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/Handles.hh>
@@ -44,6 +45,8 @@ class OpenMeshStrips {
   }
   OpenMeshStrips(const OpenMeshStrips&) = delete;
   OpenMeshStrips& operator=(const OpenMeshStrips&) = delete;
+
+  [[nodiscard]] const TriMesh& mesh() const { return mesh_; }
 
   [[nodiscard]] Halfedge next(Halfedge h) const { return mesh_.next_halfedge_handle(h); }
   [[nodiscard]] Halfedge opposite(Halfedge h) const { return mesh_.opposite_halfedge_handle(h); }

@@ -1,6 +1,7 @@
 // What an operation asks of its caller, on any mesh. The concepts of mesh.hpp know no vertices, so of the questions of
-// checks.hpp only those can be asked that a walk around the patch answers; a mesh that has check_split(),
-// check_collapse() or check_flip() of its own, found by argument-dependent lookup, is asked those instead.
+// checks.hpp only those can be asked that a walk around the patch answers, and whether the colours there are valid,
+// which code that changes the mesh past restrip breaks; a mesh that has check_split(), check_collapse() or check_flip()
+// of its own, found by argument-dependent lookup, is asked those instead.
 //
 // Nothing outside the patch is read, so that operations on disjoint patches may be checked at the same time.
 #pragma once
@@ -23,13 +24,22 @@ bool knows(const Mesh& mesh, typename Mesh::Halfedge h) {
 struct FanSize {
   std::size_t triangles = 0;
   bool closed = false;
-  bool met = false;  ///< the other spoke leaves the same vertex
+  bool met = false;          ///< the other spoke leaves the same vertex
+  bool colors_valid = true;  ///< none of them has three solid edges, and no spoke on the boundary is solid
 };
+
+template <ColoredMesh Mesh>
+bool has_dashed_side(const Mesh& mesh, typename Mesh::Halfedge h) {
+  const auto second = mesh.next(h);
+  return !mesh.solid(h) || !mesh.solid(second) || !mesh.solid(mesh.next(second));
+}
 
 template <ColoredMesh Mesh>
 FanSize fan_size(const Mesh& mesh, typename Mesh::Halfedge start, typename Mesh::Halfedge other) {
   FanSize fan{0, false, start == other};
-  for (auto h = start; !mesh.on_boundary(h);) {
+  auto h = start;
+  while (!mesh.on_boundary(h)) {
+    fan.colors_valid = fan.colors_valid && has_dashed_side(mesh, h);
     h = turn_ccw(mesh, h);
     ++fan.triangles;
     if (h == start) {
@@ -38,11 +48,14 @@ FanSize fan_size(const Mesh& mesh, typename Mesh::Halfedge start, typename Mesh:
     }
     if (h == other) fan.met = true;
   }
-  for (auto h = start; !mesh.on_boundary(mesh.opposite(h));) {
+  fan.colors_valid = fan.colors_valid && !mesh.solid(h);
+  for (h = start; !mesh.on_boundary(mesh.opposite(h));) {
     h = turn_cw(mesh, h);
+    fan.colors_valid = fan.colors_valid && has_dashed_side(mesh, h);
     ++fan.triangles;
     if (h == other) fan.met = true;
   }
+  fan.colors_valid = fan.colors_valid && !mesh.solid(h);
   return fan;
 }
 
@@ -56,7 +69,8 @@ Refusal check_split_patch(const Mesh& mesh, const VertexSplit<typename Mesh::Hal
   const FanSize fan = fan_size(mesh, first, both ? where.right : first);
   if (!fan.met) return Refusal::different_vertices;
   if (!both && fan.closed) return Refusal::spoke_on_boundary;
-  return fan.closed && fan.triangles < 3 ? Refusal::too_few_triangles : Refusal::granted;
+  if (fan.closed && fan.triangles < 3) return Refusal::too_few_triangles;
+  return fan.colors_valid ? Refusal::granted : Refusal::colors_not_valid;
 }
 
 template <ColoredMesh Mesh>
@@ -73,8 +87,8 @@ Refusal check_collapse_patch(const Mesh& mesh, typename Mesh::Halfedge chord) {
     if (mesh.on_boundary(mesh.opposite(up)) && mesh.on_boundary(mesh.opposite(mesh.next(up))))
       return Refusal::dangling_edge;
   }
-  return tail.closed && head.closed && tail.triangles + head.triangles < 3 + 4 ? Refusal::too_few_triangles
-                                                                               : Refusal::granted;
+  if (tail.closed && head.closed && tail.triangles + head.triangles < 3 + 4) return Refusal::too_few_triangles;
+  return tail.colors_valid && head.colors_valid ? Refusal::granted : Refusal::colors_not_valid;
 }
 
 template <ColoredMesh Mesh>
@@ -82,9 +96,11 @@ Refusal check_flip_patch(const Mesh& mesh, typename Mesh::Halfedge h) {
   if (!knows(mesh, h)) return Refusal::no_such_edge;
   const auto back = mesh.opposite(h);
   if (mesh.on_boundary(h) || mesh.on_boundary(back)) return Refusal::boundary_edge;
-  for (const auto end : {h, back})
-    if (const FanSize fan = fan_size(mesh, end, end); fan.closed && fan.triangles < 3 + 1)
-      return Refusal::too_few_triangles;
+  for (const auto end : {h, back}) {
+    const FanSize fan = fan_size(mesh, end, end);
+    if (fan.closed && fan.triangles < 3 + 1) return Refusal::too_few_triangles;
+    if (!fan.colors_valid) return Refusal::colors_not_valid;
+  }
   return Refusal::granted;
 }
 

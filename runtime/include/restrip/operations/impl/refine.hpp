@@ -126,7 +126,7 @@ void color_patch(Mesh& mesh, const SmallPatch<typename Mesh::Halfedge, Edges, Po
 /// Dashes the ports that the rule gives up; the isolated triangles that this leaves behind them.
 template <class Mesh, class Halfedge, std::size_t Ports>
 int give_ports_up(Mesh& mesh, const std::array<Halfedge, Ports>& ports, std::uint32_t given_up) {
-  std::array<Halfedge, Ports> outer{};
+  std::array<Halfedge, Ports> outer;  // not {}: a handle's default constructor may be explicit
   std::size_t n = 0;
   for (std::size_t i = 0; i < Ports; ++i)
     if ((given_up >> i & 1U) != 0) outer[n++] = mesh.opposite(ports[i]);
@@ -159,9 +159,9 @@ VertexSplit<Halfedge> split_into_face(const Mesh& mesh, Halfedge h) {
 template <class Mesh, class Halfedge = typename Mesh::Halfedge>
 VertexSplit<Halfedge> split_on_edge(const Mesh& mesh, Halfedge h) {
   using Spokes = typename VertexSplit<Halfedge>::Spokes;
-  if (mesh.on_boundary(h)) return {{}, mesh.next(mesh.opposite(h)), Spokes::right_only};
+  if (mesh.on_boundary(h)) return {Halfedge(), mesh.next(mesh.opposite(h)), Spokes::right_only};
   const Halfedge left = mesh.opposite(mesh.next(mesh.next(h)));
-  if (mesh.on_boundary(mesh.opposite(h))) return {left, {}, Spokes::left_only};
+  if (mesh.on_boundary(mesh.opposite(h))) return {left, Halfedge(), Spokes::left_only};
   return {left, mesh.next(mesh.opposite(h))};
 }
 

@@ -1,0 +1,74 @@
+// Strips kept while OpenMesh's decimaters simplify the mesh: a module beside those that choose the collapses.
+//
+//   restrip::OpenMeshStrips strips(mesh);                       // and its colours, e.g. from stripify()
+//   OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
+//   OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadric;
+//   restrip::ModStripsT<Mesh>::Handle keeping;
+//   decimater.add(quadric);
+//   decimater.add(keeping);
+//   decimater.module(keeping).keep(strips);
+//   decimater.initialize();
+//   decimater.decimate_to_faces(0, 2000);
+//   decimater.module(keeping).tally().strips;                   // change in the number of strips
+//
+// It serves DecimaterT, McDecimaterT and MixedDecimaterT and has no say in which collapses are made. Without it a
+// decimater leaves colours that are not valid. Include this header only where you have OpenMesh 8 or later.
+#pragma once
+
+#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "restrip/mesh/adapters/openmesh.hpp"
+#include "restrip/operations/hooks.hpp"
+#include "restrip/precondition.hpp"
+
+namespace restrip {
+
+template <class MeshT>
+class ModStripsT : public OpenMesh::Decimater::ModBaseT<MeshT> {
+ public:
+  // The names that OpenMesh expects of a module.
+  using Self = ModStripsT;
+  using Handle = OpenMesh::Decimater::ModHandleT<Self>;
+  using Base = OpenMesh::Decimater::ModBaseT<MeshT>;
+  using Mesh = typename Base::Mesh;
+  using CollapseInfo = typename Base::CollapseInfo;
+
+  explicit ModStripsT(MeshT& mesh) : Base(mesh, true) {}
+  [[nodiscard]] const std::string& name() const override {
+    static const std::string strips = "Strips";
+    return strips;
+  }
+
+  /// The strips to keep, of the decimater's mesh. They must outlive the decimater's work.
+  void keep(OpenMeshStrips<MeshT>& strips) {
+    RESTRIP_ASSERT(&strips.mesh() == &this->mesh(), "ModStripsT::keep", "these strips are those of another mesh");
+    strips_ = &strips;
+  }
+  /// What the collapses changed since keep().
+  [[nodiscard]] const HookTally& tally() const noexcept { return tally_; }
+
+  /// Called by OpenMesh. Throws std::logic_error where keep() has not been called.
+  void initialize() override {
+    if (strips_ == nullptr) RESTRIP_THROW(std::logic_error, "restrip: ModStripsT has no strips to keep: call keep()");
+  }
+  void preprocess_collapse(const CollapseInfo& info) override {
+    pending_.emplace(before_collapse(*strips_, info.v1v0));  // OpenMesh removes v0
+  }
+  void postprocess_collapse(const CollapseInfo& info) override {
+    // Seen from v1, what OpenMesh calls right is left.
+    const auto apex = info.vr.is_valid() ? info.vr : info.vl;
+    tally_.add(after_collapse(*strips_, std::move(*pending_), this->mesh().find_halfedge(info.v1, apex)));
+    pending_.reset();
+  }
+
+ private:
+  OpenMeshStrips<MeshT>* strips_ = nullptr;
+  std::optional<PendingCollapse<OpenMesh::HalfedgeHandle>> pending_;
+  HookTally tally_;
+};
+
+}  // namespace restrip

@@ -1,0 +1,168 @@
+// The halves of operations, handed out one by one. Included by hooks.hpp.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <variant>
+
+#include "restrip/operations/hooks.hpp"
+#include "restrip/operations/impl/halves.hpp"
+#include "restrip/operations/impl/patch_checks.hpp"
+#include "restrip/precondition.hpp"
+
+namespace restrip {
+namespace detail {
+
+inline constexpr const char* nothing_pending = "this pending operation has been finished already";
+inline constexpr const char* other_patch =
+    "the mesh around the given halfedge is not what this operation makes of the patch that was read before";
+
+/// A change begun, of whatever size and kind.
+template <class Halfedge>
+class PendingFan {
+ public:
+  template <class Change>
+  explicit PendingFan(Change&& change) : change_(std::forward<Change>(change)) {}
+  PendingFan(PendingFan&& other) noexcept : change_(std::exchange(other.change_, std::monostate{})) {}
+  PendingFan& operator=(PendingFan&& other) noexcept {
+    change_ = std::exchange(other.change_, std::monostate{});
+    return *this;
+  }
+  PendingFan(const PendingFan&) = delete;
+  PendingFan& operator=(const PendingFan&) = delete;
+  ~PendingFan() = default;
+
+  [[nodiscard]] bool waits() const noexcept { return change_.index() != 0; }
+  /// k of the fan before a split or after a collapse.
+  [[nodiscard]] std::size_t valence() const noexcept {
+    if (const auto* interior = std::get_if<InteriorChange<Halfedge>>(&change_)) return interior->fan.k;
+    if (const auto* patch = std::get_if<PatchChange<WordBits>>(&change_)) return patch->at.k;
+    if (const auto* patch = std::get_if<PatchChange<LongBits>>(&change_)) return patch->at.k;
+    return 0;
+  }
+  template <class Finish>
+  Rewrite<Halfedge> finish(Finish&& finish) const {
+    if (const auto* interior = std::get_if<InteriorChange<Halfedge>>(&change_)) return finish(*interior);
+    if (const auto* patch = std::get_if<PatchChange<WordBits>>(&change_)) return finish(*patch);
+    if (const auto* patch = std::get_if<PatchChange<LongBits>>(&change_)) return finish(*patch);
+    return {};
+  }
+
+ private:
+  std::variant<std::monostate, InteriorChange<Halfedge>, PatchChange<WordBits>, PatchChange<LongBits>> change_;
+};
+
+template <class Mesh>
+void dash_if_solid(Mesh& mesh, typename Mesh::Halfedge h) {
+  if (mesh.solid(h)) mesh.set_solid(h, false);
+}
+
+/// The triangles at the two ends of the chord: has a split of a fan of k triangles made them? Around an interior mesh
+/// edge it adds two triangles, each of which has both ends.
+template <class Mesh>
+bool is_split_of(const Mesh& mesh, std::size_t k, typename Mesh::Halfedge chord) {
+  const auto back = mesh.opposite(chord);
+  const std::size_t made = (mesh.on_boundary(chord) ? 0U : 1U) + (mesh.on_boundary(back) ? 0U : 1U);
+  return made != 0 && fan_size(mesh, chord, chord).triangles + fan_size(mesh, back, back).triangles == k + 2 * made;
+}
+
+}  // namespace detail
+
+template <class Halfedge>
+class PendingSplit : public detail::PendingFan<Halfedge> {
+  using detail::PendingFan<Halfedge>::PendingFan;
+};
+template <class Halfedge>
+class PendingCollapse : public detail::PendingFan<Halfedge> {
+  using detail::PendingFan<Halfedge>::PendingFan;
+};
+template <class Halfedge>
+class PendingFlip {
+ public:
+  explicit PendingFlip(const detail::FlipChange& change) noexcept : change_(change) {}
+  PendingFlip(PendingFlip&& other) noexcept : change_(other.change_), waits_(std::exchange(other.waits_, false)) {}
+  PendingFlip& operator=(PendingFlip&& other) noexcept {
+    change_ = other.change_;
+    waits_ = std::exchange(other.waits_, false);
+    return *this;
+  }
+  PendingFlip(const PendingFlip&) = delete;
+  PendingFlip& operator=(const PendingFlip&) = delete;
+  ~PendingFlip() = default;
+
+  [[nodiscard]] bool waits() const noexcept { return waits_; }
+  [[nodiscard]] const detail::FlipChange& change() const noexcept { return change_; }
+
+ private:
+  detail::FlipChange change_;
+  bool waits_ = true;
+};
+
+template <ColoredMesh Mesh>
+PendingSplit<typename Mesh::Halfedge> before_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+  using Halfedge = typename Mesh::Halfedge;
+  using Spokes = typename VertexSplit<Halfedge>::Spokes;
+  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where) == Refusal::granted, "before_split",
+                 describe(detail::refusal_of_split(mesh, where)));
+  auto pending = detail::with_split_begun(detail::LocalRules{}, mesh, where,
+                                          [](auto& change) { return PendingSplit<Halfedge>(std::move(change)); });
+  // The edges of the spokes become two each.
+  if (where.spokes != Spokes::right_only) detail::dash_if_solid(mesh, where.left);
+  if (where.spokes != Spokes::left_only) detail::dash_if_solid(mesh, where.right);
+  return pending;
+}
+
+template <ColoredMesh Mesh>
+Rewrite<typename Mesh::Halfedge> after_split(Mesh& mesh, PendingSplit<typename Mesh::Halfedge> pending,
+                                             typename Mesh::Halfedge chord) {
+  RESTRIP_ASSERT(pending.waits(), "after_split", detail::nothing_pending);
+  RESTRIP_ASSERT(detail::knows(mesh, chord), "after_split", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(detail::is_split_of(mesh, pending.valence(), chord), "after_split", detail::other_patch);
+  return pending.finish([&](const auto& change) { return detail::finish_split(mesh, change, chord); });
+}
+
+template <ColoredMesh Mesh>
+PendingCollapse<typename Mesh::Halfedge> before_collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
+  using Halfedge = typename Mesh::Halfedge;
+  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "before_collapse",
+                 describe(detail::refusal_of_collapse(mesh, chord)));
+  auto pending = detail::with_collapse_begun(detail::LocalRules{}, mesh, chord,
+                                             [](auto& change) { return PendingCollapse<Halfedge>(std::move(change)); });
+  // Of the two edges that merge one goes, and which one is the library's choice.
+  for (const Halfedge inward : {chord, mesh.opposite(chord)}) {
+    if (mesh.on_boundary(inward)) continue;
+    const Halfedge up = mesh.next(inward);
+    for (const Halfedge h : {inward, up, mesh.next(up)}) detail::dash_if_solid(mesh, h);
+  }
+  return pending;
+}
+
+template <ColoredMesh Mesh>
+Rewrite<typename Mesh::Halfedge> after_collapse(Mesh& mesh, PendingCollapse<typename Mesh::Halfedge> pending,
+                                                typename Mesh::Halfedge spoke) {
+  RESTRIP_ASSERT(pending.waits(), "after_collapse", detail::nothing_pending);
+  RESTRIP_ASSERT(detail::knows(mesh, spoke), "after_collapse", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(detail::fan_size(mesh, spoke, spoke).triangles == pending.valence(), "after_collapse",
+                 detail::other_patch);
+  return pending.finish([&](const auto& change) { return detail::finish_collapse(mesh, change, spoke); });
+}
+
+template <ColoredMesh Mesh>
+PendingFlip<typename Mesh::Halfedge> before_flip(Mesh& mesh, typename Mesh::Halfedge h) {
+  RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "before_flip",
+                 describe(detail::refusal_of_flip(mesh, h)));
+  PendingFlip<typename Mesh::Halfedge> pending(detail::begin_flip(mesh, h));
+  detail::dash_if_solid(mesh, h);  // the library may make the turned edge anew
+  return pending;
+}
+
+template <ColoredMesh Mesh>
+Rewrite<typename Mesh::Halfedge> after_flip(Mesh& mesh, PendingFlip<typename Mesh::Halfedge> pending,
+                                            typename Mesh::Halfedge h) {
+  RESTRIP_ASSERT(pending.waits(), "after_flip", detail::nothing_pending);
+  RESTRIP_ASSERT(detail::knows(mesh, h), "after_flip", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(!mesh.on_boundary(h) && !mesh.on_boundary(mesh.opposite(h)), "after_flip", detail::other_patch);
+  return detail::finish_flip(mesh, pending.change(), h);
+}
+
+}  // namespace restrip

@@ -1,0 +1,79 @@
+// Does a mesh of your own keep the contract of mesh/mesh.hpp? One call drives it through random operations, looks at
+// the whole of it after each, and tells the first line of the contract that it breaks.
+//
+//   MyMesh mesh = a_small_mesh();                       // some 50 to 200 triangles, with and without boundary
+//   const restrip::AdapterReport report = restrip::test_adapter(mesh, any_halfedge);
+//   if (!report.kept()) puts(describe(report.broken));  // "remove_vertex: ..."
+//
+// Tested is what the mesh offers: the walk, colours, insert_vertex, remove_vertex, turn_edge, the optional members
+// (alive, leaves_boundary, fan_step, strip_step) and the numbers of numbered_mesh.hpp. Half of the operations call the
+// mesh alone, in random colours that need not be valid; then all edges are dashed, and split(), collapse(), flip() and
+// the operations of refine.hpp must keep a valid colouring and tell the truth about it.
+//
+// A handle is compared and passed back to the mesh, nothing else. Expected is never asked of the mesh that is tested: a
+// copy of the mesh as it was before an operation says what must be there after it. Not included by restrip.hpp.
+#pragma once
+
+#include <cstddef>
+
+#include "restrip/mesh/mesh.hpp"
+
+namespace restrip {
+
+/// The lines of the contract. docs/own-mesh.md has a picture.
+enum class Contract {
+  kept,                      ///< all of them
+  opposite_is_involution,    ///< opposite(opposite(h)) is h, and opposite(h) is not h
+  triangle_of_three,         ///< next leads around a triangle in three steps over three halfedges
+  triangle_has_no_boundary,  ///< the halfedges of a triangle are not on the boundary
+  edge_has_triangle,         ///< of a halfedge and its opposite one has a triangle
+  walk_ends,                 ///< as many halfedges are met as there are
+  same_color_on_both_sides,  ///< solid(h) is solid(opposite(h))
+  boundary_is_dashed,        ///< solid is false on boundary edges
+  set_solid_sets,            ///< after set_solid(h, c) solid(h) and solid(opposite(h)) are c
+  set_solid_sets_one,        ///< set_solid changes no other dual edge
+  alive_knows,               ///< alive is true for the halfedges of the mesh
+  leaves_boundary_knows,     ///< leaves_boundary agrees with the walk around the vertex
+  fan_step_agrees,           ///< fan_step is what next, opposite and solid say
+  strip_step_agrees,         ///< strip_step is what next, opposite and solid say
+  triangle_numbers,          ///< triangle and halfedge agree; each triangle has a number of its own below the bound
+  vertex_numbers,            ///< from is one number for all halfedges that leave a vertex
+  chord_between_new_ends,    ///< insert_vertex returns v_s -> v_t: each end has the triangles of VertexSplit
+  new_edges_dashed,          ///< insert_vertex leaves the dual edges of the new triangles dashed
+  spoke_to_apex,             ///< remove_vertex returns v_s -> v_l, and v_s has the triangles of both ends
+  merged_edges_dashed,       ///< remove_vertex leaves the dual edges of merged edges dashed
+  edge_turned,               ///< turn_edge returns r -> l, and its triangles are (r, l, u) and (l, r, v)
+  handles_stay,              ///< other halfedges stay valid handles of the same mesh edges
+  other_colors_stay,         ///< other dual edges keep their colours
+  triangle_count,            ///< an operation adds and removes the triangles that it should
+  coloring_stays_valid,      ///< split(), collapse(), flip() and refine.hpp leave a valid colouring
+  told_is_true               ///< and their Rewrite::strips is the change in strips
+};
+
+/// One sentence for a person, that names the function of the mesh.
+[[nodiscard]] constexpr const char* describe(Contract line) noexcept;
+
+struct AdapterTest {
+  std::size_t operations = 600;  ///< each costs the square of the number of triangles
+  unsigned seed = 1;
+};
+
+struct AdapterReport {
+  Contract broken = Contract::kept;                ///< the first line that the mesh broke
+  const char* during = "the mesh as it is given";  ///< or the function that was called last
+  std::size_t operations = 0;                      ///< how many were done
+  std::size_t splits = 0;                          ///< of which insert_vertex served so many,
+  std::size_t collapses = 0;                       ///< remove_vertex so many,
+  std::size_t flips = 0;                           ///< and turn_edge so many
+
+  [[nodiscard]] constexpr bool kept() const noexcept { return broken == Contract::kept; }
+};
+
+/// Tests the connected component of `start`, which must be manifold, and leaves it changed. A mesh that is broken badly
+/// may crash. Throws what the mesh throws, and std::bad_alloc.
+template <ColoredMesh Mesh>
+[[nodiscard]] AdapterReport test_adapter(Mesh& mesh, typename Mesh::Halfedge start, AdapterTest options = {});
+
+}  // namespace restrip
+
+#include "restrip/operations/impl/test_adapter.hpp"
