@@ -103,7 +103,7 @@ Json json_of(const std::string& file, const std::string& text) {
 }
 
 std::string name_from(const JsonValue& value) {
-  const std::string name = value.text();
+  std::string name = value.text();
   const auto allowed = [](char c) { return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-'; };
   const bool good = !name.empty() && name.size() <= 60 && 'a' <= name.front() && name.front() <= 'z' &&
                     name.back() != '-' && name.find("--") == std::string::npos &&

@@ -88,6 +88,7 @@ std::vector<OperationRow> rows_of(const Operation& operation, const std::vector<
     row.choice.kept = permute(row.choice.kept, inverse(map.port));
   }
   std::vector<OperationRow> list;
+  list.reserve(rows.size());
   for (const auto& [key, row] : rows) list.push_back(row);
   return list;
 }
