@@ -76,4 +76,5 @@ template <ColoredMesh Mesh>
 
 }  // namespace restrip
 
+#include "restrip/operations/impl/contract.hpp"
 #include "restrip/operations/impl/test_adapter.hpp"
