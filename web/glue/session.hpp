@@ -81,7 +81,7 @@ class Session {
   /// then plays what is missing, in order. At most `most` operations; returns how many were done.
   std::size_t move(std::size_t level, std::size_t most) {
     std::size_t left = 0;
-    for (std::size_t i = 0; i < played_.size(); ++i) left += (played_[i] != 0) != (i < level) ? 1 : 0;
+    for (std::size_t i = 0; i < played_.size(); ++i) left += (played_[i] != 0) != (i < level) ? 1U : 0U;
     left = std::min(left, most);
     std::size_t done = 0;
     for (std::size_t i = played_.size(); i-- > level && done < most;) {
