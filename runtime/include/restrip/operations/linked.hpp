@@ -41,7 +41,8 @@ namespace detail {
 
 /// As in the tables: four bits for each port, its partner, or itself when it has none.
 using Pairing = std::remove_cv_t<decltype(tables::pairings)>::value_type;
-static_assert(tables::linked_split.first.size() == table_max_k + 1 && 4 * table_max_k <= 8 * sizeof(Pairing));
+static_assert(tables::linked_split.first.size() == table_max_k + 1 &&
+              std::size_t{4} * table_max_k <= 8 * sizeof(Pairing));
 
 /// Decides which recolourings are sound, and looks outward no more than necessary: each port once at most.
 template <class LookOut>
