@@ -29,7 +29,7 @@ class BakedReader {
  public:
   using Halfedge = StripMesh::Halfedge;
 
-  explicit BakedReader(std::span<const std::byte> bytes) noexcept : rest_(bytes) {}
+  explicit BakedReader(std::span<const std::byte> bytes) : rest_(bytes) {}
 
   bool run() {
     std::uint32_t points = 0;
