@@ -22,7 +22,7 @@ template <class Halfedge>
 class PendingFan {
  public:
   template <class Change>
-  explicit PendingFan(Change&& change) : change_(std::forward<Change>(change)) {}
+  explicit PendingFan(Change change) : change_(std::move(change)) {}
   PendingFan(PendingFan&& other) noexcept : change_(std::exchange(other.change_, std::monostate{})) {}
   PendingFan& operator=(PendingFan&& other) noexcept {
     change_ = std::exchange(other.change_, std::monostate{});
