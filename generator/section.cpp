@@ -85,14 +85,9 @@ void make_claims(Section& section) {
     Claims claims;
     claims.configurations = std::size_t{1} << (patch.before.edges.size() + patch.before.owner.size());
     claims.orbits = smallest.orbits();
-    claims.worst_strips = claims.worst_isolated = std::numeric_limits<int>::min();
     for_each_valid(position, patch.before, [&](const Configuration& c) {
       const Cost cost = cost_of(patch, c, row_of(section, c.key));
-      claims.costing += cost.strips >= 1 ? 1U : 0U;
-      claims.worst_strips = std::max(claims.worst_strips, cost.strips);
-      claims.worst_isolated = std::max(claims.worst_isolated, cost.isolated);
-      ++claims.valid;
-      claims.valid_orbits += smallest(c.before, c.ports) ? 1U : 0U;
+      claims.count(cost.strips, cost.isolated, cost.strips >= 1, smallest(c.before, c.ports));
     });
     section.claims.push_back(claims);
   }

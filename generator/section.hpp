@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "claims.hpp"
 #include "configuration.hpp"
 #include "family_operation.hpp"
 #include "patch.hpp"
@@ -18,17 +19,6 @@ namespace restrip::generator {
 struct Row : Choice {
   Key key;
   int witness = -1;  ///< index of the symmetry that leads to the representative; -1 for the representative itself
-};
-
-/// What the configurations of a section add up to; the words are those of docs/certificate.md.
-struct Claims {
-  std::size_t configurations = 0;
-  std::size_t valid = 0;
-  std::size_t orbits = 0;
-  std::size_t valid_orbits = 0;
-  std::size_t costing = 0;
-  int worst_strips = 0;
-  int worst_isolated = 0;
 };
 
 struct Section {

@@ -31,7 +31,7 @@ unsigned width_of(const Operation& operation) {
 std::string operation_certificate(const NamedOperation& named, const OperationRules& rules) {
   std::string text = fmt::format("restrip-operation-certificate 1\noperation {}\n", named.name);
   auto out = std::back_inserter(text);
-  const OperationClaims& claims = rules.claims;
+  const Claims& claims = rules.claims;
   fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
                  claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
   fmt::format_to(out, "claim keys {}\nclaim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n",

@@ -103,23 +103,17 @@ void answer_configurations(const Operation& operation, OperationRules& rules) {
   const Patch& patch = operation.patch;
   const auto ports = static_cast<unsigned>(patch.before.owner.size());
   const bool matching = operation.constraint.most_edges == 1;
-  OperationClaims& claims = rules.claims;
+  Claims& claims = rules.claims;
   claims.configurations = std::size_t{1} << (patch.before.edges.size() + ports);
   rules.entries.assign(matching ? std::size_t{1} << ports : claims.configurations, -1);
   const Smallest smallest(patch, rules.symmetry);
   claims.orbits = smallest.orbits();
-  bool first = true;
   for_each_valid_configuration(operation, [&](Mask before, const OperationKey& key, const Outcome& outcome) {
     const Choice& choice = row_of(rules.rows, key).choice;
     const int strips_before = static_cast<int>(patch.before.nodes - outcome.solid) - std::popcount(key.ports);
     const int strips = static_cast<int>(patch.after.nodes - choice.solid) - std::popcount(choice.kept) - strips_before;
     const int isolated = static_cast<int>(choice.isolated) - static_cast<int>(outcome.isolated);
-    ++claims.valid;
-    claims.valid_orbits += smallest(before, key.ports) ? 1U : 0U;
-    claims.costing += (matching ? isolated : strips) >= 1 ? 1U : 0U;
-    claims.worst_strips = first ? strips : std::max(claims.worst_strips, strips);
-    claims.worst_isolated = first ? isolated : std::max(claims.worst_isolated, isolated);
-    first = false;
+    claims.count(strips, isolated, (matching ? isolated : strips) >= 1, smallest(before, key.ports));
     rules.entries[matching ? key.ports : std::size_t{before} << ports | key.ports] =
         static_cast<std::int32_t>(choice.recoloring << ports | choice.kept);
   });

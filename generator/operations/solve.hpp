@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "claims.hpp"
 #include "operations/operation_file.hpp"
 #include "search.hpp"
 #include "symmetry.hpp"
@@ -27,21 +28,10 @@ struct OperationRow {
   int witness = -1;  ///< index of the symmetry that leads to the representative; -1 for the representative itself
 };
 
-/// What docs/operation-file.md calls so.
-struct OperationClaims {
-  std::size_t configurations = 0;
-  std::size_t valid = 0;
-  std::size_t orbits = 0;
-  std::size_t valid_orbits = 0;
-  std::size_t costing = 0;
-  int worst_strips = 0;
-  int worst_isolated = 0;
-};
-
 struct OperationRules {
   std::vector<PatchMap> symmetry;
   std::vector<OperationRow> rows;  ///< in ascending order of key
-  OperationClaims claims;
+  Claims claims;
   /// The table: index `before << ports | P`, or P alone for matchings; -1 where the configuration is not valid.
   std::vector<std::int32_t> entries;
 };

@@ -14,7 +14,7 @@ namespace restrip::generator {
 namespace {
 
 nlohmann::ordered_json figures(const NamedOperation& named, const OperationRules& rules, std::size_t bytes) {
-  const OperationClaims& claims = rules.claims;
+  const Claims& claims = rules.claims;
   return {{"name", named.name},
           {"configurations", claims.configurations},
           {"valid", claims.valid},

@@ -27,19 +27,27 @@ struct Checked {
   constexpr explicit operator bool() const noexcept { return granted(); }
 };
 
+namespace detail {
+
+/// The operation, if the check before it grants it.
+template <class Operation>
+Checked done_if_granted(Refusal refusal, Operation&& operation) {
+  if (refusal != Refusal::granted) return {refusal};
+  return {Refusal::granted, operation()};
+}
+
+}  // namespace detail
+
 /// `new_vertex`: see check_split. Cost: that of the check and of the operation. May throw what the mesh throws to grow
 /// (std::bad_alloc, std::length_error); nothing has changed then.
 inline Checked checked_split(StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where, Vertex new_vertex = none) {
-  if (const Refusal refusal = check_split(mesh, where, new_vertex); refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, split(mesh, where, new_vertex)};
+  return detail::done_if_granted(check_split(mesh, where, new_vertex), [&] { return split(mesh, where, new_vertex); });
 }
 inline Checked checked_collapse(StripMesh& mesh, StripMesh::Halfedge chord) {
-  if (const Refusal refusal = check_collapse(mesh, chord); refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, collapse(mesh, chord)};
+  return detail::done_if_granted(check_collapse(mesh, chord), [&] { return collapse(mesh, chord); });
 }
 inline Checked checked_flip(StripMesh& mesh, StripMesh::Halfedge h) {
-  if (const Refusal refusal = check_flip(mesh, h); refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, flip(mesh, h)};
+  return detail::done_if_granted(check_flip(mesh, h), [&] { return flip(mesh, h); });
 }
 
 /// Something that keeps the strips of a StripMesh in its own way: StripKeeper (search/keeper.hpp), or a class of yours.
@@ -54,19 +62,16 @@ concept KeepsStrips = requires(Keeper& keeper, const VertexSplit<StripMesh::Half
 /// The same by a keeper.
 template <KeepsStrips Keeper>
 Checked checked_split(Keeper& keeper, const VertexSplit<StripMesh::Halfedge>& where, Vertex new_vertex = none) {
-  if (const Refusal refusal = check_split(keeper.mesh(), where, new_vertex); refusal != Refusal::granted)
-    return {refusal};
-  return {Refusal::granted, keeper.split(where, new_vertex)};
+  return detail::done_if_granted(check_split(keeper.mesh(), where, new_vertex),
+                                 [&] { return keeper.split(where, new_vertex); });
 }
 template <KeepsStrips Keeper>
 Checked checked_collapse(Keeper& keeper, StripMesh::Halfedge chord) {
-  if (const Refusal refusal = check_collapse(keeper.mesh(), chord); refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, keeper.collapse(chord)};
+  return detail::done_if_granted(check_collapse(keeper.mesh(), chord), [&] { return keeper.collapse(chord); });
 }
 template <KeepsStrips Keeper>
 Checked checked_flip(Keeper& keeper, StripMesh::Halfedge h) {
-  if (const Refusal refusal = check_flip(keeper.mesh(), h); refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, keeper.flip(h)};
+  return detail::done_if_granted(check_flip(keeper.mesh(), h), [&] { return keeper.flip(h); });
 }
 
 }  // namespace restrip

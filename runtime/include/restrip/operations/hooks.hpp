@@ -1,4 +1,4 @@
-// Strips kept while somebody else's code changes the mesh: a decimater, a remesher, an editor.
+// Strips kept while another library changes the mesh: a decimater, a remesher, an editor.
 //
 // split(), collapse() and flip() call your mesh to change itself. Where a library insists on changing it, call the two
 // halves around its change: the first reads the colours, looks the rule up and dashes what will be dashed, the second

@@ -272,23 +272,19 @@ inline Refusal check_merge(const StripMesh& mesh, StripMesh::Halfedge chord) {
 }
 
 inline Checked checked_split_face(StripMesh& mesh, StripMesh::Halfedge h) {
-  if (const Refusal refusal = check_split_face(mesh, h); refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, split_face(mesh, h)};
+  return detail::done_if_granted(check_split_face(mesh, h), [&] { return split_face(mesh, h); });
 }
 
 inline Checked checked_join_faces(StripMesh& mesh, StripMesh::Halfedge chord) {
-  if (const Refusal refusal = check_join_faces(mesh, chord); refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, join_faces(mesh, chord)};
+  return detail::done_if_granted(check_join_faces(mesh, chord), [&] { return join_faces(mesh, chord); });
 }
 
 inline Checked checked_bisect(StripMesh& mesh, StripMesh::Halfedge h) {
-  if (const Refusal refusal = check_bisect(mesh, h); refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, bisect(mesh, h)};
+  return detail::done_if_granted(check_bisect(mesh, h), [&] { return bisect(mesh, h); });
 }
 
 inline Checked checked_merge(StripMesh& mesh, StripMesh::Halfedge chord) {
-  if (const Refusal refusal = check_merge(mesh, chord); refusal != Refusal::granted) return {refusal};
-  return {Refusal::granted, merge(mesh, chord)};
+  return detail::done_if_granted(check_merge(mesh, chord), [&] { return merge(mesh, chord); });
 }
 
 }  // namespace restrip
