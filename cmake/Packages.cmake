@@ -1,5 +1,5 @@
 # Debian packages, one for each component: `cpack -G DEB` in the build folder. The library is a package without programs,
-# for every architecture.
+# for every architecture; the C interface is two, so that programs do not ask for its header.
 set(CPACK_PACKAGE_NAME restrip)
 set(CPACK_PACKAGE_CONTACT "The restrip authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
@@ -12,6 +12,18 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Header-only library, with its tables of
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME librestrip-dev)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_ARCHITECTURE all)
+if(TARGET restrip_c)
+  list(APPEND CPACK_COMPONENTS_ALL c_shared c)
+  get_target_property(abi restrip_c SOVERSION)
+  set(CPACK_COMPONENT_C_SHARED_DESCRIPTION "C interface: the shared library")
+  set(CPACK_DEBIAN_C_SHARED_PACKAGE_NAME librestrip-c${abi})
+  set(CPACK_DEBIAN_C_SHARED_PACKAGE_SECTION libs)
+  set(CPACK_DEBIAN_C_SHARED_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_COMPONENT_C_DESCRIPTION "C interface: header, static library, and what CMake and pkg-config read")
+  set(CPACK_DEBIAN_C_PACKAGE_NAME librestrip-c-dev)
+  set(CPACK_DEBIAN_C_PACKAGE_SECTION libdevel)
+  set(CPACK_DEBIAN_C_PACKAGE_DEPENDS "librestrip-dev (= ${PROJECT_VERSION}), librestrip-c${abi} (= ${PROJECT_VERSION})")
+endif()
 if(TARGET restrip-generate)
   list(APPEND CPACK_COMPONENTS_ALL generator)
   set(CPACK_COMPONENT_GENERATOR_DESCRIPTION "Generator and verifier of rule tables, for builds with tables of their own")

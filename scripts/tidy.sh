@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 cmake --preset tidy >/dev/null
-mapfile -t sources < <(git ls-files {files,generator,runtime,verify,tools,examples,bench,web}/'*.cpp' ':!verify/formal')
+mapfile -t sources < <(git ls-files {c,files,generator,runtime,verify,tools,examples,bench,web}/'*.cpp' ':!verify/formal')
 commands=build/tidy/compile_commands.json
 mapfile -t units < <(sed -nE 's/^ *"file": "(.*)",?$/\1/p' "$commands" | sort -u)
 [ ${#units[@]} -gt 0 ] || { echo "tidy.sh: $commands names no file" >&2; exit 1; }

@@ -7,8 +7,9 @@ set(allowed_in_verify "${std}|<(boost/graph|fmt|nauty|openssl|CLI)/.*>|<(unistd|
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
 set(allowed_in_tables "${std}|\"restrip/tables/([a-z_]+_)?format.hpp\"")
 set(allowed_in_tools "${std}|\"(files|restrip|common|meshes|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<unistd.h>")
-set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]")
+set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
+set(allowed_in_c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
 string(APPEND allowed_in_bench "|\"(files|common|meshes|lod|replay)/.*\"")  # bench/ measures the mesh programs too
 # Doors that are there on purpose: adapters to other libraries, the other backend of batches.
@@ -19,6 +20,7 @@ set(door_sat "\"files/(output|system_calls).hpp\"")
 set(never_in_tools "restrip/tables/")
 # Bodies are private to the floor whose manual lies beside them; see below.
 set(never_in_examples "/impl/")
+set(never_in_c "/impl/|restrip/tables/")
 set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
@@ -97,8 +99,8 @@ function(judge room source line out)
 endfunction()
 
 set(seen 0)
-foreach(room IN ITEMS files generator verify runtime tables tools examples bench web)
-  file(GLOB_RECURSE sources ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp)
+foreach(room IN ITEMS files generator verify runtime tables tools examples bench web c)
+  file(GLOB_RECURSE sources ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp ${ROOT}/${room}/*.h ${ROOT}/${room}/*.c)
   list(FILTER sources EXCLUDE REGEX "/verify/formal/")  # printers of their own, compiled by its script
   foreach(source IN LISTS sources)
     file(STRINGS ${source} includes REGEX "^ *# *include")
@@ -150,7 +152,9 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "tools/lod/any.cpp|\"replay/replay.hpp\"" "tools/replay/any.cpp|\"paper/paper.hpp\""
                        "tools/paper/any.cpp|\"app/commands.hpp\"" "tools/app/any.cpp|\"restrip/search/impl/tunnel.hpp\""
                        "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "web/glue/any.cpp|\"lod/simplify.hpp\""
-                       "web/glue/any.cpp|\"restrip/rules/rules.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\"")
+                       "web/glue/any.cpp|\"restrip/rules/rules.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\""
+                       "c/any.cpp|\"lod/simplify.hpp\"" "c/any.cpp|<fmt/format.h>" "c/any.cpp|\"restrip/search/impl/tunnel.hpp\""
+                       "examples/any.c|<unistd.h>")
   string(REPLACE "|" ";" wrong "${wrong}")
   list(GET wrong 0 source)
   list(GET wrong 1 what)

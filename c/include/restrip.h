@@ -1,0 +1,398 @@
+/* restrip for C: triangle strips kept while the mesh changes, by local repairs proven optimal.
+ *
+ * This header is plain C99 and needs no other file of restrip. Link the shared or the static library restrip_c (CMake:
+ * restrip::c, restrip::c_static; pkg-config: restrip-c). docs/c.md is the guide, examples/keep_strips.c a whole
+ * program.
+ *
+ *   restrip_mesh *mesh;
+ *   restrip_status status = restrip_mesh_build_u32(indices, index_count, vertex_count, NULL, NULL, &mesh);
+ *   if (status != RESTRIP_OK) return puts(restrip_describe(status));
+ *   restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FULL, NULL, 0, NULL);
+ *   restrip_mesh_collapse(mesh, restrip_mesh_find(mesh, 4, 7), NULL);
+ *   restrip_mesh_free(mesh);
+ *
+ * Words. Two triangles that share a mesh edge are joined by a dual edge, which is solid (one strip passes over it) or
+ * dashed. A colouring is valid when each triangle has at most two solid dual edges and none of them close a cycle; the
+ * strips are then the paths of solid edges. Every mesh here has a valid colouring at every moment.
+ *
+ * Errors. Every function that can fail returns a restrip_status: RESTRIP_OK is 0, everything else says why nothing was
+ * done. What a function gives is written through pointers, and only when it returns RESTRIP_OK, but where its comment
+ * says otherwise. No exception leaves the library, nothing is printed, and the program is never ended. A null pointer
+ * where none is allowed is RESTRIP_NULL_ARGUMENT. What cannot be noticed: a pointer to a mesh that was freed, and
+ * arrays shorter than they are said to be.
+ *
+ * Threads. Different meshes may be used by different threads at once. One mesh may be read by several threads
+ * (functions that take a const restrip_mesh *), or be changed by one. There is no other state.
+ *
+ * Costs are given for T triangles. Memory: some 30 bytes a triangle, three times as much with RESTRIP_POLICY_QUICK and
+ * RESTRIP_POLICY_FULL, and what a live buffer or a baked mesh holds.
+ */
+#ifndef RESTRIP_H
+#define RESTRIP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__GNUC__)
+#define RESTRIP_API __attribute__((visibility("default")))
+#else
+#define RESTRIP_API
+#endif
+
+/* ---- Version ------------------------------------------------------------------------------------------------------
+ */
+
+/* The number of this interface. It is part of the name of the shared library (librestrip_c.so.1) and goes up when a
+ * program that was compiled with an older header can no longer use the library. New functions and new codes do not
+ * change it. */
+#define RESTRIP_ABI_VERSION 1
+
+/* RESTRIP_ABI_VERSION as the library was compiled: for programs that load it at run time. */
+RESTRIP_API uint32_t restrip_abi_version(void);
+/* Version of restrip, such as "0.2.0". */
+RESTRIP_API const char* restrip_version(void);
+
+/* ---- Errors -------------------------------------------------------------------------------------------------------
+ */
+
+typedef int32_t restrip_status;
+enum {
+  RESTRIP_OK = 0,
+
+  /* Why an operation on the mesh is refused. */
+  RESTRIP_NO_SUCH_EDGE = 1,        /* the halfedge is not one of the mesh */
+  RESTRIP_DIFFERENT_VERTICES = 2,  /* the two spokes of a split do not leave the same vertex */
+  RESTRIP_SAME_SPOKE = 3,          /* the two spokes of a split are the same */
+  RESTRIP_NON_MANIFOLD_VERTEX = 4, /* the mesh is no manifold at a vertex of the operation */
+  RESTRIP_BOUNDARY_EDGE = 5,       /* a flip needs a triangle on both sides */
+  RESTRIP_SPOKE_ON_BOUNDARY = 6,   /* a split with one spoke needs a vertex on the boundary */
+  RESTRIP_JOINS_BOUNDARIES = 7,    /* an interior edge between two boundary vertices cannot be collapsed */
+  RESTRIP_LINK_CONDITION = 8,      /* the collapse would fold the mesh: its ends have another common neighbour */
+  RESTRIP_TOO_FEW_TRIANGLES = 9,   /* fewer than three triangles would remain around a vertex */
+  RESTRIP_DANGLING_EDGE = 10,      /* a triangle beside the collapsed edge has no other neighbour */
+  RESTRIP_EDGE_EXISTS = 11,        /* the flipped edge is in the mesh already */
+  RESTRIP_VERTEX_IN_USE = 12,      /* the vertex named for a split has triangles already */
+
+  /* Everything else. */
+  RESTRIP_NULL_ARGUMENT = 100, /* a pointer is null that must not be */
+  RESTRIP_BAD_ARGUMENT = 101,  /* a number is outside its range */
+  RESTRIP_BAD_COLORING = 102,  /* the colours given are not those of a valid colouring */
+  RESTRIP_TOO_LARGE = 103,     /* more than a mesh can hold, or a vertex that 16-bit indices cannot name */
+  RESTRIP_TOO_SMALL = 104,     /* the array given is too short; the size needed has been written */
+  RESTRIP_BAD_FILE = 105,      /* the bytes are no baked mesh, or a damaged one */
+  RESTRIP_NOT_BAKED = 106,     /* the mesh was not read from a baked mesh */
+  RESTRIP_OUT_OF_STEP = 107,   /* the mesh has left its baked levels; see restrip_baked_restart */
+  RESTRIP_NOT_LIVE = 108,      /* the mesh has no live buffer; see restrip_live_begin */
+  RESTRIP_OUT_OF_MEMORY = 109,
+  RESTRIP_UNEXPECTED = 110 /* an error in the library */
+};
+
+/* One sentence for a person, in English. Never null, for any number. The text is constant. */
+RESTRIP_API const char* restrip_describe(restrip_status status);
+
+/* ---- A mesh -------------------------------------------------------------------------------------------------------
+ */
+
+/* Triangles whose dual edges have colours, and the policy that keeps them. */
+typedef struct restrip_mesh restrip_mesh;
+
+/* No vertex, no triangle, no halfedge. */
+#define RESTRIP_NONE UINT32_C(0xFFFFFFFF)
+
+/* What was found in the triangles given. Nothing is repaired: every triangle is in the mesh or counted as left out. */
+typedef struct restrip_build_report {
+  size_t degenerate_triangles;   /* left out: a corner twice */
+  size_t out_of_range_triangles; /* left out: a corner that is no vertex */
+  size_t boundary_edges;         /* edges of one triangle */
+  size_t non_manifold_edges;     /* edges of three triangles or more: no strip crosses them */
+  size_t inconsistent_edges;     /* edges of two triangles that disagree in orientation: no strip crosses them */
+  size_t non_manifold_vertices;  /* operations refuse them */
+} restrip_build_report;
+
+/* Makes a mesh of an index array: three corners for each triangle, counter-clockwise, below vertex_count. All dual
+ * edges are dashed, and the policy is RESTRIP_POLICY_LOCAL. `report` may be null. `origin` may be null, or has room for
+ * index_count / 3 numbers and receives for each triangle of the mesh its place among those given (they differ when some
+ * are left out). The indices are copied. index_count must be a multiple of 3 (else RESTRIP_BAD_ARGUMENT); a mesh holds
+ * at most 536,870,911 triangles and 4,294,967,295 vertices (else RESTRIP_TOO_LARGE). O(T). Give the mesh back by
+ * restrip_mesh_free. After an error *mesh is null. */
+RESTRIP_API restrip_status restrip_mesh_build_u32(const uint32_t* indices, size_t index_count, size_t vertex_count,
+                                                  restrip_build_report* report, uint32_t* origin, restrip_mesh** mesh);
+RESTRIP_API restrip_status restrip_mesh_build_u16(const uint16_t* indices, size_t index_count, size_t vertex_count,
+                                                  restrip_build_report* report, uint32_t* origin, restrip_mesh** mesh);
+/* Frees the mesh and all that it lent. Null is allowed. */
+RESTRIP_API void restrip_mesh_free(restrip_mesh* mesh);
+
+/* Triangles; 0 for a null mesh. */
+RESTRIP_API size_t restrip_mesh_triangle_count(const restrip_mesh* mesh);
+/* The numbers of triangles and of vertices are below these bounds. A triangle keeps its number until it is removed;
+ * then the next triangle inserted takes it. */
+RESTRIP_API size_t restrip_mesh_triangle_bound(const restrip_mesh* mesh);
+RESTRIP_API size_t restrip_mesh_vertex_bound(const restrip_mesh* mesh);
+/* The corners of triangle t, counter-clockwise. RESTRIP_BAD_ARGUMENT when there is no such triangle. */
+RESTRIP_API restrip_status restrip_mesh_corners(const restrip_mesh* mesh, uint32_t t, uint32_t corners[3]);
+
+/* ---- Halfedges ----------------------------------------------------------------------------------------------------
+ */
+
+/* A directed mesh edge; its triangle lies to its left. Side s of triangle t, 4 t + s, runs from corner s to corner s
+ * + 1. Other numbers name halfedges without a triangle, on the boundary. An operation leaves the halfedges of triangles
+ * that it does not remove valid. */
+typedef uint32_t restrip_halfedge;
+
+/* The halfedge from vertex v to vertex w, or RESTRIP_NONE. O(valence of v). */
+RESTRIP_API restrip_halfedge restrip_mesh_find(const restrip_mesh* mesh, uint32_t v, uint32_t w);
+/* Some halfedge that leaves v, or RESTRIP_NONE. On the boundary it is the one from which turning counter-clockwise
+ * (opposite of next of next) meets all triangles of v. O(1), as are those below. */
+RESTRIP_API restrip_halfedge restrip_mesh_spoke(const restrip_mesh* mesh, uint32_t v);
+/* RESTRIP_NONE for what is no halfedge of the mesh; and `next` of a halfedge without a triangle. */
+RESTRIP_API restrip_halfedge restrip_mesh_next(const restrip_mesh* mesh, restrip_halfedge h);
+RESTRIP_API restrip_halfedge restrip_mesh_opposite(const restrip_mesh* mesh, restrip_halfedge h);
+RESTRIP_API uint32_t restrip_mesh_from(const restrip_mesh* mesh, restrip_halfedge h);
+RESTRIP_API uint32_t restrip_mesh_to(const restrip_mesh* mesh, restrip_halfedge h);
+/* RESTRIP_NONE on the boundary. */
+RESTRIP_API uint32_t restrip_mesh_triangle(const restrip_mesh* mesh, restrip_halfedge h);
+/* 1 when the dual edge across h is solid, else 0. */
+RESTRIP_API int restrip_mesh_solid(const restrip_mesh* mesh, restrip_halfedge h);
+
+/* ---- Colours ------------------------------------------------------------------------------------------------------
+ */
+
+/* Writes the colours of all triangles: bit s of byte t is set when the dual edge over side s of triangle t is solid.
+ * The array has restrip_mesh_triangle_bound bytes. O(T). */
+RESTRIP_API restrip_status restrip_mesh_get_colors(const restrip_mesh* mesh, uint8_t* solid_sides, size_t size);
+/* Gives the mesh such colours. They must be those of a valid colouring, with 0 for what is no triangle (else
+ * RESTRIP_BAD_COLORING), and `size` the bound (else RESTRIP_BAD_ARGUMENT). O(T). */
+RESTRIP_API restrip_status restrip_mesh_set_colors(restrip_mesh* mesh, const uint8_t* solid_sides, size_t size);
+
+/* A colouring counted from its definition. */
+typedef struct restrip_coloring {
+  size_t triangles;
+  size_t strips;   /* isolated triangles included */
+  size_t isolated; /* triangles without a solid edge */
+  int32_t valid;   /* 1; anything else is an error in the library */
+} restrip_coloring;
+/* Counts the whole mesh. Close to O(T). */
+RESTRIP_API restrip_status restrip_mesh_check(const restrip_mesh* mesh, restrip_coloring* coloring);
+/* The number of strips as it was kept up to date: O(1), and O(T) after RESTRIP_OUT_OF_MEMORY. */
+RESTRIP_API restrip_status restrip_mesh_strip_count(const restrip_mesh* mesh, size_t* strips);
+
+/* What counts: restart * strips + swap * swaps + isolated * isolated triangles. A swap is a place where a strip turns
+ * twice the same way and its index buffer repeats an index. Where a function takes a cost, null means
+ * RESTRIP_FEWEST_STRIPS. restart is 1 to 1000, the others 0 to 1000 (else RESTRIP_BAD_ARGUMENT). */
+typedef struct restrip_cost {
+  uint16_t restart;
+  uint16_t swap;
+  uint16_t isolated;
+} restrip_cost;
+/* Initialisers. */
+#define RESTRIP_FEWEST_STRIPS \
+  { 1, 0, 0 }
+#define RESTRIP_FEWEST_INDICES \
+  { 3, 1, 0 }
+
+enum {                          /* effort of restrip_mesh_stripify, in the order of the time they take */
+       RESTRIP_EFFORT_FAST = 0, /* one pass, O(T) */
+       RESTRIP_EFFORT_FULL = 1, /* some 10 microseconds a triangle */
+       RESTRIP_EFFORT_BEST = 2  /* up to ten times as long */
+};
+/* Strips from scratch. The result depends on the mesh and the arguments alone. `limit` bounds the work of the slower
+ * efforts, in searched states of a few hundred nanoseconds (fewest strips) or tried moves of some 80 ns; 0: 40 or 100
+ * for each triangle. `strips` may be null, or receives their number. A live buffer is written anew by its next update.
+ * After RESTRIP_OUT_OF_MEMORY the colours may be others than before, and are valid. */
+RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t effort, const restrip_cost* cost,
+                                                 uint64_t limit, size_t* strips);
+
+/* ---- Operations ---------------------------------------------------------------------------------------------------
+ */
+
+enum {                           /* policies: how far an operation looks to keep strips long */
+       RESTRIP_POLICY_BARE = 0,  /* strips are not kept: dual edges of triangles that change become dashed */
+       RESTRIP_POLICY_LOCAL = 1, /* the proven rules, at the patch alone; under two times the cost of the bare update */
+       RESTRIP_POLICY_LINKED = 2, /* along the strips that touch the patch; about four times */
+       RESTRIP_POLICY_QUICK = 3,  /* small searches; some twenty times */
+       RESTRIP_POLICY_FULL = 4,   /* large searches; some hundred times */
+       RESTRIP_POLICY_BAKED = 5   /* meshes read by restrip_baked_read: levels are moved to by what was stored;
+                              restrip_mesh_keep   refuses it */
+};
+/* From now on operations keep the strips by this policy, for this cost (docs/strips.md has figures). O(T). A baked mesh
+ * leaves its levels by it. After an error the policy is what it was. */
+RESTRIP_API restrip_status restrip_mesh_keep(restrip_mesh* mesh, int32_t policy, const restrip_cost* cost);
+/* The policy in use; RESTRIP_POLICY_BARE for a null mesh. */
+RESTRIP_API int32_t restrip_mesh_policy(const restrip_mesh* mesh);
+
+/* What an operation did. */
+typedef struct restrip_change {
+  restrip_halfedge halfedge; /* split: v_s -> v_t; collapse: from v_s to v_l, or to v_r where there is no v_l; flip: the
+                                turned edge */
+  uint32_t valence;          /* of the patch; 0 under RESTRIP_POLICY_BARE */
+  int32_t strips;            /* change in the number of strips of the mesh */
+  int32_t isolated;          /* change in the number of isolated triangles of the mesh */
+} restrip_change;
+
+/* The three operations of a dynamic mesh. Each is checked: an operation that would spoil the mesh is refused by one of
+ * the codes 1 to 12 and changes nothing. `change` may be null. Cost: O(valence), and that of the policy. After
+ * RESTRIP_OUT_OF_MEMORY the operation may be done or not (compare restrip_mesh_triangle_count); mesh and colours are
+ * valid.
+ *
+ * Split: v_s, which the spokes `left` = v_s -> v_l and `right` = v_s -> v_r leave, becomes v_s and v_t with a mesh edge
+ * between them, and two triangles (v_s, v_t, v_l) and (v_t, v_s, v_r) are inserted. v_t takes the triangles met when
+ * turning counter-clockwise from `right` to `left`. On the boundary one spoke may be RESTRIP_NONE: then the new mesh
+ * edge lies on the boundary, one triangle is inserted, and v_t takes the triangles clockwise of `left`, or
+ * counter-clockwise of `right`. `v_t` is the number of the new vertex, or RESTRIP_NONE for the next free one; vertices
+ * up to it are allocated, 5 bytes each. */
+RESTRIP_API restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right,
+                                              uint32_t v_t, restrip_change* change);
+/* Collapse: the mesh edge of v_s -> v_t and the triangles beside it are removed, and v_s takes the other triangles of
+ * v_t. */
+RESTRIP_API restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
+/* Flip: the two triangles beside the mesh edge become the two with the other diagonal. */
+RESTRIP_API restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
+/* What the operation would answer: RESTRIP_OK when it would be done. */
+RESTRIP_API restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left,
+                                                    restrip_halfedge right, uint32_t v_t);
+RESTRIP_API restrip_status restrip_mesh_check_collapse(const restrip_mesh* mesh, restrip_halfedge h);
+RESTRIP_API restrip_status restrip_mesh_check_flip(const restrip_mesh* mesh, restrip_halfedge h);
+
+/* Background work between operations: looks at about `budget` states of searches, a few hundred nanoseconds each.
+ * `saved` may be null, or receives by how much the cost is lower. RESTRIP_BAD_ARGUMENT under RESTRIP_POLICY_BARE and
+ * RESTRIP_POLICY_BAKED, which have no search. */
+RESTRIP_API restrip_status restrip_mesh_improve(restrip_mesh* mesh, size_t budget, size_t* saved);
+
+/* ---- Strips and index buffers out ---------------------------------------------------------------------------------
+ */
+
+/* These count and fill: with a null array they write what size is needed to *count and return RESTRIP_OK; with an array
+ * they fill it and write its size in use to *count. If `capacity` is less than needed, they return RESTRIP_TOO_SMALL,
+ * write what is needed to *count, and leave the array as it is. All O(T), in the same order for equal meshes on every
+ * machine. */
+
+/* The triangles of all strips, one strip after the other (as many as there are triangles). */
+RESTRIP_API restrip_status restrip_mesh_strip_triangles(const restrip_mesh* mesh, uint32_t* triangles, size_t capacity,
+                                                        size_t* count);
+/* Strip s of that list is from place starts[s] to starts[s + 1] - 1: one number more than strips. */
+RESTRIP_API restrip_status restrip_mesh_strip_starts(const restrip_mesh* mesh, size_t* starts, size_t capacity,
+                                                     size_t* count);
+/* The index buffer of all strips, to be drawn as a triangle strip with primitive restart; the restart index, all bits
+ * set, lies between two strips. RESTRIP_TOO_LARGE when there is a vertex above 65,534 and indices have 16 bits. */
+RESTRIP_API restrip_status restrip_mesh_strip_indices_u32(const restrip_mesh* mesh, uint32_t* indices, size_t capacity,
+                                                          size_t* count);
+RESTRIP_API restrip_status restrip_mesh_strip_indices_u16(const restrip_mesh* mesh, uint16_t* indices, size_t capacity,
+                                                          size_t* count);
+
+/* ---- The live buffer ----------------------------------------------------------------------------------------------
+ */
+
+/* An index buffer kept in step with the mesh, of which an update writes only what changed. A mesh has one at a time. */
+
+enum {                         /* form of the buffer */
+       RESTRIP_STRIPS_U32 = 0, /* draw as a triangle strip with primitive restart: at most 1.10 times the indices of the
+                                  strips, and 128 */
+       RESTRIP_STRIPS_U16 = 1,
+       RESTRIP_LIST_U32 =
+           2, /* draw as a triangle list, without gaps: an update writes less, the buffer is twice as long */
+       RESTRIP_LIST_U16 = 3
+};
+/* Consecutive indices of the buffer. */
+typedef struct restrip_range {
+  size_t first;
+  size_t count;
+} restrip_range;
+
+/* Starts a live buffer, in place of the one that there is; the first update writes it. O(1). */
+RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, int32_t form);
+/* Brings the buffer in step with the mesh. *ranges receives the places that may have changed, ascending and apart, to
+ * be copied to the device, and *range_count their number; the buffer may have become longer or shorter
+ * (restrip_live_indices). The ranges are valid until the next call for this mesh that is not const. Cost: linear in
+ * what changed, O(T) the first time and after restrip_mesh_stripify, restrip_mesh_set_colors and restrip_baked_restart.
+ * RESTRIP_TOO_LARGE when 16 bits cannot name a vertex; after that and after RESTRIP_OUT_OF_MEMORY the next update
+ * writes the whole buffer. */
+RESTRIP_API restrip_status restrip_live_update(restrip_mesh* mesh, const restrip_range** ranges, size_t* range_count);
+/* The buffer as the last update left it: *count indices of 16 or 32 bits. Valid until the next call for this mesh that
+ * is not const. */
+RESTRIP_API restrip_status restrip_live_indices(const restrip_mesh* mesh, const void** indices, size_t* count);
+/* Ends the live buffer, if there is one. */
+RESTRIP_API restrip_status restrip_live_end(restrip_mesh* mesh);
+
+/* ---- Baked meshes -------------------------------------------------------------------------------------------------
+ */
+
+/* A progressive mesh whose strips `restrip bake` decided for every level (docs/baked.md). Level n is the base with its
+ * first n records played. All that is above works on it. An operation of your own (split, collapse, flip, stripify,
+ * keep, set_colors) leaves the levels: strips are kept by the policy from then on, the rules of RESTRIP_POLICY_LOCAL
+ * unless you choose another, and restrip_baked_move answers RESTRIP_OUT_OF_STEP until restrip_baked_restart. */
+
+/* One vertex split, by vertices: v_t is split off v_s, between v_l and v_r. One of the latter is RESTRIP_NONE on the
+ * boundary. Record i makes the triangles whose corners are named there. */
+typedef struct restrip_record {
+  uint32_t v_s;
+  uint32_t v_t;
+  uint32_t v_l;
+  uint32_t v_r;
+} restrip_record;
+
+/* Reads the bytes of a baked mesh and gives a mesh at level 0. They are copied and checked, every record is played
+ * once; RESTRIP_BAD_FILE for what is damaged, of another version, or describes no mesh. Then `text` receives what is
+ * wrong, in words that follow the name of the file and a colon, cut off after text_size - 1 bytes; it may be null with
+ * text_size 0. After an error *mesh is null. O(bytes). */
+RESTRIP_API restrip_status restrip_baked_read(const void* bytes, size_t size, char* text, size_t text_size,
+                                              restrip_mesh** mesh);
+/* The number of records, the highest level; 0 for a mesh that is not baked. */
+RESTRIP_API size_t restrip_baked_levels(const restrip_mesh* mesh);
+/* The level that the mesh is at. RESTRIP_OUT_OF_STEP when it is at none. */
+RESTRIP_API restrip_status restrip_baked_level(const restrip_mesh* mesh, size_t* level);
+/* Moves to a level, by at most `most` records (SIZE_MAX: all the way); `done` may be null, or receives how many were
+ * played. A record takes under two times the bare mesh update. RESTRIP_BAD_ARGUMENT above the highest level. After
+ * RESTRIP_OUT_OF_MEMORY the mesh has left its levels. */
+RESTRIP_API restrip_status restrip_baked_move(restrip_mesh* mesh, size_t level, size_t most, size_t* done);
+/* Back to level 0 and to RESTRIP_POLICY_BAKED, from any state. O(T). */
+RESTRIP_API restrip_status restrip_baked_restart(restrip_mesh* mesh);
+/* Record i. RESTRIP_BAD_ARGUMENT when there is none. */
+RESTRIP_API restrip_status restrip_baked_record(const restrip_mesh* mesh, size_t i, restrip_record* record);
+/* The places of all vertices, three coordinates each, those of the base first and then one for each record. Valid as
+ * long as the mesh. */
+RESTRIP_API restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coordinates,
+                                                size_t* vertex_count);
+
+/* ---- Rules --------------------------------------------------------------------------------------------------------
+ */
+
+/* The rules by themselves, for a mesh of your own: from the colours of a patch before an operation to those after it.
+ * Masks are numbered as in docs/notation.md: bit i of `loop` or `inner` is inner edge i, bit i of `ports` port i. k is
+ * 3 (closed fans) or 1 (open fans) to 61. RESTRIP_BAD_ARGUMENT for a place that does not exist, RESTRIP_BAD_COLORING
+ * for colours that no valid colouring has. Constant time up to k = 8, two steps a triangle above. */
+typedef struct restrip_answer {
+  uint64_t colors; /* the inner edges after the operation */
+  uint64_t ports;  /* the ports after it: those given, but for a flip, which may give some up */
+  int32_t strips;  /* change in the number of strips */
+} restrip_answer;
+#define RESTRIP_LARGEST_FAN 61
+
+/* A closed fan of k triangles is split before triangles 0 and a, 1 <= a < k: `loop` has k bits, the answer k + 3. */
+RESTRIP_API restrip_status restrip_lookup_split(uint32_t k, uint32_t a, uint64_t loop, uint64_t ports,
+                                                restrip_answer* answer);
+/* The inverse: `inner` has k + 3 bits, the answer k. */
+RESTRIP_API restrip_status restrip_lookup_collapse(uint32_t k, uint32_t a, uint64_t inner, uint64_t ports,
+                                                   restrip_answer* answer);
+/* An open fan of k triangles, two triangles in gaps i < j <= k: `loop` has k - 1 bits, the answer k + 2. */
+RESTRIP_API restrip_status restrip_lookup_open_split(uint32_t k, uint32_t i, uint32_t j, uint64_t loop, uint64_t ports,
+                                                     restrip_answer* answer);
+RESTRIP_API restrip_status restrip_lookup_open_collapse(uint32_t k, uint32_t i, uint32_t j, uint64_t inner,
+                                                        uint64_t ports, restrip_answer* answer);
+/* One triangle in gap i <= k: `loop` has k - 1 bits, the answer k. */
+RESTRIP_API restrip_status restrip_lookup_boundary_split(uint32_t k, uint32_t i, uint64_t loop, uint64_t ports,
+                                                         restrip_answer* answer);
+RESTRIP_API restrip_status restrip_lookup_boundary_collapse(uint32_t k, uint32_t i, uint64_t inner, uint64_t ports,
+                                                            restrip_answer* answer);
+/* Two triangles, four ports counter-clockwise, the first two of one triangle: `inner` is 0 or 1, and so is the answer.
+ */
+RESTRIP_API restrip_status restrip_lookup_flip(uint64_t inner, uint64_t ports, restrip_answer* answer);
+
+#ifdef __cplusplus
+} /* extern "C" */
+#endif
+
+#endif /* RESTRIP_H */

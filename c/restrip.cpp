@@ -1,0 +1,434 @@
+// The C interface (include/restrip.h is its manual), over the header-only library.
+#include "restrip.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "keepers.hpp"
+#include "mesh.hpp"
+#include "restrip/restrip.hpp"
+#include "status.hpp"
+
+namespace {
+
+using namespace restrip;
+using restrip::c::guarded;
+using restrip::c::status_of;
+
+template <class... Pointers>
+bool any_null(const Pointers*... pointers) noexcept {
+  return (... || (pointers == nullptr));
+}
+
+// ---- meshes
+
+/// Gives a new mesh to the caller.
+template <class... Parts>
+void give(restrip_mesh** out, Parts&&... parts) {
+  *out = new restrip_mesh(std::forward<Parts>(parts)...);
+}
+
+template <class Index>
+restrip_status build(const Index* indices, std::size_t index_count, std::size_t vertex_count,
+                     restrip_build_report* report, std::uint32_t* origin, restrip_mesh** out) {
+  if (out != nullptr) *out = nullptr;
+  if (out == nullptr || (indices == nullptr && index_count != 0)) return RESTRIP_NULL_ARGUMENT;
+  if (index_count % 3 != 0) return RESTRIP_BAD_ARGUMENT;
+  return guarded([&] {
+    BuildReport found;
+    std::vector<std::uint32_t> places;
+    give(out, StripMesh::build(std::span<const Index>(indices, index_count), vertex_count, &found,
+                               origin != nullptr ? &places : nullptr));
+    if (report != nullptr)
+      *report = {found.degenerate_triangles, found.out_of_range_triangles, found.boundary_edges,
+                 found.non_manifold_edges,   found.inconsistent_edges,     found.non_manifold_vertices};
+    std::copy(places.begin(), places.end(), origin);
+    return RESTRIP_OK;
+  });
+}
+
+/// Is h a halfedge of the mesh?
+bool known(const restrip_mesh* mesh, restrip_halfedge h) noexcept {
+  return mesh != nullptr && mesh->mesh.alive(StripMesh::Halfedge{h});
+}
+
+// ---- operations
+
+VertexSplit<StripMesh::Halfedge> where_of(restrip_halfedge left, restrip_halfedge right) noexcept {
+  using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
+  const Spokes spokes = right == RESTRIP_NONE  ? Spokes::left_only
+                        : left == RESTRIP_NONE ? Spokes::right_only
+                                               : Spokes::both;
+  return {{left}, {right}, spokes};
+}
+
+/// Does what is granted, and tells.
+template <class Operation>
+restrip_status done(restrip_mesh* mesh, Refusal refusal, restrip_change* change, Operation&& operation) noexcept {
+  if (refusal != Refusal::granted) return status_of(refusal);
+  return guarded([&] {
+    const auto rewrite = mesh->kept(operation);
+    if (change != nullptr) *change = {rewrite.halfedge.id, rewrite.valence, rewrite.strips, rewrite.isolated};
+    return RESTRIP_OK;
+  });
+}
+
+// ---- what is counted and filled
+
+template <class Element, class From>
+restrip_status fill(const std::vector<From>& all, Element* out, std::size_t capacity, std::size_t* count) {
+  *count = all.size();
+  if (out == nullptr) return RESTRIP_OK;
+  if (capacity < all.size()) return RESTRIP_TOO_SMALL;
+  std::transform(all.begin(), all.end(), out, [](From value) { return static_cast<Element>(value); });
+  return RESTRIP_OK;
+}
+
+template <class Index>
+restrip_status indices_of(const restrip_mesh* mesh, Index* out, std::size_t capacity, std::size_t* count) {
+  if (any_null(mesh, count)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&]() -> restrip_status {
+    const std::vector<std::uint32_t> indices = strip_indices(mesh->mesh);
+    // What does not fit is cut to all bits set, for the restart index alone.
+    constexpr std::uint32_t restart = std::numeric_limits<Index>::max();
+    if (std::any_of(indices.begin(), indices.end(), [](std::uint32_t i) { return i >= restart && i != restart_index; }))
+      return RESTRIP_TOO_LARGE;
+    return fill(indices, out, capacity, count);
+  });
+}
+
+static_assert(RESTRIP_NONE == none);
+
+}  // namespace
+
+// ---- version and errors
+
+std::uint32_t restrip_abi_version() { return RESTRIP_ABI_VERSION; }
+const char* restrip_version() { return RESTRIP_VERSION; }
+const char* restrip_describe(restrip_status status) { return restrip::c::text_of(status); }
+
+// ---- meshes
+
+restrip_status restrip_mesh_build_u32(const std::uint32_t* indices, std::size_t index_count, std::size_t vertex_count,
+                                      restrip_build_report* report, std::uint32_t* origin, restrip_mesh** mesh) {
+  return build(indices, index_count, vertex_count, report, origin, mesh);
+}
+restrip_status restrip_mesh_build_u16(const std::uint16_t* indices, std::size_t index_count, std::size_t vertex_count,
+                                      restrip_build_report* report, std::uint32_t* origin, restrip_mesh** mesh) {
+  return build(indices, index_count, vertex_count, report, origin, mesh);
+}
+void restrip_mesh_free(restrip_mesh* mesh) { delete mesh; }
+
+std::size_t restrip_mesh_triangle_count(const restrip_mesh* mesh) {
+  return mesh == nullptr ? 0 : mesh->mesh.triangle_count();
+}
+std::size_t restrip_mesh_triangle_bound(const restrip_mesh* mesh) {
+  return mesh == nullptr ? 0 : mesh->mesh.triangle_bound();
+}
+std::size_t restrip_mesh_vertex_bound(const restrip_mesh* mesh) {
+  return mesh == nullptr ? 0 : mesh->mesh.vertex_bound();
+}
+restrip_status restrip_mesh_corners(const restrip_mesh* mesh, std::uint32_t t, std::uint32_t corners[3]) {
+  if (any_null(mesh, corners)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->mesh.alive(t)) return RESTRIP_BAD_ARGUMENT;
+  const auto found = mesh->mesh.corners(t);
+  std::copy(found.begin(), found.end(), corners);
+  return RESTRIP_OK;
+}
+
+// ---- halfedges
+
+restrip_halfedge restrip_mesh_find(const restrip_mesh* mesh, std::uint32_t v, std::uint32_t w) {
+  const restrip_halfedge first = restrip_mesh_spoke(mesh, v);
+  return first == RESTRIP_NONE ? RESTRIP_NONE : mesh->mesh.spoke(v, w).id;
+}
+restrip_halfedge restrip_mesh_spoke(const restrip_mesh* mesh, std::uint32_t v) {
+  return mesh == nullptr || v >= mesh->mesh.vertex_bound() ? RESTRIP_NONE : mesh->mesh.spoke(v).id;
+}
+restrip_halfedge restrip_mesh_next(const restrip_mesh* mesh, restrip_halfedge h) {
+  return known(mesh, h) && !StripMesh::on_boundary({h}) ? StripMesh::next({h}).id : RESTRIP_NONE;
+}
+restrip_halfedge restrip_mesh_opposite(const restrip_mesh* mesh, restrip_halfedge h) {
+  return known(mesh, h) ? mesh->mesh.opposite({h}).id : RESTRIP_NONE;
+}
+std::uint32_t restrip_mesh_from(const restrip_mesh* mesh, restrip_halfedge h) {
+  return known(mesh, h) ? mesh->mesh.from({h}) : RESTRIP_NONE;
+}
+std::uint32_t restrip_mesh_to(const restrip_mesh* mesh, restrip_halfedge h) {
+  return known(mesh, h) ? mesh->mesh.to({h}) : RESTRIP_NONE;
+}
+std::uint32_t restrip_mesh_triangle(const restrip_mesh* mesh, restrip_halfedge h) {
+  return known(mesh, h) && !StripMesh::on_boundary({h}) ? StripMesh::triangle({h}) : RESTRIP_NONE;
+}
+int restrip_mesh_solid(const restrip_mesh* mesh, restrip_halfedge h) {
+  return known(mesh, h) && mesh->mesh.solid({h}) ? 1 : 0;
+}
+
+// ---- colours
+
+restrip_status restrip_mesh_get_colors(const restrip_mesh* mesh, std::uint8_t* solid_sides, std::size_t size) {
+  if (any_null(mesh, solid_sides)) return RESTRIP_NULL_ARGUMENT;
+  if (size < mesh->mesh.triangle_bound()) return RESTRIP_TOO_SMALL;
+  for (Triangle t = 0; t < mesh->mesh.triangle_bound(); ++t)
+    solid_sides[t] = mesh->mesh.alive(t) ? static_cast<std::uint8_t>(mesh->mesh.solid_sides(t)) : std::uint8_t{0};
+  return RESTRIP_OK;
+}
+restrip_status restrip_mesh_set_colors(restrip_mesh* mesh, const std::uint8_t* solid_sides, std::size_t size) {
+  if (any_null(mesh, solid_sides)) return RESTRIP_NULL_ARGUMENT;
+  if (size != mesh->mesh.triangle_bound()) return RESTRIP_BAD_ARGUMENT;
+  return guarded([&]() -> restrip_status {
+    const StripMesh& now = mesh->mesh;
+    for (Triangle t = 0; t < size; ++t)
+      for (unsigned side = 0; side < 8; ++side) {
+        if ((solid_sides[t] >> side & 1U) == 0) continue;
+        if (side > 2 || !now.alive(t)) return RESTRIP_BAD_COLORING;
+        const auto across = now.opposite(StripMesh::halfedge(t, side));
+        if (StripMesh::on_boundary(across) ||
+            (std::uint32_t{solid_sides[StripMesh::triangle(across)]} >> StripMesh::side(across) & 1U) == 0)
+          return RESTRIP_BAD_COLORING;
+      }
+    StripMesh trial = now;  // not watched, so that colours go from one to the other without a report
+    trial.set_colors({solid_sides, size});
+    if (!check_coloring(trial).valid) return RESTRIP_BAD_COLORING;
+    mesh->recolor([&](StripMesh& own) { own.set_colors({solid_sides, size}); });
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_mesh_check(const restrip_mesh* mesh, restrip_coloring* coloring) {
+  if (any_null(mesh, coloring)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] {
+    const ColoringReport report = check_coloring(mesh->mesh);
+    *coloring = {report.triangles, report.strips, report.isolated, report.valid ? 1 : 0};
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_mesh_strip_count(const restrip_mesh* mesh, std::size_t* strips) {
+  if (any_null(mesh, strips)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] {
+    *strips = mesh->asked(
+        [&](const auto& keeper) { return keeper.up_to_date() ? keeper.strips() : count_strips(mesh->mesh); });
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_mesh_stripify(restrip_mesh* mesh, std::int32_t effort, const restrip_cost* cost,
+                                     std::uint64_t limit, std::size_t* strips) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  Effort how{};
+  Cost what;
+  if (!restrip::c::named(effort, Effort::best, how) || !restrip::c::cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
+  return guarded([&] {
+    std::size_t made = 0;
+    mesh->recolor([&](StripMesh& own) { made = stripify(own, how, what, limit); });
+    if (strips != nullptr) *strips = made;
+    return RESTRIP_OK;
+  });
+}
+
+// ---- operations
+
+restrip_status restrip_mesh_keep(restrip_mesh* mesh, std::int32_t policy, const restrip_cost* cost) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  Policy how{};
+  Cost what;
+  const bool bare = policy == RESTRIP_POLICY_BARE;
+  if (!bare && (policy < 1 || !restrip::c::named(policy - 1, Policy::full, how))) return RESTRIP_BAD_ARGUMENT;
+  if (!restrip::c::cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
+  return guarded([&] {
+    if (bare)
+      mesh->keeper = restrip::c::BareKeeper(mesh->mesh);
+    else if (what == Cost::strips())
+      mesh->keeper = StripKeeper(mesh->mesh, how);
+    else
+      mesh->keeper = IndexKeeper(mesh->mesh, how, what);
+    mesh->policy = policy;
+    return RESTRIP_OK;
+  });
+}
+std::int32_t restrip_mesh_policy(const restrip_mesh* mesh) {
+  return mesh == nullptr ? RESTRIP_POLICY_BARE : mesh->policy;
+}
+
+restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right, std::uint32_t v_t,
+                                  restrip_change* change) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  const auto where = where_of(left, right);
+  return done(mesh, check_split(mesh->mesh, where, v_t), change,
+              [&](auto& keeper) { return keeper.split(where, v_t); });
+}
+restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
+  const restrip_status status = restrip_mesh_check_collapse(mesh, h);
+  if (status != RESTRIP_OK) return status;
+  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.collapse({h}); });
+}
+restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  return done(mesh, check_flip(mesh->mesh, {h}), change, [&](auto& keeper) { return keeper.flip({h}); });
+}
+restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right,
+                                        std::uint32_t v_t) {
+  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_split(mesh->mesh, where_of(left, right), v_t));
+}
+restrip_status restrip_mesh_check_collapse(const restrip_mesh* mesh, restrip_halfedge h) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] { return status_of(check_collapse(mesh->mesh, {h})); });  // allocates around large vertices
+}
+restrip_status restrip_mesh_check_flip(const restrip_mesh* mesh, restrip_halfedge h) {
+  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_flip(mesh->mesh, {h}));
+}
+
+restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std::size_t* saved) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] {
+    return mesh->kept([&](auto& keeper) -> restrip_status {
+      if constexpr (requires { keeper.improve(budget); }) {
+        const std::size_t less = keeper.improve(budget);
+        if (saved != nullptr) *saved = less;
+        return RESTRIP_OK;
+      } else {
+        return RESTRIP_BAD_ARGUMENT;
+      }
+    });
+  });
+}
+
+// ---- strips and index buffers out
+
+restrip_status restrip_mesh_strip_triangles(const restrip_mesh* mesh, std::uint32_t* triangles, std::size_t capacity,
+                                            std::size_t* count) {
+  if (any_null(mesh, count)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] { return fill(extract_strips(mesh->mesh).order, triangles, capacity, count); });
+}
+restrip_status restrip_mesh_strip_starts(const restrip_mesh* mesh, std::size_t* starts, std::size_t capacity,
+                                         std::size_t* count) {
+  if (any_null(mesh, count)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] { return fill(extract_strips(mesh->mesh).start, starts, capacity, count); });
+}
+restrip_status restrip_mesh_strip_indices_u32(const restrip_mesh* mesh, std::uint32_t* indices, std::size_t capacity,
+                                              std::size_t* count) {
+  return indices_of(mesh, indices, capacity, count);
+}
+restrip_status restrip_mesh_strip_indices_u16(const restrip_mesh* mesh, std::uint16_t* indices, std::size_t capacity,
+                                              std::size_t* count) {
+  return indices_of(mesh, indices, capacity, count);
+}
+
+// ---- the live buffer
+
+restrip_status restrip_live_begin(restrip_mesh* mesh, std::int32_t form) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (form < RESTRIP_STRIPS_U32 || form > RESTRIP_LIST_U16) return RESTRIP_BAD_ARGUMENT;
+  return guarded([&] {
+    restrip::c::Live::Buffer buffer;
+    if (form == RESTRIP_STRIPS_U16) buffer = StripBuffer16();
+    if (form == RESTRIP_LIST_U32) buffer = TriangleListBuffer();
+    if (form == RESTRIP_LIST_U16) buffer = TriangleListBuffer16();
+    auto live = std::make_unique<restrip::c::Live>(std::move(buffer));
+    mesh->live = std::move(live);
+    mesh->mesh.watch(mesh->live->changed());
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_live_update(restrip_mesh* mesh, const restrip_range** ranges, std::size_t* range_count) {
+  if (any_null(mesh, ranges, range_count)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->live) return RESTRIP_NOT_LIVE;
+  return guarded([&] {
+    const auto& written = mesh->live->update(mesh->mesh);
+    *ranges = written.data();
+    *range_count = written.size();
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_live_indices(const restrip_mesh* mesh, const void** indices, std::size_t* count) {
+  if (any_null(mesh, indices, count)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->live) return RESTRIP_NOT_LIVE;
+  mesh->live->with_indices([&](auto all) {
+    *indices = all.data();
+    *count = all.size();
+  });
+  return RESTRIP_OK;
+}
+restrip_status restrip_live_end(restrip_mesh* mesh) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  mesh->mesh.watch(nullptr);
+  mesh->live.reset();
+  return RESTRIP_OK;
+}
+
+// ---- baked meshes
+
+restrip_status restrip_baked_read(const void* bytes, std::size_t size, char* text, std::size_t text_size,
+                                  restrip_mesh** mesh) {
+  if (mesh != nullptr) *mesh = nullptr;
+  if (mesh == nullptr || (bytes == nullptr && size != 0) || (text == nullptr && text_size != 0))
+    return RESTRIP_NULL_ARGUMENT;
+  if (text_size != 0) text[0] = '\0';
+  return guarded([&]() -> restrip_status {
+    auto file = std::make_unique<BakedFile>();
+    const std::string fault = read_baked({static_cast<const std::byte*>(bytes), size}, *file);
+    if (!fault.empty()) {
+      if (text_size != 0) {
+        const std::size_t kept = std::min(fault.size(), text_size - 1);
+        std::memcpy(text, fault.data(), kept);
+        text[kept] = '\0';
+      }
+      return RESTRIP_BAD_FILE;
+    }
+    give(mesh, std::move(file));
+    return RESTRIP_OK;
+  });
+}
+std::size_t restrip_baked_levels(const restrip_mesh* mesh) {
+  return mesh == nullptr || !mesh->file ? 0 : mesh->file->splits.size();
+}
+restrip_status restrip_baked_level(const restrip_mesh* mesh, std::size_t* level) {
+  if (any_null(mesh, level)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->file) return RESTRIP_NOT_BAKED;
+  if (mesh->levels() == nullptr || !mesh->levels()->in_step()) return RESTRIP_OUT_OF_STEP;
+  *level = mesh->levels()->level();
+  return RESTRIP_OK;
+}
+restrip_status restrip_baked_move(restrip_mesh* mesh, std::size_t level, std::size_t most, std::size_t* done) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->file) return RESTRIP_NOT_BAKED;
+  if (level > mesh->file->splits.size()) return RESTRIP_BAD_ARGUMENT;
+  if (mesh->levels() == nullptr || !mesh->levels()->in_step()) return RESTRIP_OUT_OF_STEP;
+  return guarded([&] {
+    const std::size_t played = mesh->levels()->move(level, most);
+    if (done != nullptr) *done = played;
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_baked_restart(restrip_mesh* mesh) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->file) return RESTRIP_NOT_BAKED;
+  return guarded([&] {
+    StripMesh base = restrip_mesh::base_of(*mesh->file);
+    mesh->recolor([&](StripMesh& own) { own = std::move(base); });
+    mesh->keeper = restrip::c::LevelKeeper(mesh->mesh, *mesh->file);
+    mesh->policy = RESTRIP_POLICY_BAKED;
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_baked_record(const restrip_mesh* mesh, std::size_t i, restrip_record* record) {
+  if (any_null(mesh, record)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->file) return RESTRIP_NOT_BAKED;
+  if (i >= mesh->file->splits.size()) return RESTRIP_BAD_ARGUMENT;
+  const BakedSplit& split = mesh->file->splits[i];
+  *record = {split.v_s, split.v_t, split.v_l, split.v_r};
+  return RESTRIP_OK;
+}
+restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coordinates, std::size_t* vertex_count) {
+  if (any_null(mesh, coordinates, vertex_count)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->file) return RESTRIP_NOT_BAKED;
+  *coordinates = mesh->file->points.empty() ? nullptr : mesh->file->points.front().data();
+  *vertex_count = mesh->file->points.size();
+  return RESTRIP_OK;
+}

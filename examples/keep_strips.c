@@ -1,0 +1,72 @@
+/* Strips kept from C: a sheet is stripified, simplified by collapses under a policy, and its live index buffer tells
+ * what changed. Everything that can fail returns a code; a refused operation changes nothing. */
+#include <restrip.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { N = 40 }; /* squares a side */
+
+static void check(restrip_status status) {
+  if (status == RESTRIP_OK) return;
+  fprintf(stderr, "restrip: %s\n", restrip_describe(status));
+  exit(1);
+}
+
+static restrip_mesh* sheet(void) {
+  static uint32_t indices[6 * N * N];
+  uint32_t* out = indices;
+  uint32_t x, y;
+  restrip_mesh* mesh;
+  for (y = 0; y < N; ++y)
+    for (x = 0; x < N; ++x) {
+      const uint32_t a = y * (N + 1) + x, b = a + 1, c = a + N + 2, d = a + N + 1;
+      *out++ = a, *out++ = b, *out++ = c;
+      *out++ = a, *out++ = c, *out++ = d;
+    }
+  check(restrip_mesh_build_u32(indices, 6 * N * N, (N + 1) * (N + 1), NULL, NULL, &mesh));
+  return mesh;
+}
+
+static void print(const restrip_mesh* mesh) {
+  restrip_coloring found;
+  size_t indices;
+  check(restrip_mesh_check(mesh, &found));
+  check(restrip_mesh_strip_indices_u16(mesh, NULL, 0,
+                                       &indices)); /* how many there are; a second call would fill an array */
+  printf("%d triangles, %d strips, %d indices\n", (int)found.triangles, (int)found.strips, (int)indices);
+}
+
+int main(void) {
+  const restrip_range* ranges;
+  const void* indices;
+  size_t range_count, index_count, i, written = 0;
+  uint32_t v;
+  int strips = 0;
+  restrip_mesh* mesh = sheet();
+
+  if (restrip_abi_version() != RESTRIP_ABI_VERSION) return 1;
+  print(mesh);
+  check(restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FULL, NULL, 0, NULL));
+  print(mesh);
+
+  check(restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, NULL));
+  check(restrip_live_begin(mesh, RESTRIP_STRIPS_U16));
+  check(restrip_live_update(mesh, &ranges, &range_count));
+  for (v = 0; restrip_mesh_triangle_count(mesh) > N * N; ++v) {
+    restrip_change change;
+    const restrip_halfedge spoke = restrip_mesh_spoke(mesh, v);
+    if (restrip_mesh_collapse(mesh, spoke, &change) == RESTRIP_OK) strips += (int)change.strips;
+  }
+  printf("collapses changed the number of strips by %+d\n", strips);
+  print(mesh);
+
+  check(restrip_live_update(mesh, &ranges, &range_count)); /* what is to be copied to the device */
+  for (i = 0; i < range_count; ++i) written += ranges[i].count;
+  check(restrip_live_indices(mesh, &indices, &index_count));
+  printf("live buffer: %s\n", written <= index_count && indices != NULL ? "in step" : "wrong");
+
+  v = (uint32_t)restrip_mesh_vertex_bound(mesh) - 1;
+  printf("a flip at the corner: %s\n", restrip_describe(restrip_mesh_flip(mesh, restrip_mesh_spoke(mesh, v), NULL)));
+  restrip_mesh_free(mesh);
+  return 0;
+}

@@ -1,0 +1,336 @@
+// Nothing that a caller passes ends the program: null pointers, numbers out of range, colours that are not valid and
+// arrays that are too short come back as codes, each with a text, and leave the mesh as it was. Whichever allocation
+// fails, the answer is RESTRIP_OUT_OF_MEMORY, and mesh and colours are valid.
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "handle.hpp"
+#include "runtime/sample_meshes.hpp"
+#include "support/failing_new.hpp"
+
+namespace restrip::c_test {
+namespace {
+
+using testing_support::for_each_allocation;
+
+TEST(CArguments, NullIsACode) {
+  const Handle mesh = handle_of(sample::octahedron());
+  restrip_mesh* const m = mesh.get();
+  restrip_mesh* made = m;
+  std::uint32_t number = 0;
+  std::uint32_t corners[3];
+  std::uint8_t byte = 0;
+  std::size_t size = 0;
+  const void* data = nullptr;
+  const float* points = nullptr;
+  const restrip_range* ranges = nullptr;
+  const restrip_status codes[] = {restrip_mesh_build_u32(nullptr, 3, 3, nullptr, nullptr, &made),
+                                  restrip_mesh_build_u32(&number, 3, 3, nullptr, nullptr, nullptr),
+                                  restrip_mesh_build_u16(nullptr, 3, 3, nullptr, nullptr, &made),
+                                  restrip_mesh_corners(nullptr, 0, corners),
+                                  restrip_mesh_corners(m, 0, nullptr),
+                                  restrip_mesh_get_colors(nullptr, &byte, 1),
+                                  restrip_mesh_get_colors(m, nullptr, 8),
+                                  restrip_mesh_set_colors(nullptr, &byte, 1),
+                                  restrip_mesh_set_colors(m, nullptr, 8),
+                                  restrip_mesh_check(nullptr, nullptr),
+                                  restrip_mesh_check(m, nullptr),
+                                  restrip_mesh_strip_count(nullptr, &size),
+                                  restrip_mesh_strip_count(m, nullptr),
+                                  restrip_mesh_stripify(nullptr, 0, nullptr, 0, nullptr),
+                                  restrip_mesh_keep(nullptr, 0, nullptr),
+                                  restrip_mesh_split(nullptr, 0, 1, RESTRIP_NONE, nullptr),
+                                  restrip_mesh_collapse(nullptr, 0, nullptr),
+                                  restrip_mesh_flip(nullptr, 0, nullptr),
+                                  restrip_mesh_check_split(nullptr, 0, 1, RESTRIP_NONE),
+                                  restrip_mesh_check_collapse(nullptr, 0),
+                                  restrip_mesh_check_flip(nullptr, 0),
+                                  restrip_mesh_improve(nullptr, 1, nullptr),
+                                  restrip_mesh_strip_triangles(nullptr, nullptr, 0, &size),
+                                  restrip_mesh_strip_triangles(m, nullptr, 0, nullptr),
+                                  restrip_mesh_strip_starts(nullptr, nullptr, 0, &size),
+                                  restrip_mesh_strip_starts(m, nullptr, 0, nullptr),
+                                  restrip_mesh_strip_indices_u32(nullptr, nullptr, 0, &size),
+                                  restrip_mesh_strip_indices_u32(m, nullptr, 0, nullptr),
+                                  restrip_mesh_strip_indices_u16(nullptr, nullptr, 0, &size),
+                                  restrip_mesh_strip_indices_u16(m, nullptr, 0, nullptr),
+                                  restrip_live_begin(nullptr, 0),
+                                  restrip_live_update(nullptr, &ranges, &size),
+                                  restrip_live_update(m, nullptr, &size),
+                                  restrip_live_update(m, &ranges, nullptr),
+                                  restrip_live_indices(nullptr, &data, &size),
+                                  restrip_live_indices(m, nullptr, &size),
+                                  restrip_live_indices(m, &data, nullptr),
+                                  restrip_live_end(nullptr),
+                                  restrip_baked_read(nullptr, 1, nullptr, 0, &made),
+                                  restrip_baked_read(&number, 4, nullptr, 0, nullptr),
+                                  restrip_baked_read(&number, 4, nullptr, 1, &made),
+                                  restrip_baked_level(nullptr, &size),
+                                  restrip_baked_level(m, nullptr),
+                                  restrip_baked_move(nullptr, 0, 1, nullptr),
+                                  restrip_baked_restart(nullptr),
+                                  restrip_baked_record(nullptr, 0, nullptr),
+                                  restrip_baked_record(m, 0, nullptr),
+                                  restrip_baked_points(nullptr, &points, &size),
+                                  restrip_baked_points(m, nullptr, &size),
+                                  restrip_baked_points(m, &points, nullptr),
+                                  restrip_lookup_split(4, 2, 0, 0, nullptr),
+                                  restrip_lookup_collapse(4, 2, 0, 0, nullptr),
+                                  restrip_lookup_open_split(4, 1, 2, 0, 0, nullptr),
+                                  restrip_lookup_open_collapse(4, 1, 2, 0, 0, nullptr),
+                                  restrip_lookup_boundary_split(4, 2, 0, 0, nullptr),
+                                  restrip_lookup_boundary_collapse(4, 2, 0, 0, nullptr),
+                                  restrip_lookup_flip(0, 0, nullptr)};
+  for (std::size_t i = 0; i < std::size(codes); ++i) EXPECT_EQ(codes[i], RESTRIP_NULL_ARGUMENT) << "call " << i;
+  EXPECT_EQ(made, nullptr);
+  // What answers by a number says nothing is there.
+  restrip_mesh_free(nullptr);
+  EXPECT_EQ(restrip_mesh_triangle_count(nullptr) + restrip_mesh_triangle_bound(nullptr) +
+                restrip_mesh_vertex_bound(nullptr) + restrip_baked_levels(nullptr),
+            0U);
+  EXPECT_EQ(restrip_mesh_solid(nullptr, 0), 0);
+  EXPECT_EQ(restrip_mesh_policy(nullptr), RESTRIP_POLICY_BARE);
+  for (const auto walk : {restrip_mesh_next, restrip_mesh_opposite, restrip_mesh_from, restrip_mesh_to,
+                          restrip_mesh_triangle, restrip_mesh_spoke}) {
+    EXPECT_EQ(walk(nullptr, 0), RESTRIP_NONE);
+    EXPECT_EQ(walk(m, RESTRIP_NONE), RESTRIP_NONE);
+    EXPECT_EQ(walk(m, 8 * 4), RESTRIP_NONE);
+  }
+  EXPECT_EQ(restrip_mesh_find(nullptr, 0, 1), RESTRIP_NONE);
+  EXPECT_EQ(restrip_mesh_find(m, 0, 6), RESTRIP_NONE);
+  EXPECT_EQ(restrip_mesh_find(m, 6, 0), RESTRIP_NONE);
+  EXPECT_EQ(restrip_mesh_find(m, 0, 1), RESTRIP_NONE);  // poles
+}
+
+TEST(CArguments, NumbersOutOfRangeAreCodes) {
+  const Handle mesh = handle_of(sample::rectangle(4, 4));
+  restrip_mesh* const m = mesh.get();
+  const auto before = colors_of(m);
+  std::size_t size = 0;
+  std::uint32_t corners[3];
+  restrip_mesh* made = m;
+  const std::uint32_t four[] = {0, 1, 2, 0};
+  constexpr std::int32_t lowest = std::numeric_limits<std::int32_t>::min();
+  constexpr std::int32_t highest = std::numeric_limits<std::int32_t>::max();
+  EXPECT_EQ(restrip_mesh_build_u32(four, 4, 3, nullptr, nullptr, &made), RESTRIP_BAD_ARGUMENT);
+  EXPECT_EQ(made, nullptr);
+  EXPECT_EQ(restrip_mesh_corners(m, 32, corners), RESTRIP_BAD_ARGUMENT);
+  for (const std::int32_t wrong : {lowest, -1, 3, highest})
+    EXPECT_EQ(restrip_mesh_stripify(m, wrong, nullptr, 0, nullptr), RESTRIP_BAD_ARGUMENT);
+  for (const std::int32_t wrong : {lowest, -1, int{RESTRIP_POLICY_BAKED}, 6, highest})
+    EXPECT_EQ(restrip_mesh_keep(m, wrong, nullptr), RESTRIP_BAD_ARGUMENT);
+  for (const std::int32_t wrong : {lowest, -1, 4, highest})
+    EXPECT_EQ(restrip_live_begin(m, wrong), RESTRIP_BAD_ARGUMENT);
+  for (const restrip_cost wrong : {restrip_cost{0, 1, 0}, {1001, 0, 0}, {1, 1001, 0}, {1, 0, 65535}}) {
+    EXPECT_EQ(restrip_mesh_stripify(m, 0, &wrong, 0, nullptr), RESTRIP_BAD_ARGUMENT);
+    EXPECT_EQ(restrip_mesh_keep(m, RESTRIP_POLICY_LOCAL, &wrong), RESTRIP_BAD_ARGUMENT);
+  }
+  EXPECT_EQ(restrip_mesh_policy(m), RESTRIP_POLICY_LOCAL);
+  ASSERT_EQ(restrip_mesh_keep(m, RESTRIP_POLICY_BARE, nullptr), RESTRIP_OK);
+  EXPECT_EQ(restrip_mesh_improve(m, 10, nullptr), RESTRIP_BAD_ARGUMENT);
+  // In no such state.
+  const restrip_range* ranges = nullptr;
+  const void* data = nullptr;
+  const float* points = nullptr;
+  restrip_record record{};
+  EXPECT_EQ(restrip_live_update(m, &ranges, &size), RESTRIP_NOT_LIVE);
+  EXPECT_EQ(restrip_live_indices(m, &data, &size), RESTRIP_NOT_LIVE);
+  EXPECT_EQ(restrip_live_end(m), RESTRIP_OK);
+  EXPECT_EQ(restrip_baked_level(m, &size), RESTRIP_NOT_BAKED);
+  EXPECT_EQ(restrip_baked_move(m, 0, 1, nullptr), RESTRIP_NOT_BAKED);
+  EXPECT_EQ(restrip_baked_restart(m), RESTRIP_NOT_BAKED);
+  EXPECT_EQ(restrip_baked_record(m, 0, &record), RESTRIP_NOT_BAKED);
+  EXPECT_EQ(restrip_baked_points(m, &points, &size), RESTRIP_NOT_BAKED);
+  EXPECT_EQ(colors_of(m), before);
+}
+
+TEST(CArguments, ShortArraysAreLeftAlone) {
+  const Handle mesh = handle_of(sample::sphere(1));
+  ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, nullptr, 0, nullptr), RESTRIP_OK);
+  std::size_t needed = 0;
+  ASSERT_EQ(restrip_mesh_strip_indices_u32(mesh.get(), nullptr, 0, &needed), RESTRIP_OK);
+  std::vector<std::uint32_t> cells(needed, 77);
+  std::size_t count = 0;
+  EXPECT_EQ(restrip_mesh_strip_indices_u32(mesh.get(), cells.data(), needed - 1, &count), RESTRIP_TOO_SMALL);
+  EXPECT_EQ(count, needed);
+  EXPECT_EQ(cells, std::vector<std::uint32_t>(needed, 77));
+  EXPECT_EQ(restrip_mesh_strip_indices_u32(mesh.get(), cells.data(), needed, &count), RESTRIP_OK);
+  EXPECT_EQ(std::count(cells.begin(), cells.end(), 77U), 0);
+  std::uint8_t byte = 7;
+  EXPECT_EQ(restrip_mesh_get_colors(mesh.get(), &byte, 1), RESTRIP_TOO_SMALL);
+  EXPECT_EQ(byte, 7);
+}
+
+TEST(CArguments, VerticesBeyondSixteenBitsAreNotCut) {
+  // 65,534 is the last vertex that 16 bits can name; 65,535 is the restart index.
+  const std::uint32_t last[] = {0, 1, 65534};
+  const std::uint32_t beyond[] = {0, 1, 65535};
+  for (const bool fits : {true, false}) {
+    restrip_mesh* made = nullptr;
+    ASSERT_EQ(restrip_mesh_build_u32(fits ? last : beyond, 3, 65536, nullptr, nullptr, &made), RESTRIP_OK);
+    const Handle mesh(made);
+    std::size_t count = 0;
+    const restrip_status expected = fits ? RESTRIP_OK : RESTRIP_TOO_LARGE;
+    EXPECT_EQ(restrip_mesh_strip_indices_u16(made, nullptr, 0, &count), expected);
+    EXPECT_EQ(restrip_mesh_strip_indices_u32(made, nullptr, 0, &count), RESTRIP_OK);
+    for (const std::int32_t form : {RESTRIP_STRIPS_U16, RESTRIP_LIST_U16}) {
+      const restrip_range* ranges = nullptr;
+      ASSERT_EQ(restrip_live_begin(made, form), RESTRIP_OK);
+      EXPECT_EQ(restrip_live_update(made, &ranges, &count), expected);
+    }
+  }
+}
+
+TEST(CArguments, OnlyValidColorsAreTaken) {
+  const Handle mesh = handle_of(sample::octahedron());
+  restrip_mesh* const m = mesh.get();
+  ASSERT_EQ(restrip_mesh_stripify(m, RESTRIP_EFFORT_FULL, nullptr, 0, nullptr), RESTRIP_OK);
+  const auto good = colors_of(m);
+  ASSERT_EQ(restrip_mesh_set_colors(m, std::vector<std::uint8_t>(8, 0).data(), 8), RESTRIP_OK);
+  EXPECT_EQ(strip_count(m), 8U);
+  ASSERT_EQ(restrip_mesh_set_colors(m, good.data(), 8), RESTRIP_OK);
+  EXPECT_EQ(strip_count(m), counted(m).strips);
+  const auto refused = [&](std::vector<std::uint8_t> colors, std::size_t size) {
+    const restrip_status status = restrip_mesh_set_colors(m, colors.data(), size);
+    EXPECT_EQ(colors_of(m), good);
+    return status;
+  };
+  EXPECT_EQ(refused(good, 7), RESTRIP_BAD_ARGUMENT);
+  for (std::size_t t = 0; t < 8; ++t)
+    for (unsigned bit = 0; bit < 8; ++bit) {  // one side of an edge only, or no side at all
+      auto wrong = good;
+      wrong[t] = static_cast<std::uint8_t>(wrong[t] ^ 1U << bit);
+      EXPECT_EQ(refused(wrong, 8), RESTRIP_BAD_COLORING);
+    }
+  EXPECT_EQ(refused(std::vector<std::uint8_t>(8, 7), 8), RESTRIP_BAD_COLORING);  // three edges each
+  std::vector<std::uint8_t> cycle(8, 0);                                         // around the four triangles of a pole
+  for (restrip_halfedge spoke = restrip_mesh_spoke(m, 4); (cycle[spoke / 4] >> spoke % 4 & 1) == 0;) {
+    const restrip_halfedge back = restrip_mesh_opposite(m, spoke);
+    cycle[spoke / 4] = static_cast<std::uint8_t>(cycle[spoke / 4] | 1U << spoke % 4);
+    cycle[back / 4] = static_cast<std::uint8_t>(cycle[back / 4] | 1U << back % 4);
+    spoke = restrip_mesh_opposite(m, restrip_mesh_next(m, restrip_mesh_next(m, spoke)));
+  }
+  EXPECT_EQ(refused(cycle, 8), RESTRIP_BAD_COLORING);
+  const Handle open = handle_of(sample::rectangle(1, 1));
+  const std::uint8_t boundary[] = {7, 7};
+  EXPECT_EQ(restrip_mesh_set_colors(open.get(), boundary, 2), RESTRIP_BAD_COLORING);
+}
+
+TEST(CArguments, WhatIsLeftOutIsReported) {
+  const std::uint16_t indices[] = {0, 1, 2, 2, 1, 3, 4, 4, 1, 0, 1, 9};
+  restrip_build_report report{};
+  std::uint32_t origin[4] = {77, 77, 77, 77};
+  restrip_mesh* made = nullptr;
+  ASSERT_EQ(restrip_mesh_build_u16(indices, 12, 5, &report, origin, &made), RESTRIP_OK);
+  const Handle mesh(made);
+  EXPECT_EQ(restrip_mesh_triangle_count(made), 2U);
+  EXPECT_EQ(report.degenerate_triangles, 1U);
+  EXPECT_EQ(report.out_of_range_triangles, 1U);
+  EXPECT_EQ(report.boundary_edges, 4U);
+  EXPECT_EQ(std::vector<std::uint32_t>(origin, origin + 4), (std::vector<std::uint32_t>{0, 1, 77, 77}));
+  restrip_mesh* empty = nullptr;
+  ASSERT_EQ(restrip_mesh_build_u32(nullptr, 0, 0, nullptr, nullptr, &empty), RESTRIP_OK);
+  const Handle nothing(empty);
+  std::size_t count = 1;
+  EXPECT_EQ(restrip_mesh_strip_indices_u32(empty, nullptr, 0, &count), RESTRIP_OK);
+  EXPECT_EQ(count, 0U);
+}
+
+TEST(CArguments, EveryCodeHasATextOfItsOwn) {
+  const std::string unknown = restrip_describe(-7);
+  std::set<std::string> texts;
+  for (const auto& [first, last] : {std::pair{0, 12}, {100, 110}})
+    for (restrip_status status = first; status <= last; ++status) {
+      texts.insert(restrip_describe(status));
+      EXPECT_NE(restrip_describe(status), unknown) << status;
+    }
+  EXPECT_EQ(texts.size(), 24U);
+  for (const restrip_status status : {13, 99, 111, std::numeric_limits<restrip_status>::min()})
+    EXPECT_EQ(restrip_describe(status), unknown);
+  EXPECT_EQ(restrip_abi_version(), std::uint32_t{RESTRIP_ABI_VERSION});
+  EXPECT_FALSE(std::string(restrip_version()).empty());
+}
+
+/// The work with every allocation failing in turn, each time on a new mesh.
+std::size_t fail_everywhere(std::int32_t policy, const restrip_cost* cost,
+                            const std::function<restrip_status(restrip_mesh*)>& work) {
+  restrip_status status = RESTRIP_OK;
+  Handle mesh;
+  std::size_t short_of = 0;
+  const auto fresh = [&] {
+    mesh = handle_of(sample::double_cone(40));  // a vertex around which checks allocate as well
+    EXPECT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, cost, 0, nullptr), RESTRIP_OK);
+    EXPECT_EQ(restrip_mesh_keep(mesh.get(), policy, cost), RESTRIP_OK);
+    EXPECT_EQ(restrip_live_begin(mesh.get(), RESTRIP_STRIPS_U32), RESTRIP_OK);
+  };
+  fresh();
+  for_each_allocation([&] { status = work(mesh.get()); },
+                      [&] {
+                        // A keeper that could not read the mesh does so later.
+                        EXPECT_TRUE(status == RESTRIP_OUT_OF_MEMORY || status == RESTRIP_OK)
+                            << restrip_describe(status);
+                        if (status == RESTRIP_OUT_OF_MEMORY) ++short_of;
+                        EXPECT_EQ(strip_count(mesh.get()), counted(mesh.get()).strips);
+                        // The next operation is done, and told as it is.
+                        const restrip_halfedge next = restrip_mesh_find(mesh.get(), 21, 22);
+                        EXPECT_EQ(restrip_mesh_collapse(mesh.get(), next, nullptr), RESTRIP_OK);
+                        const restrip_range* ranges = nullptr;
+                        std::size_t count = 0;
+                        EXPECT_EQ(restrip_live_update(mesh.get(), &ranges, &count), RESTRIP_OK);
+                        EXPECT_EQ(strip_count(mesh.get()), counted(mesh.get()).strips);
+                        fresh();
+                      });
+  EXPECT_EQ(status, RESTRIP_OK);
+  return short_of;
+}
+
+TEST(CArguments, MemoryMayRunOut) {
+  constexpr restrip_cost fewest_indices = RESTRIP_FEWEST_INDICES;
+  for (std::int32_t policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_FULL; ++policy)
+    for (const restrip_cost* cost : {static_cast<const restrip_cost*>(nullptr), &fewest_indices}) {
+      std::size_t failures = 0;
+      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
+        return restrip_mesh_split(mesh, restrip_mesh_find(mesh, 0, 2), restrip_mesh_find(mesh, 0, 9), RESTRIP_NONE,
+                                  nullptr);
+      });
+      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
+        return restrip_mesh_collapse(mesh, restrip_mesh_find(mesh, 5, 6), nullptr);
+      });
+      failures += fail_everywhere(
+          policy, cost, [](restrip_mesh* mesh) { return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, nullptr); });
+      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
+        return restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FULL, nullptr, 0, nullptr);
+      });
+      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
+        const std::uint8_t colors[80] = {};
+        return restrip_mesh_set_colors(mesh, colors, 80);
+      });
+      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
+        const restrip_range* ranges = nullptr;
+        std::size_t count = 0;
+        return restrip_live_update(mesh, &ranges, &count);
+      });
+      EXPECT_GT(failures, 20U) << "policy " << policy;
+    }
+  std::size_t built = 0;
+  const auto indices = list_of(sample::sphere(1));
+  restrip_mesh* made = nullptr;
+  restrip_status status = RESTRIP_OK;
+  for_each_allocation(
+      [&] { status = restrip_mesh_build_u32(indices.data(), indices.size(), 18, nullptr, nullptr, &made); },
+      [&] {
+        ++built;
+        EXPECT_EQ(status, RESTRIP_OUT_OF_MEMORY);
+        EXPECT_EQ(made, nullptr);
+      });
+  EXPECT_EQ(status, RESTRIP_OK);
+  EXPECT_GT(built, 4U);
+  restrip_mesh_free(made);
+}
+
+}  // namespace
+}  // namespace restrip::c_test

@@ -1,0 +1,191 @@
+// A baked mesh played through the C interface has, at every level, the triangles, colours and indices that the
+// library's player has there, from whichever side the level is reached. Damaged bytes come back as a code and the
+// reader's text. An operation of the user's own leaves the levels, and restarting comes back to them.
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <random>
+#include <span>
+#include <string>
+
+#include "handle.hpp"
+#include "lod/bake.hpp"
+#include "lod/baked_file.hpp"
+#include "lod/simplify.hpp"
+#include "meshes/made_mesh.hpp"
+#include "restrip/formats/baked_file.hpp"
+#include "support/failing_new.hpp"
+#include "tools/shapes.hpp"
+
+namespace restrip::c_test {
+namespace {
+
+using testing_support::for_each_allocation;
+
+std::string bytes_of(const tools::Soup& soup) {
+  return tools::baked_bytes(tools::bake(tools::simplify(soup, {0.2, tools::BoundaryPolicy::move}).mesh, {20'000}));
+}
+
+Handle read(const std::string& bytes) {
+  restrip_mesh* mesh = nullptr;
+  char text[8];
+  EXPECT_EQ(restrip_baked_read(bytes.data(), bytes.size(), text, sizeof text, &mesh), RESTRIP_OK);
+  EXPECT_STREQ(text, "");
+  return Handle(mesh);
+}
+
+TEST(CBaked, EveryLevelIsThatOfThePlayer) {
+  std::mt19937 random(19);
+  for (const tools::Soup& soup : {tools::make_mesh(600), tools::sheet(12)}) {
+    const std::string bytes = bytes_of(soup);
+    BakedFile file;
+    ASSERT_EQ(read_baked(std::as_bytes(std::span(bytes)), file), "");
+    std::vector<std::vector<std::array<std::uint32_t, 3>>> corners;
+    std::vector<std::vector<std::uint8_t>> colors;
+    StripMesh played = file.mesh;
+    BakedPlayer<StripMesh> player(played, file.records);
+    for (std::size_t i = 0;; ++i) {
+      corners.push_back(corners_of(played));
+      colors.push_back(colors_of(played));
+      if (i == file.splits.size()) break;
+      player.split(i, spokes_of(played, file.splits[i]), file.splits[i].v_t);
+    }
+    const Handle mesh = read(bytes);
+    restrip_mesh* const m = mesh.get();
+    ASSERT_EQ(restrip_baked_levels(m), file.splits.size());
+    ASSERT_EQ(restrip_mesh_policy(m), RESTRIP_POLICY_BAKED);
+    std::size_t level = 1;
+    ASSERT_EQ(restrip_baked_level(m, &level), RESTRIP_OK);
+    ASSERT_EQ(level, 0U);
+    for (int n = 0; n < 60; ++n) {
+      const std::size_t wanted = n == 0 ? 0 : n == 1 ? file.splits.size() : random() % corners.size();
+      const std::size_t most = n % 5 == 4 ? random() % 20 : SIZE_MAX;
+      const std::size_t way = wanted > level ? wanted - level : level - wanted;
+      const std::size_t expected = wanted > level ? level + std::min(way, most) : level - std::min(way, most);
+      std::size_t done = 0;
+      ASSERT_EQ(restrip_baked_move(m, wanted, most, &done), RESTRIP_OK);
+      ASSERT_EQ(done, std::min(way, most));
+      ASSERT_EQ(restrip_baked_level(m, &level), RESTRIP_OK);
+      ASSERT_EQ(level, expected);
+      // Triangles removed leave their numbers behind.
+      auto now = corners_of(m);
+      auto painted = colors_of(m);
+      for (std::size_t t = corners[level].size(); t < now.size(); ++t) ASSERT_EQ(now[t][0], RESTRIP_NONE);
+      now.resize(corners[level].size());
+      painted.resize(colors[level].size());
+      ASSERT_EQ(now, corners[level]);
+      ASSERT_EQ(painted, colors[level]);
+      ASSERT_EQ(strip_count(m), counted(m).strips);
+    }
+    const float* points = nullptr;
+    std::size_t vertices = 0;
+    ASSERT_EQ(restrip_baked_points(m, &points, &vertices), RESTRIP_OK);
+    ASSERT_EQ(vertices, file.points.size());
+    for (std::size_t i = 0; i < vertices; ++i) ASSERT_EQ(points[3 * i + 2], file.points[i][2]);
+    restrip_record record{};
+    ASSERT_EQ(restrip_baked_record(m, file.splits.size() - 1, &record), RESTRIP_OK);
+    EXPECT_EQ(record.v_t, file.splits.back().v_t);
+    EXPECT_EQ(record.v_l, file.splits.back().v_l);
+    EXPECT_EQ(restrip_baked_record(m, file.splits.size(), &record), RESTRIP_BAD_ARGUMENT);
+    EXPECT_EQ(restrip_baked_move(m, file.splits.size() + 1, 1, nullptr), RESTRIP_BAD_ARGUMENT);
+  }
+}
+
+TEST(CBaked, AnOperationOfOnesOwnLeavesTheLevels) {
+  const std::string bytes = bytes_of(tools::make_mesh(400));
+  const auto collapse_any = [](restrip_mesh* mesh) {
+    restrip_status status = RESTRIP_NO_SUCH_EDGE;
+    for (std::uint32_t v = 0; status != RESTRIP_OK && v < restrip_mesh_vertex_bound(mesh); ++v)
+      status = restrip_mesh_collapse(mesh, restrip_mesh_spoke(mesh, v), nullptr);
+    return status;
+  };
+  using Leave = std::function<restrip_status(restrip_mesh*)>;
+  const Leave ways[] = {
+      collapse_any,
+      [](restrip_mesh* mesh) { return restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FAST, nullptr, 0, nullptr); },
+      [](restrip_mesh* mesh) { return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, nullptr); },
+      [](restrip_mesh* mesh) {
+        return restrip_mesh_set_colors(mesh, colors_of(mesh).data(), restrip_mesh_triangle_bound(mesh));
+      }};
+  const Handle mesh = read(bytes);
+  restrip_mesh* const m = mesh.get();
+  const auto base = colors_of(m);
+  ASSERT_EQ(restrip_live_begin(m, RESTRIP_LIST_U32), RESTRIP_OK);
+  for (const Leave& leave : ways) {
+    ASSERT_EQ(restrip_baked_move(m, 50, SIZE_MAX, nullptr), RESTRIP_OK);
+    // A refused operation leaves nothing.
+    ASSERT_EQ(restrip_mesh_flip(m, RESTRIP_NONE, nullptr), RESTRIP_NO_SUCH_EDGE);
+    std::size_t level = 0;
+    ASSERT_EQ(restrip_baked_level(m, &level), RESTRIP_OK);
+    ASSERT_EQ(leave(m), RESTRIP_OK);
+    EXPECT_EQ(restrip_baked_level(m, &level), RESTRIP_OUT_OF_STEP);
+    EXPECT_EQ(restrip_baked_move(m, 60, SIZE_MAX, nullptr), RESTRIP_OUT_OF_STEP);
+    for (int n = 0; n < 20; ++n) ASSERT_EQ(collapse_any(m), RESTRIP_OK);
+    EXPECT_EQ(strip_count(m), counted(m).strips);
+    ASSERT_EQ(restrip_baked_restart(m), RESTRIP_OK);
+    EXPECT_EQ(restrip_mesh_policy(m), RESTRIP_POLICY_BAKED);
+    EXPECT_EQ(colors_of(m), base);
+    EXPECT_EQ(strip_count(m), counted(m).strips);
+    const restrip_range* ranges = nullptr;
+    std::size_t count = 0;
+    ASSERT_EQ(restrip_live_update(m, &ranges, &count), RESTRIP_OK);
+    ASSERT_EQ(count, 1U);  // the whole buffer
+    EXPECT_EQ(ranges[0].count, 3 * restrip_mesh_triangle_count(m));
+  }
+}
+
+TEST(CBaked, DamageIsACodeAndAText) {
+  const std::string bytes = bytes_of(tools::sheet(6));
+  std::mt19937 random(20);
+  for (int n = 0; n < 300; ++n) {
+    std::string damaged = bytes.substr(0, n % 3 == 0 ? random() % bytes.size() : bytes.size());
+    if (damaged.size() == bytes.size()) damaged[random() % damaged.size()] ^= static_cast<char>(1 + random() % 255);
+    BakedFile file;
+    const std::string fault = read_baked(std::as_bytes(std::span(damaged)), file);
+    ASSERT_NE(fault, "");
+    char text[40];
+    std::memset(text, 'x', sizeof text);
+    const std::size_t room = random() % sizeof text;
+    restrip_mesh* mesh = reinterpret_cast<restrip_mesh*>(&file);  // to be overwritten
+    ASSERT_EQ(restrip_baked_read(damaged.data(), damaged.size(), room == 0 ? nullptr : text, room, &mesh),
+              RESTRIP_BAD_FILE);
+    ASSERT_EQ(mesh, nullptr);
+    if (room != 0) {
+      ASSERT_EQ(std::string(text), fault.substr(0, room - 1));
+    }
+    for (std::size_t i = std::max<std::size_t>(room, 1); i < sizeof text; ++i) ASSERT_EQ(text[i], 'x');
+  }
+}
+
+TEST(CBaked, MemoryMayRunOut) {
+  const std::string bytes = bytes_of(tools::sheet(6));
+  restrip_mesh* made = nullptr;
+  restrip_status status = RESTRIP_OK;
+  for_each_allocation([&] { status = restrip_baked_read(bytes.data(), bytes.size(), nullptr, 0, &made); },
+                      [&] {
+                        ASSERT_EQ(status, RESTRIP_OUT_OF_MEMORY);
+                        ASSERT_EQ(made, nullptr);
+                      });
+  ASSERT_EQ(status, RESTRIP_OK);
+  const Handle mesh(made);
+  // Room for all levels was taken when it was read; a watch takes more.
+  ASSERT_EQ(restrip_live_begin(made, RESTRIP_STRIPS_U32), RESTRIP_OK);
+  std::size_t failures = 0;
+  for_each_allocation([&] { status = restrip_baked_move(made, restrip_baked_levels(made), SIZE_MAX, nullptr); },
+                      [&] {
+                        ++failures;
+                        ASSERT_EQ(status, RESTRIP_OUT_OF_MEMORY);
+                        ASSERT_EQ(restrip_baked_move(made, 0, SIZE_MAX, nullptr), RESTRIP_OUT_OF_STEP);
+                        ASSERT_EQ(strip_count(made), counted(made).strips);
+                        ASSERT_EQ(restrip_baked_restart(made), RESTRIP_OK);
+                        const restrip_range* ranges = nullptr;
+                        std::size_t count = 0;
+                        ASSERT_EQ(restrip_live_begin(made, RESTRIP_STRIPS_U32), RESTRIP_OK);
+                        ASSERT_EQ(restrip_live_update(made, &ranges, &count), RESTRIP_OK);
+                      });
+  ASSERT_EQ(status, RESTRIP_OK);
+  EXPECT_GT(failures, 2U);
+}
+
+}  // namespace
+}  // namespace restrip::c_test
