@@ -14,6 +14,7 @@
 
 #include "common/stopwatch.hpp"
 #include "count.hpp"
+#include "level_list.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/search/stripify.hpp"
 #include "settings.hpp"
@@ -90,32 +91,6 @@ void move(benchmark::State& state, const std::string& name, const Way& way, int 
   if (keeps_strips) state.counters["up_with_buffer_ns"] = with_buffer.nanoseconds();
 }
 
-/// The triangles of a level, vertices numbered by appearance.
-struct List {
-  std::vector<std::uint32_t> indices;
-  std::size_t vertices = 0;
-  StripMesh mesh;
-};
-
-const List& list_of(const std::string& name, int percent) {
-  static std::map<std::pair<std::string, int>, List> made;
-  const std::pair key{name, percent};
-  if (made.contains(key)) return made[key];
-  Player player(name, way_named("bare"));
-  player.up_to(player.level_of(percent * 0.01));
-  List& list = made[key];
-  list.mesh = player.mesh();
-  std::vector<std::uint32_t> number(list.mesh.vertex_bound(), none);
-  for (Triangle t = 0; t < list.mesh.triangle_bound(); ++t) {
-    if (!list.mesh.alive(t)) continue;
-    for (const Vertex v : list.mesh.corners(t)) {
-      if (number[v] == none) number[v] = static_cast<std::uint32_t>(list.vertices++);
-      list.indices.push_back(number[v]);
-    }
-  }
-  return list;
-}
-
 void count_indices(benchmark::State& state, std::size_t triangles, std::size_t strips, std::size_t indices) {
   state.counters["triangles"] = static_cast<double>(triangles);
   state.counters["strips"] = static_cast<double>(strips);
@@ -126,7 +101,7 @@ void count_indices(benchmark::State& state, std::size_t triangles, std::size_t s
 enum class Order { as_it_is, found, given };
 
 void run_meshoptimizer(benchmark::State& state, const std::string& name, int percent, Order order) {
-  const List& list = list_of(name, percent);
+  const LevelList& list = level_list(name, percent);
   std::vector<std::uint32_t> ordered = list.indices;
   const auto find_order = [&] {
     meshopt_optimizeVertexCacheStrip(ordered.data(), list.indices.data(), list.indices.size(), list.vertices);
@@ -149,7 +124,7 @@ void run_meshoptimizer(benchmark::State& state, const std::string& name, int per
 
 void run_openmesh(benchmark::State& state, const std::string& name, int percent) {
   using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
-  const List& list = list_of(name, percent);
+  const LevelList& list = level_list(name, percent);
   Mesh mesh;
   std::vector<Mesh::VertexHandle> vertices(list.vertices);
   for (Mesh::VertexHandle& v : vertices) v = mesh.add_vertex({0, 0, 0});
@@ -168,7 +143,7 @@ void run_openmesh(benchmark::State& state, const std::string& name, int percent)
 }
 
 void run_from_scratch(benchmark::State& state, const std::string& name, int percent) {
-  StripMesh mesh = list_of(name, percent).mesh;
+  StripMesh mesh = level_list(name, percent).mesh;
   tools::Medians time;
   tools::Medians indices;
   for ([[maybe_unused]] auto _ : state) {

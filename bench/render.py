@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "scripts"))
 from plots import Axis, Series, line_plot, point_plot, standalone  # noqa: E402
 from results import Results, duration, plain, table, times
 
-PROGRAMS = ["lookup", "operation", "level", "buffer", "replay", "batch", "scale", "programs"]
+PROGRAMS = ["lookup", "operation", "level", "draw", "buffer", "replay", "batch", "scale", "programs"]
 WAYS = ["local", "linked", "quick", "full", "baked"]
 RIVALS = {
     "meshopt_ordered": "`meshopt_optimizeVertexCacheStrip`, then `meshopt_stripify`",
@@ -24,6 +24,13 @@ RIVALS = {
     "meshopt_as_it_is": "`meshopt_stripify` alone, triangles as they are",
     "openmesh": "OpenMesh `StripifierT`",
     "stripify_fast": "ours from scratch, `stripify_fast`",
+}
+DRAWN = {
+    "list": "`TriangleListBuffer`, no strips",
+    "stripify_fast": "from scratch: `stripify`, fast, index cost",
+    "meshopt_strips": "from scratch: `meshopt_optimizeVertexCacheStrip`, `meshopt_stripify`",
+    "rm_tristripper": "from scratch: rm_tristripper",
+    "meshopt_list": "from scratch: `meshopt_optimizeVertexCache`, a list",
 }
 UPKEEP_GOAL = 2.0
 MOVE_GOAL = 50.0
@@ -187,6 +194,22 @@ class Page:
                              f"{self.r.median(name, 'strips'):,.0f}", f"{self.r.median(name, 'indices_per_triangle'):.2f}"])
         return table(["mesh", "level", "triangles", "", "1 % up, or from scratch", "cheaper than ordering and `meshopt_stripify`",
                       "with an index buffer", "strips", "indices per triangle"], rows)
+
+    def drawn(self):
+        rows = []
+        for mesh, percent in self.r.parts(r"draw/([^/]+)/(\d+)/local"):
+            stem = f"draw/{mesh}/{percent}"
+            for way in self.ways(stem) + [rival for rival in DRAWN if self.r.has(f"{stem}/{rival}")]:
+                of = lambda field: self.r.median(f"{stem}/{way}", field)
+                rows.append([mesh, f"{percent} %", f"`{way}`" if way in WAYS else DRAWN[way], duration(of("move_ns")),
+                             times(of("move_ns") / self.r.median(f"{stem}/list", "move_ns")), f"{of('bytes') / 1000:,.1f}",
+                             f"{4 * of('indices_per_triangle'):.2f}", f"{of('indices_per_triangle'):.3f}"] +
+                            [f"{of(field):.2f}" for field in ("acmr_16", "acmr_32", "atvr_16", "atvr_32")])
+        return table(["mesh", "level", "", "1 % up, or from scratch", "of the list", "kB to upload", "bytes a triangle", "indices a triangle",
+                      "ACMR, 16", "32", "ATVR, 16", "32"], rows)
+
+    def drawn_without(self):
+        return "" if self.r.parts(r"draw/.*/(rm_tristripper)") else " rm_tristripper was not measured: `--tristripper` was not given."
 
     def buffer(self):
         rows = []

@@ -1,6 +1,7 @@
 #include "subject.hpp"
 
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "lod/simplify.hpp"
@@ -48,14 +49,15 @@ const Subject& subject(const std::string& name) {
 
 bool has_plan(const std::string& name, const tools::Way& way) { return name != "dragon" || !way.bakes; }
 
-const tools::Plan& plan(const std::string& name, const tools::Way& way) {
-  static std::map<std::pair<std::string, std::string>, tools::Plan> made;
-  const std::pair key{name, way.name};
+const tools::Plan& plan(const std::string& name, const tools::Way& way, const Cost& cost) {
+  static std::map<std::tuple<std::string, std::string, unsigned, unsigned, unsigned>, tools::Plan> made;
+  const std::tuple key{name, way.name, cost.restart, cost.swap, cost.isolated};
   const auto found = made.find(key);
   if (found != made.end()) return found->second;
   const Subject& of = subject(name);
   tools::Plan::Given given;
-  given.base = &of.base;
+  given.cost = cost;
+  if (cost == Cost::strips()) given.base = &of.base;
   return made.emplace(key, tools::Plan(way, of.mesh, given)).first->second;
 }
 

@@ -23,7 +23,8 @@ struct Subject {
 
 /// Baking the dragon takes minutes (docs/baked.md has its figures), so it is left out here.
 [[nodiscard]] bool has_plan(const std::string& name, const tools::Way& way);
-/// Made when first asked for, and kept.
-[[nodiscard]] const tools::Plan& plan(const std::string& name, const tools::Way& way);
+/// Made when first asked for, and kept. Other costs than strips only for ways that weigh.
+[[nodiscard]] const tools::Plan& plan(const std::string& name, const tools::Way& way,
+                                      const Cost& cost = Cost::strips());
 
 }  // namespace restrip::bench

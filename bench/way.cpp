@@ -4,7 +4,8 @@
 
 namespace restrip::bench {
 
-Player::Player(const std::string& name, const Way& way) : subject_(&subject(name)), plan_(&plan(name, way)) {
+Player::Player(const std::string& name, const Way& way, const Cost& cost)
+    : subject_(&subject(name)), plan_(&plan(name, way, cost)) {
   mesh_.reserve(subject_->triangles, subject_->mesh.points.size());
   restart();
 }

@@ -19,7 +19,7 @@ using tools::way_named;
 /// every way alike.
 class Player {
  public:
-  Player(const std::string& name, const Way& way);
+  Player(const std::string& name, const Way& way, const Cost& cost = Cost::strips());
 
   /// The number of records played so far.
   [[nodiscard]] std::size_t level() const noexcept { return level_; }

@@ -8,24 +8,26 @@
 #   scripts/performance.sh --quick            small meshes, seconds; the page goes to build/performance-quick
 #   --bin DIR                                 programs that have been built already
 #   --out DIR                                 where the JSON goes
+#   --tristripper DIR                         the sources of rm_tristripper (include/, src/), which is measured beside us if given
 set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
-quick=() short='' bin='' out='' only=()
+quick=() short='' bin='' out='' tristripper='' only=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --quick) quick=(--quick) ;;
     --short) short=yes ;;
     --bin) bin=${2:?--bin wants a folder}; shift ;;
     --out) out=${2:?--out wants a folder}; shift ;;
-    --only) only+=("${2:?--only wants a program: batch, buffer, level, lookup, operation, programs, replay, scale}"); shift ;;
-    *) sed -n '2,11s/^# \{0,1\}//p' "$0"; [ "$1" = --help ] && exit 0; echo "performance.sh: unknown: $1" >&2; exit 2 ;;
+    --tristripper) tristripper=$(realpath "${2:?--tristripper wants a folder}"); shift ;;
+    --only) only+=("${2:?--only wants a program: batch, buffer, draw, level, lookup, operation, programs, replay, scale}"); shift ;;
+    *) sed -n '2,12s/^# \{0,1\}//p' "$0"; [ "$1" = --help ] && exit 0; echo "performance.sh: unknown: $1" >&2; exit 2 ;;
   esac
   shift
 done
 out=${out:-build/performance${quick:+-quick}}
-programs=(lookup operation level buffer replay batch scale programs)
+programs=(lookup operation level draw buffer replay batch scale programs)
 [ ${#only[@]} -gt 0 ] || only=("${programs[@]}")
 for name in "${only[@]}"; do
   [[ " ${programs[*]} " == *" $name "* ]] || { echo "performance.sh: no such program: $name; there are ${programs[*]}" >&2; exit 2; }
@@ -34,7 +36,8 @@ done
 if [ -z "$bin" ]; then
   need "${build_packages[@]}" "${bench_packages[@]}"
   say "building"
-  cmake --preset release -DRESTRIP_BUILD_BENCH=ON -DRESTRIP_ALLOW_MISSING=ON >/dev/null
+  cmake --preset release -DRESTRIP_BUILD_BENCH=ON -DRESTRIP_ALLOW_MISSING=ON -DRM_TRISTRIPPER="$tristripper" >/dev/null
+  [ -n "$tristripper" ] || echo "rm_tristripper is left out: --tristripper names its sources"
   cmake --build --preset release
   bin=build/release/bin
 fi

@@ -51,37 +51,16 @@ def least_time(run):
 class Tristripper:
     """rm_tristripper's "stripify", winding kept, its strips joined into one index buffer with restarts."""
 
-    SHIM = r"""
-#include "rm_tristripper.h"
-#include <string.h>
-size_t strip_indices(const unsigned* ids, size_t count, unsigned* out) {
-  rm_tristripper_config config;
-  memset(&config, 0, sizeof config);
-  config.preserve_orientation = 1;
-  rm_tristripper_strip* strips;
-  rm_size n;
-  rm_tristripper_create_strips(ids, count, &config, &strips, &n);
-  size_t at = 0;
-  for (rm_size k = 0; k < n; ++k) {
-    if (k != 0) out[at++] = 0xFFFFFFFFu;
-    memcpy(out + at, strips[k].ids, strips[k].ids_count * sizeof *out);
-    at += strips[k].ids_count;
-  }
-  rm_tristripper_dispose_strips(strips, n);
-  return at;
-}
-"""
+    SHIM = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "bench", "tristripper.c")
 
     def __init__(self, folder, scratch):
         sources = sorted(glob.glob(os.path.join(folder, "src", "*.c")))
         if not sources:
             sys.exit(f"scratch_table.py: {folder}: no sources in src/; give a copy of rm_tristripper")
-        shim, library = os.path.join(scratch, "shim.c"), os.path.join(scratch, "tristripper.so")
-        with open(shim, "w", encoding="utf-8") as file:
-            file.write(self.SHIM)
+        library = os.path.join(scratch, "tristripper.so")
         subprocess.run(["cc", "-O3", "-march=native", "-ffast-math", "-std=gnu99", "-DLINUX", "-w", "-shared", "-fPIC", "-I",
-                        os.path.join(folder, "include"), *sources, shim, "-o", library], check=True)
-        self.strip = ctypes.CDLL(library).strip_indices
+                        os.path.join(folder, "include"), *sources, self.SHIM, "-o", library], check=True)
+        self.strip = ctypes.CDLL(library).tristripper_indices
         self.strip.restype = ctypes.c_size_t
         self.strip.argtypes = [ctypes.c_void_p, ctypes.c_size_t, ctypes.c_void_p]
 
@@ -171,4 +150,5 @@ def main():
             line(cells)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -257,4 +257,5 @@ def main():
     TABLES[arguments.table](Program(arguments.program, arguments.repeats), arguments.meshes, arguments.way)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -56,6 +56,7 @@ class Watch : public ::testing::EmptyTestEventListener {
   Shared& shared_;
 };
 
+/// The tests of a stage, in the form that GoogleTest's filters have.
 std::string filter_of(std::size_t stage) {
   if (stage < last_stage) return stages[stage];
   std::string others = "-";
@@ -63,9 +64,9 @@ std::string filter_of(std::size_t stage) {
   return others;
 }
 
-/// Runs the tests of a stage with the fault of this number (0: none), up to the first that fails, in a process of their
-/// own; its status, or -1.
-int status_of(std::size_t number, std::size_t stage, rlim_t limit, Shared& shared) {
+/// Runs the tests of this filter with the fault of this number (0: none), up to the first that fails, in a process of
+/// their own; its status, or -1.
+int status_of(std::size_t number, const std::string& filter, rlim_t limit, Shared& shared) {
   std::fflush(stdout);
   const pid_t child = fork();
   if (child < 0) return -1;
@@ -73,13 +74,14 @@ int status_of(std::size_t number, std::size_t stage, rlim_t limit, Shared& share
     const rlimit time{limit, limit + 1};
     const rlimit space{bytes, bytes};
     if (setrlimit(RLIMIT_CPU, &time) != 0 || setrlimit(RLIMIT_DATA, &space) != 0) _exit(2);
-    ::testing::GTEST_FLAG(filter) = filter_of(stage);
+    ::testing::GTEST_FLAG(filter) = filter;
     ::testing::TestEventListeners& listeners = ::testing::UnitTest::GetInstance()->listeners();
     if (number > 0) delete listeners.Release(listeners.default_result_printer());
     listeners.Append(new Watch(shared));
     restrip::active_mutant = static_cast<int>(number);
-    const bool passed = RUN_ALL_TESTS() == 0 && ::testing::UnitTest::GetInstance()->successful_test_count() > 0;
+    const bool passed = RUN_ALL_TESTS() == 0;
     std::fflush(stdout);
+    if (::testing::UnitTest::GetInstance()->test_to_run_count() == 0) _exit(2);  // the filter names no test
     _exit(passed ? 0 : 1);
   }
   int status = 0;
@@ -89,12 +91,13 @@ int status_of(std::size_t number, std::size_t stage, rlim_t limit, Shared& share
 /// Runs the tests with the fault of this number and tells what came of it. True if that is as it should be.
 bool judge(std::size_t number, Shared& shared) {
   const restrip::MutantName fault =
-      number > 0 ? restrip::mutant_names[number - 1] : restrip::MutantName{"none", false, true};
-  int status = 0;
+      number > 0 ? restrip::mutant_names[number - 1] : restrip::MutantName{"none", false, true, ""};
+  const rlim_t limit = fault.endless ? seconds_if_endless : seconds;
+  int status = *fault.test != '\0' ? status_of(number, fault.test, limit, shared) : 0;
   for (std::size_t stage = 0; stage <= last_stage && status == 0; ++stage) {
     // A fault that changes nothing has passed the quick tests; the slow ones would say no more.
     if (stage == last_stage && fault.equivalent && number > 0) break;
-    status = status_of(number, stage, fault.endless ? seconds_if_endless : seconds, shared);
+    status = status_of(number, filter_of(stage), limit, shared);
   }
   std::printf("%s: ", fault.name);
   if (status == 0) {

@@ -5,8 +5,9 @@
 
 LIST has a block of four lines for each fault, between blank lines; # begins a comment:
 
-  NAME FILE [endless | equivalent]
-    why it is wrong, or with `equivalent` why it changes nothing; `endless`: a loop that does not end
+  NAME FILE [endless | equivalent] [SUITE.TEST]
+    why it is wrong, or with `equivalent` why it changes nothing; `endless`: a loop that does not end. The test is one that
+    notices it and is run first; where others notice it sooner, none need be named
     text of restrip/FILE, found there once, with the faulty expression in «»
     the expression that takes its place
 
@@ -34,6 +35,7 @@ struct MutantName {
   const char* name;
   bool endless;
   bool equivalent;
+  const char* test;  ///< one that notices it, to be run first; empty: none is named
 };
 /// Fault number N is mutant_names[N - 1].
 inline constexpr MutantName mutant_names[] = {
@@ -49,12 +51,14 @@ class Malformed(Exception):
 class Mutant:
     def __init__(self, number, lines):
         words = lines[0].split()
-        if len(lines) != 4 or len(words) not in (2, 3) or words[2:] not in ([], ["endless"], ["equivalent"]):
-            raise Malformed("'%s': a block is a line NAME FILE [endless | equivalent] and three more" % lines[0])
-        self.number, self.name, self.file, self.kind = number, words[0], "restrip/" + words[1], words[2] if words[2:] else ""
+        form = re.fullmatch(r"([a-z0-9_]+) ([\w/.]+)( endless| equivalent)?( [\w/]+\.[\w/]+)?", lines[0])
+        if len(lines) != 4 or not form:
+            raise Malformed("'%s': a block is a line NAME FILE [endless | equivalent] [SUITE.TEST] and three more" % lines[0])
+        self.number, self.name, self.file = number, form[1], "restrip/" + form[2]
+        self.kind, self.test = (form[3] or "").strip(), (form[4] or "").strip()
         self.text, self.fault = lines[2].strip(), lines[3].strip()
-        if self.text.count("«") != 1 or self.text.count("»") != 1 or not re.fullmatch("[a-z0-9_]+", self.name):
-            raise Malformed("%s: the name has lower-case letters, the third line one «expression»" % self.name)
+        if self.text.count("«") != 1 or self.text.count("»") != 1:
+            raise Malformed("%s: the third line has one «expression»" % self.name)
 
     def place(self, source):
         """Where the expression begins and ends in the source."""
@@ -105,8 +109,8 @@ def main(list_file, headers, copy):
         if "#pragma once\n" not in source:
             raise Malformed("%s: without #pragma once" % file)
         sources[file] = mutated(source, faults, 0, len(source)).replace("#pragma once\n", '#pragma once\n#include "mutants.hpp"\n', 1)
-    names = ['    {"%s", %s, %s},\n' % (mutant.name, str(mutant.kind == "endless").lower(), str(mutant.kind == "equivalent").lower())
-             for mutant in mutants]
+    names = ['    {"%s", %s, %s, "%s"},\n' % (mutant.name, str(mutant.kind == "endless").lower(),
+                                              str(mutant.kind == "equivalent").lower(), mutant.test) for mutant in mutants]
     sources["mutants.hpp"], sources["mutant_names.hpp"] = HEADER, NAMES % "".join(names)
     for file, source in sources.items():
         path = copy / file
