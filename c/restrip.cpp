@@ -425,6 +425,15 @@ restrip_status restrip_baked_record(const restrip_mesh* mesh, std::size_t i, res
   *record = {split.v_s, split.v_t, split.v_l, split.v_r};
   return RESTRIP_OK;
 }
+restrip_status restrip_baked_payload(const restrip_mesh* mesh, std::size_t i, const void** bytes, std::size_t* size) {
+  if (any_null(mesh, bytes, size)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->file) return RESTRIP_NOT_BAKED;
+  if (i >= mesh->file->splits.size()) return RESTRIP_BAD_ARGUMENT;
+  const auto payload = mesh->file->payload[i];
+  *bytes = payload.data();
+  *size = payload.size();
+  return RESTRIP_OK;
+}
 restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coordinates, std::size_t* vertex_count) {
   if (any_null(mesh, coordinates, vertex_count)) return RESTRIP_NULL_ARGUMENT;
   if (!mesh->file) return RESTRIP_NOT_BAKED;

@@ -352,6 +352,9 @@ RESTRIP_API restrip_status restrip_baked_move(restrip_mesh* mesh, size_t level, 
 RESTRIP_API restrip_status restrip_baked_restart(restrip_mesh* mesh);
 /* Record i. RESTRIP_BAD_ARGUMENT when there is none. */
 RESTRIP_API restrip_status restrip_baked_record(const restrip_mesh* mesh, size_t i, restrip_record* record);
+/* What the file has for record i beside the mesh, the same number of bytes for every record; 0 when it has nothing
+ * (docs/baked.md, "A payload"). Valid as long as the mesh. RESTRIP_BAD_ARGUMENT when there is no such record. */
+RESTRIP_API restrip_status restrip_baked_payload(const restrip_mesh* mesh, size_t i, const void** bytes, size_t* size);
 /* The places of all vertices, three coordinates each, those of the base first and then one for each record. Valid as
  * long as the mesh. */
 RESTRIP_API restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coordinates,

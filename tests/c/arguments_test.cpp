@@ -75,6 +75,9 @@ TEST(CArguments, NullIsACode) {
                                   restrip_baked_restart(nullptr),
                                   restrip_baked_record(nullptr, 0, nullptr),
                                   restrip_baked_record(m, 0, nullptr),
+                                  restrip_baked_payload(nullptr, 0, &data, &size),
+                                  restrip_baked_payload(m, 0, nullptr, &size),
+                                  restrip_baked_payload(m, 0, &data, nullptr),
                                   restrip_baked_points(nullptr, &points, &size),
                                   restrip_baked_points(m, nullptr, &size),
                                   restrip_baked_points(m, &points, nullptr),
@@ -144,6 +147,7 @@ TEST(CArguments, NumbersOutOfRangeAreCodes) {
   EXPECT_EQ(restrip_baked_move(m, 0, 1, nullptr), RESTRIP_NOT_BAKED);
   EXPECT_EQ(restrip_baked_restart(m), RESTRIP_NOT_BAKED);
   EXPECT_EQ(restrip_baked_record(m, 0, &record), RESTRIP_NOT_BAKED);
+  EXPECT_EQ(restrip_baked_payload(m, 0, &data, &size), RESTRIP_NOT_BAKED);
   EXPECT_EQ(restrip_baked_points(m, &points, &size), RESTRIP_NOT_BAKED);
   EXPECT_EQ(colors_of(m), before);
 }

@@ -157,6 +157,27 @@ TEST(CBaked, DamageIsACodeAndAText) {
   }
 }
 
+TEST(CBaked, APayloadIsHandedOut) {
+  const std::string plain = bytes_of(tools::sheet(6));
+  const auto raw = std::as_bytes(std::span(plain));
+  std::vector<std::byte> bytes(raw.begin(), raw.end());
+  const std::size_t records = restrip_baked_levels(read(plain).get());
+  std::vector<std::byte> payload;
+  for (std::size_t i = 0; i < 3 * records; ++i) payload.push_back(static_cast<std::byte>(i & 255U));
+  ASSERT_EQ(set_payload(bytes, payload), "");
+  const Handle mesh = read({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  const void* data = nullptr;
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < records; ++i) {
+    ASSERT_EQ(restrip_baked_payload(mesh.get(), i, &data, &size), RESTRIP_OK);
+    ASSERT_EQ(size, 3U);
+    ASSERT_EQ(std::memcmp(data, payload.data() + 3 * i, 3), 0);
+  }
+  EXPECT_EQ(restrip_baked_payload(mesh.get(), records, &data, &size), RESTRIP_BAD_ARGUMENT);
+  ASSERT_EQ(restrip_baked_payload(read(plain).get(), 0, &data, &size), RESTRIP_OK);
+  EXPECT_EQ(size, 0U);
+}
+
 TEST(CBaked, MemoryMayRunOut) {
   const std::string bytes = bytes_of(tools::sheet(6));
   restrip_mesh* made = nullptr;

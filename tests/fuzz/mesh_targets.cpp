@@ -88,7 +88,9 @@ std::vector<Target> mesh_targets() {
   const ProgressiveMesh moved = simplify(sheet(3), {0.2, BoundaryPolicy::move}).mesh;
   const ProgressiveMesh locked = simplify(sheet(4), {0.5, BoundaryPolicy::lock}).mesh;
   std::vector<std::string> pms{pm_bytes(moved), pm_bytes(locked)};
-  std::vector<std::string> bakeds{baked_bytes(bake(moved, {})), baked_bytes(bake(locked, {}))};
+  BakedMesh loaded = bake(locked, {});
+  loaded.payload = {2, std::vector<std::byte>(2 * locked.splits.size(), std::byte{7})};
+  std::vector<std::string> bakeds{baked_bytes(bake(moved, {})), baked_bytes(bake(locked, {})), baked_bytes(loaded)};
   std::string binary_stl(84 + 50, '\0');
   binary_stl[80] = 1;
   const auto soup = [](auto read) {

@@ -75,7 +75,7 @@ Source source_of(const std::filesystem::path& file, const SimplifyOptions& optio
 
 BakedCosts costs_of(const BakedMesh& baked, double seconds) {
   if (baked.mesh.splits.empty()) return {};
-  BakedMesh base{baked.mesh, baked.base, {}};
+  BakedMesh base{baked.mesh, baked.base, {}, {}};
   base.mesh.splits.clear();
   const auto records = static_cast<double>(baked.mesh.splits.size());
   return {static_cast<double>(baked.records.flips.size()) / records,
@@ -181,7 +181,8 @@ int run(const BakeCommand& command) {
   const ReportOutput told(command.json, {command.mesh, command.out});
   Source source = source_of(command.mesh, command.simplify, command.simplify_given);
   BakeReport report;
-  const BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
+  BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
+  if (source.baked) baked.payload = std::move(source.baked->payload);  // the records are the same
   const std::string file = baked_bytes(baked);
   const std::size_t bytes = file.size();
   out.write(file);

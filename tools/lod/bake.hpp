@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lod/progressive_mesh.hpp"
+#include "restrip/formats/baked_payload.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/baked.hpp"
@@ -23,6 +24,7 @@ struct BakedMesh {
   ProgressiveMesh mesh;
   StripMesh base;
   BakedRecords<StripMesh::Halfedge> records;
+  BakedPayload payload{};  ///< of the user's, for each record
 };
 
 struct BakeReport {

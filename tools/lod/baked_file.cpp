@@ -33,16 +33,19 @@ class Writer {
 
   std::string run() {
     const std::size_t base_points = mesh_.points.size() - mesh_.splits.size();
+    const bool has_payload = baked_.payload.bytes != 0;
     bytes_ = baked_format::magic;
-    put(baked_format::version);
+    put(has_payload ? baked_format::version_with_payload : baked_format::version);
     put(static_cast<std::uint32_t>(base_points));
     put(static_cast<std::uint32_t>(mesh_.base.size()));
     put(static_cast<std::uint32_t>(mesh_.splits.size()));
+    if (has_payload) put(static_cast<std::uint32_t>(baked_.payload.bytes));
     for (std::size_t v = 0; v < base_points; ++v) put(mesh_.points[v]);
     for (const Corners& triangle : mesh_.base)
       for (const Vertex v : triangle) put(v);
     for (Triangle t = 0; t < mesh_.base.size(); ++t) bytes_.push_back(static_cast<char>(colors(baked_.base, t)));
     for (std::size_t i = 0; i < mesh_.splits.size(); ++i) put_record(i);
+    for (const std::byte b : baked_.payload.all) bytes_.push_back(std::to_integer<char>(b));
     const std::uint64_t hash = fnv1a(bytes_);
     put(static_cast<std::uint32_t>(hash));
     put(static_cast<std::uint32_t>(hash >> 32));
@@ -136,6 +139,7 @@ BakedMesh parse_baked(std::string_view bytes, const std::string& name) {
   for (const auto& [v_s, v_t, v_l, v_r] : file.splits) baked.mesh.splits.push_back({v_s, v_t, v_l, v_r});
   baked.base = std::move(file.mesh);
   baked.records = std::move(file.records);
+  baked.payload = std::move(file.payload);
   return baked;
 }
 

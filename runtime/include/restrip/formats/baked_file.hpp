@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "restrip/formats/baked_payload.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/baked.hpp"
 
@@ -32,6 +33,7 @@ struct BakedFile {
   std::vector<BakedSplit> splits;            ///< from coarse to fine
   StripMesh mesh;                            ///< the base, in its colours
   BakedRecords<StripMesh::Halfedge> records;
+  BakedPayload payload{};
 };
 
 /// The spokes of a split of the mesh as it is before that split.
@@ -43,6 +45,12 @@ struct BakedFile {
 /// time is that of reading and of the finest mesh. Memory is in proportion to the bytes. Throws std::bad_alloc only,
 /// and std::length_error for more triangles than a StripMesh can hold.
 [[nodiscard]] inline std::string read_baked(std::span<const std::byte> bytes, BakedFile& file);
+
+/// Gives the bytes of a baked mesh this payload, in place of the one they have: as many bytes for the first record as
+/// for every other, in the order of the records. An empty one takes it away. Returns an empty string, or says what is
+/// wrong, as read_baked() does; then `file` is as it was. Read are the checksum and the header alone, in linear time.
+/// Throws std::bad_alloc only.
+[[nodiscard]] inline std::string set_payload(std::vector<std::byte>& file, std::span<const std::byte> payload);
 
 }  // namespace restrip
 

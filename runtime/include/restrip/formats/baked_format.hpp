@@ -14,7 +14,9 @@
 namespace restrip::baked_format {
 
 inline constexpr std::string_view magic = "RestripB";
+/// With a payload, whose size is then part of the header; other files are written as version 1.
 inline constexpr std::uint32_t version = 1;
+inline constexpr std::uint32_t version_with_payload = 2;
 inline constexpr std::size_t header_bytes = 24;
 inline constexpr std::size_t checksum_bytes = 8;
 inline constexpr std::size_t point_bytes = 12;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -31,17 +32,36 @@ class BakedReader {
 
   explicit BakedReader(std::span<const std::byte> bytes) : rest_(bytes) {}
 
-  bool run() {
+  /// What is before the records, and after them.
+  struct Header {
     std::uint32_t points = 0;
     std::uint32_t triangles = 0;
     std::uint32_t splits = 0;
-    if (!check_whole() || !u32(points) || !u32(triangles) || !u32(splits)) return false;
+    std::uint32_t payload_bytes = 0;
+    std::span<const std::byte> payload;
+  };
+
+  /// Checks the whole by its checksum and reads the header. What then is left to be read is base and records.
+  bool open() {
+    std::uint32_t found = 0;
+    if (!check_whole(found) || !u32(header_.points) || !u32(header_.triangles) || !u32(header_.splits)) return false;
+    if (found == baked_format::version_with_payload && !u32(header_.payload_bytes)) return false;
+    if (header_.payload_bytes == 0) return true;
+    if (header_.splits > rest_.size() / header_.payload_bytes) return fail(promises_more);
+    header_.payload = rest_.last(std::size_t{header_.splits} * header_.payload_bytes);
+    rest_ = rest_.first(rest_.size() - header_.payload.size());
+    return true;
+  }
+
+  bool run() {
+    if (!open()) return false;
+    const auto [points, triangles, splits, payload_bytes, payload] = header_;
     if (triangles == 0) return fail("its base has no triangles");
     // In 64 bits, so that nothing overflows where std::size_t has 32.
     if (std::uint64_t{points} * baked_format::point_bytes + std::uint64_t{triangles} * baked_format::triangle_bytes +
             std::uint64_t{splits} * baked_format::least_record_bytes >
         rest_.size())
-      return fail("its header promises more than it holds");
+      return fail(promises_more);
     file_.points.reserve(std::size_t{points} + splits);
     for (std::uint32_t v = 0; v < points; ++v)
       if (!point()) return false;
@@ -54,20 +74,24 @@ class BakedReader {
     record_ = outside;
     if (!rest_.empty()) return fail("it goes on behind its last record");
     if (!check_coloring(now_).valid) return fail("the colours of its finest level are not valid");
+    file_.payload = {payload_bytes, {payload.begin(), payload.end()}};
     return true;
   }
+  [[nodiscard]] const Header& header() const noexcept { return header_; }
+  [[nodiscard]] std::span<const std::byte> rest() const noexcept { return rest_; }
   [[nodiscard]] std::string& fault() noexcept { return fault_; }
   [[nodiscard]] BakedFile& file() noexcept { return file_; }
 
  private:
   static constexpr std::size_t outside = ~std::size_t{0};
+  static constexpr std::string_view promises_more = "its header promises more than it holds";
 
   bool fail(std::string_view what) {
     if (record_ != outside) fault_ = "record " + std::to_string(record_) + ": ";
     fault_ += what;
     return false;
   }
-  bool check_whole() {
+  bool check_whole(std::uint32_t& found) {
     using namespace baked_format;
     for (std::size_t i = 0; i < magic.size(); ++i)
       if (i >= rest_.size() || std::to_integer<char>(rest_[i]) != magic[i])
@@ -76,11 +100,10 @@ class BakedReader {
       return fail("it ends inside its header: the file is not complete");
     const auto body = rest_.first(rest_.size() - checksum_bytes);
     rest_ = rest_.subspan(magic.size());
-    std::uint32_t found = 0;
     if (!u32(found)) return false;
-    if (found != version)
-      return fail("it is of version " + std::to_string(found) + ", and this program reads version " +
-                  std::to_string(version));
+    if (found != version && found != version_with_payload)
+      return fail("it is of version " + std::to_string(found) + ", and this program reads versions " +
+                  std::to_string(version) + " and " + std::to_string(version_with_payload));
     BakedReader end(rest_.last(checksum_bytes));
     std::uint32_t low = 0;
     std::uint32_t high = 0;
@@ -211,6 +234,7 @@ class BakedReader {
   }
 
   std::span<const std::byte> rest_;
+  Header header_;
   std::size_t record_ = outside;  ///< that is being read
   std::string fault_;
   BakedFile file_;
@@ -225,6 +249,32 @@ inline std::string read_baked(std::span<const std::byte> bytes, BakedFile& file)
   detail::BakedReader reader(bytes);
   if (!reader.run()) return std::move(reader.fault());
   file = std::move(reader.file());
+  return {};
+}
+
+inline std::string set_payload(std::vector<std::byte>& file, std::span<const std::byte> payload) {
+  using namespace baked_format;
+  detail::BakedReader reader(file);
+  if (!reader.open()) return std::move(reader.fault());
+  const auto& header = reader.header();
+  const std::size_t records = header.splits;
+  if (records == 0 ? !payload.empty() : payload.size() % records != 0)
+    return "a payload of " + std::to_string(payload.size()) + " bytes does not have the same number for each of " +
+           std::to_string(records) + " records";
+  const std::size_t each = records == 0 ? 0 : payload.size() / records;
+  if (each > std::numeric_limits<std::uint32_t>::max()) return "the payload has more than 2^32 - 1 bytes a record";
+  std::vector<std::byte> bytes;
+  bytes.reserve(header_bytes + 4 + reader.rest().size() + payload.size() + checksum_bytes);
+  const auto put = [&bytes](std::uint64_t value, unsigned size) {
+    for (unsigned i = 0; i < size; ++i) bytes.push_back(static_cast<std::byte>(value >> (8 * i) & 0xFFU));
+  };
+  for (const char c : magic) bytes.push_back(static_cast<std::byte>(c));
+  put(each == 0 ? version : version_with_payload, 4);
+  for (const std::uint32_t count : {header.points, header.triangles, header.splits}) put(count, 4);
+  if (each != 0) put(each, 4);
+  for (const auto part : {reader.rest(), payload}) bytes.insert(bytes.end(), part.begin(), part.end());
+  put(fnv1a(std::span<const std::byte>(bytes)), checksum_bytes);
+  file = std::move(bytes);
   return {};
 }
 

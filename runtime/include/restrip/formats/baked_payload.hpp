@@ -1,0 +1,20 @@
+// What a baked mesh carries for its user.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace restrip {
+
+/// Bytes of the user's for each record, the same number for all: a texture coordinate, an error bound, a priority.
+struct BakedPayload {
+  std::size_t bytes = 0;  ///< a record; 0: none
+  std::vector<std::byte> all;
+
+  [[nodiscard]] std::span<const std::byte> operator[](std::size_t record) const noexcept {
+    return std::span(all).subspan(record * bytes, bytes);
+  }
+};
+
+}  // namespace restrip
