@@ -1,6 +1,8 @@
-/* rm_tristripper's "stripify" with one output: an index buffer, strips apart by restarts, winding kept. In C, because its headers are. */
-#include "rm_tristripper.h"
+/* rm_tristripper's "stripify" with one output: an index buffer, strips apart by restarts, winding kept. In C, because
+ * its headers are. */
 #include <string.h>
+
+#include "rm_tristripper.h"
 
 /* Writes at most 2 * count + 4 indices for `count` indices of a triangle list, and returns how many. */
 size_t tristripper_indices(const unsigned* ids, size_t count, unsigned* out) {
