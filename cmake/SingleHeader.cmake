@@ -18,4 +18,18 @@ if(Python3_FOUND)
   target_compile_features(restrip_single INTERFACE cxx_std_20)
   target_include_directories(restrip_single INTERFACE ${RESTRIP_SINGLE_FOLDER})
   install(FILES ${RESTRIP_SINGLE_FOLDER}/restrip/restrip.hpp DESTINATION ${CMAKE_INSTALL_DATADIR}/restrip COMPONENT runtime)
+
+  # The same with tables for fans of up to six triangles, for programs that must be small; larger fans are answered as those
+  # beyond k = 8 are with the shipped tables.
+  if(TARGET restrip-generate)
+    set(RESTRIP_SMALL_FOLDER ${PROJECT_BINARY_DIR}/small)
+    add_custom_command(
+      OUTPUT ${RESTRIP_SMALL_FOLDER}/single/restrip/restrip.hpp
+      COMMAND restrip-generate tables --max-k 6 --threads 2 --out ${RESTRIP_SMALL_FOLDER}
+      COMMAND Python3::Interpreter ${script} --tables ${RESTRIP_SMALL_FOLDER}/include --stand-ins
+              --out ${RESTRIP_SMALL_FOLDER}/single/restrip/restrip.hpp
+      DEPENDS restrip-generate ${RESTRIP_SINGLE_FOLDER}/restrip/restrip.hpp
+      VERBATIM)
+    add_custom_target(small_single_header DEPENDS ${RESTRIP_SMALL_FOLDER}/single/restrip/restrip.hpp)
+  endif()
 endif()

@@ -2,7 +2,7 @@
 // and back at the base, after an update of the index buffer for every single operation, `restrip replay` and the package
 // tell the same numbers. The index buffer, copied by its ranges alone, draws the mesh. Operations that the mesh refuses
 // change nothing. A view-dependent walk ends, wherever it went, at the triangles that the levels have. Rules are those
-// that the native tables give.
+// that the native tables give. The small module gives rules as good.
 //   node package_test.mjs WEB_FOLDER RESTRIP DUMP_TABLES SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -12,9 +12,10 @@ import { pathToFileURL } from 'node:url';
 
 const [folder, program, dumpProgram, scratch] = process.argv.slice(2);
 mkdirSync(scratch, { recursive: true });
-const { load, restartIndex } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')));
+const { load, restartIndex, small } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')));
 const { readMesh } = await import(pathToFileURL(join(folder, 'package/formats.mjs')));
 const restrip = await load();
+const smallLibrary = await load(small);
 const file = join(folder, 'hare.pm');
 const source = readMesh('hare.pm', readFileSync(file));
 
@@ -294,8 +295,8 @@ function simplifies() {
   mesh.close();
 }
 
-function sameRules() {
-  // Every fourth line of the native dump, and all of the flip.
+/// The rules are those of the native dump: every fourth line, and all of the flip.
+function sameRules(library = restrip) {
   const lines = execFileSync(dumpProgram, ['--max-k', '6'], { maxBuffer: 1 << 30, encoding: 'latin1' }).split('\n');
   let position = {};
   let compared = 0;
@@ -314,7 +315,7 @@ function sameRules() {
     if (position.family !== 'flip' && number % 4 !== 0) return;
     if (!/^[0-9a-f]+ [0-9a-f]+ /.test(line)) return;
     const mask = (word) => BigInt(`0x${word}`);
-    const rule = restrip.rule({ ...position, edges: mask(words[0]), ports: mask(words[1]) });
+    const rule = library.rule({ ...position, edges: mask(words[0]), ports: mask(words[1]) });
     if (words[2] === '-') assert.ok(!rule.valid);
     else if (position.family === 'flip')
       assert.deepEqual([rule.valid, rule.colors, rule.ports], [true, mask(words[2]), mask(words[3])]);
@@ -323,6 +324,36 @@ function sameRules() {
   });
   assert.ok(compared > 10000, `only ${compared} rules were compared`);
   console.log(`${compared} rules compared`);
+}
+
+/// With tables that end at k = 6: the same rules up to there, as good ones beyond, and strips that are kept as well.
+function smallIsAsGood() {
+  sameRules(smallLibrary);
+  let seed = 1;
+  const random = (n) => (seed = (seed * 48271) % 2147483647) % n;
+  let valid = 0;
+  for (let n = 0; n < 20000; ++n) {
+    const k = 7 + random(4);
+    const closed = { family: ['split', 'collapse'][random(2)], k, a: 1 + random(k - 1) };
+    const position = random(2) === 0 ? closed : { family: 'boundary-split', k, i: random(k + 1) };
+    const configuration = { ...position, edges: random(2 ** k), ports: random(2 ** k) & random(2 ** k) };
+    const [one, other] = [smallLibrary.rule(configuration), restrip.rule(configuration)];
+    assert.deepEqual([one.valid, one.strips], [other.valid, other.strips], JSON.stringify(configuration));
+    valid += one.valid;
+  }
+  assert.ok(valid > 2000, `only ${valid} were valid`);
+  for (const policy of ['local', 'linked', 'quick']) {
+    const [one, other] = [smallLibrary, restrip].map((library) => library.progressive(source).begin({ policy, cost: 'indices' }));
+    for (const mesh of [one, other]) mesh.moveTo(mesh.levels);
+    assert.deepEqual(sorted(one.triangles), sorted(other.triangles));
+    assert.ok(one.valid);
+    one.update();
+    assert.deepEqual(sorted(drawn([...one.indices])), sorted(one.triangles));
+    const [kept, usual] = [one, other].map((mesh) => mesh.plainIndices);
+    assert.ok(kept < 1.02 * usual, `${policy}: ${kept} indices, ${usual} with the whole tables`);
+    one.close();
+    other.close();
+  }
 }
 
 function readsFormats() {
@@ -414,7 +445,7 @@ function asDependency() {
   assert.doesNotMatch(readFileSync(join(installed, 'restrip.mjs'), 'utf8'), /(import\(|from )[^\n]*'node:/);
 }
 
-for (const test of [asDependency, readsFormats, singleOperations, sameRules, copiesByRanges, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
+for (const test of [asDependency, readsFormats, singleOperations, sameRules, smallIsAsGood, copiesByRanges, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
   test();
   console.log(`${test.name}: as claimed`);
 }

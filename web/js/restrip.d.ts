@@ -21,6 +21,11 @@ export const restartIndex: 0xffffffff;
 /** No vertex. */
 export const none: 0xffffffff;
 
+/** restrip-small.wasm beside this module, for load(): half the bytes, because its tables end at fans of six triangles. Larger
+ * fans are answered by the automaton that knows every k: rules as good, a little later, and not always the same among
+ * equally good ones. */
+export const small: URL;
+
 /** Without argument: restrip.wasm beside this module, in browsers and in Node. */
 export function load(source?: string | URL | BufferSource | WebAssembly.Module): Promise<Restrip>;
 

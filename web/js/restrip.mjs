@@ -12,6 +12,8 @@ export const none = 0xffffffff;
 const figureNames = ['triangles', 'strips', 'played', 'inOrder', 'bufferIndices', 'operations', 'addingStrip',
   'isolating', 'refused', 'indicesWritten', 'updates', 'baked'];
 
+export const small = new URL('./restrip-small.wasm', import.meta.url);
+
 /// Compiles the module: its bytes, or where to fetch it from; the file beside this one when nothing is given.
 export async function load(source = new URL('./restrip.wasm', import.meta.url)) {
   let module;
