@@ -41,8 +41,10 @@ struct Position {
   std::uint32_t operation, k, p, q;
 };
 
-/// Those of answers.cpp, of collapses beyond k = 6 only the first, and one that counts rules outside the tables.
+/// Those of answers.cpp, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
+/// RESTRIP_EVERY_POSITION is set.
 std::vector<Position> positions_up_to(std::uint32_t max_k) {
+  const bool every = std::getenv("RESTRIP_EVERY_POSITION") != nullptr;
   std::vector<Position> all;
   for (std::uint32_t operation = 0; operation < 6; ++operation)
     for (std::uint32_t k = operation < 2 ? 3 : 1; k <= max_k; ++k) {
@@ -51,7 +53,7 @@ std::vector<Position> positions_up_to(std::uint32_t max_k) {
         if (operation / 2 != 1) all.push_back({operation, k, p, 0});
         for (std::uint32_t q = p + 1; operation / 2 == 1 && q <= k; ++q) all.push_back({operation, k, p, q});
       }
-      if (operation % 2 == 1 && k > 6) all.resize(before + 1);
+      if (operation % 2 == 1 && k > 6 && !every) all.resize(before + 1);
     }
   all.push_back({6, 0, 0, 0});
   all.push_back({7, 0, 0, 0});

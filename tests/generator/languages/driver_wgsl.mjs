@@ -7,8 +7,10 @@ import { Browser } from '../../web/browser.mjs';
 
 const [chromium, scratch, shader, upTo, ...tables] = process.argv.slice(2);
 
-/// Those of answers.cpp, of collapses beyond k = 6 only the first, and one that counts rules outside the tables.
+/// Those of answers.cpp, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
+/// RESTRIP_EVERY_POSITION is set.
 function positionsUpTo(maxK) {
+  const every = 'RESTRIP_EVERY_POSITION' in process.env;
   const all = [];
   for (let operation = 0; operation < 6; ++operation)
     for (let k = operation < 2 ? 3 : 1; k <= maxK; ++k) {
@@ -16,7 +18,7 @@ function positionsUpTo(maxK) {
       for (let p = operation < 2 ? 1 : 0; p <= (operation < 2 ? k - 1 : k); ++p)
         if (operation === 2 || operation === 3) for (let q = p + 1; q <= k; ++q) ofK.push([operation, k, p, q]);
         else ofK.push([operation, k, p, 0]);
-      all.push(...(operation % 2 === 1 && k > 6 ? ofK.slice(0, 1) : ofK));
+      all.push(...(operation % 2 === 1 && k > 6 && !every ? ofK.slice(0, 1) : ofK));
     }
   return [...all, [6, 0, 0, 0], [7, 0, 0, 0]];
 }

@@ -6,10 +6,12 @@ operations that read it must differ. The example of docs/languages.md is run and
   language_test.py LANGUAGE --answers PROGRAM --tables FOLDER --scratch FOLDER --root FOLDER --with PROGRAM…
 
 --answers is answers.cpp, compiled; --tables is the folder of restrip-generate's files; --with names what the language
-needs, in the order of its class below. Software devices for shaders are asked less (first_collapses).
+needs, in the order of its class below. Software devices for shaders are asked less (first_collapses), unless
+RESTRIP_EVERY_POSITION is set.
 """
 import argparse
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -193,7 +195,7 @@ class Shader:
     """Languages of shaders: the driver takes several files of tables at once."""
 
     def wanted(self, answers):
-        return first_collapses(answers)
+        return answers if "RESTRIP_EVERY_POSITION" in os.environ else first_collapses(answers)
 
     def answers(self, folder, scratch, max_k):
         """Of the tables; and, because a device takes long to start, of those with an altered rule."""
