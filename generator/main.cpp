@@ -9,12 +9,14 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "count.hpp"
 #include "dump.hpp"
 #include "files/system_calls.hpp"
 #include "languages/languages.hpp"
 #include "operations/describe.hpp"
+#include "operations/operation_words.hpp"
 #include "operations/write.hpp"
 #include "table_files.hpp"
 
@@ -166,7 +168,17 @@ int main(int argc, char** argv) {
   describe_command->add_option("--at", place.at, "Arc a of a closed fan, gap i of an open one")
       ->check(CLI::Range(0, 8));
   describe_command->add_option("--to", place.to, "Gap j of an open fan")->check(CLI::Range(0, 8));
-  describe_command->footer("\nExample:\n  restrip-generate describe --family split --k 4 --at 2 > split.json\n");
+  std::string described_constraint = "strips";
+  describe_command
+      ->add_option(
+          "--constraint", described_constraint,
+          "strips, matching (triangles in pairs) or forest; without strips the file has no cost: the usual one")
+      ->check(CLI::IsMember(std::vector<std::string>(constraint_words.begin(), constraint_words.end())))
+      ->capture_default_str();
+  describe_command->footer(
+      "\nExamples:\n"
+      "  restrip-generate describe --family split --k 4 --at 2 > split.json\n"
+      "  restrip-generate describe --family collapse --k 6 --at 3 --constraint matching > pairs.json\n");
 
   unsigned count_max_k = 8;
   bool json = false;
@@ -194,7 +206,9 @@ int main(int argc, char** argv) {
     }
     if (*describe_command) {
       place.family = names.at(described_family);
-      fmt::print("{}", operation_file_text(described(checked(place))));
+      const auto* const word = std::find(constraint_words.begin(), constraint_words.end(), described_constraint);
+      const Constraint constraint{static_cast<unsigned>(word - constraint_words.begin()) + 1};
+      fmt::print("{}", operation_file_text(described(checked(place), constraint)));
     }
     if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");

@@ -6,6 +6,7 @@ families:   rules and bytes of each family of tables, k <= 8 (docs/tables.md)
 programs:   bytes of split and collapse of a StripMesh, compiled by g++ -Os -DNDEBUG against single headers with tables
             up to different k (docs/tables.md)
 operations: claims of the certificates of the shipped operation files, proved by the verifier (docs/toolkit.md)
+matchings:  claims of the splits, collapses and the flip of matchings, all positions of a fan together (docs/toolkit.md)
 languages:  bytes of the rule tables in other languages than C++, k <= 8 (docs/languages.md)
 verified:   time of making tables up to different k and of verifying them with what they compile to (docs/cmake.md)
 shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
@@ -83,6 +84,23 @@ def print_operations(generate):
             about = json.load(source)["about"]
         line([f"`{os.path.basename(file)}`", about.rstrip(".")] +
              [f"{row[what]:,}" for what in ("configurations", "valid", "keys", "worst_strips", "worst_isolated", "bytes")])
+
+
+def print_matchings(generate):
+    header("operation", "k", "positions", "valid configurations", "after which more triangles are alone", "how many more at worst", "rules",
+           "bytes")
+    for family in ("split", "collapse", "flip"):
+        for k in (4,) if family == "flip" else range(3, 9):
+            with tempfile.TemporaryDirectory() as out:
+                files = []
+                for at in (0,) if family == "flip" else range(1, k // 2 + 1):
+                    place = [] if family == "flip" else ["--k", str(k), "--at", str(at)]
+                    files.append(os.path.join(out, f"{at}.json"))
+                    with open(files[-1], "wb") as file:
+                        file.write(subprocess.check_output([generate, "describe", "--family", family, *place, "--constraint", "matching"]))
+                rows = json.loads(subprocess.check_output([generate, "rules", "--operation", *files, "--out", out, "--json", "-"]))["operations"]
+            line([family, str(k), str(len(rows))] + [f"{sum(row[what] for row in rows):,}" for what in ("valid", "costing")] +
+                 [str(max(row["worst_isolated"] for row in rows))] + [f"{sum(row[what] for row in rows):,}" for what in ("keys", "bytes")])
 
 
 FILE_LINE = re.compile(r"^(restrip_tables\.\S+) +(\d+) bytes$", re.M)
@@ -172,7 +190,7 @@ def print_shards(generate):
                   f"{bytes_below(tables) / 1e6:.1f} MB", f"{sum(size for _, size in families.values()) / 1e6:.1f} MB"])
 
 
-TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "operations": print_operations,
+TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "operations": print_operations, "matchings": print_matchings,
           "languages": print_languages, "shards": print_shards, "verified": print_verified}
 
 

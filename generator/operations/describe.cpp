@@ -62,10 +62,16 @@ OrderedJson json_of(const Preference& preference, const Side& after) {
 
 }  // namespace
 
-NamedOperation described(const Position& position) {
+NamedOperation described(const Position& position, Constraint constraint) {
   Operation operation = operation_of(position, Sight::patch, Goal::strips);
   operation.patch = make_patch(position);
-  return {name_at(position), "", std::move(operation)};
+  std::string name = name_at(position);
+  if (constraint.most_edges != operation.constraint.most_edges) {
+    operation.constraint = constraint;
+    operation.preference.clear();
+    name += fmt::format("-{}", constraint_words.at(constraint.most_edges - 1));
+  }
+  return {std::move(name), "", std::move(operation)};
 }
 
 std::string operation_file_text(const NamedOperation& named) {
@@ -78,7 +84,7 @@ std::string operation_file_text(const NamedOperation& named) {
   const Mask all = (Mask{1} << operation.patch.before.owner.size()) - 1;
   if (operation.may_give_up != 0)
     json["give_up"] = operation.may_give_up == all ? OrderedJson("all") : places(operation.may_give_up);
-  json["cost"] = json_of(operation.preference, operation.patch.after);
+  if (!operation.preference.empty()) json["cost"] = json_of(operation.preference, operation.patch.after);
   // One member a line.
   std::string text;
   for (const auto& [member, value] : json.items())

@@ -7,8 +7,10 @@
 
 namespace restrip::generator {
 
-/// The operation of a family at one position, with the preference of its shipped rules; named "split-k4-a2".
-[[nodiscard]] NamedOperation described(const Position& position);
+/// The operation of a family at one position, with the preference of its shipped rules; named "split-k4-a2". Under
+/// another constraint than that of strips the preference is the usual one, which is none in the file, and the
+/// constraint's word ends the name.
+[[nodiscard]] NamedOperation described(const Position& position, Constraint constraint = {});
 
 /// The operation as an operation file.
 [[nodiscard]] std::string operation_file_text(const NamedOperation& named);

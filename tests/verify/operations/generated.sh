@@ -20,6 +20,10 @@ describe --family open-collapse --k 3 --at 0 --to 2
 describe --family boundary-split --k 4 --at 2
 describe --family boundary-collapse --k 3 --at 1
 describe --family flip
+describe --family split --k 6 --at 3 --constraint matching
+describe --family collapse --k 5 --at 2 --constraint matching
+describe --family boundary-collapse --k 4 --at 1 --constraint matching
+describe --family open-split --k 3 --at 0 --to 2 --constraint forest
 [ "$small" = small ] || describe --family split --k 8 --at 3
 
 count=0
@@ -31,4 +35,4 @@ for file in "$scratch"/*.json; do
   tail -1 "$scratch/said"
   count=$((count + 1))
 done
-[ "$count" -ge 13 ] || { echo "only $count operations"; exit 1; }
+[ "$count" -ge 17 ] || { echo "only $count operations"; exit 1; }
