@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -276,6 +277,62 @@ TEST(Cost, OperationsAllocateNothing) {
     }
     EXPECT_EQ(allocations, 0U) << "policy " << static_cast<int>(policy);
   }
+}
+
+/// The fan of a vertex in which nothing is joined, with solid ports at random, of which up to `pairs` pairs are joined
+/// outside.
+struct RandomOutside {
+  RandomOutside(std::mt19937_64& random, std::size_t k, std::size_t pairs) : ports(random() & low_bits(k)) {
+    seen.assign(k, strip_ends);
+    std::vector<std::size_t> solid;
+    for (std::size_t p = 0; p < k; ++p)
+      if (has(ports, p)) solid.push_back(p);
+    std::shuffle(solid.begin(), solid.end(), random);
+    for (std::size_t n = 0; n + 1 < solid.size() && n < 2 * pairs; n += 2) {
+      seen[solid[n]] = static_cast<int>(solid[n + 1]);
+      seen[solid[n + 1]] = static_cast<int>(solid[n]);
+    }
+  }
+  int operator()(std::size_t port) const { return seen[port]; }
+
+  Word ports;
+  std::vector<int> seen;
+};
+
+TEST(Cost, LinkedRulesAreLinearInTheValence) {
+  std::mt19937_64 random(9);
+  for (const bool splits : {true, false}) {
+    Cost asking[2];
+    for (const unsigned size : {0U, 1U}) {
+      const std::size_t k = 30U << size;
+      for (int run = 0; run < 1'000; ++run) {
+        const RandomOutside outside(random, k, 3);
+        const Cost cost = cost_of([&] {
+          const Rule rule = splits ? linked_split_rule({k, k / 3}, 0, outside.ports, outside)
+                                   : linked_collapse_rule({k, k / 3}, 0, outside.ports, outside);
+          ASSERT_TRUE(rule.valid);
+        });
+        asking[size].steps += cost.steps;
+        EXPECT_EQ(cost.allocations, 0U);
+      }
+    }
+    EXPECT_TRUE(grows_at_most(linear, asking[0], asking[1]));
+  }
+}
+
+// However many cycles there are to avoid, the automaton is asked max_answers times at most.
+TEST(Cost, LinkedRulesStopAtTheirLimit) {
+  std::mt19937_64 random(10);
+  constexpr std::size_t k = max_word_valence;
+  std::uint64_t most = 0;
+  std::uint64_t local = 0;
+  for (int run = 0; run < 3'000; ++run) {
+    const RandomOutside outside(random, k, k);
+    most = std::max(most, cost_of([&] { (void)linked_split_rule({k, k / 2}, 0, outside.ports, outside); }).steps);
+    local = std::max(local, cost_of([&] { (void)split_rule({k, k / 2}, 0, outside.ports); }).steps);
+  }
+  EXPECT_GT(most, 20 * local) << "no hard case was among them";
+  EXPECT_LT(most, 4 * detail::max_answers * local);
 }
 
 TEST(Cost, IndexRulesAreLinearInTheValence) {

@@ -236,17 +236,6 @@ TEST(LinkedRules, AreTheLocalOnesWhenNothingIsSeen) {
       }
 }
 
-TEST(LinkedRules, LargerFansThanTheTablesTakeTheLocalRule) {
-  const auto unexpected = [](std::size_t) {
-    ADD_FAILURE() << "asked";
-    return strip_ends;
-  };
-  const Rule linked = linked_split_rule({9, 4}, 0b101, 0b110001010, unexpected);
-  const Rule local = split_rule({9, 4}, 0b101, 0b110001010);
-  EXPECT_EQ(linked.colors, local.colors);
-  EXPECT_EQ(linked.strips, local.strips);
-}
-
 // Of these triangles, how many lie beside one that they could be linked with? Strips are short here, so that one walk
 // tells where each goes.
 std::size_t left_to_link(const StripMesh& mesh, const std::vector<Triangle>& triangles) {

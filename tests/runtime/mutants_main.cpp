@@ -26,7 +26,7 @@ constexpr const char* stages[] = {
     "Checks.Checked*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:StripBuffer.RunsAre*:Strips.*:"
     "ChunkLists.*:*StripIndexOf.AgreesAfterCuts*",
     "*StripIndexOf.AgreesAfterRewrites*:*StripIndexOf.AgreesWhere*:Operations.AdoptionLeaves*:Operations.LargeFans*:"
-    "LinkedRules.*ForAll*:LinkedRules.LargerFans*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
+    "LinkedRules.*ForAll*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
     "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:StripKeeper.Changes*:"
     "Refine.Keepers*:InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:IndexKeeper.Tells*",
 };

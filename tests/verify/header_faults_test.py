@@ -23,6 +23,7 @@ MOST_STEPS = 100  # a path meets each of eight ports twice at most, and the long
 
 # File, what stands before the expression, the expression, the faulty ones, and in which table the first must show.
 KEY, RULES, LINKED = "rules/key.hpp", "rules/rules.hpp", "operations/linked.hpp"
+OUTLOOK = "operations/impl/outlook.hpp"
 SITES = [
     (KEY, "if (!", "has(inner, k + 2)", ["true", "false"], "collapse"),
     (KEY, "return {back(along | name_of_pair(ring, pair, elements)), ", "back(pair)", ["0"], "linked-collapse"),
@@ -38,25 +39,25 @@ SITES = [
     (RULES, "fan_collapse_colors(k, ports, joined_path(k, ", "i", ["k - i"], "boundary-collapse"),
     (RULES, "tables::flip[static_cast<std::size_t>(", "inner", ["!inner"], "flip"),
     # "false" is no fault: the loop below the line finds the same, later.
-    (LINKED, "if (", "after == before_ || after == no_pairs", ["true"], "linked-"),
+    (OUTLOOK, "if (", "after == before_ || after == Pairs{}", ["true"], "linked-"),
     (LINKED, "exchange ? ", "arc + 1", ["arc"], "linked-split"),
     (LINKED, "const std::size_t by = exchange ? ", "a", ["k - a"], "linked-split"),
-    (LINKED, "(*look_out_)(turn(", "i + by_", ["i"], "linked-split"),
-    (LINKED, "turn(static_cast<std::size_t>(seen) + ", "k_ - by_", ["k_"], "linked-split"),
-    (LINKED, "if (port == home) return ", "comes_back", ["strip_ends"], "linked-"),
-    (LINKED, "if (one < 0) return ", "one == strip_ends", ["true", "false"], "linked-"),
+    (OUTLOOK, "(*look_out_)(turn(", "i + by_", ["i"], "linked-split"),
+    (OUTLOOK, "turn(static_cast<std::size_t>(seen) + ", "k_ - by_", ["k_"], "linked-split"),
+    (OUTLOOK, "if (port == home) return ", "comes_back", ["strip_ends"], "linked-"),
+    (OUTLOOK, "if (one < 0) return ", "one == strip_ends", ["true", "false"], "linked-"),
     # "true" is no fault: a path that is out of sight from one end does not come back from the other.
-    (LINKED, "if (two < 0) return ", "two == strip_ends", ["false"], "linked-"),
-    (LINKED, "return ", "inside != start && (inside == static_cast<std::size_t>(two) || follow(before_, inside, start) == two)",
+    (OUTLOOK, "if (two < 0) return ", "two == strip_ends", ["false"], "linked-"),
+    (OUTLOOK, "return ", "inside != start &&\n           (inside == static_cast<std::size_t>(two) || follow(before_, inside, start, ignored) == two)",
      ["true", "false", "inside != start", "inside != start && inside == static_cast<std::size_t>(two)"], "linked-"),
-    (LINKED, "partner(before_, i) != j && ", "!stays_open(after, i, j)", ["stays_open(after, i, j)"], "linked-"),
+    (OUTLOOK, "before_.partner(i) != j && ", "!stays_open(after, i, j, path)", ["stays_open(after, i, j, path)"], "linked-"),
     (LINKED, "detail::turned_down(joined_closed(k, loop, ports), ", "by", ["0"], "linked-split"),
 ]
 # Loops, and what they are in the copy.
 LOOPS = [
-    ("for (;;) {", "for (int steps = 0;; restrip_step(++steps)) {"),
-    ("while (!outlook.sound(tables::pairings[table.rules[at].pairing])) ++at;",
-     "for (int steps = 0; !outlook.sound(tables::pairings[table.rules[at].pairing]); restrip_step(++steps))\n"
+    (OUTLOOK, "for (;;) {", "for (int steps = 0;; restrip_step(++steps)) {"),
+    (LINKED, "while (outlook.may_close(TablePairs{tables::pairings[table.rules[at].pairing]}) != 0) ++at;",
+     "for (int steps = 0; outlook.may_close(TablePairs{tables::pairings[table.rules[at].pairing]}) != 0; restrip_step(++steps))\n"
      "    if (++at == table.rules.size()) restrip_step(%d);" % MOST_STEPS),
 ]
 SWITCH = """#include <cstdio>
@@ -80,11 +81,11 @@ def replaced(text, old, new, file):
 def put_in(include):
     """Puts all faults into the copied headers, and bounds their loops; returns (number, what, table) of each fault."""
     faults, texts = [], {}
-    for file in (KEY, RULES, LINKED):
+    for file in (KEY, RULES, LINKED, OUTLOOK):
         with open(os.path.join(include, "restrip", file), encoding="ascii") as opened:
             texts[file] = opened.read()
-    for old, new in LOOPS:
-        texts[LINKED] = replaced(texts[LINKED], old, new, LINKED)
+    for file, old, new in LOOPS:
+        texts[file] = replaced(texts[file], old, new, file)
     for file, context, right, wrong, table in SITES:
         expression = right
         for token in wrong:

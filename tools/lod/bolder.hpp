@@ -10,7 +10,10 @@
 
 namespace restrip::tools {
 
-/// Operations of one kind, splits or collapses, on closed fans that the tables cover.
+/// The largest fans that are compared.
+inline constexpr std::size_t max_compared_valence = 16;
+
+/// Operations of one kind, splits or collapses, on closed fans of at most max_compared_valence triangles.
 struct Boldness {
   std::size_t operations = 0;
   std::size_t costing = 0;           ///< the local rule adds a strip, compared with the change in triangles alone

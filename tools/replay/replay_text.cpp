@@ -89,7 +89,7 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   share("splits without a rule", report.operations_without_rule);
   const auto bolder = [&](const char* what, const Boldness& counts) {
     fmt::format_to(out, "\n  {:<41}{:>10}{:>8.2f} %, of {} with k <= {}; {:.1f} % add a strip, {:.1f} % at best", what,
-                   counts.bolder, percent(counts.bolder, counts.operations), counts.operations, table_max_k,
+                   counts.bolder, percent(counts.bolder, counts.operations), counts.operations, max_compared_valence,
                    percent(counts.costing, counts.operations), percent(counts.costing_at_best, counts.operations));
   };
   if (report.boldness) {

@@ -7,15 +7,16 @@
 //
 //   split_and_link(mesh, where);  collapse_and_link(mesh, chord);  flip_and_link(mesh, h);
 //
-// do three things. First comes the operation, with the best recolouring that is sound for what was seen (from the
-// tables: a list for each position and port mask, best first). Then strip ends that lie side by side in the patch or
-// around it are linked. Adoption (adopt.hpp) comes last. A walk that has not ended after `reach` triangles counts as
-// "may come back anywhere". The first step uses the local rule for flips and for fans that are open or exceed the
-// tables.
+// do three things. First comes the operation, with the best recolouring that is sound for what was seen. Then strip
+// ends that lie side by side in the patch or around it are linked. Adoption (adopt.hpp) comes last. A walk that has not
+// ended after `reach` triangles counts as "may come back anywhere".
 //
-// Why it is sound. Let Q be the pairs of ports that strips outside join, and P' those that a recolouring joins inside.
-// The strips stay paths exactly when P' and Q together close no cycle (docs/theory.md). A cycle must use a pair of P'
-// that was not joined before, so from each such pair the rule follows P' and Q alternately until the path ends.
+// The recolouring comes from the tables for closed fans of at most table_max_k triangles: a list for each position and
+// port mask, best first. For larger closed fans and for open ones it is searched for by the automaton of all valences
+// (impl/linked_search.hpp), which is asked once or twice for most fans. Flips, and fans of more than max_word_valence
+// triangles, take the local rule. Nothing is allocated up to max_word_valence.
+//
+// Why it is sound: impl/outlook.hpp.
 #pragma once
 
 #include <bit>
@@ -25,140 +26,51 @@
 #include <utility>
 
 #include "restrip/operations/adopt.hpp"
+#include "restrip/operations/impl/linked_search.hpp"
+#include "restrip/operations/impl/outlook.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/tables/linked.hpp"
 
 namespace restrip {
-
-/// What a look outward says of a port, apart from the port it comes back through.
-inline constexpr int strip_ends = -1;    ///< the strip ends outside
-inline constexpr int out_of_sight = -2;  ///< it was followed as far as allowed
 
 /// How many triangles a strip is followed outward unless the caller says otherwise.
 inline constexpr std::size_t default_reach = 24;
 
 namespace detail {
 
-/// As in the tables: four bits for each port, its partner, or itself when it has none.
-using Pairing = std::remove_cv_t<decltype(tables::pairings)>::value_type;
-static_assert(tables::linked_split.first.size() == table_max_k + 1 &&
-              std::size_t{4} * table_max_k <= 8 * sizeof(Pairing));
-
-/// Decides which recolourings are sound, and looks outward no more than necessary: each port once at most.
-template <class LookOut>
-class Outlook {
- public:
-  /// `joined` as in a key, and a pair that it has no bit for, if there is one. Ports are counted from `by` on, in a fan
-  /// of k <= table_max_k triangles.
-  constexpr Outlook(std::size_t k, std::size_t by, Word ports, Word joined, Word pair, LookOut& look_out)
-      : k_(k), by_(by), ports_(ports), look_out_(&look_out) {
-    for (auto& port : beyond_) port = not_asked;
-    if (pair != 0)
-      before_ = with_pair(before_, static_cast<std::size_t>(std::countr_zero(pair)),
-                          static_cast<std::size_t>(std::bit_width(pair)) - 1);
-    if (joined == 0) return;
-    // The other pairs are those of neighbours among the solid ports.
-    std::size_t previous = word_bits - 1 - static_cast<std::size_t>(std::countl_zero(ports));
-    for (Word rest = ports; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      if (has(joined, i)) before_ = with_pair(before_, previous, i);
-      previous = i;
-    }
-  }
-
-  /// Does a recolouring with this pairing surely close no cycle?
-  constexpr bool sound(Pairing after) {
-    if (after == before_ || after == no_pairs) return true;
-    for (Word rest = ports_; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      const std::size_t j = partner(after, i);
-      if (j > i && partner(before_, i) != j && !stays_open(after, i, j)) return false;
-    }
-    return true;
-  }
-
- private:
-  static constexpr std::int8_t not_asked = -3;
-  static constexpr std::int8_t comes_back = -4;
-  static constexpr auto no_pairs = static_cast<Pairing>(0xfedcba9876543210U);
-
-  static constexpr std::size_t partner(Pairing pairing, std::size_t i) noexcept { return pairing >> (4 * i) & 15U; }
-  static constexpr Pairing with_pair(Pairing pairing, std::size_t i, std::size_t j) noexcept {
-    if (partner(pairing, i) != i) return pairing;  // two ports, and both bits of `joined` say so
-    const auto swap = static_cast<Pairing>(i ^ j);
-    return pairing ^ (swap << (4 * i) | swap << (4 * j));
-  }
-
-  constexpr int beyond(std::size_t i) {
-    if (beyond_[i] == not_asked) {
-      const auto turn = [this](std::size_t port) { return port >= k_ ? port - k_ : port; };
-      const int seen = (*look_out_)(turn(i + by_));
-      const int port = seen < 0 ? seen : static_cast<int>(turn(static_cast<std::size_t>(seen) + k_ - by_));
-      beyond_[i] = static_cast<std::int8_t>(port);
-      if (port >= 0) beyond_[static_cast<std::size_t>(port)] = static_cast<std::int8_t>(i);
-    }
-    return beyond_[i];
-  }
-
-  // Leaves through port `at` and follows the path: strip_ends, comes_back to `home`, or the port where it goes out of
-  // sight.
-  constexpr int follow(Pairing pairing, std::size_t at, std::size_t home) {
-    for (;;) {
-      const int back = beyond(at);
-      if (back == out_of_sight) return static_cast<int>(at);
-      if (back == strip_ends) return strip_ends;
-      const auto port = static_cast<std::size_t>(back);
-      if (port == home) return comes_back;
-      at = partner(pairing, port);
-      if (at == port) return strip_ends;
-    }
-  }
-
-  constexpr bool stays_open(Pairing after, std::size_t i, std::size_t j) {
-    const int one = follow(after, j, i);
-    if (one < 0) return one == strip_ends;
-    const int two = follow(after, i, j);
-    if (two < 0) return two == strip_ends;
-    // Both ends are out of sight and may be one there; but not if they were the two ends of a path before.
-    const auto start = static_cast<std::size_t>(one);
-    const std::size_t inside = partner(before_, start);
-    return inside != start && (inside == static_cast<std::size_t>(two) || follow(before_, inside, start) == two);
-  }
-
-  std::size_t k_;
-  std::size_t by_;
-  Word ports_;
-  LookOut* look_out_;
-  Pairing before_ = no_pairs;
-  std::int8_t beyond_[table_max_k] = {};
-};
-
 /// The first recolouring of a list that is sound.
 template <class Table, class LookOut>
-constexpr Word first_sound(const Table& table, std::size_t k, std::size_t place, Word ports, Outlook<LookOut> outlook) {
+constexpr Word first_sound(const Table& table, std::size_t k, std::size_t place, Word ports,
+                           Outlook<TablePairs, LookOut> outlook) {
   const std::size_t list = table.first[k] + (place << k) + static_cast<std::size_t>(ports);
   std::size_t at = table.start[list];
-  while (!outlook.sound(tables::pairings[table.rules[at].pairing])) ++at;  // the last one joins nothing
+  // The last one joins nothing.
+  while (outlook.may_close(TablePairs{tables::pairings[table.rules[at].pairing]}) != 0) ++at;
   return table.rules[at].recoloring;
 }
 
 }  // namespace detail
 
-/// split_rule() for a fan of k <= table_max_k triangles whose outside can be asked: `look_out(i)` says where the strip
-/// goes that leaves through solid port i: the port it comes back through, strip_ends or out_of_sight. It is asked once
-/// for a port at most, and only for those that matter. The answer is optimal among all recolourings that are sound for
-/// everything that look_out might say.
+/// split_rule() for a fan whose outside can be asked: `look_out(i)` says where the strip goes that leaves through solid
+/// port i: the port it comes back through, strip_ends or out_of_sight. It is asked once for a port at most, and only
+/// for those that matter. The answer is optimal among all recolourings that are sound for everything that look_out
+/// might say. Beyond table_max_k it is searched for, as impl/linked_search.hpp says: in time linear in k, a table read
+/// or two for each triangle and each of at most detail::max_answers attempts, few of which are made in practice. Where
+/// they are used up, the answer is sound and no worse than the local rule, but others may be better.
 template <class LookOut>
 [[nodiscard]] constexpr Rule linked_split_rule(SplitPosition at, Word loop, Word ports, LookOut&& look_out) {
   const auto [k, a] = at;
   RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "linked_split_rule", detail::no_such_split);
-  if (k > table_max_k || !valid_closed(k, loop, ports)) return split_rule(at, loop, ports);
+  if (k > table_max_k)
+    return detail::searched_rule(detail::closed_fan(k), loop, detail::ring_with_chord(k, a), ports, look_out);
+  if (!valid_closed(k, loop, ports)) return split_rule(at, loop, ports);
   const bool exchange = 2 * a > k;  // as in split_cell
   const std::size_t by = exchange ? a : 0;
   const std::size_t arc = exchange ? k - a : a;
   const Word turned = detail::turned_down(ports, by, k);
-  detail::Outlook<std::remove_reference_t<LookOut>> outlook(
-      k, by, turned, detail::turned_down(joined_closed(k, loop, ports), by, k), 0, look_out);
+  const Word joined = detail::turned_down(joined_closed(k, loop, ports), by, k);
+  detail::Outlook<detail::TablePairs, std::remove_reference_t<LookOut>> outlook(
+      k, by, turned, detail::pairs_of<detail::TablePairs>(turned, joined, 0), look_out);
   const Word inner = detail::first_sound(tables::linked_split, k, arc - 1, turned, outlook);
   return detail::rule(
       detail::turned_down(inner & low_bits(k + 2), exchange ? arc + 1 : 0, k + 2) | (inner & bit(k + 2)), loop, 2);
@@ -169,27 +81,31 @@ template <class LookOut>
 [[nodiscard]] constexpr Rule linked_collapse_rule(SplitPosition at, Word inner, Word ports, LookOut&& look_out) {
   const auto [k, a] = at;
   RESTRIP_ASSERT(k >= 3 && 1 <= a && a < k && k <= max_word_valence, "linked_collapse_rule", detail::no_such_split);
-  if (k > table_max_k || !valid_ring(k, a, inner, ports)) return collapse_rule(at, inner, ports);
-  const detail::RingPairs before = detail::ring_pairs(k, a, inner, ports);
-  detail::Outlook<std::remove_reference_t<LookOut>> outlook(k, 0, ports, before.joined, before.over_chord, look_out);
+  if (k > table_max_k)
+    return detail::searched_rule(detail::ring_with_chord(k, a), inner, detail::closed_fan(k), ports, look_out);
+  if (!valid_ring(k, a, inner, ports)) return collapse_rule(at, inner, ports);
+  const detail::InnerPairs before = detail::ring_pairs(k, a, inner, ports);
+  detail::Outlook<detail::TablePairs, std::remove_reference_t<LookOut>> outlook(
+      k, 0, ports, detail::pairs_of<detail::TablePairs>(ports, before.joined, before.over_chord), look_out);
   return detail::rule(detail::first_sound(tables::linked_collapse, k, 0, ports, outlook), inner, -2);
 }
 
 namespace detail {
 
-/// Follows the strips that leave a closed fan or a ring.
+/// Follows the strips that leave a patch.
 template <ColoredMesh Mesh>
 class StripWalk {
  public:
   using Halfedge = typename Mesh::Halfedge;
-  /// `first` is the spoke of t_0; the others are in the fan.
-  StripWalk(const Mesh& mesh, const InteriorFan<Halfedge>& fan, Halfedge first, std::size_t reach)
-      : mesh_(&mesh), reach_(reach) {
-    for (Word rest = fan.ports; rest != 0; rest &= rest - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
-      ports_[count_++] = {mesh.next(i == 0 ? first : fan.spokes[i - 1]), static_cast<int>(i)};
-    }
-  }
+  struct Port {
+    Halfedge halfedge{};
+    int name = 0;
+  };
+
+  /// `room` is for the solid ports, and must outlive the walk.
+  StripWalk(const Mesh& mesh, std::size_t reach, Port* room) : mesh_(&mesh), reach_(reach), ports_(room) {}
+  void add(std::size_t i, Halfedge port) { ports_[count_++] = {port, static_cast<int>(i)}; }
+
   int operator()(std::size_t port) const {
     std::size_t at = 0;
     while (ports_[at].name != static_cast<int>(port)) ++at;
@@ -205,30 +121,81 @@ class StripWalk {
   }
 
  private:
-  struct Port {
-    Halfedge halfedge{};
-    int name = 0;
-  };
   const Mesh* mesh_;
   std::size_t reach_;
   std::size_t count_ = 0;
-  Port ports_[table_max_k];  // the solid ones
+  Port* ports_;
 };
 
-/// Where split_with() and collapse_with() get the rules of interior fans from.
+/// Where split_with() and collapse_with() get their rules from.
 struct LinkedRules {
   std::size_t reach;
 
   template <class Mesh, class Halfedge>
   Rule split(const Mesh& mesh, Halfedge left, const InteriorFan<Halfedge>& fan) const {
-    if (fan.k > table_max_k) return LocalRules{}.split(mesh, left, fan);
-    return linked_split_rule({fan.k, fan.a}, fan.loop, fan.ports, StripWalk<Mesh>(mesh, fan, left, reach));
+    return with_walk(mesh, left, fan, [&](const auto& walk) {
+      return linked_split_rule({fan.k, fan.a}, fan.loop, fan.ports, walk);
+    });
   }
   template <class Mesh, class Halfedge>
   Rule collapse(const Mesh& mesh, Halfedge chord, const InteriorFan<Halfedge>& fan, Word ring) const {
-    if (fan.k > table_max_k) return LocalRules{}.collapse(mesh, chord, fan, ring);
-    return linked_collapse_rule({fan.k, fan.a}, ring, fan.ports,
-                                StripWalk<Mesh>(mesh, fan, fan_step(mesh, chord).spoke, reach));
+    return with_walk(mesh, fan_step(mesh, chord).spoke, fan, [&](const auto& walk) {
+      return linked_collapse_rule({fan.k, fan.a}, ring, fan.ports, walk);
+    });
+  }
+
+  template <class Mesh, class Halfedge>
+  Answer<WordBits> answer_split(const Mesh& mesh, const VertexSplit<Halfedge>& where, Fan<WordBits>& fan) const {
+    typename StripWalk<Mesh>::Port room[max_word_valence];
+    StripWalk<Mesh> walk(mesh, reach, room);
+    walk_ports(mesh, where, fan, [&](std::size_t i, Halfedge h) {
+      if (fan.ports.get(i)) walk.add(i, h);
+    });
+    const bool both = where.spokes == VertexSplit<Halfedge>::Spokes::both;
+    return searched_answer(fan.closed ? closed_fan(fan.k) : open_fan(fan.k), fan.loop.word,
+                           layout_after_split(fan, both), fan.ports.word, walk);
+  }
+  template <class Mesh, class Halfedge>
+  Answer<WordBits> answer_collapse(const Mesh& mesh, Halfedge chord, const PatchPlace& at, const WordBits& inner,
+                                   const WordBits& ports) const {
+    typename StripWalk<Mesh>::Port room[max_word_valence];
+    StripWalk<Mesh> walk(mesh, reach, room);
+    walk_patch(
+        mesh, chord, [](std::size_t, Halfedge) {},
+        [&](std::size_t i, Halfedge h) {
+          if (ports.get(i)) walk.add(i, h);
+        });
+    return searched_answer(layout_before_collapse(at), inner.word,
+                           at.kind == PatchPlace::Kind::ring ? closed_fan(at.k) : open_fan(at.k), ports.word, walk);
+  }
+
+  // Fans whose colours do not fit one word take the local rule.
+  template <class Mesh, class Halfedge>
+  Answer<LongBits> answer_split(const Mesh& mesh, const VertexSplit<Halfedge>& where, Fan<LongBits>& fan) const {
+    return LocalRules{}.answer_split(mesh, where, fan);
+  }
+  template <class Mesh, class Halfedge>
+  Answer<LongBits> answer_collapse(const Mesh& mesh, Halfedge chord, const PatchPlace& at, LongBits& inner,
+                                   LongBits& ports) const {
+    return LocalRules{}.answer_collapse(mesh, chord, at, inner, ports);
+  }
+
+ private:
+  /// `first` is the spoke of t_0; the others are in the fan.
+  template <class Mesh, class Halfedge, class Ask>
+  Rule with_walk(const Mesh& mesh, Halfedge first, const InteriorFan<Halfedge>& fan, Ask&& ask) const {
+    typename StripWalk<Mesh>::Port room[max_interior_valence];
+    StripWalk<Mesh> walk(mesh, reach, room);
+    for (Word rest = fan.ports; rest != 0; rest &= rest - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+      walk.add(i, mesh.next(i == 0 ? first : fan.spokes[i - 1]));
+    }
+    return ask(walk);
+  }
+  template <class LookOut>
+  static Answer<WordBits> searched_answer(const Layout& before, Word colors, const Layout& after, Word ports,
+                                          const LookOut& look_out) {
+    return answer(before, colors, after, searched_rule(before, colors, after, ports, look_out), ports);
   }
 };
 

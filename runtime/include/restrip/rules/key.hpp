@@ -63,19 +63,30 @@ constexpr Word name_of_pair(const Layout& patch, Word ends, Word ports) noexcept
   return patch.ring && (ports & ~within) == 0 ? low : 0;
 }
 
+/// What a patch joins: the pairs that a key names, and the two ports that a path over the chord joins, which need not
+/// be neighbours; zero when there are none.
+struct InnerPairs {
+  Word joined = 0;
+  Word over_chord = 0;
+};
+
 /// A strand starts upwards where a solid port meets the solid edge above it. Adding that start to the edges sends a
 /// carry through the run of solid edges, which are ones, and it comes to rest on the element where the run ends. Valid
 /// colours have at most one start in a run, and it sits at the run's lower end.
-constexpr Word joined(const Layout& patch, Word inner, Word fan_ports) noexcept {
+constexpr InnerPairs inner_pairs(const Layout& patch, Word inner, Word fan_ports) noexcept {
   RESTRIP_ASSERT(patch.k <= max_word_valence, "key of a mask", no_such_fan);
   const Word ports = patch.spread(fan_ports);
   const Word edges = inner & low_bits(patch.edges());
   Word ends = edges + (ports & edges);
   if (patch.ring) ends = (ends & low_bits(patch.size())) + (ends >> patch.size());  // the carry goes round
-  Word result = ends & ~edges & ports;
-  if (patch.has_chord() && has(inner, patch.chord()))
-    result |= name_of_pair(patch, ends_over_chord(patch, edges, ports), ports);
-  return patch.gather(result);
+  const Word along = ends & ~edges & ports;
+  if (!patch.has_chord() || !has(inner, patch.chord())) return {patch.gather(along), 0};
+  const Word pair = ends_over_chord(patch, edges, ports);
+  return {patch.gather(along | name_of_pair(patch, pair, ports)), patch.gather(pair)};
+}
+
+constexpr Word joined(const Layout& patch, Word inner, Word fan_ports) noexcept {
+  return inner_pairs(patch, inner, fan_ports).joined;
 }
 
 constexpr bool valid(const Layout& patch, Word inner, Word fan_ports) noexcept {
@@ -131,15 +142,9 @@ constexpr Word ring_ports(std::size_t a, Word ports) noexcept {
 
 namespace detail {
 
-/// What a ring with chord joins: the pairs that a key names, and the two ports that a path over the chord joins, which
-/// need not be neighbours; zero when there are none.
-struct RingPairs {
-  Word joined = 0;
-  Word over_chord = 0;
-};
-
-/// Both in one go. (GCC 12 at -O3 has been seen to get `over_chord` wrong where it was computed again on its own.)
-constexpr RingPairs ring_pairs(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+/// inner_pairs() of a ring with chord, both in one go. (GCC 12 at -O3 has been seen to get `over_chord` wrong where it
+/// was computed again on its own.)
+constexpr InnerPairs ring_pairs(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
   const Word edges = inner & low_bits(k + 2);
   const Word elements = ring_ports(a, ports);
   const Word ends = edges + (elements & edges);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "restrip/operations/impl/answer.hpp"
 #include "restrip/operations/impl/interior_fan.hpp"
@@ -15,7 +16,8 @@
 
 namespace restrip::detail {
 
-/// Where the operations on interior fans get their rules from; linked.hpp has another source.
+/// Where the operations get their rules from; linked.hpp has another source. Interior fans of ordinary valence are
+/// asked for by split() and collapse(), others by answer_split() and answer_collapse().
 struct LocalRules {
   template <class Mesh, class Halfedge>
   Rule split(const Mesh& /*mesh*/, Halfedge /*left*/, const InteriorFan<Halfedge>& fan) const noexcept {
@@ -24,6 +26,15 @@ struct LocalRules {
   template <class Mesh, class Halfedge>
   Rule collapse(const Mesh& /*mesh*/, Halfedge /*chord*/, const InteriorFan<Halfedge>& fan, Word ring) const noexcept {
     return collapse_rule({fan.k, fan.a}, ring, fan.ports);
+  }
+  template <class Mesh, class Halfedge, class Bits>
+  Answer<Bits> answer_split(const Mesh& /*mesh*/, const VertexSplit<Halfedge>& where, Fan<Bits>& fan) const {
+    return detail::answer_split(fan, where.spokes == VertexSplit<Halfedge>::Spokes::both);
+  }
+  template <class Mesh, class Halfedge, class Bits>
+  Answer<Bits> answer_collapse(const Mesh& /*mesh*/, Halfedge /*chord*/, const PatchPlace& at, Bits& inner,
+                               Bits& ports) const {
+    return detail::answer_collapse(at, inner, ports);
   }
 };
 
@@ -62,11 +73,12 @@ Layout layout_after_split(const Fan<Bits>& fan, bool both) noexcept {
   return both ? path_with_chord(fan.k, low, high) : path(fan.k, low);
 }
 
-template <class Mesh, class Bits>
-PatchChange<Bits> begin_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, Fan<Bits>& fan) {
+template <class Rules, class Mesh, class Bits>
+PatchChange<Bits> begin_split(const Rules& rules, Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                              Fan<Bits>& fan) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   const bool both = where.spokes == Spokes::both;
-  PatchChange<Bits> change{answer_split(fan, both), {}};
+  PatchChange<Bits> change{rules.answer_split(std::as_const(mesh), where, fan), {}};
   change.at.k = fan.k;
   const Layout after = layout_after_split(fan, both);
   walk_fan(mesh, where.spokes == Spokes::right_only ? where.right : where.left, fan.closed, fan.k, fan.left,
@@ -97,11 +109,11 @@ auto with_split_begun(const Rules& rules, Mesh& mesh, const VertexSplit<typename
     return do_rest(change);
   }
   if (auto fan = read_fan<WordBits>(mesh, where); fan.k <= max_word_valence) {
-    auto general = begin_split(mesh, where, fan);
+    auto general = begin_split(rules, mesh, where, fan);
     return do_rest(general);
   }
   auto fan = read_fan<LongBits>(mesh, where);
-  auto general = begin_split(mesh, where, fan);
+  auto general = begin_split(rules, mesh, where, fan);
   return do_rest(general);
 }
 
@@ -146,10 +158,10 @@ inline Layout layout_before_collapse(const PatchPlace& at) noexcept {
   return path(at.k, at.i);
 }
 
-template <class Mesh, class Bits>
-PatchChange<Bits> begin_collapse(Mesh& mesh, typename Mesh::Halfedge chord, const PatchPlace& at, Bits& inner,
-                                 Bits& ports) {
-  PatchChange<Bits> change{answer_collapse(at, inner, ports), at};
+template <class Rules, class Mesh, class Bits>
+PatchChange<Bits> begin_collapse(const Rules& rules, Mesh& mesh, typename Mesh::Halfedge chord, const PatchPlace& at,
+                                 Bits& inner, Bits& ports) {
+  PatchChange<Bits> change{rules.answer_collapse(std::as_const(mesh), chord, at, inner, ports), at};
   const Layout before = layout_before_collapse(at);
   walk_patch(
       mesh, chord,
@@ -180,13 +192,13 @@ auto with_collapse_begun(const Rules& rules, Mesh& mesh, typename Mesh::Halfedge
   WordBits ports;
   const auto at = read_patch(mesh, chord, inner, ports);
   if (at.k <= max_word_valence) {
-    auto general = begin_collapse(mesh, chord, at, inner, ports);
+    auto general = begin_collapse(rules, mesh, chord, at, inner, ports);
     return do_rest(general);
   }
   LongBits long_inner;
   LongBits long_ports;
   read_patch(mesh, chord, long_inner, long_ports);
-  auto general = begin_collapse(mesh, chord, at, long_inner, long_ports);
+  auto general = begin_collapse(rules, mesh, chord, at, long_inner, long_ports);
   return do_rest(general);
 }
 

@@ -104,6 +104,24 @@ Fan<Bits> read_fan(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>&
   return fan;
 }
 
+/// Visits the ports of a fan that has been read: port(i, h), port p_i crosses the mesh edge of h.
+template <class Bits, ColoredMesh Mesh, class Port>
+void walk_ports(const Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, const Fan<Bits>& fan,
+                Port&& port) {
+  using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
+  const auto start = where.spokes == Spokes::right_only ? where.right : where.left;
+  auto h = start;
+  for (std::size_t i = fan.left; i < fan.k; ++i) {
+    port(i, mesh.next(h));
+    h = turn_ccw(mesh, h);
+  }
+  h = start;
+  for (std::size_t i = fan.left; i-- > 0;) {
+    h = turn_cw(mesh, h);
+    port(i, mesh.next(h));
+  }
+}
+
 /// Visits the patch after a split, or before a collapse, whose chord is v_s -> v_t.
 ///  edge(j, h): inner edge f_j crosses the mesh edge of h;  port(i, h): port p_i crosses the mesh edge of h.
 /// Returns the position. The mesh is not changed by the walk; edge() may change colours.

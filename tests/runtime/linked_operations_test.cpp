@@ -1,0 +1,297 @@
+// Splits and collapses of large fans on meshes, under the local and the linked rules: the strips stay valid, what is
+// told is what a recount of the whole mesh finds, and of all recolourings of the patch that are valid none is better.
+// Valid in this mesh where the linked rules follow every strip to its end; in every mesh for the local ones. The graph
+// that is searched is made of the triangles of the mesh after the operation, patch and strips outside.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "naive_patch.hpp"
+#include "outside_frontier.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/operations/linked.hpp"
+#include "restrip/output/strips.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using FanHalfedge = StripMesh::Halfedge;
+using FanSplit = VertexSplit<FanHalfedge>;
+
+constexpr std::size_t to_the_end = std::numeric_limits<std::size_t>::max();
+
+template <class Random>
+void color_randomly(StripMesh& mesh, Random& random) {
+  mesh.clear_colors();
+  std::vector<FanHalfedge> edges;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned side = 0; mesh.alive(t) && side < 3; ++side)
+      if (const auto h = StripMesh::halfedge(t, side); !StripMesh::on_boundary(mesh.opposite(h))) edges.push_back(h);
+  std::shuffle(edges.begin(), edges.end(), random);
+  naive::UnionFind strips(mesh.triangle_bound());
+  for (const FanHalfedge h : edges) {
+    const Triangle t = StripMesh::triangle(h);
+    const Triangle u = StripMesh::triangle(mesh.opposite(h));
+    if (mesh.solid_degree(t) < 2 && mesh.solid_degree(u) < 2 && strips.unite(t, u)) mesh.set_solid(h, true);
+  }
+}
+
+std::vector<FanHalfedge> spokes_around(const StripMesh& mesh, Vertex v) {
+  std::vector<FanHalfedge> spokes;
+  for_each_spoke(mesh, v, [&](FanHalfedge h) { spokes.push_back(h); });
+  return spokes;
+}
+
+/// Collapses neighbours into a vertex until it has `k` triangles or no collapse is legal.
+template <class Random>
+void grow_fan(StripMesh& mesh, Vertex v, std::size_t k, Random& random) {
+  for (bool goes_on = true; goes_on;) {
+    std::vector<FanHalfedge> spokes = spokes_around(mesh, v);
+    if (spokes.size() >= k) return;
+    std::shuffle(spokes.begin(), spokes.end(), random);
+    const auto legal = std::find_if(spokes.begin(), spokes.end(), [&](FanHalfedge h) {
+      return check_collapse(mesh, h) == Refusal::granted &&
+             (mesh.leaves_boundary(h) || !mesh.leaves_boundary(mesh.opposite(h)));
+    });
+    goes_on = legal != spokes.end();
+    if (goes_on) collapse(mesh, *legal);
+  }
+}
+
+/// The triangles around some vertices, which edges between them are inner, and where the strips go that leave them.
+class PatchInMesh {
+ public:
+  PatchInMesh(const StripMesh& mesh, std::set<Vertex> centers) : mesh_(&mesh), centers_(std::move(centers)) {
+    for (const Vertex v : centers_)
+      for (const FanHalfedge h : spokes_around(mesh, v))
+        if (!StripMesh::on_boundary(h) && node_.emplace(StripMesh::triangle(h), 0).second)
+          triangles_.push_back(StripMesh::triangle(h));
+    for (std::size_t n = 0; n < triangles_.size(); ++n) node_[triangles_[n]] = static_cast<int>(n);
+  }
+
+  /// In the mesh as it is: the frontier's value of the patch's colours.
+  long value() const {
+    long result = 0;
+    for (const Triangle t : triangles_) {
+      result -= mesh_->solid_degree(t) == 0 ? 1 : 0;
+      for_each_side(t, [&](FanHalfedge h, FanHalfedge there) {
+        if (is_inner(h) && h.id < there.id && mesh_->solid(h)) result += 1'000'000;
+      });
+    }
+    return result;
+  }
+
+  /// Pairs of ports, by their halfedges outside, that solid edges join inside.
+  std::set<std::pair<std::uint32_t, std::uint32_t>> pairs() const {
+    naive::UnionFind inside(triangles_.size());
+    std::vector<std::pair<std::uint32_t, std::size_t>> ports;
+    for (const Triangle t : triangles_)
+      for_each_side(t, [&](FanHalfedge h, FanHalfedge there) {
+        if (!mesh_->solid(h)) return;
+        const auto at = static_cast<std::size_t>(node_.at(t));
+        if (is_inner(h))
+          inside.unite(at, static_cast<std::size_t>(node_.at(StripMesh::triangle(there))));
+        else
+          ports.emplace_back(there.id, at);
+      });
+    std::set<std::pair<std::uint32_t, std::uint32_t>> result;
+    for (const auto& [one, at] : ports)
+      for (const auto& [other, there] : ports)
+        if (one != other && inside.find(at) == inside.find(there)) result.emplace(one, other);
+    return result;
+  }
+
+  /// The best value beside the strips outside.
+  long best_here() const {
+    naive::UnionFind outside(mesh_->triangle_bound());
+    for (Triangle t = 0; t < mesh_->triangle_bound(); ++t)
+      if (mesh_->alive(t) && node_.count(t) == 0)
+        for_each_side(t, [&](FanHalfedge h, FanHalfedge there) {
+          const Triangle u = StripMesh::triangle(there);
+          if (mesh_->solid(h) && node_.count(u) == 0) outside.unite(t, u);
+        });
+    naive::OutsideFrontier graph = inner_graph();
+    std::map<std::size_t, int> first_node;  // of a strip outside that has been met once
+    std::map<std::size_t, int> second_node;
+    for (const Triangle t : triangles_)
+      for_each_side(t, [&](FanHalfedge h, FanHalfedge there) {
+        if (is_inner(h) || !mesh_->solid(h)) return;
+        const Triangle u = StripMesh::triangle(there);
+        EXPECT_EQ(node_.count(u), 0U) << "a port back into the patch";
+        const auto [entry, fresh] = first_node.emplace(outside.find(u), node_.at(t));
+        if (!fresh) second_node.emplace(entry->first, node_.at(t));
+      });
+    for (const auto& [strip, node] : first_node)
+      if (second_node.count(strip) == 0)
+        graph.add_end(node);
+      else
+        graph.add_strip(node, second_node.at(strip));
+    return graph.best([](int, int) { return false; });
+  }
+
+  /// The best value beside every outside that allows these pairs inside.
+  long best_anywhere(const std::set<std::pair<std::uint32_t, std::uint32_t>>& before) const {
+    naive::OutsideFrontier graph = inner_graph();
+    std::vector<std::uint32_t> names;
+    for (const Triangle t : triangles_)
+      for_each_side(t, [&](FanHalfedge h, FanHalfedge there) {
+        if (is_inner(h) || !mesh_->solid(h)) return;
+        graph.add_hidden(node_.at(t), static_cast<int>(names.size()));
+        names.push_back(there.id);
+      });
+    return graph.best([&](int one, int other) {
+      return before.count({names[static_cast<std::size_t>(one)], names[static_cast<std::size_t>(other)]}) != 0;
+    });
+  }
+
+ private:
+  template <class Visit>
+  void for_each_side(Triangle t, const Visit& visit) const {
+    for (unsigned side = 0; side < 3; ++side) {
+      const auto h = StripMesh::halfedge(t, side);
+      if (const auto there = mesh_->opposite(h); !StripMesh::on_boundary(there)) visit(h, there);
+    }
+  }
+  bool is_inner(FanHalfedge h) const { return centers_.count(mesh_->from(h)) + centers_.count(mesh_->to(h)) > 0; }
+  naive::OutsideFrontier inner_graph() const {
+    naive::OutsideFrontier graph(static_cast<int>(triangles_.size()));
+    for (const Triangle t : triangles_)
+      for_each_side(t, [&](FanHalfedge h, FanHalfedge there) {
+        if (is_inner(h) && h.id < there.id) graph.add_edge(node_.at(t), node_.at(StripMesh::triangle(there)));
+      });
+    return graph;
+  }
+
+  const StripMesh* mesh_;
+  std::set<Vertex> centers_;
+  std::vector<Triangle> triangles_;
+  std::map<Triangle, int> node_;
+};
+
+struct FanTally {
+  std::size_t operations = 0;
+  std::size_t bolder = 0;  ///< the linked rule kept more strips together than the local one
+  std::set<std::size_t> valences;
+};
+
+/// One operation on copies of the mesh: by the local rules, by the linked ones that follow strips to their ends, and by
+/// those that follow them three triangles far. `operate(copy, rules)` does it and returns what it told and the vertices
+/// around which the patch lies then; before it lies around `centers`.
+template <class Operate>
+void check_rules(const StripMesh& mesh, const std::set<Vertex>& centers, const Operate& operate, FanTally& tally) {
+  const ColoringReport old = check_coloring(mesh);
+  const auto pairs = PatchInMesh(mesh, centers).pairs();
+  long best = 0;           // in this mesh
+  long best_anywhere = 0;  // in every mesh
+  std::size_t valence = 0;
+  const auto run = [&](const auto& rules) {
+    StripMesh copy = mesh;
+    const auto [done, around] = operate(copy, rules);
+    const ColoringReport now = check_coloring(copy);
+    EXPECT_TRUE(now.valid);
+    EXPECT_EQ(static_cast<int>(now.strips), static_cast<int>(old.strips) + done.strips);
+    EXPECT_EQ(static_cast<int>(now.isolated), static_cast<int>(old.isolated) + done.isolated);
+    const PatchInMesh patch(copy, around);
+    if (valence == 0) {  // neither depends on the rules
+      valence = done.valence;
+      best = patch.best_here();
+      best_anywhere = patch.best_anywhere(pairs);
+    }
+    return patch.value();
+  };
+  const long local = run(detail::LocalRules{});
+  EXPECT_EQ(local, best_anywhere);
+  const long linked = run(detail::LinkedRules{to_the_end});
+  EXPECT_EQ(linked, valence <= max_word_valence ? best : best_anywhere) << "k " << valence;
+  const long short_sighted = run(detail::LinkedRules{3});
+  EXPECT_GE(short_sighted, local);
+  EXPECT_LE(short_sighted, linked);
+  ++tally.operations;
+  tally.bolder += linked / 500'000 > local / 500'000 ? 1 : 0;
+  tally.valences.insert(valence);
+}
+
+/// A split at a random position of the fan of `v`, then a collapse of the new edge, each under colours of its own.
+template <class Random>
+void check_fan(StripMesh mesh, Vertex v, Random& random, FanTally& tally) {
+  using Spokes = FanSplit::Spokes;
+  color_randomly(mesh, random);
+  const std::vector<FanHalfedge> spokes = spokes_around(mesh, v);
+  FanSplit where{spokes[random() % spokes.size()], spokes[random() % spokes.size()], Spokes::both};
+  if (mesh.leaves_boundary(where.left) && random() % 3 == 0)
+    where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
+  if (check_split(mesh, where) != Refusal::granted) return;
+  check_rules(
+      mesh, {v},
+      [&](StripMesh& copy, const auto& rules) {
+        const auto done = detail::split_with(rules, copy, where);
+        return std::pair{done, std::set<Vertex>{copy.from(done.halfedge), copy.to(done.halfedge)}};
+      },
+      tally);
+  const FanHalfedge chord = split(mesh, where).halfedge;
+  if (check_collapse(mesh, chord) != Refusal::granted) return;
+  color_randomly(mesh, random);
+  check_rules(
+      mesh, {mesh.from(chord), mesh.to(chord)},
+      [&](StripMesh& copy, const auto& rules) {
+        const auto done = detail::collapse_with(rules, copy, chord);
+        return std::pair{done, std::set<Vertex>{copy.from(done.halfedge)}};
+      },
+      tally);
+}
+
+TEST(LinkedFans, AreTheBestInTheirMeshInLargeFans) {
+  std::mt19937 random(20260206);
+  FanTally tally;
+  for (const StripMesh& start : {sample::torus(12, 12), sample::rectangle(12, 12), sample::sphere(3)})
+    for (const std::size_t k : {9U, 10U, 12U, 16U, 17U, 24U, 40U, 61U})
+      for (int n = 0; n < 3; ++n) {
+        SCOPED_TRACE(::testing::Message() << start.triangle_count() << " triangles, k " << k << ", number " << n);
+        StripMesh mesh = start;
+        const auto v = static_cast<Vertex>(random() % mesh.vertex_bound());
+        grow_fan(mesh, v, k, random);
+        for (int colors = 0; colors < 4; ++colors) check_fan(mesh, v, random, tally);
+        if (HasFailure()) return;
+      }
+  EXPECT_GT(tally.operations, 300U);
+  EXPECT_GT(tally.bolder, 100U);
+  EXPECT_GT(tally.valences.size(), 15U);
+  EXPECT_GT(*tally.valences.rbegin(), 30U);
+}
+
+/// A boundary vertex of k triangles, and a second one behind it that has them all for neighbours.
+StripMesh half_cones(Vertex k) {
+  std::vector<sample::Corners> triangles;
+  for (Vertex i = 0; i < k; ++i) {
+    triangles.push_back({0, 2 + i, 3 + i});
+    triangles.push_back({1, 3 + i, 2 + i});
+  }
+  return StripMesh::build(triangles, k + 3);
+}
+
+TEST(LinkedFans, AreTheBestInFansOfAnySize) {
+  std::mt19937 random(20260207);
+  FanTally tally;
+  for (const Vertex k : {9U, 33U, 60U, 61U, 62U, 63U, 64U, 65U, 130U, 1000U})
+    for (const bool closed : {true, false})
+      for (int n = 0; n < (k < 100 ? 4 : 1); ++n) {
+        SCOPED_TRACE(::testing::Message() << (closed ? "closed " : "open ") << k << ", number " << n);
+        check_fan(closed ? sample::double_cone(k) : half_cones(k), 0, random, tally);
+        if (HasFailure()) return;
+      }
+  EXPECT_GT(tally.operations, 80U);
+  EXPECT_GT(tally.bolder, 10U);
+}
+
+}  // namespace
+}  // namespace restrip

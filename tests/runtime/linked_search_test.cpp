@@ -1,0 +1,354 @@
+// Linked rules beyond the tables, and of open fans: sound beside all that may lie outside, and none that is sound is
+// better. The judges are every recolouring, the tables, and a search on the explicit graph (outside_frontier.hpp); at
+// operations on meshes, that graph is made of the mesh's triangles, and what is told is counted again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "naive_patch.hpp"
+#include "outside_frontier.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/operations/linked.hpp"
+#include "restrip/output/strips.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using naive::OutsideFrontier;
+
+enum class LinkedFamily { split, collapse, open_split, open_collapse, boundary_split, boundary_collapse };
+
+/// A random patch with random valid colours, and what there is outside.
+struct LinkedInstance {
+  LinkedFamily family{};
+  std::size_t k = 0;
+  std::size_t a = 0;
+  std::size_t i = 0;
+  std::size_t j = 0;
+  Word ports = 0;
+  Word colors = 0;
+  std::vector<int> seen;  ///< what a look outward says of each port
+
+  naive::Patch patch(bool of_split) const {
+    switch (family) {
+      case LinkedFamily::split:
+      case LinkedFamily::collapse:
+        return of_split ? naive::closed_fan(k) : naive::ring_with_chord(k, a);
+      case LinkedFamily::open_split:
+      case LinkedFamily::open_collapse:
+        return of_split ? naive::open_fan(k) : naive::path_with_chord(k, i, j);
+      default:
+        return of_split ? naive::open_fan(k) : naive::path(k, i);
+    }
+  }
+  bool splits() const {
+    return family == LinkedFamily::split || family == LinkedFamily::open_split ||
+           family == LinkedFamily::boundary_split;
+  }
+  naive::Patch before() const { return patch(splits()); }
+  naive::Patch after() const { return patch(!splits()); }
+  naive::Bits port_bits() const { return naive::bits_of(ports, k); }
+
+  Rule rule(bool linked) const {
+    const auto look = [this](std::size_t port) { return seen[port]; };
+    const detail::Layout open = detail::open_fan(k);
+    switch (family) {
+      case LinkedFamily::split:
+        return linked ? linked_split_rule({k, a}, colors, ports, look) : split_rule({k, a}, colors, ports);
+      case LinkedFamily::collapse:
+        return linked ? linked_collapse_rule({k, a}, colors, ports, look) : collapse_rule({k, a}, colors, ports);
+      case LinkedFamily::open_split:
+        return linked ? detail::searched_rule(open, colors, detail::path_with_chord(k, i, j), ports, look)
+                      : open_split_rule({k, i, j}, colors, ports);
+      case LinkedFamily::open_collapse:
+        return linked ? detail::searched_rule(detail::path_with_chord(k, i, j), colors, open, ports, look)
+                      : open_collapse_rule({k, i, j}, colors, ports);
+      case LinkedFamily::boundary_split:
+        return linked ? detail::searched_rule(open, colors, detail::path(k, i), ports, look)
+                      : boundary_split_rule({k, i}, colors, ports);
+      case LinkedFamily::boundary_collapse:
+        break;
+    }
+    return linked ? detail::searched_rule(detail::path(k, i), colors, open, ports, look)
+                  : boundary_collapse_rule({k, i}, colors, ports);
+  }
+};
+
+/// Adds solid edges in random order while the colours stay valid. (Whether they are is found along the row of nodes, by
+/// degrees and union-find.)
+Word random_colors(std::mt19937_64& random, const naive::Patch& patch, const naive::Bits& ports) {
+  std::vector<std::size_t> order(patch.edges.size());
+  for (std::size_t e = 0; e < order.size(); ++e) order[e] = e;
+  std::shuffle(order.begin(), order.end(), random);
+  std::vector<int> degree(patch.nodes, 0);
+  for (std::size_t p = 0; p < ports.size(); ++p) degree[patch.port_node[p]] += ports[p] ? 1 : 0;
+  naive::UnionFind strands(patch.nodes);
+  Word colors = 0;
+  for (const std::size_t e : order) {
+    const auto [u, v] = patch.edges[e];
+    if (random() % 12 == 0 || degree[u] == 2 || degree[v] == 2 || !strands.unite(u, v)) continue;
+    ++degree[u];
+    ++degree[v];
+    colors |= bit(e);
+  }
+  return colors;
+}
+
+/// Joins up to `pairs` pairs of ports outside, so that no cycle closes, and hides a few ports.
+LinkedInstance random_linked(std::mt19937_64& random, LinkedFamily family, std::size_t k, std::size_t pairs,
+                             std::size_t hidden) {
+  LinkedInstance result;
+  result.family = family;
+  result.k = k;
+  result.a = 1 + random() % (k - 1);
+  result.i = random() % 4 == 0 ? 0 : random() % k;
+  result.j = random() % 4 == 0 ? k : result.i + 1 + random() % (k - result.i);
+  const std::uint64_t density = 1 + random() % 7;
+  for (std::size_t p = 0; p < k; ++p)
+    if (random() % 8 < density) result.ports |= bit(p);
+  const naive::Patch before = result.before();
+  result.colors = random_colors(random, before, result.port_bits());
+  result.seen.assign(k, strip_ends);
+  naive::UnionFind paths(k);
+  for (const auto& [x, y] :
+       naive::analyze(before, naive::bits_of(result.colors, before.edges.size()), result.port_bits()).joined)
+    paths.unite(x, y);
+  std::vector<std::size_t> solid;
+  for (std::size_t p = 0; p < k; ++p)
+    if (has(result.ports, p)) solid.push_back(p);
+  // Near ports more often than far ones.
+  std::shuffle(solid.begin(), solid.end(), random);
+  if (random() % 2 == 0) std::sort(solid.begin(), solid.end(), [&](auto x, auto y) { return x / 4 < y / 4; });
+  for (std::size_t n = 0; n + 1 < solid.size() && pairs > 0; n += 2) {
+    if (random() % 5 == 0 || !paths.unite(solid[n], solid[n + 1])) continue;
+    result.seen[solid[n]] = static_cast<int>(solid[n + 1]);
+    result.seen[solid[n + 1]] = static_cast<int>(solid[n]);
+    --pairs;
+  }
+  for (; hidden > 0 && !solid.empty(); --hidden) {
+    const std::size_t p = solid[random() % solid.size()];
+    if (result.seen[p] >= 0) result.seen[static_cast<std::size_t>(result.seen[p])] = out_of_sight;
+    result.seen[p] = out_of_sight;
+  }
+  return result;
+}
+
+/// Of two ports out of sight: did a path inside and outside lead from one to the other before? Then it leads nowhere
+/// else, and they may be joined.
+std::function<bool(int, int)> joined_before(const LinkedInstance& instance, bool blind) {
+  const naive::Patch before = instance.before();
+  naive::UnionFind paths(instance.k);
+  for (const auto& [x, y] :
+       naive::analyze(before, naive::bits_of(instance.colors, before.edges.size()), instance.port_bits()).joined)
+    paths.unite(x, y);
+  for (std::size_t p = 0; p < instance.k; ++p)
+    if (!blind && instance.seen[p] >= 0) paths.unite(p, static_cast<std::size_t>(instance.seen[p]));
+  return [paths](int x, int y) {
+    return paths.find(static_cast<std::size_t>(x)) == paths.find(static_cast<std::size_t>(y));
+  };
+}
+
+OutsideFrontier frontier_of(const LinkedInstance& instance, bool blind) {
+  const naive::Patch after = instance.after();
+  OutsideFrontier graph(static_cast<int>(after.nodes));
+  for (const auto& [u, v] : after.edges) graph.add_edge(static_cast<int>(u), static_cast<int>(v));
+  for (std::size_t p = 0; p < instance.k; ++p) {
+    if (!has(instance.ports, p)) continue;
+    const int node = static_cast<int>(after.port_node[p]);
+    const int seen = blind ? out_of_sight : instance.seen[p];
+    if (seen == out_of_sight) graph.add_hidden(node, static_cast<int>(p));
+    if (seen == strip_ends) graph.add_end(node);
+    if (seen > static_cast<int>(p))
+      graph.add_strip(node, static_cast<int>(after.port_node[static_cast<std::size_t>(seen)]));
+  }
+  return graph;
+}
+
+/// The value of a recolouring, or -1 if it is not sound beside what is seen. Paths are followed on a graph of ports.
+long judged(const LinkedInstance& instance, Word colors, bool blind) {
+  const naive::Patch after = instance.after();
+  const naive::Analysis found = naive::analyze(after, naive::bits_of(colors, after.edges.size()), instance.port_bits());
+  if (!found.valid || (colors & ~low_bits(after.edges.size())) != 0) return -1;
+  naive::UnionFind paths(instance.k);
+  for (const auto& [x, y] : found.joined) paths.unite(x, y);
+  const auto hidden = [&](std::size_t p) { return blind || instance.seen[p] == out_of_sight; };
+  for (std::size_t p = 0; p < instance.k; ++p)
+    if (!hidden(p) && instance.seen[p] > static_cast<int>(p) &&
+        !paths.unite(p, static_cast<std::size_t>(instance.seen[p])))
+      return -1;
+  const auto may_join = joined_before(instance, blind);
+  for (std::size_t x = 0; x < instance.k; ++x)
+    for (std::size_t y = x + 1; y < instance.k; ++y)
+      if (has(instance.ports, x) && has(instance.ports, y) && hidden(x) && hidden(y) &&
+          paths.find(x) == paths.find(y) && !may_join(static_cast<int>(x), static_cast<int>(y)))
+        return -1;
+  return found.solid * 1'000'000L - found.isolated;
+}
+
+constexpr LinkedFamily linked_families[] = {LinkedFamily::split,          LinkedFamily::collapse,
+                                            LinkedFamily::open_split,     LinkedFamily::open_collapse,
+                                            LinkedFamily::boundary_split, LinkedFamily::boundary_collapse};
+
+/// Linked and local rules against the frontier; returns how often the linked one keeps more strips together.
+int check_linked(std::uint64_t seed, int runs, std::size_t from, std::size_t to) {
+  std::mt19937_64 random(seed);
+  int bolder = 0;
+  for (int run = 0; run < runs; ++run)
+    for (const LinkedFamily family : linked_families) {
+      const std::size_t k = from + random() % (to - from + 1);
+      const LinkedInstance instance = random_linked(random, family, k, random() % 6, random() % 4);
+      SCOPED_TRACE("seed " + std::to_string(seed) + " run " + std::to_string(run) + " family " +
+                   std::to_string(static_cast<int>(family)) + " k " + std::to_string(k));
+      long value[2];
+      for (const bool linked : {false, true}) {
+        const Rule rule = instance.rule(linked);
+        EXPECT_TRUE(rule.valid);
+        value[linked ? 1 : 0] = judged(instance, rule.colors, !linked);
+        EXPECT_GE(value[linked ? 1 : 0], 0) << "not sound";
+        const naive::Patch after = instance.after();
+        EXPECT_EQ(rule.strips, static_cast<int>(after.nodes) - static_cast<int>(instance.before().nodes) -
+                                   (count_bits(rule.colors) - count_bits(instance.colors)));
+        EXPECT_EQ(value[linked ? 1 : 0], frontier_of(instance, !linked).best(joined_before(instance, !linked)))
+            << (linked ? "linked" : "local");
+      }
+      bolder += value[1] / 500'000 > value[0] / 500'000 ? 1 : 0;
+      if (::testing::Test::HasFailure()) return bolder;
+    }
+  return bolder;
+}
+
+TEST(LinkedSearch, IsBestByTheFrontierInSmallFans) { EXPECT_GT(check_linked(20260201, 500, 3, 12), 100); }
+
+TEST(LinkedSearch, IsBestByTheFrontierInLargerFans) { EXPECT_GT(check_linked(20260202, 60, 9, 30), 50); }
+
+TEST(LinkedSearch, IsBestByTheFrontierUpToTheWordSize) { EXPECT_GT(check_linked(20260203, 20, 50, 61), 20); }
+
+// No recolouring at all is better; and neither is any by the frontier.
+TEST(LinkedSearch, IsBestOfAllRecolorings) {
+  std::mt19937_64 random(20260204);
+  for (int run = 0; run < 24; ++run)
+    for (const LinkedFamily family : linked_families) {
+      const std::size_t k = run < 20 ? 3 + random() % 6 : 9 + random() % 3;
+      const LinkedInstance instance = random_linked(random, family, k, random() % 5, random() % 4);
+      SCOPED_TRACE("run " + std::to_string(run) + " family " + std::to_string(static_cast<int>(family)));
+      long best = -1;
+      for (Word colors = 0; colors < bit(instance.after().edges.size()); ++colors)
+        if (best < 0 || count_bits(colors) * 1'000'000L >= best) best = std::max(best, judged(instance, colors, false));
+      EXPECT_EQ(judged(instance, instance.rule(true).colors, false), best);
+      EXPECT_EQ(frontier_of(instance, false).best(joined_before(instance, false)), best);
+    }
+}
+
+/// Fans in which the limit on answers is met: then, too, the answer is sound and no worse than the local rule.
+TEST(LinkedSearch, GivesUpSoundly) {
+  std::mt19937_64 random(20260208);
+  int given_up = 0;
+  int bolder = 0;
+  for (int run = 0; run < 12000; ++run) {
+    const LinkedInstance instance = random_linked(random, LinkedFamily::split, 61, 30, random() % 4);
+    const auto look = [&](std::size_t port) { return instance.seen[port]; };
+    detail::LinkedSearch search(detail::ring_with_chord(61, instance.a), instance.ports,
+                                detail::inner_pairs(detail::closed_fan(61), instance.colors, instance.ports), look);
+    const Word colors = search.best();
+    if (!search.gave_up()) continue;
+    ++given_up;
+    const long local = judged(instance, instance.rule(false).colors, true);
+    EXPECT_EQ(instance.rule(true).colors, colors);
+    EXPECT_GE(judged(instance, colors, false), local);
+    bolder += judged(instance, colors, false) > local ? 1 : 0;
+  }
+  EXPECT_GT(given_up, 10);
+  EXPECT_GT(bolder, 5);
+}
+
+/// Every answer that a look outside may give, as far as colours that are valid there allow it.
+template <class Visit>
+void for_each_outside(const LinkedInstance& instance, const Visit& visit) {
+  std::vector<std::size_t> solid;
+  for (std::size_t p = 0; p < instance.k; ++p)
+    if (has(instance.ports, p)) solid.push_back(p);
+  const naive::Patch before = instance.before();
+  const naive::Pairs inside =
+      naive::analyze(before, naive::bits_of(instance.colors, before.edges.size()), instance.port_bits()).joined;
+  std::vector<int> seen(instance.k, strip_ends);
+  const std::function<void(std::size_t)> decide = [&](std::size_t n) {
+    if (n == solid.size()) {
+      naive::UnionFind paths(instance.k);
+      for (const auto& [x, y] : inside) paths.unite(x, y);
+      for (std::size_t p = 0; p < instance.k; ++p)
+        if (seen[p] > static_cast<int>(p) && !paths.unite(p, static_cast<std::size_t>(seen[p]))) return;
+      visit(seen);
+      return;
+    }
+    const std::size_t p = solid[n];
+    if (seen[p] >= 0) {
+      decide(n + 1);
+      return;
+    }
+    for (const int answer : {strip_ends, out_of_sight}) {
+      seen[p] = answer;
+      decide(n + 1);
+    }
+    for (std::size_t m = n + 1; m < solid.size(); ++m) {
+      if (seen[solid[m]] >= 0) continue;
+      seen[p] = static_cast<int>(solid[m]);
+      seen[solid[m]] = static_cast<int>(p);
+      decide(n + 1);
+      seen[solid[m]] = strip_ends;
+    }
+    seen[p] = strip_ends;
+  };
+  decide(0);
+}
+
+/// The search where there are tables: as good as their first alternative that is sound, whatever is seen outside.
+TEST(LinkedSearch, AgreesWithTheTables) {
+  std::size_t compared = 0;
+  std::mt19937_64 random(20260205);
+  const auto compare = [&](LinkedInstance instance) {
+    const std::size_t k = instance.k;
+    const bool split = instance.family == LinkedFamily::split;
+    const detail::Layout fan = detail::closed_fan(k);
+    const detail::Layout ring = detail::ring_with_chord(k, instance.a);
+    const detail::Layout& after = split ? ring : fan;
+    for_each_outside(instance, [&](const std::vector<int>& seen) {
+      const auto look = [&](std::size_t port) { return seen[port]; };
+      const Rule table = split ? linked_split_rule({k, instance.a}, instance.colors, instance.ports, look)
+                               : linked_collapse_rule({k, instance.a}, instance.colors, instance.ports, look);
+      const Rule searched = detail::searched_rule(split ? fan : ring, instance.colors, after, instance.ports, look);
+      ++compared;
+      ASSERT_EQ(searched.valid, table.valid);
+      ASSERT_EQ(searched.strips, table.strips);
+      ASSERT_EQ(detail::isolated(after, searched.colors, instance.ports),
+                detail::isolated(after, table.colors, instance.ports));
+    });
+  };
+  for (const LinkedFamily family : {LinkedFamily::split, LinkedFamily::collapse}) {
+    LinkedInstance instance;
+    instance.family = family;
+    for (instance.k = 3; instance.k <= 8; ++instance.k)
+      for (instance.a = 1; instance.a < instance.k; ++instance.a)
+        for (instance.ports = 0; instance.ports < bit(instance.k); ++instance.ports) {
+          const naive::Patch before = instance.before();
+          for (instance.colors = 0; instance.colors < bit(before.edges.size()); ++instance.colors) {
+            // Every configuration up to k = 5, then some.
+            if (instance.k > 5 && random() % (instance.k == 6 ? 64U : 4096U) != 0) continue;
+            const naive::Bits colors = naive::bits_of(instance.colors, before.edges.size());
+            if (!naive::analyze(before, colors, instance.port_bits()).valid) continue;
+            ASSERT_NO_FATAL_FAILURE(compare(instance));
+          }
+        }
+  }
+  EXPECT_GT(compared, 100'000U);
+}
+
+}  // namespace
+}  // namespace restrip

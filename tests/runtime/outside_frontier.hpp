@@ -1,0 +1,145 @@
+// The best recolouring of a patch beside given strips outside, found on the explicit graph: nodes are the triangles of
+// the patch and the strips outside, edges the inner edges and the ports. Edges are decided one after the other; of all
+// decisions that leave the same degrees and the same connected components at the nodes that still have edges to come,
+// the best is kept. Nothing is known of fans, arcs or pairs of neighbours, and strips outside may cross in any way.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace naive {
+
+class OutsideFrontier {
+ public:
+  /// Nodes 0 … n - 1 are the triangles of the patch.
+  explicit OutsideFrontier(int n) : n_(n), ports_(static_cast<std::size_t>(n)), edges_(static_cast<std::size_t>(n)) {}
+
+  void add_edge(int u, int v) {
+    const auto [low, high] = std::minmax(u, v);
+    edges_[static_cast<std::size_t>(low)].push_back(high);
+  }
+  /// A solid port whose strip ends outside.
+  void add_end(int u) { ports_[static_cast<std::size_t>(u)].push_back(end); }
+  /// Two solid ports that are joined outside.
+  void add_strip(int u, int v) {
+    for (const int at : {u, v}) ports_[static_cast<std::size_t>(at)].push_back(first_strip + strips_);
+    ++strips_;
+  }
+  /// A solid port of which nothing is known. It may be joined inside only to those for which may_join(name, other).
+  void add_hidden(int u, int name) { ports_[static_cast<std::size_t>(u)].push_back(-1 - name); }
+
+  /// solid * 10^6 - isolated
+  long best(const std::function<bool(int, int)>& may_join) const {
+    may_join_ = &may_join;
+    std::map<State, long> states{{State{}, 0}};
+    const auto each_state = [&](const auto& step) {
+      std::map<State, long> next;
+      for (const auto& [state, value] : states) step(state, value, next);
+      states.swap(next);
+    };
+    std::map<int, int> seen;  // how often a strip has been met
+    for (int u = 0; u < n_; ++u) {
+      each_state([&](const State& state, long value, auto& next) { keep(next, with(state, u), value); });
+      for (const int port : ports_[static_cast<std::size_t>(u)]) {
+        each_state([&](State state, long value, auto& next) {
+          if (++degree(state, u) > 2) return;
+          if (port < 0) {
+            if (!give_name(state, component(state, u), -port)) return;
+          } else if (port != end) {
+            state = with(state, port);
+            if (!unite(state, u, port)) return;
+          }
+          keep(next, state, value);
+        });
+        if (port > end && ++seen[port] == 2)
+          each_state([&](State state, long value, auto& next) { keep(next, without(state, port), value); });
+      }
+      for (const int v : edges_[static_cast<std::size_t>(u)])
+        each_state([&](State state, long value, auto& next) {
+          state = with(state, v);
+          keep(next, state, value);
+          if (++degree(state, u) > 2 || ++degree(state, v) > 2 || !unite(state, u, v)) return;
+          keep(next, state, value + 1'000'000);
+        });
+      each_state([&](State state, long value, auto& next) {
+        keep(next, without(state, u), value - (degree(state, u) == 0 ? 1 : 0));
+      });
+    }
+    long result = -1;
+    for (const auto& entry : states) result = std::max(result, entry.second);
+    return result;
+  }
+
+ private:
+  static constexpr int end = 1'000'000;
+  static constexpr int first_strip = end + 1;
+  static constexpr int both = 1'000'000;
+
+  /// Nodes with edges to come: number, degree, component, and the hidden port of the component (0: none).
+  using Active = std::array<int, 4>;
+  using State = std::vector<Active>;
+
+  static auto find(State& state, int node) {
+    return std::find_if(state.begin(), state.end(), [node](const Active& a) { return a[0] == node; });
+  }
+  static int& degree(State& state, int node) { return (*find(state, node))[1]; }
+  static int component(State& state, int node) { return (*find(state, node))[2]; }
+
+  static State with(State state, int node) {
+    if (find(state, node) != state.end()) return state;
+    int fresh = 0;
+    for (const Active& a : state) fresh = std::max(fresh, a[2] + 1);
+    state.push_back({node, 0, fresh, 0});
+    return state;
+  }
+  static State without(State state, int node) {
+    state.erase(find(state, node));
+    return state;
+  }
+  bool give_name(State& state, int component, int name) const {
+    int had = 0;
+    for (const Active& a : state)
+      if (a[2] == component) had = a[3];
+    if (had == both || (had != 0 && !(*may_join_)(had - 1, name - 1))) return false;
+    for (Active& a : state)
+      if (a[2] == component) a[3] = had == 0 ? name : both;
+    return true;
+  }
+  bool unite(State& state, int u, int v) const {
+    const Active one = *find(state, u);
+    const Active two = *find(state, v);
+    if (one[2] == two[2]) return false;
+    for (Active& a : state)
+      if (a[2] == two[2]) {
+        a[2] = one[2];
+        a[3] = one[3];
+      }
+    return two[3] == 0 || (two[3] != both && give_name(state, one[2], two[3]));
+  }
+  /// In order of nodes, components numbered as they come.
+  static void keep(std::map<State, long>& states, State state, long value) {
+    std::sort(state.begin(), state.end());
+    std::vector<int> names;
+    for (Active& a : state) {
+      const auto place = std::find(names.begin(), names.end(), a[2]);
+      const auto number = static_cast<int>(place - names.begin());
+      if (place == names.end()) names.push_back(a[2]);
+      a[2] = number;
+    }
+    const auto [entry, fresh] = states.emplace(std::move(state), value);
+    if (!fresh) entry->second = std::max(entry->second, value);
+  }
+
+  int n_;
+  int strips_ = 0;
+  std::vector<std::vector<int>> ports_;
+  std::vector<std::vector<int>> edges_;
+  mutable const std::function<bool(int, int)>* may_join_ = nullptr;
+};
+
+}  // namespace naive
