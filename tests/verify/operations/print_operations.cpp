@@ -7,11 +7,14 @@
 #include "restrip/tables/operations/bisect.hpp"
 #include "restrip/tables/operations/bisect_boundary.hpp"
 #include "restrip/tables/operations/bisect_costs.hpp"
+#include "restrip/tables/operations/bisect_matching.hpp"
 #include "restrip/tables/operations/flip_forest.hpp"
+#include "restrip/tables/operations/flip_matching.hpp"
 #include "restrip/tables/operations/join_faces.hpp"
 #include "restrip/tables/operations/merge.hpp"
 #include "restrip/tables/operations/merge_boundary.hpp"
 #include "restrip/tables/operations/merge_face_matching.hpp"
+#include "restrip/tables/operations/merge_matching.hpp"
 #include "restrip/tables/operations/refine_face.hpp"
 #include "restrip/tables/operations/split_face.hpp"
 
@@ -21,11 +24,14 @@ int main(int argc, char** argv) {
   if (is("bisect")) return tables::print_dump("bisect", tables::bisect);
   if (is("bisect-boundary")) return tables::print_dump("bisect-boundary", tables::bisect_boundary);
   if (is("bisect-costs")) return tables::print_dump("bisect-costs", tables::bisect_costs);
+  if (is("bisect-matching")) return tables::print_dump("bisect-matching", tables::bisect_matching);
   if (is("flip-forest")) return tables::print_dump("flip-forest", tables::flip_forest);
+  if (is("flip-matching")) return tables::print_dump("flip-matching", tables::flip_matching);
   if (is("join-faces")) return tables::print_dump("join-faces", tables::join_faces);
   if (is("merge")) return tables::print_dump("merge", tables::merge);
   if (is("merge-boundary")) return tables::print_dump("merge-boundary", tables::merge_boundary);
   if (is("merge-face-matching")) return tables::print_dump("merge-face-matching", tables::merge_face_matching);
+  if (is("merge-matching")) return tables::print_dump("merge-matching", tables::merge_matching);
   if (is("refine-face")) return tables::print_dump("refine-face", tables::refine_face);
   if (is("split-face")) return tables::print_dump("split-face", tables::split_face);
   std::fprintf(stderr,

@@ -1,0 +1,19 @@
+// The flip of an edge, where triangles are paired.
+// Written by `restrip-generate rules` from the operation file of flip-matching. Do not edit.
+// Explained in restrip/tables/operation_format.hpp.
+#pragma once
+
+#include "restrip/tables/operation_format.hpp"
+
+namespace restrip::tables {
+
+inline constexpr OperationTable<std::uint8_t, 16> flip_matching{
+    {2, 1},
+    {2, 1},
+    4,
+    true,
+    {
+    16, 1, 2, 255, 4, 5, 2, 255, 8, 1, 10, 255, 255, 255, 255, 255,
+    }};
+
+}  // namespace restrip::tables
