@@ -24,8 +24,8 @@
  * Threads. Different meshes may be used by different threads at once. One mesh may be read by several threads
  * (functions that take a const restrip_mesh *), or be changed by one. There is no other state.
  *
- * Costs are given for T triangles. Memory: some 30 bytes a triangle, three times as much with RESTRIP_POLICY_QUICK and
- * RESTRIP_POLICY_FULL, and what a live buffer or a baked mesh holds.
+ * Costs are given for T triangles. Memory: 24 bytes a triangle and 5 a vertex; 13 more a triangle under
+ * RESTRIP_POLICY_QUICK and RESTRIP_POLICY_FULL for fewest strips; and what a live buffer or a baked mesh holds.
  */
 #ifndef RESTRIP_H
 #define RESTRIP_H
@@ -43,8 +43,7 @@ extern "C" {
 #define RESTRIP_API
 #endif
 
-/* ---- Version ------------------------------------------------------------------------------------------------------
- */
+/* ---- Version ----------------------------------------------------------------------------------- */
 
 /* The number of this interface. It is part of the name of the shared library (librestrip_c.so.1) and goes up when a
  * program that was compiled with an older header can no longer use the library. New functions and new codes do not
@@ -56,8 +55,7 @@ RESTRIP_API uint32_t restrip_abi_version(void);
 /* Version of restrip, such as "0.2.0". */
 RESTRIP_API const char* restrip_version(void);
 
-/* ---- Errors -------------------------------------------------------------------------------------------------------
- */
+/* ---- Errors ------------------------------------------------------------------------------------ */
 
 typedef int32_t restrip_status;
 enum {
@@ -94,8 +92,7 @@ enum {
 /* One sentence for a person, in English. Never null, for any number. The text is constant. */
 RESTRIP_API const char* restrip_describe(restrip_status status);
 
-/* ---- A mesh -------------------------------------------------------------------------------------------------------
- */
+/* ---- A mesh ------------------------------------------------------------------------------------ */
 
 /* Triangles whose dual edges have colours, and the policy that keeps them. */
 typedef struct restrip_mesh restrip_mesh;
@@ -135,8 +132,7 @@ RESTRIP_API size_t restrip_mesh_vertex_bound(const restrip_mesh* mesh);
 /* The corners of triangle t, counter-clockwise. RESTRIP_BAD_ARGUMENT when there is no such triangle. */
 RESTRIP_API restrip_status restrip_mesh_corners(const restrip_mesh* mesh, uint32_t t, uint32_t corners[3]);
 
-/* ---- Halfedges ----------------------------------------------------------------------------------------------------
- */
+/* ---- Halfedges --------------------------------------------------------------------------------- */
 
 /* A directed mesh edge; its triangle lies to its left. Side s of triangle t, 4 t + s, runs from corner s to corner s
  * + 1. Other numbers name halfedges without a triangle, on the boundary. An operation leaves the halfedges of triangles
@@ -158,8 +154,7 @@ RESTRIP_API uint32_t restrip_mesh_triangle(const restrip_mesh* mesh, restrip_hal
 /* 1 when the dual edge across h is solid, else 0. */
 RESTRIP_API int restrip_mesh_solid(const restrip_mesh* mesh, restrip_halfedge h);
 
-/* ---- Colours ------------------------------------------------------------------------------------------------------
- */
+/* ---- Colours ----------------------------------------------------------------------------------- */
 
 /* Writes the colours of all triangles: bit s of byte t is set when the dual edge over side s of triangle t is solid.
  * The array has restrip_mesh_triangle_bound bytes. O(T). */
@@ -194,10 +189,11 @@ typedef struct restrip_cost {
 #define RESTRIP_FEWEST_INDICES \
   { 3, 1, 0 }
 
-enum {                          /* effort of restrip_mesh_stripify, in the order of the time they take */
-       RESTRIP_EFFORT_FAST = 0, /* one pass, O(T) */
-       RESTRIP_EFFORT_FULL = 1, /* some 10 microseconds a triangle */
-       RESTRIP_EFFORT_BEST = 2  /* up to ten times as long */
+/* Efforts of restrip_mesh_stripify, in the order of the time they take. */
+enum {
+  RESTRIP_EFFORT_FAST = 0, /* one pass, O(T) */
+  RESTRIP_EFFORT_FULL = 1, /* some 10 microseconds a triangle */
+  RESTRIP_EFFORT_BEST = 2  /* up to ten times as long */
 };
 /* Strips from scratch. The result depends on the mesh and the arguments alone. `limit` bounds the work of the slower
  * efforts, in searched states of a few hundred nanoseconds (fewest strips) or tried moves of some 80 ns; 0: 40 or 100
@@ -206,17 +202,16 @@ enum {                          /* effort of restrip_mesh_stripify, in the order
 RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t effort, const restrip_cost* cost,
                                                  uint64_t limit, size_t* strips);
 
-/* ---- Operations ---------------------------------------------------------------------------------------------------
- */
+/* ---- Operations -------------------------------------------------------------------------------- */
 
-enum {                           /* policies: how far an operation looks to keep strips long */
-       RESTRIP_POLICY_BARE = 0,  /* strips are not kept: dual edges of triangles that change become dashed */
-       RESTRIP_POLICY_LOCAL = 1, /* the proven rules, at the patch alone; under two times the cost of the bare update */
-       RESTRIP_POLICY_LINKED = 2, /* along the strips that touch the patch; about four times */
-       RESTRIP_POLICY_QUICK = 3,  /* small searches; some twenty times */
-       RESTRIP_POLICY_FULL = 4,   /* large searches; some hundred times */
-       RESTRIP_POLICY_BAKED = 5   /* meshes read by restrip_baked_read: levels are moved to by what was stored;
-                              restrip_mesh_keep   refuses it */
+/* Policies: how far an operation looks to keep strips long, and what it costs against the mesh update alone. */
+enum {
+  RESTRIP_POLICY_BARE = 0,   /* strips are not kept: dual edges of triangles that change become dashed */
+  RESTRIP_POLICY_LOCAL = 1,  /* the proven rules, at the patch alone; about twice */
+  RESTRIP_POLICY_LINKED = 2, /* along the strips that touch the patch; some four times */
+  RESTRIP_POLICY_QUICK = 3,  /* small searches; some twenty times */
+  RESTRIP_POLICY_FULL = 4,   /* large searches; some hundred times */
+  RESTRIP_POLICY_BAKED = 5   /* of restrip_baked_read: what was stored is played; restrip_mesh_keep refuses it */
 };
 /* From now on operations keep the strips by this policy, for this cost (docs/strips.md has figures). O(T). A baked mesh
  * leaves its levels by it. After an error the policy is what it was. */
@@ -262,8 +257,7 @@ RESTRIP_API restrip_status restrip_mesh_check_flip(const restrip_mesh* mesh, res
  * RESTRIP_POLICY_BAKED, which have no search. */
 RESTRIP_API restrip_status restrip_mesh_improve(restrip_mesh* mesh, size_t budget, size_t* saved);
 
-/* ---- Strips and index buffers out ---------------------------------------------------------------------------------
- */
+/* ---- Strips and index buffers out -------------------------------------------------------------- */
 
 /* These count and fill: with a null array they write what size is needed to *count and return RESTRIP_OK; with an array
  * they fill it and write its size in use to *count. If `capacity` is less than needed, they return RESTRIP_TOO_SMALL,
@@ -283,19 +277,14 @@ RESTRIP_API restrip_status restrip_mesh_strip_indices_u32(const restrip_mesh* me
 RESTRIP_API restrip_status restrip_mesh_strip_indices_u16(const restrip_mesh* mesh, uint16_t* indices, size_t capacity,
                                                           size_t* count);
 
-/* ---- The live buffer ----------------------------------------------------------------------------------------------
- */
+/* ---- The live buffer --------------------------------------------------------------------------- */
 
 /* An index buffer kept in step with the mesh, of which an update writes only what changed. A mesh has one at a time. */
 
-enum {                         /* form of the buffer */
-       RESTRIP_STRIPS_U32 = 0, /* draw as a triangle strip with primitive restart: at most 1.10 times the indices of the
-                                  strips, and 128 */
-       RESTRIP_STRIPS_U16 = 1,
-       RESTRIP_LIST_U32 =
-           2, /* draw as a triangle list, without gaps: an update writes less, the buffer is twice as long */
-       RESTRIP_LIST_U16 = 3
-};
+/* Forms of the buffer. Strips are to be drawn as a triangle strip with primitive restart; there are at most 1.10 times
+ * the indices that the strips need, and 128. A list is to be drawn as a triangle list: an update writes less, and the
+ * buffer is about twice as long. */
+enum { RESTRIP_STRIPS_U32 = 0, RESTRIP_STRIPS_U16 = 1, RESTRIP_LIST_U32 = 2, RESTRIP_LIST_U16 = 3 };
 /* Consecutive indices of the buffer. */
 typedef struct restrip_range {
   size_t first;
@@ -317,8 +306,7 @@ RESTRIP_API restrip_status restrip_live_indices(const restrip_mesh* mesh, const 
 /* Ends the live buffer, if there is one. */
 RESTRIP_API restrip_status restrip_live_end(restrip_mesh* mesh);
 
-/* ---- Baked meshes -------------------------------------------------------------------------------------------------
- */
+/* ---- Baked meshes ------------------------------------------------------------------------------ */
 
 /* A progressive mesh whose strips `restrip bake` decided for every level (docs/baked.md). Level n is the base with its
  * first n records played. All that is above works on it. An operation of your own (split, collapse, flip, stripify,
@@ -345,7 +333,7 @@ RESTRIP_API size_t restrip_baked_levels(const restrip_mesh* mesh);
 /* The level that the mesh is at. RESTRIP_OUT_OF_STEP when it is at none. */
 RESTRIP_API restrip_status restrip_baked_level(const restrip_mesh* mesh, size_t* level);
 /* Moves to a level, by at most `most` records (SIZE_MAX: all the way); `done` may be null, or receives how many were
- * played. A record takes under two times the bare mesh update. RESTRIP_BAD_ARGUMENT above the highest level. After
+ * played. A record takes about twice the bare mesh update. RESTRIP_BAD_ARGUMENT above the highest level. After
  * RESTRIP_OUT_OF_MEMORY the mesh has left its levels. */
 RESTRIP_API restrip_status restrip_baked_move(restrip_mesh* mesh, size_t level, size_t most, size_t* done);
 /* Back to level 0 and to RESTRIP_POLICY_BAKED, from any state. O(T). */
@@ -360,8 +348,7 @@ RESTRIP_API restrip_status restrip_baked_payload(const restrip_mesh* mesh, size_
 RESTRIP_API restrip_status restrip_baked_points(const restrip_mesh* mesh, const float** coordinates,
                                                 size_t* vertex_count);
 
-/* ---- Rules --------------------------------------------------------------------------------------------------------
- */
+/* ---- Rules ------------------------------------------------------------------------------------- */
 
 /* The rules by themselves, for a mesh of your own: from the colours of a patch before an operation to those after it.
  * Masks are numbered as in docs/notation.md: bit i of `loop` or `inner` is inner edge i, bit i of `ports` port i. k is
