@@ -7,6 +7,8 @@
 #include "lod/coloring_check.hpp"
 #include "lod/pm_file.hpp"
 #include "lod/simplify.hpp"
+#include "meshes/file_strips.hpp"
+#include "meshes/mend.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/strips.hpp"
@@ -19,13 +21,78 @@ namespace {
 
 using namespace tools;
 
-bool play(const Soup& soup) {
+void check_strips_of_file(const Soup& soup) {
+  for (const std::uint32_t index : soup.strips)
+    promise(index == strip_end || index < soup.points.size(), "an index of a strip is a vertex");
+  std::vector<Corners> drawn;
+  for (const Corners& t : soup.triangles)
+    if (!degenerate(t)) drawn.push_back(rotated(t));
+  std::vector<Corners> by_strips = decode_strips(soup.strips);
+  for (Corners& t : by_strips) t = rotated(t);
+  promise(soup.strips.empty() || by_strips == drawn, "the strips of a file draw its triangles");
+  std::vector<std::uint32_t> origin;
+  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size(), nullptr, &origin);
+  color_as_in_file(mesh, soup, origin);
+  promise(find_faults(mesh).empty(), "the strips of a file are valid");
+}
+
+bool play(Soup soup) {
   for (const Corners& t : soup.triangles)
     for (const std::uint32_t corner : t) promise(corner < soup.points.size(), "a corner is a vertex");
   StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
   stripify(mesh);
   promise(find_faults(mesh).empty(), "strips from scratch are valid");
+  if (!soup.strips.empty()) check_strips_of_file(soup);
+  Mended mended;
+  weld(soup, mended);
+  promise(coincident_vertices(soup) == 0, "no two vertices are at one place when they are welded");
+  try {
+    orient(soup, "f", mended);
+    BuildReport report;
+    (void)StripMesh::build(soup.triangles, soup.points.size(), &report);
+    promise(report.inconsistent_edges == 0, "neighbours agree when they are turned");
+  } catch (const BadInput&) {
+    // it has no orientation
+  }
+  if (!soup.strips.empty()) check_strips_of_file(soup);
   return true;
+}
+
+/// A GLB around this JSON and these bytes.
+std::string glb_of(std::string json, const std::string& binary) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string glb = "glTF";
+  const auto put = [&glb](std::size_t value) {
+    for (unsigned i = 0; i < 4; ++i) glb.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
+  };
+  put(2), put(28 + json.size() + binary.size());
+  put(json.size()), put(0x4E4F534A);
+  glb += json;
+  put(binary.size()), put(0x004E4942);
+  return glb + binary;
+}
+
+/// Sparse positions, bytes with a stride, nodes.
+std::string intricate_glb() {
+  const std::string binary = std::string(48, '\0') + std::string("\1\2\0\0\0\1\2\3\xFF\3\2\1", 12) +
+                             std::string("\0\0\x80\x3F\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3F\0\0\0\0", 24);
+  return glb_of(
+      R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_mesh_quantization"],"scene":0,"scenes":[{"nodes":[0]}],)"
+      R"("nodes":[{"scale":[-1,2,1],"children":[1]},{"mesh":0,"rotation":[0,0,1,0],"translation":[1,2,3]}],)"
+      R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":5},{"attributes":{"POSITION":0},)"
+      R"("mode":6},{"attributes":{"POSITION":2}}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,)"
+      R"("type":"VEC3","sparse":{"count":2,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":2}}},)"
+      R"({"bufferView":1,"byteOffset":4,"componentType":5121,"count":8,"type":"SCALAR"},{"bufferView":1,)"
+      R"("componentType":5120,"normalized":true,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":48},)"
+      R"({"buffer":0,"byteOffset":48,"byteLength":12},{"buffer":0,"byteOffset":60,"byteLength":24}],)"
+      R"("buffers":[{"byteLength":84}]})",
+      binary);
+}
+
+std::string text_gltf() {
+  return R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":)"
+         R"([{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+         R"("buffers":[{"byteLength":36,"uri":"data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
 }
 
 template <class Read>
@@ -67,6 +134,31 @@ bool play_baked(std::string_view bytes) {
   return true;
 }
 
+/// Hoppe's format: a tetrahedron, and two splits of it.
+std::string hoppe_pm() {
+  std::string bytes =
+      "# by hand\nPM\nversion=2\nnvsplits=2 nvertices=6 nwedges=4 nfaces=8\nbbox 0 0 0  1 1 1\nhas_rgb=0\nhas_uv=0\n"
+      "has_resid=0\nPM base mesh:\nnmaterials=1\nmatid=0\nnvertices=4 nwedges=4 nfaces=4\n";
+  const auto put = [&bytes](unsigned width, std::initializer_list<std::uint32_t> values) {
+    for (const std::uint32_t value : values)
+      for (unsigned i = width; i-- > 0;) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
+  };
+  constexpr std::uint32_t one = 0x3F800000;
+  put(4, {0, 0, 0, one, 0, 0, 0, one, 0, 0, 0, one});
+  for (std::uint32_t v = 0; v < 4; ++v) put(4, {v, one, 0, 0});
+  for (const Corners& face : {Corners{0, 2, 1}, Corners{0, 1, 3}, Corners{1, 2, 3}, Corners{2, 0, 3}}) {
+    put(4, {face[0], face[1], face[2]});
+    put(2, {0});
+  }
+  constexpr std::uint32_t all_the_same = 0x3F8;
+  for (const auto& [face, corner] : {std::pair{0U, 0U}, std::pair{4U, 1U}}) {
+    put(4, {face});
+    put(2, {2, all_the_same | corner});
+    put(4, {one, one, 0, 0, 0, 0, 0, 0, 0});
+  }
+  return bytes + "\xFF" + "End of PM\n";
+}
+
 std::string big_endian_ply() {
   return "ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty double x\nproperty float y\nproperty short z\n"
          "element face 1\nproperty list uint ushort vertex_index\nproperty uchar flag\nend_header\n" +
@@ -81,13 +173,21 @@ std::string ply_of_strips() {
   return strip_bytes({shape.points, indices, shape.triangles}, ".ply");
 }
 
+std::string glb_of_strips(GltfPrimitives primitives) {
+  const Soup shape = sheet(2);
+  StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
+  stripify(mesh);
+  const std::vector<std::uint32_t> indices = strip_indices(mesh);
+  return strip_bytes({shape.points, indices, shape.triangles}, ".glb", primitives);
+}
+
 }  // namespace
 
 std::vector<Target> mesh_targets() {
   const Soup shape = sheet(2);
   const ProgressiveMesh moved = simplify(sheet(3), {0.2, BoundaryPolicy::move}).mesh;
   const ProgressiveMesh locked = simplify(sheet(4), {0.5, BoundaryPolicy::lock}).mesh;
-  std::vector<std::string> pms{pm_bytes(moved), pm_bytes(locked)};
+  std::vector<std::string> pms{pm_bytes(moved), pm_bytes(locked), hoppe_pm()};
   BakedMesh loaded = bake(locked, {});
   loaded.payload = {2, std::vector<std::byte>(2 * locked.splits.size(), std::byte{7})};
   std::vector<std::string> bakeds{baked_bytes(bake(moved, {})), baked_bytes(bake(locked, {})), baked_bytes(loaded)};
@@ -119,6 +219,16 @@ std::vector<Target> mesh_targets() {
         "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
         "endsolid\n"},
        soup(read_stl),
+       10000},
+      {"gltf",
+       {glb_of_strips(GltfPrimitives::restart), glb_of_strips(GltfPrimitives::strips),
+        glb_of_strips(GltfPrimitives::list), intricate_glb(), text_gltf()},
+       refusing([](std::string_view bytes) {
+         const ReadBeside beside = [](const std::string&) -> std::string {
+           throw BadInput("f: there is no other file");
+         };
+         return play(read_gltf(bytes, "f", beside));
+       }),
        10000},
       {"pm", pms, refusing(check_pm), 10000},
       {"baked", bakeds, refusing(play_baked), 2000},

@@ -186,6 +186,11 @@ TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
   EXPECT_EQ(triangles("9 5 0 1 2 1 3\n"), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}})) << "a swap";
   EXPECT_EQ(triangles("9 8 0 1 2 -1 2 1 3 -1\n9 2 0 1\n9 3 2 3 4\n"),
             (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
+  const auto strips = [&](std::string_view lists) { return read_ply(with(lists), "f").strips; };
+  EXPECT_EQ(strips("9 8 0 1 2 -1 2 1 3 -1\n9 2 0 1\n9 3 2 3 4\n"),
+            (std::vector<std::uint32_t>{0, 1, 2, strip_end, 2, 1, 3, strip_end, 2, 3, 4}));
+  EXPECT_EQ(strips("9 5 0 1 2 1 3\n"), (std::vector<std::uint32_t>{0, 1, 2, 1, 3}));
+  expect_refused(read_ply, with("9 5 0 1 2 2 6\n"), "refers to vertex 6");
   expect_refused(read_ply, with("9 3 0 1 6\n"), "refers to vertex 6");
   expect_refused(read_ply, with("9 3 0 1 -2\n"), "strip list 0 has a corner -2, which is no vertex");
   expect_refused(read_ply, with("9 3 0 1\n"), "ends among the strips");
@@ -242,6 +247,13 @@ TEST_F(InFolder, WhatIsWrittenIsRead) {
     EXPECT_EQ(again.points, soup.points) << name;
     EXPECT_EQ(again.triangles, soup.triangles) << name;
   }
+  // STL has corners without indices: the same triangles in the same places.
+  const Soup stl = read_stl(mesh_bytes(soup, ".stl"), "f");
+  ASSERT_EQ(stl.triangles.size(), soup.triangles.size());
+  EXPECT_EQ(stl.points.size(), soup.points.size());
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_EQ(stl.points[stl.triangles[t][i]], soup.points[soup.triangles[t][i]]) << t;
 }
 
 TEST_F(InFolder, Refusals) {
@@ -259,7 +271,7 @@ TEST_F(InFolder, Refusals) {
   EXPECT_NE(refused(folder_ / "empty.ply").find("the file is empty"), std::string::npos);
   std::ofstream(folder_ / "a.xyz") << "0 0 0\n";
   EXPECT_NE(refused(folder_ / "a.xyz").find("unknown extension '.xyz'"), std::string::npos);
-  EXPECT_THROW((void)mesh_bytes(tetrahedron(), ".stl"), BadInput);
+  EXPECT_THROW((void)mesh_bytes(tetrahedron(), ".xyz"), BadInput);
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ TEST(PmFile, WhatIsWrittenIsRead) {
 TEST(PmFile, RefusesWhatItIsNot) {
   const std::string whole = pm_bytes(simplify(make_mesh(200), {0.2, BoundaryPolicy::move}).mesh);
   EXPECT_EQ(refusal(whole), "");
-  EXPECT_NE(refusal("").find("does not begin with 'ProgMesh'"), std::string::npos);
-  EXPECT_NE(refusal("# a mesh\n# by hand\nPM\nversion=2\n").find("Hoppe's format"), std::string::npos);
+  EXPECT_NE(refusal("").find("begins neither with 'ProgMesh'"), std::string::npos);
+  EXPECT_NE(refusal("# a mesh\n# by hand\nPM\nversion=2\n").find("ends inside its header"), std::string::npos);
   EXPECT_NE(refusal(whole.substr(0, 12)).find("ends inside its header"), std::string::npos);
   EXPECT_NE(refusal(whole.substr(0, whole.size() - 1)).find("is it complete?"), std::string::npos);
   std::string wrong = whole;
@@ -98,9 +98,16 @@ TEST(PmFile, TheOtherOrientationDoesNotFit) {
   EXPECT_GT(replay(Plan("local", mesh), {}, {2, 0, 0}).operations_without_rule, 0U);
 }
 
-TEST(PmFile, HoppesIsNamed) {
+// The counts are those of the file's own header.
+TEST(PmFile, HoppesIsReadAndReplayed) {
   const auto file = REAL_MESH("hoppe_standingblob.pm");
-  EXPECT_THROW((void)read_pm(file), BadInput);
+  const ProgressiveMesh mesh = read_pm(file);
+  EXPECT_EQ(mesh.points.size(), 11'676U);
+  EXPECT_EQ(mesh.splits.size(), 11'672U);
+  EXPECT_EQ(mesh.fine_triangles(), 23'348U);
+  const ReplayReport report = replay(Plan("local", mesh), {}, {2, 0, 0});
+  EXPECT_EQ(report.operations_without_rule, 0U);
+  EXPECT_TRUE(report.valid());
 }
 
 }  // namespace

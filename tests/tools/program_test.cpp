@@ -25,7 +25,7 @@ using Program = ScratchFolder;
 TEST_F(Program, HelpAndVersion) {
   EXPECT_EQ(run_program("--version").code, 0);
   EXPECT_TRUE(run_program("--version").out.starts_with("restrip "));
-  for (const char* command : {"", "stats", "replay", "simplify", "make-mesh", "stripify", "bake", "draw", "paper"}) {
+  for (const char* command : {"", "stats", "replay", "simplify", "convert", "make-mesh", "stripify", "bake", "draw", "paper"}) {
     const Outcome help = run_program(fmt::format("{} --help", command));
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_NE(help.out.find("Example: restrip "), std::string::npos) << command;
@@ -313,10 +313,11 @@ TEST_F(Meshes, AnInputIsNoOutput) {
 
 TEST_F(Meshes, AnOutputIsOfItsFormat) {
   for (const auto& [command, out] : std::vector<std::array<const char*, 2>>{
-           {"simplify '{0}/a.obj' -o '{0}/{1}'", "b.obj"},
+           {"simplify '{0}/a.obj' -o '{0}/{1}'", "b.off"},
+           {"convert '{0}/a.obj' -o '{0}/{1}'", "b.xyz"},
            {"bake '{0}/a.pm' -o '{0}/{1}'", "b.pm"},
            {"draw -o '{0}/{1}'", "x.png"},
-           {"make-mesh -o '{0}/{1}'", "x.stl"},
+           {"make-mesh -o '{0}/{1}'", "x.xyz"},
            {"make-mesh -o '{0}/{1}'", "x"},
            {"replay --built-in --json '{0}/{1}'", "b.baked"},
        }) {

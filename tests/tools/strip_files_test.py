@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
-"""Claim: `restrip stripify -o` writes, in every format, the oriented triangles of its input, as the strips that it tells of;
-and reads its own PLY strips back. The files are taken apart here by their formats' definitions, with no code of restrip's.
+"""Claims: `restrip stripify -o` writes, in every format, the oriented triangles of its input, as the strips that it tells of;
+strips come back as they were, also through `restrip convert`; `simplify` and `replay` write the levels that they are asked
+for; --weld and --orient do what they say and nothing else. The files are taken apart here by their formats' definitions,
+with no code of restrip's.
 
     strip_files_test.py restrip SCRATCH
 """
@@ -10,114 +12,15 @@ import struct
 import subprocess
 import sys
 
+from strip_readers import RESTART, drawn, glb, obj, ply, rotated, strips_between, triangles_of_strip
+
 restrip, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
-RESTART = {2: 0xFFFF, 4: 0xFFFFFFFF}
 
 
 def run(*arguments, code=0):
     done = subprocess.run([restrip, *map(str, arguments)], capture_output=True, text=True, check=False)
     assert done.returncode == code, (arguments, done.returncode, done.stderr)
     return done
-
-
-def rotated(corners):
-    at = corners.index(min(corners))
-    return tuple(corners[at:] + corners[:at])
-
-
-def triangles_of_strip(strip):
-    made = []
-    for i in range(len(strip) - 2):
-        a, b, c = strip[i:i + 3]
-        if len({a, b, c}) == 3:
-            made.append(rotated([a, b, c] if i % 2 == 0 else [b, a, c]))
-    return made
-
-
-def strips_between(indices, restart):
-    strips = [[]]
-    for index in indices:
-        if index == restart:
-            strips.append([])
-        else:
-            strips[-1].append(index)
-    return strips
-
-
-def drawn(strips):
-    return sorted(t for strip in strips for t in triangles_of_strip(strip))
-
-
-def obj(path):
-    points, triangles = [], []
-    for line in path.read_text().splitlines():
-        words = line.split()
-        if words[:1] == ["v"]:
-            points.append(struct.unpack("<3f", struct.pack("<3f", *map(float, words[1:]))))
-        elif words[:1] == ["f"]:
-            triangles.append(rotated([int(word) - 1 for word in words[1:]]))
-    return points, sorted(triangles)
-
-
-def ply(path):
-    head, body = path.read_bytes().split(b"end_header\n", 1)
-    lines = head.decode().splitlines()
-    assert lines[:2] == ["ply", "format binary_little_endian 1.0"], lines
-    assert lines[3:6] == [f"property float {axis}" for axis in "xyz"], lines
-    assert lines[6:] == ["element tristrips 1", "property list int int vertex_indices"], lines
-    count = int(lines[2].removeprefix("element vertex "))
-    points = list(struct.iter_unpack("<3f", body[:12 * count]))
-    (length,) = struct.unpack_from("<i", body, 12 * count)
-    assert len(body) == 12 * count + 4 + 4 * length
-    return points, strips_between(struct.unpack_from(f"<{length}i", body, 12 * count + 4), -1)
-
-
-def glb(path):
-    """The points, and (mode, indices, width) of each primitive; checks what the format demands of what is there."""
-    data = path.read_bytes()
-    magic, version, length = struct.unpack_from("<4sII", data)
-    assert (magic, version, length) == (b"glTF", 2, len(data))
-    chunks, at = [], 12
-    while at < len(data):
-        size, kind = struct.unpack_from("<I4s", data, at)
-        assert size % 4 == 0
-        chunks.append((kind, data[at + 8:at + 8 + size]))
-        at += 8 + size
-    assert at == len(data) and [kind for kind, _ in chunks] == [b"JSON", b"BIN\0"]
-    doc, binary = json.loads(chunks[0][1]), chunks[1][1]
-    assert doc["asset"]["version"] == "2.0" and doc["scenes"][doc["scene"]]["nodes"] == [0]
-    assert 0 <= len(binary) - doc["buffers"][0]["byteLength"] < 4
-
-    def accessor(number):
-        about = doc["accessors"][number]
-        view = doc["bufferViews"][about["bufferView"]]
-        letter, width = {5123: ("H", 2), 5125: ("I", 4), 5126: ("f", 4)}[about["componentType"]]
-        parts = {"SCALAR": 1, "VEC3": 3}[about["type"]]
-        offset = about.get("byteOffset", 0)
-        size = width * parts * about["count"]
-        assert about["count"] > 0 and offset % width == 0 and offset + size <= view["byteLength"]
-        begin = view.get("byteOffset", 0) + offset
-        assert begin % width == 0 and view.get("byteOffset", 0) + view["byteLength"] <= doc["buffers"][0]["byteLength"]
-        flat = struct.unpack(f"<{parts * about['count']}{letter}", binary[begin:begin + size])
-        return about, width, flat
-
-    primitives = doc["meshes"][doc["nodes"][0]["mesh"]]["primitives"]
-    about, _, flat = accessor(primitives[0]["attributes"]["POSITION"])
-    points = list(zip(*[iter(flat)] * 3))
-    for axis in range(3):
-        for bound, of in ((about["min"], min), (about["max"], max)):
-            told = struct.unpack("<f", struct.pack("<f", bound[axis]))[0]
-            assert told == of(point[axis] for point in points)
-    made = []
-    for primitive in primitives:
-        assert primitive["attributes"] == primitives[0]["attributes"]
-        _, width, indices = accessor(primitive["indices"])
-        made.append((primitive["mode"], list(indices), width))
-    extensions = doc.get("extensionsRequired", [])
-    assert extensions == doc.get("extensionsUsed", [])
-    restarts = any(RESTART[width] in indices for _, indices, width in made)
-    assert extensions == (["KHR_mesh_primitive_restart"] if restarts else [])
-    return points, made
 
 
 def check(name, triangles, width):
@@ -148,20 +51,96 @@ def check(name, triangles, width):
     assert (mode, list_width) == (4, width)
     assert sorted(rotated(flat[i:i + 3]) for i in range(0, len(flat), 3)) == expected
 
-    # Back in: the same oriented triangles, whatever strips they came in.
-    run("stripify", scratch / f"{name}.ply", "-o", scratch / f"{name}-again.obj")
-    assert obj(scratch / f"{name}-again.obj") == (points, expected)
+    # Back in: the same oriented triangles, whatever strips they came in, and the same strips where they are wanted.
+    every = (f"{name}.ply", f"{name}.glb", f"{name}-strips.glb")
+    for back in every if width == 2 else [f"{name}.glb"]:
+        run("stripify", scratch / back, "-o", scratch / f"{name}-again.obj")
+        assert obj(scratch / f"{name}-again.obj") == (points, expected), back
+        report = run("stripify", scratch / back, "--effort", "file", "-o", scratch / f"{name}-kept.ply", "--json", "-").stdout
+        kept = json.loads(report)
+        assert (kept["strips"], kept["cut_strips"], kept["valid"]) == (told["strips"], 0, True), (back, kept)
+        assert sorted(sorted(triangles_of_strip(strip)) for strip in ply(scratch / f"{name}-kept.ply")[1]) == \
+            sorted(sorted(triangles_of_strip(strip)) for strip in strips), back
+        # Converted, the index buffer is the very same.
+        run("convert", scratch / back, "-o", scratch / f"{name}-converted.ply")
+        assert ply(scratch / f"{name}-converted.ply") == (points, strips), back
+        run("convert", scratch / back, "-o", scratch / f"{name}-converted.bin")
+        assert (scratch / f"{name}-converted.bin").read_bytes() == (scratch / f"{name}.bin").read_bytes(), back
+        run("convert", scratch / back, "-o", scratch / f"{name}-converted.glb")
+        assert glb(scratch / f"{name}-converted.glb") == (points, [(5, primitives[0][1], width)]), back
+
+    # A list stays a list.
+    if width == 4:
+        return
+    run("convert", scratch / f"{name}-list.glb", "-o", scratch / f"{name}-converted.obj")
+    assert obj(scratch / f"{name}-converted.obj") == (points, expected)
+    run("convert", source, "-o", scratch / f"{name}-converted.glb")
+    _, ((mode, flat, _),) = glb(scratch / f"{name}-converted.glb")
+    assert mode == 4 and sorted(rotated(list(flat[i:i + 3])) for i in range(0, len(flat), 3)) == expected
 
 
 scratch.mkdir(parents=True, exist_ok=True)
 check("small", 600, 2)
 check("large", 140_000, 4)  # more than 65,534 vertices
 
+
+
+def at_places(points, triangles):
+    return sorted(rotated([points[v] for v in t]) for t in triangles)
+
+
+def euler(triangles):
+    edges = {frozenset(e) for a, b, c in triangles for e in ((a, b), (b, c), (c, a))}
+    directed = {e for a, b, c in triangles for e in ((a, b), (b, c), (c, a))}
+    assert len(directed) == 3 * len(triangles) == 2 * len(edges), "a closed oriented manifold"
+    return len({v for t in triangles for v in t}) - len(edges) + len(triangles)
+
+
+# Levels of detail: of the size asked for, a torus still, and the finest one the mesh itself.
 mesh = scratch / "small.obj"
+points, expected = obj(mesh)
+told = json.loads(run("simplify", mesh, "--triangles", 100, "-o", scratch / "level.ply", "--json", "-").stdout)
+_, strips = ply(scratch / "level.ply")
+assert len(drawn(strips)) == told["base_triangles"] == told["wanted_base_triangles"] == 100 and euler(drawn(strips)) == 0
+assert len(strips) == told["strips"]
+for policy, size in (("local", 300), ("baked", 301), ("linked", None)):
+    run("replay", mesh, "--repeats", 0, "--policy", policy, *(("--triangles", size) if size else ()), "-o", scratch / "level.glb",
+        "--gltf", "strips")
+    level_points, primitives = glb(scratch / "level.glb")
+    triangles = drawn([strip for _, strip, _ in primitives])
+    assert (size or len(expected)) <= len(triangles) <= (size or len(expected)) + 1 and euler(triangles) == 0, (policy, size)
+    if not size:
+        assert at_places(level_points, triangles) == at_places(points, expected)
+refused = run("replay", "--built-in", "-o", scratch / "x.ply", code=2).stderr
+assert "--built-in" in refused, refused
+
+# Welding and orienting: taken apart and turned over here, the mesh comes back.
+with open(scratch / "apart.obj", "w") as file:
+    for number, t in enumerate(expected):
+        for v in t if number % 5 else t[::-1]:
+            file.write("v {!r} {!r} {!r}\n".format(*points[v]))
+        file.write(f"f {3 * number + 1} {3 * number + 2} {3 * number + 3}\n")
+about = run("stats", scratch / "apart.obj").stdout
+assert "--weld" in about, about
+told = json.loads(run("convert", scratch / "apart.obj", "--weld", "-o", scratch / "welded.obj", "--json", "-").stdout)
+assert told["mended"] == {"welded_vertices": 3 * len(expected) - len(points), "vanished_triangles": 0, "turned_triangles": 0}
+about = run("stripify", scratch / "welded.obj").stdout
+assert "--orient" in about and "--weld" not in about, about
+about = run("stripify", scratch / "apart.obj", "--weld", "--orient", "--json", scratch / "mended.json",
+            "-o", scratch / "mended.obj").stdout
+turned = (len(expected) + 4) // 5
+assert f"oriented: {turned} triangles turned" in about and "--orient" not in about, about
+assert json.loads((scratch / "mended.json").read_text())["mended"]["turned_triangles"] == turned
+mended_points, mended = obj(scratch / "mended.obj")
+assert at_places(mended_points, mended) == at_places(points, expected) and len(mended_points) == len(points)
+refused = run("stats", scratch / "apart.obj", "--weld", "--orient", "--json", scratch / "stats.json").stdout
+assert json.loads((scratch / "stats.json").read_text())["genus"] == 1, refused
+
 for arguments, words in (
         (("-o", scratch / "x.off"), "name a file that ends so"),
         (("-o", scratch / "x.ply", "--gltf", "list"), "--gltf"),
         (("--gltf", "list"), "--gltf"),
+        (("--effort", "file"), "has no strips"),
         (("-o", mesh), "small.obj")):
     before = mesh.read_bytes()
     refused = run("stripify", mesh, *arguments, code=2).stderr

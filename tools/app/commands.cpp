@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/level_file.hpp"
 #include "common/bad_input.hpp"
 #include "common/report_output.hpp"
 #include "common/stopwatch.hpp"
@@ -56,9 +57,16 @@ Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
   return source;
 }
 
-Source source_of(const std::filesystem::path& file, const SimplifyOptions& options, bool options_given) {
-  if (!is_baked(file) && !is_progressive(file)) return simplified(file.string(), read_mesh(file), options);
+Source source_of(const std::filesystem::path& file, const MendingOptions& mending, const SimplifyOptions& options,
+                 bool options_given) {
+  if (!is_baked(file) && !is_progressive(file)) {
+    Mended mended;
+    Source source = simplified(file.string(), read_mesh(file, mending, mended), options);
+    source.subject.mended = mended;
+    return source;
+  }
   refuse_simplifying(file, options_given);
+  refuse_mending(file, mending);
   Source source;
   source.subject.name = file.string();
   if (is_baked(file)) {
@@ -120,6 +128,7 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Pl
 int run(const StatsCommand& command) {
   const ReportOutput out(command.json, {command.mesh});
   if (is_progressive(command.mesh) || is_baked(command.mesh)) {
+    refuse_mending(command.mesh, command.mending);
     // The base is a mesh like any other.
     ProgressiveMesh mesh = is_baked(command.mesh) ? read_baked(command.mesh).mesh : read_pm(command.mesh);
     Soup soup;
@@ -130,16 +139,19 @@ int run(const StatsCommand& command) {
     out.print(as_text(report, command.mesh.string() + " (its base)"), as_json(report));
     return 0;
   }
-  const MeshReport report = report_on(read_mesh(command.mesh));
-  out.print(as_text(report, command.mesh.string()), as_json(report));
+  Mended mended;
+  const MeshReport report = report_on(read_mesh(command.mesh, command.mending, mended));
+  out.print(as_text(report, command.mesh.string(), mended), as_json(report, mended));
   return 0;
 }
 
 int run(const ReplayCommand& command) {
-  const ReportOutput out(command.json, {command.mesh});
+  std::optional<files::Output> level;
+  if (!command.out.empty()) level.emplace(command.out, files::OutputRules{written_strip_extensions(), {command.mesh}});
+  const ReportOutput out(command.json, {command.mesh, command.out});
   Source source = command.built_in
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
-                      : source_of(command.mesh, command.simplify, command.simplify_given);
+                      : source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
   const Way& way = command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way);
   Plan::Given given;
   given.cost = command.cost;
@@ -154,24 +166,48 @@ int run(const ReplayCommand& command) {
   std::optional<WalkTaken> walk;
   if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command, plan);
 
-  out.print(as_text(report, source.subject) + (walk ? as_text(*walk) : ""), as_json(report, source.subject, walk));
+  std::string text = as_text(report, source.subject) + (walk ? as_text(*walk) : "");
+  if (level && report.valid()) {
+    const std::size_t triangles = command.out_triangles == 0 ? report.triangles : command.out_triangles;
+    const LevelFile file = level_file(plan, triangles, files::extension_of(command.out), command.gltf);
+    level->write(file.bytes);
+    text += fmt::format("\n  {}: {} triangles in {} strips\n", command.out.string(), file.triangles, file.strips);
+  }
+  out.print(text, as_json(report, source.subject, walk));
   return report.valid() && (!walk || walk->report.fault.empty()) ? 0 : 1;
 }
 
 int run(const SimplifyCommand& command) {
-  const files::Output out(command.out, {{".pm"}, {command.mesh}});
+  std::vector<std::string> extensions = written_strip_extensions();
+  extensions.emplace_back(".pm");
+  const files::Output out(command.out, {extensions, {command.mesh}});
   const ReportOutput report(command.json, {command.mesh, command.out});
-  const Simplification result = simplify(read_mesh(command.mesh), command.simplify);
-  out.write(pm_bytes(result.mesh));
-  std::string text = fmt::format("{}: {} triangles and {} splits to {}\n", command.out.string(),
-                                 result.mesh.base.size(), result.mesh.splits.size(), result.mesh.fine_triangles());
-  if (result.mesh.base.size() > result.wanted_triangles)
+  Mended mended;
+  const Simplification result = simplify(read_mesh(command.mesh, command.mending, mended), command.simplify);
+  const ProgressiveMesh& made = result.mesh;
+  nlohmann::ordered_json json{{"base_triangles", made.base.size()},
+                              {"wanted_base_triangles", result.wanted_triangles},
+                              {"splits", made.splits.size()},
+                              {"triangles", made.fine_triangles()}};
+  std::string text = as_text(mended);
+  const std::string extension = files::extension_of(command.out);
+  if (is_progressive(command.out) || extension.empty()) {
+    out.write(pm_bytes(made));
+    text += fmt::format("{}: {} triangles and {} splits to {}\n", command.out.string(), made.base.size(),
+                        made.splits.size(), made.fine_triangles());
+  } else {
+    StripMesh base = StripMesh::build(made.base, made.points.size());
+    stripify(base);
+    const LevelFile file = level_file(base, made.points, extension, command.gltf);
+    out.write(file.bytes);
+    json["strips"] = file.strips;
+    text += fmt::format("{}: {} of {} triangles, in {} strips\n", command.out.string(), file.triangles,
+                        made.fine_triangles(), file.strips);
+  }
+  if (made.base.size() > result.wanted_triangles)
     text += fmt::format("a base of {} triangles was wanted; {}\n", result.wanted_triangles,
                         why_no_coarser(result.left_out));
-  const nlohmann::ordered_json json{{"base_triangles", result.mesh.base.size()},
-                                    {"wanted_base_triangles", result.wanted_triangles},
-                                    {"splits", result.mesh.splits.size()},
-                                    {"triangles", result.mesh.fine_triangles()}};
+  if (mended.any_asked()) json["mended"] = json_of(mended);
   report.print(text, json.dump(2) + "\n");
   return 0;
 }
@@ -179,7 +215,7 @@ int run(const SimplifyCommand& command) {
 int run(const BakeCommand& command) {
   const files::Output out(command.out, {{std::string(baked_extension)}, {command.mesh}});
   const ReportOutput told(command.json, {command.mesh, command.out});
-  Source source = source_of(command.mesh, command.simplify, command.simplify_given);
+  Source source = source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
   BakeReport report;
   BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
   if (source.baked) baked.payload = std::move(source.baked->payload);  // the records are the same
@@ -189,30 +225,33 @@ int run(const BakeCommand& command) {
   const std::size_t records = baked.records.size();
   const auto each = static_cast<double>(std::max<std::size_t>(records, 1));
   const BakedCosts costs = costs_of(baked, report.seconds);
-  const nlohmann::ordered_json json{{"base_triangles", baked.base.triangle_count()},
-                                    {"triangles", baked.mesh.fine_triangles()},
-                                    {"records", records},
-                                    {"components", report.components},
-                                    {"base_strips", report.base_strips},
-                                    {"top_strips", report.top_strips},
-                                    {"top_indices", report.top_indices},
-                                    {"top_at_least", report.top_at_least},
-                                    {"most_strips", report.most_strips},
-                                    {"levels_with_fewest", report.fewest_levels},
-                                    {"flips_per_record", costs.flips_per_record},
-                                    {"bytes_per_record", costs.bytes_per_record},
-                                    {"bytes", bytes},
-                                    {"states", report.states},
-                                    {"seconds", report.seconds}};
-  const std::string text = fmt::format(
-      "{}: {} triangles and {} records to {}\n"
-      "{} strips at the base, {} at the finest level (where {} are needed at least), {} at most; {} connected "
-      "components, {:.2f} % of the levels in as many strips\n"
-      "{:.2f} flips and {:.1f} bytes a record, {} bytes in all; {:.1f} seconds\n",
-      command.out.string(), baked.base.triangle_count(), records, baked.mesh.fine_triangles(), report.base_strips,
-      report.top_strips, report.top_at_least, report.most_strips, report.components,
-      100.0 * static_cast<double>(report.fewest_levels) / (each + 1), costs.flips_per_record, costs.bytes_per_record,
-      bytes, report.seconds);
+  nlohmann::ordered_json json{{"base_triangles", baked.base.triangle_count()},
+                              {"triangles", baked.mesh.fine_triangles()},
+                              {"records", records},
+                              {"components", report.components},
+                              {"base_strips", report.base_strips},
+                              {"top_strips", report.top_strips},
+                              {"top_indices", report.top_indices},
+                              {"top_at_least", report.top_at_least},
+                              {"most_strips", report.most_strips},
+                              {"levels_with_fewest", report.fewest_levels},
+                              {"flips_per_record", costs.flips_per_record},
+                              {"bytes_per_record", costs.bytes_per_record},
+                              {"bytes", bytes},
+                              {"states", report.states},
+                              {"seconds", report.seconds}};
+  if (source.subject.mended.any_asked()) json["mended"] = json_of(source.subject.mended);
+  const std::string text =
+      as_text(source.subject.mended) +
+      fmt::format(
+          "{}: {} triangles and {} records to {}\n"
+          "{} strips at the base, {} at the finest level (where {} are needed at least), {} at most; {} connected "
+          "components, {:.2f} % of the levels in as many strips\n"
+          "{:.2f} flips and {:.1f} bytes a record, {} bytes in all; {:.1f} seconds\n",
+          command.out.string(), baked.base.triangle_count(), records, baked.mesh.fine_triangles(), report.base_strips,
+          report.top_strips, report.top_at_least, report.most_strips, report.components,
+          100.0 * static_cast<double>(report.fewest_levels) / (each + 1), costs.flips_per_record,
+          costs.bytes_per_record, bytes, report.seconds);
   told.print(text, json.dump(2) + "\n");
   return 0;
 }
@@ -237,7 +276,9 @@ int run(const DrawCommand& command) {
   const files::Output out(command.out, {{".json"}, {command.mesh}});
   const ReportOutput report(command.json, {command.mesh, command.out});
   constexpr std::size_t triangles_in_a_picture = 2400;
-  Soup soup = command.mesh.empty() ? make_mesh(triangles_in_a_picture) : read_mesh(command.mesh);
+  Mended mended;
+  Soup soup =
+      command.mesh.empty() ? make_mesh(triangles_in_a_picture) : read_mesh(command.mesh, command.mending, mended);
   if (command.mesh.empty()) smooth(soup, 4);
   const ProgressiveMesh source = simplify(soup, {}).mesh;
   StripMesh mesh = StripMesh::build(source.base, source.points.size());
@@ -259,8 +300,9 @@ int run(const DrawCommand& command) {
     for (const Triangle t : strips[s]) strip.push_back(mesh.corners(t));
   }
   out.write(picture.dump() + "\n");
-  const nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", strips.size()}};
-  report.print("", json.dump(2) + "\n");
+  nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", strips.size()}};
+  if (mended.any_asked()) json["mended"] = json_of(mended);
+  report.print(as_text(mended), json.dump(2) + "\n");
   return 0;
 }
 

@@ -11,6 +11,7 @@
 #include "lod/bake.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
+#include "meshes/mend.hpp"
 #include "meshes/strip_file.hpp"
 #include "paper/paper.hpp"
 #include "replay/replay.hpp"
@@ -20,6 +21,7 @@ namespace restrip::tools {
 
 struct StatsCommand {
   std::filesystem::path mesh;
+  MendingOptions mending;
   std::string json;
 };
 int run(const StatsCommand& command);
@@ -36,17 +38,35 @@ struct ReplayCommand {
   Cost cost = Cost::strips();  ///< what is kept low
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
+  std::filesystem::path out;      ///< where a level is written, with its strips; empty: nowhere
+  std::size_t out_triangles = 0;  ///< of that level, at least; 0: the finest one
+  GltfPrimitives gltf = GltfPrimitives::restart;
+  MendingOptions mending;
   std::string json;
 };
 int run(const ReplayCommand& command);
 
 struct SimplifyCommand {
   std::filesystem::path mesh;
-  std::filesystem::path out;
+  std::filesystem::path out;  ///< .pm: a progressive mesh; else its base, with strips from scratch
+  GltfPrimitives gltf = GltfPrimitives::restart;
   SimplifyOptions simplify;
+  MendingOptions mending;
   std::string json;
 };
 int run(const SimplifyCommand& command);
+
+/// A mesh in another format. Strips of the file stay where the new format has strips.
+struct ConvertCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path out;
+  GltfPrimitives gltf = GltfPrimitives::restart;
+  bool gltf_given = false;
+  MendingOptions mending;
+  std::string json;
+};
+int run(const ConvertCommand& command);
+[[nodiscard]] std::vector<std::string> converted_extensions();
 
 struct BakeCommand {
   std::filesystem::path mesh;
@@ -54,6 +74,7 @@ struct BakeCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;
   BakeOptions bake;
+  MendingOptions mending;
   std::string json;
 };
 int run(const BakeCommand& command);
@@ -70,10 +91,12 @@ struct StripifyCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;  ///< empty: the strips are counted and not written
   GltfPrimitives gltf = GltfPrimitives::restart;
+  bool as_in_file = false;  ///< the strips that the file has, in place of the next four
   Effort effort = Effort::fast;
   Cost cost = Cost::strips();
   std::uint64_t limit = 0;  ///< of stripify(), for each triangle; 0: its own
   std::uint64_t seed = 1;
+  MendingOptions mending;
   std::string json;
 };
 int run(const StripifyCommand& command);
@@ -83,6 +106,7 @@ int run(const StripifyCommand& command);
 struct DrawCommand {
   std::filesystem::path mesh;  ///< empty: the built-in mesh
   std::filesystem::path out;
+  MendingOptions mending;
   std::string json;
 };
 int run(const DrawCommand& command);
@@ -92,6 +116,7 @@ int run(const DrawCommand& command);
 struct PaperCommand {
   std::filesystem::path out;  ///< a folder; made when it is not there
   std::vector<std::filesystem::path> meshes;
+  MendingOptions mending;
   PaperOptions options;
   std::string json;
 };

@@ -2,20 +2,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <map>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "files/reading.hpp"
 #include "files/system_calls.hpp"
+#include "meshes/mesh_file.hpp"
 #include "meshes/soup_builder.hpp"
-#include "meshes/text_cursor.hpp"
 #include "replay/ways.hpp"
 
 namespace {
@@ -24,57 +24,10 @@ using namespace restrip::tools;
 
 constexpr int exit_bad_input = 2;
 
-/// CLI11 takes -1 for the largest number there is, and a number that is too large as well.
-const CLI::Validator whole_number(
-    [](std::string& word) {
-      return parse<std::uint64_t>(word) ? std::string() : fmt::format("{} is no whole number below 2^64", word);
-    },
-    "", "whole number");
-
-/// A range admits what is no number at all.
-const CLI::Validator true_number(
-    [](std::string& word) {
-      const auto number = parse<double>(word);
-      return number && std::isfinite(*number) ? std::string() : fmt::format("{} is no number", word);
-    },
-    "", "number");
-
-void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
-  app.add_option("--base", options.base, "share of the triangles that the coarsest level keeps")
-      ->check(true_number)
-      ->check(CLI::Range(1e-9, 1.0))
-      ->capture_default_str();
-  app.add_option_function<std::string>(
-         "--boundary",
-         [&options](const std::string& word) {
-           options.boundary = word == "lock" ? BoundaryPolicy::lock : BoundaryPolicy::move;
-         },
-         "lock: only edges between interior vertices collapse; move: boundary edges too")
-      ->check(CLI::IsMember({"lock", "move"}))
-      ->default_str(options.boundary == BoundaryPolicy::lock ? "lock" : "move");
-}
-
-bool simplify_options_given(const CLI::App& app) { return app.count("--base") + app.count("--boundary") != 0; }
-
-void add_json_option(CLI::App& app, std::string& json) {
-  app.add_option("--json", json, "write the report as JSON to this file; - for standard output, in place of the text")
-      ->option_text("FILE");
-}
-
-void add_cost_option(CLI::App& app, restrip::Cost& cost) {
-  app.add_option_function<std::string>(
-         "--cost",
-         [&cost](const std::string& word) {
-           cost = word == "indices" ? restrip::Cost::indices() : restrip::Cost::strips();
-         },
-         "what is to be few: strips, or indices of plain triangle strips with primitive restart")
-      ->check(CLI::IsMember({"strips", "indices"}))
-      ->default_str("strips");
-}
-
 CLI::App* add_stats(CLI::App& app, StatsCommand& command) {
   CLI::App* sub = app.add_subcommand("stats", "Count what a mesh has: triangles per vertex, boundary, faults");
-  sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or .pm (its base)")->required();
+  sub->add_option("mesh", command.mesh, mesh_formats() + "; .pm or .baked: its base")->required();
+  add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->footer("Example: restrip stats bunny.obj");
   return sub;
@@ -82,15 +35,21 @@ CLI::App* add_stats(CLI::App& app, StatsCommand& command) {
 
 CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   CLI::App* sub = app.add_subcommand("replay", "Simplify a mesh, then replay every vertex split with its strips kept");
-  CLI::Option* mesh = sub->add_option(
-      "mesh", command.mesh, ".obj, .off, .ply, .stl, a progressive mesh of OpenMesh (.pm) or a baked one (.baked)");
+  CLI::Option* mesh =
+      sub->add_option("mesh", command.mesh, mesh_formats() + "; a progressive mesh (.pm) or a baked one (.baked)");
   CLI::Option* built_in =
       sub->add_flag("--built-in", command.built_in, "a torus made by the program, instead of a file");
   mesh->excludes(built_in);
-  sub->add_option("--triangles", command.built_in_triangles, "size of the built-in mesh")
-      ->needs(built_in)
-      ->check(CLI::Range(least_made_triangles, most_made_triangles))
-      ->capture_default_str();
+  CLI::Option* triangles =
+      sub->add_option(
+             "--triangles", command.out_triangles,
+             "with --built-in the size of that mesh (default: 100000); with -o the least size of the level that "
+             "is written (default: the finest)")
+          ->check(CLI::Range(std::size_t{1}, max_triangles));
+  CLI::Option* output = sub->add_option("-o,--output", command.out,
+                                        "writes a level with its strips, kept under the policy: " + strip_formats())
+                            ->excludes(built_in);
+  CLI::Option* gltf = add_gltf_option(*sub, command.gltf)->needs(output);
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--levels", command.replay.levels, "levels of detail to report")
       ->check(CLI::Range(2, 1000))
@@ -107,7 +66,7 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
       ->check(CLI::IsMember({"strips", "list"}))
       ->default_str("strips");
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
-      ->check(whole_number)
+      ->check(whole_number())
       ->capture_default_str();
   std::vector<std::string> names;
   std::vector<std::string> searching;
@@ -135,12 +94,22 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   CLI::Option* walk =
       sub->add_option("--walk", command.walk_steps,
                       "then that many random splits, collapses and flips on the full mesh, under the policy")
-          ->check(whole_number);
-  sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->check(whole_number)->capture_default_str();
+          ->check(whole_number());
+  sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->check(whole_number())->capture_default_str();
+  add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
-  sub->callback([sub, mesh, built_in, searching, weighing, &command] {
+  sub->callback([=, &command] {
     if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
     command.simplify_given = simplify_options_given(*sub);
+    refuse_gltf_elsewhere(*gltf, command.out);
+    if (!triangles->empty() && built_in->empty() && output->empty())
+      throw CLI::ValidationError("--triangles", "wants --built-in or -o");
+    if (!triangles->empty() && !built_in->empty()) {
+      if (command.out_triangles < least_made_triangles || command.out_triangles > most_made_triangles)
+        throw CLI::ValidationError(
+            "--triangles", fmt::format("of a built-in mesh are {} to {}", least_made_triangles, most_made_triangles));
+      command.built_in_triangles = command.out_triangles;
+    }
     if (sub->count("--states") != 0 && (command.way.empty() || !way_named(command.way).searches()))
       throw CLI::ValidationError("--states",
                                  fmt::format("only --policy {} search", fmt::join(searching, " and --policy ")));
@@ -153,19 +122,50 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
 }
 
 CLI::App* add_simplify(CLI::App& app, SimplifyCommand& command) {
-  CLI::App* sub = app.add_subcommand("simplify", "Simplify a mesh and write it as a progressive mesh (OpenMesh's .pm)");
-  sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl")->required();
-  sub->add_option("-o,--output", command.out, "the .pm file")->required();
+  CLI::App* sub = app.add_subcommand("simplify", "Simplify a mesh and write it, or the way back as a progressive mesh");
+  sub->add_option("mesh", command.mesh, mesh_formats())->required();
+  sub->add_option(
+         "-o,--output", command.out,
+         ".pm: a progressive mesh as OpenMesh writes it; or the coarsest level with strips: " + strip_formats())
+      ->required();
+  CLI::Option* triangles =
+      sub->add_option("--triangles", command.simplify.triangles, "of the coarsest level, in place of --base")
+          ->check(CLI::Range(std::size_t{1}, max_triangles));
   add_simplify_options(*sub, command.simplify);
+  const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
+  sub->callback([sub, triangles, gltf, &command] {
+    refuse_gltf_elsewhere(*gltf, command.out);
+    if (!triangles->empty() && sub->count("--base") != 0)
+      throw CLI::ValidationError("--triangles", "and --base say the same thing twice; leave one out");
+  });
   sub->footer("Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
+  return sub;
+}
+
+CLI::App* add_convert(CLI::App& app, ConvertCommand& command) {
+  CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format; strips of the file stay strips");
+  sub->add_option("mesh", command.mesh, mesh_formats())->required();
+  sub->add_option("-o,--output", command.out,
+                  list_in_words(converted_extensions(), "or") +
+                      "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none")
+      ->required();
+  const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  add_mending_options(*sub, command.mending);
+  add_json_option(*sub, command.json);
+  sub->callback([gltf, &command] {
+    refuse_gltf_elsewhere(*gltf, command.out);
+    command.gltf_given = !gltf->empty();
+  });
+  sub->footer("Example: restrip convert scan.ply --weld -o scan.glb");
   return sub;
 }
 
 CLI::App* add_bake(CLI::App& app, BakeCommand& command) {
   CLI::App* sub =
       app.add_subcommand("bake", "Decide the strips of every level of detail and write them beside the mesh");
-  sub->add_option("mesh", command.mesh, ".obj, .off, .ply, .stl, or a progressive mesh of OpenMesh (.pm)")->required();
+  sub->add_option("mesh", command.mesh, mesh_formats() + "; or a progressive mesh (.pm)")->required();
   sub->add_option("-o,--output", command.out, "the .baked file")->required();
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--effort", command.bake.effort,
@@ -175,6 +175,7 @@ CLI::App* add_bake(CLI::App& app, BakeCommand& command) {
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
       ->capture_default_str();
   add_cost_option(*sub, command.bake.cost);
+  add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, &command] { command.simplify_given = simplify_options_given(*sub); });
   sub->footer("Example: restrip bake bunny.obj -o bunny.baked");
@@ -184,11 +185,12 @@ CLI::App* add_bake(CLI::App& app, BakeCommand& command) {
 CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
   CLI::App* sub =
       app.add_subcommand("make-mesh", "Make a closed mesh of irregular valences, the same on every machine");
-  sub->add_option("-o,--output", command.out, "an .obj, .off or .ply file")->required();
+  sub->add_option("-o,--output", command.out, "a file that ends in " + list_in_words(written_mesh_extensions(), "or"))
+      ->required();
   sub->add_option("--triangles", command.triangles, "about how many")
       ->check(CLI::Range(least_made_triangles, most_made_triangles))
       ->capture_default_str();
-  sub->add_option("--seed", command.seed, "of its irregularities")->check(whole_number)->capture_default_str();
+  sub->add_option("--seed", command.seed, "of its irregularities")->check(whole_number())->capture_default_str();
   add_json_option(*sub, command.json);
   sub->footer("Example: restrip make-mesh --triangles 1000000 -o torus.ply");
   return sub;
@@ -196,27 +198,21 @@ CLI::App* add_make_mesh(CLI::App& app, MakeMeshCommand& command) {
 
 CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
   CLI::App* sub = app.add_subcommand("stripify", "Make the strips of a mesh from scratch, and write them");
-  sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl")->required();
-  const auto* output = sub->add_option("-o,--output", command.out,
-                                       ".ply (tristrips), .glb, .obj (triangles in their order) or .bin (indices of 32 "
-                                       "bits, 0xFFFFFFFF between strips)");
-  const auto* gltf = sub->add_option_function<std::string>(
-                            "--gltf",
-                            [&command](const std::string& word) {
-                              command.gltf = word == "list"     ? GltfPrimitives::list
-                                             : word == "strips" ? GltfPrimitives::strips
-                                                                : GltfPrimitives::restart;
-                            },
-                            "what a .glb has: restart: one primitive, for viewers with KHR_mesh_primitive_restart; "
-                            "strips: a primitive "
-                            "for each strip; list: a list of triangles")
-                         ->check(CLI::IsMember({"restart", "strips", "list"}))
-                         ->default_str("restart");
-  const auto* effort =
-      sub->add_option("--effort", command.effort, "fast: one pass; full: a search or annealing; best: ten times longer")
-          ->transform(CLI::CheckedTransformer(std::map<std::string, restrip::Effort>{
-              {"fast", restrip::Effort::fast}, {"full", restrip::Effort::full}, {"best", restrip::Effort::best}}))
-          ->default_str("fast");
+  sub->add_option("mesh", command.mesh, mesh_formats())->required();
+  sub->add_option("-o,--output", command.out, strip_formats());
+  const auto* gltf = add_gltf_option(*sub, command.gltf);
+  const auto* effort = sub->add_option_function<std::string>(
+                              "--effort",
+                              [&command](const std::string& word) {
+                                command.as_in_file = word == "file";
+                                command.effort = word == "full"   ? restrip::Effort::full
+                                                 : word == "best" ? restrip::Effort::best
+                                                                  : restrip::Effort::fast;
+                              },
+                              "fast: one pass; full: a search or annealing; best: ten times longer; file: the strips "
+                              "that the file has")
+                           ->check(CLI::IsMember({"fast", "full", "best", "file"}))
+                           ->default_str("fast");
   add_cost_option(*sub, command.cost);
   const auto* limit =
       sub->add_option("--limit", command.limit,
@@ -224,14 +220,16 @@ CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
                       "40, 1000), moves of annealing with --cost indices (100, 1000)")
           ->check(CLI::Range(1, 1'000'000));
   const auto* seed =
-      sub->add_option("--seed", command.seed, "of annealing")->check(whole_number)->capture_default_str();
+      sub->add_option("--seed", command.seed, "of annealing")->check(whole_number())->capture_default_str();
+  add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
-  sub->callback([output, gltf, effort, limit, seed, &command] {
-    if (*gltf && (!*output || restrip::files::extension_of(command.out) != ".glb"))
-      throw CLI::ValidationError("--gltf", "only an output that ends in .glb has primitives");
+  sub->callback([sub, gltf, effort, limit, seed, &command] {
+    refuse_gltf_elsewhere(*gltf, command.out);
+    if (command.as_in_file && sub->count("--cost") != 0)
+      throw CLI::ValidationError("--cost", "--effort file takes the strips as they are");
     const bool anneals = command.effort != restrip::Effort::fast && !(command.cost == restrip::Cost::strips());
     if (*limit && command.effort == restrip::Effort::fast)
-      throw CLI::ValidationError("--limit", fmt::format("{} fast has none", effort->get_name()));
+      throw CLI::ValidationError("--limit", fmt::format("only {} full and best have one", effort->get_name()));
     if (*seed && !anneals)
       throw CLI::ValidationError("--seed", "only --effort full and best with --cost indices draw at random");
   });
@@ -242,8 +240,9 @@ CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
 CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
   CLI::App* sub = app.add_subcommand(
       "draw", "Write what scripts/pictures.py draws: a mesh with its strips, and a rule before and after");
-  sub->add_option("mesh", command.mesh, ".obj, .off, .ply or .stl, best of a few thousand triangles; else a torus");
+  sub->add_option("mesh", command.mesh, mesh_formats() + ", best of a few thousand triangles; else a torus");
   sub->add_option("-o,--output", command.out, "the .json file")->required();
+  add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->footer("Example: restrip draw -o picture.json && scripts/pictures.py picture.json picture.svg");
   return sub;
@@ -253,12 +252,12 @@ CLI::App* add_paper(CLI::App& app, PaperCommand& command) {
   CLI::App* sub =
       app.add_subcommand("paper", "Do the paper's figures and experiments again, as CSV files and a report");
   sub->add_option("-o,--out", command.out, "the folder for report.json and CSV files")->required();
-  sub->add_option("meshes", command.meshes, ".obj, .off, .ply, .stl, or progressive meshes of OpenMesh (.pm)")
-      ->required();
+  sub->add_option("meshes", command.meshes, mesh_formats() + "; or progressive meshes (.pm)")->required();
   add_simplify_options(*sub, command.options.simplify);
   sub->add_option("--levels", command.options.levels, "levels of detail to count strips at")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
+  add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->footer("Example: restrip paper --out report bunny.obj\nscripts/paper_page.py makes a page of the folder.");
   return sub;
@@ -268,6 +267,7 @@ int run_command_line(int argc, char** argv) {
   CLI::App app{"Triangle strips kept while the mesh changes, by local repairs proven optimal", "restrip"};
   app.set_version_flag("--version", std::string("restrip ") + RESTRIP_VERSION);
   app.require_subcommand(1);
+  app.formatter(std::make_shared<PlainFormatter>());
   constexpr restrip::files::ReadLimits limits;
   app.footer(
       fmt::format("Exit codes: 0 all is well, 1 a check failed, 2 the input or the command line is at fault.\n"
@@ -279,6 +279,7 @@ int run_command_line(int argc, char** argv) {
   StatsCommand stats;
   ReplayCommand replay;
   SimplifyCommand simplify;
+  ConvertCommand convert;
   MakeMeshCommand make_mesh;
   DrawCommand draw;
   StripifyCommand stripify;
@@ -287,11 +288,13 @@ int run_command_line(int argc, char** argv) {
   const CLI::App* stats_sub = add_stats(app, stats);
   const CLI::App* replay_sub = add_replay(app, replay);
   const CLI::App* simplify_sub = add_simplify(app, simplify);
+  const CLI::App* convert_sub = add_convert(app, convert);
   const CLI::App* stripify_sub = add_stripify(app, stripify);
   const CLI::App* draw_sub = add_draw(app, draw);
   const CLI::App* paper_sub = add_paper(app, paper);
   const CLI::App* bake_sub = add_bake(app, bake);
   add_make_mesh(app, make_mesh);
+  if (const std::string wrong = argc < 2 ? "" : wrong_subcommand(app, argv[1]); !wrong.empty()) throw BadInput(wrong);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -300,6 +303,7 @@ int run_command_line(int argc, char** argv) {
   if (stats_sub->parsed()) return run(stats);
   if (replay_sub->parsed()) return run(replay);
   if (simplify_sub->parsed()) return run(simplify);
+  if (convert_sub->parsed()) return run(convert);
   if (stripify_sub->parsed()) return run(stripify);
   if (draw_sub->parsed()) return run(draw);
   if (paper_sub->parsed()) return run(paper);

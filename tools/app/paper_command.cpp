@@ -23,7 +23,7 @@ int run(const PaperCommand& command) {
   files::OutputSet out(command.out, names, {{}, command.meshes});
   const ReportOutput report(command.json, command.meshes);
   std::vector<PaperSubject> subjects;
-  for (const std::filesystem::path& mesh : command.meshes) subjects.push_back(read_subject(mesh));
+  for (const std::filesystem::path& mesh : command.meshes) subjects.push_back(read_subject(mesh, command.mending));
   const RuleFigures figures = rule_figures();
   std::vector<PaperMesh> meshes;
   for (PaperSubject& subject : subjects) {

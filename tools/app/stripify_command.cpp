@@ -6,12 +6,14 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "common/bad_input.hpp"
 #include "common/report_output.hpp"
 #include "common/stopwatch.hpp"
 #include "files/output.hpp"
 #include "files/reading.hpp"
 #include "lod/coloring_check.hpp"
-#include "meshes/mesh_file.hpp"
+#include "meshes/file_strips.hpp"
+#include "meshes/mend.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/strips.hpp"
@@ -24,14 +26,26 @@ int run(const StripifyCommand& command) {
   if (!command.out.empty())
     strip_file.emplace(command.out, files::OutputRules{written_strip_extensions(), {command.mesh}});
   const ReportOutput out(command.json, {command.mesh, command.out});
-  const Soup soup = read_mesh(command.mesh);
+  Mended mended;
+  const Soup soup = read_mesh(command.mesh, command.mending, mended);
+  if (command.as_in_file && soup.strips.empty())
+    throw BadInput(
+        fmt::format("{}: has no strips (PLY `tristrips`, or strips of glTF); leave out --effort file to make "
+                    "some",
+                    command.mesh.string()));
   BuildReport report;
   StripMesh mesh;
+  std::vector<std::uint32_t> origin;
   Medians building;
-  building.time([&] { mesh = StripMesh::build(soup.triangles, soup.points.size(), &report); });
+  building.time([&] { mesh = StripMesh::build(soup.triangles, soup.points.size(), &report, &origin); });
+  FileStrips in_file;
   Medians clock;
-  clock.time(
-      [&] { stripify(mesh, command.effort, command.cost, command.limit * mesh.triangle_count(), command.seed); });
+  clock.time([&] {
+    if (command.as_in_file)
+      in_file = color_as_in_file(mesh, soup, origin);
+    else
+      stripify(mesh, command.effort, command.cost, command.limit * mesh.triangle_count(), command.seed);
+  });
   const Strips strips = extract_strips(mesh);
   std::vector<std::uint32_t> indices;
   Medians writing;
@@ -48,28 +62,35 @@ int run(const StripifyCommand& command) {
   // Indices that are repeated, in the middle of a strip or at its beginning.
   const std::size_t swaps = triangles == 0 ? 0 : indices.size() + 1 - triangles - 3 * strips.size();
   const double cache_misses = acmr(indices, 16, triangles);
-  const nlohmann::ordered_json json{{"triangles", triangles},
-                                    {"left_out", left_out},
-                                    {"strips", strips.size()},
-                                    {"components", connected_components(mesh)},
-                                    {"swaps", swaps},
-                                    {"indices", indices.size()},
-                                    {"lower_bound_indices", bound},
-                                    {"acmr", cache_misses},
-                                    {"seconds", seconds},
-                                    {"seconds_to_build", building.nanoseconds() * 1e-9},
-                                    {"seconds_to_write", writing.nanoseconds() * 1e-9},
-                                    {"valid", faults.empty()}};
+  nlohmann::ordered_json json{{"triangles", triangles},
+                              {"left_out", left_out},
+                              {"strips", strips.size()},
+                              {"components", connected_components(mesh)},
+                              {"swaps", swaps},
+                              {"indices", indices.size()},
+                              {"lower_bound_indices", bound},
+                              {"acmr", cache_misses},
+                              {"seconds", seconds},
+                              {"seconds_to_build", building.nanoseconds() * 1e-9},
+                              {"seconds_to_write", writing.nanoseconds() * 1e-9},
+                              {"valid", faults.empty()}};
+  if (command.as_in_file) json["cut_strips"] = in_file.cut;
+  if (mended.any_asked()) json["mended"] = json_of(mended);
   const auto per_triangle = [triangles](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(triangles, 1));
   };
-  out.print(
-      fmt::format("{}: {} triangles ({} degenerate ones left out) in {} strips, {} connected components\n"
-                  "{:.3f} indices per triangle (at least {:.3f} in any strips), {} swaps, {:.3f} vertex cache misses "
-                  "per triangle (FIFO 16), {:.3f} seconds\n",
-                  command.mesh.string(), triangles, left_out, strips.size(), connected_components(mesh),
-                  per_triangle(indices.size()), per_triangle(bound), swaps, cache_misses, seconds),
-      json.dump(2) + "\n");
+  std::string text = as_text(mended);
+  text += fmt::format(
+      "{}: {} triangles ({} degenerate ones left out) in {} strips, {} connected components\n"
+      "{:.3f} indices per triangle (at least {:.3f} in any strips), {} swaps, {:.3f} vertex cache misses "
+      "per triangle (FIFO 16), {:.3f} seconds\n",
+      command.mesh.string(), triangles, left_out, strips.size(), connected_components(mesh),
+      per_triangle(indices.size()), per_triangle(bound), swaps, cache_misses, seconds);
+  if (in_file.cut != 0)
+    text += fmt::format("cut {} times, where a strip of the file goes on and no dual edge is\n", in_file.cut);
+  // A closed mesh has no seams.
+  text += hints(report.boundary_edges == 0 ? 0 : coincident_vertices(soup), report.inconsistent_edges);
+  out.print(text, json.dump(2) + "\n");
   for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
   return faults.empty() ? 0 : 1;
 }

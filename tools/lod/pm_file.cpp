@@ -8,6 +8,7 @@
 
 #include "common/bad_input.hpp"
 #include "files/reading.hpp"
+#include "lod/hoppe_pm_file.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -37,26 +38,15 @@ class Bytes {
   std::string_view rest_;
 };
 
-/// Hoppe's files begin with comment lines and then say PM.
-bool is_hoppes(std::string_view bytes) {
-  while (bytes.starts_with('#')) {
-    const std::size_t stop = bytes.find('\n');
-    if (stop == std::string_view::npos) return false;
-    bytes.remove_prefix(stop + 1);
-  }
-  return bytes.starts_with("PM\n") || bytes.starts_with("PM\r\n");
-}
-
 }  // namespace
 
 ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
-  if (is_hoppes(bytes))
-    throw BadInput(
-        fmt::format("{}: a progressive mesh in Hoppe's format (with wedges and materials), which is not read; give the "
-                    "mesh itself (OBJ, OFF, PLY, STL) or a progressive mesh of OpenMesh",
-                    name));
+  if (is_hoppe_pm(bytes)) return parse_hoppe_pm(bytes, name);
   if (!bytes.starts_with(pm_magic))
-    throw BadInput(fmt::format("{}: no progressive mesh of OpenMesh: it does not begin with '{}'", name, pm_magic));
+    throw BadInput(
+        fmt::format("{}: no progressive mesh: it begins neither with '{}', as OpenMesh's do, nor with PM, as "
+                    "Hoppe's do",
+                    name, pm_magic));
   if (bytes.size() < pm_header_bytes) throw BadInput(fmt::format("{}: ends inside its header; is it complete?", name));
   Bytes in(bytes.substr(pm_magic.size()));
   const std::size_t vertices = in.u32();
@@ -92,7 +82,6 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
       if (corner >= vertices)
         throw BadInput(fmt::format("{}: a face refers to vertex {} of {}", name, corner, vertices));
     }
-  const auto degenerate = [](const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
   if (std::all_of(mesh.base.begin(), mesh.base.end(), degenerate))
     throw BadInput(
         fmt::format("{}: every triangle of its base is degenerate (a corner twice), so there is nothing to "

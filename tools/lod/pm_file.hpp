@@ -13,7 +13,7 @@
 namespace restrip::tools {
 
 /// Throws BadInput when the bytes are not of this format, or truncated, or name vertices that do not exist yet. Hoppe's
-/// own format is recognised and refused by name.
+/// own format is read as well (hoppe_pm_file.hpp).
 [[nodiscard]] ProgressiveMesh read_pm(const std::filesystem::path& file);
 [[nodiscard]] ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name);
 

@@ -325,7 +325,9 @@ Simplification simplify(const Soup& soup, const SimplifyOptions& options) {
   result.left_out = {mesh.report().degenerate_triangles, mesh.report().non_manifold_vertices, mesh.frozen_vertices(),
                      0};
   const std::size_t triangles = mesh.strips().triangle_count();
-  result.wanted_triangles = static_cast<std::size_t>(std::ceil(options.base * static_cast<double>(triangles)));
+  result.wanted_triangles = options.triangles != 0
+                                ? std::min(options.triangles, triangles)
+                                : static_cast<std::size_t>(std::ceil(options.base * static_cast<double>(triangles)));
 
   if (result.wanted_triangles < triangles) {
     Progress progress("simplifying", (triangles - result.wanted_triangles) / 2);

@@ -18,6 +18,7 @@ enum class BoundaryPolicy {
 struct SimplifyOptions {
   double base = 0.02;  ///< the wanted share of triangles, 0 < base <= 1
   BoundaryPolicy boundary = BoundaryPolicy::move;
+  std::size_t triangles = 0;  ///< wanted instead of the share; 0: the share
 };
 
 /// A vertex with more neighbours than this is neither collapsed nor collapsed into: each such operation would turn

@@ -13,6 +13,14 @@
 namespace restrip::tools {
 namespace {
 
+void append_u32(std::string& bytes, std::uint32_t value) {
+  for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
+}
+
+void append_point(std::string& bytes, const Point& p) {
+  for (const float coordinate : {p.x, p.y, p.z}) append_u32(bytes, std::bit_cast<std::uint32_t>(coordinate));
+}
+
 std::string obj_of(const Soup& soup) {
   std::string text;
   auto out = std::back_inserter(text);
@@ -35,47 +43,82 @@ std::string ply_of(const Soup& soup) {
       "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
       soup.points.size(), soup.triangles.size());
   bytes.reserve(bytes.size() + 12 * soup.points.size() + 13 * soup.triangles.size());
-  const auto put = [&bytes](std::uint32_t value) {
-    for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
-  };
-  for (const Point& p : soup.points)
-    for (const float coordinate : {p.x, p.y, p.z}) put(std::bit_cast<std::uint32_t>(coordinate));
+  for (const Point& p : soup.points) append_point(bytes, p);
   for (const Corners& t : soup.triangles) {
     bytes.push_back(3);
-    for (const std::uint32_t corner : t) put(corner);
+    for (const std::uint32_t corner : t) append_u32(bytes, corner);
   }
   return bytes;
 }
 
+/// The attribute bytes and the normal are zero: programs compute normals from the corners.
+std::string stl_of(const Soup& soup) {
+  std::string bytes(80, ' ');
+  bytes.reserve(84 + 50 * soup.triangles.size());
+  append_u32(bytes, static_cast<std::uint32_t>(soup.triangles.size()));
+  for (const Corners& t : soup.triangles) {
+    bytes.append(12, '\0');
+    for (const std::uint32_t corner : t) append_point(bytes, soup.points[corner]);
+    bytes.append(2, '\0');
+  }
+  return bytes;
+}
+
+using Reader = std::function<Soup(std::string_view bytes, const std::filesystem::path& file)>;
+
+struct ReadFormat {
+  const char* extension;
+  Reader read;
+};
+
+const std::vector<ReadFormat>& read_formats() {
+  const auto alone = [](Soup (*read)(std::string_view, const std::string&)) -> Reader {
+    return [read](std::string_view bytes, const std::filesystem::path& file) { return read(bytes, file.string()); };
+  };
+  const Reader gltf = [](std::string_view bytes, const std::filesystem::path& file) {
+    return read_gltf(bytes, file.string(),
+                     [&file](const std::string& buffer) { return files::read_whole(file.parent_path() / buffer); });
+  };
+  static const std::vector<ReadFormat> formats{{".obj", alone(read_obj)}, {".off", alone(read_off)},
+                                               {".ply", alone(read_ply)}, {".stl", alone(read_stl)},
+                                               {".gltf", gltf},           {".glb", gltf}};
+  return formats;
+}
+
 }  // namespace
+
+std::vector<std::string> read_mesh_extensions() {
+  std::vector<std::string> extensions;
+  for (const ReadFormat& format : read_formats()) extensions.emplace_back(format.extension);
+  return extensions;
+}
 
 Soup read_mesh(const std::filesystem::path& file) {
   const std::string extension = files::extension_of(file);
-  const auto reader = extension == ".obj"   ? read_obj
-                      : extension == ".off" ? read_off
-                      : extension == ".ply" ? read_ply
-                      : extension == ".stl" ? read_stl
-                                            : nullptr;
+  const auto& formats = read_formats();
+  const auto format = std::find_if(formats.begin(), formats.end(),
+                                   [&](const ReadFormat& candidate) { return candidate.extension == extension; });
   const auto refuse_extension = [&] {
-    throw BadInput(fmt::format("{}: unknown extension '{}'; meshes are read from .obj, .off, .ply and .stl",
-                               file.string(), extension));
+    throw BadInput(fmt::format("{}: unknown extension '{}'; meshes are read from {}", file.string(), extension,
+                               fmt::join(read_mesh_extensions(), ", ")));
   };
   std::error_code error;
   const auto kind = std::filesystem::status(file, error).type();
   const bool there = kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::directory;
-  if (reader == nullptr && there) refuse_extension();  // before it is read, as it may never end
+  if (format == formats.end() && there) refuse_extension();  // before it is read, as it may never end
   const std::string bytes = files::read_whole(file);
-  if (reader == nullptr) refuse_extension();
+  if (format == formats.end()) refuse_extension();
   if (bytes.empty()) throw BadInput(fmt::format("{}: the file is empty", file.string()));
-  return reader(bytes, file.string());
+  return format->read(bytes, file);
 }
 
-std::vector<std::string> written_mesh_extensions() { return {".obj", ".off", ".ply"}; }
+std::vector<std::string> written_mesh_extensions() { return {".obj", ".off", ".ply", ".stl"}; }
 
 std::string mesh_bytes(const Soup& soup, const std::string& extension) {
   if (extension == ".obj") return obj_of(soup);
   if (extension == ".off") return off_of(soup);
   if (extension == ".ply") return ply_of(soup);
+  if (extension == ".stl") return stl_of(soup);
   throw BadInput(fmt::format("unknown extension '{}'; meshes are written as {}", extension,
                              fmt::join(written_mesh_extensions(), ", ")));
 }

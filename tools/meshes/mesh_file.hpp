@@ -1,4 +1,4 @@
-// Mesh files: OBJ, OFF, PLY and STL in, OBJ, OFF and PLY out.
+// Mesh files: OBJ, OFF, PLY, STL and glTF in, OBJ, OFF, PLY and STL out (with strips, and as glTF: strip_file.hpp).
 //
 // The readers are our own. OpenMesh's (version 9) lose faces without a word: its OBJ reader drops repeated corners and
 // vertices that it cannot parse, so that all later indices shift, its mesh refuses faces at non-manifold places, its
@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,11 @@
 
 namespace restrip::tools {
 
+/// The bytes of a file in the folder of the one that names it. Throws when it cannot be read.
+using ReadBeside = std::function<std::string(const std::string& file_name)>;
+
+/// The extensions of the formats that are read.
+[[nodiscard]] std::vector<std::string> read_mesh_extensions();
 /// Reads a mesh; the format is that of the file's extension, in any case. Throws BadInput.
 [[nodiscard]] Soup read_mesh(const std::filesystem::path& file);
 
@@ -29,5 +35,7 @@ namespace restrip::tools {
 [[nodiscard]] Soup read_ply(std::string_view bytes, const std::string& name);
 /// Corners at exactly the same place become one vertex (STL has no indices).
 [[nodiscard]] Soup read_stl(std::string_view bytes, const std::string& name);
+/// Buffers in files of their own are asked of `beside`.
+[[nodiscard]] Soup read_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside);
 
 }  // namespace restrip::tools

@@ -31,6 +31,7 @@ class Surveyor {
     count_fans();
     count_loops(boundary);
     count_duplicates();
+    report_.coincident_vertices = coincident_vertices(soup_);
     const MeshReport& r = report_;
     report_.euler_characteristic = static_cast<std::int64_t>(r.used_vertices) - static_cast<std::int64_t>(r.edges) +
                                    static_cast<std::int64_t>(r.triangles - r.degenerate_faces);
@@ -42,7 +43,6 @@ class Surveyor {
   }
 
  private:
-  static bool degenerate(const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
   [[nodiscard]] std::uint32_t vertex(std::uint32_t corner) const { return soup_.triangles[corner / 3][corner % 3]; }
   static std::uint32_t next(std::uint32_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
 

@@ -8,8 +8,8 @@
 
 namespace restrip::tools {
 
-std::string as_text(const MeshReport& report, const std::string& name) {
-  std::string text = name + "\n";
+std::string as_text(const MeshReport& report, const std::string& name, const Mended& mended) {
+  std::string text = name + "\n" + as_text(mended);
   auto out = std::back_inserter(text);
   const auto row = [&](const char* what, auto value, const std::string& remark = "") {
     fmt::format_to(out, "  {:<28}{:>12}{}\n", what, value, remark.empty() ? "" : "   " + remark);
@@ -31,8 +31,10 @@ std::string as_text(const MeshReport& report, const std::string& name) {
   fault("duplicate faces", report.duplicate_faces, "the same three corners as an earlier face");
   fault("non-manifold edges", report.non_manifold_edges, "three triangles or more; no strip crosses them");
   fault("inconsistent edges", report.inconsistent_edges,
-        "two triangles of opposite orientation; no strip crosses them");
+        "two triangles of opposite orientation; no strip crosses them; --orient turns triangles");
   fault("bow-tie vertices", report.bow_tie_vertices, "several fans at one vertex; no operation there");
+  fault("coincident vertices", report.coincident_vertices,
+        "at the place of another; strips end at seams; --weld joins");
   if (report.manifold()) text += "  an oriented manifold: every operation has its rule everywhere\n";
   text += "\n  triangles per vertex    vertices\n";
   for (std::size_t n = 1; n < report.triangles_per_vertex.size(); ++n)
@@ -42,7 +44,7 @@ std::string as_text(const MeshReport& report, const std::string& name) {
   return text;
 }
 
-std::string as_json(const MeshReport& report) {
+std::string as_json(const MeshReport& report, const Mended& mended) {
   nlohmann::ordered_json json{
       {"vertices", report.vertices},
       {"used_vertices", report.used_vertices},
@@ -61,12 +63,14 @@ std::string as_json(const MeshReport& report) {
       {"non_manifold_edges", report.non_manifold_edges},
       {"inconsistent_edges", report.inconsistent_edges},
       {"bow_tie_vertices", report.bow_tie_vertices},
+      {"coincident_vertices", report.coincident_vertices},
   };
   if (report.genus) json["genus"] = *report.genus;
   nlohmann::ordered_json histogram = nlohmann::ordered_json::object();
   for (std::size_t n = 1; n < report.triangles_per_vertex.size(); ++n)
     if (report.triangles_per_vertex[n] != 0) histogram[std::to_string(n)] = report.triangles_per_vertex[n];
   json["triangles_per_vertex"] = std::move(histogram);
+  if (mended.any_asked()) json["mended"] = json_of(mended);
   return json.dump(2) + "\n";
 }
 

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <cstring>
-#include <unordered_map>
 
 #include "common/bad_input.hpp"
 #include "meshes/mesh_file.hpp"
+#include "meshes/place_index.hpp"
 #include "meshes/soup_builder.hpp"
 #include "meshes/text_cursor.hpp"
 
@@ -23,29 +22,17 @@ std::uint32_t read_u32(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-struct StlPoint {
-  std::array<std::uint32_t, 3> bits;
-  friend bool operator==(const StlPoint&, const StlPoint&) = default;
-};
-
-struct PlaceHash {
-  std::size_t operator()(const StlPoint& place) const noexcept {
-    std::uint64_t hash = 0;
-    for (const std::uint32_t bits : place.bits) hash = (hash ^ bits) * 0x9E3779B97F4A7C15U, hash ^= hash >> 29;
-    return static_cast<std::size_t>(hash);
-  }
-};
-
-/// Gives corners at the same place the same vertex. The two zeros are one place.
+/// Gives corners at the same place the same vertex.
 class Welder {
  public:
   explicit Welder(const std::string& name) : soup_(name) {}
 
   void add_corner(double x, double y, double z) {
-    const StlPoint place{{bits_of(x), bits_of(y), bits_of(z)}};
-    const auto [known, fresh] = vertex_.try_emplace(place, static_cast<std::uint32_t>(soup_.point_count()));
-    if (fresh) soup_.add_point(x, y, z);
-    corners_[filled_++] = known->second;
+    const auto next = static_cast<std::uint32_t>(soup_.point_count());
+    const std::uint32_t vertex =
+        places_.put({static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}, next);
+    if (vertex == next) soup_.add_point(x, y, z);
+    corners_[filled_++] = vertex;
     if (filled_ == 3) {
       soup_.add_face(corners_);
       filled_ = 0;
@@ -55,10 +42,8 @@ class Welder {
   [[nodiscard]] Soup finish() && { return std::move(soup_).finish(); }
 
  private:
-  static std::uint32_t bits_of(double value) { return std::bit_cast<std::uint32_t>(static_cast<float>(value) + 0.0F); }
-
   SoupBuilder soup_;
-  std::unordered_map<StlPoint, std::uint32_t, PlaceHash> vertex_;
+  PlaceIndex places_;
   Corners corners_{};
   unsigned filled_ = 0;
 };

@@ -25,12 +25,23 @@ using Corners = std::array<std::uint32_t, 3>;
   return {t[2], t[0], t[1]};
 }
 
+/// A corner twice.
+[[nodiscard]] constexpr bool degenerate(const Corners& t) noexcept {
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
+
+/// Between two strips of an index buffer.
+inline constexpr std::uint32_t strip_end = 0xFFFF'FFFF;
+
 /// Every corner is an index into `points`; nothing else is promised: corners may repeat, triangles too.
 struct Soup {
   std::vector<Point> points;
   std::vector<Corners> triangles;
-  std::size_t polygons =
-      0;                  ///< faces of more than three corners; each became a fan of triangles around its first corner
+  /// The strips of a file that has some, as an index buffer with strip_end between them: it draws the triangles above
+  /// that are not degenerate, in their order. What the file lists one by one is a strip each. Empty: there are none.
+  std::vector<std::uint32_t> strips = {};
+  /// Faces of more than three corners; each became a fan of triangles around its first corner.
+  std::size_t polygons = 0;
   std::size_t stubs = 0;  ///< faces of fewer than three corners; left out
 };
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "common/bad_input.hpp"
@@ -37,18 +36,41 @@ void SoupBuilder::add_face(std::span<const std::uint32_t> corners) {
     return;
   }
   if (corners.size() > 3) ++soup_.polygons;
-  if (soup_.triangles.size() + corners.size() - 2 > max_triangles)
+  const std::size_t first = soup_.triangles.size();
+  for (std::size_t i = 2; i < corners.size(); ++i) add_triangle({corners[0], corners[i - 1], corners[i]});
+  if (!soup_.strips.empty()) add_strips_of_one(first, soup_.triangles.size());
+}
+
+void SoupBuilder::add_triangle(const Corners& corners) {
+  if (soup_.triangles.size() == max_triangles)
     throw BadInput(fmt::format("{}: more than {} triangles; cut the mesh in pieces", name_, max_triangles));
-  for (std::size_t i = 2; i < corners.size(); ++i) soup_.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  soup_.triangles.push_back(corners);
+}
+
+void SoupBuilder::begin_strip() {
+  if (!soup_.strips.empty()) soup_.strips.push_back(strip_end);
+}
+
+void SoupBuilder::add_strips_of_one(std::size_t first, std::size_t end) {
+  for (std::size_t t = first; t < end; ++t) {
+    if (degenerate(soup_.triangles[t])) continue;
+    begin_strip();
+    soup_.strips.insert(soup_.strips.end(), soup_.triangles[t].begin(), soup_.triangles[t].end());
+  }
 }
 
 void SoupBuilder::add_strip(std::span<const std::uint32_t> indices) {
+  const std::size_t first = soup_.triangles.size();
   for (std::size_t i = 2; i < indices.size(); ++i) {
     const std::uint32_t third = indices[i];
-    const std::array<std::uint32_t, 3> corners = i % 2 == 0 ? std::array{indices[i - 2], indices[i - 1], third}
-                                                            : std::array{indices[i - 1], indices[i - 2], third};
-    if (corners[0] != corners[1] && corners[1] != third && third != corners[0]) add_face(corners);
+    const Corners corners =
+        i % 2 == 0 ? Corners{indices[i - 2], indices[i - 1], third} : Corners{indices[i - 1], indices[i - 2], third};
+    if (!degenerate(corners)) add_triangle(corners);
   }
+  if (soup_.triangles.size() == first) return;
+  if (soup_.strips.empty()) add_strips_of_one(0, first);  // what came before was in no strip
+  begin_strip();
+  soup_.strips.insert(soup_.strips.end(), indices.begin(), indices.end());
 }
 
 Soup SoupBuilder::finish() && {
@@ -57,12 +79,16 @@ Soup SoupBuilder::finish() && {
   if (soup_.triangles.empty())
     throw BadInput(fmt::format("{}: {} vertices but no triangles; strips need faces, not points or lines", name_,
                                soup_.points.size()));
+  const auto check = [this](std::uint32_t corner) {
+    if (corner >= soup_.points.size())
+      throw BadInput(
+          fmt::format("{}: a face refers to vertex {} (counted from 0), but there are {}; is the file complete?", name_,
+                      corner, soup_.points.size()));
+  };
   for (const Corners& triangle : soup_.triangles)
-    for (const std::uint32_t corner : triangle)
-      if (corner >= soup_.points.size())
-        throw BadInput(
-            fmt::format("{}: a face refers to vertex {} (counted from 0), but there are {}; is the file complete?",
-                        name_, corner, soup_.points.size()));
+    for (const std::uint32_t corner : triangle) check(corner);
+  for (const std::uint32_t index : soup_.strips)
+    if (index != strip_end) check(index);
   return std::move(soup_);
 }
 

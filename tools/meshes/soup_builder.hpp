@@ -28,8 +28,8 @@ class SoupBuilder {
   void add_point(double x, double y, double z);
   /// Corners may refer to points that come later. Throws BadInput when there are too many.
   void add_face(std::span<const std::uint32_t> corners);
-  /// The triangles that a strip of these indices draws. A repeated index turns the strip and draws nothing; fewer than
-  /// three indices draw nothing either.
+  /// The triangles that a strip of these indices draws, and the strip. A repeated index turns the strip and draws
+  /// nothing; fewer than three indices draw nothing either.
   void add_strip(std::span<const std::uint32_t> indices);
   [[nodiscard]] std::size_t point_count() const noexcept { return soup_.points.size(); }
 
@@ -38,6 +38,11 @@ class SoupBuilder {
   [[nodiscard]] Soup finish() &&;
 
  private:
+  void add_triangle(const Corners& corners);
+  /// A strip for each of these triangles that is not degenerate.
+  void add_strips_of_one(std::size_t first, std::size_t end);
+  void begin_strip();
+
   std::string name_;
   Soup soup_;
 };

@@ -30,6 +30,7 @@ class Measurement {
   Measurement(const PaperSubject& subject, const PaperOptions& options) : options_(options) {
     result_.name = subject.name;
     result_.survey = report_on(subject.soup);
+    result_.mended = subject.mended;
     result_.triangles = subject.soup.triangles.size();
     result_.paper = paper_row(result_.triangles);
     source_ = subject.progressive ? *subject.progressive : simplify(subject.soup, options.simplify).mesh;
@@ -172,14 +173,15 @@ std::vector<ValenceRow> valence_rows(const PaperMesh& mesh) {
   return rows;
 }
 
-PaperSubject read_subject(const std::filesystem::path& file) {
+PaperSubject read_subject(const std::filesystem::path& file, const MendingOptions& mending) {
   PaperSubject subject;
   subject.name = file.filename().string();
   if (files::extension_of(file) == ".pm") {
+    refuse_mending(file, mending);
     subject.progressive = read_pm(file);
     subject.soup = top_of(*subject.progressive, file.string());
   } else {
-    subject.soup = read_mesh(file);
+    subject.soup = read_mesh(file, mending, subject.mended);
   }
   return subject;
 }

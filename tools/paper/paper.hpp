@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lod/simplify.hpp"
+#include "meshes/mend.hpp"
 #include "meshes/mesh_report.hpp"
 #include "replay/levels.hpp"
 
@@ -63,6 +64,7 @@ struct PaperMesh {
   std::vector<PolicyRun> runs;                 ///< the paper's, then ours
   std::vector<ScratchRun> scratch;
   std::vector<std::string> faults;  ///< what a check found; empty when all is well
+  Mended mended;                    ///< of its file, when it was read
 
   /// The paper's row, if there is one, is the mesh's.
   [[nodiscard]] bool equals_paper() const {
@@ -85,9 +87,10 @@ struct PaperSubject {
   std::string name;
   Soup soup;
   std::optional<ProgressiveMesh> progressive;  ///< when the file was one
+  Mended mended = {};
 };
-/// Throws BadInput.
-[[nodiscard]] PaperSubject read_subject(const std::filesystem::path& file);
+/// Throws BadInput, also for a progressive mesh that is to be mended.
+[[nodiscard]] PaperSubject read_subject(const std::filesystem::path& file, const MendingOptions& mending = {});
 
 /// About two seconds for each 10,000 triangles, most of it for baking and for strips from scratch.
 [[nodiscard]] PaperMesh measure(const PaperSubject& subject, const PaperOptions& options);

@@ -75,6 +75,7 @@ std::string as_text(const std::vector<PaperMesh>& meshes) {
   auto out = std::back_inserter(text);
   for (const PaperMesh& mesh : meshes) {
     fmt::format_to(out, "{}: {} triangles, base {}\n", mesh.name, mesh.triangles, mesh.base_triangles);
+    text += as_text(mesh.mended);
     if (mesh.paper)
       fmt::format_to(out, "  triangles per vertex: {} the paper's {}\n",
                      mesh.equals_paper() ? "equal, row for row, to those of" : "NOT those of", mesh.paper->mesh);
@@ -164,17 +165,19 @@ Json json_of(const PaperMesh& mesh) {
   Json by_valence = Json::object();
   for (std::size_t k = 0; k < mesh.splits_by_valence.size(); ++k)
     if (mesh.splits_by_valence[k] != 0) by_valence[std::to_string(k)] = mesh.splits_by_valence[k];
-  return {{"mesh", mesh.name},
-          {"triangles", mesh.triangles},
-          {"base_triangles", mesh.base_triangles},
-          {"used_vertices", mesh.survey.used_vertices},
-          {"paper", mesh.paper ? json_of(*mesh.paper) : Json(nullptr)},
-          {"equals_paper", mesh.paper ? Json(mesh.equals_paper()) : Json(nullptr)},
-          {"valence", list_of(valence_rows(mesh))},
-          {"splits_by_valence", std::move(by_valence)},
-          {"policies", list_of(mesh.runs)},
-          {"scratch", list_of(mesh.scratch)},
-          {"faults", mesh.faults}};
+  Json json{{"mesh", mesh.name},
+            {"triangles", mesh.triangles},
+            {"base_triangles", mesh.base_triangles},
+            {"used_vertices", mesh.survey.used_vertices},
+            {"paper", mesh.paper ? json_of(*mesh.paper) : Json(nullptr)},
+            {"equals_paper", mesh.paper ? Json(mesh.equals_paper()) : Json(nullptr)},
+            {"valence", list_of(valence_rows(mesh))},
+            {"splits_by_valence", std::move(by_valence)},
+            {"policies", list_of(mesh.runs)},
+            {"scratch", list_of(mesh.scratch)},
+            {"faults", mesh.faults}};
+  if (mesh.mended.any_asked()) json["mended"] = json_of(mesh.mended);
+  return json;
 }
 
 }  // namespace

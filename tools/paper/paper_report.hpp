@@ -25,8 +25,8 @@ namespace restrip::tools {
 /// Everything that the page shows: {base, boundary, levels, table_max_k, split_positions, positions: [{k, a}],
 /// four_vertex: [{a, loop_orbits, by_loop, all}], lonely: [{k, a, valid, lonely, rule_isolates, rule_adds_strip,
 /// orbits}], meshes: [{mesh, triangles, base_triangles, used_vertices, paper, equals_paper, valence, splits_by_valence,
-/// policies, scratch, faults}]}; rules are {loop, ports, inner, strips, isolated, orbit}, levels {triangles, strips,
-/// isolated}.
+/// policies, scratch, faults, mended}]}; rules are {loop, ports, inner, strips, isolated, orbit}, levels {triangles,
+/// strips, isolated}.
 [[nodiscard]] std::string as_json(const RuleFigures& figures, const std::vector<PaperMesh>& meshes,
                                   const PaperOptions& options);
 [[nodiscard]] std::string as_text(const std::vector<PaperMesh>& meshes);

@@ -49,7 +49,7 @@ double percent(std::size_t part, std::size_t whole) { return 100.0 * ratio(part,
 }  // namespace
 
 std::string as_text(const ReplayReport& report, const Subject& subject) {
-  std::string text = subject.name + "\n";
+  std::string text = subject.name + "\n" + as_text(subject.mended);
   auto out = std::back_inserter(text);
   fmt::format_to(out, "  {} triangles, {} splits, {} triangles\n", report.base_triangles, report.operations,
                  report.triangles);
@@ -196,6 +196,7 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"valid", report.valid() && (!walk || walk->report.fault.empty())},
       {"faults", report.faults},
   };
+  if (subject.mended.any_asked()) json["mended"] = json_of(subject.mended);
   if (subject.baked)
     json["baked"] = {{"flips_per_record", subject.baked->flips_per_record},
                      {"bytes_per_record", subject.baked->bytes_per_record},

@@ -26,6 +26,7 @@
 //    fault, fault_step, trace}; when there was one
 //  - left_out: {degenerate_triangles, non_manifold_vertices, frozen_vertices, large_vertices}, what no operation
 //    touches
+//  - mended: {welded_vertices, vanished_triangles, turned_triangles}, when it was asked for
 //  - valid, faults: every check held; what did not
 #pragma once
 
@@ -33,6 +34,7 @@
 #include <string>
 
 #include "lod/simplify.hpp"
+#include "meshes/mend.hpp"
 #include "replay/replay.hpp"
 #include "replay/walk.hpp"
 
@@ -50,6 +52,7 @@ struct Subject {
   std::string name;
   std::size_t wanted_triangles = 0;  ///< of the base; 0 when the base was given
   LeftOut left_out;
+  Mended mended;       ///< of the file, when it was read
   std::string policy;  ///< the way's name
   Search search;       ///< of the way
   Cost cost;           ///< what was kept low

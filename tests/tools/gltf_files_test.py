@@ -1,0 +1,270 @@
+#!/usr/bin/env python3
+"""Claims: a glTF file arrives triangle by triangle, whatever its encoding: text and binary, buffers inside and beside,
+lists, strips and fans, indices of every width and none, strides, sparse accessors, primitive restart, nodes that move, turn
+and mirror; and a damaged one is refused with a sentence that names it. The files are made here, by the specification.
+
+    gltf_files_test.py restrip SCRATCH
+"""
+import base64
+import copy
+import itertools
+import json
+import pathlib
+import struct
+import subprocess
+import sys
+
+from strip_readers import obj, rotated
+
+restrip, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
+LETTER = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
+
+
+def run(*arguments):
+    return subprocess.run([restrip, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+
+class File:
+    """A document and the buffer that it grows."""
+
+    def __init__(self, required=()):
+        self.binary = b""
+        self.doc = {"asset": {"version": "2.0"}, "buffers": [{"byteLength": 0}], "bufferViews": [], "accessors": [],
+                    "meshes": [{"primitives": []}]}
+        if required:
+            self.doc |= {"extensionsUsed": list(required), "extensionsRequired": list(required)}
+
+    def view(self, data, stride=None):
+        self.binary += b"\0" * (-len(self.binary) % 4)
+        view = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": len(data)}
+        self.doc["bufferViews"].append(view | ({"byteStride": stride} if stride else {}))
+        self.binary += data
+        self.doc["buffers"][0]["byteLength"] = len(self.binary)
+        return len(self.doc["bufferViews"]) - 1
+
+    def accessor(self, values, kind, component, stride=None, before=0, **more):
+        rows = [struct.pack(f"<{len(row)}{LETTER[component]}", *row) for row in values]
+        data = b"".join(row.ljust(stride or 0, b"\xAA") for row in rows)
+        view = self.view(b"\xBB" * before + data, stride)
+        about = {"bufferView": view, "componentType": component, "count": len(values), "type": kind} | more
+        self.doc["accessors"].append(about | ({"byteOffset": before} if before else {}))
+        return len(self.doc["accessors"]) - 1
+
+    def positions(self, points, **more):
+        return self.accessor(points, "VEC3", 5126, **more)
+
+    def indices(self, indices, component=5123):
+        return self.accessor([[i] for i in indices], "SCALAR", component)
+
+    def primitive(self, positions, indices=None, mode=None, mesh=0):
+        about = {"attributes": {"POSITION": positions}}
+        about |= {} if indices is None else {"indices": indices}
+        self.doc["meshes"][mesh]["primitives"].append(about | ({} if mode is None else {"mode": mode}))
+
+    def glb(self):
+        text = json.dumps(self.doc).encode()
+        text += b" " * (-len(text) % 4)
+        binary = self.binary + b"\0" * (-len(self.binary) % 4)
+        chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
+        return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+    def gltf(self, uri=None):
+        doc = copy.deepcopy(self.doc)
+        doc["buffers"][0]["uri"] = uri or "data:application/octet-stream;base64," + base64.b64encode(self.binary).decode()
+        return json.dumps(doc).encode()
+
+
+def read(name, data):
+    (scratch / name).write_bytes(data)
+    done = run("convert", scratch / name, "-o", scratch / "out.obj")
+    assert done.returncode == 0, (name, done.stderr)
+    return obj(scratch / "out.obj")
+
+
+def expect(file, points, triangles, name):
+    wanted = [tuple(map(float, p)) for p in points], sorted(rotated(list(t)) for t in triangles)
+    for number, data in enumerate((file.glb(), file.gltf(), file.gltf("the%20buffer.bin"))):
+        (scratch / "the buffer.bin").write_bytes(file.binary + b"more")
+        assert read("in.glb" if number == 0 else "in.gltf", data) == wanted, (name, number)
+
+
+scratch.mkdir(parents=True, exist_ok=True)
+P = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0.5), (0, 2, 0), (1, 2, -0.25)]
+STRIP = [(0, 1, 2), (2, 1, 3), (2, 3, 4), (4, 3, 5)]  # what a strip of 0 to 5 draws
+FAN = [(0, i, i + 1) for i in range(1, 5)]
+
+# Modes by encodings of indices by strides.
+for (mode, drawn), width, stride in itertools.product(
+        ((None, [(0, 1, 2), (3, 4, 5)]), (4, [(0, 1, 2), (3, 4, 5)]), (5, STRIP), (6, FAN)),
+        (None, 5121, 5123, 5125), (None, 16)):
+    file = File()
+    positions = file.positions(P, stride=stride, before=stride or 0)
+    order = [5, 4, 3, 2, 1, 0] if width else [0, 1, 2, 3, 4, 5]
+    indices = file.indices(order, width) if width else None
+    file.primitive(positions, indices, mode)
+    expect(file, P, [tuple(order[c] for c in t) for t in drawn], (mode, width, stride))
+
+# Primitive restart, of each width and mode, and swaps.
+for width, restart in ((5121, 0xFF), (5123, 0xFFFF), (5125, 0xFFFFFFFF)):
+    for mode, indices, drawn in ((5, [0, 1, 2, 3, restart, 2, 3, 4], STRIP[:2] + [(2, 3, 4)]),
+                                 (5, [0, 1, 2, 1, 3, restart, restart], STRIP[:2]),
+                                 (6, [0, 1, 2, 3, restart, 3, 4, 5], FAN[:2] + [(3, 4, 5)]),
+                                 (4, [0, 1, 2, restart, 3, 4, 5], [(0, 1, 2), (3, 4, 5)])):
+        file = File(["KHR_mesh_primitive_restart"])
+        file.primitive(file.positions(P), file.indices(indices, width), mode)
+        expect(file, P, drawn, (width, mode, indices))
+
+# Sparse accessors: with a buffer view below, and without (zeros).
+file = File()
+positions = file.positions(P)
+indices = file.indices([0, 1, 2])
+file.doc["accessors"][positions]["sparse"] = {
+    "count": 2, "indices": {"bufferView": file.view(struct.pack("<2H", 1, 4)), "componentType": 5123},
+    "values": {"bufferView": file.view(struct.pack("<6f", 7, 8, 9, 1, 2, 3))}}
+file.doc["accessors"][indices]["sparse"] = {
+    "count": 1, "indices": {"bufferView": file.view(b"\2"), "componentType": 5121},
+    "values": {"bufferView": file.view(struct.pack("<H", 5))}}
+file.primitive(positions, indices)
+expect(file, [P[0], (7, 8, 9), P[2], P[3], (1, 2, 3), P[5]], [(0, 1, 5)], "sparse")
+file = File()
+file.doc["accessors"].append({"componentType": 5126, "count": 3, "type": "VEC3", "sparse": {
+    "count": 2, "indices": {"bufferView": file.view(struct.pack("<2I", 1, 2)), "componentType": 5125},
+    "values": {"bufferView": file.view(struct.pack("<6f", 1, 0, 0, 0, 1, 0))}}})
+file.primitive(0)
+expect(file, P[:3], [(0, 1, 2)], "sparse alone")
+
+# Quantized positions.
+file = File(["KHR_mesh_quantization"])
+file.primitive(file.accessor([(-128, 127, 0), (127, 0, 0), (0, 0, 127)], "VEC3", 5120, stride=4, normalized=True))
+expect(file, [(-1, 1, 0), (1, 0, 0), (0, 0, 1)], [(0, 1, 2)], "normalized bytes")
+file = File(["KHR_mesh_quantization"])
+file.primitive(file.accessor([(-300, 0, 1), (9, 0, 0), (0, 9, 0)], "VEC3", 5122, stride=8))
+expect(file, [(-300, 0, 1), (9, 0, 0), (0, 9, 0)], [(0, 1, 2)], "shorts")
+
+# Several primitives: one accessor is one set of vertices, another accessor another one. Points and lines are left out.
+file = File()
+shared, other = file.positions(P), file.positions(P[:3])
+file.primitive(shared, file.indices([0, 1, 2]))
+file.primitive(other)
+file.primitive(shared, file.indices([0, 1]), 1)
+file.primitive(shared, file.indices([2, 3, 4, 5]), 5)
+expect(file, P + P[:3], [(0, 1, 2), (6, 7, 8), (2, 3, 4), (4, 3, 5)], "primitives")
+
+# Nodes: a tree of moves, a quaternion, a matrix; a mirror turns triangles over; the scene says which are drawn.
+file = File()
+file.primitive(file.positions(P), None, 5)
+file.doc |= {"scene": 1, "scenes": [{"nodes": [3]}, {"nodes": [0, 2]}], "nodes": [
+    {"translation": [10, 0, 0], "scale": [2, 1, 1], "children": [1]}, {"mesh": 0, "rotation": [0, 0, 1, 0]},
+    {"mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 5, 1]}, {"mesh": 0}]}
+expect(file, [(10 - 2 * x, -y, z) for x, y, z in P] + [(-x, y, z + 5) for x, y, z in P],
+       STRIP + [(c + 6, b + 6, a + 6) for a, b, c in STRIP], "nodes")
+strips = json.loads(run("stripify", scratch / "in.gltf", "--effort", "file", "--json", "-").stdout)
+assert (strips["strips"], strips["cut_strips"], strips["valid"]) == (2, 0, True), strips
+del file.doc["scenes"], file.doc["scene"], file.doc["nodes"][3]
+expect(file, [(10 - 2 * x, -y, z) for x, y, z in P] + [(-x, y, z + 5) for x, y, z in P],
+       STRIP + [(c + 6, b + 6, a + 6) for a, b, c in STRIP], "roots without scenes")
+
+
+# ---- the damaged ones
+def whole():
+    made = File()
+    made.primitive(made.positions(P), made.indices([0, 1, 2, 3, 4, 5]), 5)
+    made.doc["nodes"] = [{"mesh": 0}]
+    made.doc["scenes"] = [{"nodes": [0]}]
+    return made
+
+
+def sparse(made, places, count=None):
+    made.doc["accessors"][0]["sparse"] = {
+        "count": len(places) if count is None else count,
+        "indices": {"bufferView": made.view(bytes(places)), "componentType": 5121},
+        "values": {"bufferView": made.view(bytes(12 * len(places)))}}
+
+
+def set_at(*path_and_value):
+    def edit(made):
+        *path, last, value = path_and_value
+        place = made.doc
+        for step in path:
+            place = place[step]
+        place[last] = value
+    return edit
+
+
+PRIMITIVE = ("meshes", 0, "primitives", 0)
+DAMAGED = (
+    (set_at("asset", "version", "1.0"), "asset.version is '1.0'"),
+    (set_at("asset", {}), "asset.version is missing"),
+    (set_at("extensionsRequired", ["KHR_draco_mesh_compression"]), "extensionsRequired[0] is KHR_draco"),
+    (set_at(*PRIMITIVE, "mode", "5"), "meshes[0].primitives[0].mode is no number"),
+    (set_at(*PRIMITIVE, "mode", 7), "mode is 7"),
+    (set_at(*PRIMITIVE, "indices", 9), "accessors has no element 9"),
+    (set_at(*PRIMITIVE, "indices", -1), "indices is no whole number"),
+    (set_at(*PRIMITIVE, "indices", 0), "accessors[0].type is not SCALAR"),
+    (set_at(*PRIMITIVE, "attributes", {}), "attributes.POSITION is missing"),
+    (set_at(*PRIMITIVE, "attributes", "POSITION", 1), "accessors[1].type is not VEC3"),
+    (set_at("accessors", 0, "count", 7), "accessors[0] has 7 elements, which reach beyond"),
+    (set_at("accessors", 0, "count", 1 << 52), "accessors[0].count is too large"),
+    (set_at("accessors", 0, "count", 5), "indices have 5, and there are 5 positions"),
+    (set_at("accessors", 1, "byteOffset", 2), "which reach beyond"),
+    (set_at("accessors", 1, "componentType", 5126), "no type of an index"),
+    (set_at("accessors", 0, "componentType", 5125), "no type of positions"),
+    (set_at("accessors", 0, "normalized", 1), "normalized is no truth value"),
+    (set_at("bufferViews", 0, "byteStride", 4), "byteStride is 4, not 12 to 252"),
+    (set_at("bufferViews", 1, "byteLength", 1000), "bufferViews[1] reaches beyond its buffer"),
+    (set_at("bufferViews", 1, "buffer", 1), "buffers has no element 1"),
+    (set_at("buffers", 0, "byteLength", 1000), "buffers[0] has "),
+    (set_at("nodes", 0, "mesh", 3), "meshes has no element 3"),
+    (set_at("nodes", 0, "children", [0]), "nodes[0] is in the scene twice"),
+    (set_at("nodes", 0, "scale", [1, 1]), "nodes[0].scale has 2 numbers, not 3"),
+    (set_at("nodes", 0, "matrix", [1] * 16), "matrix has a last row"),
+    (set_at("nodes", 0, "translation", [1e39, 0, 0]), "vertex 0 has a coordinate that is infinite"),
+    (set_at("scenes", 0, "nodes", 0), "scenes[0].nodes is no array"),
+    (set_at("scene", 1), "scenes has no element 1"),
+    (set_at("meshes", [{"primitives": []}]), "no vertices"),
+    (lambda made: made.doc.update(extras=json.loads("[" * 80 + "]" * 80)), "nested more than 64 deep"),
+    (lambda made: sparse(made, [3, 3]), "they must increase"),
+    (lambda made: sparse(made, [6]), "be below 6"),
+    (lambda made: sparse(made, [1], 7), "sparse.count is 7"),
+    (lambda made: sparse(made, [1], 2), "which reach beyond"),
+    (lambda made: made.doc["accessors"][0].update(count=10 ** 9) or made.doc["accessors"][0].pop("bufferView"),
+     "can mean"),
+    (lambda made: (made.doc["meshes"][0]["primitives"][0].update(mode=4),
+                   made.doc["accessors"][1].update(count=5)), "are 5, no multiple of three"),
+)
+
+
+def refused(name, data, words):
+    (scratch / name).write_bytes(data)
+    done = run("stats", scratch / name)
+    assert done.returncode == 2 and name in done.stderr and words in done.stderr, (words, done.returncode, done.stderr)
+
+
+for edit, words in DAMAGED:
+    made = whole()
+    edit(made)
+    refused("bad.glb", made.glb(), words)
+    if "byteLength" not in words:
+        refused("bad.gltf", made.gltf(), words)
+for uri, words in (("../outside.bin", "only a file in the same folder"), ("/etc/passwd", "only a file in the same folder"),
+                   ("https://host/a.bin", "only a file in the same folder"), ("%2e%2e%2fa.bin", "only a file in the same"),
+                   ("%zz", "only a file in the same folder"),
+                   ("data:,abc", "is no base64"), ("data:;base64,ab!=", "is no base64"), ("data:;base64,abc", "is no base64")):
+    refused("bad.gltf", whole().gltf(uri), words)
+(scratch / "lost.gltf").write_bytes(whole().gltf("none.bin"))
+lost = run("stats", scratch / "lost.gltf")
+assert lost.returncode == 2 and "none.bin: no such file" in lost.stderr, lost.stderr
+(scratch / "short.bin").write_bytes(b"1234")
+refused("bad.gltf", whole().gltf("short.bin"), "buffers[0] has 4 bytes of the 84")
+no_buffer = whole()
+no_buffer.doc["buffers"][0].pop("uri", None)
+refused("bad.gltf", json.dumps(no_buffer.doc).encode(), "has neither")
+good = whole().glb()
+for size in range(1, len(good)):
+    (scratch / "cut.glb").write_bytes(good[:size])
+    done = run("stats", scratch / "cut.glb") if size % 7 == 1 or size < 30 or size > len(good) - 10 else None
+    assert done is None or (done.returncode == 2 and "cut.glb" in done.stderr), (size, done.stderr)
+refused("version.glb", good[:4] + b"\1\0\0\0" + good[8:], "a GLB of version 1")
+refused("chunk.glb", good[:12] + b"\xFF\xFF\xFF\x7F" + good[16:], "more than are left")
+refused("kind.glb", good[:16] + b"BIN\0" + good[20:], "its first chunk is not JSON")
+print("glTF files: all hold")

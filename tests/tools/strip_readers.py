@@ -1,0 +1,105 @@
+"""Readers of the files that restrip writes, by their formats' definitions, with no code of restrip's; and what strips draw."""
+import json
+import struct
+
+RESTART = {2: 0xFFFF, 4: 0xFFFFFFFF}
+
+
+def rotated(corners):
+    at = corners.index(min(corners))
+    return tuple(corners[at:] + corners[:at])
+
+
+def triangles_of_strip(strip):
+    made = []
+    for i in range(len(strip) - 2):
+        a, b, c = strip[i:i + 3]
+        if len({a, b, c}) == 3:
+            made.append(rotated([a, b, c] if i % 2 == 0 else [b, a, c]))
+    return made
+
+
+def strips_between(indices, restart):
+    strips = [[]]
+    for index in indices:
+        if index == restart:
+            strips.append([])
+        else:
+            strips[-1].append(index)
+    return strips
+
+
+def drawn(strips):
+    return sorted(t for strip in strips for t in triangles_of_strip(strip))
+
+
+def obj(path):
+    points, triangles = [], []
+    for line in path.read_text().splitlines():
+        words = line.split()
+        if words[:1] == ["v"]:
+            points.append(struct.unpack("<3f", struct.pack("<3f", *map(float, words[1:]))))
+        elif words[:1] == ["f"]:
+            triangles.append(rotated([int(word) - 1 for word in words[1:]]))
+    return points, sorted(triangles)
+
+
+def ply(path):
+    head, body = path.read_bytes().split(b"end_header\n", 1)
+    lines = head.decode().splitlines()
+    assert lines[:2] == ["ply", "format binary_little_endian 1.0"], lines
+    assert lines[3:6] == [f"property float {axis}" for axis in "xyz"], lines
+    assert lines[6:] == ["element tristrips 1", "property list int int vertex_indices"], lines
+    count = int(lines[2].removeprefix("element vertex "))
+    points = list(struct.iter_unpack("<3f", body[:12 * count]))
+    (length,) = struct.unpack_from("<i", body, 12 * count)
+    assert len(body) == 12 * count + 4 + 4 * length
+    return points, strips_between(struct.unpack_from(f"<{length}i", body, 12 * count + 4), -1)
+
+
+def glb(path):
+    """The points, and (mode, indices, width) of each primitive; checks what the format demands of what is there."""
+    data = path.read_bytes()
+    magic, version, length = struct.unpack_from("<4sII", data)
+    assert (magic, version, length) == (b"glTF", 2, len(data))
+    chunks, at = [], 12
+    while at < len(data):
+        size, kind = struct.unpack_from("<I4s", data, at)
+        assert size % 4 == 0
+        chunks.append((kind, data[at + 8:at + 8 + size]))
+        at += 8 + size
+    assert at == len(data) and [kind for kind, _ in chunks] == [b"JSON", b"BIN\0"]
+    doc, binary = json.loads(chunks[0][1]), chunks[1][1]
+    assert doc["asset"]["version"] == "2.0" and doc["scenes"][doc["scene"]]["nodes"] == [0]
+    assert 0 <= len(binary) - doc["buffers"][0]["byteLength"] < 4
+
+    def accessor(number):
+        about = doc["accessors"][number]
+        view = doc["bufferViews"][about["bufferView"]]
+        letter, width = {5123: ("H", 2), 5125: ("I", 4), 5126: ("f", 4)}[about["componentType"]]
+        parts = {"SCALAR": 1, "VEC3": 3}[about["type"]]
+        offset = about.get("byteOffset", 0)
+        size = width * parts * about["count"]
+        assert about["count"] > 0 and offset % width == 0 and offset + size <= view["byteLength"]
+        begin = view.get("byteOffset", 0) + offset
+        assert begin % width == 0 and view.get("byteOffset", 0) + view["byteLength"] <= doc["buffers"][0]["byteLength"]
+        flat = struct.unpack(f"<{parts * about['count']}{letter}", binary[begin:begin + size])
+        return about, width, flat
+
+    primitives = doc["meshes"][doc["nodes"][0]["mesh"]]["primitives"]
+    about, _, flat = accessor(primitives[0]["attributes"]["POSITION"])
+    points = list(zip(*[iter(flat)] * 3))
+    for axis in range(3):
+        for bound, of in ((about["min"], min), (about["max"], max)):
+            told = struct.unpack("<f", struct.pack("<f", bound[axis]))[0]
+            assert told == of(point[axis] for point in points)
+    made = []
+    for primitive in primitives:
+        assert primitive["attributes"] == primitives[0]["attributes"]
+        _, width, indices = accessor(primitive["indices"])
+        made.append((primitive["mode"], list(indices), width))
+    extensions = doc.get("extensionsRequired", [])
+    assert extensions == doc.get("extensionsUsed", [])
+    restarts = any(RESTART[width] in indices for _, indices, width in made)
+    assert extensions == (["KHR_mesh_primitive_restart"] if restarts else [])
+    return points, made

@@ -1,0 +1,86 @@
+// `restrip convert`: any mesh in, any format out, as it is.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "common/bad_input.hpp"
+#include "common/report_output.hpp"
+#include "files/output.hpp"
+#include "files/reading.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/strip_file.hpp"
+
+namespace restrip::tools {
+namespace {
+
+/// What is written of a mesh, and what of it the format left out.
+struct Converted {
+  std::string bytes;
+  std::size_t strips = 0;
+  std::size_t left_out = 0;
+};
+
+Converted converted(const Soup& soup, const ConvertCommand& command) {
+  const std::string extension = files::extension_of(command.out);
+  const bool holds_strips = extension == ".glb" || extension == ".bin" || (extension == ".ply" && !soup.strips.empty());
+  if (!holds_strips) return {mesh_bytes(soup, extension), 0, 0};
+  GltfPrimitives primitives = command.gltf;
+  if (soup.strips.empty()) {
+    if (extension == ".bin" || (command.gltf_given && primitives != GltfPrimitives::list))
+      throw BadInput(
+          fmt::format("{}: has no strips; restrip stripify makes some and writes them", command.mesh.string()));
+    primitives = GltfPrimitives::list;
+  }
+  std::vector<Corners> drawn;
+  std::copy_if(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(drawn),
+               [](const Corners& t) { return !degenerate(t); });
+  const auto ends = std::count(soup.strips.begin(), soup.strips.end(), strip_end);
+  return {strip_bytes({soup.points, soup.strips, drawn}, extension, primitives),
+          soup.strips.empty() || primitives == GltfPrimitives::list ? 0 : static_cast<std::size_t>(ends) + 1,
+          soup.triangles.size() - drawn.size()};
+}
+
+}  // namespace
+
+std::vector<std::string> converted_extensions() {
+  std::vector<std::string> all = written_mesh_extensions();
+  for (const std::string& extension : written_strip_extensions())
+    if (std::find(all.begin(), all.end(), extension) == all.end()) all.push_back(extension);
+  return all;
+}
+
+int run(const ConvertCommand& command) {
+  const files::Output out(command.out, {converted_extensions(), {command.mesh}});
+  const ReportOutput report(command.json, {command.mesh, command.out});
+  if (files::extension_of(command.out).empty())  // a device
+    throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}",
+                               command.out.string(), fmt::join(converted_extensions(), ", ")));
+  const std::string extension = files::extension_of(command.mesh);
+  if (extension == ".pm" || extension == ".baked")
+    throw BadInput(
+        fmt::format("{}: is a progressive mesh; restrip replay with -o and --triangles writes one level of it",
+                    command.mesh.string()));
+  Mended mended;
+  const Soup soup = read_mesh(command.mesh, command.mending, mended);
+  const Converted made = converted(soup, command);
+  out.write(made.bytes);
+  nlohmann::ordered_json json{{"vertices", soup.points.size()},
+                              {"triangles", soup.triangles.size() - made.left_out},
+                              {"strips", made.strips},
+                              {"left_out", made.left_out}};
+  if (mended.any_asked()) json["mended"] = json_of(mended);
+  std::string text = as_text(mended);
+  text += fmt::format("{}: {} vertices, {} triangles", command.out.string(), soup.points.size(),
+                      soup.triangles.size() - made.left_out);
+  if (made.strips != 0) text += fmt::format(" in {} strips", made.strips);
+  if (made.left_out != 0) text += fmt::format("; {} degenerate triangles left out", made.left_out);
+  report.print(text + "\n", json.dump(2) + "\n");
+  return 0;
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,28 @@
+// One level of detail as a file, with its strips.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "meshes/strip_file.hpp"
+#include "replay/ways.hpp"
+
+namespace restrip::tools {
+
+struct LevelFile {
+  std::string bytes;
+  std::size_t triangles = 0;
+  std::size_t strips = 0;
+};
+
+/// The mesh and its strips in the format of the extension (strip_file.hpp). Vertices are numbered as the strips come to
+/// them; the others are left out. Throws what strip_bytes() throws.
+[[nodiscard]] LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const std::string& extension,
+                                   GltfPrimitives primitives);
+/// The level of at least so many triangles, its strips kept from the base up in the way of the plan; the finest level
+/// where there are not so many.
+[[nodiscard]] LevelFile level_file(const Plan& plan, std::size_t triangles, const std::string& extension,
+                                   GltfPrimitives primitives);
+
+}  // namespace restrip::tools

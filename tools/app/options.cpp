@@ -1,0 +1,176 @@
+#include "app/options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "files/reading.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/text_cursor.hpp"
+
+namespace restrip::tools {
+namespace {
+
+/// A range admits what is no number at all.
+const CLI::Validator true_number(
+    [](std::string& word) {
+      const auto number = parse<double>(word);
+      return number && std::isfinite(*number) ? std::string() : fmt::format("{} is no number", word);
+    },
+    "", "number");
+
+/// Letters to put in, take out or exchange until one word is the other.
+std::size_t distance(const std::string& one, const std::string& other) {
+  std::vector<std::size_t> row(other.size() + 1);
+  std::iota(row.begin(), row.end(), 0U);
+  for (std::size_t i = 1; i <= one.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= other.size(); ++j) {
+      const std::size_t exchanged = diagonal + (one[i - 1] == other[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, exchanged});
+    }
+  }
+  return row.back();
+}
+
+/// What may stand for a value: from the names of CLI11's types and checks, "UINT:INT in [2 - 1000]", "TEXT:{a,b}".
+std::string values_in_words(const std::string& type) {
+  if (const std::size_t open = type.find('{'); open != std::string::npos) {
+    std::string words = type.substr(open + 1, type.find('}', open) - open - 1);
+    std::replace(words.begin(), words.end(), ',', '|');
+    return words;
+  }
+  const std::string number = type.starts_with("FLOAT") ? "X" : "N";
+  if (const std::size_t range = type.find(" in ["); range != std::string::npos) {
+    const std::size_t dash = type.find(" - ", range);
+    return fmt::format("{} from {} to {}", number, type.substr(range + 5, dash - range - 5),
+                       type.substr(dash + 3, type.find(']', dash) - dash - 3));
+  }
+  return type.starts_with("TEXT") ? "FILE" : number;
+}
+
+std::string names_of(const std::set<CLI::Option*>& options) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : options) names.push_back(option->get_name());
+  return list_in_words(names, "and");
+}
+
+}  // namespace
+
+const CLI::Validator& whole_number() {
+  static const CLI::Validator validator(
+      [](std::string& word) {
+        return parse<std::uint64_t>(word) ? std::string() : fmt::format("{} is no whole number below 2^64", word);
+      },
+      "", "whole number");
+  return validator;
+}
+
+std::string list_in_words(const std::vector<std::string>& words, const std::string& last_word) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i != 0) text += i + 1 == words.size() ? " " + last_word + " " : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+std::string mesh_formats() { return list_in_words(read_mesh_extensions(), "or"); }
+
+std::string strip_formats() {
+  return ".ply (tristrips), .glb, .obj (triangles in their order) or .bin (indices of 32 bits, 0xFFFFFFFF between "
+         "strips)";
+}
+
+void add_mending_options(CLI::App& app, MendingOptions& options) {
+  app.add_flag("--weld", options.weld, "make vertices at the same place one: strips end at seams");
+  app.add_flag("--orient", options.orient, "turn triangles until neighbours agree: strips end where they do not");
+}
+
+void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
+  app.add_option("--base", options.base, "share of the triangles that the coarsest level keeps")
+      ->check(true_number)
+      ->check(CLI::Range(1e-9, 1.0))
+      ->capture_default_str();
+  app.add_option_function<std::string>(
+         "--boundary",
+         [&options](const std::string& word) {
+           options.boundary = word == "lock" ? BoundaryPolicy::lock : BoundaryPolicy::move;
+         },
+         "lock: only edges between interior vertices collapse; move: boundary edges too")
+      ->check(CLI::IsMember({"lock", "move"}))
+      ->default_str(options.boundary == BoundaryPolicy::lock ? "lock" : "move");
+}
+
+bool simplify_options_given(const CLI::App& app) { return app.count("--base") + app.count("--boundary") != 0; }
+
+void add_json_option(CLI::App& app, std::string& json) {
+  app.add_option("--json", json, "write the report as JSON to this file; - for standard output, in place of the text");
+}
+
+void add_cost_option(CLI::App& app, Cost& cost) {
+  app.add_option_function<std::string>(
+         "--cost", [&cost](const std::string& word) { cost = word == "indices" ? Cost::indices() : Cost::strips(); },
+         "what is to be few: strips, or indices of plain triangle strips with primitive restart")
+      ->check(CLI::IsMember({"strips", "indices"}))
+      ->default_str("strips");
+}
+
+CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf) {
+  return app
+      .add_option_function<std::string>(
+          "--gltf",
+          [&gltf](const std::string& word) {
+            gltf = word == "list"     ? GltfPrimitives::list
+                   : word == "strips" ? GltfPrimitives::strips
+                                      : GltfPrimitives::restart;
+          },
+          "what a .glb has: restart: one primitive, for viewers with KHR_mesh_primitive_restart; strips: a primitive "
+          "for each strip; list: a list of triangles")
+      ->check(CLI::IsMember({"restart", "strips", "list"}))
+      ->default_str("restart");
+}
+
+void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out) {
+  if (!gltf.empty() && files::extension_of(out) != ".glb")
+    throw CLI::ValidationError("--gltf", "only an output that ends in .glb has primitives");
+}
+
+std::string PlainFormatter::make_option_opts(const CLI::Option* option) const {
+  std::string text;
+  if (!option->get_option_text().empty()) {
+    text = " " + option->get_option_text();
+  } else if (option->get_type_size() != 0) {
+    const bool flag = option->get_type_name().empty();
+    if (!flag && !option->get_positional()) text = " " + values_in_words(option->get_type_name());
+    if (option->get_expected_max() == CLI::detail::expected_max_vector_size) text += " ...";
+    if (!option->get_default_str().empty()) text += fmt::format(" (default: {})", option->get_default_str());
+    if (option->get_required() && !option->get_positional()) text += " (required)";
+  }
+  if (!option->get_needs().empty()) text += fmt::format(" (with {})", names_of(option->get_needs()));
+  if (!option->get_excludes().empty()) text += fmt::format(" (without {})", names_of(option->get_excludes()));
+  return text;
+}
+
+std::string wrong_subcommand(const CLI::App& app, const std::string& argument) {
+  if (argument.starts_with("-")) return "";
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (sub->get_name() == argument) return "";
+    names.push_back(sub->get_name());
+  }
+  const auto nearest = std::min_element(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+    return distance(a, argument) < distance(b, argument);
+  });
+  // A third of the letters may be wrong.
+  const std::string advice = nearest != names.end() && 3 * distance(*nearest, argument) <= nearest->size()
+                                 ? fmt::format("did you mean {}?", *nearest)
+                                 : fmt::format("there are {}", list_in_words(names, "and"));
+  return fmt::format("there is no subcommand '{}'; {}", argument.substr(0, 40), advice);
+}
+
+}  // namespace restrip::tools

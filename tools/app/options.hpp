@@ -1,0 +1,41 @@
+// Options that several subcommands have, and how help shows them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+
+namespace restrip::tools {
+
+/// CLI11 takes -1 for the largest number there is, and a number that is too large as well.
+[[nodiscard]] const CLI::Validator& whole_number();
+
+/// ".obj, .off and .ply"; `last_word` is "and" or "or".
+[[nodiscard]] std::string list_in_words(const std::vector<std::string>& words, const std::string& last_word);
+/// The formats of meshes, as the help of an input says them.
+[[nodiscard]] std::string mesh_formats();
+/// Those in which strips are written (strip_file.hpp).
+[[nodiscard]] std::string strip_formats();
+
+void add_mending_options(CLI::App& app, MendingOptions& options);
+void add_simplify_options(CLI::App& app, SimplifyOptions& options);
+[[nodiscard]] bool simplify_options_given(const CLI::App& app);
+void add_json_option(CLI::App& app, std::string& json);
+void add_cost_option(CLI::App& app, Cost& cost);
+/// --gltf, which only an output that ends in .glb has: `refuse_gltf_elsewhere` says so.
+CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf);
+void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out);
+
+/// Values of options in words for people: "a|b", "from 2 to 1000".
+class PlainFormatter : public CLI::Formatter {
+ public:
+  [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
+};
+
+/// A sentence about a first argument that is no subcommand, with the one whose name is nearest, if any is near; empty
+/// when it is one, or an option.
+[[nodiscard]] std::string wrong_subcommand(const CLI::App& app, const std::string& argument);
+
+}  // namespace restrip::tools

@@ -1,0 +1,281 @@
+#include "meshes/gltf_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <optional>
+
+#include "common/bad_input.hpp"
+
+namespace restrip::tools {
+namespace {
+
+constexpr std::size_t glb_header_bytes = 12;
+constexpr std::uint32_t json_chunk = 0x4E4F534A;
+constexpr std::uint32_t binary_chunk = 0x004E4942;
+
+constexpr unsigned type_float = 5126;
+
+/// Bytes of a component; 0 for what is no type.
+constexpr unsigned width_of(std::uint64_t type) {
+  switch (type) {
+    case 5120:
+    case 5121:
+      return 1;
+    case 5122:
+    case 5123:
+      return 2;
+    case 5125:
+    case type_float:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+constexpr bool is_index_type(std::uint64_t type) { return type == 5121 || type == 5123 || type == 5125; }
+
+std::uint32_t little_endian(std::string_view bytes, std::size_t at, unsigned width = 4) {
+  std::uint32_t value = 0;
+  for (unsigned i = 0; i < width; ++i) value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+  return value;
+}
+
+unsigned digit_of(char c, std::string_view digits) { return static_cast<unsigned>(digits.find(c)); }
+
+/// Nothing where the text is no base64.
+std::optional<std::string> from_base64(std::string_view text) {
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  if (text.size() % 4 != 0) return std::nullopt;
+  for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
+  std::string bytes;
+  bytes.reserve(text.size() / 4 * 3 + 2);
+  std::uint32_t bits = 0;
+  unsigned known = 0;
+  for (const char c : text) {
+    const unsigned digit = digit_of(c, digits);
+    if (digit >= digits.size()) return std::nullopt;
+    bits = bits << 6U | digit;
+    known += 6;
+    if (known < 8) continue;
+    known -= 8;
+    bytes.push_back(static_cast<char>(bits >> known & 0xFFU));
+  }
+  return bytes;
+}
+
+/// Without %XX. Nothing where these are wrong.
+std::optional<std::string> percent_decoded(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      plain.push_back(text[i]);
+      continue;
+    }
+    if (text.size() - i < 3) return std::nullopt;
+    const auto half = [&](std::size_t at) { return digit_of(text[at], "0123456789abcdefABCDEF"); };
+    const auto value = [](unsigned digit) { return digit < 16 ? digit : digit - 6; };
+    if (half(i + 1) > 21 || half(i + 2) > 21) return std::nullopt;
+    plain.push_back(static_cast<char>(value(half(i + 1)) << 4U | value(half(i + 2))));
+    i += 2;
+  }
+  return plain;
+}
+
+}  // namespace
+
+GltfFile::GltfFile(std::string_view bytes, const std::string& name, const ReadBeside& beside)
+    : name_(name), beside_(beside), file_bytes_(bytes.size()) {
+  if (bytes.starts_with("glTF"))
+    read_container(bytes);
+  else
+    json_ = parse_json(bytes, name);
+  const JsonPlace version = root()["asset"]["version"];
+  if (!version.text().starts_with("2."))
+    version.refuse(fmt::format("is '{}'; only glTF 2 is read", version.text().substr(0, 40)));
+  check_extensions();
+}
+
+void GltfFile::read_container(std::string_view bytes) {
+  const auto refuse = [this](const std::string& why) {
+    throw BadInput(fmt::format("{}: {}; is it complete?", name_, why));
+  };
+  if (bytes.size() < glb_header_bytes) refuse("ends inside its header");
+  if (little_endian(bytes, 4) != 2)
+    throw BadInput(fmt::format("{}: a GLB of version {}; only 2 is read", name_, little_endian(bytes, 4)));
+  const std::size_t size = little_endian(bytes, 8);
+  if (size != bytes.size()) refuse(fmt::format("says that it has {} bytes, and has {}", size, bytes.size()));
+  bool has_json = false;
+  for (std::size_t at = glb_header_bytes; at < bytes.size();) {
+    if (bytes.size() - at < 8) refuse(fmt::format("ends inside the header of the chunk at byte {}", at));
+    const std::size_t length = little_endian(bytes, at);
+    const std::uint32_t kind = little_endian(bytes, at + 4);
+    if (length > bytes.size() - at - 8)
+      refuse(fmt::format("its chunk at byte {} has {} bytes, more than are left", at, length));
+    const std::string_view chunk = bytes.substr(at + 8, length);
+    if (!has_json) {
+      if (kind != json_chunk) refuse("its first chunk is not JSON");
+      json_ = parse_json(chunk, name_);
+      has_json = true;
+    } else if (kind == binary_chunk && !has_binary_) {
+      binary_ = chunk;
+      has_binary_ = true;
+    }
+    at += 8 + length;
+  }
+  if (!has_json) refuse("has no JSON");
+}
+
+void GltfFile::check_extensions() const {
+  const JsonPlace required = root()["extensionsRequired"];
+  for (std::size_t i = 0; i < required.size(); ++i) {
+    const std::string& extension = required.at(i).text();
+    const bool known = extension == "KHR_mesh_primitive_restart" || extension == "KHR_mesh_quantization";
+    const auto begins = [&](std::string_view with) { return extension.starts_with(with); };
+    const bool only_looks = begins("KHR_materials_") || begins("KHR_texture_") || begins("EXT_texture_") ||
+                            begins("KHR_lights_") || begins("EXT_lights_");
+    if (!known && !only_looks)
+      required.at(i).refuse(
+          fmt::format("is {}, which is not read; export the mesh without it", extension.substr(0, 60)));
+  }
+}
+
+std::string GltfFile::load(const JsonPlace& uri) const {
+  std::string_view text = uri.text();
+  if (text.starts_with("data:")) {
+    const std::size_t comma = text.find(',');
+    const bool base64 = comma != std::string_view::npos && text.substr(0, comma).ends_with(";base64");
+    std::optional<std::string> bytes;
+    if (base64) bytes = from_base64(text.substr(comma + 1));
+    if (!bytes) uri.refuse("is no base64; is it complete?");
+    return *std::move(bytes);
+  }
+  const std::optional<std::string> file = percent_decoded(text);
+  if (!file || file->empty() || *file == "." || *file == ".." ||
+      file->find_first_of(std::string_view("/\\:\0", 4)) != std::string::npos)
+    uri.refuse(fmt::format("is '{}'; only a file in the same folder is read: put it there and name it without a folder",
+                           text.substr(0, 80)));
+  return beside_(*file);
+}
+
+std::string_view GltfFile::buffer(std::uint64_t number) {
+  const JsonPlace about = root()["buffers"].at(number);
+  const std::uint64_t length = about["byteLength"].whole();
+  std::string_view bytes = binary_;
+  if (about["uri"].there()) {
+    loaded_.resize(root()["buffers"].size());  // once, as views of them are kept
+    if (loaded_[number].empty()) loaded_[number] = load(about["uri"]);
+    bytes = loaded_[number];
+  } else if (number != 0 || !has_binary_) {
+    about.refuse("has neither a `uri` nor the chunk of a GLB");
+  }
+  if (length > bytes.size())
+    about.refuse(fmt::format("has {} bytes of the {} that it says; is it complete?", bytes.size(), length));
+  return bytes.substr(0, length);
+}
+
+double GltfFile::Elements::value(std::size_t element, std::size_t component) const {
+  const unsigned width = width_of(type);
+  const std::uint32_t bits = little_endian(bytes, element * stride + component * width, width);
+  if (type == type_float) return std::bit_cast<float>(bits);
+  if (type == 5120) return static_cast<std::int8_t>(bits);
+  if (type == 5122) return static_cast<std::int16_t>(bits);
+  return bits;
+}
+
+GltfFile::Elements GltfFile::elements(const JsonPlace& from, unsigned type, std::size_t components, std::size_t count) {
+  const JsonPlace view = root()["bufferViews"].at(from["bufferView"].whole());
+  const std::string_view all = buffer(view["buffer"].whole());
+  const std::uint64_t begin = view["byteOffset"].whole_or(0);
+  const std::uint64_t length = view["byteLength"].whole();
+  if (begin > all.size() || length > all.size() - begin)
+    view.refuse("reaches beyond its buffer; is the file complete?");
+  const std::size_t size = components * width_of(type);
+  const std::uint64_t stride = view["byteStride"].whole_or(size);
+  if (stride < size || stride > 252) view["byteStride"].refuse(fmt::format("is {}, not {} to 252", stride, size));
+  const std::uint64_t offset = from["byteOffset"].whole_or(0);
+  // Both are below 2^53, and a stride is small: the sum does not overflow.
+  if (count != 0 && (offset > length || (count - 1) * stride + size > length - offset))
+    from.refuse(fmt::format("has {} elements, which reach beyond its buffer view; is the file complete?", count));
+  return {all.substr(begin + std::min(offset, length)), stride, type};
+}
+
+std::size_t GltfFile::count_of(const JsonPlace& accessor) const {
+  const std::uint64_t count = accessor["count"].whole();
+  // Elements that no buffer has are zero, which takes no bytes at all.
+  if (!accessor["bufferView"].there() && count > file_bytes_)
+    accessor.refuse(fmt::format("has {} elements, more than the {} bytes of the file can mean", count, file_bytes_));
+  if (count > std::uint64_t{1} << 40U) accessor["count"].refuse("is too large");
+  return count;
+}
+
+template <class Value, class Read>
+void GltfFile::fill(const JsonPlace& accessor, unsigned type, std::size_t components, std::vector<Value>& values,
+                    Read&& read) {
+  const std::size_t count = count_of(accessor);
+  if (accessor["bufferView"].there()) {
+    const Elements all = elements(accessor, type, components, count);
+    values.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) values.push_back(read(all, i));
+  } else {
+    values.resize(count);
+  }
+  const JsonPlace sparse = accessor["sparse"];
+  if (!sparse.there()) return;
+  const std::uint64_t replaced = sparse["count"].whole();
+  if (replaced > count) sparse["count"].refuse(fmt::format("is {}, more than the accessor has", replaced));
+  const JsonPlace places = sparse["indices"];
+  const std::uint64_t place_type = places["componentType"].whole();
+  if (!is_index_type(place_type)) places["componentType"].refuse("is no type of an index (5121, 5123 or 5125)");
+  const Elements at = elements(places, static_cast<unsigned>(place_type), 1, replaced);
+  const Elements others = elements(sparse["values"], type, components, replaced);
+  std::size_t least = 0;
+  for (std::size_t i = 0; i < replaced; ++i) {
+    const auto element = static_cast<std::size_t>(at.value(i, 0));
+    if (element < least || element >= count)
+      places.refuse(fmt::format("has {} as its number {}; they must increase and be below {}", element, i, count));
+    values[element] = read(others, i);
+    least = element + 1;
+  }
+}
+
+std::vector<Point> GltfFile::positions(std::uint64_t number) {
+  const JsonPlace about = accessor(number);
+  if (about["type"].text() != "VEC3") about["type"].refuse("is not VEC3, as positions are");
+  const std::uint64_t type = about["componentType"].whole();
+  if (width_of(type) == 0 || type == 5125)
+    about["componentType"].refuse(fmt::format("is {}, no type of positions", type));
+  // KHR_mesh_quantization: integers, normalised or as they are.
+  const bool normalized = about["normalized"].boolean_or(false) && type != type_float;
+  const bool is_signed = type == 5120 || type == 5122;
+  const unsigned bits = 8 * width_of(type) - (is_signed ? 1U : 0U);
+  const double scale = normalized ? 1.0 / static_cast<double>((std::uint64_t{1} << bits) - 1) : 1.0;
+  std::vector<Point> points;
+  fill(about, static_cast<unsigned>(type), 3, points, [&](const Elements& from, std::size_t at) {
+    const auto coordinate = [&](std::size_t axis) {
+      const double value = from.value(at, axis) * scale;
+      return static_cast<float>(normalized ? std::max(value, -1.0) : value);
+    };
+    return Point{coordinate(0), coordinate(1), coordinate(2)};
+  });
+  return points;
+}
+
+std::vector<std::uint32_t> GltfFile::indices(std::uint64_t number) {
+  const JsonPlace about = accessor(number);
+  if (about["type"].text() != "SCALAR") about["type"].refuse("is not SCALAR, as indices are");
+  const std::uint64_t type = about["componentType"].whole();
+  if (!is_index_type(type))
+    about["componentType"].refuse(fmt::format("is {}, no type of an index (5121, 5123 or 5125)", type));
+  const std::uint32_t restart = 0xFFFF'FFFFU >> (32 - 8 * width_of(type));
+  std::vector<std::uint32_t> indices;
+  fill(about, static_cast<unsigned>(type), 1, indices, [restart](const Elements& from, std::size_t at) {
+    const auto index = static_cast<std::uint32_t>(from.value(at, 0));
+    return index == restart ? strip_end : index;
+  });
+  return indices;
+}
+
+}  // namespace restrip::tools

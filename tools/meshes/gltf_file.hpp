@@ -1,0 +1,61 @@
+// A glTF 2.0 file taken apart: its JSON, and what its accessors say. What it draws is read_gltf.cpp's to know.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "meshes/json_tree.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/soup.hpp"
+
+namespace restrip::tools {
+
+class GltfFile {
+ public:
+  /// Text, or binary (GLB), whichever the bytes are. They, the name and `beside` must outlive it. Throws BadInput when
+  /// the file is damaged, is no glTF 2.0 or requires an extension that changes what it draws and is not known here.
+  GltfFile(std::string_view bytes, const std::string& name, const ReadBeside& beside);
+
+  [[nodiscard]] JsonPlace root() const { return {json_, name_}; }
+  [[nodiscard]] JsonPlace accessor(std::uint64_t number) const { return root()["accessors"].at(number); }
+  /// The values of an accessor; sparse ones and strides are seen to. Throws BadInput when it is of another kind or
+  /// reaches beyond its buffer.
+  [[nodiscard]] std::vector<Point> positions(std::uint64_t accessor);
+  /// The largest value of the type of an index is the restart of primitives: strip_end.
+  [[nodiscard]] std::vector<std::uint32_t> indices(std::uint64_t accessor);
+
+ private:
+  /// Elements of one type in a buffer.
+  struct Elements {
+    std::string_view bytes;  // from the first to the end of the last
+    std::size_t stride = 0;
+    unsigned type = 0;  // as glTF numbers the types of components
+
+    /// As it is, not normalised.
+    [[nodiscard]] double value(std::size_t element, std::size_t component) const;
+  };
+
+  void read_container(std::string_view bytes);
+  void check_extensions() const;
+  [[nodiscard]] std::string_view buffer(std::uint64_t number);
+  [[nodiscard]] std::string load(const JsonPlace& uri) const;
+  /// `count` elements of so many components at the place that `from` says: bufferView, byteOffset, componentType.
+  [[nodiscard]] Elements elements(const JsonPlace& from, unsigned type, std::size_t components, std::size_t count);
+  /// Fills `values` with read(elements, number) for each element of the accessor; those that no buffer has are zero.
+  template <class Value, class Read>
+  void fill(const JsonPlace& accessor, unsigned type, std::size_t components, std::vector<Value>& values, Read&& read);
+  /// Its count; refuses what a file of this size cannot mean.
+  [[nodiscard]] std::size_t count_of(const JsonPlace& accessor) const;
+
+  const std::string& name_;
+  const ReadBeside& beside_;
+  std::size_t file_bytes_;
+  JsonValue json_;
+  std::string_view binary_;  // the BIN chunk of a GLB
+  bool has_binary_ = false;
+  std::vector<std::string> loaded_;  // buffers that are not in the file, by number
+};
+
+}  // namespace restrip::tools

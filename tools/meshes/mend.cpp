@@ -1,0 +1,244 @@
+#include "meshes/mend.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/bad_input.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/place_index.hpp"
+
+namespace restrip::tools {
+namespace {
+
+/// A triangle beside an edge.
+struct EdgeSide {
+  std::uint32_t low = 0;  ///< the vertices of the edge
+  std::uint32_t high = 0;
+  std::uint32_t triangle = 0;
+  bool upward = false;  ///< the triangle runs from low to high
+};
+
+std::vector<EdgeSide> sorted_sides(const Soup& soup) {
+  std::vector<EdgeSide> sides;
+  sides.reserve(3 * soup.triangles.size());
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    const Corners& corners = soup.triangles[t];
+    if (degenerate(corners)) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = corners[i];
+      const std::uint32_t to = corners[(i + 1) % 3];
+      sides.push_back({std::min(from, to), std::max(from, to), static_cast<std::uint32_t>(t), from < to});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const EdgeSide& a, const EdgeSide& b) {
+    return std::array{a.low, a.high, a.triangle} < std::array{b.low, b.high, b.triangle};
+  });
+  return sides;
+}
+
+/// Sets of triangles in which it is known of each whether it is turned against the root.
+class TurnedSets {
+ public:
+  explicit TurnedSets(std::size_t size) : parent_(size), turned_(size, 0) {
+    for (std::size_t i = 0; i < size; ++i) parent_[i] = static_cast<std::uint32_t>(i);
+  }
+
+  struct Root {
+    std::uint32_t triangle = 0;
+    bool turned = false;
+  };
+  Root find(std::uint32_t x) {
+    bool turned = false;
+    while (parent_[x] != x) {
+      const std::uint32_t up = parent_[x];  // path halving
+      turned_[x] = static_cast<std::uint8_t>(turned_[x] ^ turned_[up]);
+      parent_[x] = parent_[up];
+      if (turned_[x] != 0) turned = !turned;
+      x = parent_[x];
+    }
+    return {x, turned};
+  }
+  /// False where it is known already that they are related otherwise.
+  bool relate(std::uint32_t x, std::uint32_t y, bool differ) {
+    const Root a = find(x);
+    const Root b = find(y);
+    const bool turn = (a.turned != b.turned) != differ;
+    if (a.triangle == b.triangle) return !turn;
+    const auto [root, child] = std::minmax(a.triangle, b.triangle);
+    parent_[child] = root;
+    turned_[child] = static_cast<std::uint8_t>(turn);
+    return true;
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+  std::vector<std::uint8_t> turned_;  // against the parent
+};
+
+/// Which triangles to turn; throws where that cannot be told.
+std::vector<bool> to_be_turned(const Soup& soup, const std::string& name) {
+  TurnedSets sets(soup.triangles.size());
+  const std::vector<EdgeSide> sides = sorted_sides(soup);
+  for (std::size_t i = 0; i < sides.size();) {
+    std::size_t end = i + 1;
+    while (end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high) ++end;
+    // Beside an edge of three triangles nobody can say which two belong together.
+    if (end == i + 2 && !sets.relate(sides[i].triangle, sides[i + 1].triangle, sides[i].upward == sides[i + 1].upward))
+      throw BadInput(fmt::format(
+          "{}: --orient: the surface of triangle {} (its edge from vertex {} to {}, counted from 0) has one "
+          "side only, like a Moebius strip, and no orientation; leave the option out, or cut it there",
+          name, sides[i + 1].triangle, sides[i].low, sides[i].high));
+    i = end;
+  }
+  const auto triangles = static_cast<std::uint32_t>(soup.triangles.size());
+  std::vector<std::uint32_t> all(triangles, 0);  // of each root
+  std::vector<std::uint32_t> turned(triangles, 0);
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    const TurnedSets::Root root = sets.find(t);
+    ++all[root.triangle];
+    if (root.turned) ++turned[root.triangle];
+  }
+  std::vector<bool> turn(triangles);
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    const TurnedSets::Root root = sets.find(t);
+    turn[t] = root.turned == (2 * std::uint64_t{turned[root.triangle]} <= all[root.triangle]);
+  }
+  return turn;
+}
+
+/// The strips after these triangles were turned.
+std::vector<std::uint32_t> turned_strips(const Soup& soup, const std::vector<bool>& turn) {
+  std::vector<std::uint32_t> made;
+  const auto add = [&made](std::span<const std::uint32_t> strip) {
+    if (!made.empty()) made.push_back(strip_end);
+    made.insert(made.end(), strip.begin(), strip.end());
+  };
+  std::size_t triangle = 0;
+  std::vector<Corners> drawn;
+  std::vector<bool> over;
+  for (auto from = soup.strips.begin(); from != soup.strips.end();) {
+    const auto to = std::find(from, soup.strips.end(), strip_end);
+    drawn.clear();
+    over.clear();
+    for (auto third = from + 2; third < to; ++third) {
+      if (degenerate({third[-2], third[-1], third[0]})) continue;
+      while (degenerate(soup.triangles[triangle])) ++triangle;
+      drawn.push_back(soup.triangles[triangle]);
+      over.push_back(turn[triangle++]);
+    }
+    const auto turned = static_cast<std::size_t>(std::count(over.begin(), over.end(), true));
+    if (turned == 0) {
+      add({from, to});
+    } else if (turned == over.size()) {  // one more index in front, and all turn over
+      std::vector<std::uint32_t> longer{*from};
+      longer.insert(longer.end(), from, to);
+      add(longer);
+    } else {
+      for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (over[i]) std::swap(drawn[i][1], drawn[i][2]);
+        add(drawn[i]);
+      }
+    }
+    from = to == soup.strips.end() ? to : to + 1;
+  }
+  return made;
+}
+
+}  // namespace
+
+Soup read_mesh(const std::filesystem::path& file, const MendingOptions& options, Mended& mended) {
+  Soup soup = read_mesh(file);
+  mended = {options, 0, 0, 0};
+  if (options.weld) weld(soup, mended);
+  if (soup.triangles.empty())
+    throw BadInput(fmt::format("{}: --weld leaves no triangle: each has two corners at one place", file.string()));
+  if (options.orient) orient(soup, file.string(), mended);
+  return soup;
+}
+
+void refuse_mending(const std::filesystem::path& file, const MendingOptions& options) {
+  if (options.weld || options.orient)
+    throw BadInput(
+        fmt::format("{}: a progressive mesh is taken as it is, so --weld and --orient do not apply; leave them out, or "
+                    "give the mesh that it was made from",
+                    file.string()));
+}
+
+void weld(Soup& soup, Mended& mended) {
+  std::vector<std::uint32_t> number(soup.points.size());
+  PlaceIndex places;
+  std::vector<Point> kept;
+  for (std::size_t v = 0; v < soup.points.size(); ++v) {
+    number[v] = places.put(soup.points[v], static_cast<std::uint32_t>(kept.size()));
+    if (number[v] == kept.size())
+      kept.push_back(soup.points[v]);
+    else
+      ++mended.welded_vertices;
+  }
+  soup.points = std::move(kept);
+  const auto vanished = std::remove_if(soup.triangles.begin(), soup.triangles.end(), [&](Corners& t) {
+    const bool was = degenerate(t);
+    for (std::uint32_t& corner : t) corner = number[corner];
+    return !was && degenerate(t);
+  });
+  mended.vanished_triangles += static_cast<std::size_t>(soup.triangles.end() - vanished);
+  soup.triangles.erase(vanished, soup.triangles.end());
+  for (std::uint32_t& index : soup.strips)
+    if (index != strip_end) index = number[index];
+}
+
+void orient(Soup& soup, const std::string& name, Mended& mended) {
+  const std::vector<bool> turn = to_be_turned(soup, name);
+  const auto turned = static_cast<std::size_t>(std::count(turn.begin(), turn.end(), true));
+  if (turned == 0) return;
+  if (!soup.strips.empty()) soup.strips = turned_strips(soup, turn);
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    if (turn[t]) std::swap(soup.triangles[t][1], soup.triangles[t][2]);
+  mended.turned_triangles += turned;
+}
+
+std::size_t coincident_vertices(const Soup& soup) {
+  std::vector<bool> used(soup.points.size(), false);
+  for (const Corners& t : soup.triangles)
+    for (const std::uint32_t corner : t) used[corner] = true;
+  PlaceIndex places;
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < used.size(); ++v)
+    if (used[v] && places.put(soup.points[v], v) != v) ++count;
+  return count;
+}
+
+std::string as_text(const Mended& mended) {
+  std::string text;
+  if (mended.asked.weld)
+    text += fmt::format("welded: {} vertices with others at the same place; {} triangles vanished\n",
+                        mended.welded_vertices, mended.vanished_triangles);
+  if (mended.asked.orient) text += fmt::format("oriented: {} triangles turned\n", mended.turned_triangles);
+  return text;
+}
+
+nlohmann::ordered_json json_of(const Mended& mended) {
+  return {{"welded_vertices", mended.welded_vertices},
+          {"vanished_triangles", mended.vanished_triangles},
+          {"turned_triangles", mended.turned_triangles}};
+}
+
+std::string hints(std::size_t coincident, std::size_t inconsistent_edges) {
+  std::string text;
+  if (coincident != 0)
+    text +=
+        fmt::format("{} vertices lie where others do; strips end at such seams: --weld makes them one\n", coincident);
+  if (inconsistent_edges != 0)
+    text +=
+        fmt::format("{} edges lie between triangles of opposite orientation, where strips end: --orient turns some\n",
+                    inconsistent_edges);
+  return text;
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,204 @@
+// glTF 2.0, as text (.gltf) and binary (.glb): lists, strips and fans of triangles, also with primitive restart, at the
+// places that the nodes of the scene give them. Points and lines are left out; materials, images, skins, morph targets
+// and animations are no business of ours. Primitives of one node that share their positions share vertices; what looks
+// like one vertex and has two normals is two in the file (--weld joins them).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+
+#include "common/bad_input.hpp"
+#include "meshes/gltf_file.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/soup_builder.hpp"
+
+namespace restrip::tools {
+namespace {
+
+/// An affine map: three rows of four.
+using Affine = std::array<std::array<double, 4>, 3>;
+
+constexpr Affine identity_map{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+
+/// First `inner`, then `outer`.
+Affine product(const Affine& outer, const Affine& inner) {
+  Affine made{};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 4; ++column) {
+      made[row][column] = column == 3 ? outer[row][3] : 0;
+      for (std::size_t i = 0; i < 3; ++i) made[row][column] += outer[row][i] * inner[i][column];
+    }
+  return made;
+}
+
+bool mirrors(const Affine& m) {
+  const double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                             m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                             m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  return determinant < 0;
+}
+
+template <std::size_t Count>
+std::array<double, Count> numbers(const JsonPlace& list, const std::array<double, Count>& other) {
+  if (!list.there()) return other;
+  if (list.size() != Count) list.refuse(fmt::format("has {} numbers, not {}", list.size(), Count));
+  std::array<double, Count> found{};
+  for (std::size_t i = 0; i < Count; ++i) found[i] = list.at(i).number();
+  return found;
+}
+
+Affine map_of(const JsonPlace& node) {
+  if (node["matrix"].there()) {
+    const auto m = numbers<16>(node["matrix"], {});
+    if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) node["matrix"].refuse("has a last row other than 0 0 0 1");
+    return {{{m[0], m[4], m[8], m[12]}, {m[1], m[5], m[9], m[13]}, {m[2], m[6], m[10], m[14]}}};
+  }
+  const auto [x, y, z, w] = numbers<4>(node["rotation"], {0, 0, 0, 1});
+  const auto scale = numbers<3>(node["scale"], {1, 1, 1});
+  const auto move = numbers<3>(node["translation"], {0, 0, 0});
+  Affine m{{{1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w), move[0]},
+            {2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w), move[1]},
+            {2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y), move[2]}}};
+  for (auto& row : m)
+    for (std::size_t i = 0; i < 3; ++i) row[i] *= scale[i];
+  return m;
+}
+
+class GltfReader {
+ public:
+  GltfReader(std::string_view bytes, const std::string& name, const ReadBeside& beside)
+      : file_(bytes, name, beside), soup_(name) {}
+
+  Soup read() {
+    const JsonPlace root = file_.root();
+    const JsonPlace nodes = root["nodes"];
+    visited_.assign(nodes.size(), false);
+    if (nodes.size() == 0) {
+      for (std::size_t i = 0; i < root["meshes"].size(); ++i) read_mesh_at(i, identity_map);
+    } else if (root["scenes"].size() != 0) {
+      const JsonPlace tops = root["scenes"].at(root["scene"].whole_or(0))["nodes"];
+      for (std::size_t i = 0; i < tops.size(); ++i) read_node(tops.at(i).whole());
+    } else {
+      std::vector<bool> is_child(nodes.size(), false);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t c = 0; c < nodes.at(i)["children"].size(); ++c) {
+          const std::uint64_t child = nodes.at(i)["children"].at(c).whole();
+          if (child < nodes.size()) is_child[child] = true;
+        }
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!is_child[i]) read_node(i);
+    }
+    return std::move(soup_).finish();
+  }
+
+ private:
+  /// The node and all below it.
+  void read_node(std::uint64_t top) {
+    struct Open {
+      std::uint64_t node;
+      Affine outer;
+    };
+    std::vector<Open> open{{top, identity_map}};
+    while (!open.empty()) {
+      const auto [number, outer] = open.back();
+      open.pop_back();
+      const JsonPlace node = file_.root()["nodes"].at(number);
+      if (visited_[number]) node.refuse("is in the scene twice; nodes must form trees");
+      visited_[number] = true;
+      const Affine map = product(outer, map_of(node));
+      if (node["mesh"].there()) read_mesh_at(node["mesh"].whole(), map);
+      const JsonPlace children = node["children"];
+      for (std::size_t i = children.size(); i-- > 0;) open.push_back({children.at(i).whole(), map});
+    }
+  }
+
+  void read_mesh_at(std::uint64_t number, const Affine& map) {
+    const JsonPlace primitives = file_.root()["meshes"].at(number)["primitives"];
+    std::map<std::uint64_t, First> placed;  // of each accessor of positions: where its points begin
+    const bool mirrored = mirrors(map);
+    for (std::size_t i = 0; i < primitives.size(); ++i) {
+      const JsonPlace primitive = primitives.at(i);
+      const std::uint64_t mode = primitive["mode"].whole_or(4);
+      if (mode > 6) primitive["mode"].refuse(fmt::format("is {}; there are 0 to 6", mode));
+      if (mode < 4) continue;  // points and lines
+      const std::uint64_t accessor = primitive["attributes"]["POSITION"].whole();
+      auto known = placed.find(accessor);
+      if (known == placed.end()) known = placed.emplace(accessor, add_points(accessor, map)).first;
+      std::vector<std::uint32_t> indices;
+      if (primitive["indices"].there()) {
+        indices = file_.indices(primitive["indices"].whole());
+      } else {
+        indices.resize(known->second.count);
+        std::iota(indices.begin(), indices.end(), 0U);
+      }
+      add_primitive(primitive, static_cast<unsigned>(mode), std::move(indices), known->second, mirrored);
+    }
+  }
+
+  struct First {
+    std::size_t point = 0;
+    std::size_t count = 0;
+  };
+
+  First add_points(std::uint64_t accessor, const Affine& map) {
+    const First first{soup_.point_count(), file_.accessor(accessor)["count"].whole()};
+    for (const Point& p : file_.positions(accessor)) {
+      const auto coordinate = [&](std::size_t row) {
+        const auto& m = map[row];
+        return m[0] * static_cast<double>(p.x) + m[1] * static_cast<double>(p.y) + m[2] * static_cast<double>(p.z) +
+               m[3];
+      };
+      soup_.add_point(coordinate(0), coordinate(1), coordinate(2));
+    }
+    return first;
+  }
+
+  void add_primitive(const JsonPlace& primitive, unsigned mode, std::vector<std::uint32_t> indices, const First& first,
+                     bool mirrored) {
+    for (std::uint32_t& index : indices) {
+      if (index == strip_end) continue;
+      if (index >= first.count)
+        primitive["indices"].refuse(fmt::format("have {}, and there are {} positions", index, first.count));
+      index += static_cast<std::uint32_t>(first.point);
+    }
+    for (auto from = indices.begin();; ++from) {
+      const auto to = std::find(from, indices.end(), strip_end);
+      const std::size_t size = static_cast<std::size_t>(to - from);
+      if (mode == 4 && size % 3 != 0) primitive["indices"].refuse(fmt::format("are {}, no multiple of three", size));
+      run_.assign(from, to);
+      add_run(mode, mirrored);
+      if (to == indices.end()) return;
+      from = to;
+    }
+  }
+
+  /// What one run of indices between restarts draws.
+  void add_run(unsigned mode, bool mirrored) {
+    if (mode == 5) {
+      // One more index in front, and all triangles turn over.
+      if (mirrored && !run_.empty()) run_.insert(run_.begin(), run_.front());
+      soup_.add_strip(run_);
+      return;
+    }
+    for (std::size_t i = 2; i < run_.size(); i += mode == 4 ? 3 : 1) {
+      Corners corners{mode == 4 ? run_[i - 2] : run_.front(), run_[i - 1], run_[i]};
+      if (mirrored) std::swap(corners[1], corners[2]);
+      soup_.add_face(corners);
+    }
+  }
+
+  GltfFile file_;
+  SoupBuilder soup_;
+  std::vector<bool> visited_;
+  std::vector<std::uint32_t> run_;
+};
+
+}  // namespace
+
+Soup read_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {
+  return GltfReader(bytes, name, beside).read();
+}
+
+}  // namespace restrip::tools
