@@ -55,6 +55,7 @@ std::string values_in_words(const std::string& type) {
 
 std::string names_of(const std::set<CLI::Option*>& options) {
   std::vector<std::string> names;
+  names.reserve(options.size());
   for (const CLI::Option* option : options) names.push_back(option->get_name());
   return list_in_words(names, "and");
 }
