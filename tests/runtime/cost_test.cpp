@@ -332,7 +332,7 @@ TEST(Cost, LinkedRulesStopAtTheirLimit) {
     local = std::max(local, cost_of([&] { (void)split_rule({k, k / 2}, 0, outside.ports); }).steps);
   }
   EXPECT_GT(most, 20 * local) << "no hard case was among them";
-  EXPECT_LT(most, 4 * detail::max_answers * local);
+  EXPECT_LT(most, 4 * std::uint64_t{detail::max_answers} * local);
 }
 
 TEST(Cost, IndexRulesAreLinearInTheValence) {

@@ -31,7 +31,7 @@ using FanSplit = VertexSplit<FanHalfedge>;
 constexpr std::size_t to_the_end = std::numeric_limits<std::size_t>::max();
 
 template <class Random>
-void color_randomly(StripMesh& mesh, Random& random) {
+void recolor_mesh(StripMesh& mesh, Random& random) {
   mesh.clear_colors();
   std::vector<FanHalfedge> edges;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
@@ -225,7 +225,7 @@ void check_rules(const StripMesh& mesh, const std::set<Vertex>& centers, const O
 template <class Random>
 void check_fan(StripMesh mesh, Vertex v, Random& random, FanTally& tally) {
   using Spokes = FanSplit::Spokes;
-  color_randomly(mesh, random);
+  recolor_mesh(mesh, random);
   const std::vector<FanHalfedge> spokes = spokes_around(mesh, v);
   FanSplit where{spokes[random() % spokes.size()], spokes[random() % spokes.size()], Spokes::both};
   if (mesh.leaves_boundary(where.left) && random() % 3 == 0)
@@ -240,7 +240,7 @@ void check_fan(StripMesh mesh, Vertex v, Random& random, FanTally& tally) {
       tally);
   const FanHalfedge chord = split(mesh, where).halfedge;
   if (check_collapse(mesh, chord) != Refusal::granted) return;
-  color_randomly(mesh, random);
+  recolor_mesh(mesh, random);
   check_rules(
       mesh, {mesh.from(chord), mesh.to(chord)},
       [&](StripMesh& copy, const auto& rules) {
