@@ -260,10 +260,8 @@ no_buffer = whole()
 no_buffer.doc["buffers"][0].pop("uri", None)
 refused("bad.gltf", json.dumps(no_buffer.doc).encode(), "has neither")
 good = whole().glb()
-for size in range(1, len(good)):
-    (scratch / "cut.glb").write_bytes(good[:size])
-    done = run("stats", scratch / "cut.glb") if size % 7 == 1 or size < 30 or size > len(good) - 10 else None
-    assert done is None or (done.returncode == 2 and "cut.glb" in done.stderr), (size, done.stderr)
+for size in [*range(1, len(good), 31), *range(len(good) - 4, len(good))]:
+    refused("cut.glb", good[:size], "cut.glb")
 refused("version.glb", good[:4] + b"\1\0\0\0" + good[8:], "a GLB of version 1")
 refused("chunk.glb", good[:12] + b"\xFF\xFF\xFF\x7F" + good[16:], "more than are left")
 refused("kind.glb", good[:16] + b"BIN\0" + good[20:], "its first chunk is not JSON")
