@@ -25,7 +25,8 @@ using Program = ScratchFolder;
 TEST_F(Program, HelpAndVersion) {
   EXPECT_EQ(run_program("--version").code, 0);
   EXPECT_TRUE(run_program("--version").out.starts_with("restrip "));
-  for (const char* command : {"", "stats", "replay", "simplify", "convert", "make-mesh", "stripify", "bake", "draw", "paper"}) {
+  for (const char* command :
+       {"", "stats", "replay", "simplify", "convert", "make-mesh", "stripify", "bake", "draw", "paper"}) {
     const Outcome help = run_program(fmt::format("{} --help", command));
     EXPECT_EQ(help.code, 0) << command;
     EXPECT_NE(help.out.find("Example: restrip "), std::string::npos) << command;
