@@ -42,9 +42,8 @@ bool stays_inside(const fs::path& path) {
 
 }  // namespace
 
-std::vector<ManifestLine> read_manifest(const std::string& tables_dir) {
-  const std::string file = tables_dir + "/MANIFEST";
-  LineReader reader(file, read_file(file));
+std::vector<ManifestLine> parse_manifest(const std::string& file, const std::string& text) {
+  LineReader reader(file, text);
   reader.next("\"restrip-manifest 1\"");
   reader.expect_line("restrip-manifest 1");
   std::vector<ManifestLine> lines;
@@ -59,6 +58,11 @@ std::vector<ManifestLine> read_manifest(const std::string& tables_dir) {
       reader.fail("expected lines in ascending order of path");
   }
   return lines;
+}
+
+std::vector<ManifestLine> read_manifest(const std::string& tables_dir) {
+  const std::string file = tables_dir + "/MANIFEST";
+  return parse_manifest(file, read_file(file));
 }
 
 std::string sha256_of(const std::string& bytes) {

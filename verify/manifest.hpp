@@ -15,7 +15,9 @@ struct ManifestLine {
   unsigned line = 0;
 };
 
-/// InputError when the manifest is not well formed.
+/// The lines of a manifest; `file` is named in errors. InputError when it is not well formed.
+std::vector<ManifestLine> parse_manifest(const std::string& file, const std::string& text);
+/// Those of the folder's MANIFEST. InputError as well when it cannot be read.
 std::vector<ManifestLine> read_manifest(const std::string& tables_dir);
 
 std::string sha256_of(const std::string& bytes);

@@ -1,4 +1,5 @@
-// What the verifier reads: certificates of rules and of linked rules, dumps of tables, formulas and proofs.
+// What the verifier reads: manifests, certificates of rules and of linked rules, dumps of tables and of linked rules,
+// formulas and proofs.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -9,6 +10,8 @@
 #include "drat_proof.hpp"
 #include "input.hpp"
 #include "linked_certificate.hpp"
+#include "linked_dump.hpp"
+#include "manifest.hpp"
 #include "sealed.hpp"
 #include "table_dump.hpp"
 #include "target.hpp"
@@ -54,6 +57,38 @@ Target linked_target(const LinkedFamily& family) {
           4000};
 }
 
+Target manifest_target() {
+  const auto read = [](std::string_view bytes) {
+    const std::string text(bytes);
+    const std::vector<std::string> lines = lines_of(text);
+    for (const ManifestLine& line : parse_manifest("f", text))
+      promise(fmt::format("{} {} {} {}", line.sha256, line.bytes, line.rows, line.path) == lines.at(line.line - 1),
+              "an entry is its line");
+    return true;
+  };
+  return {"manifest", {read_file(RESTRIP_SMALL_TABLES "/MANIFEST")}, refusing(read), 10000};
+}
+
+/// Runs a reader of streams on bytes.
+template <class Read>
+auto of_stream(Read read) {
+  return [read](std::string_view bytes) {
+    std::string text(bytes);
+    if (text.empty()) return false;  // fmemopen takes no less
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(fmemopen(text.data(), text.size(), "r"), std::fclose);
+    promise(stream != nullptr, "a stream of bytes opens");
+    return read(stream.get());
+  };
+}
+
+/// What the linked look-up picks for k = 3: `restrip-dump-tables --linked --max-k 3`.
+Target linked_dump_target() {
+  return {"linked-dump",
+          {read_file(RESTRIP_CORPUS "/dumps/linked-3.txt")},
+          of_stream([](std::FILE* stream) { return check_linked_dump(stream, 3).holds(); }),
+          2000};
+}
+
 /// A dump of flips and of one table of lists, which are read and not compared, and of splits, which are judged.
 Target dump_target() {
   struct Expected {
@@ -80,13 +115,8 @@ Target dump_target() {
   seed += fmt::format("table {} {}\n", lists.name, section.position);
   for (Mask ports = 0; ports < mask_count(section.ports); ++ports, ++entries) seed += fmt::format("{:x} 0 0\n", ports);
   seed += fmt::format("end {}\n", entries);
-  const auto read = [expected](std::string_view bytes) {
-    std::string text(bytes);
-    if (text.empty()) return false;  // fmemopen takes no less
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(fmemopen(text.data(), text.size(), "r"), std::fclose);
-    promise(stream != nullptr, "a stream of bytes opens");
-    return compare_dump(stream.get(), expected->dump).fault.empty();
-  };
+  const auto read =
+      of_stream([expected](std::FILE* stream) { return compare_dump(stream, expected->dump).fault.empty(); });
   return {"dump", {seed}, read, 4000};
 }
 
@@ -94,10 +124,11 @@ Target dump_target() {
 
 std::vector<Target> table_targets() {
   std::vector<Target> targets;
-  for (const Family& family : all_families(small_max_k))
-    if (family.name != "open-split") targets.push_back(certificate_target(family));  // which is long, and nothing new
+  targets.push_back(manifest_target());
+  for (const Family& family : all_families(small_max_k)) targets.push_back(certificate_target(family));
   for (const LinkedFamily& family : linked_families(small_max_k)) targets.push_back(linked_target(family));
   targets.push_back(dump_target());
+  targets.push_back(linked_dump_target());
   targets.push_back({"formula",
                      {"c f\np cnf 3 2\n1 -2 0\n2 3 0\n", sat::dimacs_of({3, {{1, 2}, {-1, 3}, {-3}}}, "g")},
                      refusing([](std::string_view bytes) {

@@ -15,7 +15,7 @@
 namespace restrip::tools {
 namespace {
 
-std::string refusal(std::string_view bytes) {
+std::string pm_refusal(std::string_view bytes) {
   try {
     (void)parse_pm(bytes, "some.pm");
   } catch (const BadInput& error) {
@@ -42,14 +42,14 @@ TEST(PmFile, WhatIsWrittenIsRead) {
 
 TEST(PmFile, RefusesWhatItIsNot) {
   const std::string whole = pm_bytes(simplify(make_mesh(200), {0.2, BoundaryPolicy::move}).mesh);
-  EXPECT_EQ(refusal(whole), "");
-  EXPECT_NE(refusal("").find("begins neither with 'ProgMesh'"), std::string::npos);
-  EXPECT_NE(refusal("# a mesh\n# by hand\nPM\nversion=2\n").find("ends inside its header"), std::string::npos);
-  EXPECT_NE(refusal(whole.substr(0, 12)).find("ends inside its header"), std::string::npos);
-  EXPECT_NE(refusal(whole.substr(0, whole.size() - 1)).find("is it complete?"), std::string::npos);
+  EXPECT_EQ(pm_refusal(whole), "");
+  EXPECT_NE(pm_refusal("").find("begins neither with 'ProgMesh'"), std::string::npos);
+  EXPECT_NE(pm_refusal("# a mesh\n# by hand\nPM\nversion=2\n").find("ends inside its header"), std::string::npos);
+  EXPECT_NE(pm_refusal(whole.substr(0, 12)).find("ends inside its header"), std::string::npos);
+  EXPECT_NE(pm_refusal(whole.substr(0, whole.size() - 1)).find("is it complete?"), std::string::npos);
   std::string wrong = whole;
   wrong[wrong.size() - 10] = '\x7F';  // the last split names a vertex that is not there
-  EXPECT_NE(refusal(wrong).find("refers to vertices"), std::string::npos);
+  EXPECT_NE(pm_refusal(wrong).find("refers to vertices"), std::string::npos);
 }
 
 TEST(PmFile, NothingToReplayIsNoSuccess) {
@@ -59,10 +59,10 @@ TEST(PmFile, NothingToReplayIsNoSuccess) {
     mesh.base = base;
     return pm_bytes(mesh);
   };
-  EXPECT_EQ(refusal(base_of({{0, 1, 2}})), "");
-  EXPECT_NE(refusal(base_of({})).find("no triangles"), std::string::npos);
-  EXPECT_NE(refusal(base_of({{0, 1, 1}, {2, 1, 2}})).find("degenerate"), std::string::npos);
-  EXPECT_EQ(refusal(base_of({{0, 1, 1}, {0, 1, 2}})), "");  // one is left out and counted, the other replayed
+  EXPECT_EQ(pm_refusal(base_of({{0, 1, 2}})), "");
+  EXPECT_NE(pm_refusal(base_of({})).find("no triangles"), std::string::npos);
+  EXPECT_NE(pm_refusal(base_of({{0, 1, 1}, {2, 1, 2}})).find("degenerate"), std::string::npos);
+  EXPECT_EQ(pm_refusal(base_of({{0, 1, 1}, {0, 1, 2}})), "");  // one is left out and counted, the other replayed
 }
 
 TEST(PmFile, RealOne) {
