@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+"""Claims: the Khronos validator finds neither error nor warning in the glTF files that `restrip stripify` and `convert`
+write. Of primitive restart it knows nothing (version 2.0.0-dev.3.10): there it reports each restart value as two errors,
+and nothing else; with the restarts taken out it reports nothing. Files damaged on purpose are refused. The validator is that
+of npm, of the version and the checksum in gltf-validator/package-lock.json.
+
+    gltf_validator_test.py restrip SCRATCH NODE NPM [--may-be-missing]
+"""
+import collections
+import json
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import sys
+
+from strip_readers import RESTART, glb
+
+restrip, scratch, node, npm = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3], sys.argv[4]
+may_be_missing = "--may-be-missing" in sys.argv[5:]
+here = pathlib.Path(__file__).parent / "gltf-validator"
+VERSION = json.loads((here / "package.json").read_text())["dependencies"]["gltf-validator"]
+LEFT_OUT = 77  # as CTest was told
+
+
+def install():
+    """Once for each build folder."""
+    folder = scratch / "npm"
+    package = folder / "node_modules/gltf-validator/package.json"
+    if package.exists() and json.loads(package.read_text())["version"] == VERSION:
+        return folder
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in ("package.json", "package-lock.json"):
+        shutil.copyfile(here / name, folder / name)
+    try:
+        done = subprocess.run([npm, "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--prefer-offline"], cwd=folder,
+                              capture_output=True, text=True, check=False, timeout=400)
+        said = done.stdout + done.stderr
+    except subprocess.TimeoutExpired:
+        said = "npm did not answer"
+    if package.exists() and json.loads(package.read_text())["version"] == VERSION:
+        return folder
+    print(said)
+    print(f"npm could not install gltf-validator {VERSION}; is there a network? Without it: configure with "
+          "-DRESTRIP_ALLOW_MISSING=ON, and glTF files are not validated")
+    sys.exit(LEFT_OUT if may_be_missing else 1)
+
+
+def validated(paths):
+    done = subprocess.run([node, here / "validate.mjs", folder, *paths], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    reports = [json.loads(line) for line in done.stdout.splitlines()]
+    assert len(reports) == len(paths)
+    for report in reports:
+        assert report["version"] == VERSION and not report["truncated"]
+    return reports
+
+
+def run(*arguments):
+    done = subprocess.run([restrip, *map(str, arguments)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, (arguments, done.stderr)
+
+
+def edited(path, name, edit):
+    """The GLB after edit(doc, binary)."""
+    data = path.read_bytes()
+    (size,) = struct.unpack_from("<I", data, 12)
+    doc, binary = json.loads(data[20:20 + size]), bytearray(data[28 + size:])
+    edit(doc, binary)
+    text = json.dumps(doc).encode()
+    text += b" " * (-len(text) % 4)
+    binary += b"\0" * (-len(binary) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
+    (scratch / name).write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
+    return scratch / name
+
+
+def indices_in(doc):
+    """The first accessor of indices, where its values begin, and how they are packed."""
+    accessor = doc["accessors"][doc["meshes"][0]["primitives"][0]["indices"]]
+    view = doc["bufferViews"][accessor["bufferView"]]
+    return (accessor, view.get("byteOffset", 0) + accessor.get("byteOffset", 0),
+            "<H" if accessor["componentType"] == 5123 else "<I")
+
+
+def without_restarts(doc, binary):
+    """Each restart becomes the index before it: more triangles without an area, and no extension."""
+    accessor, begin, letter = indices_in(doc)
+    width = struct.calcsize(letter)
+    for i in range(1, accessor["count"]):
+        if struct.unpack_from(letter, binary, begin + i * width)[0] == RESTART[width]:
+            struct.pack_into(letter, binary, begin + i * width,
+                             struct.unpack_from(letter, binary, begin + (i - 1) * width)[0])
+    del doc["extensionsUsed"], doc["extensionsRequired"]
+
+
+scratch.mkdir(parents=True, exist_ok=True)
+folder = install()
+plain, with_restarts = [], []
+for name, triangles in (("small", 600), ("large", 140_000)):  # indices of 16 and of 32 bits
+    source = scratch / f"{name}.obj"
+    run("make-mesh", "-o", source, "--triangles", triangles)
+    for mode in ("restart", "strips", "list"):
+        written = scratch / f"{name}-{mode}.glb"
+        run("stripify", source, "-o", written, "--gltf", mode)
+        converted = scratch / f"{name}-{mode}-converted.glb"
+        run("convert", scratch / f"{name}-restart.glb", "-o", converted, "--gltf", mode)
+        (with_restarts if mode == "restart" else plain).extend([written, converted])
+    run("convert", source, "-o", scratch / f"{name}-bare.glb")
+    plain.append(scratch / f"{name}-bare.glb")
+mended = [edited(path, f"{path.stem}-mended.glb", without_restarts) for path in with_restarts]
+
+for path, report in zip([*plain, *mended], validated([*plain, *mended]), strict=True):
+    counts = collections.Counter(message["code"] for message in report["messages"])
+    print(f"{path.name}: {report['errors']} errors, {report['warnings']} warnings", dict(counts))
+    assert (report["errors"], report["warnings"]) == (0, 0), report["messages"][:5]
+for path, report in zip(with_restarts, validated(with_restarts), strict=True):
+    ((_, indices, width),) = glb(path)[1]
+    restarts = [i for i, index in enumerate(indices) if index == RESTART[width]]
+    assert restarts and report["warnings"] == 0
+    found = collections.Counter((message["code"], message["severity"]) for message in report["messages"])
+    assert found == {("UNSUPPORTED_EXTENSION", 2): 1, ("ACCESSOR_INDEX_OOB", 0): len(restarts),
+                     ("ACCESSOR_INDEX_PRIMITIVE_RESTART", 0): len(restarts)}, found
+    places = {int(re.search(r"at index (\d+)", message["message"])[1]) for message in report["messages"]
+              if message["code"].startswith("ACCESSOR_INDEX")}
+    assert places == set(restarts)
+    print(f"{path.name}: {len(restarts)} restarts, each two errors")
+
+
+def beyond(doc, binary):
+    _, begin, letter = indices_in(doc)
+    struct.pack_into(letter, binary, begin, doc["accessors"][0]["count"])
+
+
+damaged = [edited(plain[0], f"damaged-{i}.glb", edit) for i, edit in enumerate((
+    beyond,
+    lambda doc, _: doc["accessors"][0]["min"].__setitem__(0, 1e6),
+    lambda doc, _: doc["bufferViews"][1].update(byteLength=1 << 30),
+    lambda doc, _: doc["meshes"][0]["primitives"][0].update(mode=9),
+    lambda doc, _: doc["asset"].pop("version")))]
+for path, report in zip(damaged, validated(damaged), strict=True):
+    assert report["errors"] > 0, path
+print("glTF validator: all hold")
