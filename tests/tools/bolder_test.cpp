@@ -72,7 +72,7 @@ TEST(Bolder, EveryRecoloringOfEveryPatch) {
   for (const Record& record : source.splits) {
     const std::size_t before = strips_if_valid(mesh);
     const auto done = split(mesh, spokes_of(mesh, record), record.v_t);
-    if (done.valence > table_max_k) continue;
+    if (done.valence > max_compared_valence) continue;
     std::vector<Halfedge> inner{done.halfedge};
     for (const Vertex v : {record.v_s, record.v_t}) {
       std::vector<Halfedge> spokes;
@@ -86,7 +86,7 @@ TEST(Bolder, EveryRecoloringOfEveryPatch) {
   for (auto record = source.splits.rbegin(); record != source.splits.rend(); ++record) {
     const std::size_t before = strips_if_valid(mesh);
     const auto done = collapse(mesh, mesh.spoke(record->v_s, record->v_t));
-    if (done.valence > table_max_k) continue;
+    if (done.valence > max_compared_valence) continue;
     std::vector<Halfedge> inner;
     spokes_around(record->v_s, inner);
     ASSERT_EQ(inner.size(), done.valence);

@@ -237,7 +237,9 @@ void BasicStripBuffer<Index>::store() noexcept {
   for (const std::uint32_t p : touched_)
     if (!places_.claimed(p)) remove(p);
   std::sort(fresh_.begin(), fresh_.end(), [](const Fresh& a, const Fresh& b) {
-    return a.target != b.target ? a.target < b.target : static_cast<std::int32_t>(a.wish - b.wish) < 0;
+    if (a.target != b.target) return a.target < b.target;
+    if (a.wish != b.wish) return static_cast<std::int32_t>(a.wish - b.wish) < 0;
+    return a.begin < b.begin;  // otherwise the buffer would depend on how a library sorts
   });
   homeless_.clear();
   for (std::size_t i = 0; i < fresh_.size();) {
