@@ -46,7 +46,7 @@ std::vector<Corners> drawn(std::span<const Index> indices) {
   return triangles;
 }
 
-std::vector<Corners> triangles_of(const StripMesh& mesh) {
+std::vector<Corners> sorted_triangles(const StripMesh& mesh) {
   std::vector<Corners> triangles;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
     if (mesh.alive(t)) triangles.push_back(smallest_first(mesh.corners(t)));
@@ -84,7 +84,7 @@ TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
         std::vector<Triangle> changed;
         mesh.watch(&changed);
         StripBuffer buffer(mesh);
-        ASSERT_EQ(drawn(buffer.indices()), triangles_of(mesh));
+        ASSERT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
         for (int round = 0; round < 60; ++round) {
           const std::vector<std::uint32_t> before(buffer.indices().begin(), buffer.indices().end());
           for (int n = most == 1 ? 1 : static_cast<int>(random() % static_cast<unsigned>(most)); n > 0; --n)
@@ -92,7 +92,7 @@ TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
           const auto ranges = buffer.update(mesh, changed);
           expect_only_reported_changes(before, buffer.indices(), ranges);
           changed.clear();
-          ASSERT_EQ(drawn(buffer.indices()), triangles_of(mesh));
+          ASSERT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
           ASSERT_LE(buffer.indices().size(), most_indices(mesh));
           ASSERT_LE(buffer.used(), buffer.indices().size());
           if (HasFatalFailure()) return;
@@ -121,7 +121,7 @@ TEST(StripBuffer, IsNeverMuchLongerThanTheStrips) {
       buffer.update(mesh, changed);
       changed.clear();
       if (i % 50 == 0) {
-        ASSERT_EQ(drawn(buffer.indices()), triangles_of(mesh));
+        ASSERT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
       }
       ASSERT_LE(buffer.indices().size(), most_indices(mesh)) << mesh.triangle_count() << " triangles";
       least_runs = std::min(least_runs, buffer.runs());
@@ -168,7 +168,7 @@ TEST(StripBuffer, AStripThatGetsShorterStaysWhereItIs) {
     for (const auto& range : buffer.update(mesh, changed)) written += range.count;
     changed.clear();
     ++collapses;
-    EXPECT_EQ(drawn(buffer.indices()), triangles_of(mesh));
+    EXPECT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
   }
   ASSERT_GT(collapses, 3U);
   EXPECT_LT(written, collapses * 36);
@@ -187,14 +187,14 @@ TEST(StripBuffer, SixteenBitIndices) {
     random_operation(keeper, random, (i / 150) % 2 == 0);
     buffer.update(mesh, changed);
     changed.clear();
-    ASSERT_EQ(drawn(buffer.indices()), triangles_of(mesh));
+    ASSERT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
   }
   // Vertex 65,534 is the last that fits.
   const std::vector<Corners> last{{0, 1, 65'534}};
   const std::vector<Corners> beyond{{0, 1, 65'535}};
   const StripMesh fits = StripMesh::build(last, 65'536);
   StripMesh does_not = StripMesh::build(beyond, 65'536);
-  EXPECT_EQ(drawn(StripBuffer16(fits).indices()), triangles_of(fits));
+  EXPECT_EQ(drawn(StripBuffer16(fits).indices()), sorted_triangles(fits));
   EXPECT_THROW(StripBuffer16{does_not}, std::length_error);
   // An update that throws leaves the buffer as it was; the next one writes everything anew.
   StripMesh grown = StripMesh::build(std::vector<Corners>{{0, 1, 2}, {0, 2, 3}}, 65'536);
@@ -209,7 +209,7 @@ TEST(StripBuffer, SixteenBitIndices) {
   grown.remove_vertex(chord);
   changed.clear();
   EXPECT_EQ(kept.update(grown, changed).size(), 1U);
-  EXPECT_EQ(drawn(kept.indices()), triangles_of(grown));
+  EXPECT_EQ(drawn(kept.indices()), sorted_triangles(grown));
 }
 
 static_assert(NumberedMesh<sample::HandMade> && NumberedMesh<StripMesh> && FlippableMesh<sample::HandMade>);
@@ -266,7 +266,7 @@ TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
         for (std::size_t i = 0; i < buffer.indices().size(); i += 3)
           listed.push_back(smallest_first({buffer.indices()[i], buffer.indices()[i + 1], buffer.indices()[i + 2]}));
         std::sort(listed.begin(), listed.end());
-        ASSERT_EQ(listed, triangles_of(mesh));
+        ASSERT_EQ(listed, sorted_triangles(mesh));
         ASSERT_TRUE(std::equal(narrow.indices().begin(), narrow.indices().end(), buffer.indices().begin(),
                                buffer.indices().end()));
         if (HasFatalFailure()) return;
@@ -308,7 +308,7 @@ TEST(StripBuffer, AnUpdateEndsWhereColorsAreNotValid) {
   changed.clear();
   mesh.set_solid(mesh.spoke(0, 2), false);
   buffer.update(mesh, changed);
-  EXPECT_EQ(drawn(buffer.indices()), triangles_of(mesh));
+  EXPECT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
 }
 
 // What a watched mesh names is compared with all of the mesh before and after.
