@@ -28,7 +28,7 @@ need() {
 }
 
 build_packages=(g++ cmake ninja-build libboost-graph-dev libnauty2-dev libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
-  libssl-dev libgtest-dev)
+  libpng-dev libssl-dev libgtest-dev)
 # Wanted by the pages for the browser.
 web_packages=(python3 clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32)
 # Wanted by tests alone.

@@ -6,7 +6,7 @@ set(allowed_in_generator "${std}|\"files/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/
 set(allowed_in_verify "${std}|<(boost/graph|fmt|nauty|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
 set(allowed_in_tables "${std}|\"restrip/tables/([a-z_]+_)?format.hpp\"")
-set(allowed_in_tools "${std}|\"(files|restrip|common|meshes|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<unistd.h>")
+set(allowed_in_tools "${std}|\"(files|restrip|common|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<(png|unistd).h>")
 set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
 set(allowed_in_c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
@@ -25,7 +25,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats restrip.hpp)
-set(floors_tools files|restrip common meshes lod replay paper app)
+set(floors_tools files|restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
 function(floor_of room folder out)

@@ -302,6 +302,7 @@ TEST_F(Meshes, AnInputIsNoOutput) {
            {"bake '{}' -o '{}'", "a.pm", "hard.baked"},
            {"bake '{}' -o '{}'", "a.baked", "./a.baked"},
            {"draw '{}' -o '{}'", "a.obj", "hard.json"},
+           {"draw '{}' -o '{}'", "a.obj", "hard.svg"},
            {"replay '{}' --json '{}'", "a.obj", "hard.json"},
            {"paper '{}' --out '{}'", "a.obj", "report"},
        })
@@ -317,7 +318,7 @@ TEST_F(Meshes, AnOutputIsOfItsFormat) {
            {"simplify '{0}/a.obj' -o '{0}/{1}'", "b.off"},
            {"convert '{0}/a.obj' -o '{0}/{1}'", "b.xyz"},
            {"bake '{0}/a.pm' -o '{0}/{1}'", "b.pm"},
-           {"draw -o '{0}/{1}'", "x.png"},
+           {"draw -o '{0}/{1}'", "x.gif"},
            {"make-mesh -o '{0}/{1}'", "x.xyz"},
            {"make-mesh -o '{0}/{1}'", "x"},
            {"replay --built-in --json '{0}/{1}'", "b.baked"},

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/level_file.hpp"
+#include "app/source.hpp"
 #include "common/bad_input.hpp"
 #include "common/report_output.hpp"
 #include "common/stopwatch.hpp"
@@ -20,66 +21,10 @@
 #include "replay/replay_text.hpp"
 #include "replay/walk.hpp"
 #include "replay/ways.hpp"
-#include "restrip/operations/operations.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
 namespace {
-
-bool is_progressive(const std::filesystem::path& file) { return files::extension_of(file) == ".pm"; }
-
-bool is_baked(const std::filesystem::path& file) { return files::extension_of(file) == baked_extension; }
-
-void refuse_simplifying(const std::filesystem::path& file, bool given) {
-  if (given)
-    throw BadInput(
-        fmt::format("{}: is progressive already and not simplified, so --base and --boundary do not apply; leave them "
-                    "out, or give the mesh that it was made from",
-                    file.string()));
-}
-
-/// A mesh ready to be replayed, with the triangles that must come out (none for a file that has only the splits).
-struct Source {
-  Subject subject;
-  ProgressiveMesh mesh;
-  std::vector<Corners> original;
-  std::optional<BakedMesh> baked;  ///< when the file has its strips
-};
-
-Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
-  Simplification simplified = simplify(soup, options);
-  Source source;
-  source.subject.name = std::move(name);
-  source.subject.wanted_triangles = simplified.wanted_triangles;
-  source.subject.left_out = simplified.left_out;
-  source.mesh = std::move(simplified.mesh);
-  source.original = std::move(soup.triangles);
-  return source;
-}
-
-Source source_of(const std::filesystem::path& file, const MendingOptions& mending, const SimplifyOptions& options,
-                 bool options_given) {
-  if (!is_baked(file) && !is_progressive(file)) {
-    Mended mended;
-    Source source = simplified(file.string(), read_mesh(file, mending, mended), options);
-    source.subject.mended = mended;
-    return source;
-  }
-  refuse_simplifying(file, options_given);
-  refuse_mending(file, mending);
-  Source source;
-  source.subject.name = file.string();
-  if (is_baked(file)) {
-    source.baked = read_baked(file);
-    source.mesh = source.baked->mesh;
-    return source;
-  }
-  source.mesh = read_pm(file);
-  BuildReport report;
-  const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
-  source.subject.left_out = {report.degenerate_triangles, report.non_manifold_vertices, 0, 0};
-  return source;
-}
 
 BakedCosts costs_of(const BakedMesh& baked, double seconds) {
   if (baked.mesh.splits.empty()) return {};
@@ -88,24 +33,6 @@ BakedCosts costs_of(const BakedMesh& baked, double seconds) {
   const auto records = static_cast<double>(baked.mesh.splits.size());
   return {static_cast<double>(baked.records.flips.size()) / records,
           static_cast<double>(baked_bytes(baked).size() - baked_bytes(base).size()) / records, seconds};
-}
-
-/// Moves each vertex to the mean of its neighbours, so that the made mesh's jitter does not hide it in a picture.
-void smooth(Soup& soup, int rounds) {
-  for (; rounds > 0; --rounds) {
-    std::vector<Point> sum(soup.points.size());
-    std::vector<float> count(soup.points.size(), 0);
-    for (const Corners& t : soup.triangles) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Point& p = soup.points[t[(i + 1) % 3]];
-        Point& s = sum[t[i]];
-        s = {s.x + p.x, s.y + p.y, s.z + p.z};
-        count[t[i]] += 1;
-      }
-    }
-    for (std::size_t v = 0; v < sum.size(); ++v)
-      if (count[v] > 0) soup.points[v] = {sum[v].x / count[v], sum[v].y / count[v], sum[v].z / count[v]};
-  }
 }
 
 /// In the way of the plan; baked strips go on by the rules where a mesh goes its own ways.
@@ -269,40 +196,6 @@ int run(const MakeMeshCommand& command) {
   report.print(
       fmt::format("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size()),
       json.dump(2) + "\n");
-  return 0;
-}
-
-int run(const DrawCommand& command) {
-  const files::Output out(command.out, {{".json"}, {command.mesh}});
-  const ReportOutput report(command.json, {command.mesh, command.out});
-  constexpr std::size_t triangles_in_a_picture = 2400;
-  Mended mended;
-  Soup soup =
-      command.mesh.empty() ? make_mesh(triangles_in_a_picture) : read_mesh(command.mesh, command.mending, mended);
-  if (command.mesh.empty()) smooth(soup, 4);
-  const ProgressiveMesh source = simplify(soup, {}).mesh;
-  StripMesh mesh = StripMesh::build(source.base, source.points.size());
-  stripify(mesh);
-  for (const Record& record : source.splits) split(mesh, spokes_of(mesh, record), record.v_t);
-  // Six triangles, five of them in one strip that enters and leaves, the last one in a strip of its own.
-  constexpr SplitPosition at{6, 3};
-  constexpr Word loop = 0b001111;
-  constexpr Word ports = 0b110001;
-  const Strips strips = extract_strips(mesh);
-  nlohmann::ordered_json picture{
-      {"points", nlohmann::ordered_json::array()},
-      {"strips", nlohmann::ordered_json::array()},
-      {"rule",
-       {{"k", at.k}, {"a", at.a}, {"loop", loop}, {"ports", ports}, {"inner", split_rule(at, loop, ports).colors}}}};
-  for (const Point& p : source.points) picture["points"].push_back({p.x, p.y, p.z});
-  for (std::size_t s = 0; s < strips.size(); ++s) {
-    auto& strip = picture["strips"].emplace_back(nlohmann::ordered_json::array());
-    for (const Triangle t : strips[s]) strip.push_back(mesh.corners(t));
-  }
-  out.write(picture.dump() + "\n");
-  nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", strips.size()}};
-  if (mended.any_asked()) json["mended"] = json_of(mended);
-  report.print(as_text(mended), json.dump(2) + "\n");
   return 0;
 }
 

@@ -14,6 +14,7 @@
 #include "meshes/mend.hpp"
 #include "meshes/strip_file.hpp"
 #include "paper/paper.hpp"
+#include "pictures/scene.hpp"
 #include "replay/replay.hpp"
 #include "restrip/search/stripify.hpp"
 
@@ -101,15 +102,24 @@ struct StripifyCommand {
 };
 int run(const StripifyCommand& command);
 
-/// What scripts/pictures.py needs to draw the picture of the README: a mesh and its strips after its replay, and the
-/// rule of one split.
+/// A mesh and its strips at one level as a picture (.svg, .png); or what scripts/pictures.py needs to draw the picture
+/// of the README (.json): the same, and the rule of one split.
 struct DrawCommand {
-  std::filesystem::path mesh;  ///< empty: the built-in mesh
+  std::filesystem::path mesh;  ///< may be a progressive mesh; empty: the built-in mesh
   std::filesystem::path out;
+  SimplifyOptions simplify;
+  bool simplify_given = false;
+  std::string way;             ///< its name; empty: the usual one (ways.hpp)
+  Cost cost = Cost::strips();  ///< what is kept low
+  std::size_t triangles = 0;   ///< of the level, at least; 0: the finest one
+  Camera camera;
+  PictureSize size;
+  StripStyle style = StripStyle::faces;
   MendingOptions mending;
   std::string json;
 };
 int run(const DrawCommand& command);
+[[nodiscard]] std::vector<std::string> drawn_extensions();
 
 /// The paper's figures and experiments, as CSV files and a report in JSON (paper_report.hpp). Files are written whole,
 /// the report last.

@@ -1,8 +1,12 @@
 #include "app/level_file.hpp"
 
+#include <fmt/format.h>
+
 #include <vector>
 
+#include "common/bad_input.hpp"
 #include "lod/coloring_check.hpp"
+#include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
@@ -25,12 +29,23 @@ LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const
   return {strip_bytes({used, indices, drawn}, extension, primitives), drawn.size(), strips.size()};
 }
 
-LevelFile level_file(const Plan& plan, std::size_t triangles, const std::string& extension, GltfPrimitives primitives) {
+StripMesh level_mesh(const Plan& plan, std::size_t triangles) {
   StripMesh mesh = plan.base();
   mesh.reserve(plan.mesh().fine_triangles(), plan.mesh().points.size());
   const auto upkeep = plan.begin(mesh);
-  upkeep->play_up(std::span(plan.mesh().splits).first(plan.mesh().splits_to(triangles)), 0);
-  return level_file(mesh, plan.mesh().points, extension, primitives);
+  const auto splits = std::span(plan.mesh().splits).first(plan.mesh().splits_to(triangles));
+  for (std::size_t i = 0; i < splits.size(); ++i) {
+    const Record& record = splits[i];
+    if (const Refusal refusal = check_split(mesh, spokes_of(mesh, record), record.v_t); refusal != Refusal::granted)
+      throw BadInput(
+          fmt::format("split {} ({} -> {}) is not possible: {}", i, record.v_s, record.v_t, describe(refusal)));
+    upkeep->play_up(splits.subspan(i, 1), i);
+  }
+  return mesh;
+}
+
+LevelFile level_file(const Plan& plan, std::size_t triangles, const std::string& extension, GltfPrimitives primitives) {
+  return level_file(level_mesh(plan, triangles), plan.mesh().points, extension, primitives);
 }
 
 }  // namespace restrip::tools

@@ -68,21 +68,7 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
       ->check(whole_number())
       ->capture_default_str();
-  std::vector<std::string> names;
-  std::vector<std::string> searching;
-  std::vector<std::string> weighing;
-  std::string about;
-  for (const Way& way : ways()) {
-    if (way.kind == Way::Kind::mesh) continue;
-    names.push_back(way.name);
-    if (way.searches()) searching.push_back(way.name);
-    if (way.weighs()) weighing.push_back(way.name);
-    about += fmt::format("{}: {}; ", way.name, way.says);
-  }
-  sub->add_option(
-         "--policy", command.way,
-         about + fmt::format("(default: {}, for a baked mesh {})", usual_way(false).name, usual_way(true).name))
-      ->check(CLI::IsMember(names));
+  add_policy_option(*sub, command.way);
   sub->add_option(
          "--states", command.states,
          "of each search of the policies quick and full: always so many; more keep fewer strips and take "
@@ -111,11 +97,9 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
       command.built_in_triangles = command.out_triangles;
     }
     if (sub->count("--states") != 0 && (command.way.empty() || !way_named(command.way).searches()))
-      throw CLI::ValidationError("--states",
-                                 fmt::format("only --policy {} search", fmt::join(searching, " and --policy ")));
-    if (!(command.cost == restrip::Cost::strips()) && !command.way.empty() && !way_named(command.way).weighs())
-      throw CLI::ValidationError("--cost", fmt::format("--policy {} keeps the strips few; only {} know another cost",
-                                                       command.way, fmt::join(weighing, ", ")));
+      throw CLI::ValidationError("--states", fmt::format("only --policy {} search",
+                                                         fmt::join(names_of_ways(&Way::searches), " and --policy ")));
+    refuse_cost_elsewhere(command.cost, command.way);
   });
   sub->footer("Example: restrip replay bunny.obj --base 0.02 --cycles 10 --json bunny.json");
   return sub;
@@ -238,13 +222,31 @@ CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
 }
 
 CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
-  CLI::App* sub = app.add_subcommand(
-      "draw", "Write what scripts/pictures.py draws: a mesh with its strips, and a rule before and after");
-  sub->add_option("mesh", command.mesh, mesh_formats() + ", best of a few thousand triangles; else a torus");
-  sub->add_option("-o,--output", command.out, "the .json file")->required();
+  CLI::App* sub =
+      app.add_subcommand("draw", "Draw a mesh at a level of detail, with its strips kept as replay keeps them");
+  sub->add_option("mesh", command.mesh,
+                  mesh_formats() + "; a progressive mesh (.pm) or a baked one (.baked); else a torus");
+  sub->add_option("-o,--output", command.out,
+                  ".svg, .png, or .json: the mesh, its strips and a rule, from which scripts/pictures.py draws")
+      ->required();
+  sub->add_option("--triangles", command.triangles, "the least size of the level (default: the finest)")
+      ->check(CLI::Range(std::size_t{1}, max_triangles));
+  add_simplify_options(*sub, command.simplify);
+  add_policy_option(*sub, command.way);
+  add_cost_option(*sub, command.cost);
+  const std::vector<const CLI::Option*> only_pictures = add_picture_options(*sub, command);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
-  sub->footer("Example: restrip draw -o picture.json && scripts/pictures.py picture.json picture.svg");
+  sub->callback([sub, only_pictures, &command] {
+    command.simplify_given = simplify_options_given(*sub);
+    refuse_cost_elsewhere(command.cost, command.way);
+    for (const CLI::Option* option : only_pictures)
+      if (!option->empty() && restrip::files::extension_of(command.out) == ".json")
+        throw CLI::ValidationError(option->get_name(), "only pictures have one: .svg and .png");
+  });
+  sub->footer(
+      "Triangles that face away from the camera are not drawn. --base 1 draws strips from scratch.\n"
+      "Example: restrip draw bunny.obj --policy linked --triangles 5000 --camera 20,10 -o bunny.png");
   return sub;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "replay/ways.hpp"
 
 namespace restrip::tools {
 
@@ -24,6 +25,14 @@ void add_simplify_options(CLI::App& app, SimplifyOptions& options);
 [[nodiscard]] bool simplify_options_given(const CLI::App& app);
 void add_json_option(CLI::App& app, std::string& json);
 void add_cost_option(CLI::App& app, Cost& cost);
+/// --policy, by the names of ways.hpp.
+void add_policy_option(CLI::App& app, std::string& way);
+/// The ways of which that holds, by name.
+[[nodiscard]] std::vector<std::string> names_of_ways(bool (Way::*holds)() const noexcept);
+/// Throws CLI::ValidationError where the way, if one is named, knows no such cost.
+void refuse_cost_elsewhere(const Cost& cost, const std::string& way);
+/// --camera, --size and --lines, which are returned.
+std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& command);
 /// --gltf, which only an output that ends in .glb has: `refuse_gltf_elsewhere` says so.
 CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf);
 void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out);

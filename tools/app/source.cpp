@@ -1,0 +1,65 @@
+#include "app/source.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "common/bad_input.hpp"
+#include "files/reading.hpp"
+#include "lod/baked_file.hpp"
+#include "lod/pm_file.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+
+namespace restrip::tools {
+namespace {
+
+void refuse_simplifying(const std::filesystem::path& file, bool given) {
+  if (given)
+    throw BadInput(
+        fmt::format("{}: is progressive already and not simplified, so --base and --boundary do not apply; leave them "
+                    "out, or give the mesh that it was made from",
+                    file.string()));
+}
+
+}  // namespace
+
+bool is_progressive(const std::filesystem::path& file) { return files::extension_of(file) == ".pm"; }
+
+bool is_baked(const std::filesystem::path& file) { return files::extension_of(file) == baked_extension; }
+
+Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
+  Simplification simplified = simplify(soup, options);
+  Source source;
+  source.subject.name = std::move(name);
+  source.subject.wanted_triangles = simplified.wanted_triangles;
+  source.subject.left_out = simplified.left_out;
+  source.mesh = std::move(simplified.mesh);
+  source.original = std::move(soup.triangles);
+  return source;
+}
+
+Source source_of(const std::filesystem::path& file, const MendingOptions& mending, const SimplifyOptions& options,
+                 bool options_given) {
+  if (!is_baked(file) && !is_progressive(file)) {
+    Mended mended;
+    Source source = simplified(file.string(), read_mesh(file, mending, mended), options);
+    source.subject.mended = mended;
+    return source;
+  }
+  refuse_simplifying(file, options_given);
+  refuse_mending(file, mending);
+  Source source;
+  source.subject.name = file.string();
+  if (is_baked(file)) {
+    source.baked = read_baked(file);
+    source.mesh = source.baked->mesh;
+    return source;
+  }
+  source.mesh = read_pm(file);
+  BuildReport report;
+  const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
+  source.subject.left_out = {report.degenerate_triangles, report.non_manifold_vertices, 0, 0};
+  return source;
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,35 @@
+// A mesh on its way to be replayed: read and simplified, or as a progressive or baked file has it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lod/bake.hpp"
+#include "lod/progressive_mesh.hpp"
+#include "lod/simplify.hpp"
+#include "meshes/mend.hpp"
+#include "meshes/soup.hpp"
+#include "replay/replay_text.hpp"
+
+namespace restrip::tools {
+
+[[nodiscard]] bool is_progressive(const std::filesystem::path& file);
+[[nodiscard]] bool is_baked(const std::filesystem::path& file);
+
+/// A mesh ready to be replayed, with the triangles that must come out (none for a file that has only the splits).
+struct Source {
+  Subject subject;
+  ProgressiveMesh mesh;
+  std::vector<Corners> original;
+  std::optional<BakedMesh> baked;  ///< when the file has its strips
+};
+
+[[nodiscard]] Source simplified(std::string name, Soup soup, const SimplifyOptions& options);
+/// Throws BadInput where the file cannot be read, and where a progressive mesh is to be simplified (`options_given`) or
+/// mended.
+[[nodiscard]] Source source_of(const std::filesystem::path& file, const MendingOptions& mending,
+                               const SimplifyOptions& options, bool options_given);
+
+}  // namespace restrip::tools

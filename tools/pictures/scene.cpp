@@ -1,0 +1,159 @@
+#include "pictures/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <unordered_set>
+
+namespace restrip::tools {
+namespace {
+
+Spot middle(const Spot& p, const Spot& q) noexcept {
+  return {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.depth + q.depth) / 2};
+}
+
+/// Of strips by number: hues a golden ratio apart, in three lightnesses.
+Color usual_color(std::size_t strip) {
+  const double turns = std::numbers::phi * static_cast<double>(strip + 1);
+  const double hue = 12 * (turns - std::floor(turns));  // in twelfths of the circle
+  constexpr double saturation = 0.65;
+  const double lightness = 0.55 + 0.12 * static_cast<double>(strip % 3);
+  const double spread = saturation * std::min(lightness, 1 - lightness);
+  const auto channel = [&](double begin) {
+    const double at = std::fmod(begin + hue, 12.0);
+    return static_cast<std::uint8_t>(
+        std::lround(255 * (lightness - spread * std::clamp(std::min(at - 3, 9 - at), -1.0, 1.0))));
+  };
+  return {channel(0), channel(8), channel(4)};
+}
+
+std::uint32_t number_of(const Color& c) noexcept {
+  return std::uint32_t{c.red} << 16U | std::uint32_t{c.green} << 8U | std::uint32_t{c.blue};
+}
+
+/// Where two strips would have the same colour, the later one takes the next that is free.
+std::vector<Color> distinct_colors(std::size_t count) {
+  std::unordered_set<std::uint32_t> taken{number_of(background_color), number_of(edge_color), number_of(surface_color)};
+  std::vector<Color> colors;
+  colors.reserve(count);
+  for (std::size_t strip = 0; strip < count; ++strip) {
+    std::uint32_t number = number_of(usual_color(strip));
+    while (!taken.insert(number).second) number = (number + 1) % (1U << 24U);
+    colors.push_back({static_cast<std::uint8_t>(number >> 16U), static_cast<std::uint8_t>(number >> 8U),
+                      static_cast<std::uint8_t>(number)});
+  }
+  return colors;
+}
+
+/// Twice the area, positive when the corners go counter-clockwise as seen: y points down.
+double doubled_area(const std::array<Spot, 3>& t) noexcept {
+  return (t[2].x - t[0].x) * (t[1].y - t[0].y) - (t[1].x - t[0].x) * (t[2].y - t[0].y);
+}
+
+/// From the mesh to the picture.
+class Projection {
+ public:
+  Projection(std::span<const Point> points, std::span<const StripCorners> strips, const Camera& camera,
+             const PictureSize& size) {
+    const double azimuth = camera.azimuth * std::numbers::pi / 180;
+    const double elevation = camera.elevation * std::numbers::pi / 180;
+    right_ = {std::cos(azimuth), 0, -std::sin(azimuth)};
+    up_ = {-std::sin(elevation) * std::sin(azimuth), std::cos(elevation), -std::sin(elevation) * std::cos(azimuth)};
+    near_ = {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)};
+    constexpr double far_off = std::numeric_limits<double>::infinity();
+    Spot low{far_off, far_off, 0};
+    Spot high{-far_off, -far_off, 0};
+    for (const StripCorners& strip : strips)
+      for (const Corners& t : strip)
+        for (const std::uint32_t v : t) {
+          const Spot s = turned(points[v]);
+          low = {std::min(low.x, s.x), std::min(low.y, s.y), 0};
+          high = {std::max(high.x, s.x), std::max(high.y, s.y), 0};
+        }
+    if (low.x > high.x) return;  // nothing to see
+    const auto width = static_cast<double>(size.width);
+    const auto height = static_cast<double>(size.height);
+    const double margin = std::min(width, height) / 40;
+    const double tiny = std::numeric_limits<double>::min();
+    scale_ = std::min((width - 2 * margin) / std::max(high.x - low.x, tiny),
+                      (height - 2 * margin) / std::max(high.y - low.y, tiny));
+    middle_ = middle(low, high);
+    to_ = {width / 2, height / 2, 0};
+  }
+
+  [[nodiscard]] Spot operator()(const Point& p) const noexcept {
+    const Spot s = turned(p);
+    return {to_.x + scale_ * (s.x - middle_.x), to_.y - scale_ * (s.y - middle_.y), scale_ * s.depth};
+  }
+
+ private:
+  using Axis = std::array<double, 3>;
+  static double along(const Axis& axis, const Point& p) noexcept {
+    return axis[0] * static_cast<double>(p.x) + axis[1] * static_cast<double>(p.y) + axis[2] * static_cast<double>(p.z);
+  }
+  [[nodiscard]] Spot turned(const Point& p) const noexcept {
+    return {along(right_, p), along(up_, p), along(near_, p)};
+  }
+
+  Axis right_{};
+  Axis up_{};
+  Axis near_{};  ///< towards the camera
+  double scale_ = 1;
+  Spot middle_;
+  Spot to_;
+};
+
+/// The middle of the edge that two triangles share.
+Spot door_between(const Projection& project, std::span<const Point> points, const Corners& one, const Corners& other) {
+  std::array<std::uint32_t, 2> ends{one[0], one[1]};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto in_other = [&](std::uint32_t v) { return std::find(other.begin(), other.end(), v) != other.end(); };
+    if (in_other(one[i]) && in_other(one[(i + 1) % 3])) ends = {one[i], one[(i + 1) % 3]};
+  }
+  return middle(project(points[ends[0]]), project(points[ends[1]]));
+}
+
+double mean_edge(std::span<const Face> faces) {
+  double sum = 0;
+  for (const Face& face : faces)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Spot& p = face.corners[i];
+      const Spot& q = face.corners[(i + 1) % 3];
+      sum += std::hypot(p.x - q.x, p.y - q.y);
+    }
+  return sum / (3 * static_cast<double>(std::max<std::size_t>(faces.size(), 1)));
+}
+
+}  // namespace
+
+Spot center_of(const Face& face) noexcept {
+  const auto& [p, q, r] = face.corners;
+  return {(p.x + q.x + r.x) / 3, (p.y + q.y + r.y) / 3, (p.depth + q.depth + r.depth) / 3};
+}
+
+Scene scene_of(std::span<const Point> points, std::span<const StripCorners> strips, const Camera& camera,
+               const PictureSize& size, StripStyle style) {
+  const Projection project(points, strips, camera, size);
+  Scene scene{size, style, {}, distinct_colors(strips.size()), 0, 0};
+  for (std::size_t s = 0; s < strips.size(); ++s) {
+    const StripCorners& strip = strips[s];
+    for (std::size_t i = 0; i < strip.size(); ++i) {
+      const Corners& t = strip[i];
+      Face face{{project(points[t[0]]), project(points[t[1]]), project(points[t[2]])}, s};
+      if (!(doubled_area(face.corners) > 0)) continue;
+      if (i != 0) face.doors[face.door_count++] = door_between(project, points, t, strip[i - 1]);
+      if (i + 1 != strip.size()) face.doors[face.door_count++] = door_between(project, points, t, strip[i + 1]);
+      scene.faces.push_back(face);
+    }
+  }
+  std::stable_sort(scene.faces.begin(), scene.faces.end(),
+                   [](const Face& a, const Face& b) { return center_of(a).depth < center_of(b).depth; });
+  const double edge = mean_edge(scene.faces);
+  constexpr double shows_edges = 5;
+  scene.edge_width = edge < shows_edges ? 0 : std::clamp(0.03 * edge, 0.6, 1.5);
+  scene.line_width = std::clamp(0.16 * edge, 1.0, 8.0);
+  return scene;
+}
+
+}  // namespace restrip::tools

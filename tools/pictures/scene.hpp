@@ -1,0 +1,76 @@
+// A mesh and its strips as a camera sees them: what pictures of every format are made of (picture_file.hpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "meshes/soup.hpp"
+
+namespace restrip::tools {
+
+/// The triangles of one strip, each next to the following one.
+using StripCorners = std::vector<Corners>;
+
+/// Where the picture is taken from: far away (parallel projection), with the y axis upright. In degrees. At 0,0 the
+/// camera looks along -z; the azimuth carries it around the y axis towards +x, the elevation up towards +y.
+struct Camera {
+  double azimuth = 30;
+  double elevation = 20;  ///< from -90 to 90
+};
+
+struct PictureSize {
+  std::uint32_t width = 800;
+  std::uint32_t height = 600;
+};
+inline constexpr std::uint32_t least_picture_side = 16;
+inline constexpr std::uint32_t most_picture_side = 8192;
+
+enum class StripStyle {
+  faces,  ///< each triangle in the colour of its strip
+  lines   ///< grey triangles; each strip a line through their centres and the edges that it crosses
+};
+
+struct Color {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+  friend bool operator==(const Color&, const Color&) = default;
+};
+inline constexpr Color background_color{255, 255, 255};
+inline constexpr Color edge_color{48, 52, 58};
+inline constexpr Color surface_color{222, 226, 230};  ///< of triangles under lines
+
+/// In pixels; y points down, and a greater depth is nearer to the camera.
+struct Spot {
+  double x = 0;
+  double y = 0;
+  double depth = 0;
+};
+
+/// A triangle that faces the camera.
+struct Face {
+  std::array<Spot, 3> corners;
+  std::size_t strip = 0;
+  std::array<Spot, 2> doors{};  ///< middles of the edges that its strip crosses
+  std::size_t door_count = 0;
+};
+[[nodiscard]] Spot center_of(const Face& face) noexcept;
+
+struct Scene {
+  PictureSize size;
+  StripStyle style = StripStyle::faces;
+  std::vector<Face> faces;    ///< far ones first, by their centres
+  std::vector<Color> colors;  ///< of each strip; all differ, and differ from the three above
+  double edge_width = 0;      ///< of the edges of triangles, in pixels; 0: triangles are too small to show them
+  double line_width = 0;      ///< of the lines
+};
+
+/// The whole mesh, seen or not, fits into the picture but for a margin of a fortieth of its shorter side. Triangles
+/// that face away are left out. O(n log n) for n triangles. At most 2^23 strips.
+[[nodiscard]] Scene scene_of(std::span<const Point> points, std::span<const StripCorners> strips, const Camera& camera,
+                             const PictureSize& size, StripStyle style);
+
+}  // namespace restrip::tools
