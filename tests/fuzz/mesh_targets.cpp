@@ -178,7 +178,12 @@ std::string glb_of_strips(GltfPrimitives primitives) {
   StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
   stripify(mesh);
   const std::vector<std::uint32_t> indices = strip_indices(mesh);
-  return strip_bytes({shape.points, indices, shape.triangles}, ".glb", primitives);
+  std::vector<Attribute> attributes{{"NORMAL"}, {"TEXCOORD_0", ComponentType::unsigned_short, 2, true}};
+  for (std::size_t v = 0; v < shape.points.size(); ++v) {
+    attributes[0].append({0, 0, 1, 0});
+    attributes[1].append({static_cast<double>(v), 65535, 0, 0});
+  }
+  return strip_bytes({shape.points, indices, shape.triangles, attributes}, ".glb", primitives);
 }
 
 }  // namespace
@@ -227,7 +232,7 @@ std::vector<Target> mesh_targets() {
          const ReadBeside beside = [](const std::string&) -> std::string {
            throw BadInput("f: there is no other file");
          };
-         return play(read_gltf(bytes, "f", beside));
+         return play(read_gltf(bytes, "f", beside, ReadAttributes::yes));
        }),
        10000},
       {"pm", pms, refusing(check_pm), 10000},

@@ -5,8 +5,6 @@ and mirror; and a damaged one is refused with a sentence that names it. The file
 
     gltf_files_test.py restrip SCRATCH
 """
-import base64
-import copy
 import itertools
 import json
 import pathlib
@@ -14,64 +12,14 @@ import struct
 import subprocess
 import sys
 
+from gltf_maker import File
 from strip_readers import obj, rotated
 
 restrip, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
-LETTER = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
 
 
 def run(*arguments):
     return subprocess.run([restrip, *map(str, arguments)], capture_output=True, text=True, check=False)
-
-
-class File:
-    """A document and the buffer that it grows."""
-
-    def __init__(self, required=()):
-        self.binary = b""
-        self.doc = {"asset": {"version": "2.0"}, "buffers": [{"byteLength": 0}], "bufferViews": [], "accessors": [],
-                    "meshes": [{"primitives": []}]}
-        if required:
-            self.doc |= {"extensionsUsed": list(required), "extensionsRequired": list(required)}
-
-    def view(self, data, stride=None):
-        self.binary += b"\0" * (-len(self.binary) % 4)
-        view = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": len(data)}
-        self.doc["bufferViews"].append(view | ({"byteStride": stride} if stride else {}))
-        self.binary += data
-        self.doc["buffers"][0]["byteLength"] = len(self.binary)
-        return len(self.doc["bufferViews"]) - 1
-
-    def accessor(self, values, kind, component, stride=None, before=0, **more):
-        rows = [struct.pack(f"<{len(row)}{LETTER[component]}", *row) for row in values]
-        data = b"".join(row.ljust(stride or 0, b"\xAA") for row in rows)
-        view = self.view(b"\xBB" * before + data, stride)
-        about = {"bufferView": view, "componentType": component, "count": len(values), "type": kind} | more
-        self.doc["accessors"].append(about | ({"byteOffset": before} if before else {}))
-        return len(self.doc["accessors"]) - 1
-
-    def positions(self, points, **more):
-        return self.accessor(points, "VEC3", 5126, **more)
-
-    def indices(self, indices, component=5123):
-        return self.accessor([[i] for i in indices], "SCALAR", component)
-
-    def primitive(self, positions, indices=None, mode=None, mesh=0):
-        about = {"attributes": {"POSITION": positions}}
-        about |= {} if indices is None else {"indices": indices}
-        self.doc["meshes"][mesh]["primitives"].append(about | ({} if mode is None else {"mode": mode}))
-
-    def glb(self):
-        text = json.dumps(self.doc).encode()
-        text += b" " * (-len(text) % 4)
-        binary = self.binary + b"\0" * (-len(self.binary) % 4)
-        chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
-        return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
-
-    def gltf(self, uri=None):
-        doc = copy.deepcopy(self.doc)
-        doc["buffers"][0]["uri"] = uri or "data:application/octet-stream;base64," + base64.b64encode(self.binary).decode()
-        return json.dumps(doc).encode()
 
 
 def read(name, data):

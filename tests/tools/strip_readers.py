@@ -57,8 +57,8 @@ def ply(path):
     return points, strips_between(struct.unpack_from(f"<{length}i", body, 12 * count + 4), -1)
 
 
-def glb(path):
-    """The points, and (mode, indices, width) of each primitive; checks what the format demands of what is there."""
+def parts_of_glb(path):
+    """The JSON, and what gives an accessor by its number: its description, the width of a component, the flat values."""
     data = path.read_bytes()
     magic, version, length = struct.unpack_from("<4sII", data)
     assert (magic, version, length) == (b"glTF", 2, len(data))
@@ -76,16 +76,47 @@ def glb(path):
     def accessor(number):
         about = doc["accessors"][number]
         view = doc["bufferViews"][about["bufferView"]]
-        letter, width = {5123: ("H", 2), 5125: ("I", 4), 5126: ("f", 4)}[about["componentType"]]
-        parts = {"SCALAR": 1, "VEC3": 3}[about["type"]]
+        letter, width = {5120: ("b", 1), 5121: ("B", 1), 5122: ("h", 2), 5123: ("H", 2), 5125: ("I", 4),
+                         5126: ("f", 4)}[about["componentType"]]
+        parts = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[about["type"]]
         offset = about.get("byteOffset", 0)
-        size = width * parts * about["count"]
+        stride = view.get("byteStride", width * parts)
+        size = stride * (about["count"] - 1) + width * parts
         assert about["count"] > 0 and offset % width == 0 and offset + size <= view["byteLength"]
         begin = view.get("byteOffset", 0) + offset
         assert begin % width == 0 and view.get("byteOffset", 0) + view["byteLength"] <= doc["buffers"][0]["byteLength"]
-        flat = struct.unpack(f"<{parts * about['count']}{letter}", binary[begin:begin + size])
-        return about, width, flat
+        flat = [value for i in range(about["count"])
+                for value in struct.unpack_from(f"<{parts}{letter}", binary, begin + i * stride)]
+        return about, width, tuple(flat)
 
+    return doc, accessor
+
+
+def corners_of_glb(path):
+    """The triangles that a GLB of one mesh draws, each from its smallest corner; a corner is the values of all attributes of
+    its vertex, each with its encoding."""
+    doc, accessor = parts_of_glb(path)
+    triangles = []
+    for primitive in doc["meshes"][0]["primitives"]:
+        columns = []
+        for name, number in sorted(primitive["attributes"].items()):
+            about, _, flat = accessor(number)
+            kind = (name, about["type"], about["componentType"], about.get("normalized", False))
+            parts = len(flat) // about["count"]
+            columns.append([(kind, *flat[i:i + parts]) for i in range(0, len(flat), parts)])
+        vertices = list(zip(*columns, strict=True))
+        _, width, indices = accessor(primitive["indices"])
+        if primitive.get("mode", 4) == 5:
+            made = drawn(strips_between(indices, RESTART[width]))
+        else:
+            made = [indices[i:i + 3] for i in range(0, len(indices), 3)]
+        triangles += [rotated([vertices[v] for v in t]) for t in made]
+    return sorted(triangles)
+
+
+def glb(path):
+    """The points, and (mode, indices, width) of each primitive; checks what the format demands of what is there."""
+    doc, accessor = parts_of_glb(path)
     primitives = doc["meshes"][doc["nodes"][0]["mesh"]]["primitives"]
     about, _, flat = accessor(primitives[0]["attributes"]["POSITION"])
     points = list(zip(*[iter(flat)] * 3))

@@ -68,6 +68,7 @@ int run(const StatsCommand& command) {
   }
   Mended mended;
   const MeshReport report = report_on(read_mesh(command.mesh, command.mending, mended));
+  mended.left_out_attributes.clear();  // nothing is written that could have them
   out.print(as_text(report, command.mesh.string(), mended), as_json(report, mended));
   return 0;
 }
@@ -134,7 +135,7 @@ int run(const SimplifyCommand& command) {
   if (made.base.size() > result.wanted_triangles)
     text += fmt::format("a base of {} triangles was wanted; {}\n", result.wanted_triangles,
                         why_no_coarser(result.left_out));
-  if (mended.any_asked()) json["mended"] = json_of(mended);
+  add_to(json, mended);
   report.print(text, json.dump(2) + "\n");
   return 0;
 }
@@ -167,7 +168,7 @@ int run(const BakeCommand& command) {
                               {"bytes", bytes},
                               {"states", report.states},
                               {"seconds", report.seconds}};
-  if (source.subject.mended.any_asked()) json["mended"] = json_of(source.subject.mended);
+  add_to(json, source.subject.mended);
   const std::string text =
       as_text(source.subject.mended) +
       fmt::format(

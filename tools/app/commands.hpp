@@ -63,6 +63,7 @@ struct ConvertCommand {
   std::filesystem::path out;
   GltfPrimitives gltf = GltfPrimitives::restart;
   bool gltf_given = false;
+  ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;
 };
@@ -97,6 +98,7 @@ struct StripifyCommand {
   Cost cost = Cost::strips();
   std::uint64_t limit = 0;  ///< of stripify(), for each triangle; 0: its own
   std::uint64_t seed = 1;
+  ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;
 };

@@ -40,7 +40,7 @@ Converted converted(const Soup& soup, const ConvertCommand& command) {
   std::copy_if(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(drawn),
                [](const Corners& t) { return !degenerate(t); });
   const auto ends = std::count(soup.strips.begin(), soup.strips.end(), strip_end);
-  return {strip_bytes({soup.points, soup.strips, drawn}, extension, primitives),
+  return {strip_bytes({soup.points, soup.strips, drawn, soup.attributes}, extension, primitives),
           soup.strips.empty() || primitives == GltfPrimitives::list ? 0 : static_cast<std::size_t>(ends) + 1,
           soup.triangles.size() - drawn.size()};
 }
@@ -66,14 +66,15 @@ int run(const ConvertCommand& command) {
         fmt::format("{}: is a progressive mesh; restrip replay with -o and --triangles writes one level of it",
                     command.mesh.string()));
   Mended mended;
-  const Soup soup = read_mesh(command.mesh, command.mending, mended);
+  const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
+  if (!holds_attributes(files::extension_of(command.out))) leave_out_attributes(soup, mended);
   const Converted made = converted(soup, command);
   out.write(made.bytes);
   nlohmann::ordered_json json{{"vertices", soup.points.size()},
                               {"triangles", soup.triangles.size() - made.left_out},
                               {"strips", made.strips},
                               {"left_out", made.left_out}};
-  if (mended.any_asked()) json["mended"] = json_of(mended);
+  add_to(json, mended);
   std::string text = as_text(mended);
   text += fmt::format("{}: {} vertices, {} triangles", command.out.string(), soup.points.size(),
                       soup.triangles.size() - made.left_out);

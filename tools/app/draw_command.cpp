@@ -112,7 +112,7 @@ int run(const DrawCommand& command) {
     text +=
         fmt::format("; {} triangles face the camera, {} strips are in the picture", scene.faces.size(), picture.strips);
   }
-  if (mended.any_asked()) json["mended"] = json_of(mended);
+  add_to(json, mended);
   report.print(text + "\n", json.dump(2) + "\n");
   return 0;
 }

@@ -136,6 +136,7 @@ CLI::App* add_convert(CLI::App& app, ConvertCommand& command) {
                       "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none")
       ->required();
   const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([gltf, &command] {
@@ -205,6 +206,7 @@ CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
           ->check(CLI::Range(1, 1'000'000));
   const auto* seed =
       sub->add_option("--seed", command.seed, "of annealing")->check(whole_number())->capture_default_str();
+  add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, gltf, effort, limit, seed, &command] {

@@ -101,6 +101,12 @@ std::string strip_formats() {
          "strips)";
 }
 
+void add_attributes_option(CLI::App& app, ReadAttributes& attributes) {
+  app.add_flag_callback(
+      "--no-attributes", [&attributes] { attributes = ReadAttributes::no; },
+      "read positions alone: --weld then joins vertices that differ in normals, texture coordinates or colours");
+}
+
 void add_mending_options(CLI::App& app, MendingOptions& options) {
   app.add_flag("--weld", options.weld, "make vertices at the same place one: strips end at seams");
   app.add_flag("--orient", options.orient, "turn triangles until neighbours agree: strips end where they do not");

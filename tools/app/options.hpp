@@ -20,6 +20,8 @@ namespace restrip::tools {
 /// Those in which strips are written (strip_file.hpp).
 [[nodiscard]] std::string strip_formats();
 
+/// For outputs that may carry them.
+void add_attributes_option(CLI::App& app, ReadAttributes& attributes);
 void add_mending_options(CLI::App& app, MendingOptions& options);
 void add_simplify_options(CLI::App& app, SimplifyOptions& options);
 [[nodiscard]] bool simplify_options_given(const CLI::App& app);

@@ -27,7 +27,8 @@ int run(const StripifyCommand& command) {
     strip_file.emplace(command.out, files::OutputRules{written_strip_extensions(), {command.mesh}});
   const ReportOutput out(command.json, {command.mesh, command.out});
   Mended mended;
-  const Soup soup = read_mesh(command.mesh, command.mending, mended);
+  const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
+  if (strip_file && !holds_attributes(files::extension_of(command.out))) leave_out_attributes(soup, mended);
   if (command.as_in_file && soup.strips.empty())
     throw BadInput(
         fmt::format("{}: has no strips (PLY `tristrips`, or strips of glTF); leave out --effort file to make "
@@ -52,7 +53,8 @@ int run(const StripifyCommand& command) {
   writing.time([&] { indices = strip_indices(mesh); });
   if (strip_file) {
     const std::vector<Corners> drawn = decode_strips(indices);
-    strip_file->write(strip_bytes({soup.points, indices, drawn}, files::extension_of(command.out), command.gltf));
+    strip_file->write(
+        strip_bytes({soup.points, indices, drawn, soup.attributes}, files::extension_of(command.out), command.gltf));
   }
   const std::size_t bound = strip_index_lower_bound(mesh);
   const std::vector<std::string> faults = find_faults(mesh);
@@ -75,7 +77,7 @@ int run(const StripifyCommand& command) {
                               {"seconds_to_write", writing.nanoseconds() * 1e-9},
                               {"valid", faults.empty()}};
   if (command.as_in_file) json["cut_strips"] = in_file.cut;
-  if (mended.any_asked()) json["mended"] = json_of(mended);
+  add_to(json, mended);
   const auto per_triangle = [triangles](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(triangles, 1));
   };
@@ -89,7 +91,9 @@ int run(const StripifyCommand& command) {
   if (in_file.cut != 0)
     text += fmt::format("cut {} times, where a strip of the file goes on and no dual edge is\n", in_file.cut);
   // A closed mesh has no seams.
-  text += hints(report.boundary_edges == 0 ? 0 : coincident_vertices(soup), report.inconsistent_edges);
+  const bool has_seams = report.boundary_edges != 0;
+  text += hints(has_seams ? coincident_vertices(soup) : 0, has_seams ? vertices_at_seams(soup) : 0,
+                report.inconsistent_edges);
   out.print(text, json.dump(2) + "\n");
   for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
   return faults.empty() ? 0 : 1;

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <optional>
+#include <cmath>
 
 #include "common/bad_input.hpp"
+#include "meshes/little_endian.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -37,10 +38,17 @@ constexpr unsigned width_of(std::uint64_t type) {
 
 constexpr bool is_index_type(std::uint64_t type) { return type == 5121 || type == 5123 || type == 5125; }
 
-std::uint32_t little_endian(std::string_view bytes, std::size_t at, unsigned width = 4) {
-  std::uint32_t value = 0;
-  for (unsigned i = 0; i < width; ++i) value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-  return value;
+/// What a component stands for.
+struct Scale {
+  double factor = 1;
+  bool normalized = false;
+  double operator()(double value) const { return normalized ? std::max(value * factor, -1.0) : value; }
+};
+
+Scale scale_of(std::uint64_t type, bool normalized) {
+  const bool is_signed = type == 5120 || type == 5122;
+  const unsigned bits = 8 * width_of(type) - (is_signed ? 1U : 0U);
+  return {1.0 / static_cast<double>((std::uint64_t{1} << bits) - 1), normalized};
 }
 
 unsigned digit_of(char c, std::string_view digits) { return static_cast<unsigned>(digits.find(c)); }
@@ -249,18 +257,53 @@ std::vector<Point> GltfFile::positions(std::uint64_t number) {
     about["componentType"].refuse(fmt::format("is {}, no type of positions", type));
   // KHR_mesh_quantization: integers, normalised or as they are.
   const bool normalized = about["normalized"].boolean_or(false) && type != type_float;
-  const bool is_signed = type == 5120 || type == 5122;
-  const unsigned bits = 8 * width_of(type) - (is_signed ? 1U : 0U);
-  const double scale = normalized ? 1.0 / static_cast<double>((std::uint64_t{1} << bits) - 1) : 1.0;
+  const Scale scale = scale_of(type, normalized);
   std::vector<Point> points;
   fill(about, static_cast<unsigned>(type), 3, points, [&](const Elements& from, std::size_t at) {
-    const auto coordinate = [&](std::size_t axis) {
-      const double value = from.value(at, axis) * scale;
-      return static_cast<float>(normalized ? std::max(value, -1.0) : value);
-    };
+    const auto coordinate = [&](std::size_t axis) { return static_cast<float>(scale(from.value(at, axis))); };
     return Point{coordinate(0), coordinate(1), coordinate(2)};
   });
   return points;
+}
+
+std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::string& name) {
+  const JsonPlace about = accessor(number);
+  const std::string& shape = about["type"].text();
+  constexpr std::array<std::string_view, 4> shapes{"SCALAR", "VEC2", "VEC3", "VEC4"};
+  const auto found = std::find(shapes.begin(), shapes.end(), shape);
+  const bool is_own = name.starts_with('_');
+  const bool is_known =
+      name == "NORMAL" || name == "TANGENT" || name.starts_with("TEXCOORD_") || name.starts_with("COLOR_");
+  if (!is_known && (!is_own || found == shapes.end())) return std::nullopt;
+  const auto components = static_cast<unsigned>(found - shapes.begin()) + 1;
+  if (name == "NORMAL" && components != 3) about["type"].refuse("is not VEC3, as normals are");
+  if (name == "TANGENT" && components != 4) about["type"].refuse("is not VEC4, as tangents are");
+  if (name.starts_with("TEXCOORD_") && components != 2) about["type"].refuse("is not VEC2, as texture coordinates are");
+  if (name.starts_with("COLOR_") && components != 3 && components != 4)
+    about["type"].refuse("is neither VEC3 nor VEC4, as colours are");
+  const std::uint64_t type = about["componentType"].whole();
+  if (width_of(type) == 0 || type == 5125)
+    about["componentType"].refuse(fmt::format("is {}, no type of an attribute", type));
+  const bool normalized = about["normalized"].boolean_or(false) && type != type_float;
+  const bool has_fractions = (type == 5121 || type == 5123) && normalized && name != "NORMAL" && name != "TANGENT";
+  const bool as_it_is = type == type_float || is_own || has_fractions;
+  const Scale scale = scale_of(type, normalized && !as_it_is);
+  Attribute made{name, as_it_is ? ComponentType{static_cast<unsigned>(type)} : ComponentType::real, components,
+                 normalized && as_it_is};
+  std::vector<Attribute::Value> values;
+  fill(about, static_cast<unsigned>(type), components, values, [&](const Elements& from, std::size_t at) {
+    Attribute::Value value{};
+    for (unsigned c = 0; c < components; ++c) value[c] = scale(from.value(at, c));
+    return value;
+  });
+  made.bytes.reserve(values.size() * made.value_bytes());
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    for (const double component : values[v])
+      if (!std::isfinite(component))
+        about.refuse(fmt::format("has a value, number {}, that is infinite or not a number; mend or remove it", v));
+    made.append(values[v]);
+  }
+  return made;
 }
 
 std::vector<std::uint32_t> GltfFile::indices(std::uint64_t number) {

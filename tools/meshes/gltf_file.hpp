@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "meshes/attributes.hpp"
 #include "meshes/json_tree.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/soup.hpp"
@@ -23,6 +25,9 @@ class GltfFile {
   /// The values of an accessor; sparse ones and strides are seen to. Throws BadInput when it is of another kind or
   /// reaches beyond its buffer.
   [[nodiscard]] std::vector<Point> positions(std::uint64_t accessor);
+  /// What an accessor says of an attribute with this name: as it is encoded where glTF allows that without extensions,
+  /// else as floats. Nothing where it is of a kind that is not carried: skins, matrices, names of no meaning.
+  [[nodiscard]] std::optional<Attribute> attribute(std::uint64_t accessor, const std::string& name);
   /// The largest value of the type of an index is the restart of primitives: strip_end.
   [[nodiscard]] std::vector<std::uint32_t> indices(std::uint64_t accessor);
 

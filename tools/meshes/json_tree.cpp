@@ -101,6 +101,13 @@ JsonPlace JsonPlace::operator[](std::string_view member) const {
   return found;
 }
 
+std::vector<std::string> JsonPlace::members() const {
+  std::vector<std::string> names;
+  if (!there()) return names;
+  for (const JsonMember& member : as<std::vector<JsonMember>>("object")) names.push_back(member.name);
+  return names;
+}
+
 std::size_t JsonPlace::size() const { return there() ? as<std::vector<JsonValue>>("array").size() : 0; }
 
 JsonPlace JsonPlace::at(std::size_t index) const {

@@ -44,6 +44,9 @@ class JsonPlace {
   /// Elements of an array; 0 when it is not there.
   [[nodiscard]] std::size_t size() const;
 
+  /// The names of an object's members, in the order of the text; none when it is not there.
+  [[nodiscard]] std::vector<std::string> members() const;
+
   /// These throw BadInput when the value is not there, but for those with a default.
   [[nodiscard]] std::uint64_t whole() const;  ///< below 2^53, where JSON's numbers are exact
   [[nodiscard]] std::uint64_t whole_or(std::uint64_t other) const { return there() ? whole() : other; }

@@ -150,11 +150,24 @@ std::vector<std::uint32_t> turned_strips(const Soup& soup, const std::vector<boo
   return made;
 }
 
+/// Vertices of some triangle that lie where an earlier one does and have these attributes as it has.
+std::size_t repeated(const Soup& soup, std::span<const Attribute> attributes) {
+  std::vector<bool> used(soup.points.size(), false);
+  for (const Corners& t : soup.triangles)
+    for (const std::uint32_t corner : t) used[corner] = true;
+  PlaceIndex places(attributes);
+  std::size_t count = 0;
+  for (std::uint32_t v = 0; v < used.size(); ++v)
+    if (used[v] && places.put(soup.points[v], v) != v) ++count;
+  return count;
+}
+
 }  // namespace
 
-Soup read_mesh(const std::filesystem::path& file, const MendingOptions& options, Mended& mended) {
-  Soup soup = read_mesh(file);
-  mended = {options, 0, 0, 0};
+Soup read_mesh(const std::filesystem::path& file, const MendingOptions& options, Mended& mended,
+               ReadAttributes attributes) {
+  Soup soup = read_mesh(file, attributes);
+  mended = {options, 0, 0, 0, soup.left_out_attributes};
   if (options.weld) weld(soup, mended);
   if (soup.triangles.empty())
     throw BadInput(fmt::format("{}: --weld leaves no triangle: each has two corners at one place", file.string()));
@@ -172,16 +185,19 @@ void refuse_mending(const std::filesystem::path& file, const MendingOptions& opt
 
 void weld(Soup& soup, Mended& mended) {
   std::vector<std::uint32_t> number(soup.points.size());
-  PlaceIndex places;
-  std::vector<Point> kept;
-  for (std::size_t v = 0; v < soup.points.size(); ++v) {
-    number[v] = places.put(soup.points[v], static_cast<std::uint32_t>(kept.size()));
-    if (number[v] == kept.size())
-      kept.push_back(soup.points[v]);
+  PlaceIndex places(soup.attributes);
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t v = 0; v < soup.points.size(); ++v) {
+    const std::uint32_t first = places.put(soup.points[v], v);
+    number[v] = first == v ? static_cast<std::uint32_t>(kept.size()) : number[first];
+    if (first == v)
+      kept.push_back(v);
     else
       ++mended.welded_vertices;
   }
-  soup.points = std::move(kept);
+  for (std::size_t i = 0; i < kept.size(); ++i) soup.points[i] = soup.points[kept[i]];
+  soup.points.resize(kept.size());
+  for (Attribute& attribute : soup.attributes) attribute = selected(attribute, kept);
   const auto vanished = std::remove_if(soup.triangles.begin(), soup.triangles.end(), [&](Corners& t) {
     const bool was = degenerate(t);
     for (std::uint32_t& corner : t) corner = number[corner];
@@ -203,16 +219,9 @@ void orient(Soup& soup, const std::string& name, Mended& mended) {
   mended.turned_triangles += turned;
 }
 
-std::size_t coincident_vertices(const Soup& soup) {
-  std::vector<bool> used(soup.points.size(), false);
-  for (const Corners& t : soup.triangles)
-    for (const std::uint32_t corner : t) used[corner] = true;
-  PlaceIndex places;
-  std::size_t count = 0;
-  for (std::uint32_t v = 0; v < used.size(); ++v)
-    if (used[v] && places.put(soup.points[v], v) != v) ++count;
-  return count;
-}
+std::size_t coincident_vertices(const Soup& soup) { return repeated(soup, soup.attributes); }
+
+std::size_t vertices_at_seams(const Soup& soup) { return repeated(soup, {}) - repeated(soup, soup.attributes); }
 
 std::string as_text(const Mended& mended) {
   std::string text;
@@ -220,6 +229,8 @@ std::string as_text(const Mended& mended) {
     text += fmt::format("welded: {} vertices with others at the same place; {} triangles vanished\n",
                         mended.welded_vertices, mended.vanished_triangles);
   if (mended.asked.orient) text += fmt::format("oriented: {} triangles turned\n", mended.turned_triangles);
+  if (!mended.left_out_attributes.empty())
+    text += fmt::format("left out: {}\n", attributes_in_words(mended.left_out_attributes));
   return text;
 }
 
@@ -229,11 +240,25 @@ nlohmann::ordered_json json_of(const Mended& mended) {
           {"turned_triangles", mended.turned_triangles}};
 }
 
-std::string hints(std::size_t coincident, std::size_t inconsistent_edges) {
+void add_to(nlohmann::ordered_json& report, const Mended& mended) {
+  if (mended.any_asked()) report["mended"] = json_of(mended);
+  if (!mended.left_out_attributes.empty()) report["left_out_attributes"] = mended.left_out_attributes;
+}
+
+void leave_out_attributes(const Soup& soup, Mended& mended) {
+  for (const Attribute& attribute : soup.attributes) note(mended.left_out_attributes, attribute.name);
+}
+
+std::string hints(std::size_t coincident, std::size_t at_seams, std::size_t inconsistent_edges) {
   std::string text;
   if (coincident != 0)
     text +=
         fmt::format("{} vertices lie where others do; strips end at such seams: --weld makes them one\n", coincident);
+  if (at_seams != 0)
+    text += fmt::format(
+        "{} vertices lie where others do and have other attributes; strips end at such seams: --no-attributes --weld "
+        "makes them one\n",
+        at_seams);
   if (inconsistent_edges != 0)
     text +=
         fmt::format("{} edges lie between triangles of opposite orientation, where strips end: --orient turns some\n",

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
+#include "meshes/mesh_file.hpp"
 #include "meshes/soup.hpp"
 
 namespace restrip::tools {
@@ -24,16 +26,19 @@ struct Mended {
   std::size_t welded_vertices = 0;     ///< became one with an earlier vertex
   std::size_t vanished_triangles = 0;  ///< had two corners that became one
   std::size_t turned_triangles = 0;
+  /// What the file has and is not carried on (Soup::left_out_attributes).
+  std::vector<std::string> left_out_attributes = {};
 };
 
 /// Reads a mesh (mesh_file.hpp), and mends it. Every program that takes a mesh reads it here. Throws BadInput.
-[[nodiscard]] Soup read_mesh(const std::filesystem::path& file, const MendingOptions& options, Mended& mended);
+[[nodiscard]] Soup read_mesh(const std::filesystem::path& file, const MendingOptions& options, Mended& mended,
+                             ReadAttributes attributes = ReadAttributes::no);
 
 /// Throws BadInput when anything is asked for: a progressive mesh is taken as it is.
 void refuse_mending(const std::filesystem::path& file, const MendingOptions& options);
 
-/// Vertices at exactly the same place become one, the first of them; triangles of which then two corners are the same
-/// vanish. The strips of the file stay. Linear time.
+/// Vertices at exactly the same place become one, the first of them, if they agree in all attributes too; triangles of
+/// which then two corners are the same vanish. The strips of the file stay. Linear time.
 void weld(Soup& soup, Mended& mended);
 /// Turns triangles until any two that alone share an edge agree, as few as possible: in each part of the mesh that is
 /// connected by such edges, the smaller number. Strips of the file that were turned as a whole stay; another one
@@ -44,10 +49,18 @@ void orient(Soup& soup, const std::string& name, Mended& mended);
 /// How many vertices of some triangle lie where an earlier one does: those that weld() joins.
 [[nodiscard]] std::size_t coincident_vertices(const Soup& soup);
 
-/// One sentence for each thing done, each with a line feed; empty when nothing was asked for.
+/// How many of them weld() leaves, because they differ in attributes from each earlier one at their place.
+[[nodiscard]] std::size_t vertices_at_seams(const Soup& soup);
+
+/// One sentence for each thing done or left out, each with a line feed; empty when there is none.
 [[nodiscard]] std::string as_text(const Mended& mended);
 [[nodiscard]] nlohmann::ordered_json json_of(const Mended& mended);
+/// Adds `mended`, when it was asked for, and `left_out_attributes`, when there are some, to a report.
+void add_to(nlohmann::ordered_json& report, const Mended& mended);
+/// The attributes of the soup are left out as well.
+void leave_out_attributes(const Soup& soup, Mended& mended);
 /// Sentences that say that mending would help, each with a line feed.
-[[nodiscard]] std::string hints(std::size_t coincident_vertices, std::size_t inconsistent_edges);
+[[nodiscard]] std::string hints(std::size_t coincident_vertices, std::size_t vertices_at_seams,
+                                std::size_t inconsistent_edges);
 
 }  // namespace restrip::tools

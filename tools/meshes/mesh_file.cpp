@@ -3,23 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <iterator>
 
 #include "common/bad_input.hpp"
 #include "files/reading.hpp"
+#include "meshes/little_endian.hpp"
 #include "meshes/soup_builder.hpp"
 
 namespace restrip::tools {
 namespace {
-
-void append_u32(std::string& bytes, std::uint32_t value) {
-  for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
-}
-
-void append_point(std::string& bytes, const Point& p) {
-  for (const float coordinate : {p.x, p.y, p.z}) append_u32(bytes, std::bit_cast<std::uint32_t>(coordinate));
-}
 
 std::string obj_of(const Soup& soup) {
   std::string text;
@@ -43,10 +35,10 @@ std::string ply_of(const Soup& soup) {
       "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
       soup.points.size(), soup.triangles.size());
   bytes.reserve(bytes.size() + 12 * soup.points.size() + 13 * soup.triangles.size());
-  for (const Point& p : soup.points) append_point(bytes, p);
+  for (const Point& p : soup.points) put(bytes, p);
   for (const Corners& t : soup.triangles) {
     bytes.push_back(3);
-    for (const std::uint32_t corner : t) append_u32(bytes, corner);
+    for (const std::uint32_t corner : t) put(bytes, corner);
   }
   return bytes;
 }
@@ -55,16 +47,17 @@ std::string ply_of(const Soup& soup) {
 std::string stl_of(const Soup& soup) {
   std::string bytes(80, ' ');
   bytes.reserve(84 + 50 * soup.triangles.size());
-  append_u32(bytes, static_cast<std::uint32_t>(soup.triangles.size()));
+  put(bytes, static_cast<std::uint32_t>(soup.triangles.size()));
   for (const Corners& t : soup.triangles) {
     bytes.append(12, '\0');
-    for (const std::uint32_t corner : t) append_point(bytes, soup.points[corner]);
+    for (const std::uint32_t corner : t) put(bytes, soup.points[corner]);
     bytes.append(2, '\0');
   }
   return bytes;
 }
 
-using Reader = std::function<Soup(std::string_view bytes, const std::filesystem::path& file)>;
+using Reader =
+    std::function<Soup(std::string_view bytes, const std::filesystem::path& file, ReadAttributes attributes)>;
 
 struct ReadFormat {
   const char* extension;
@@ -73,11 +66,13 @@ struct ReadFormat {
 
 const std::vector<ReadFormat>& read_formats() {
   const auto alone = [](Soup (*read)(std::string_view, const std::string&)) -> Reader {
-    return [read](std::string_view bytes, const std::filesystem::path& file) { return read(bytes, file.string()); };
+    return [read](std::string_view bytes, const std::filesystem::path& file, ReadAttributes /*attributes*/) {
+      return read(bytes, file.string());
+    };
   };
-  const Reader gltf = [](std::string_view bytes, const std::filesystem::path& file) {
-    return read_gltf(bytes, file.string(),
-                     [&file](const std::string& buffer) { return files::read_whole(file.parent_path() / buffer); });
+  const Reader gltf = [](std::string_view bytes, const std::filesystem::path& file, ReadAttributes attributes) {
+    const auto beside = [&file](const std::string& buffer) { return files::read_whole(file.parent_path() / buffer); };
+    return read_gltf(bytes, file.string(), beside, attributes);
   };
   static const std::vector<ReadFormat> formats{{".obj", alone(read_obj)}, {".off", alone(read_off)},
                                                {".ply", alone(read_ply)}, {".stl", alone(read_stl)},
@@ -93,7 +88,7 @@ std::vector<std::string> read_mesh_extensions() {
   return extensions;
 }
 
-Soup read_mesh(const std::filesystem::path& file) {
+Soup read_mesh(const std::filesystem::path& file, ReadAttributes attributes) {
   const std::string extension = files::extension_of(file);
   const auto& formats = read_formats();
   const auto format = std::find_if(formats.begin(), formats.end(),
@@ -109,7 +104,7 @@ Soup read_mesh(const std::filesystem::path& file) {
   const std::string bytes = files::read_whole(file);
   if (format == formats.end()) refuse_extension();
   if (bytes.empty()) throw BadInput(fmt::format("{}: the file is empty", file.string()));
-  return format->read(bytes, file);
+  return format->read(bytes, file, attributes);
 }
 
 std::vector<std::string> written_mesh_extensions() { return {".obj", ".off", ".ply", ".stl"}; }

@@ -19,10 +19,14 @@ namespace restrip::tools {
 /// The bytes of a file in the folder of the one that names it. Throws when it cannot be read.
 using ReadBeside = std::function<std::string(const std::string& file_name)>;
 
+/// Whether to carry what vertices have beside their places. Only glTF's is; of OBJ and PLY files, and where it is not
+/// asked for, Soup::left_out_attributes says what there was.
+enum class ReadAttributes { no, yes };
+
 /// The extensions of the formats that are read.
 [[nodiscard]] std::vector<std::string> read_mesh_extensions();
 /// Reads a mesh; the format is that of the file's extension, in any case. Throws BadInput.
-[[nodiscard]] Soup read_mesh(const std::filesystem::path& file);
+[[nodiscard]] Soup read_mesh(const std::filesystem::path& file, ReadAttributes attributes = ReadAttributes::no);
 
 /// The extensions of the formats in which meshes are written; PLY is binary.
 [[nodiscard]] std::vector<std::string> written_mesh_extensions();
@@ -36,6 +40,7 @@ using ReadBeside = std::function<std::string(const std::string& file_name)>;
 /// Corners at exactly the same place become one vertex (STL has no indices).
 [[nodiscard]] Soup read_stl(std::string_view bytes, const std::string& name);
 /// Buffers in files of their own are asked of `beside`.
-[[nodiscard]] Soup read_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside);
+[[nodiscard]] Soup read_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside,
+                             ReadAttributes attributes = ReadAttributes::no);
 
 }  // namespace restrip::tools

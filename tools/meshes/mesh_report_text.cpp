@@ -70,7 +70,7 @@ std::string as_json(const MeshReport& report, const Mended& mended) {
   for (std::size_t n = 1; n < report.triangles_per_vertex.size(); ++n)
     if (report.triangles_per_vertex[n] != 0) histogram[std::to_string(n)] = report.triangles_per_vertex[n];
   json["triangles_per_vertex"] = std::move(histogram);
-  if (mended.any_asked()) json["mended"] = json_of(mended);
+  add_to(json, mended);
   return json.dump(2) + "\n";
 }
 

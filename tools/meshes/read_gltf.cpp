@@ -1,13 +1,15 @@
 // glTF 2.0, as text (.gltf) and binary (.glb): lists, strips and fans of triangles, also with primitive restart, at the
 // places that the nodes of the scene give them. Points and lines are left out; materials, images, skins, morph targets
-// and animations are no business of ours. Primitives of one node that share their positions share vertices; what looks
-// like one vertex and has two normals is two in the file (--weld joins them).
+// and animations are no business of ours. Primitives of one node that share their positions, and the attributes that
+// are carried, share vertices; what looks like one vertex and has two normals is two in the file.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "common/bad_input.hpp"
 #include "meshes/gltf_file.hpp"
@@ -40,6 +42,46 @@ bool mirrors(const Affine& m) {
   return determinant < 0;
 }
 
+Attribute::Value at_length_one(const Attribute::Value& v) {
+  const double length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+  return length > 0 ? Attribute::Value{v[0] / length, v[1] / length, v[2] / length, v[3]} : v;
+}
+
+/// A tangent is moved as the surface is. So is the last component, which says on which side the other tangent is.
+Attribute::Value moved_tangent(const Affine& m, const Attribute::Value& t) {
+  Attribute::Value made{0, 0, 0, mirrors(m) ? -t[3] : t[3]};
+  for (std::size_t row = 0; row < 3; ++row) made[row] = m[row][0] * t[0] + m[row][1] * t[1] + m[row][2] * t[2];
+  return at_length_one(made);
+}
+
+/// A normal stays perpendicular: the matrix of cofactors moves it.
+Attribute::Value moved_normal(const Affine& m, const Attribute::Value& n) {
+  Attribute::Value made{};
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column) {
+      const auto& below = m[(row + 1) % 3];
+      const auto& last = m[(row + 2) % 3];
+      const std::size_t right = (column + 1) % 3;
+      const std::size_t left = (column + 2) % 3;
+      made[row] += (below[right] * last[left] - below[left] * last[right]) * n[column];
+    }
+  if (mirrors(m))
+    for (double& component : made) component = -component;
+  return at_length_one(made);
+}
+
+Attribute moved(const Attribute& attribute, const Affine& map) {
+  const bool is_normal = attribute.name == "NORMAL";
+  if (map == identity_map || (!is_normal && attribute.name != "TANGENT")) return attribute;
+  Attribute made = attribute;
+  made.bytes.clear();
+  for (std::size_t at = 0; at < attribute.bytes.size(); at += attribute.value_bytes()) {
+    const Attribute::Value value = attribute.value(at / attribute.value_bytes());
+    made.append(is_normal ? moved_normal(map, value) : moved_tangent(map, value));
+  }
+  return made;
+}
+
 template <std::size_t Count>
 std::array<double, Count> numbers(const JsonPlace& list, const std::array<double, Count>& other) {
   if (!list.there()) return other;
@@ -68,8 +110,8 @@ Affine map_of(const JsonPlace& node) {
 
 class GltfReader {
  public:
-  GltfReader(std::string_view bytes, const std::string& name, const ReadBeside& beside)
-      : file_(bytes, name, beside), soup_(name) {}
+  GltfReader(std::string_view bytes, const std::string& name, const ReadBeside& beside, ReadAttributes attributes)
+      : file_(bytes, name, beside), soup_(name), carry_(attributes == ReadAttributes::yes) {}
 
   Soup read() {
     const JsonPlace root = file_.root();
@@ -116,16 +158,16 @@ class GltfReader {
 
   void read_mesh_at(std::uint64_t number, const Affine& map) {
     const JsonPlace primitives = file_.root()["meshes"].at(number)["primitives"];
-    std::map<std::uint64_t, First> placed;  // of each accessor of positions: where its points begin
+    std::map<Accessors, First> placed;  // where their points begin
     const bool mirrored = mirrors(map);
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const JsonPlace primitive = primitives.at(i);
       const std::uint64_t mode = primitive["mode"].whole_or(4);
       if (mode > 6) primitive["mode"].refuse(fmt::format("is {}; there are 0 to 6", mode));
       if (mode < 4) continue;  // points and lines
-      const std::uint64_t accessor = primitive["attributes"]["POSITION"].whole();
-      auto known = placed.find(accessor);
-      if (known == placed.end()) known = placed.emplace(accessor, add_points(accessor, map)).first;
+      const Accessors accessors = accessors_of(primitive["attributes"]);
+      auto known = placed.find(accessors);
+      if (known == placed.end()) known = placed.emplace(accessors, add_points(accessors, map)).first;
       std::vector<std::uint32_t> indices;
       if (primitive["indices"].there()) {
         indices = file_.indices(primitive["indices"].whole());
@@ -142,9 +184,69 @@ class GltfReader {
     std::size_t count = 0;
   };
 
-  First add_points(std::uint64_t accessor, const Affine& map) {
-    const First first{soup_.point_count(), file_.accessor(accessor)["count"].whole()};
-    for (const Point& p : file_.positions(accessor)) {
+  /// What the vertices of a primitive are made of.
+  struct Accessors {
+    std::uint64_t positions = 0;
+    std::map<std::string, std::uint64_t> attributes = {};  // those to carry
+    friend auto operator<=>(const Accessors&, const Accessors&) = default;
+  };
+
+  Accessors accessors_of(const JsonPlace& attributes) {
+    Accessors found{attributes["POSITION"].whole()};
+    for (const std::string& name : attributes.members()) {
+      if (name == "POSITION") continue;
+      const auto is_letter = [](char c) {
+        return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+      };
+      if (carry_ && std::all_of(name.begin(), name.end(), is_letter))
+        found.attributes.emplace(name, attributes[name].whole());
+      else
+        soup_.leave_out(name);
+    }
+    return found;
+  }
+
+  /// The attributes of new points. What not all vertices have in the same encoding is left out of all.
+  void add_attributes(const std::map<std::string, std::uint64_t>& accessors, const First& first, const Affine& map) {
+    std::vector<Attribute> added;
+    for (const auto& [name, accessor] : accessors) {
+      std::optional<Attribute> attribute = file_.attribute(accessor, name);
+      if (!attribute) {
+        soup_.leave_out(name);
+        continue;
+      }
+      const std::size_t count = attribute->bytes.size() / attribute->value_bytes();
+      if (count != first.count)
+        file_.accessor(accessor).refuse(
+            fmt::format("has {} values of {}, and there are {} positions", count, name, first.count));
+      added.push_back(moved(*attribute, map));
+    }
+    std::vector<Attribute>& carried = soup_.attributes();
+    if (first.point == 0) {
+      carried = std::move(added);
+      return;
+    }
+    const auto same_in = [](const std::vector<Attribute>& all, const Attribute& one) {
+      return std::find_if(all.begin(), all.end(), [&](const Attribute& other) { return other.alike(one); });
+    };
+    for (const Attribute& attribute : added)
+      if (same_in(carried, attribute) == carried.end()) soup_.leave_out(attribute.name);
+    std::vector<Attribute> kept;
+    for (Attribute& attribute : carried) {
+      if (const auto same = same_in(added, attribute); same != added.end()) {
+        attribute.bytes += same->bytes;
+        kept.push_back(std::move(attribute));
+      } else {
+        soup_.leave_out(attribute.name);
+      }
+    }
+    carried = std::move(kept);
+  }
+
+  First add_points(const Accessors& accessors, const Affine& map) {
+    const First first{soup_.point_count(), file_.accessor(accessors.positions)["count"].whole()};
+    if (first.count != 0) add_attributes(accessors.attributes, first, map);
+    for (const Point& p : file_.positions(accessors.positions)) {
       const auto coordinate = [&](std::size_t row) {
         const auto& m = map[row];
         return m[0] * static_cast<double>(p.x) + m[1] * static_cast<double>(p.y) + m[2] * static_cast<double>(p.z) +
@@ -191,14 +293,15 @@ class GltfReader {
 
   GltfFile file_;
   SoupBuilder soup_;
+  bool carry_;
   std::vector<bool> visited_;
   std::vector<std::uint32_t> run_;
 };
 
 }  // namespace
 
-Soup read_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {
-  return GltfReader(bytes, name, beside).read();
+Soup read_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside, ReadAttributes attributes) {
+  return GltfReader(bytes, name, beside, attributes).read();
 }
 
 }  // namespace restrip::tools

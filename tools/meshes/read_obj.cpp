@@ -1,5 +1,6 @@
 // Wavefront OBJ: `v x y z` and `f c c c …`, a corner being v, v/vt, v//vn or v/vt/vn, counted from 1, or from the
-// end when negative. All other lines are no business of ours.
+// end when negative. What vt and vn say is
+// left out and told; all other lines are no business of ours.
 #include <fmt/format.h>
 
 #include <vector>
@@ -30,6 +31,8 @@ Soup read_obj(std::string_view bytes, const std::string& name) {
       const double y = coordinate(cursor);
       const double z = coordinate(cursor);
       soup.add_point(x, y, z);
+    } else if (keyword == "vt" || keyword == "vn") {
+      soup.leave_out(keyword == "vt" ? "TEXCOORD_0" : "NORMAL");
     } else if (keyword == "f" || keyword == "fo") {
       corners.clear();
       for (std::string_view word = cursor.word(); !word.empty(); word = cursor.word()) {

@@ -1,6 +1,6 @@
 // PLY (the Stanford polygon format): text, little-endian and big-endian. Elements `vertex` (x, y, z), `face` and
 // `tristrips` (vertex_indices or vertex_index; in strips -1 begins the next one); all else is stepped over by its
-// declared type.
+// declared type. Normals, texture coordinates and colours are told.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,6 +48,15 @@ std::optional<Type> type_named(std::string_view name) {
   if (name == "double" || name == "float64") return Type{8, real};
   return std::nullopt;
 }
+
+/// Properties of vertices that are told, not carried, and how glTF names what they are.
+struct LeftOutProperty {
+  std::string_view of_file;
+  const char* name;
+};
+constexpr LeftOutProperty left_out_properties[]{
+    {"nx", "NORMAL"},   {"s", "TEXCOORD_0"},         {"u", "TEXCOORD_0"},
+    {"red", "COLOR_0"}, {"texture_u", "TEXCOORD_0"}, {"diffuse_red", "COLOR_0"}};
 
 class PlyReader {
  public:
@@ -208,6 +217,9 @@ class PlyReader {
       if (std::none_of(element.properties.begin(), element.properties.end(),
                        [&](const Property& property) { return property.name == std::string(1, letter); }))
         refuse(fmt::format("its vertices have no property `{}`", letter));
+    for (const Property& property : element.properties)
+      for (const auto& [of_file, name] : left_out_properties)
+        if (property.name == of_file) soup_.leave_out(name);
     for (std::size_t i = 0; i < element.count; ++i) {
       for (const Property& property : element.properties) {
         if (double* coordinate = axis_of(property))

@@ -4,7 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
+
+#include "meshes/attributes.hpp"
 
 namespace restrip::tools {
 
@@ -43,6 +46,10 @@ struct Soup {
   /// Faces of more than three corners; each became a fan of triangles around its first corner.
   std::size_t polygons = 0;
   std::size_t stubs = 0;  ///< faces of fewer than three corners; left out
+  /// What each point has beside its place, where that was asked for. Two points at one place that differ in these are
+  /// two vertices: a strip does not go from one to the other.
+  std::vector<Attribute> attributes = {};
+  std::vector<std::string> left_out_attributes = {};  ///< names of those that the file has, and the soup has not
 };
 
 }  // namespace restrip::tools

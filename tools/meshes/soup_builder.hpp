@@ -31,6 +31,10 @@ class SoupBuilder {
   /// The triangles that a strip of these indices draws, and the strip. A repeated index turns the strip and draws
   /// nothing; fewer than three indices draw nothing either.
   void add_strip(std::span<const std::uint32_t> indices);
+  /// The file has this, and the soup has not.
+  void leave_out(const std::string& attribute) { note(soup_.left_out_attributes, attribute); }
+  /// Values for points to come, or the last ones. At the end each attribute must have as many as there are points.
+  [[nodiscard]] std::vector<Attribute>& attributes() noexcept { return soup_.attributes; }
   [[nodiscard]] std::size_t point_count() const noexcept { return soup_.points.size(); }
 
   /// The soup. Throws BadInput when a face refers to a vertex that the file does not have, or when there is no

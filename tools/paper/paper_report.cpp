@@ -176,7 +176,7 @@ Json json_of(const PaperMesh& mesh) {
             {"policies", list_of(mesh.runs)},
             {"scratch", list_of(mesh.scratch)},
             {"faults", mesh.faults}};
-  if (mesh.mended.any_asked()) json["mended"] = json_of(mesh.mended);
+  add_to(json, mesh.mended);
   return json;
 }
 

@@ -196,7 +196,7 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"valid", report.valid() && (!walk || walk->report.fault.empty())},
       {"faults", report.faults},
   };
-  if (subject.mended.any_asked()) json["mended"] = json_of(subject.mended);
+  add_to(json, subject.mended);
   if (subject.baked)
     json["baked"] = {{"flips_per_record", subject.baked->flips_per_record},
                      {"bytes_per_record", subject.baked->bytes_per_record},

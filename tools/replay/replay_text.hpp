@@ -27,6 +27,7 @@
 //  - left_out: {degenerate_triangles, non_manifold_vertices, frozen_vertices, large_vertices}, what no operation
 //    touches
 //  - mended: {welded_vertices, vanished_triangles, turned_triangles}, when it was asked for
+//  - left_out_attributes: what the vertices of the file have beside their places, when they have something
 //  - valid, faults: every check held; what did not
 #pragma once
 

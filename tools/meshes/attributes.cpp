@@ -1,0 +1,68 @@
+#include "meshes/attributes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <string_view>
+
+#include "meshes/little_endian.hpp"
+
+namespace restrip::tools {
+namespace {
+
+std::string attribute_in_words(std::string_view name) {
+  if (name == "NORMAL") return "normals";
+  if (name == "TANGENT") return "tangents";
+  if (name.starts_with("TEXCOORD_")) return "texture coordinates";
+  if (name.starts_with("COLOR_")) return "colours";
+  if (name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_")) return "skin weights";
+  return std::string(name);
+}
+
+double as_number(std::uint32_t bits, ComponentType type) {
+  if (type == ComponentType::real) return std::bit_cast<float>(bits);
+  if (type == ComponentType::signed_byte) return static_cast<std::int8_t>(bits);
+  if (type == ComponentType::signed_short) return static_cast<std::int16_t>(bits);
+  return bits;
+}
+
+}  // namespace
+
+Attribute::Value Attribute::value(std::size_t vertex) const {
+  Value found{};
+  for (unsigned c = 0; c < components; ++c) {
+    const std::uint32_t bits = little_endian(bytes, vertex * value_bytes() + c * width_of(type), width_of(type));
+    found[c] = as_number(bits, type);
+  }
+  return found;
+}
+
+void Attribute::append(const Value& value) {
+  for (unsigned c = 0; c < components; ++c) {
+    const std::uint32_t bits = type == ComponentType::real
+                                   ? std::bit_cast<std::uint32_t>(static_cast<float>(value[c]))
+                                   : static_cast<std::uint32_t>(static_cast<std::int64_t>(value[c]));
+    put(bytes, bits, width_of(type));
+  }
+}
+
+Attribute selected(const Attribute& attribute, std::span<const std::uint32_t> vertices) {
+  Attribute made{attribute.name, attribute.type, attribute.components, attribute.normalized};
+  const std::size_t size = attribute.value_bytes();
+  made.bytes.reserve(size * vertices.size());
+  for (const std::uint32_t v : vertices) made.bytes.append(attribute.bytes, v * size, size);
+  return made;
+}
+
+std::string attributes_in_words(std::span<const std::string> names) {
+  std::vector<std::string> words;
+  for (const std::string& name : names) note(words, attribute_in_words(name));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+void note(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,60 @@
+// What the vertices of a file have beside their places: normals, texture coordinates, colours. Values are kept as the
+// file encodes them, so that they leave as they came.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace restrip::tools {
+
+/// Types of a number, as glTF numbers them.
+enum class ComponentType : unsigned {
+  signed_byte = 5120,
+  unsigned_byte = 5121,
+  signed_short = 5122,
+  unsigned_short = 5123,
+  unsigned_int = 5125,
+  real = 5126
+};
+
+/// In bytes.
+[[nodiscard]] constexpr unsigned width_of(ComponentType type) noexcept {
+  if (type == ComponentType::signed_byte || type == ComponentType::unsigned_byte) return 1;
+  return type == ComponentType::signed_short || type == ComponentType::unsigned_short ? 2 : 4;
+}
+
+/// One value for each vertex.
+struct Attribute {
+  using Value = std::array<double, 4>;  ///< holds a component of any type exactly
+
+  std::string name;  ///< as glTF names it: NORMAL, TANGENT, TEXCOORD_0, COLOR_0, or _OWN
+  ComponentType type = ComponentType::real;
+  unsigned components = 3;  ///< 1 to 4
+  bool normalized = false;  ///< whole numbers that stand for 0 to 1, or -1 to 1
+  std::string bytes = {};   ///< the values of all vertices, without gaps, little-endian
+
+  [[nodiscard]] std::size_t value_bytes() const noexcept { return std::size_t{components} * width_of(type); }
+  /// The value of a vertex, as it is: not normalised. Components that there are not are 0.
+  [[nodiscard]] Value value(std::size_t vertex) const;
+  /// The value of the next vertex. Every component must be one of the type.
+  void append(const Value& value);
+  /// The same name and encoding: the values of one may follow those of the other.
+  [[nodiscard]] bool alike(const Attribute& other) const noexcept {
+    return name == other.name && type == other.type && components == other.components && normalized == other.normalized;
+  }
+};
+
+/// Of these vertices, in this order.
+[[nodiscard]] Attribute selected(const Attribute& attribute, std::span<const std::uint32_t> vertices);
+
+/// The same names each once, as a reader knows them: "normals, texture coordinates". Others as they are.
+[[nodiscard]] std::string attributes_in_words(std::span<const std::string> names);
+
+/// Puts a name at the end of a list that does not have it.
+void note(std::vector<std::string>& names, const std::string& name);
+
+}  // namespace restrip::tools

@@ -1,0 +1,29 @@
+// Numbers as bytes, the least one first.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "meshes/soup.hpp"
+
+namespace restrip::tools {
+
+inline void put(std::string& bytes, std::uint32_t value, unsigned width = 4) {
+  for (unsigned i = 0; i < width; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
+}
+
+inline void put(std::string& bytes, const Point& p) {
+  for (const float coordinate : {p.x, p.y, p.z}) put(bytes, std::bit_cast<std::uint32_t>(coordinate));
+}
+
+/// The number at a place; the bytes must be there.
+[[nodiscard]] inline std::uint32_t little_endian(std::string_view bytes, std::size_t at, unsigned width = 4) {
+  std::uint32_t value = 0;
+  for (unsigned i = 0; i < width; ++i) value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+  return value;
+}
+
+}  // namespace restrip::tools
