@@ -125,8 +125,9 @@ std::size_t tristripper_strips(const LevelList& level, std::vector<std::uint32_t
 void register_benchmarks() {
   for (const std::string& name : subject_names()) {
     for (const int percent : percents) {
+      const std::string stem = "draw/" + name + "/" + std::to_string(percent) + "/";
       const auto add = [&](const std::string& who, auto run) {
-        benchmark::RegisterBenchmark(("draw/" + name + "/" + std::to_string(percent) + "/" + who).c_str(), run)
+        benchmark::RegisterBenchmark((stem + who).c_str(), run)
             ->UseManualTime()
             ->Unit(benchmark::kMicrosecond)
             ->Iterations(settings().quick ? 1 : 3);
