@@ -32,7 +32,8 @@ double as_number(std::uint32_t bits, ComponentType type) {
 Attribute::Value Attribute::value(std::size_t vertex) const {
   Value found{};
   for (unsigned c = 0; c < components; ++c) {
-    const std::uint32_t bits = little_endian(bytes, vertex * value_bytes() + c * width_of(type), width_of(type));
+    const std::uint32_t bits =
+        little_endian(bytes, vertex * value_bytes() + std::size_t{c} * width_of(type), width_of(type));
     found[c] = as_number(bits, type);
   }
   return found;
