@@ -4,6 +4,7 @@
 #include "common/bad_input.hpp"
 #include "lod/bake.hpp"
 #include "lod/baked_file.hpp"
+#include "lod/baked_gltf.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/pm_file.hpp"
 #include "lod/simplify.hpp"
@@ -134,6 +135,15 @@ bool play_baked(std::string_view bytes) {
   return true;
 }
 
+std::string no_other_file(const std::string& /*name*/) { throw BadInput("f: there is no other file"); }
+
+bool play_baked_gltf(std::string_view bytes) {
+  const BakedBytes found = parse_baked_gltf(bytes, "f", no_other_file);
+  const std::string again = baked_glb_bytes(found.bytes, GltfPrimitives::strips);
+  promise(parse_baked_gltf(again, "g", no_other_file).bytes == found.bytes, "a baked mesh in a GLB is read as it was");
+  return true;
+}
+
 /// Hoppe's format: a tetrahedron, and two splits of it.
 std::string hoppe_pm() {
   std::string bytes =
@@ -228,15 +238,15 @@ std::vector<Target> mesh_targets() {
       {"gltf",
        {glb_of_strips(GltfPrimitives::restart), glb_of_strips(GltfPrimitives::strips),
         glb_of_strips(GltfPrimitives::list), intricate_glb(), text_gltf()},
-       refusing([](std::string_view bytes) {
-         const ReadBeside beside = [](const std::string&) -> std::string {
-           throw BadInput("f: there is no other file");
-         };
-         return play(read_gltf(bytes, "f", beside, ReadAttributes::yes));
-       }),
+       refusing([](std::string_view bytes) { return play(read_gltf(bytes, "f", no_other_file, ReadAttributes::yes)); }),
        10000},
       {"pm", pms, refusing(check_pm), 10000},
       {"baked", bakeds, refusing(play_baked), 2000},
+      {"baked-gltf",
+       {baked_glb_bytes(bakeds[0], GltfPrimitives::strips), baked_glb_bytes(bakeds[1], GltfPrimitives::restart),
+        baked_glb_bytes(bakeds[2], GltfPrimitives::list)},
+       refusing(play_baked_gltf),
+       2000},
   };
 }
 

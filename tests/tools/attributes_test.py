@@ -11,20 +11,14 @@ import json
 import math
 import pathlib
 import struct
-import subprocess
 import sys
 
 from gltf_maker import BYTE, FLOAT, SHORT, UBYTE, USHORT, File
+from program import Program
 from strip_readers import corners_of_glb, glb, obj
 from textured import N, cross, cube, save, sphere, unit
 
-restrip, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
-
-
-def run(*arguments, code=0):
-    done = subprocess.run([restrip, *map(str, arguments)], capture_output=True, text=True, check=False)
-    assert done.returncode == code, (arguments, done.returncode, done.stderr)
-    return done
+run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
 
 
 def dot(a, b):

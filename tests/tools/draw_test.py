@@ -12,23 +12,17 @@ import json
 import math
 import pathlib
 import struct
-import subprocess
 import sys
 import zlib
 from xml.etree import ElementTree
 
+from program import Program
 from strip_readers import glb, triangles_of_strip
 
-restrip, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
+run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 240, 180
 BACKGROUND, EDGE, SURFACE = (255, 255, 255), (48, 52, 58), (222, 226, 230)
 LEVEL = ("--base", "0.2", "--policy", "linked", "--triangles", "300")
-
-
-def run(*arguments, code=0):
-    done = subprocess.run([restrip, *map(str, arguments)], capture_output=True, text=True, check=False)
-    assert done.returncode == code, (arguments, done.returncode, done.stderr)
-    return done
 
 
 def png(path):

@@ -9,23 +9,18 @@ import itertools
 import json
 import pathlib
 import struct
-import subprocess
 import sys
 
 from gltf_maker import File
+from program import Program
 from strip_readers import obj, rotated
 
-restrip, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
-
-
-def run(*arguments):
-    return subprocess.run([restrip, *map(str, arguments)], capture_output=True, text=True, check=False)
+run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
 
 
 def read(name, data):
     (scratch / name).write_bytes(data)
-    done = run("convert", scratch / name, "-o", scratch / "out.obj")
-    assert done.returncode == 0, (name, done.stderr)
+    run("convert", scratch / name, "-o", scratch / "out.obj")
     return obj(scratch / "out.obj")
 
 
@@ -184,8 +179,8 @@ DAMAGED = (
 
 def refused(name, data, words):
     (scratch / name).write_bytes(data)
-    done = run("stats", scratch / name)
-    assert done.returncode == 2 and name in done.stderr and words in done.stderr, (words, done.returncode, done.stderr)
+    message = run("stats", scratch / name, code=2).stderr
+    assert name in message and words in message, (words, message)
 
 
 for edit, words in DAMAGED:
@@ -200,8 +195,8 @@ for uri, words in (("../outside.bin", "only a file in the same folder"), ("/etc/
                    ("data:,abc", "is no base64"), ("data:;base64,ab!=", "is no base64"), ("data:;base64,abc", "is no base64")):
     refused("bad.gltf", whole().gltf(uri), words)
 (scratch / "lost.gltf").write_bytes(whole().gltf("none.bin"))
-lost = run("stats", scratch / "lost.gltf")
-assert lost.returncode == 2 and "none.bin: no such file" in lost.stderr, lost.stderr
+lost = run("stats", scratch / "lost.gltf", code=2)
+assert "none.bin: no such file" in lost.stderr, lost.stderr
 (scratch / "short.bin").write_bytes(b"1234")
 refused("bad.gltf", whole().gltf("short.bin"), "buffers[0] has 4 bytes of the 84")
 no_buffer = whole()

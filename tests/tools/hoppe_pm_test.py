@@ -8,19 +8,15 @@ splits of face lists, by the format's definition alone.
 import pathlib
 import random
 import struct
-import subprocess
 import sys
 
+from program import Program
 from strip_readers import obj, rotated
 
-restrip, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
+run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
 S_LEFT, S_RIGHT, S_CENTRE = 1 << 4, 1 << 5, 1 << 6
 T_LEFT, T_RIGHT, T_CENTRE = 1 << 7, 1 << 8, 1 << 9
 L_NEW, R_NEW = 1 << 11, 1 << 13
-
-
-def run(*arguments):
-    return subprocess.run([restrip, *map(str, arguments)], capture_output=True, text=True, check=False)
 
 
 def f32(x):
@@ -132,11 +128,10 @@ def at_places(points, triangles):
 
 def check(name, mesh):
     (scratch / name).write_bytes(mesh.bytes())
-    done = run("replay", scratch / name, "--repeats", 0, "-o", scratch / "top.obj", "--json", scratch / "replay.json")
-    assert done.returncode == 0, (name, done.stderr, done.stdout[-500:])
+    run("replay", scratch / name, "--repeats", 0, "-o", scratch / "top.obj", "--json", scratch / "replay.json")
     wanted = at_places([[f32(x) for x in p] for p in mesh.points], mesh.faces)
     assert at_places(*obj(scratch / "top.obj")) == wanted, name
-    assert run("stats", scratch / name).returncode == 0
+    run("stats", scratch / name)
 
 
 scratch.mkdir(parents=True, exist_ok=True)
@@ -152,8 +147,8 @@ for seed in range(12):
 
 def refused(data, *words):
     (scratch / "bad.pm").write_bytes(data)
-    done = run("stats", scratch / "bad.pm")
-    assert done.returncode == 2 and "bad.pm" in done.stderr and all(w in done.stderr for w in words), (words, done.stderr)
+    message = run("stats", scratch / "bad.pm", code=2).stderr
+    assert "bad.pm" in message and all(w in message for w in words), (words, message)
 
 
 mesh = Mesh(random.Random(99), PATCH, 1, 0, 1, 0)
@@ -161,7 +156,7 @@ for _ in range(5):
     mesh.split()
 good = mesh.bytes()
 (scratch / "good.pm").write_bytes(good)
-assert run("stats", scratch / "good.pm").returncode == 0
+run("stats", scratch / "good.pm")
 for size in range(1, len(good) - 10, 31):
     refused(good[:size])
 refused(mesh.bytes(version=1), "version 1; only 2 is read")

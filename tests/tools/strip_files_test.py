@@ -9,18 +9,12 @@ with no code of restrip's.
 import json
 import pathlib
 import struct
-import subprocess
 import sys
 
+from program import Program
 from strip_readers import RESTART, drawn, glb, obj, ply, rotated, strips_between, triangles_of_strip
 
-restrip, scratch = sys.argv[1], pathlib.Path(sys.argv[2])
-
-
-def run(*arguments, code=0):
-    done = subprocess.run([restrip, *map(str, arguments)], capture_output=True, text=True, check=False)
-    assert done.returncode == code, (arguments, done.returncode, done.stderr)
-    return done
+run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
 
 
 def check(name, triangles, width):

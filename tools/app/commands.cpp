@@ -14,6 +14,7 @@
 #include "files/output.hpp"
 #include "files/reading.hpp"
 #include "lod/baked_file.hpp"
+#include "lod/baked_gltf.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/pm_file.hpp"
 #include "meshes/mesh_file.hpp"
@@ -54,10 +55,11 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Pl
 
 int run(const StatsCommand& command) {
   const ReportOutput out(command.json, {command.mesh});
-  if (is_progressive(command.mesh) || is_baked(command.mesh)) {
+  const bool baked = is_baked(command.mesh);
+  if (baked || is_progressive(command.mesh)) {
     refuse_mending(command.mesh, command.mending);
     // The base is a mesh like any other.
-    ProgressiveMesh mesh = is_baked(command.mesh) ? read_baked(command.mesh).mesh : read_pm(command.mesh);
+    ProgressiveMesh mesh = baked ? read_baked_bytes(command.mesh).baked.mesh : read_pm(command.mesh);
     Soup soup;
     soup.points = std::move(mesh.points);
     soup.points.resize(soup.points.size() - mesh.splits.size());
@@ -141,13 +143,14 @@ int run(const SimplifyCommand& command) {
 }
 
 int run(const BakeCommand& command) {
-  const files::Output out(command.out, {{std::string(baked_extension)}, {command.mesh}});
+  const files::Output out(command.out, {baked_extensions(), {command.mesh}});
   const ReportOutput told(command.json, {command.mesh, command.out});
   Source source = source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
   BakeReport report;
   BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
   if (source.baked) baked.payload = std::move(source.baked->payload);  // the records are the same
-  const std::string file = baked_bytes(baked);
+  std::string file = baked_bytes(baked);
+  if (files::extension_of(command.out) == ".glb") file = baked_glb_bytes(file, command.gltf);
   const std::size_t bytes = file.size();
   out.write(file);
   const std::size_t records = baked.records.size();
@@ -183,6 +186,8 @@ int run(const BakeCommand& command) {
   told.print(text, json.dump(2) + "\n");
   return 0;
 }
+
+std::vector<std::string> baked_extensions() { return {std::string(baked_extension), ".glb"}; }
 
 int run(const MakeMeshCommand& command) {
   const files::Output out(command.out, {written_mesh_extensions(), {}});

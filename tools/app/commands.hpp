@@ -57,11 +57,11 @@ struct SimplifyCommand {
 };
 int run(const SimplifyCommand& command);
 
-/// A mesh in another format. Strips of the file stay where the new format has strips.
+/// A mesh in another format. Strips of the file stay where the new format has strips; a baked mesh stays one.
 struct ConvertCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;
-  GltfPrimitives gltf = GltfPrimitives::restart;
+  GltfPrimitives gltf = GltfPrimitives::restart;  ///< of a baked mesh, if not given: strips
   bool gltf_given = false;
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
@@ -76,10 +76,13 @@ struct BakeCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;
   BakeOptions bake;
+  GltfPrimitives gltf = GltfPrimitives::strips;
   MendingOptions mending;
   std::string json;
 };
 int run(const BakeCommand& command);
+/// In which baked meshes are written.
+[[nodiscard]] std::vector<std::string> baked_extensions();
 
 struct MakeMeshCommand {
   std::filesystem::path out;

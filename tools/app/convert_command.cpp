@@ -8,10 +8,13 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/source.hpp"
 #include "common/bad_input.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "files/reading.hpp"
+#include "lod/baked_file.hpp"
+#include "lod/baked_gltf.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/strip_file.hpp"
 
@@ -49,10 +52,38 @@ Converted converted(const Soup& soup, const ConvertCommand& command) {
 
 std::vector<std::string> converted_extensions() {
   std::vector<std::string> all = written_mesh_extensions();
-  for (const std::string& extension : written_strip_extensions())
-    if (std::find(all.begin(), all.end(), extension) == all.end()) all.push_back(extension);
+  for (const auto& more : {written_strip_extensions(), baked_extensions()})
+    for (const std::string& extension : more)
+      if (std::find(all.begin(), all.end(), extension) == all.end()) all.push_back(extension);
   return all;
 }
+
+namespace {
+
+/// A baked mesh as it is, byte by byte, from one kind of file into the other.
+int convert_baked(const ConvertCommand& command, const files::Output& out, const ReportOutput& report) {
+  refuse_mending(command.mesh, command.mending);
+  const std::string extension = files::extension_of(command.out);
+  const auto extensions = baked_extensions();
+  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+    throw BadInput(
+        fmt::format("{}: is a baked mesh, which {} holds; restrip replay with -o and --triangles writes one "
+                    "level of it",
+                    command.mesh.string(), fmt::join(extensions, " or ")));
+  const BakedBytes found = read_baked_bytes(command.mesh);
+  out.write(extension == ".glb"
+                ? baked_glb_bytes(found.bytes, command.gltf_given ? command.gltf : GltfPrimitives::strips)
+                : found.bytes);
+  const ProgressiveMesh& mesh = found.baked.mesh;
+  const nlohmann::ordered_json json{
+      {"base_triangles", mesh.base.size()}, {"records", mesh.splits.size()}, {"triangles", mesh.fine_triangles()}};
+  report.print(fmt::format("{}: {} triangles and {} records to {}\n", command.out.string(), mesh.base.size(),
+                           mesh.splits.size(), mesh.fine_triangles()),
+               json.dump(2) + "\n");
+  return 0;
+}
+
+}  // namespace
 
 int run(const ConvertCommand& command) {
   const files::Output out(command.out, {converted_extensions(), {command.mesh}});
@@ -60,11 +91,13 @@ int run(const ConvertCommand& command) {
   if (files::extension_of(command.out).empty())  // a device
     throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}",
                                command.out.string(), fmt::join(converted_extensions(), ", ")));
-  const std::string extension = files::extension_of(command.mesh);
-  if (extension == ".pm" || extension == ".baked")
+  if (is_baked(command.mesh)) return convert_baked(command, out, report);
+  if (is_progressive(command.mesh))
     throw BadInput(
         fmt::format("{}: is a progressive mesh; restrip replay with -o and --triangles writes one level of it",
                     command.mesh.string()));
+  if (files::extension_of(command.out) == baked_extension)
+    throw BadInput(fmt::format("{}: is no baked mesh; restrip bake makes one", command.mesh.string()));
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
   if (!holds_attributes(files::extension_of(command.out))) leave_out_attributes(soup, mended);

@@ -26,7 +26,9 @@ constexpr int exit_bad_input = 2;
 
 CLI::App* add_stats(CLI::App& app, StatsCommand& command) {
   CLI::App* sub = app.add_subcommand("stats", "Count what a mesh has: triangles per vertex, boundary, faults");
-  sub->add_option("mesh", command.mesh, mesh_formats() + "; .pm or .baked: its base")->required();
+  sub->add_option("mesh", command.mesh,
+                  mesh_formats() + "; a progressive mesh (.pm) or a baked one (.baked, .glb): its base")
+      ->required();
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->footer("Example: restrip stats bunny.obj");
@@ -35,8 +37,8 @@ CLI::App* add_stats(CLI::App& app, StatsCommand& command) {
 
 CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
   CLI::App* sub = app.add_subcommand("replay", "Simplify a mesh, then replay every vertex split with its strips kept");
-  CLI::Option* mesh =
-      sub->add_option("mesh", command.mesh, mesh_formats() + "; a progressive mesh (.pm) or a baked one (.baked)");
+  CLI::Option* mesh = sub->add_option("mesh", command.mesh,
+                                      mesh_formats() + "; a progressive mesh (.pm) or a baked one (.baked, .glb)");
   CLI::Option* built_in =
       sub->add_flag("--built-in", command.built_in, "a torus made by the program, instead of a file");
   mesh->excludes(built_in);
@@ -130,10 +132,11 @@ CLI::App* add_simplify(CLI::App& app, SimplifyCommand& command) {
 
 CLI::App* add_convert(CLI::App& app, ConvertCommand& command) {
   CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format; strips of the file stay strips");
-  sub->add_option("mesh", command.mesh, mesh_formats())->required();
+  sub->add_option("mesh", command.mesh, mesh_formats() + "; or a baked mesh (.baked, .glb)")->required();
   sub->add_option("-o,--output", command.out,
                   list_in_words(converted_extensions(), "or") +
-                      "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none")
+                      "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none; "
+                      ".baked and .glb from a baked mesh, with all its levels")
       ->required();
   const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
   add_attributes_option(*sub, command.attributes);
@@ -151,7 +154,9 @@ CLI::App* add_bake(CLI::App& app, BakeCommand& command) {
   CLI::App* sub =
       app.add_subcommand("bake", "Decide the strips of every level of detail and write them beside the mesh");
   sub->add_option("mesh", command.mesh, mesh_formats() + "; or a progressive mesh (.pm)")->required();
-  sub->add_option("-o,--output", command.out, "the .baked file")->required();
+  sub->add_option("-o,--output", command.out,
+                  ".baked; or .glb, whose mesh is the base, with all levels in an extension (RESTRIP_baked_strips)")
+      ->required();
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--effort", command.bake.effort,
                   "edges walked to save one strip, before search goes further away; with --cost indices 500 of them "
@@ -162,7 +167,11 @@ CLI::App* add_bake(CLI::App& app, BakeCommand& command) {
   add_cost_option(*sub, command.bake.cost);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
-  sub->callback([sub, &command] { command.simplify_given = simplify_options_given(*sub); });
+  const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  sub->callback([sub, gltf, &command] {
+    refuse_gltf_elsewhere(*gltf, command.out);
+    command.simplify_given = simplify_options_given(*sub);
+  });
   sub->footer("Example: restrip bake bunny.obj -o bunny.baked");
   return sub;
 }
@@ -227,7 +236,7 @@ CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
   CLI::App* sub =
       app.add_subcommand("draw", "Draw a mesh at a level of detail, with its strips kept as replay keeps them");
   sub->add_option("mesh", command.mesh,
-                  mesh_formats() + "; a progressive mesh (.pm) or a baked one (.baked); else a torus");
+                  mesh_formats() + "; a progressive mesh (.pm) or a baked one (.baked, .glb); else a torus");
   sub->add_option("-o,--output", command.out,
                   ".svg, .png, or .json: the mesh, its strips and a rule, from which scripts/pictures.py draws")
       ->required();

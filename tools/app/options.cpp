@@ -213,7 +213,7 @@ CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf) {
           "what a .glb has: restart: one primitive, for viewers with KHR_mesh_primitive_restart; strips: a primitive "
           "for each strip; list: a list of triangles")
       ->check(CLI::IsMember({"restart", "strips", "list"}))
-      ->default_str("restart");
+      ->default_str(gltf == GltfPrimitives::strips ? "strips" : "restart");
 }
 
 void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out) {

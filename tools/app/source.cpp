@@ -7,6 +7,7 @@
 #include "common/bad_input.hpp"
 #include "files/reading.hpp"
 #include "lod/baked_file.hpp"
+#include "lod/baked_gltf.hpp"
 #include "lod/pm_file.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
@@ -25,7 +26,9 @@ void refuse_simplifying(const std::filesystem::path& file, bool given) {
 
 bool is_progressive(const std::filesystem::path& file) { return files::extension_of(file) == ".pm"; }
 
-bool is_baked(const std::filesystem::path& file) { return files::extension_of(file) == baked_extension; }
+bool is_baked(const std::filesystem::path& file) {
+  return files::extension_of(file) == baked_extension || is_baked_gltf(file);
+}
 
 Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
   Simplification simplified = simplify(soup, options);
@@ -40,7 +43,8 @@ Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
 
 Source source_of(const std::filesystem::path& file, const MendingOptions& mending, const SimplifyOptions& options,
                  bool options_given) {
-  if (!is_baked(file) && !is_progressive(file)) {
+  const bool baked = is_baked(file);
+  if (!baked && !is_progressive(file)) {
     Mended mended;
     Source source = simplified(file.string(), read_mesh(file, mending, mended), options);
     source.subject.mended = mended;
@@ -50,8 +54,8 @@ Source source_of(const std::filesystem::path& file, const MendingOptions& mendin
   refuse_mending(file, mending);
   Source source;
   source.subject.name = file.string();
-  if (is_baked(file)) {
-    source.baked = read_baked(file);
+  if (baked) {
+    source.baked = read_baked_bytes(file).baked;
     source.mesh = source.baked->mesh;
     return source;
   }

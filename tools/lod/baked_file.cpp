@@ -6,7 +6,6 @@
 #include <bit>
 
 #include "common/bad_input.hpp"
-#include "files/reading.hpp"
 #include "lod/pm_file.hpp"
 #include "restrip/formats/baked_file.hpp"
 #include "restrip/formats/baked_format.hpp"
@@ -142,8 +141,6 @@ BakedMesh parse_baked(std::string_view bytes, const std::string& name) {
   baked.payload = std::move(file.payload);
   return baked;
 }
-
-BakedMesh read_baked(const std::filesystem::path& file) { return parse_baked(files::read_whole(file), file.string()); }
 
 std::string baked_bytes(const BakedMesh& baked) { return Writer(baked).run(); }
 

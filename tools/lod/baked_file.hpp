@@ -1,7 +1,6 @@
 // Baked progressive meshes as files: docs/baked.md has the format. Compact, versioned, with a checksum over every byte.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -15,7 +14,6 @@ inline constexpr std::string_view baked_extension = ".baked";
 
 /// Throws BadInput when the bytes are not of this format, or of another version, truncated, altered, or describe splits
 /// or colours that no mesh can have. Plays all records once.
-[[nodiscard]] BakedMesh read_baked(const std::filesystem::path& file);
 [[nodiscard]] BakedMesh parse_baked(std::string_view bytes, const std::string& name);
 
 /// Renumbers the vertices in order of appearance, as pm_bytes does.

@@ -14,6 +14,7 @@ namespace {
 std::string attribute_in_words(std::string_view name) {
   if (name == "NORMAL") return "normals";
   if (name == "TANGENT") return "tangents";
+  if (name == "RESTRIP_baked_strips") return "baked strips";
   if (name.starts_with("TEXCOORD_")) return "texture coordinates";
   if (name.starts_with("COLOR_")) return "colours";
   if (name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_")) return "skin weights";

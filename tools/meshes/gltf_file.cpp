@@ -193,21 +193,28 @@ double GltfFile::Elements::value(std::size_t element, std::size_t component) con
   return bits;
 }
 
-GltfFile::Elements GltfFile::elements(const JsonPlace& from, unsigned type, std::size_t components, std::size_t count) {
-  const JsonPlace view = root()["bufferViews"].at(from["bufferView"].whole());
-  const std::string_view all = buffer(view["buffer"].whole());
-  const std::uint64_t begin = view["byteOffset"].whole_or(0);
-  const std::uint64_t length = view["byteLength"].whole();
+std::string_view GltfFile::view(std::uint64_t number) {
+  const JsonPlace about = root()["bufferViews"].at(number);
+  const std::string_view all = buffer(about["buffer"].whole());
+  const std::uint64_t begin = about["byteOffset"].whole_or(0);
+  const std::uint64_t length = about["byteLength"].whole();
   if (begin > all.size() || length > all.size() - begin)
-    view.refuse("reaches beyond its buffer; is the file complete?");
+    about.refuse("reaches beyond its buffer; is the file complete?");
+  return all.substr(begin, length);
+}
+
+GltfFile::Elements GltfFile::elements(const JsonPlace& from, unsigned type, std::size_t components, std::size_t count) {
+  const std::uint64_t number = from["bufferView"].whole();
+  const JsonPlace about = root()["bufferViews"].at(number);
+  const std::string_view all = view(number);
   const std::size_t size = components * width_of(type);
-  const std::uint64_t stride = view["byteStride"].whole_or(size);
-  if (stride < size || stride > 252) view["byteStride"].refuse(fmt::format("is {}, not {} to 252", stride, size));
+  const std::uint64_t stride = about["byteStride"].whole_or(size);
+  if (stride < size || stride > 252) about["byteStride"].refuse(fmt::format("is {}, not {} to 252", stride, size));
   const std::uint64_t offset = from["byteOffset"].whole_or(0);
   // Both are below 2^53, and a stride is small: the sum does not overflow.
-  if (count != 0 && (offset > length || (count - 1) * stride + size > length - offset))
+  if (count != 0 && (offset > all.size() || (count - 1) * stride + size > all.size() - offset))
     from.refuse(fmt::format("has {} elements, which reach beyond its buffer view; is the file complete?", count));
-  return {all.substr(begin + std::min(offset, length)), stride, type};
+  return {all.substr(std::min<std::uint64_t>(offset, all.size())), stride, type};
 }
 
 std::size_t GltfFile::count_of(const JsonPlace& accessor) const {

@@ -14,6 +14,9 @@
 
 namespace restrip::tools {
 
+/// Of a mesh, whose levels of detail it has with their strips (lod/baked_gltf.hpp).
+inline constexpr std::string_view baked_strips_extension = "RESTRIP_baked_strips";
+
 class GltfFile {
  public:
   /// Text, or binary (GLB), whichever the bytes are. They, the name and `beside` must outlive it. Throws BadInput when
@@ -21,6 +24,8 @@ class GltfFile {
   GltfFile(std::string_view bytes, const std::string& name, const ReadBeside& beside);
 
   [[nodiscard]] JsonPlace root() const { return {json_, name_}; }
+  /// The bytes of a buffer view. Throws BadInput when it reaches beyond its buffer.
+  [[nodiscard]] std::string_view view(std::uint64_t number);
   [[nodiscard]] JsonPlace accessor(std::uint64_t number) const { return root()["accessors"].at(number); }
   /// The values of an accessor; sparse ones and strides are seen to. Throws BadInput when it is of another kind or
   /// reaches beyond its buffer.

@@ -54,14 +54,15 @@ std::size_t stride_of(const Attribute& attribute) { return (attribute.value_byte
 /// The parts of the JSON that belong together by their numbers, written side by side.
 class GlbWriter {
  public:
-  GlbWriter(const StripFile& file, GltfPrimitives primitives) : file_(file), primitives_(primitives) {
+  GlbWriter(const StripFile& file, GltfPrimitives primitives, const GlbExtension& extension)
+      : file_(file), primitives_(primitives), extension_(extension) {
     if (file.triangles.empty()) throw BadInput("glTF has no mesh without triangles");
     if (primitives == GltfPrimitives::list)
       for (const Corners& t : file.triangles) list_.insert(list_.end(), t.begin(), t.end());
     indices_ = primitives == GltfPrimitives::list ? std::span<const std::uint32_t>(list_) : file.indices;
     // The largest value of its width is the restart, or forbidden.
     width_ = file.points.size() < 0xFFFF ? 2 : 4;
-    std::size_t bytes = 12 * file.points.size() + width_ * indices_.size();
+    std::size_t bytes = 12 * file.points.size() + width_ * indices_.size() + extension.bytes.size();
     for (const Attribute& attribute : file.attributes) bytes += file.points.size() * stride_of(attribute);
     if (bytes > most_glb_bytes)
       throw BadInput(fmt::format("a GLB holds {} bytes at most; write .ply or .bin", most_glb_bytes));
@@ -72,15 +73,21 @@ class GlbWriter {
     put_positions();
     for (const Attribute& attribute : file_.attributes) put_attribute(attribute);
     put_indices();
+    put_extension();
     std::string json = R"({"asset":{"version":"2.0","generator":"restrip"},"scene":0,"scenes":[{"nodes":[0]}],)"
                        R"("nodes":[{"mesh":0}],)";
     const bool restarts = std::find(indices_.begin(), indices_.end(), restart_index) != indices_.end();
-    if (primitives_ == GltfPrimitives::restart && restarts)
-      json += R"("extensionsUsed":["KHR_mesh_primitive_restart"],"extensionsRequired":["KHR_mesh_primitive_restart"],)";
+    std::vector<std::string_view> used;
+    if (primitives_ == GltfPrimitives::restart && restarts) {
+      used.emplace_back("KHR_mesh_primitive_restart");
+      json += R"("extensionsRequired":["KHR_mesh_primitive_restart"],)";
+    }
+    if (!extension_.name.empty()) used.push_back(extension_.name);
+    if (!used.empty()) json += fmt::format(R"("extensionsUsed":["{}"],)", fmt::join(used, R"(",")"));
     fmt::format_to(
         std::back_inserter(json),
-        R"("meshes":[{{"primitives":[{}]}}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
-        meshes_, accessors_, views_, binary_.size());
+        R"("meshes":[{{"primitives":[{}]{}}}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
+        meshes_, extensions_, accessors_, views_, binary_.size());
     std::string chunks;
     put_chunk(chunks, std::move(json), 0x4E4F534A, ' ');      // JSON
     put_chunk(chunks, std::move(binary_), 0x004E4942, '\0');  // BIN
@@ -91,19 +98,22 @@ class GlbWriter {
   }
 
  private:
+  enum class ViewOf { vertices, indices, other };
+
   /// The view of what was put since `begin`.
-  void end_view(std::size_t begin, std::size_t stride) {
+  void end_view(std::size_t begin, ViewOf content, std::size_t stride = 0) {
     auto out = std::back_inserter(views_);
-    fmt::format_to(out, R"({}{{"buffer":0,"byteOffset":{},"byteLength":{},)", view_count_ == 0 ? "" : ",", begin,
+    fmt::format_to(out, R"({}{{"buffer":0,"byteOffset":{},"byteLength":{})", view_count_ == 0 ? "" : ",", begin,
                    binary_.size() - begin);
-    if (stride != 0) fmt::format_to(out, R"("byteStride":{},)", stride);
-    views_ += stride != 0 ? R"("target":34962})" : R"("target":34963})";
+    if (stride != 0) fmt::format_to(out, R"(,"byteStride":{})", stride);
+    if (content != ViewOf::other) fmt::format_to(out, R"(,"target":{})", content == ViewOf::vertices ? 34962 : 34963);
+    views_ += '}';
     ++view_count_;
   }
 
   void put_positions() {
     for (const Point& p : file_.points) put(binary_, p);
-    end_view(0, 12);
+    end_view(0, ViewOf::vertices, 12);
     fmt::format_to(std::back_inserter(accessors_),
                    R"({{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3","min":{},"max":{}}})",
                    file_.points.size(), bound(file_.points, std::min<float>), bound(file_.points, std::max<float>));
@@ -123,7 +133,7 @@ class GlbWriter {
                    static_cast<unsigned>(attribute.type), file_.points.size(),
                    attribute.components == 1 ? "SCALAR" : fmt::format("VEC{}", attribute.components),
                    attribute.normalized ? R"(,"normalized":true)" : "");
-    end_view(begin, stride_of(attribute));
+    end_view(begin, ViewOf::vertices, stride_of(attribute));
     fmt::format_to(std::back_inserter(attributes_), R"(,"{}":{})", attribute.name, accessor_count_++);
   }
 
@@ -140,17 +150,28 @@ class GlbWriter {
                      meshes_.empty() ? "" : ",", attributes_, accessor_count_++,
                      primitives_ == GltfPrimitives::list ? 4 : 5);
     }
-    end_view(begin, 0);
+    end_view(begin, ViewOf::indices);
+  }
+
+  void put_extension() {
+    if (extension_.name.empty()) return;
+    binary_.resize((binary_.size() + 3) / 4 * 4, '\0');
+    const std::size_t begin = binary_.size();
+    binary_ += extension_.bytes;
+    extensions_ = fmt::format(R"(,"extensions":{{"{}":{{"bufferView":{}}}}})", extension_.name, view_count_);
+    end_view(begin, ViewOf::other);
   }
 
   const StripFile& file_;
   GltfPrimitives primitives_;
+  GlbExtension extension_;
   std::vector<std::uint32_t> list_;
   std::span<const std::uint32_t> indices_;
   unsigned width_ = 2;
   std::string binary_;
   std::string attributes_;  // of every primitive
   std::string meshes_;      // the primitives
+  std::string extensions_;  // of the mesh
   std::string accessors_;
   std::string views_;
   std::size_t accessor_count_ = 0;
@@ -159,6 +180,8 @@ class GlbWriter {
 
 }  // namespace
 
-std::string glb_bytes(const StripFile& file, GltfPrimitives primitives) { return GlbWriter(file, primitives).run(); }
+std::string glb_bytes(const StripFile& file, GltfPrimitives primitives, const GlbExtension& extension) {
+  return GlbWriter(file, primitives, extension).run();
+}
 
 }  // namespace restrip::tools

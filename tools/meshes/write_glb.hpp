@@ -2,13 +2,22 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "meshes/strip_file.hpp"
 
 namespace restrip::tools {
 
+/// Something more that is known of the mesh, which viewers may leave unknown: bytes in a buffer view of their own. In
+/// the mesh it is `"extensions": {name: {"bufferView": number}}`.
+struct GlbExtension {
+  std::string_view name;  ///< empty: there is none
+  std::string_view bytes;
+};
+
 /// Throws BadInput where a GLB cannot hold the mesh. KHR_mesh_primitive_restart is required only where a strip follows
 /// another one in a primitive.
-[[nodiscard]] std::string glb_bytes(const StripFile& file, GltfPrimitives primitives);
+[[nodiscard]] std::string glb_bytes(const StripFile& file, GltfPrimitives primitives,
+                                    const GlbExtension& extension = {});
 
 }  // namespace restrip::tools

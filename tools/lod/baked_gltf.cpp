@@ -1,0 +1,95 @@
+#include "lod/baked_gltf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <vector>
+
+#include "common/bad_input.hpp"
+#include "files/reading.hpp"
+#include "lod/baked_file.hpp"
+#include "lod/coloring_check.hpp"
+#include "meshes/gltf_file.hpp"
+#include "meshes/write_glb.hpp"
+#include "restrip/output/strips.hpp"
+
+namespace restrip::tools {
+namespace {
+
+std::span<const Point> base_points(const ProgressiveMesh& mesh) {
+  return std::span(mesh.points).first(mesh.points.size() - mesh.splits.size());
+}
+
+std::vector<Corners> in_order(std::span<const Corners> triangles) {
+  std::vector<Corners> made;
+  made.reserve(triangles.size());
+  for (const Corners& t : triangles) made.push_back(rotated(t));
+  std::sort(made.begin(), made.end());
+  return made;
+}
+
+/// The extension's member of the only mesh that has one.
+std::optional<JsonPlace> extension_in(const GltfFile& file) {
+  std::optional<JsonPlace> found;
+  const JsonPlace meshes = file.root()["meshes"];
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const JsonPlace extension = meshes.at(i)["extensions"][baked_strips_extension];
+    if (!extension.there()) continue;
+    if (found) extension.refuse("is the second one; a file has one baked mesh");
+    found = extension;
+  }
+  return found;
+}
+
+ReadBeside beside(const std::filesystem::path& file) {
+  return [&file](const std::string& buffer) { return files::read_whole(file.parent_path() / buffer); };
+}
+
+}  // namespace
+
+std::string baked_glb_bytes(std::string_view baked, GltfPrimitives primitives) {
+  const BakedMesh mesh = parse_baked(baked, "the baked mesh");
+  const std::vector<std::uint32_t> indices = strip_indices(mesh.base);
+  const std::vector<Corners> drawn = decode_strips(indices);
+  return glb_bytes({base_points(mesh.mesh), indices, drawn}, primitives, {baked_strips_extension, baked});
+}
+
+BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {
+  GltfFile file(bytes, name, beside);
+  const auto extension = extension_in(file);
+  if (!extension) throw BadInput(fmt::format("{}: no mesh in it has {}", name, baked_strips_extension));
+  BakedBytes found{std::string(file.view((*extension)["bufferView"].whole())), {}};
+  found.baked = parse_baked(found.bytes, fmt::format("{}: the {} in it", name, baked_strips_extension));
+  const Soup drawn = read_gltf(bytes, name, beside);
+  const ProgressiveMesh& mesh = found.baked.mesh;
+  if (!std::ranges::equal(drawn.points, base_points(mesh)) || in_order(drawn.triangles) != in_order(mesh.base))
+    throw BadInput(
+        fmt::format("{}: draws something else than the base of its {}, so the levels do not fit; remove the extension, "
+                    "or write the file anew (restrip bake)",
+                    name, baked_strips_extension));
+  return found;
+}
+
+bool is_baked_gltf(const std::filesystem::path& file) {
+  const std::string extension = files::extension_of(file);
+  std::error_code error;
+  if ((extension != ".glb" && extension != ".gltf") || !std::filesystem::is_regular_file(file, error)) return false;
+  const std::string bytes = files::read_whole(file);
+  // Without its name there is no extension, and no need to take the file apart.
+  if (bytes.find(baked_strips_extension) == std::string::npos) return false;
+  const std::string name = file.string();
+  const ReadBeside buffers = beside(file);
+  return extension_in(GltfFile(bytes, name, buffers)).has_value();
+}
+
+BakedBytes read_baked_bytes(const std::filesystem::path& file) {
+  std::string bytes = files::read_whole(file);
+  if (files::extension_of(file) != baked_extension) return parse_baked_gltf(bytes, file.string(), beside(file));
+  BakedMesh baked = parse_baked(bytes, file.string());
+  return {std::move(bytes), std::move(baked)};
+}
+
+}  // namespace restrip::tools

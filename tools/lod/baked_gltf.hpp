@@ -1,0 +1,36 @@
+// Baked meshes in glTF files: the base is an ordinary mesh, and all levels are an extension of it that viewers may
+// leave unknown. docs/baked.md has the extension.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "lod/bake.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/strip_file.hpp"
+
+namespace restrip::tools {
+
+/// A baked mesh, and the bytes that describe it (baked_file.hpp).
+struct BakedBytes {
+  std::string bytes;
+  BakedMesh baked;
+};
+
+/// A .glb that draws the base as its strips and has `baked`, the bytes of a baked mesh, in the extension. The vertices
+/// are those of the base, in their order. Throws BadInput where the bytes are damaged, or more than a GLB can hold.
+[[nodiscard]] std::string baked_glb_bytes(std::string_view baked, GltfPrimitives primitives);
+
+/// What the extension of a glTF file has. Throws BadInput where the file is damaged, no mesh or more than one has the
+/// extension, and where what the file draws is not the base. `name` is for messages.
+[[nodiscard]] BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside);
+
+/// Whether the file is a .glb or .gltf of which a mesh has the extension. Only regular files are looked into. Throws
+/// when it cannot be read, and BadInput where it is damaged.
+[[nodiscard]] bool is_baked_gltf(const std::filesystem::path& file);
+
+/// Of a .baked file, or of a .glb or .gltf with the extension. Throws BadInput.
+[[nodiscard]] BakedBytes read_baked_bytes(const std::filesystem::path& file);
+
+}  // namespace restrip::tools
