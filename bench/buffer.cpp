@@ -6,7 +6,7 @@
 #include "common/stopwatch.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
-#include "settings.hpp"
+#include "timed.hpp"
 #include "way.hpp"
 
 namespace restrip::bench {
@@ -88,16 +88,12 @@ void register_benchmarks() {
     if (way.kind != Way::Kind::ours || way.bakes) continue;
     const std::string stem = "buffer/" + name + "/" + way.name + "/";
     for (const std::size_t count : {1U, 16U, 256U})
-      benchmark::RegisterBenchmark((stem + std::to_string(count)).c_str(),
-                                   [=, &way](benchmark::State& state) { keep(state, name, way, count); })
-          ->UseManualTime()
-          ->Unit(benchmark::kMillisecond)
-          ->Iterations(settings().quick ? 1 : 3);
-    benchmark::RegisterBenchmark((stem + "whole").c_str(),
-                                 [=, &way](benchmark::State& state) { write_whole(state, name, way); })
-        ->UseManualTime()
-        ->Unit(benchmark::kMillisecond)
-        ->Iterations(settings().quick ? 1 : 5);
+      add_timed(
+          stem + std::to_string(count), [=, &way](benchmark::State& state) { keep(state, name, way, count); }, 3,
+          benchmark::kMillisecond);
+    add_timed(
+        stem + "whole", [=, &way](benchmark::State& state) { write_whole(state, name, way); }, 5,
+        benchmark::kMillisecond);
   }
 }
 

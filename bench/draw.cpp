@@ -18,7 +18,7 @@
 #include "restrip/output/triangle_list_buffer.hpp"
 #include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
-#include "settings.hpp"
+#include "timed.hpp"
 #include "way.hpp"
 
 #ifdef RESTRIP_RM_TRISTRIPPER
@@ -81,42 +81,47 @@ void keep(benchmark::State& state, const std::string& name, const Way& way, int 
   }
 }
 
-/// Makes indices of the level from scratch.
+/// Memory that is there before the clock starts.
+struct Made {
+  std::vector<std::uint32_t> indices;
+  std::vector<std::uint32_t> ordered;  ///< triangles of the level, for an order of their own
+};
+
+/// Makes indices of the level from scratch; `indices_of` returns how many.
 void make(benchmark::State& state, const std::string& name, int percent,
-          const std::function<std::size_t(const LevelList&, std::vector<std::uint32_t>&)>& indices_of) {
+          const std::function<std::size_t(const LevelList&, Made&)>& indices_of) {
   const LevelList& level = level_list(name, percent);
-  std::vector<std::uint32_t> indices(meshopt_stripifyBound(level.indices.size()));
+  Made made{std::vector<std::uint32_t>(meshopt_stripifyBound(level.indices.size())), level.indices};
   std::size_t length = 0;
   tools::Medians time;
   for ([[maybe_unused]] auto _ : state) {
-    time.time([&] { length = indices_of(level, indices); });
+    time.time([&] { length = indices_of(level, made); });
     state.SetIterationTime(1e-9 * time.nanoseconds());
   }
-  count(state, time.nanoseconds(), 4 * length, std::span(indices).first(length), level);
+  count(state, time.nanoseconds(), 4 * length, std::span(made.indices).first(length), level);
 }
 
-std::size_t meshopt_list(const LevelList& level, std::vector<std::uint32_t>& indices) {
-  meshopt_optimizeVertexCache(indices.data(), level.indices.data(), level.indices.size(), level.vertices);
+std::size_t meshopt_list(const LevelList& level, Made& made) {
+  meshopt_optimizeVertexCache(made.indices.data(), level.indices.data(), level.indices.size(), level.vertices);
   return level.indices.size();
 }
 
-std::size_t meshopt_strips(const LevelList& level, std::vector<std::uint32_t>& indices) {
-  std::vector<std::uint32_t> ordered(level.indices.size());
-  meshopt_optimizeVertexCacheStrip(ordered.data(), level.indices.data(), ordered.size(), level.vertices);
-  return meshopt_stripify(indices.data(), ordered.data(), ordered.size(), level.vertices, restart_index);
+std::size_t meshopt_strips(const LevelList& level, Made& made) {
+  meshopt_optimizeVertexCacheStrip(made.ordered.data(), level.indices.data(), made.ordered.size(), level.vertices);
+  return meshopt_stripify(made.indices.data(), made.ordered.data(), made.ordered.size(), level.vertices, restart_index);
 }
 
-std::size_t own_strips(const LevelList& level, std::vector<std::uint32_t>& indices) {
+std::size_t own_strips(const LevelList& level, Made& made) {
   StripMesh mesh = level.mesh;
   stripify(mesh, Effort::fast, Cost::indices());
-  indices = strip_indices(mesh, extract_strips(mesh));
-  return indices.size();
+  made.indices = strip_indices(mesh, extract_strips(mesh));
+  return made.indices.size();
 }
 
 #ifdef RESTRIP_RM_TRISTRIPPER
-std::size_t tristripper_strips(const LevelList& level, std::vector<std::uint32_t>& indices) {
-  indices.resize(2 * level.indices.size() + 4);
-  return tristripper_indices(level.indices.data(), level.indices.size(), indices.data());
+std::size_t tristripper_strips(const LevelList& level, Made& made) {
+  made.indices.resize(2 * level.indices.size() + 4);
+  return tristripper_indices(level.indices.data(), level.indices.size(), made.indices.data());
 }
 #endif
 
@@ -126,12 +131,7 @@ void register_benchmarks() {
   for (const std::string& name : subject_names()) {
     for (const int percent : percents) {
       const std::string stem = "draw/" + name + "/" + std::to_string(percent) + "/";
-      const auto add = [&](const std::string& who, auto run) {
-        benchmark::RegisterBenchmark((stem + who).c_str(), run)
-            ->UseManualTime()
-            ->Unit(benchmark::kMicrosecond)
-            ->Iterations(settings().quick ? 1 : 3);
-      };
+      const auto add = [&](const std::string& who, auto run) { add_timed(stem + who, run); };
       for (const Way& way : tools::ways())
         if (way.kind == Way::Kind::ours && has_plan(name, way))
           add(way.name,

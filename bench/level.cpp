@@ -17,7 +17,7 @@
 #include "level_list.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/search/stripify.hpp"
-#include "settings.hpp"
+#include "timed.hpp"
 #include "way.hpp"
 
 namespace restrip::bench {
@@ -162,12 +162,7 @@ void register_benchmarks() {
   for (const std::string& name : subject_names()) {
     for (const int percent : percents) {
       const std::string stem = "level/" + name + "/" + std::to_string(percent) + "/";
-      const auto add = [&](const std::string& who, auto run) {
-        benchmark::RegisterBenchmark((stem + who).c_str(), run)
-            ->UseManualTime()
-            ->Unit(benchmark::kMicrosecond)
-            ->Iterations(settings().quick ? 1 : 3);
-      };
+      const auto add = [&](const std::string& who, auto run) { add_timed(stem + who, run); };
       for (const Way& way : tools::ways())
         if ((way.kind == Way::Kind::ours || way.kind == Way::Kind::mesh) && has_plan(name, way))
           add(way.name, [name, &way, percent](benchmark::State& state) { move(state, name, way, percent); });

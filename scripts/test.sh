@@ -81,8 +81,10 @@ beside "running clang-tidy" scripts/tidy.sh
 part "testing with sanitizers" env -u RESTRIP_MESHES ctest --preset sanitize -j "$(nproc)" -E "$too_long"
 joined
 
-# A test that wants something which is not there is skipped and counted; with RESTRIP_MESHES set nothing may be skipped.
+# A test that wants something which is not there is skipped and counted; with RESTRIP_MESHES set nothing may be skipped but what
+# needs a network.
 say "counting what was skipped"
+grep -h '^left out: ' build/test/Testing/Temporary/LastTest.log >"$logs/left_out" || true
 sed -nE "s/^\[  SKIPPED \] (.*) \([0-9]+ ms\)\$/skipped: \1/p" build/test/Testing/Temporary/LastTest.log >"$logs/skipped"
 cat "$logs/skipped"
 [ -z "${RESTRIP_MESHES:-}" ] || [ ! -s "$logs/skipped" ]
@@ -91,5 +93,6 @@ say "all tests passed"
 cat "$logs/parts"
 printf '%6d s  in all\n' $SECONDS
 echo "not part of this run: Coq (scripts/prove.sh)"
+cat "$logs/left_out"
 [ ! -s "$logs/skipped" ] ||
   echo "$(wc -l <"$logs/skipped") tests were skipped: set RESTRIP_MESHES to a folder with the real meshes (CONTRIBUTING.md)"

@@ -99,16 +99,6 @@ void color_at_random(StripMesh& mesh, std::mt19937& random, unsigned percent) {
   }
 }
 
-/// A double cone from which a wedge is cut: both apexes have open fans of k triangles, with triangles behind all ports.
-StripMesh open_cone(Vertex k) {
-  std::vector<sample::Corners> triangles;
-  for (Vertex i = 0; i < k; ++i) {
-    triangles.push_back({0, 2 + i, 3 + i});
-    triangles.push_back({1, 3 + i, 2 + i});
-  }
-  return StripMesh::build(triangles, k + 3);
-}
-
 std::vector<std::array<Vertex, 3>> corners(const StripMesh& mesh) {
   std::vector<std::array<Vertex, 3>> all;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
@@ -186,8 +176,8 @@ TEST(Exceptions, OfEveryCallLeaveAValidColoring) {
 // Fans that go the general way, and those of more than max_word_valence triangles, which take bit strings.
 TEST(Exceptions, InLongFansLeaveAValidColoring) {
   std::mt19937 random(2);
-  for (const StripMesh& start :
-       {sample::double_cone(20), open_cone(20), sample::double_cone(70), open_cone(70), open_cone(3)}) {
+  for (const StripMesh& start : {sample::double_cone(20), sample::open_double_cone(20), sample::double_cone(70),
+                                 sample::open_double_cone(70), sample::open_double_cone(3)}) {
     StripMesh mesh = start;
     for (const unsigned percent : {60U, 95U}) {
       color_at_random(mesh, random, percent);

@@ -28,6 +28,16 @@ inline StripMesh double_cone(Vertex k) {
   return StripMesh::build(triangles, k + 2);
 }
 
+// A double cone from which a wedge is cut: both apexes have open fans of k triangles, with triangles behind all ports.
+inline StripMesh open_double_cone(Vertex k) {
+  std::vector<Corners> triangles;
+  for (Vertex i = 0; i < k; ++i) {
+    triangles.push_back({0, 2 + i, 3 + i});
+    triangles.push_back({1, 3 + i, 2 + i});
+  }
+  return StripMesh::build(triangles, k + 3);
+}
+
 // A grid of columns x rows quadrilaterals, each cut along a diagonal drawn at random. Each direction may be closed:
 // none gives a rectangle, one a tube, both a torus.
 inline std::vector<Corners> grid(Vertex columns, Vertex rows, bool close_x, bool close_y, unsigned seed) {
