@@ -11,8 +11,8 @@
 
 namespace restrip::generator {
 
-/// What a rule needs to know of the colours before (docs/notation.md). For a flip `joined` is the colour of its inner
-/// edge.
+/// What a rule needs to know of the colours before (docs/notation.md). Where a family is keyed by its inner edges
+/// `joined` is their colours.
 struct Key {
   Mask ports = 0;
   Mask joined = 0;
@@ -36,9 +36,9 @@ void for_each_valid(const Position& position, const Side& before, Visit&& visit)
     for (Mask ports = 0; ports < ports_end; ++ports) {
       const auto outcome = with_ports(coloring, ports);
       if (!outcome) continue;
-      const Mask joined = position.family == Family::flip
+      const Mask joined = position.family->keyed_by_inner
                               ? coloring.inner
-                              : joined_to_previous(outcome->pairs, ports, position.k, closed(position.family));
+                              : joined_to_previous(outcome->pairs, ports, position.k, closed(*position.family));
       visit(Configuration{coloring.inner, ports, {ports, joined}, outcome->solid, outcome->isolated});
     }
   }

@@ -7,59 +7,43 @@
 namespace restrip::generator {
 namespace {
 
-std::string certificate_family(Family family) {
-  if (family == Family::open_collapse || family == Family::boundary_collapse) return "fan-collapse";
-  return name_of(family);
+/// "loop" for the fan alone, "inner" where there are other triangles.
+std::string colors_of(const SidePattern& side) {
+  return side.stretches.size() == 1 && side.stretches[0].name == "t" ? "loop" : "inner";
 }
 
-std::string place_columns(const Position& p) {
-  switch (p.family) {
-    case Family::flip:
-      return "";
-    case Family::open_split:
-    case Family::open_collapse:
-      return fmt::format("{},{},{},", p.k, p.at, p.to);
-    default:
-      return fmt::format("{},{},", p.k, p.at);
-  }
-}
-
-const char* header(Family family) {
-  switch (family) {
-    case Family::split:
-      return "k,a,loop,ports,inner,strips,isolated";
-    case Family::collapse:
-      return "k,a,inner,ports,loop,strips,isolated";
-    case Family::open_split:
-      return "k,i,j,loop,ports,inner,strips,isolated";
-    case Family::open_collapse:
-      return "k,i,j,inner,ports,loop,strips,isolated";
-    case Family::boundary_split:
-      return "k,i,loop,ports,inner,strips,isolated";
-    case Family::boundary_collapse:
-      return "k,i,inner,ports,loop,strips,isolated";
-    case Family::flip:
-      break;
-  }
-  return "inner,ports,inner_after,ports_after,strips,isolated";
+std::string header(const Family& family) {
+  std::string text;
+  for (const std::string& number : family.numbers) text += number + ",";
+  const std::string before = colors_of(family.before);
+  const std::string after = colors_of(family.after);
+  text += before + ",ports," + after + (before == after ? "_after," : ",");
+  return text + (family.gives_ports_up ? "ports_after," : "") + "strips,isolated";
 }
 
 }  // namespace
 
-void dump(Family family, unsigned k, std::FILE* out) {
-  const auto sections = solve(certificate_family(family), k, 1);
+std::string dump_columns() {
+  std::string text;
+  for (const Family& family : families()) text += fmt::format("  {:<19}{}\n", family.name, header(family));
+  return text;
+}
+
+void dump(const Family& family, unsigned k, std::FILE* out) {
+  const auto sections = solve(family.certificate, k, 1);
   fmt::print(out, "{}\n", header(family));
   for (const Position& position : positions(family, k)) {
     const auto section = std::find_if(sections.begin(), sections.end(), [&](const Section& s) {
       return std::find(s.serves.begin(), s.serves.end(), position) != s.serves.end();
     });
     const Patch patch = make_patch(position);
-    const std::string place = place_columns(position);
+    std::string place;
+    for (std::size_t i = 0; i < family.numbers.size(); ++i) place += fmt::format("{},", position.place().at(i));
     for_each_valid(position, patch.before, [&](const Configuration& c) {
       const Row& row = row_of(*section, c.key);
       const Cost cost = cost_of(patch, c, row);
       fmt::print(out, "{}{},{},{},", place, c.before, c.ports, row.recoloring);
-      if (family == Family::flip) fmt::print(out, "{},", row.kept);
+      if (family.gives_ports_up) fmt::print(out, "{},", row.kept);
       fmt::print(out, "{},{}\n", cost.strips, cost.isolated);
     });
   }

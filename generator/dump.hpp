@@ -2,19 +2,17 @@
 #pragma once
 
 #include <cstdio>
+#include <string>
 
 #include "section.hpp"
 
 namespace restrip::generator {
 
-/// One row for each valid configuration, ordered by place, then colours before, then ports; all decimal.
-///   split:              k,a,loop,ports,inner,strips,isolated
-///   collapse:           k,a,inner,ports,loop,strips,isolated
-///   open-split:         k,i,j,loop,ports,inner,strips,isolated
-///   open-collapse:      k,i,j,inner,ports,loop,strips,isolated
-///   boundary-split:     k,i,loop,ports,inner,strips,isolated
-///   boundary-collapse:  k,i,inner,ports,loop,strips,isolated
-///   flip:               inner,ports,inner_after,ports_after,strips,isolated   (k is not used)
-void dump(Family family, unsigned k, std::FILE* out);
+/// One row for each valid configuration, ordered by place, then colours before, then ports; all decimal. The columns
+/// are those of dump_columns(); k is not used where a family has only one position.
+void dump(const Family& family, unsigned k, std::FILE* out);
+
+/// A line for each family: its name and its columns.
+[[nodiscard]] std::string dump_columns();
 
 }  // namespace restrip::generator

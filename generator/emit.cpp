@@ -42,8 +42,9 @@ std::uint64_t partners(const std::vector<Mask>& pairs, unsigned max_k) {
 }
 
 std::string flip_header(const SolvedFamily& family) {
-  return banner(fmt::format("Rules of the flip: {} valid configurations.", family.rows())) +
-         "inline constexpr FlipTable flip{\n" + numbers(flip_cells(family.sections.at(0))) + "};\n" + footer;
+  return banner(fmt::format("Rules of the {}: {} valid configurations.", family.name, family.rows())) +
+         fmt::format("inline constexpr FlipTable {}{{\n", identifier(family.name)) +
+         numbers(flip_cells(family.sections.at(0))) + "};\n" + footer;
 }
 
 /// One number for several positions: counts add up, worst cases are the worst.
@@ -96,7 +97,7 @@ std::string rows_header(const Packing& closed, const Packing& open, unsigned max
 }
 
 RulesHeader rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k) {
-  if (family.name == "flip") return {flip_header(family), 32};
+  if (family.sections.at(0).position.family->keyed_by_inner) return {flip_header(family), 32};
   const RuleBlocks blocks = fill(family.sections, packing, max_k);
   const bool wide = *std::max_element(blocks.rules.begin(), blocks.rules.end()) > 0xff;
   std::string text = banner(
@@ -155,18 +156,13 @@ RulesHeader linked_header(const std::vector<LinkedFamily>& families, unsigned ma
 }
 
 std::string place_of(const Position& position) {
-  switch (position.family) {
-    case Family::split:
-      return fmt::format("k {} a {}", position.k, position.at);
-    case Family::open_split:
-      return fmt::format("k {} gaps {} {}", position.k, position.at, position.to);
-    case Family::boundary_split:
-      return fmt::format("k {} gap {}", position.k, position.at);
-    case Family::flip:
-      return "flip";
-    default:
-      return fmt::format("k {}", position.k);
+  std::string text = position.family->section;
+  for (std::size_t i = 0; i < position.family->numbers.size(); ++i) {
+    const std::string name = fmt::format("{{{}}}", position.family->numbers[i]);
+    if (const std::size_t at = text.find(name); at != std::string::npos)
+      text.replace(at, name.size(), std::to_string(position.place().at(i)));
   }
+  return text;
 }
 
 std::string section_text(const Section& section) {
@@ -178,11 +174,10 @@ std::string section_text(const Section& section) {
                  claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
   fmt::format_to(out, "claim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n", claims.costing,
                  claims.worst_strips, claims.worst_isolated);
-  const bool flip = section.position.family == Family::flip;
   const Reasoner reasoner(operation_of(section.position, Sight::patch, section.goal));
   for (const Row& row : section.rows) {
     fmt::format_to(out, "{} {:x} {:x} ", row.witness < 0 ? "rule" : "copy", row.key.ports, row.key.joined);
-    if (flip)
+    if (section.position.family->gives_ports_up)
       fmt::format_to(out, "{:x} {:x}", row.kept, row.recoloring);
     else
       fmt::format_to(out, "{:x}", row.recoloring);

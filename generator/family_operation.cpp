@@ -32,8 +32,8 @@ Mask edges_at(const Side& side, Mask nodes, int ends) {
 }
 
 Criterion tie_break(const Position& position, const Side& after, Sight sight, Goal goal) {
-  // Where a flip has to give up one of two ports: either will do, this has been the choice from the start.
-  if (position.family == Family::flip) return {{Count::kept, -1, 0b0101}};
+  // Where one of two ports has to be given up, either will do: this has been the flip's choice from the start.
+  if (position.family->gives_ports_up) return {{Count::kept, -1, 0b0101}};
   const Weights& weight = sight == Sight::patch ? of_local_rules : of_linked_rules;
   const Mask nodes = (Mask{1} << after.nodes) - 1;
   const Mask fan = nodes & ((Mask{1} << after.owner.size()) - 1);
@@ -46,7 +46,7 @@ Criterion tie_break(const Position& position, const Side& after, Sight sight, Go
                   {Count::joined, weight.joined_pair},
                   {Count::solid, weight.solid_at_new, edges_at(after, added, 1)},
                   {Count::solid, 2 * std::int64_t{weight.solid_at_new}, edges_at(after, added, 2)}};
-  if (position.family == Family::split || position.family == Family::open_split) {
+  if (!position.family->after.chord.empty()) {
     const Mask chord = Mask{1} << (after.edges.size() - 1);
     const Mask first_arc = (Mask{2} << position.at) - 1;
     terms.push_back({Count::solid, weight.solid_chord, chord});
@@ -61,7 +61,7 @@ Criterion tie_break(const Position& position, const Side& after, Sight sight, Go
 
 Operation operation_of(const Position& position, Sight sight, Goal goal) {
   Operation operation{patch_of_rows(position), {}, 0, fewest_strips()};
-  if (position.family == Family::flip) operation.may_give_up = 0b1111;
+  if (position.family->gives_ports_up) operation.may_give_up = (Mask{1} << operation.patch.after.owner.size()) - 1;
   operation.preference.push_back(tie_break(position, operation.patch.after, sight, goal));
   return operation;
 }

@@ -13,21 +13,30 @@ TableArray array_of(const std::string& name, const std::vector<Number>& values) 
   return array;
 }
 
+/// What does not depend on the position can be read off any.
+LookUp look_up_of(const Family& family) {
+  const Patch patch = make_patch(positions(family, smallest_valence(family)).at(0));
+  const int k = family.numbers.empty() ? 0 : static_cast<int>(patch.before.owner.size());
+  const int added = static_cast<int>(patch.after.nodes) - static_cast<int>(patch.before.nodes);
+  return {identifier(family.name),
+          family.numbers,
+          family.range,
+          identifier(family.certificate),
+          family.keyed_by_inner ? "" : (closed(family) ? "closed_rows" : "open_rows"),
+          added > 0,
+          static_cast<int>(patch.before.edges.size()) - k,
+          static_cast<int>(patch.after.edges.size()) - k,
+          added};
+}
+
 }  // namespace
 
 const std::vector<LookUp>& look_ups() {
-  const std::string closed = "k >= 3, 1 <= a < k";
-  const std::string gaps = "k >= 1, 0 <= i < j <= k";
-  const std::string gap = "k >= 1, 0 <= i <= k";
-  static const std::vector<LookUp> all{
-      {"split", {"k", "a"}, closed, "split", "closed_rows", true, 0, 3, 2},
-      {"collapse", {"k", "a"}, closed, "collapse", "closed_rows", false, 3, 0, -2},
-      {"open_split", {"k", "i", "j"}, gaps, "open_split", "open_rows", true, -1, 2, 2},
-      {"open_collapse", {"k", "i", "j"}, gaps, "fan_collapse", "open_rows", false, 2, -1, -2},
-      {"boundary_split", {"k", "i"}, gap, "boundary_split", "open_rows", true, -1, 0, 1},
-      {"boundary_collapse", {"k", "i"}, gap, "fan_collapse", "open_rows", false, 0, -1, -1},
-      {"flip", {}, "", "flip", "", false, 1, 1, 0},
-  };
+  static const std::vector<LookUp> all = [] {
+    std::vector<LookUp> look_ups;
+    for (const Family& family : families()) look_ups.push_back(look_up_of(family));
+    return look_ups;
+  }();
   return all;
 }
 
@@ -47,16 +56,16 @@ TableLayout table_layout(const std::vector<SolvedFamily>& families, const Packin
                          unsigned max_k) {
   TableLayout layout{max_k, {array_of("closed_rows", closed.start), array_of("open_rows", open.start)}};
   for (const SolvedFamily& family : families) {
-    if (family.name == "flip") {
-      layout.arrays.push_back(array_of("flip_rules", flip_cells(family.sections.at(0))));
+    const Family& acts = *family.sections.at(0).position.family;
+    if (acts.keyed_by_inner) {
+      layout.arrays.push_back(array_of(identifier(family.name) + "_rules", flip_cells(family.sections.at(0))));
       continue;
     }
-    const Family acts = family.sections.at(0).position.family;
     const bool on_closed = generator::closed(acts);
     const RuleBlocks blocks = fill(family.sections, on_closed ? closed : open, max_k);
     const std::string name = identifier(family.name);
     layout.arrays.push_back(array_of(name + "_first", blocks.first));
-    if (!collapses(acts)) layout.arrays.push_back(array_of(name + "_cells", blocks.cells));
+    if (!serves_every_position(acts)) layout.arrays.push_back(array_of(name + "_cells", blocks.cells));
     layout.arrays.push_back(array_of(name + "_rules", blocks.rules));
   }
   return layout;

@@ -41,7 +41,7 @@ struct LookUp {
   int triangles = 0;      ///< triangles after, less those before
 };
 
-/// All seven, in the order of docs/notation.md.
+/// One for each family, in the order of tables/families.json.
 [[nodiscard]] const std::vector<LookUp>& look_ups();
 
 /// The solved families of rules, with the packings of their keys.

@@ -55,18 +55,10 @@ std::vector<Alternative> list_of(const Operation& operation, const std::vector<C
 
 }  // namespace
 
-const std::vector<Family>& linked_families() {
-  static const std::vector<Family> families{Family::split, Family::collapse};
-  return families;
-}
-
-std::vector<LinkedSection> linked_sections_of(Family family, unsigned max_k) {
+std::vector<LinkedSection> linked_sections_of(const Family& family, unsigned max_k) {
   std::vector<LinkedSection> sections;
-  for (unsigned k = smallest_valence(family); k <= max_k; ++k) {
-    std::vector<Position> places = positions(family, k);
-    if (collapses(family)) places = {{family, k, 0, 0}};
-    for (const Position& position : places) sections.push_back({position, {}, Goal::strips});
-  }
+  for (const Section& section : sections_of(family.certificate, max_k))
+    sections.push_back({section.position, {}, Goal::strips});
   return sections;
 }
 

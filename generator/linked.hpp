@@ -29,11 +29,8 @@ struct LinkedSection {
   Goal goal = Goal::strips;
 };
 
-/// The families that have linked rules: split and collapse, those of a closed fan.
-[[nodiscard]] const std::vector<Family>& linked_families();
-
 /// Every section of a family in ascending order of position, as yet without lists, for valences up to max_k <= 13.
-[[nodiscard]] std::vector<LinkedSection> linked_sections_of(Family family, unsigned max_k);
+[[nodiscard]] std::vector<LinkedSection> linked_sections_of(const Family& family, unsigned max_k);
 
 /// Finds the lists. Threads may solve different sections at the same time.
 void solve(LinkedSection& section);

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <map>
@@ -24,19 +25,18 @@ using namespace restrip::generator;
 
 namespace {
 
-/// The place, unless its family has no such one.
-Position checked(Position place) {
-  if (place.family == Family::flip) return {place.family, 4, 0, 0};
-  const bool ring = closed(place.family);
-  const bool one_gap = place.family == Family::boundary_split || place.family == Family::boundary_collapse;
-  if (place.k < smallest_valence(place.family))
-    throw std::invalid_argument(fmt::format("this family needs --k {} or more", smallest_valence(place.family)));
-  if (ring && (place.at < 1 || place.at >= place.k))
-    throw std::invalid_argument(fmt::format("--at: expected an arc of 1 to {} triangles", place.k - 1));
-  if (!ring && (place.at > place.k || (!one_gap && (place.to <= place.at || place.to > place.k))))
-    throw std::invalid_argument(
-        fmt::format("expected gaps from 0 to {}{}", place.k, one_gap ? "" : ", --at smaller than --to"));
-  return place;
+/// The position that the options --k, --at and --to say.
+Position position_of(const Family& family, Place place) {
+  if (family.numbers.empty()) return positions(family, 0).at(0);
+  if (!hold(family.where, place)) {
+    constexpr std::array<const char*, 3> options{"--k", "--at", "--to"};
+    std::string names;
+    for (std::size_t i = 0; i < family.numbers.size(); ++i)
+      names += fmt::format("{}{} by {}", i == 0 ? "" : ", ", family.numbers[i], options.at(i));
+    throw std::invalid_argument(fmt::format("--family {}: expected {}; {}", family.name, family.range, names));
+  }
+  for (std::size_t i = family.numbers.size(); i < place.size(); ++i) place.at(i) = 0;
+  return {&family, place[0], place[1], place[2]};
 }
 
 }  // namespace
@@ -135,39 +135,26 @@ int main(int argc, char** argv) {
   std::string family = "split";
   unsigned k = 0;
   auto* dump_command = app.add_subcommand("dump", "Print every rule as CSV, one row for each valid configuration");
-  dump_command->footer(
-      "Columns:\n"
-      "  split              k,a,loop,ports,inner,strips,isolated\n"
-      "  collapse           k,a,inner,ports,loop,strips,isolated\n"
-      "  open-split         k,i,j,loop,ports,inner,strips,isolated\n"
-      "  open-collapse      k,i,j,inner,ports,loop,strips,isolated\n"
-      "  boundary-split     k,i,loop,ports,inner,strips,isolated\n"
-      "  boundary-collapse  k,i,inner,ports,loop,strips,isolated\n"
-      "  flip               inner,ports,inner_after,ports_after,strips,isolated\n"
-      "\nExample:\n  restrip-generate dump --family split --k 4\n");
-  std::map<std::string, Family> names;
-  for (const Family f : {Family::split, Family::collapse, Family::open_split, Family::open_collapse,
-                         Family::boundary_split, Family::boundary_collapse, Family::flip})
-    names[name_of(f)] = f;
-  dump_command
-      ->add_option("--family", family,
-                   "split, collapse, open-split, open-collapse, boundary-split, boundary-collapse or flip")
+  dump_command->footer("Columns:\n" + dump_columns() + "\nExample:\n  restrip-generate dump --family split --k 4\n");
+  std::vector<std::string> names;
+  for (const Family& one : families()) names.push_back(one.name);
+  dump_command->add_option("--family", family, fmt::format("One of {}", fmt::join(names, ", ")))
       ->check(CLI::IsMember(names))
       ->capture_default_str();
   auto* k_option =
       dump_command->add_option("--k", k, "Valence: 3 … 13 (open families: 1 … 13)")->check(CLI::Range(1, 13));
 
-  Position place{Family::split, 0, 0, 0};
+  Place place{};
   std::string described_family = "split";
   auto* describe_command =
       app.add_subcommand("describe", "Print the operation file of a family at one position, to start from");
   describe_command->add_option("--family", described_family, "As for dump")
       ->check(CLI::IsMember(names))
       ->capture_default_str();
-  describe_command->add_option("--k", place.k, "Valence, 1 … 8; not for the flip")->check(CLI::Range(1, 8));
-  describe_command->add_option("--at", place.at, "Arc a of a closed fan, gap i of an open one")
+  describe_command->add_option("--k", place[0], "Valence, 1 … 8; not for the flip")->check(CLI::Range(1, 8));
+  describe_command->add_option("--at", place[1], "Arc a of a closed fan, gap i of an open one")
       ->check(CLI::Range(0, 8));
-  describe_command->add_option("--to", place.to, "Gap j of an open fan")->check(CLI::Range(0, 8));
+  describe_command->add_option("--to", place[2], "Gap j of an open fan")->check(CLI::Range(0, 8));
   std::string described_constraint = "strips";
   describe_command
       ->add_option(
@@ -199,16 +186,15 @@ int main(int argc, char** argv) {
     if (*merge_command) merge_shards(merge_in, merge_out);
     if (*rules_command) make_rules(rules);
     if (*dump_command) {
-      const Family chosen = names.at(family);
-      if (chosen != Family::flip && (k_option->empty() || k < smallest_valence(chosen)))
+      const Family& chosen = family_named(family);
+      if (!chosen.numbers.empty() && (k_option->empty() || k < smallest_valence(chosen)))
         throw std::invalid_argument(fmt::format("--family {} needs --k {} or more", family, smallest_valence(chosen)));
       dump(chosen, k, stdout);
     }
     if (*describe_command) {
-      place.family = names.at(described_family);
       const auto* const word = std::find(constraint_words.begin(), constraint_words.end(), described_constraint);
       const Constraint constraint{static_cast<unsigned>(word - constraint_words.begin()) + 1};
-      fmt::print("{}", operation_file_text(described(checked(place), constraint)));
+      fmt::print("{}", operation_file_text(described(position_of(family_named(described_family), place), constraint)));
     }
     if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");

@@ -14,11 +14,11 @@ std::uint64_t weight(const Part& part) {
   const Position& position = position_of(part);
   std::uint64_t unit = 1;
   if (const auto* section = std::get_if<Section>(&part.section)) {
-    const bool split = position.family == Family::split;
-    if (split || position.family == Family::open_split) unit = split ? 8 : 4;
-    // The claims of a collapse count the configurations of every position served.
-    if (collapses(position.family)) unit = section->serves.size() * (closed(position.family) ? 2 : 1);
-  } else if (!collapses(position.family)) {
+    const bool ring = closed(*position.family);
+    if (!position.family->after.chord.empty()) unit = ring ? 8 : 4;
+    // The claims of such a section count the configurations of every position served.
+    if (serves_every_position(*position.family)) unit = section->serves.size() * (ring ? 2 : 1);
+  } else if (!serves_every_position(*position.family)) {
     unit = 3;
   }
   return unit << (2 * position.k);
@@ -30,9 +30,10 @@ std::vector<Part> parts(unsigned max_k, Goal goal) {
   std::vector<Part> all;
   for (const std::string& family : certificate_families())
     for (Section& section : sections_of(family, max_k)) all.push_back({family, std::move(section), {}});
-  for (const Family family : linked_families())
-    for (LinkedSection& section : linked_sections_of(family, max_k))
-      all.push_back({"linked-" + name_of(family), std::move(section), {}});
+  for (const Family& family : families())
+    if (family.linked)
+      for (LinkedSection& section : linked_sections_of(family, max_k))
+        all.push_back({"linked-" + family.name, std::move(section), {}});
   for (Part& part : all) std::visit([goal](auto& section) { section.goal = goal; }, part.section);
   return all;
 }

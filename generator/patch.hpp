@@ -1,10 +1,11 @@
 // A patch: the triangles that one operation touches, before and after it. Every family is a description of this form
-// (docs/notation.md); enumeration, search and emission know nothing else about an operation.
+// (family.hpp); enumeration, search and emission know nothing else about an operation.
 #pragma once
 
 #include <compare>
-#include <string>
 #include <vector>
+
+#include "family.hpp"
 
 namespace restrip::generator {
 
@@ -34,37 +35,34 @@ struct Patch {
   Side after;
 };
 
-enum class Family { split, collapse, open_split, open_collapse, boundary_split, boundary_collapse, flip };
-
-/// Where an operation happens: `k` triangles in the fan; `at` is the arc a of a split, or gap i; `to` is gap j of an
-/// open-split. Unused members are 0.
+/// Where an operation of a family happens: `k` triangles in the fan; `at` is the arc a of a split, or gap i; `to` is
+/// gap j of an open-split. Unused members are 0; k is the number of ports where the family has only one position.
 struct Position {
-  Family family = Family::split;
+  const Family* family = nullptr;
   unsigned k = 0;
   unsigned at = 0;
   unsigned to = 0;
+  [[nodiscard]] Place place() const { return {k, at, to}; }
   friend auto operator<=>(const Position&, const Position&) = default;
 };
 
-/// Name of a family as certificates spell it.
-[[nodiscard]] std::string name_of(Family family);
-
 /// All positions of a family with this valence, one for each class under mirror images and half turns, in ascending
 /// order.
-[[nodiscard]] std::vector<Position> positions(Family family, unsigned k);
+[[nodiscard]] std::vector<Position> positions(const Family& family, unsigned k);
 
 /// The smallest valence of a family.
-[[nodiscard]] unsigned smallest_valence(Family family);
+[[nodiscard]] unsigned smallest_valence(const Family& family);
 
 /// True when the fan closes around an interior vertex.
-[[nodiscard]] bool closed(Family family);
+[[nodiscard]] bool closed(const Family& family);
 
-/// True when the operation removes triangles, so that its rules do not depend on the position.
-[[nodiscard]] bool collapses(Family family);
+/// True when a section of its certificate serves all positions of a valence: its rules do not depend on the position.
+[[nodiscard]] bool serves_every_position(const Family& family);
 
 [[nodiscard]] Patch make_patch(const Position& position);
 
-/// The bare fan, before and after: what the rules of a collapse act on, wherever the removed triangles were.
-[[nodiscard]] Patch make_fan_patch(unsigned k, bool closed);
+/// What the rows of a position act on: its patch; where they serve every position, of which only k need be given then,
+/// the side after alone, before and after.
+[[nodiscard]] Patch patch_of_rows(const Position& position);
 
 }  // namespace restrip::generator

@@ -12,21 +12,22 @@
 namespace restrip::generator {
 namespace {
 
-Family family_named(const std::string& name) {
-  for (const Family family :
-       {Family::split, Family::collapse, Family::open_split, Family::boundary_split, Family::flip})
-    if (name_of(family) == name) return family;
-  if (name == "fan-collapse") return Family::open_collapse;
-  throw std::invalid_argument("no family is named " + name);
+/// The families whose rules a certificate has.
+std::vector<const Family*> families_of(const std::string& certificate) {
+  std::vector<const Family*> of_certificate;
+  for (const Family& family : families())
+    if (family.certificate == certificate) of_certificate.push_back(&family);
+  if (of_certificate.empty()) throw std::invalid_argument("no certificate is named " + certificate);
+  return of_certificate;
 }
 
 /// The image of a key: the symmetry moves the ports, and the pairs that `joined` stands for.
 Key image_of(const Key& key, const Symmetry& symmetry, const Position& position) {
   const Mask ports = permute(key.ports, symmetry.port);
-  if (position.family == Family::flip) return {ports, key.joined};
+  if (position.family->keyed_by_inner) return {ports, key.joined};
   std::vector<Mask> pairs = pairs_before(position, key);
   for (Mask& pair : pairs) pair = permute(pair, symmetry.port);
-  return {ports, joined_to_previous(pairs, ports, position.k, closed(position.family))};
+  return {ports, joined_to_previous(pairs, ports, position.k, closed(*position.family))};
 }
 
 /// The keys that some valid configuration has, in ascending order. Configurations are many (26 million at one position
@@ -96,17 +97,20 @@ void make_claims(Section& section) {
 }  // namespace
 
 const std::vector<std::string>& certificate_families() {
-  static const std::vector<std::string> families{"split",          "collapse",     "open-split",
-                                                 "boundary-split", "fan-collapse", "flip"};
-  return families;
-}
-
-Patch patch_of_rows(const Position& position) {
-  return collapses(position.family) ? make_fan_patch(position.k, closed(position.family)) : make_patch(position);
+  // A certificate stands where the last of its families does.
+  static const std::vector<std::string> certificates = [] {
+    std::vector<std::string> names;
+    for (const Family& family : families()) {
+      std::erase(names, family.certificate);
+      names.push_back(family.certificate);
+    }
+    return names;
+  }();
+  return certificates;
 }
 
 std::vector<Mask> pairs_before(const Position& position, const Key& key) {
-  if (position.family == Family::flip) {
+  if (position.family->keyed_by_inner) {
     // The key is the configuration itself; its pairing follows from it.
     const Side before = make_patch(position).before;
     for (const Coloring& coloring : legal_colorings(before))
@@ -123,21 +127,21 @@ std::vector<Mask> pairs_before(const Position& position, const Key& key) {
 }
 
 std::vector<Section> sections_of(const std::string& certificate_family, unsigned max_k) {
-  const Family family = family_named(certificate_family);
+  const std::vector<const Family*> served = families_of(certificate_family);
+  const Family& first = *served.front();
+  const unsigned last = first.numbers.empty() ? smallest_valence(first) : max_k;
   std::vector<Section> sections;
-  if (family == Family::flip) {
-    sections.push_back({{family, 4, 0, 0}, positions(family, 4), {}, {}, {}});
-  } else {
-    for (unsigned k = smallest_valence(family); k <= max_k; ++k) {
-      if (!collapses(family)) {
-        for (const Position& p : positions(family, k)) sections.push_back({p, {p}, {}, {}, {}});
-        continue;
+  for (unsigned k = smallest_valence(first); k <= last; ++k) {
+    const std::size_t of_smaller = sections.size();
+    for (const Family* family : served)
+      for (const Position& position : positions(*family, k)) {
+        const bool shared = serves_every_position(*family) && sections.size() > of_smaller;
+        if (!shared) {
+          const Position of_rows = serves_every_position(*family) ? Position{&first, k, 0, 0} : position;
+          sections.push_back({of_rows, {}, {}, {}, {}});
+        }
+        sections.back().serves.push_back(position);
       }
-      std::vector<Position> serves = positions(family, k);
-      if (family == Family::open_collapse)
-        for (const Position& p : positions(Family::boundary_collapse, k)) serves.push_back(p);
-      sections.push_back({{family, k, 0, 0}, serves, {}, {}, {}});
-    }
   }
   return sections;
 }

@@ -22,7 +22,7 @@ struct Row : Choice {
 };
 
 struct Section {
-  Position position;               ///< family and valence, and the place unless the family collapses
+  Position position;               ///< family and valence, and the place unless they serve every one
   std::vector<Position> serves;    ///< the positions whose configurations these rules answer
   std::vector<Symmetry> symmetry;  ///< those that lead from a copy to its representative
   std::vector<Row> rows;           ///< in ascending order of key
@@ -30,12 +30,9 @@ struct Section {
   Goal goal = Goal::strips;
 };
 
-/// The certificates' families, in the order in which they are written: split, collapse, open-split, boundary-split,
-/// fan-collapse (which serves both collapses of an open fan), flip.
+/// The certificates' families, in the order in which they are written; fan-collapse serves both collapses of an open
+/// fan.
 [[nodiscard]] const std::vector<std::string>& certificate_families();
-
-/// What the rows of a position act on: its patch, or the fan alone when the operation removes triangles.
-[[nodiscard]] Patch patch_of_rows(const Position& position);
 
 /// The pairs of ports that a key says were joined before, two bits each.
 [[nodiscard]] std::vector<Mask> pairs_before(const Position& position, const Key& key);

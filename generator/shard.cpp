@@ -83,7 +83,9 @@ struct Reader {
 };
 
 void read_rows(Section& section, Reader& reader) {
-  const bool flip = section.position.family == Family::flip;
+  const Family& family = *section.position.family;
+  const Mask second_end = Mask{1} << (family.keyed_by_inner ? make_patch(section.position).before.edges.size()
+                                                            : make_patch(section.position).before.owner.size());
   const Side after = patch_of_rows(section.position).after;
   const Mask ports_end = Mask{1} << after.owner.size();
   const Mask inner_end = Mask{1} << after.edges.size();
@@ -92,8 +94,8 @@ void read_rows(Section& section, Reader& reader) {
     const bool rule = words.next() == "rule";
     Row row;
     row.key.ports = words.number(16, ports_end);
-    row.key.joined = words.number(16, flip ? 2 : ports_end);
-    row.kept = flip ? words.number(16, ports_end) : row.key.ports;
+    row.key.joined = words.number(16, second_end);
+    row.kept = family.gives_ports_up ? words.number(16, ports_end) : row.key.ports;
     row.recoloring = words.number(16, inner_end);
     words.expect(rule ? "because" : "by");
     if (!words.good || words.at_end() || (!section.rows.empty() && !(section.rows.back().key < row.key)))

@@ -141,7 +141,7 @@ Families by_family(std::vector<Part> all) {
       family.sections.push_back(std::move(*section));
       family.texts.push_back(std::move(part.text));
     } else {
-      LinkedFamily& family = family_called(name_of(position_of(part).family), families.linked);
+      LinkedFamily& family = family_called(position_of(part).family->name, families.linked);
       family.sections.push_back(std::move(std::get<LinkedSection>(part.section)));
       family.texts.push_back(std::move(part.text));
     }
@@ -179,7 +179,7 @@ Packing packing_of(const std::vector<SolvedFamily>& families, bool of_closed_fan
   std::vector<const Section*> sections;
   for (const SolvedFamily& family : families)
     for (const Section& section : family.sections)
-      if (section.position.family != Family::flip && closed(section.position.family) == of_closed_fans)
+      if (!section.position.family->keyed_by_inner && closed(*section.position.family) == of_closed_fans)
         sections.push_back(&section);
   return pack(sections, max_k);
 }
@@ -197,7 +197,7 @@ Packings packings_of(const std::vector<SolvedFamily>& families, unsigned max_k) 
 void add_rules(const std::vector<SolvedFamily>& families, const Packings& packings, unsigned max_k, TableFiles& to) {
   to.by_path[headers + "rows.hpp"] = {rows_header(packings.closed, packings.open, max_k), 0};
   for (const SolvedFamily& family : families) {
-    const bool on_closed = closed(family.sections[0].position.family);
+    const bool on_closed = closed(*family.sections[0].position.family);
     const RulesHeader header = rules_header(family, on_closed ? packings.closed : packings.open, max_k);
     to.by_path[header_path(family.name)] = {header.text, family.rows()};
     to.by_path[certificate_path(family.name)] = {certificate(family.name, family.texts, family.rows()), family.rows()};

@@ -40,7 +40,7 @@ std::optional<PortPairs> pairs_of(Mask joined, Mask ports, unsigned port_count, 
 }
 
 Key key_of(const Operation& operation, Coloring before, const Survey& survey) {
-  if (operation.gives_ports_up) return {before.ports, before.inner};
+  if (operation.keyed_by_inner) return {before.ports, before.inner};
   const Patch& patch = operation.before;
   return {before.ports, joined_to_predecessor(survey.joined, before.ports, patch.ports(), patch.closed())};
 }

@@ -19,10 +19,10 @@ class Reader {
   void run() {
     expect("restrip-linked-dump 1");
     for (const LinkedFamily& family : linked_families(max_k_)) {
-      std::map<std::pair<std::size_t, unsigned>, const Operation*> operations;  // by ports and arc, as they come
+      std::map<Numbers, const Operation*> operations;  // in the order in which they come
       for (const Section& section : family.local.sections)
-        for (const Operation& operation : section.operations) operations.emplace(place_of(operation), &operation);
-      for (const Operation& operation : family.local.unlisted) operations.emplace(place_of(operation), &operation);
+        for (const Operation& operation : section.operations) operations.emplace(operation.numbers, &operation);
+      for (const Operation& operation : family.local.unlisted) operations.emplace(operation.numbers, &operation);
       for (const auto& [place, operation] : operations) read_table(family.name, *operation);
     }
     expect(fmt::format("end {}", entries_));
@@ -30,10 +30,6 @@ class Reader {
   }
 
  private:
-  static std::pair<std::size_t, unsigned> place_of(const Operation& operation) {
-    return {operation.before.ports(), static_cast<unsigned>(std::stoul(operation.position.substr(6)))};  // "k 8 a 3"
-  }
-
   [[noreturn]] void fail(const std::string& what) const {
     throw BadDump(fmt::format("line {}{}: {}", lines_.number(), table_, what));
   }

@@ -25,10 +25,10 @@ std::size_t natural(const LineReader& reader, std::size_t index) {
   return static_cast<std::size_t>(value);
 }
 
-/// What lies among the tables without being made with them: the build's own file, the explanations of the layout, and
-/// operations with tables of their own, which `restrip-verify --operation` judges.
+/// What lies among the tables without being made with them: the build's own file, the families, the explanations of the
+/// layout, and operations with tables of their own, which `restrip-verify --operation` judges.
 bool made_otherwise(const std::string& path) {
-  return path == "CMakeLists.txt" || path == "include/restrip/tables/format.hpp" ||
+  return path == "CMakeLists.txt" || path == "families.json" || path == "include/restrip/tables/format.hpp" ||
          path == "include/restrip/tables/automaton_format.hpp" ||
          path == "include/restrip/tables/index_automaton_format.hpp" ||
          path == "include/restrip/tables/operation_format.hpp" || path == "include/restrip/tables/operation_dump.hpp" ||

@@ -43,6 +43,7 @@ enum class Mutant {
   accept_missing,
   accept_extra,
   // the patch itself is wrong
+  at_most_less,         // <= is read as < where a family says which positions there are
   off_by_one_arc,       // D sits one place too far
   chord_misplaced,      // the chord of a ring ends one triangle too far
   swapped_port_joined,  // the key's `joined` looks at the next port, not at the preceding one

@@ -1,126 +1,100 @@
 #include "operation.hpp"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "family_file.hpp"
 
 namespace restrip::verify {
 namespace {
 
-struct Gaps {
-  unsigned first;
-  unsigned second;
-};
-
-/// All i < j <= k.
-std::vector<Gaps> gap_pairs(unsigned k) {
-  std::vector<Gaps> pairs;
-  for (unsigned i = 0; i <= k; ++i)
-    for (unsigned j = i + 1; j <= k; ++j) pairs.push_back({i, j});
-  return pairs;
+/// The smaller one, where there are two.
+std::optional<int> lower(std::optional<int> one, std::optional<int> other) {
+  return one && other ? std::min(one, other) : (one ? one : other);
 }
 
-// Which positions notation.md lists.
-bool listed_arc(unsigned k, unsigned a) { return 2 * a <= k; }
-bool listed_gaps(unsigned k, Gaps gaps) { return gaps.first + gaps.second <= k; }
-bool listed_gap(unsigned k, unsigned gap) { return 2 * gap <= k; }
-
-std::string at_arc(unsigned k, unsigned a) { return fmt::format("k {} a {}", k, a); }
-std::string at_gaps(unsigned k, Gaps gaps) { return fmt::format("k {} gaps {} {}", k, gaps.first, gaps.second); }
-std::string at_gap(unsigned k, unsigned gap) { return fmt::format("k {} gap {}", k, gap); }
-
-Section fan_section(std::string position, unsigned k, unsigned recoloring_bits, bool serves_every_position = false) {
-  return {std::move(position), k, k, recoloring_bits, serves_every_position, {}};
-}
-
-Family splits(unsigned max_k) {
-  Family family{"split", {}, {}};
-  for (unsigned k = 3; k <= max_k; ++k)
-    for (unsigned a = 1; a < k; ++a) {
-      const std::string position = at_arc(k, a);
-      const Operation operation{"split", position, Patch::closed_fan(k), Patch::ring_with_chord(k, a)};
-      if (listed_arc(k, a)) {
-        family.sections.push_back(fan_section(position, k, k + 3));
-        family.sections.back().operations.push_back(operation);
-      } else {
-        family.unlisted.push_back(operation);
-      }
-    }
-  return family;
-}
-
-Family collapses(unsigned max_k) {
-  Family family{"collapse", {}, {}};
-  for (unsigned k = 3; k <= max_k; ++k) {
-    family.sections.push_back(fan_section(fmt::format("k {}", k), k, k, true));
-    for (unsigned a = 1; a < k; ++a)
-      (listed_arc(k, a) ? family.sections.back().operations : family.unlisted)
-          .push_back({"collapse", at_arc(k, a), Patch::ring_with_chord(k, a), Patch::closed_fan(k)});
+Operation operation_at(const FamilyDescription& description, const Numbers& numbers) {
+  Operation operation{description.name,
+                      description.filled(description.position, numbers),
+                      numbers,
+                      description.before.patch(numbers),
+                      description.after.patch(numbers),
+                      description.gives_ports_up,
+                      description.keyed_by_inner,
+                      {},
+                      {}};
+  if (operation.before.ports() != operation.after.ports())
+    throw std::logic_error(operation.name() + " has other ports after than before");
+  for (const FamilyBound& bound : description.at_most) {
+    if (!bound.where.hold(numbers)) continue;
+    operation.most_strips = lower(operation.most_strips, bound.strips);
+    operation.most_isolated = lower(operation.most_isolated, bound.isolated);
   }
-  return family;
+  return operation;
 }
 
-Family open_splits(unsigned max_k) {
-  Family family{"open-split", {}, {}};
-  for (unsigned k = 1; k <= max_k; ++k)
-    for (const Gaps gaps : gap_pairs(k)) {
-      const std::string position = at_gaps(k, gaps);
-      const Operation operation{"open-split", position, Patch::open_fan(k),
-                                Patch::path_with_chord(k, gaps.first, gaps.second)};
-      if (listed_gaps(k, gaps)) {
-        family.sections.push_back(fan_section(position, k, k + 2));
-        family.sections.back().operations.push_back(operation);
-      } else {
+Section& section_at(Family& family, const std::string& position, const FamilyDescription& description,
+                    const Operation& operation) {
+  const auto found = std::find_if(family.sections.begin(), family.sections.end(),
+                                  [&](const Section& section) { return section.position == position; });
+  if (found != family.sections.end()) return *found;
+  const unsigned ports = operation.before.ports();
+  family.sections.push_back({position,
+                             ports,
+                             operation.keyed_by_inner ? operation.before.inner_edges() : ports,
+                             operation.after.inner_edges(),
+                             description.serves_every_position(),
+                             {}});
+  return family.sections.back();
+}
+
+/// All families of operations that one certificate serves.
+Family family_of(const std::string& certificate, unsigned max_k) {
+  Family family{certificate, {}, {}};
+  for (const FamilyDescription& description : family_descriptions()) {
+    if (description.certificate != certificate) continue;
+    for (const Numbers& numbers : description.positions(max_k)) {
+      const Operation operation = operation_at(description, numbers);
+      if (!description.listed.hold(numbers)) {
         family.unlisted.push_back(operation);
+        continue;
       }
+      const std::string position = description.filled(description.section, numbers);
+      section_at(family, position, description, operation).operations.push_back(operation);
     }
-  return family;
-}
-
-Family boundary_splits(unsigned max_k) {
-  Family family{"boundary-split", {}, {}};
-  for (unsigned k = 1; k <= max_k; ++k)
-    for (unsigned gap = 0; gap <= k; ++gap) {
-      const std::string position = at_gap(k, gap);
-      const Operation operation{"boundary-split", position, Patch::open_fan(k), Patch::path(k, gap)};
-      if (listed_gap(k, gap)) {
-        family.sections.push_back(fan_section(position, k, k));
-        family.sections.back().operations.push_back(operation);
-      } else {
-        family.unlisted.push_back(operation);
-      }
-    }
-  return family;
-}
-
-Family fan_collapses(unsigned max_k) {
-  Family family{"fan-collapse", {}, {}};
-  for (unsigned k = 1; k <= max_k; ++k) {
-    family.sections.push_back(fan_section(fmt::format("k {}", k), k, k - 1, true));
-    for (const Gaps gaps : gap_pairs(k))
-      (listed_gaps(k, gaps) ? family.sections.back().operations : family.unlisted)
-          .push_back({"open-collapse", at_gaps(k, gaps), Patch::path_with_chord(k, gaps.first, gaps.second),
-                      Patch::open_fan(k)});
-    for (unsigned gap = 0; gap <= k; ++gap)
-      (listed_gap(k, gap) ? family.sections.back().operations : family.unlisted)
-          .push_back({"boundary-collapse", at_gap(k, gap), Patch::path(k, gap), Patch::open_fan(k)});
   }
-  return family;
-}
-
-Family flips() {
-  Family family{"flip", {}, {}};
-  family.sections.push_back({"flip", 4, 1, 1, false, {}});
-  family.sections.back().operations.push_back({"flip", "", Patch::flip(0, 1), Patch::flip(1, 2), true});
+  if (family.sections.empty()) throw std::logic_error("the family " + certificate + " has no position");
   return family;
 }
 
 }  // namespace
 
 std::vector<Family> all_families(unsigned max_k) {
-  return {splits(max_k), collapses(max_k), open_splits(max_k), boundary_splits(max_k), fan_collapses(max_k), flips()};
+  // A certificate stands where the last of its families does.
+  std::vector<std::string> certificates;
+  for (const FamilyDescription& description : family_descriptions()) {
+    std::erase(certificates, description.certificate);
+    certificates.push_back(description.certificate);
+  }
+  std::vector<Family> families;
+  families.reserve(certificates.size());
+  for (const std::string& certificate : certificates) families.push_back(family_of(certificate, max_k));
+  return families;
 }
 
 std::vector<LinkedFamily> linked_families(unsigned max_k) {
-  return {{"linked-split", splits(max_k)}, {"linked-collapse", collapses(max_k)}};
+  std::vector<LinkedFamily> families;
+  for (const FamilyDescription& description : family_descriptions())
+    if (description.linked)
+      families.push_back({"linked-" + description.certificate, family_of(description.certificate, max_k)});
+  return families;
+}
+
+Patch patch_after(const std::string& certificate, const Numbers& numbers) {
+  for (const FamilyDescription& description : family_descriptions())
+    if (description.certificate == certificate) return description.after.patch(numbers);
+  throw std::logic_error("no family " + certificate);
 }
 
 }  // namespace restrip::verify

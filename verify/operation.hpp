@@ -1,10 +1,12 @@
 #pragma once
-// The operations of docs/notation.md, each at one position, as a patch before and a patch after; and the sections and
-// families of certificates that serve them.
+// The operations of tables/families.json, each at one position, as a patch before and a patch after; and the sections
+// and families of certificates that serve them.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "formula.hpp"
 #include "patch.hpp"
 
 namespace restrip::verify {
@@ -13,9 +15,13 @@ namespace restrip::verify {
 struct Operation {
   std::string family;    ///< "open-collapse"
   std::string position;  ///< "k 8 gaps 2 5"; empty for the flip
+  Numbers numbers;       ///< 8, 2, 5
   Patch before;
   Patch after;
   bool gives_ports_up = false;
+  bool keyed_by_inner = false;       ///< a key's second mask is the inner edges, not `joined`
+  std::optional<int> most_strips;    ///< as its family claims: no rule costs more
+  std::optional<int> most_isolated;  ///< the same of isolated triangles
 
   std::string name() const { return position.empty() ? family : family + ' ' + position; }
 };
@@ -24,7 +30,7 @@ struct Operation {
 struct Section {
   std::string position;  ///< as the certificate writes it: "k 8"
   unsigned ports = 0;
-  unsigned key_bits = 0;               ///< width of the second mask of a key: `joined`, or the inner edge of a flip
+  unsigned key_bits = 0;               ///< width of the second mask of a key: `joined`, or the inner edges before
   unsigned recoloring_bits = 0;        ///< inner edges after the operation
   bool serves_every_position = false;  ///< one rule for all positions of this k
   std::vector<Operation> operations;
@@ -44,7 +50,7 @@ inline constexpr unsigned largest_judged_fan = 10;
 
 inline bool searched(const Operation& operation) { return operation.before.ports() <= largest_fan; }
 
-/// All families in the order of docs/notation.md, fans up to `max_k` triangles, 3 <= max_k <= 10.
+/// All families of certificates in the order of tables/families.json, fans up to `max_k` triangles, 3 <= max_k <= 10.
 std::vector<Family> all_families(unsigned max_k = largest_fan);
 
 /// Linked rules: the sections, patches and positions of another family, with lists instead of rules.
@@ -53,7 +59,10 @@ struct LinkedFamily {
   Family local;
 };
 
-/// `linked-split` and `linked-collapse`.
+/// Those of the families that have linked rules.
 std::vector<LinkedFamily> linked_families(unsigned max_k = largest_fan);
+
+/// The patch after an operation of this certificate, of which only numbers need to be given that it depends on.
+Patch patch_after(const std::string& certificate, const Numbers& numbers);
 
 }  // namespace restrip::verify

@@ -5,6 +5,7 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "masks.hpp"
@@ -40,20 +41,18 @@ inline bool solid(const DualEdge& edge, Coloring colors) {
   return is_solid(edge.kind == EdgeKind::inner ? colors.inner : colors.ports, edge.index);
 }
 
+struct PatchTriangle {
+  std::string name;
+  std::vector<unsigned> ports;
+};
+
 class Patch {
  public:
-  /// t_0 … t_{k-1} in a ring, edge i from t_i to the next.
-  static Patch closed_fan(unsigned k);
-  /// t_0 … t_{k-1} in a path, edge i from t_i to t_{i+1}.
-  static Patch open_fan(unsigned k);
-  /// A, t_0 … t_{a-1}, D, t_a … t_{k-1} in a ring, and the chord.
-  static Patch ring_with_chord(unsigned k, unsigned a);
-  /// A before t_i and D before t_j in a path, and the chord.
-  static Patch path_with_chord(unsigned k, unsigned i, unsigned j);
-  /// A before t_i in a path.
-  static Patch path(unsigned k, unsigned i);
-  /// Two triangles that share an edge; the first owns the two ports named.
-  static Patch flip(unsigned first_port, unsigned second_port);
+  /// Inner edge i joins triangle i to the next one, in a ring also the last to the first; the chord comes last. The
+  /// ports of all triangles are 0, 1, 2 … in any order. std::logic_error when they are not, or no triangle has the
+  /// name of an end of the chord.
+  Patch(const std::vector<PatchTriangle>& triangles, bool ring,
+        const std::optional<std::pair<std::string, std::string>>& chord);
 
   const DualGraph& graph() const { return graph_; }
   /// Triangles in the order in which they lie around or along the fan.
@@ -67,17 +66,12 @@ class Patch {
   std::optional<unsigned> chord() const { return chord_; }
 
  private:
-  Node add_triangle(const std::string& name);
-  void add_port(Node owner, unsigned port);
   void add_inner_edge(Node one, Node other, bool is_chord = false);
-  void add_fan(unsigned k, std::optional<unsigned> a_before, std::optional<unsigned> d_before);
-  void join_neighbors(bool closed);
+  std::size_t index_of(const std::string& name) const;
 
   DualGraph graph_;
   std::vector<Node> triangles_;
   std::vector<Node> outside_;
-  std::optional<Node> a_;
-  std::optional<Node> d_;
   std::optional<unsigned> chord_;
   unsigned inner_edges_ = 0;
   bool closed_ = false;

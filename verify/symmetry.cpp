@@ -95,7 +95,7 @@ std::vector<ConfigurationSymmetry> configuration_symmetries(const Operation& ope
 Key image_of(Key key, PortSymmetry symmetry, const Section& section) {
   const Operation& operation = section.operations.front();
   const Mask ports = permuted(key.ports, port_permutation(symmetry, section.ports));
-  if (operation.gives_ports_up) return {ports, permuted(key.second, extensions(operation.before, symmetry).front())};
+  if (operation.keyed_by_inner) return {ports, permuted(key.second, extensions(operation.before, symmetry).front())};
   const bool closed = operation.before.closed();
   PortPairs moved;
   const PortPairs pairs = pairs_of(key.second, key.ports, section.ports, closed).value_or(PortPairs{});

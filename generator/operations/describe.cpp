@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "family_operation.hpp"
 #include "operations/operation_words.hpp"
@@ -14,20 +13,10 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 std::string name_at(const Position& position) {
-  switch (position.family) {
-    case Family::flip:
-      return name_of(position.family);
-    case Family::open_split:
-    case Family::open_collapse:
-      return fmt::format("{}-k{}-i{}-j{}", name_of(position.family), position.k, position.at, position.to);
-    case Family::boundary_split:
-    case Family::boundary_collapse:
-      return fmt::format("{}-k{}-i{}", name_of(position.family), position.k, position.at);
-    case Family::split:
-    case Family::collapse:
-      return fmt::format("{}-k{}-a{}", name_of(position.family), position.k, position.at);
-  }
-  throw std::logic_error("a family without a name");
+  std::string name = position.family->name;
+  for (std::size_t i = 0; i < position.family->numbers.size(); ++i)
+    name += fmt::format("-{}{}", position.family->numbers[i], position.place().at(i));
+  return name;
 }
 
 OrderedJson places(Mask mask) {

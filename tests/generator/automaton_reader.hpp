@@ -1,6 +1,7 @@
 // The automaton as a look-up will use it: forward over the letters, one meeting or closing, and back over the cases.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "automaton.hpp"
@@ -22,52 +23,50 @@ class AutomatonReader {
   /// What the automaton answers to a key of a fan family.
   [[nodiscard]] Answer answer(const Position& position, const Key& key) const {
     const unsigned k = position.k;
-    switch (position.family) {
-      case Family::split: {
-        const Walk first = walk(letters(key, 0, position.at));
-        const Walk second = walk(letters(key, position.at, k));
-        const ValuedMeeting met = automaton_.meeting(first.classes.back(), second.classes.back());
-        const std::vector<bool> x = links(first, met.meeting.first);
-        const std::vector<bool> y = links(second, met.meeting.second);
-        // In ring order: A's edge is the first link, D's edges are the last link and the other arc's first.
-        std::vector<bool> solid = x;
-        solid.insert(solid.end(), y.begin(), y.end());
-        solid.push_back(met.meeting.chord);
-        return {mask(solid), first.value + second.value + met.value};
-      }
-      case Family::collapse: {
-        const Walk whole = walk(letters(key, 0, k));
-        const Closing& closing = automaton_.classes[whole.classes.back()].closing;
-        std::vector<bool> solid = links(whole, closing.arc);
-        solid.erase(solid.begin());  // it is the last one, too
-        return {mask(solid), whole.value + closing.value};
-      }
-      case Family::open_split: {
-        const Walk first = walk(letters(key, position.at, position.to));
-        std::vector<Letter> around = letters(key, position.to, k);
-        around.push_back(Letter::boundary);
-        for (const Letter letter : letters(key, 0, position.at)) around.push_back(letter);
-        const Walk second = walk(around);
-        const ValuedMeeting met = automaton_.meeting(first.classes.back(), second.classes.back());
-        const std::vector<bool> x = links(first, met.meeting.first);
-        const std::vector<bool> y = links(second, met.meeting.second);
-        // y: D's edge, those above, the boundary's two (dashed), those below, A's edge.
-        const std::size_t above = k - position.to;
-        std::vector<bool> solid;
-        if (position.at > 0) solid.insert(solid.end(), y.begin() + static_cast<std::ptrdiff_t>(above) + 2, y.end());
-        solid.insert(solid.end(), x.begin(), x.end());
-        solid.insert(solid.end(), y.begin(), y.begin() + static_cast<std::ptrdiff_t>(above));
-        solid.push_back(met.meeting.chord);
-        return {mask(solid), first.value + second.value + met.value};
-      }
-      case Family::boundary_split: {
-        std::vector<Letter> path = letters(key, 0, k);
-        path.insert(path.begin() + position.at, Letter::dashed);
-        return open_path(path);
-      }
-      default:
-        return open_path(letters(key, 0, k));
+    const std::string& family = position.family->name;
+    if (family == "split") {
+      const Walk first = walk(letters(key, 0, position.at));
+      const Walk second = walk(letters(key, position.at, k));
+      const ValuedMeeting met = automaton_.meeting(first.classes.back(), second.classes.back());
+      const std::vector<bool> x = links(first, met.meeting.first);
+      const std::vector<bool> y = links(second, met.meeting.second);
+      // In ring order: A's edge is the first link, D's edges are the last link and the other arc's first.
+      std::vector<bool> solid = x;
+      solid.insert(solid.end(), y.begin(), y.end());
+      solid.push_back(met.meeting.chord);
+      return {mask(solid), first.value + second.value + met.value};
     }
+    if (family == "collapse") {
+      const Walk whole = walk(letters(key, 0, k));
+      const Closing& closing = automaton_.classes[whole.classes.back()].closing;
+      std::vector<bool> solid = links(whole, closing.arc);
+      solid.erase(solid.begin());  // it is the last one, too
+      return {mask(solid), whole.value + closing.value};
+    }
+    if (family == "open-split") {
+      const Walk first = walk(letters(key, position.at, position.to));
+      std::vector<Letter> around = letters(key, position.to, k);
+      around.push_back(Letter::boundary);
+      for (const Letter letter : letters(key, 0, position.at)) around.push_back(letter);
+      const Walk second = walk(around);
+      const ValuedMeeting met = automaton_.meeting(first.classes.back(), second.classes.back());
+      const std::vector<bool> x = links(first, met.meeting.first);
+      const std::vector<bool> y = links(second, met.meeting.second);
+      // y: D's edge, those above, the boundary's two (dashed), those below, A's edge.
+      const std::size_t above = k - position.to;
+      std::vector<bool> solid;
+      if (position.at > 0) solid.insert(solid.end(), y.begin() + static_cast<std::ptrdiff_t>(above) + 2, y.end());
+      solid.insert(solid.end(), x.begin(), x.end());
+      solid.insert(solid.end(), y.begin(), y.begin() + static_cast<std::ptrdiff_t>(above));
+      solid.push_back(met.meeting.chord);
+      return {mask(solid), first.value + second.value + met.value};
+    }
+    if (family == "boundary-split") {
+      std::vector<Letter> path = letters(key, 0, k);
+      path.insert(path.begin() + position.at, Letter::dashed);
+      return open_path(path);
+    }
+    return open_path(letters(key, 0, k));
   }
 
  private:

@@ -40,7 +40,7 @@ std::size_t compare(const AutomatonReader& reader, const Section& section) {
     EXPECT_EQ(outcome->isolated, row.isolated);
     bool leftover = false;
     const Mask joins = joined_to_previous(outcome->pairs, row.key.ports, section.position.k,
-                                          closed(section.position.family), &leftover);
+                                          closed(*section.position.family), &leftover);
     EXPECT_FALSE(leftover);
     EXPECT_EQ(joins & ~row.key.joined, 0U) << "joins ports that were not joined";
   }
@@ -64,7 +64,7 @@ TEST_F(AutomatonTest, AnswersAreWorthWhatTheSearchFinds) {
 
 TEST_F(AutomatonTest, BeyondTheTablesToo) {
   Section section;
-  section.position = {Family::boundary_split, 9, 4, 0};
+  section.position = {&family_named("boundary-split"), 9, 4, 0};
   section.serves = {section.position};
   solve(section);
   EXPECT_GT(compare(reader, section), 4000U);

@@ -20,8 +20,8 @@ namespace {
 const Row& shipped(const Section& section, const OperationKey& key) {
   const Position& position = section.position;
   const std::vector<Mask> pairs = pairs_of(key.joined);
-  if (position.family != Family::flip)
-    return row_of(section, {key.ports, joined_to_previous(pairs, key.ports, position.k, closed(position.family))});
+  if (!position.family->keyed_by_inner)
+    return row_of(section, {key.ports, joined_to_previous(pairs, key.ports, position.k, closed(*position.family))});
   for (const Row& row : section.rows)
     if (row.key.ports == key.ports && pairs_before(position, row.key) == pairs) return row;
   throw std::logic_error("no row");
@@ -119,6 +119,52 @@ TEST(OperationFiles, AreRefusedWithTheLine) {
       ADD_FAILURE() << "taken: " << fault.to;
     } catch (const std::runtime_error& error) {
       EXPECT_EQ(std::string(error.what()).substr(0, fault.said.size()), fault.said);
+    }
+  }
+}
+
+const std::string wheel = R"family({"restrip_families": 1, "families": [{
+  "name": "wheel", "numbers": ["k", "i"], "where": "1 <= k, i < k", "listed": "2 i <= k", "position": "k {k} i {i}",
+  "before": {"path": ["t[0,k)"]},
+  "after": {"ring": ["A", "t[0,i)", "D", "t[i,k)"], "chord": ["D", "A"]}}]})family";
+
+TEST(FamiliesFile, SaysWhichPositionsThereAre) {
+  const std::vector<Family> families = parse_families(wheel);
+  ASSERT_EQ(families.size(), 1U);
+  const Family& family = families[0];
+  EXPECT_EQ(smallest_valence(family), 1U);
+  EXPECT_FALSE(closed(family) || serves_every_position(family));
+  EXPECT_EQ(positions(family, 4), (std::vector<Position>{{&family, 4, 0, 0}, {&family, 4, 1, 0}, {&family, 4, 2, 0}}));
+  const Patch patch = make_patch({&family, 2, 1, 0});
+  EXPECT_EQ(patch.before.edges.size(), 1U);
+  std::vector<unsigned> ends;
+  for (const Edge& edge : patch.after.edges) ends.insert(ends.end(), {edge.u, edge.v});
+  EXPECT_EQ(ends, (std::vector<unsigned>{2, 0, 0, 3, 3, 1, 1, 2, 3, 2}));
+  EXPECT_EQ(patch.after.owner, (std::vector<unsigned>{0, 1}));
+}
+
+TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
+  const std::vector<Fault> faults{{"\"restrip_families\": 1", "\"restrip_families\": 2", "expected version 1"},
+                                  {"\"name\"", "\"nome\"", "\"nome\": unknown member"},
+                                  {"i < k", "j < k", "\"1 <= k, j < k\": expected a number of the family"},
+                                  {"i < k", "i", "expected a comparison"},
+                                  {"i < k", "i > k", "expected a comparison"},
+                                  {"2 i <= k", "2 i <= k k", "expected the end"},
+                                  {"t[i,k)", "t[i k)", "\"t[i k)\": expected \",\""},
+                                  {"t[i,k)", "t[i,k]", "expected \")\" and the end"},
+                                  {"\"ring\"", "\"circle\"", "\"circle\": unknown member"},
+                                  {"[\"D\", \"A\"]", "[\"D\"]", "\"chord\": expected two triangles"},
+                                  {"\"position\"", "\"key\": \"outer\", \"position\"", "\"key\": expected \"joined\""}};
+  for (const Fault& fault : faults) {
+    std::string text = wheel;
+    const std::size_t at = text.find(fault.from);
+    ASSERT_NE(at, std::string::npos) << fault.from;
+    text.replace(at, fault.from.size(), fault.to);
+    try {
+      static_cast<void>(parse_families(text));
+      ADD_FAILURE() << "taken: " << fault.to;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(fault.said), std::string::npos) << error.what();
     }
   }
 }

@@ -96,14 +96,7 @@ std::string FanPlace::text() const {
   return fmt::format("{} k {}", family, k);
 }
 
-Patch patch_after(const FanPlace& place) {
-  if (place.family == "split") return Patch::ring_with_chord(place.k, place.a);
-  if (place.family == "collapse") return Patch::closed_fan(place.k);
-  if (place.family == "open-split") return Patch::path_with_chord(place.k, place.a, place.b);
-  if (place.family == "boundary-split") return Patch::path(place.k, place.a);
-  if (place.family == "fan-collapse") return Patch::open_fan(place.k);
-  throw std::logic_error("no family " + place.family);
-}
+Patch patch_after(const FanPlace& place) { return patch_after(place.family, {place.k, place.a, place.b}); }
 
 std::vector<FanPlace> all_places(unsigned k) {
   std::vector<FanPlace> places;

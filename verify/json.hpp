@@ -1,13 +1,13 @@
 #pragma once
-// JSON as operation files use it: every value knows where it stands, so that errors can name the place. Numbers other
-// than integers are read, and told apart. A member that stands twice is an error.
+// JSON as operation files and tables/families.json use it: every value knows where it stands, so that errors can name
+// the place. Numbers other than integers are read, and told apart. A member that stands twice is an error.
 
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace restrip::verify::operations {
+namespace restrip::verify {
 
 /// Counted from 1; columns in bytes.
 struct TextPlace {
@@ -40,4 +40,4 @@ Json parse_json(const std::string& file, std::string_view text);
 /// Throws InputError "file:line:column: what".
 [[noreturn]] void fail_at(const std::string& file, TextPlace place, const std::string& what);
 
-}  // namespace restrip::verify::operations
+}  // namespace restrip::verify

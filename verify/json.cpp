@@ -7,7 +7,7 @@
 
 #include "input.hpp"
 
-namespace restrip::verify::operations {
+namespace restrip::verify {
 namespace {
 
 constexpr unsigned deepest = 8;  // an operation file has lists of edges in terms in criteria in the cost: six
@@ -261,4 +261,4 @@ void fail_at(const std::string& file, TextPlace place, const std::string& what) 
   throw InputError(fmt::format("{}:{}", file, place.line), place.column, what);
 }
 
-}  // namespace restrip::verify::operations
+}  // namespace restrip::verify

@@ -1,0 +1,18 @@
+# restrip_embed_families(TARGET NAMESPACE): gives the target tables/families.json as NAMESPACE::families_text, so that a
+# program of it needs no file beside it.
+include_guard(GLOBAL)
+
+function(restrip_embed_families target namespace)
+  set(file ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../tables/families.json)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  file(READ ${file} text)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/families_text.cpp)
+  file(CONFIGURE OUTPUT ${source} @ONLY CONTENT [[
+#include "families_text.hpp"
+
+namespace @namespace@ {
+const std::string_view families_text = R"json(@text@)json";
+}  // namespace @namespace@
+]])
+  target_sources(${target} PRIVATE ${source})
+endfunction()
