@@ -8,6 +8,8 @@ include_guard(GLOBAL)
 # The largest fans that the generator makes, and that the verifier judges.
 set_property(GLOBAL PROPERTY RESTRIP_LARGEST_FAN 13)
 set_property(GLOBAL PROPERTY RESTRIP_LARGEST_VERIFIED_FAN 10)
+# The languages that the generator writes.
+set_property(GLOBAL PROPERTY RESTRIP_LANGUAGES c c++ glsl json rust wgsl)
 
 set(RESTRIP_HOST_PROGRAMS "" CACHE PATH "Folder of restrip-generate and the other programs, to run on this machine")
 
@@ -104,6 +106,13 @@ function(restrip_generate_tables)
     endif()
     list(APPEND options --tie-break ${arg_TIE_BREAK})
   endif()
+  get_property(languages GLOBAL PROPERTY RESTRIP_LANGUAGES)
+  foreach(language IN LISTS arg_LANGUAGE)
+    if(NOT language IN_LIST languages)
+      list(JOIN languages ", " expected)
+      message(FATAL_ERROR "restrip_generate_tables: LANGUAGE ${language}: expected one of ${expected}")
+    endif()
+  endforeach()
 
   set(operations "")
   foreach(file IN LISTS arg_OPERATION)
