@@ -7,6 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "operation_mutants.hpp"
+
 namespace restrip::verify::operations {
 namespace {
 
@@ -30,13 +32,13 @@ class RowChecker {
       if (const RuleRow* const row = certificate_.row_of(key)) {
         used.insert(row);
         judge_row(*row, configuration);
-      } else {
+      } else if (!mutated(OperationMutant::accept_missing_rows)) {
         check_.missing.add(fmt::format("{}: no row for the key {:x} {:x} of\n    {}\n", certificate_.file, key.ports,
                                        key.joined.bits, drawn(judge_.operation().before, configuration)));
       }
     }
     for (const RuleRow& row : certificate_.rows)
-      if (!used.contains(&row))
+      if (!used.contains(&row) && !mutated(OperationMutant::accept_extra_rows))
         check_.extra.add(at_row(certificate_, row) + "  extra row: no valid configuration has this key\n");
     return check_;
   }
@@ -53,9 +55,10 @@ class RowChecker {
     }
     const OperationFile& operation = judge_.operation();
     const std::int64_t strips = strips_of(operation.after, row.after) - strips_of(operation.before, configuration);
-    const std::int64_t isolated = isolated_of(operation.after, row.after) +
-                                  solid_count(configuration.ports & ~row.after.ports) -
-                                  isolated_of(operation.before, configuration);
+    const std::int64_t given_up =
+        mutated(OperationMutant::worst_without_ports) ? 0 : solid_count(configuration.ports & ~row.after.ports);
+    const std::int64_t isolated =
+        isolated_of(operation.after, row.after) + given_up - isolated_of(operation.before, configuration);
     check_.worst_strips = is_first ? strips : std::max(check_.worst_strips, strips);
     check_.worst_isolated = is_first ? isolated : std::max(check_.worst_isolated, isolated);
     if ((operation.constraint == Constraint::matching ? isolated : strips) > 0) ++check_.costing;
@@ -107,6 +110,7 @@ class MergedSets {
 
 std::string fault_of_copy_row(const RuleRow& row, const OperationCertificate& certificate,
                               const PatchSymmetries& symmetries) {
+  if (mutated(OperationMutant::accept_any_witness)) return {};
   if (!symmetries.allows(row.by)) return "wrong witness: no symmetry moves the ports so";
   const OperationKey image = moved(row.key, row.by);
   const RuleRow* const rule = certificate.row_of(image);
@@ -197,9 +201,11 @@ Failures wrong_copies(const OperationCertificate& certificate, const PatchSymmet
   for (std::size_t i = 0; i < certificate.rows.size(); ++i) {
     const RuleRow& row = certificate.rows[i];
     std::string fault;
-    if (row.copy && smallest[i] == row.key)
+    const bool smallest_is_rule =
+        mutated(OperationMutant::accept_any_representative) || row.copy != (smallest[i] == row.key);
+    if (!smallest_is_rule && row.copy)
       fault = "wrong representative: the smallest key of its orbit must be a rule, not a copy";
-    else if (!row.copy && smallest[i] != row.key)
+    else if (!smallest_is_rule)
       fault = fmt::format("wrong representative: {:x} {:x} is a smaller key of this orbit, so the row must be a copy",
                           smallest[i].ports, smallest[i].joined.bits);
     else if (row.copy)
@@ -216,7 +222,8 @@ Failures wrong_numbers(const OperationCertificate& certificate, const RowCheck& 
       number(rows.configurations), number(rows.valid), number(orbits.all), number(orbits.valid), number(keys),
       number(rows.costing),        rows.worst_strips,  rows.worst_isolated};
   Failures failures;
-  for (std::size_t i = 0; i < number_words.size(); ++i)
+  const std::size_t compared = number_words.size() - (mutated(OperationMutant::skip_last_number) ? 1 : 0);
+  for (std::size_t i = 0; i < compared; ++i)
     if (certificate.claims[i].number != counted[i])
       failures.add(fmt::format("{}:{}: \"claim {} {}\"\n  wrong claim: recounted {}\n", certificate.file,
                                certificate.claims[i].line, number_words[i], certificate.claims[i].number, counted[i]));

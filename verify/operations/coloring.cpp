@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include "operation_mutants.hpp"
+
 namespace restrip::verify::operations {
 
 std::optional<SolidGraph> inner_graph(const Side& side, Mask inner) {
   SolidGraph graph;
   for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
-    if (is_solid(inner, edge) && !graph.join(side.edges[edge][0], side.edges[edge][1])) return {};
+    if (is_solid(inner, edge) && !graph.join(side.edges[edge][0], side.edges[edge][1]) &&
+        !mutated(OperationMutant::forget_cycles))
+      return {};
   return graph;
 }
 
@@ -17,7 +21,8 @@ std::array<unsigned, most_triangles> degrees(const Side& side, Colors colors) {
     if (is_solid(colors.inner, edge))
       for (const unsigned triangle : side.edges[edge]) ++count[triangle];
   for (unsigned port = 0; port < side.ports(); ++port)
-    if (is_solid(colors.ports, port)) ++count[side.owner_of_port[port]];
+    if (is_solid(colors.ports, port) && !mutated(OperationMutant::forget_port_degree))
+      ++count[side.owner_of_port[port]];
   return count;
 }
 

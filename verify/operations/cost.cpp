@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "operation_mutants.hpp"
+
 namespace restrip::verify::operations {
 namespace {
 
@@ -15,7 +17,9 @@ struct Counted {
   std::array<unsigned, most_triangles> degree;
   unsigned given_up;
 
-  bool is_end(unsigned triangle) const { return degree[triangle] == 1; }
+  bool is_end(unsigned triangle) const {
+    return degree[triangle] == 1 || (degree[triangle] == 0 && mutated(OperationMutant::ends_are_lonely));
+  }
 };
 
 /// For each connected set of triangles the square of the number of its ports.
@@ -23,7 +27,9 @@ std::int64_t squares(const Counted& counted) {
   const std::optional<SolidGraph> graph = inner_graph(counted.side, counted.colors.inner);
   if (!graph) throw std::logic_error("the cost of a colouring with a cycle");
   std::array<std::int64_t, most_triangles> ports{};
-  for (const unsigned owner : counted.side.owner_of_port) ++ports[graph->root(owner)];
+  for (unsigned port = 0; port < counted.side.ports(); ++port)
+    if (is_solid(counted.colors.ports, port) || !mutated(OperationMutant::squares_of_solid))
+      ++ports[graph->root(counted.side.owner_of_port[port])];
   std::int64_t sum = 0;
   for (const std::int64_t count : ports) sum += count * count;
   return sum;
@@ -88,7 +94,8 @@ std::int64_t strips_of(const Side& side, Colors colors) {
 
 std::int64_t isolated_of(const Side& side, Colors colors) {
   const auto degree = degrees(side, colors);
-  return std::count(degree.begin(), degree.begin() + side.triangles, 0U);
+  const unsigned triangles = side.triangles - (mutated(OperationMutant::isolated_but_for_one) ? 1 : 0);
+  return std::count(degree.begin(), degree.begin() + triangles, 0U);
 }
 
 CostValues cost_of(const OperationFile& operation, Colors after, unsigned given_up) {

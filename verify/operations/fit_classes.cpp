@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "operation_mutants.hpp"
+
 namespace restrip::verify::operations {
 
 FitClasses::FitClasses(const Side& side, unsigned most_solid, const Worlds& worlds)
@@ -18,7 +20,9 @@ FitClasses::FitClasses(const Side& side, unsigned most_solid, const Worlds& worl
     for (Mask mask = 0; mask < mask_count(ports); ++mask) {
       const Colors colors{inner, mask};
       const auto count = degrees(side, colors);
-      if (*std::max_element(count.begin(), count.end()) > most_solid) continue;
+      if (*std::max_element(count.begin(), count.end()) >
+          most_solid + (mutated(OperationMutant::loosen_degree) ? 1 : 0))
+        continue;
       NumberSet& set = fitted[mask];
       set.clear();
       for (std::size_t world = 0; world < worlds.of(mask).size(); ++world)

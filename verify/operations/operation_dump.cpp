@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "certificate_judge.hpp"
+#include "operation_mutants.hpp"
 #include "stream_lines.hpp"
 
 namespace restrip::verify::operations {
@@ -74,7 +75,7 @@ class DumpReader {
 
   void judge(Colors configuration, std::optional<Colors> answer) {
     const bool valid = judge_.before().class_of(configuration) != FitClasses::not_valid;
-    if (valid != answer.has_value()) {
+    if (valid != answer.has_value() && (valid || !mutated(OperationMutant::answer_the_invalid))) {
       const OperationFile& operation = judge_.operation();
       check_.wrong.add(
           fmt::format("line {}:\n    before  {}\n  {}\n", lines_.number(), drawn(operation.before, configuration),
@@ -89,7 +90,7 @@ class DumpReader {
       check_.wrong.add(check_.wrong.count != 0 ? std::string()
                                                : fmt::format("line {}:\n{}", lines_.number(),
                                                              judge_.explained(configuration, *answer, judged)));
-    if (certificate_ == nullptr) return;
+    if (certificate_ == nullptr || mutated(OperationMutant::skip_certificate)) return;
     const RuleRow* const row = certificate_->row_of(key_of(judge_.operation(), configuration));
     if (row == nullptr || row->after != *answer)
       check_.other_than_stated.add(fmt::format(

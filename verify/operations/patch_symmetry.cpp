@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "operation_mutants.hpp"
+
 namespace restrip::verify::operations {
 namespace {
 
@@ -90,7 +92,9 @@ ColoredGraph PatchSymmetries::graph(Colors after) const {
   const unsigned first_edge = first_after + operation_.after.triangles;
   ColoredGraph graph;
   for (unsigned port = 0; port < operation_.ports(); ++port)
-    graph.add_node(is_solid(operation_.may_give_up, port) ? port_that_may_go : port_that_stays);
+    graph.add_node(is_solid(operation_.may_give_up, port) && !mutated(OperationMutant::symmetries_move_ports)
+                       ? port_that_may_go
+                       : port_that_stays);
   for (unsigned triangle = 0; triangle < operation_.before.triangles; ++triangle) graph.add_node(triangle_before);
   for (unsigned triangle = 0; triangle < operation_.after.triangles; ++triangle) graph.add_node(triangle_after);
   for (unsigned edge = 0; edge < operation_.after.inner_edges(); ++edge)
@@ -106,6 +110,7 @@ ColoredGraph PatchSymmetries::graph(Colors after) const {
     for (const unsigned triangle : operation_.after.edges[edge])
       graph.add_edge(first_edge + edge, first_after + triangle, end_of_inner_after);
 
+  if (mutated(OperationMutant::symmetries_move_cost)) return graph;
   // A term is joined to all that it counts. Terms have one colour when they differ in nothing else.
   std::map<std::pair<PlacedTerm, unsigned>, unsigned> colors;
   for (const auto& [placed, times] : counted_terms(operation_)) {

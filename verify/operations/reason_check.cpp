@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "operation_mutants.hpp"
+
 namespace restrip::verify::operations {
 namespace {
 
@@ -34,7 +36,8 @@ class RuleReason {
     const Mask edge = single(reason.edge);
     if (!is_subset(edge, edges_)) return fmt::format("edge {} is no matter of choice", reason.edge);
     const std::string first = fault(reason.cases[0], solid | edge, dashed);
-    return first.empty() ? fault(reason.cases[1], solid, dashed | edge) : first;
+    const bool one_shown = mutated(OperationMutant::reason_without_case);
+    return first.empty() && !one_shown ? fault(reason.cases[1], solid, dashed | edge) : first;
   }
 
  private:
@@ -47,17 +50,19 @@ class RuleReason {
     Mask taken = solid | dashed;
     Mask surely_dashed = dashed;
     for (const Mask set : sets) {
-      if (!is_subset(set, edges_)) return fmt::format("the set {:x} has an edge that is no matter of choice", set);
+      if (!is_subset(set, edges_) && !mutated(OperationMutant::reason_of_staying_ports))
+        return fmt::format("the set {:x} has an edge that is no matter of choice", set);
       if ((set & taken) != 0)
         return fmt::format("the set {:x} has an edge that another set has or a case settles", set);
-      if (judge_.is_sound(configuration_, colors_of(set | solid)))
+      if (judge_.is_sound(configuration_, colors_of(set | solid)) && !mutated(OperationMutant::reason_with_sound_sets))
         return fmt::format("the set {:x} may be all solid", set);
-      taken |= set;
+      if (!mutated(OperationMutant::reason_with_shared_edges)) taken |= set;
       if (solid_count(set) == 1) surely_dashed |= set;
     }
     Loss least = loss(surely_dashed);
     least.dashed = static_cast<int>(solid_count(dashed) + sets.size());
     if (least >= row_loss_) return {};
+    if (mutated(OperationMutant::reason_of_dashed_alone) && least.dashed >= row_loss_.dashed) return {};
     return fmt::format("a case shows {} dashed, {} isolated, {} ports given up; the row has {}, {}, {}", least.dashed,
                        least.isolated, least.given_up, row_loss_.dashed, row_loss_.isolated, row_loss_.given_up);
   }

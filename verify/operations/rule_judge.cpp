@@ -41,8 +41,10 @@ void RuleJudge::search(Mask ports) {
   NumberSet fitted(worlds_.of(ports).size());
   for (Mask kept = 0; kept <= ports; ++kept) {
     if (!admissible(ports, kept)) continue;
+    if (mutated(OperationMutant::best_keeps_ports) && kept != ports) continue;
     const std::vector<std::uint32_t> world_of = worlds_.restrictions(ports, kept);
     for (const std::uint32_t number : after_.of_ports[kept]) {
+      if (mutated(OperationMutant::forget_last_class) && number == after_.of_ports[kept].back()) continue;
       const FitClass& recolorings = after_.classes[number];
       fitted.clear();
       for (std::size_t world = 0; world < world_of.size(); ++world)
@@ -75,7 +77,8 @@ std::optional<std::size_t> RuleJudge::refuting_world(Colors configuration, Color
   const NumberSet& before = before_.classes[before_.class_of(configuration)].worlds;
   const NumberSet& after = after_.classes[after_.class_of(recoloring)].worlds;
   const std::vector<std::uint32_t> world_of = worlds_.restrictions(configuration.ports, recoloring.ports);
-  for (std::size_t world = 0; world < world_of.size(); ++world)
+  const std::size_t worlds = world_of.size() - (mutated(OperationMutant::worlds_stop_early) ? 1 : 0);
+  for (std::size_t world = 0; world < worlds; ++world)
     if (before.has(world) && !after.has(world_of[world])) return world;
   return {};
 }
@@ -93,8 +96,11 @@ Judged RuleJudge::judged(Colors configuration, Colors recoloring) {
   } else {
     const CostValues own = cost(configuration, recoloring);
     const CostValues least = cost(configuration, best(configuration).value());
-    const auto [higher, lower] = std::mismatch(own.begin(), own.end(), least.begin());
-    if (higher != own.end()) judged = {Verdict::not_best, static_cast<unsigned>(higher - own.begin())};
+    const std::size_t compared = operation_.cost.size() - (mutated(OperationMutant::skip_last_cost) ? 1 : 0);
+    const auto* const end = own.begin() + compared;
+    const auto* const higher = std::mismatch(own.begin(), end, least.begin()).first;
+    if (higher != end && !mutated(OperationMutant::accept_worse))
+      judged = {Verdict::not_best, static_cast<unsigned>(higher - own.begin())};
   }
   return judged;
 }

@@ -10,6 +10,7 @@
 
 #include "cost.hpp"
 #include "fit_classes.hpp"
+#include "operation_mutants.hpp"
 
 namespace restrip::verify::operations {
 
@@ -56,7 +57,8 @@ class RuleJudge {
 
  private:
   bool admissible(Mask ports, Mask kept) const {
-    return is_subset(kept, ports) && is_subset(ports & ~kept, operation_.may_give_up);
+    return (is_subset(kept, ports) || mutated(OperationMutant::take_ports)) &&
+           (is_subset(ports & ~kept, operation_.may_give_up) || mutated(OperationMutant::give_up_any_port));
   }
   void search(Mask ports);
   /// The first world that the configuration fits and the recolouring does not.

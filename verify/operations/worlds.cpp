@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "operation_mutants.hpp"
+
 namespace restrip::verify::operations {
 namespace {
 
@@ -49,10 +51,12 @@ void Worlds::extend(World world, Mask ports, unsigned port, unsigned blocks) {
       World next = world;
       next.block_of[port] = next.block_of[partner] = static_cast<std::uint8_t>(blocks + 1);
       extend(next, ports, port + 1, blocks + 1);
+      if (mutated(OperationMutant::no_distant_pairs)) break;
     }
     return;
   }
-  for (unsigned block = 1; block <= blocks + 1; ++block) {
+  const unsigned last_block = mutated(OperationMutant::blocks_of_one) ? 1 : blocks + 1;
+  for (unsigned block = 1; block <= last_block; ++block) {
     world.block_of[port] = static_cast<std::uint8_t>(block);
     extend(world, ports, port + 1, std::max(blocks, block));
   }
@@ -84,6 +88,7 @@ std::string Worlds::text_of(const World& world) const {
 }
 
 bool fits(const Side& side, const SolidGraph& inner, Mask ports, const World& world) {
+  if (mutated(OperationMutant::no_cycle_outside)) return true;
   SolidGraph graph = inner;
   for (unsigned port = 0; port < side.ports(); ++port)
     if (is_solid(ports, port) && world.block_of[port] != 0 &&

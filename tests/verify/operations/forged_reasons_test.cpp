@@ -50,6 +50,9 @@ TEST_F(ForgedReason, ThatShowTooLittle) {
                  "wrong reason: a case shows 1 dashed, 0 isolated, 0 ports given up; the row has 1,");
   expect_refused("rule 7 0 0 5 because if 1 then 4 9 else d", "rule 7 0 0 5 because if 1 then 4 else d", 1,
                  "wrong reason: a case shows");
+  // The case in which the edge is dashed, the other one being shown.
+  expect_refused("rule 7 0 0 5 because if 1 then 4 9 else d", "rule 7 0 0 5 because if 1 then 4 9 else -", 1,
+                 "wrong reason: a case shows 1 dashed");
 }
 
 TEST_F(ForgedReason, WhoseSetsAreNone) {
