@@ -14,6 +14,7 @@
 
 #include "keepers.hpp"
 #include "mesh.hpp"
+#include "restrip/operations/batch.hpp"
 #include "restrip/restrip.hpp"
 #include "status.hpp"
 
@@ -78,6 +79,44 @@ restrip_status done(restrip_mesh* mesh, Refusal refusal, restrip_change* change,
     const auto rewrite = mesh->kept(operation);
     if (change != nullptr) *change = {rewrite.halfedge.id, rewrite.valence, rewrite.strips, rewrite.isolated};
     return RESTRIP_OK;
+  });
+}
+
+restrip_status status_of(const BatchReport& report) noexcept {
+  switch (report.fault) {
+    case BatchFault::done:
+      return RESTRIP_OK;
+    case BatchFault::refused:
+      return status_of(report.refusal);
+    case BatchFault::overlap:
+      return RESTRIP_OVERLAP;
+    case BatchFault::vertex_in_use:
+      return RESTRIP_VERTEX_IN_USE;
+    case BatchFault::mixed_names:
+      return RESTRIP_MIXED_NAMES;
+  }
+  return RESTRIP_UNEXPECTED;
+}
+
+/// Does a batch on a copy, because one that runs out of memory leaves its mesh unusable.
+template <class Work>
+restrip_status batch(restrip_mesh* mesh, restrip_change* changes, std::size_t* fault, Work&& work) noexcept {
+  return guarded([&] {
+    StripMesh trial = mesh->mesh;  // not watched
+    const BatchReport report = work(trial);
+    if (!report.done()) {
+      if (fault != nullptr) {
+        fault[0] = report.request;
+        fault[1] = report.other;
+      }
+      return status_of(report);
+    }
+    mesh->recolor([&](StripMesh& own) { own = std::move(trial); });
+    if (changes != nullptr)
+      std::transform(report.rewrites.begin(), report.rewrites.end(), changes, [](const auto& rewrite) {
+        return restrip_change{rewrite.halfedge.id, rewrite.valence, rewrite.strips, rewrite.isolated};
+      });
+    return restrip_status{RESTRIP_OK};
   });
 }
 
@@ -272,6 +311,26 @@ restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   return done(mesh, check_flip(mesh->mesh, {h}), change, [&](auto& keeper) { return keeper.flip({h}); });
 }
+restrip_status restrip_mesh_split_face(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  return done(mesh, check_split_face(mesh->mesh, {h}), change,
+              [&](auto& keeper) { return restrip::c::split_face(keeper, {h}); });
+}
+restrip_status restrip_mesh_join_faces(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
+  const restrip_status status = restrip_mesh_check_join_faces(mesh, h);
+  if (status != RESTRIP_OK) return status;
+  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return restrip::c::join_faces(keeper, {h}); });
+}
+restrip_status restrip_mesh_bisect(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  return done(mesh, check_bisect(mesh->mesh, {h}), change,
+              [&](auto& keeper) { return restrip::c::bisect(keeper, {h}); });
+}
+restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
+  const restrip_status status = restrip_mesh_check_merge(mesh, h);
+  if (status != RESTRIP_OK) return status;
+  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return restrip::c::merge(keeper, {h}); });
+}
 restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right,
                                         std::uint32_t v_t) {
   return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_split(mesh->mesh, where_of(left, right), v_t));
@@ -282,6 +341,42 @@ restrip_status restrip_mesh_check_collapse(const restrip_mesh* mesh, restrip_hal
 }
 restrip_status restrip_mesh_check_flip(const restrip_mesh* mesh, restrip_halfedge h) {
   return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_flip(mesh->mesh, {h}));
+}
+
+restrip_status restrip_mesh_check_split_face(const restrip_mesh* mesh, restrip_halfedge h) {
+  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_split_face(mesh->mesh, {h}));
+}
+restrip_status restrip_mesh_check_join_faces(const restrip_mesh* mesh, restrip_halfedge h) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] { return status_of(check_join_faces(mesh->mesh, {h})); });  // as check_collapse
+}
+restrip_status restrip_mesh_check_bisect(const restrip_mesh* mesh, restrip_halfedge h) {
+  return mesh == nullptr ? RESTRIP_NULL_ARGUMENT : status_of(check_bisect(mesh->mesh, {h}));
+}
+restrip_status restrip_mesh_check_merge(const restrip_mesh* mesh, restrip_halfedge h) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  return guarded([&] { return status_of(check_merge(mesh->mesh, {h})); });  // as check_collapse
+}
+
+restrip_status restrip_mesh_split_batch(restrip_mesh* mesh, const restrip_split_request* requests, std::size_t count,
+                                        std::uint32_t threads, restrip_change* changes, std::size_t fault[2]) {
+  if (any_null(mesh) || (requests == nullptr && count != 0)) return RESTRIP_NULL_ARGUMENT;
+  return batch(mesh, changes, fault, [&](StripMesh& own) {
+    std::vector<SplitRequest> all;
+    all.reserve(count);
+    for (const auto& [left, right, v_t] : std::span(requests, count)) all.push_back({where_of(left, right), v_t});
+    return split_batch(own, all, {threads, false});
+  });
+}
+restrip_status restrip_mesh_collapse_batch(restrip_mesh* mesh, const restrip_halfedge* chords, std::size_t count,
+                                           std::uint32_t threads, restrip_change* changes, std::size_t fault[2]) {
+  if (any_null(mesh) || (chords == nullptr && count != 0)) return RESTRIP_NULL_ARGUMENT;
+  return batch(mesh, changes, fault, [&](StripMesh& own) {
+    std::vector<StripMesh::Halfedge> all;
+    all.reserve(count);
+    for (const restrip_halfedge h : std::span(chords, count)) all.push_back({h});
+    return collapse_batch(own, all, {threads, false});
+  });
 }
 
 restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std::size_t* saved) {

@@ -9,7 +9,7 @@
 
 namespace restrip::c {
 
-/// The codes 1 to 12 are the refusals of the library under numbers that never change.
+/// The codes 1 to 13 are the refusals of the library under numbers that never change.
 constexpr restrip_status status_of(Refusal refusal) noexcept {
   switch (refusal) {
     case Refusal::granted:
@@ -38,8 +38,8 @@ constexpr restrip_status status_of(Refusal refusal) noexcept {
       return RESTRIP_EDGE_EXISTS;
     case Refusal::vertex_in_use:
       return RESTRIP_VERTEX_IN_USE;
-    case Refusal::other_valence:  // of operations that the interface does not have
-      return RESTRIP_UNEXPECTED;
+    case Refusal::other_valence:
+      return RESTRIP_OTHER_VALENCE;
     case Refusal::colors_not_valid:
       return RESTRIP_BAD_COLORING;
   }
@@ -48,7 +48,7 @@ constexpr restrip_status status_of(Refusal refusal) noexcept {
 
 /// The text of a code; those of refusals are the library's.
 constexpr const char* text_of(restrip_status status) noexcept {
-  for (int i = 0; i <= static_cast<int>(Refusal::vertex_in_use); ++i)
+  for (int i = 0; i <= static_cast<int>(Refusal::other_valence); ++i)
     if (const auto refusal = static_cast<Refusal>(i); status_of(refusal) == status) return describe(refusal);
   switch (status) {
     case RESTRIP_NULL_ARGUMENT:
@@ -67,6 +67,10 @@ constexpr const char* text_of(restrip_status status) noexcept {
       return "the mesh was not read from a baked mesh";
     case RESTRIP_OUT_OF_STEP:
       return "the mesh has left its baked levels: restart it";
+    case RESTRIP_OVERLAP:
+      return "two operations of the batch overlap";
+    case RESTRIP_MIXED_NAMES:
+      return "either all splits of a batch name their new vertex, or none does";
     case RESTRIP_NOT_LIVE:
       return "the mesh has no live buffer: begin one";
     case RESTRIP_OUT_OF_MEMORY:

@@ -74,6 +74,7 @@ enum {
   RESTRIP_DANGLING_EDGE = 10,      /* a triangle beside the collapsed edge has no other neighbour */
   RESTRIP_EDGE_EXISTS = 11,        /* the flipped edge is in the mesh already */
   RESTRIP_VERTEX_IN_USE = 12,      /* the vertex named for a split has triangles already */
+  RESTRIP_OTHER_VALENCE = 13,      /* the vertex to be removed has not as many triangles as the operation asks for */
 
   /* Everything else. */
   RESTRIP_NULL_ARGUMENT = 100, /* a pointer is null that must not be */
@@ -86,7 +87,9 @@ enum {
   RESTRIP_OUT_OF_STEP = 107,   /* the mesh has left its baked levels; see restrip_baked_restart */
   RESTRIP_NOT_LIVE = 108,      /* the mesh has no live buffer; see restrip_live_begin */
   RESTRIP_OUT_OF_MEMORY = 109,
-  RESTRIP_UNEXPECTED = 110 /* an error in the library */
+  RESTRIP_UNEXPECTED = 110, /* an error in the library */
+  RESTRIP_OVERLAP = 111,    /* two operations of a batch overlap */
+  RESTRIP_MIXED_NAMES = 112 /* some splits of a batch name their new vertex and some do not */
 };
 
 /* One sentence for a person, in English. Never null, for any number. The text is constant. */
@@ -228,8 +231,8 @@ typedef struct restrip_change {
   int32_t isolated;          /* change in the number of isolated triangles of the mesh */
 } restrip_change;
 
-/* The three operations of a dynamic mesh. Each is checked: an operation that would spoil the mesh is refused by one of
- * the codes 1 to 12 and changes nothing. `change` may be null. Cost: O(valence), and that of the policy. After
+/* The operations of a dynamic mesh. Each is checked: an operation that would spoil the mesh is refused by one of
+ * the codes 1 to 13 and changes nothing. `change` may be null. Cost: O(valence), and that of the policy. After
  * RESTRIP_OUT_OF_MEMORY the operation may be done or not (compare restrip_mesh_triangle_count); mesh and colours are
  * valid.
  *
@@ -246,11 +249,54 @@ RESTRIP_API restrip_status restrip_mesh_split(restrip_mesh* mesh, restrip_halfed
 RESTRIP_API restrip_status restrip_mesh_collapse(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
 /* Flip: the two triangles beside the mesh edge become the two with the other diagonal. */
 RESTRIP_API restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
+
+/* Four operations on few triangles, whatever the valences around; longest-edge bisection refines and coarsens by them.
+ * They are checked, kept and told like the three above. RESTRIP_POLICY_LINKED does no more for them than
+ * RESTRIP_POLICY_LOCAL.
+ *
+ * Split face: a new vertex v_t inside the triangle of h, which leaves v_s; one triangle becomes three. `halfedge` of
+ * the change is v_s -> v_t. */
+RESTRIP_API restrip_status restrip_mesh_split_face(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
+/* Join faces: removes v_t of h = v_s -> v_t, an interior vertex of three triangles (else RESTRIP_OTHER_VALENCE), which
+ * become one. `halfedge` of the change leaves v_s, and its opposite has that triangle to its left. */
+RESTRIP_API restrip_status restrip_mesh_join_faces(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
+/* Bisect: a new vertex v_t on the mesh edge of h, which leaves v_s; the triangles beside it become two each. `halfedge`
+ * of the change is v_s -> v_t. */
+RESTRIP_API restrip_status restrip_mesh_bisect(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
+/* Merge: removes v_t of h = v_s -> v_t, an interior vertex of four triangles, or one of two on the boundary with h or
+ * its opposite (else RESTRIP_OTHER_VALENCE), and joins v_s to the vertex beyond. `halfedge` of the change is the mesh
+ * edge that takes the place of two, and leaves v_s. */
+RESTRIP_API restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change);
+
 /* What the operation would answer: RESTRIP_OK when it would be done. */
 RESTRIP_API restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left,
                                                     restrip_halfedge right, uint32_t v_t);
 RESTRIP_API restrip_status restrip_mesh_check_collapse(const restrip_mesh* mesh, restrip_halfedge h);
 RESTRIP_API restrip_status restrip_mesh_check_flip(const restrip_mesh* mesh, restrip_halfedge h);
+RESTRIP_API restrip_status restrip_mesh_check_split_face(const restrip_mesh* mesh, restrip_halfedge h);
+RESTRIP_API restrip_status restrip_mesh_check_join_faces(const restrip_mesh* mesh, restrip_halfedge h);
+RESTRIP_API restrip_status restrip_mesh_check_bisect(const restrip_mesh* mesh, restrip_halfedge h);
+RESTRIP_API restrip_status restrip_mesh_check_merge(const restrip_mesh* mesh, restrip_halfedge h);
+
+/* A split of a batch: the arguments of restrip_mesh_split. */
+typedef struct restrip_split_request {
+  restrip_halfedge left;
+  restrip_halfedge right;
+  uint32_t v_t; /* all of a batch name it, or none does (else RESTRIP_MIXED_NAMES) */
+} restrip_split_request;
+/* Many splits, or many collapses (each given by v_s -> v_t), in parallel: all are done or none is. The result is that
+ * of doing them one by one in their order, by the rules of RESTRIP_POLICY_LOCAL without adoption whatever the policy,
+ * and does not depend on `threads` (1: this one alone; 0: as many as the machine runs). No two may overlap: a split
+ * takes the triangles of its vertex, a collapse those of both and its apexes (RESTRIP_OVERLAP). `changes` may be null,
+ * or has room for `count` and receives what each did. `fault` may be null, or receives after a refusal the place of the
+ * request at fault, and that of the earlier one that it is at odds with (else the same). The mesh is copied: O(T) and what the
+ * operations cost. A live buffer is written anew by its next update. After any error
+ * nothing has changed. */
+RESTRIP_API restrip_status restrip_mesh_split_batch(restrip_mesh* mesh, const restrip_split_request* requests,
+                                                    size_t count, uint32_t threads, restrip_change* changes,
+                                                    size_t fault[2]);
+RESTRIP_API restrip_status restrip_mesh_collapse_batch(restrip_mesh* mesh, const restrip_halfedge* chords, size_t count,
+                                                       uint32_t threads, restrip_change* changes, size_t fault[2]);
 
 /* Background work between operations: looks at about `budget` states of searches, a few hundred nanoseconds each.
  * `saved` may be null, or receives by how much the cost is lower. RESTRIP_BAD_ARGUMENT under RESTRIP_POLICY_BARE and

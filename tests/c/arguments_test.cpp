@@ -49,6 +49,18 @@ TEST(CArguments, NullIsACode) {
                                   restrip_mesh_check_split(nullptr, 0, 1, RESTRIP_NONE),
                                   restrip_mesh_check_collapse(nullptr, 0),
                                   restrip_mesh_check_flip(nullptr, 0),
+                                  restrip_mesh_split_face(nullptr, 0, nullptr),
+                                  restrip_mesh_join_faces(nullptr, 0, nullptr),
+                                  restrip_mesh_bisect(nullptr, 0, nullptr),
+                                  restrip_mesh_merge(nullptr, 0, nullptr),
+                                  restrip_mesh_check_split_face(nullptr, 0),
+                                  restrip_mesh_check_join_faces(nullptr, 0),
+                                  restrip_mesh_check_bisect(nullptr, 0),
+                                  restrip_mesh_check_merge(nullptr, 0),
+                                  restrip_mesh_split_batch(nullptr, nullptr, 0, 1, nullptr, nullptr),
+                                  restrip_mesh_split_batch(m, nullptr, 1, 1, nullptr, nullptr),
+                                  restrip_mesh_collapse_batch(nullptr, nullptr, 0, 1, nullptr, nullptr),
+                                  restrip_mesh_collapse_batch(m, nullptr, 1, 1, nullptr, nullptr),
                                   restrip_mesh_improve(nullptr, 1, nullptr),
                                   restrip_mesh_strip_triangles(nullptr, nullptr, 0, &size),
                                   restrip_mesh_strip_triangles(m, nullptr, 0, nullptr),
@@ -247,13 +259,13 @@ TEST(CArguments, WhatIsLeftOutIsReported) {
 TEST(CArguments, EveryCodeHasATextOfItsOwn) {
   const std::string unknown = restrip_describe(-7);
   std::set<std::string> texts;
-  for (const auto& [first, last] : {std::pair{0, 12}, {100, 110}})
+  for (const auto& [first, last] : {std::pair{0, 13}, {100, 112}})
     for (restrip_status status = first; status <= last; ++status) {
       texts.insert(restrip_describe(status));
       EXPECT_NE(restrip_describe(status), unknown) << status;
     }
-  EXPECT_EQ(texts.size(), 24U);
-  for (const restrip_status status : {13, 99, 111, std::numeric_limits<restrip_status>::min()})
+  EXPECT_EQ(texts.size(), 27U);
+  for (const restrip_status status : {14, 99, 113, std::numeric_limits<restrip_status>::min()})
     EXPECT_EQ(restrip_describe(status), unknown);
   EXPECT_EQ(restrip_abi_version(), std::uint32_t{RESTRIP_ABI_VERSION});
   EXPECT_FALSE(std::string(restrip_version()).empty());
@@ -303,6 +315,13 @@ TEST(CArguments, MemoryMayRunOut) {
       });
       failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
         return restrip_mesh_collapse(mesh, restrip_mesh_find(mesh, 5, 6), nullptr);
+      });
+      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
+        return restrip_mesh_bisect(mesh, restrip_mesh_find(mesh, 5, 6), nullptr);
+      });
+      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
+        const restrip_halfedge chord = restrip_mesh_find(mesh, 5, 6);  // a fan so large that a batch allocates for it
+        return restrip_mesh_collapse_batch(mesh, &chord, 1, 1, nullptr, nullptr);
       });
       failures += fail_everywhere(
           policy, cost, [](restrip_mesh* mesh) { return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, nullptr); });

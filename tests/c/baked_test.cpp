@@ -102,6 +102,25 @@ TEST(CBaked, AnOperationOfOnesOwnLeavesTheLevels) {
   using Leave = std::function<restrip_status(restrip_mesh*)>;
   const Leave ways[] = {
       collapse_any,
+      [](restrip_mesh* mesh) { return restrip_mesh_bisect(mesh, restrip_mesh_spoke(mesh, 3), nullptr); },
+      [](restrip_mesh* mesh) {
+        const restrip_halfedge h = restrip_mesh_spoke(mesh, 3);
+        restrip_change change{};
+        EXPECT_EQ(restrip_mesh_split_face(mesh, h, &change), RESTRIP_OK);
+        return restrip_mesh_join_faces(mesh, change.halfedge, nullptr);
+      },
+      [](restrip_mesh* mesh) {
+        restrip_change change{};
+        EXPECT_EQ(restrip_mesh_bisect(mesh, restrip_mesh_spoke(mesh, 3), &change), RESTRIP_OK);
+        return restrip_mesh_merge(mesh, change.halfedge, nullptr);
+      },
+      [](restrip_mesh* mesh) {
+        const restrip_split_request request{
+            restrip_mesh_spoke(mesh, 3),
+            restrip_mesh_opposite(mesh, restrip_mesh_next(mesh, restrip_mesh_next(mesh, restrip_mesh_spoke(mesh, 3)))),
+            RESTRIP_NONE};
+        return restrip_mesh_split_batch(mesh, &request, 1, 1, nullptr, nullptr);
+      },
       [](restrip_mesh* mesh) { return restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FAST, nullptr, 0, nullptr); },
       [](restrip_mesh* mesh) { return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, nullptr); },
       [](restrip_mesh* mesh) {

@@ -6,11 +6,13 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <set>
 #include <span>
 #include <utility>
 
 #include "handle.hpp"
 #include "restrip/mesh/checks.hpp"
+#include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/rules/rules.hpp"
 #include "restrip/search/index_keeper.hpp"
@@ -27,10 +29,21 @@ using Corners = std::array<std::uint32_t, 3>;
 constexpr restrip_cost fewest_indices = RESTRIP_FEWEST_INDICES;
 
 struct Move {
-  enum class Kind { split, collapse, flip } kind{};
+  enum class Kind { split, collapse, flip, split_face, join_faces, bisect, merge } kind{};
   restrip_halfedge a = RESTRIP_NONE;
   restrip_halfedge b = RESTRIP_NONE;
 };
+
+/// Triangles around an interior vertex; 0 for others.
+unsigned valence(const restrip_mesh* mesh, std::uint32_t v) {
+  const restrip_halfedge first = restrip_mesh_spoke(mesh, v);
+  unsigned n = 0;
+  for (restrip_halfedge h = first; h != RESTRIP_NONE; ++n) {
+    h = restrip_mesh_opposite(mesh, restrip_mesh_next(mesh, restrip_mesh_next(mesh, h)));
+    if (h == first) return n + 1;
+  }
+  return 0;
+}
 
 /// Any halfedges: of the mesh mostly, and now and then any number.
 Move draw(const restrip_mesh* mesh, std::mt19937& random) {
@@ -39,7 +52,12 @@ Move draw(const restrip_mesh* mesh, std::mt19937& random) {
     const auto h = static_cast<restrip_halfedge>(random() % restrip_mesh_triangle_bound(mesh) * 4 + random() % 3);
     return random() % 4 == 0 && restrip_mesh_opposite(mesh, h) != RESTRIP_NONE ? restrip_mesh_opposite(mesh, h) : h;
   };
-  Move move{static_cast<Move::Kind>(random() % 3), any(), RESTRIP_NONE};
+  Move move{static_cast<Move::Kind>(random() % 7), any(), RESTRIP_NONE};
+  if (move.kind == Move::Kind::join_faces || move.kind == Move::Kind::merge) {
+    // Few vertices have so few triangles.
+    const unsigned wanted = move.kind == Move::Kind::merge ? 4 : 3;
+    for (int tries = 0; tries < 40 && valence(mesh, restrip_mesh_to(mesh, move.a)) != wanted; ++tries) move.a = any();
+  }
   if (move.kind != Move::Kind::split) return move;
   move.b = move.a;  // another spoke of the same vertex
   for (auto turns = random() % 5; turns > 0; --turns) {
@@ -51,17 +69,95 @@ Move draw(const restrip_mesh* mesh, std::mt19937& random) {
 }
 
 restrip_status apply(restrip_mesh* mesh, const Move& move, restrip_change* change) {
-  if (move.kind == Move::Kind::split) return restrip_mesh_split(mesh, move.a, move.b, RESTRIP_NONE, change);
-  return move.kind == Move::Kind::collapse ? restrip_mesh_collapse(mesh, move.a, change)
-                                           : restrip_mesh_flip(mesh, move.a, change);
+  switch (move.kind) {
+    case Move::Kind::split:
+      return restrip_mesh_split(mesh, move.a, move.b, RESTRIP_NONE, change);
+    case Move::Kind::collapse:
+      return restrip_mesh_collapse(mesh, move.a, change);
+    case Move::Kind::flip:
+      return restrip_mesh_flip(mesh, move.a, change);
+    case Move::Kind::split_face:
+      return restrip_mesh_split_face(mesh, move.a, change);
+    case Move::Kind::join_faces:
+      return restrip_mesh_join_faces(mesh, move.a, change);
+    case Move::Kind::bisect:
+      return restrip_mesh_bisect(mesh, move.a, change);
+    case Move::Kind::merge:
+      break;
+  }
+  return restrip_mesh_merge(mesh, move.a, change);
 }
 restrip_status ask(const restrip_mesh* mesh, const Move& move) {
-  if (move.kind == Move::Kind::split) return restrip_mesh_check_split(mesh, move.a, move.b, RESTRIP_NONE);
-  return move.kind == Move::Kind::collapse ? restrip_mesh_check_collapse(mesh, move.a)
-                                           : restrip_mesh_check_flip(mesh, move.a);
+  switch (move.kind) {
+    case Move::Kind::split:
+      return restrip_mesh_check_split(mesh, move.a, move.b, RESTRIP_NONE);
+    case Move::Kind::collapse:
+      return restrip_mesh_check_collapse(mesh, move.a);
+    case Move::Kind::flip:
+      return restrip_mesh_check_flip(mesh, move.a);
+    case Move::Kind::split_face:
+      return restrip_mesh_check_split_face(mesh, move.a);
+    case Move::Kind::join_faces:
+      return restrip_mesh_check_join_faces(mesh, move.a);
+    case Move::Kind::bisect:
+      return restrip_mesh_check_bisect(mesh, move.a);
+    case Move::Kind::merge:
+      break;
+  }
+  return restrip_mesh_check_merge(mesh, move.a);
 }
 
-/// The same by the library. The codes 1 to 12 are the refusals in their order.
+/// A new vertex in the triangle of h, or on its edge, by a split between the vertices around it.
+VertexSplit<Halfedge> where_of(const StripMesh& mesh, Halfedge h, bool on_edge) {
+  using Spokes = VertexSplit<Halfedge>::Spokes;
+  const auto spoke_to_apex = [&](Halfedge beside) {
+    return mesh.spoke(mesh.from(h), mesh.to(StripMesh::next(beside)));
+  };
+  const Halfedge back = mesh.opposite(h);
+  if (!on_edge) return {spoke_to_apex(h), h, Spokes::both};
+  if (StripMesh::on_boundary(h)) return {{}, spoke_to_apex(back), Spokes::right_only};
+  if (StripMesh::on_boundary(back)) return {spoke_to_apex(h), {}, Spokes::left_only};
+  return {spoke_to_apex(h), spoke_to_apex(back), Spokes::both};
+}
+
+Refusal refusal_of(const StripMesh& mesh, const Move& move) {
+  const Halfedge h{move.a};
+  switch (move.kind) {
+    case Move::Kind::collapse:
+      return check_collapse(mesh, h);
+    case Move::Kind::flip:
+      return check_flip(mesh, h);
+    case Move::Kind::split_face:
+      return check_split_face(mesh, h);
+    case Move::Kind::join_faces:
+      return check_join_faces(mesh, h);
+    case Move::Kind::bisect:
+      return check_bisect(mesh, h);
+    default:
+      return check_merge(mesh, h);
+  }
+}
+
+/// The operations of refine.hpp by a keeper that has them; by splits and collapses elsewhere, with the halfedge that
+/// they give on a copy.
+template <class Keeper>
+Rewrite<Halfedge> refine(Keeper& keeper, const Move& move) {
+  const Halfedge h{move.a};
+  if constexpr (requires { keeper.bisect(h); }) {
+    if (move.kind == Move::Kind::split_face) return keeper.split_face(h);
+    if (move.kind == Move::Kind::join_faces) return keeper.join_faces(h);
+    return move.kind == Move::Kind::bisect ? keeper.bisect(h) : keeper.merge(h);
+  } else {
+    if (move.kind == Move::Kind::split_face || move.kind == Move::Kind::bisect)
+      return keeper.split(where_of(keeper.mesh(), h, move.kind == Move::Kind::bisect));
+    StripMesh copy = keeper.mesh();
+    Rewrite<Halfedge> done = keeper.collapse(h);
+    done.halfedge = (move.kind == Move::Kind::merge ? merge(copy, h) : join_faces(copy, h)).halfedge;
+    return done;
+  }
+}
+
+/// The same by the library. The codes 1 to 13 are the refusals in their order.
 template <class Keeper>
 std::pair<Refusal, Rewrite<Halfedge>> apply(Keeper& keeper, const Move& move) {
   using Spokes = VertexSplit<Halfedge>::Spokes;
@@ -75,10 +171,10 @@ std::pair<Refusal, Rewrite<Halfedge>> apply(Keeper& keeper, const Move& move) {
     const Refusal refusal = check_split(mesh, where);
     return {refusal, refusal == Refusal::granted ? keeper.split(where) : Rewrite<Halfedge>{}};
   }
-  const bool flips = move.kind == Move::Kind::flip;
-  const Refusal refusal = flips ? check_flip(mesh, {move.a}) : check_collapse(mesh, {move.a});
+  const Refusal refusal = refusal_of(mesh, move);
   if (refusal != Refusal::granted) return {refusal, {}};
-  return {refusal, flips ? keeper.flip({move.a}) : keeper.collapse({move.a})};
+  if (move.kind == Move::Kind::flip) return {refusal, keeper.flip({move.a})};
+  return {refusal, move.kind == Move::Kind::collapse ? keeper.collapse({move.a}) : refine(keeper, move)};
 }
 
 std::vector<std::uint32_t> indices_of(const restrip_mesh* mesh) {
@@ -92,6 +188,7 @@ std::vector<std::uint32_t> indices_of(const restrip_mesh* mesh) {
 
 struct Told {
   std::size_t done = 0;
+  std::set<Move::Kind> kinds;  ///< of which some were done
   std::map<restrip_status, std::size_t> refused;
 };
 
@@ -100,7 +197,9 @@ void play(restrip_mesh* mesh, std::mt19937& random, int operations, Told& told, 
   restrip_coloring before = counted(mesh);
   for (int n = 0; n < operations && restrip_mesh_triangle_count(mesh) > 2; ++n) {
     Move move = draw(mesh, random);
-    if (move.kind == Move::Kind::split && restrip_mesh_triangle_count(mesh) > 400) move.kind = Move::Kind::collapse;
+    if (restrip_mesh_triangle_count(mesh) > 400 &&
+        (move.kind == Move::Kind::split || move.kind == Move::Kind::split_face || move.kind == Move::Kind::bisect))
+      move.kind = Move::Kind::collapse;
     const restrip_status expected = ask(mesh, move);
     restrip_change change{};
     const restrip_status status = apply(mesh, move, &change);
@@ -108,6 +207,7 @@ void play(restrip_mesh* mesh, std::mt19937& random, int operations, Told& told, 
     ASSERT_EQ(strip_count(mesh), before.strips + static_cast<std::size_t>(change.strips));
     if (status == RESTRIP_OK) {
       ++told.done;
+      told.kinds.insert(move.kind);
       const restrip_coloring after = counted(mesh);
       ASSERT_EQ(after.strips, before.strips + static_cast<std::size_t>(change.strips));
       ASSERT_EQ(after.isolated, before.isolated + static_cast<std::size_t>(change.isolated));
@@ -170,7 +270,8 @@ TEST(CInterface, IsInStepWithTheLibrary) {
         if (HasFatalFailure()) FAIL() << "policy " << policy;
       }
   EXPECT_GT(told.done, 2000U);
-  EXPECT_GE(told.refused.size(), 9U);  // that many ways to be refused were met
+  EXPECT_EQ(told.kinds.size(), 7U);
+  EXPECT_GE(told.refused.size(), 10U);  // that many ways to be refused were met
 }
 
 TEST(CInterface, BareOperationsTellWhatCountingFinds) {
@@ -192,6 +293,7 @@ TEST(CInterface, BareOperationsTellWhatCountingFinds) {
       if (HasFatalFailure()) return;
     }
   EXPECT_GT(told.done, 300U);
+  EXPECT_EQ(told.kinds.size(), 7U);
 }
 
 /// The triangles that indices draw, each from its smallest corner; a strip's in its turn.
