@@ -72,7 +72,7 @@ Mesh copy_of(const Placed& from) {
 }
 
 /// To a fifth of its triangles; `strips`: to be kept, or nullptr.
-HookTally decimate(Mesh& mesh, OpenMeshStrips<Mesh>* strips) {
+HookTally decimate(Mesh& mesh, OpenMeshStrips<Mesh>* strips, HookRules rules = HookRules::local) {
   OpenMesh::Decimater::DecimaterT<Mesh> decimater(mesh);
   OpenMesh::Decimater::ModQuadricT<Mesh>::Handle quadric;
   decimater.add(quadric);
@@ -80,7 +80,7 @@ HookTally decimate(Mesh& mesh, OpenMeshStrips<Mesh>* strips) {
   ModStripsT<Mesh>::Handle keeping;
   if (strips != nullptr) {
     decimater.add(keeping);
-    decimater.module(keeping).keep(*strips);
+    decimater.module(keeping).keep(*strips, rules);
   }
   EXPECT_TRUE(decimater.initialize());
   decimater.decimate_to_faces(0, mesh.n_faces() / 5);
@@ -88,13 +88,19 @@ HookTally decimate(Mesh& mesh, OpenMeshStrips<Mesh>* strips) {
 }
 
 void expect_decimater_keeps(const Placed& start) {
-  Mesh mesh = copy_of(start);
-  OpenMeshStrips<Mesh> strips(mesh);
-  take_colors(strips, start.mesh);
-  const ColoringReport before = check_coloring(strips);
-  expect_kept(strips, before, decimate(mesh, &strips));
-  mesh.garbage_collection();
-  EXPECT_TRUE(check_coloring(strips).valid);
+  std::size_t kept = start.mesh.triangle_count();
+  for (const HookRules rules : {HookRules::local, HookRules::linked}) {
+    Mesh mesh = copy_of(start);
+    OpenMeshStrips<Mesh> strips(mesh);
+    take_colors(strips, start.mesh);
+    const ColoringReport before = check_coloring(strips);
+    expect_kept(strips, before, decimate(mesh, &strips, rules));
+    mesh.garbage_collection();
+    const ColoringReport after = check_coloring(strips);
+    EXPECT_TRUE(after.valid);
+    EXPECT_LT(after.strips, kept);  // the same triangles in fewer strips by linked rules
+    kept = after.strips;
+  }
 }
 
 TEST(OpenMeshDecimater, KeepsStripsOfMadeMeshes) {

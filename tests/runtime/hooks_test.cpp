@@ -1,8 +1,7 @@
 // The halves of operations around a change of somebody else's: they give what split(), collapse() and flip() give on a
-// second mesh, colour by colour and in what they tell, on closed and open meshes, for fans of any size; between the
-// halves, and so after a change that was given up, the colouring is valid.
-#include "restrip/operations/hooks.hpp"
-
+// second mesh, and those by linked rules what split_and_link(), collapse_and_link() and flip_and_link() give, colour by
+// colour and in what they tell, on closed and open meshes, for fans of any size; between the halves, and so after a
+// change that was given up, the colouring is valid.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "restrip/mesh/checks.hpp"
+#include "restrip/operations/linked_hooks.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -37,36 +37,39 @@ void expect_same(const Rewrite<Spoke>& one, const Rewrite<Spoke>& two) {
   EXPECT_EQ(one.isolated, two.isolated);
 }
 
-Rewrite<Spoke> hooked_collapse(StripMesh& mesh, Spoke chord) {
+Rewrite<Spoke> hooked_collapse(StripMesh& mesh, Spoke chord, HookRules rules = HookRules::local) {
   const Spoke back = mesh.opposite(chord);
   const Vertex v_s = mesh.from(chord);
   std::vector<Vertex> apexes;
   for (const Spoke h : {chord, back})
     if (!StripMesh::on_boundary(h)) apexes.push_back(mesh.to(StripMesh::next(h)));
-  auto pending = before_collapse(mesh, chord);
+  auto pending = before_collapse(mesh, chord, rules);
   EXPECT_TRUE(check_coloring(mesh).valid);
   const Spoke spoke = mesh.remove_vertex(chord);
   for (const Vertex apex : apexes)  // a colour that only after_collapse() can take away
     if (const Spoke merged = mesh.spoke(v_s, apex);
         !StripMesh::on_boundary(merged) && !StripMesh::on_boundary(mesh.opposite(merged)))
       mesh.set_solid(merged, true);
-  return after_collapse(mesh, std::move(pending), spoke);
+  return after_collapse(mesh, std::move(pending), spoke, rules);
 }
 
-Rewrite<Spoke> hooked_split(StripMesh& mesh, const VertexSplit<Spoke>& where) {
-  auto pending = before_split(mesh, where);
+Rewrite<Spoke> hooked_split(StripMesh& mesh, const VertexSplit<Spoke>& where, HookRules rules = HookRules::local) {
+  const bool linked = rules == HookRules::linked;
+  auto pending = linked ? before_split_and_link(mesh, where) : before_split(mesh, where);
   EXPECT_TRUE(check_coloring(mesh).valid);
   auto moved = std::move(pending);
   EXPECT_TRUE(moved.waits());
-  return after_split(mesh, std::move(moved), mesh.insert_vertex(where));
+  const Spoke chord = mesh.insert_vertex(where);
+  return linked ? after_split_and_link(mesh, std::move(moved), chord) : after_split(mesh, std::move(moved), chord);
 }
 
-Rewrite<Spoke> hooked_flip(StripMesh& mesh, Spoke h) {
+Rewrite<Spoke> hooked_flip(StripMesh& mesh, Spoke h, HookRules rules = HookRules::local) {
   auto pending = before_flip(mesh, h);
   EXPECT_TRUE(check_coloring(mesh).valid);
   EXPECT_FALSE(mesh.solid(h));
   const Spoke turned = mesh.turn_edge(h);
-  return after_flip(mesh, std::move(pending), turned);
+  return rules == HookRules::linked ? after_flip_and_link(mesh, std::move(pending), turned)
+                                    : after_flip(mesh, std::move(pending), turned);
 }
 
 Spoke any_halfedge(const StripMesh& mesh, std::mt19937& random) {
@@ -91,7 +94,8 @@ VertexSplit<Spoke> any_split(const StripMesh& mesh, std::mt19937& random) {
   return where;
 }
 
-TEST(Hooks, GiveWhatTheOperationsGive) {
+void expect_what_operations_give(HookRules rules) {
+  const bool linked = rules == HookRules::linked;
   unsigned seed = 0;
   for (StripMesh& start : sample::meshes()) {
     stripify(start);
@@ -104,24 +108,27 @@ TEST(Hooks, GiveWhatTheOperationsGive) {
       if (random() % 3 == 0) {
         const Spoke h = any_halfedge(one, random);
         if (check_flip(one, h) != Refusal::granted) continue;
-        expect_same(hooked_flip(two, h), flip(one, h));
+        expect_same(hooked_flip(two, h, rules), linked ? flip_and_link(one, h) : flip(one, h));
       } else if (grow) {
         const auto where = any_split(one, random);
         if (check_split(one, where) != Refusal::granted) continue;
-        expect_same(hooked_split(two, where), split(one, where));
+        expect_same(hooked_split(two, where, rules), linked ? split_and_link(one, where) : split(one, where));
       } else {
         const Spoke h = any_halfedge(one, random);
         if (check_collapse(one, h) != Refusal::granted) continue;
-        expect_same(hooked_collapse(two, h), collapse(one, h));
+        expect_same(hooked_collapse(two, h, rules), linked ? collapse_and_link(one, h) : collapse(one, h));
       }
       ++done;
       expect_same_colors(one, two);
-      if (HasFatalFailure()) return;
+      if (testing::Test::HasFatalFailure()) return;
     }
     EXPECT_GT(done, 300U) << "mesh " << seed;
     EXPECT_TRUE(check_coloring(one).valid);
   }
 }
+
+TEST(Hooks, GiveWhatTheOperationsGive) { expect_what_operations_give(HookRules::local); }
+TEST(Hooks, GiveWhatLinkedOperationsGive) { expect_what_operations_give(HookRules::linked); }
 
 TEST(Hooks, FansOfAnySize) {
   for (const Vertex k : {15U, 16U, 17U, 63U, 64U, 65U, 200U}) {

@@ -28,6 +28,7 @@
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/hooks.hpp"
 #include "restrip/operations/linked.hpp"
+#include "restrip/operations/linked_hooks.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/index_bound.hpp"

@@ -21,8 +21,8 @@
 // Debug builds check the preconditions of the operation before, and after it that the mesh has the patch that the
 // operation makes. On meshes other than StripMesh every operation also checks that the colours it reads can be those of
 // a valid colouring (Refusal::colors_not_valid), so that changes past restrip do not go unnoticed for long;
-// check_coloring (output/strips.hpp) looks at the whole mesh. Ready for use: operations/adapters/openmesh_decimater.hpp
-// and operations/adapters/cgal_edge_collapse.hpp.
+// check_coloring (output/strips.hpp) looks at the whole mesh. Linked rules: linked_hooks.hpp. Ready for use:
+// operations/adapters/openmesh_decimater.hpp and operations/adapters/cgal_edge_collapse.hpp.
 #pragma once
 
 #include <cstddef>

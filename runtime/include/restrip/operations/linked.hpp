@@ -252,6 +252,29 @@ Mending link_ends_around(Mesh& mesh, typename Mesh::Halfedge h) {
       mesh, h, [&](typename Mesh::Halfedge g) { return solid_degree(mesh, g) < 2 ? link_end(mesh, g) : Mending{}; });
 }
 
+// What follows an operation by linked rules.
+template <class Mesh>
+Rewrite<typename Mesh::Halfedge> linked_after_split(Mesh& mesh, Rewrite<typename Mesh::Halfedge> done) {
+  done = detail::with(done, detail::link_ends_around(mesh, done.halfedge));
+  done = detail::with(done, detail::link_ends_around(mesh, mesh.opposite(done.halfedge)));
+  return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
+}
+template <class Mesh>
+Rewrite<typename Mesh::Halfedge> linked_after_collapse(Mesh& mesh, Rewrite<typename Mesh::Halfedge> done) {
+  done = detail::with(done, detail::link_ends_around(mesh, done.halfedge));
+  return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
+}
+template <class Mesh>
+Rewrite<typename Mesh::Halfedge> linked_after_flip(Mesh& mesh, Rewrite<typename Mesh::Halfedge> done) {
+  for (const auto inner : {done.halfedge, mesh.opposite(done.halfedge)}) {
+    done = detail::with(done, link_end(mesh, inner));
+    for (const auto outer : {mesh.next(inner), mesh.next(mesh.next(inner))})
+      if (const auto across = mesh.opposite(outer); !mesh.on_boundary(across))
+        done = detail::with(done, link_end(mesh, across));
+  }
+  return detail::with(done, adopt_after_flip(mesh, done.halfedge));
+}
+
 }  // namespace detail
 
 /// split() by linked rules. `name`: the new vertex, for meshes that let the caller name it.
@@ -260,10 +283,7 @@ Rewrite<typename Mesh::Halfedge> split_and_link(Mesh& mesh, const VertexSplit<ty
                                                 Name... name) {
   RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_and_link",
                  describe(detail::refusal_of_split(mesh, where, name...)));
-  auto done = detail::split_with(detail::LinkedRules{default_reach}, mesh, where, name...);
-  done = detail::with(done, detail::link_ends_around(mesh, done.halfedge));
-  done = detail::with(done, detail::link_ends_around(mesh, mesh.opposite(done.halfedge)));
-  return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
+  return detail::linked_after_split(mesh, detail::split_with(detail::LinkedRules{default_reach}, mesh, where, name...));
 }
 
 /// collapse() by linked rules.
@@ -271,9 +291,7 @@ template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_and_link(Mesh& mesh, typename Mesh::Halfedge chord) {
   RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_and_link",
                  describe(detail::refusal_of_collapse(mesh, chord)));
-  auto done = detail::collapse_with(detail::LinkedRules{default_reach}, mesh, chord);
-  done = detail::with(done, detail::link_ends_around(mesh, done.halfedge));
-  return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
+  return detail::linked_after_collapse(mesh, detail::collapse_with(detail::LinkedRules{default_reach}, mesh, chord));
 }
 
 /// flip(), then links, which restore a port that the local rule gave up without need.
@@ -281,14 +299,7 @@ template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_link(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_link",
                  describe(detail::refusal_of_flip(mesh, h)));
-  auto done = flip(mesh, h);
-  for (const auto inner : {done.halfedge, mesh.opposite(done.halfedge)}) {
-    done = detail::with(done, link_end(mesh, inner));
-    for (const auto outer : {mesh.next(inner), mesh.next(mesh.next(inner))})
-      if (const auto across = mesh.opposite(outer); !mesh.on_boundary(across))
-        done = detail::with(done, link_end(mesh, across));
-  }
-  return detail::with(done, adopt_after_flip(mesh, done.halfedge));
+  return detail::linked_after_flip(mesh, flip(mesh, h));
 }
 
 }  // namespace restrip

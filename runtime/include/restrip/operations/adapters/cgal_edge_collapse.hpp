@@ -7,9 +7,10 @@
 //                      CGAL::parameters::visitor(restrip::StripVisitor(strips, tally)));
 //   tally.strips;                                               // change in the number of strips
 //
-// Without it edge_collapse leaves colours that are not valid. Before anything else CGAL collapses mesh edges of length
-// zero and tells a visitor only afterwards; the strips there are cut where it is necessary, and HookTally::untold
-// counts these collapses. Include this header only where you have CGAL 5.4 or later.
+// StripVisitor(strips, tally, restrip::HookRules::linked) keeps longer strips. Without it edge_collapse leaves colours
+// that are not valid. Before anything else CGAL collapses mesh edges of length zero and tells a visitor only
+// afterwards; the strips there are cut where it is necessary, and HookTally::untold counts these collapses. Include
+// this header only where you have CGAL 5.4 or later.
 #pragma once
 
 #include <CGAL/Surface_mesh_simplification/Edge_collapse_visitor_base.h>
@@ -19,7 +20,7 @@
 #include <utility>
 
 #include "restrip/mesh/adapters/cgal.hpp"
-#include "restrip/operations/hooks.hpp"
+#include "restrip/operations/linked_hooks.hpp"
 
 namespace restrip {
 
@@ -34,13 +35,15 @@ class StripVisitor : public Base {
   using Vertex = typename Mesh::Vertex_index;
 
   StripVisitor(SurfaceMeshStrips<Point>& strips, HookTally& tally, Base base = {})
-      : Base(std::move(base)), strips_(&strips), tally_(&tally), pending_(std::make_shared<Pending>()) {}
+      : StripVisitor(strips, tally, HookRules::local, std::move(base)) {}
+  StripVisitor(SurfaceMeshStrips<Point>& strips, HookTally& tally, HookRules rules, Base base = {})
+      : Base(std::move(base)), strips_(&strips), tally_(&tally), rules_(rules), pending_(std::make_shared<Pending>()) {}
 
   // Called by CGAL.
   template <class Profile, class Placement>
   void OnCollapsing(const Profile& profile, const Placement& placement) {
     Base::OnCollapsing(profile, placement);
-    pending_->emplace(before_collapse(*strips_, profile.v1_v0()));  // CGAL removes v0
+    pending_->emplace(before_collapse(*strips_, profile.v1_v0(), rules_));  // CGAL removes v0
   }
   template <class Profile>
   void OnCollapsed(const Profile& profile, Vertex kept) {
@@ -49,7 +52,7 @@ class StripVisitor : public Base {
     const Halfedge left = profile.right_face_exists() ? mesh.halfedge(kept, profile.vR()) : Halfedge();
     const Halfedge right = profile.left_face_exists() ? mesh.halfedge(kept, profile.vL()) : Halfedge();
     if (pending_->has_value()) {
-      tally_->add(after_collapse(*strips_, std::move(**pending_), left.is_valid() ? left : right));
+      tally_->add(after_collapse(*strips_, std::move(**pending_), left.is_valid() ? left : right, rules_));
       pending_->reset();
     } else {
       // Each is what two edges of a triangle that is gone became. All others have the colours that they had.
@@ -64,10 +67,13 @@ class StripVisitor : public Base {
   using Pending = std::optional<PendingCollapse<Halfedge>>;
   SurfaceMeshStrips<Point>* strips_;
   HookTally* tally_;
+  HookRules rules_;
   std::shared_ptr<Pending> pending_;
 };
 
 template <class Point>
 StripVisitor(SurfaceMeshStrips<Point>&, HookTally&) -> StripVisitor<Point>;
+template <class Point>
+StripVisitor(SurfaceMeshStrips<Point>&, HookTally&, HookRules) -> StripVisitor<Point>;
 
 }  // namespace restrip

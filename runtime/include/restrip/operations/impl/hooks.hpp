@@ -98,18 +98,45 @@ class PendingFlip {
   bool waits_ = true;
 };
 
-template <ColoredMesh Mesh>
-PendingSplit<typename Mesh::Halfedge> before_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+namespace detail {
+
+template <class Rules, class Mesh>
+PendingSplit<typename Mesh::Halfedge> before_split_by(const Rules& rules, Mesh& mesh,
+                                                      const VertexSplit<typename Mesh::Halfedge>& where) {
   using Halfedge = typename Mesh::Halfedge;
   using Spokes = typename VertexSplit<Halfedge>::Spokes;
-  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where) == Refusal::granted, "before_split",
-                 describe(detail::refusal_of_split(mesh, where)));
-  auto pending = detail::with_split_begun(detail::LocalRules{}, mesh, where,
-                                          [](auto& change) { return PendingSplit<Halfedge>(std::move(change)); });
+  RESTRIP_ASSERT(refusal_of_split(mesh, where) == Refusal::granted, "before_split",
+                 describe(refusal_of_split(mesh, where)));
+  auto pending =
+      with_split_begun(rules, mesh, where, [](auto& change) { return PendingSplit<Halfedge>(std::move(change)); });
   // The edges of the spokes become two each.
   if (where.spokes != Spokes::right_only) detail::dash_if_solid(mesh, where.left);
   if (where.spokes != Spokes::left_only) detail::dash_if_solid(mesh, where.right);
   return pending;
+}
+
+template <class Rules, class Mesh>
+PendingCollapse<typename Mesh::Halfedge> before_collapse_by(const Rules& rules, Mesh& mesh,
+                                                            typename Mesh::Halfedge chord) {
+  using Halfedge = typename Mesh::Halfedge;
+  RESTRIP_ASSERT(refusal_of_collapse(mesh, chord) == Refusal::granted, "before_collapse",
+                 describe(refusal_of_collapse(mesh, chord)));
+  auto pending = with_collapse_begun(rules, mesh, chord,
+                                     [](auto& change) { return PendingCollapse<Halfedge>(std::move(change)); });
+  // Of the two edges that merge one goes, and which one is the library's choice.
+  for (const Halfedge inward : {chord, mesh.opposite(chord)}) {
+    if (mesh.on_boundary(inward)) continue;
+    const Halfedge up = mesh.next(inward);
+    for (const Halfedge h : {inward, up, mesh.next(up)}) detail::dash_if_solid(mesh, h);
+  }
+  return pending;
+}
+
+}  // namespace detail
+
+template <ColoredMesh Mesh>
+PendingSplit<typename Mesh::Halfedge> before_split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
+  return detail::before_split_by(detail::LocalRules{}, mesh, where);
 }
 
 template <ColoredMesh Mesh>
@@ -123,18 +150,7 @@ Rewrite<typename Mesh::Halfedge> after_split(Mesh& mesh, PendingSplit<typename M
 
 template <ColoredMesh Mesh>
 PendingCollapse<typename Mesh::Halfedge> before_collapse(Mesh& mesh, typename Mesh::Halfedge chord) {
-  using Halfedge = typename Mesh::Halfedge;
-  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "before_collapse",
-                 describe(detail::refusal_of_collapse(mesh, chord)));
-  auto pending = detail::with_collapse_begun(detail::LocalRules{}, mesh, chord,
-                                             [](auto& change) { return PendingCollapse<Halfedge>(std::move(change)); });
-  // Of the two edges that merge one goes, and which one is the library's choice.
-  for (const Halfedge inward : {chord, mesh.opposite(chord)}) {
-    if (mesh.on_boundary(inward)) continue;
-    const Halfedge up = mesh.next(inward);
-    for (const Halfedge h : {inward, up, mesh.next(up)}) detail::dash_if_solid(mesh, h);
-  }
-  return pending;
+  return detail::before_collapse_by(detail::LocalRules{}, mesh, chord);
 }
 
 template <ColoredMesh Mesh>
