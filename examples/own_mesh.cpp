@@ -2,6 +2,7 @@
 // strips while you flip edges. Splits and collapses need one more function each (mesh.hpp). Five more number triangles
 // and vertices (numbered_mesh.hpp), and you get index buffers.
 #include <cstdio>
+#include <restrip/operations/test_adapter.hpp>
 #include <restrip/restrip.hpp>
 #include <utility>
 #include <vector>
@@ -77,6 +78,15 @@ class MyMesh {
 static_assert(restrip::FlippableMesh<MyMesh> && restrip::NumberedMesh<MyMesh>);
 
 int main() {
+  // Does it keep the contract? Asked on a mesh with a boundary: eight by eight squares of two triangles each.
+  std::vector<int> corners;
+  for (int v = 0; v < 72; ++v)
+    if (v % 9 != 8) corners.insert(corners.end(), {v, v + 1, v + 10, v, v + 10, v + 9});
+  MyMesh trial(corners);
+  const restrip::AdapterReport report = restrip::test_adapter(trial, 0);
+  std::printf("%s (%zu flips)\n", restrip::describe(report.broken), report.flips);
+  if (!report.kept()) return 1;
+
   // Six triangles around vertex 0, the first five of them one strip.
   MyMesh mesh({0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 6, 0, 6, 1});
   for (int t = 0; t < 4; ++t) mesh.set_solid(3 * t + 2, true);
