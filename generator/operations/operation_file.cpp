@@ -208,6 +208,11 @@ Preference preference_from(const JsonValue& value, const Side& after) {
 NamedOperation parse_operation(const std::string& file, const std::string& text) {
   const Json json = json_of(file, text);
   const JsonValue top(file, text, json);
+  if (top.has("take"))
+    top["take"].refuse(
+        "a dashed port stays dashed: whether it may become solid depends on the triangle behind it, which no rule "
+        "sees; "
+        "describe that triangle as part of the patch");
   top.expect_members({"restrip_operation", "name", "about", "constraint", "before", "after", "give_up", "cost"});
   static_cast<void>(top["restrip_operation"].number(1, 1, "a version of the format"));
   NamedOperation named;

@@ -99,6 +99,7 @@ TEST(OperationFiles, AreRefusedWithTheLine) {
       {"[0, 0, 1, 1]", "[0, 0, 0, 1]", "b.json:5: before.ports[2]: triangle 0 has more than three"},
       {"[0, 0, 1, 1]", "[]", "b.json:5: before.ports: expected 1 to 8 ports"},
       {"[0, 1, 2, 3]}", "[0, 1, 2]}", "b.json:6: after.ports: expected as many ports as before"},
+      {"\"give_up\": \"none\"", "\"take\": \"all\"", "b.json:7: take: a dashed port stays dashed: whether it may"},
       {"\"give_up\": \"none\"", "\"name\": \"b\"", "b.json: the member \"name\" is there twice"},
       {"\"none\"", "\"some\"", "b.json:7: give_up: expected \"none\""},
       {"\"none\"", "[0, 4]", "b.json:7: give_up[1]: expected a port from 0 to 3"},

@@ -131,6 +131,8 @@ bool may_have_reasons(const OperationFile& operation) {
 OperationFile parse_operation_file(const std::string& file, std::string_view text) {
   const Json json = parse_json(file, text);
   const JsonValue whole(file, json, {});
+  if (const std::optional<JsonValue> take = whole.member("take"))
+    take->fail_found("no port can be taken, since a rule does not see the triangle behind a dashed port");
   whole.expect_object({"restrip_operation", "name", "about", "constraint", "before", "after", "give_up", "cost"});
   const JsonValue version = whole.required("restrip_operation");
   if (!version.is_integer(1)) version.fail("1, the version of the format");

@@ -87,6 +87,8 @@ TEST(OperationFile, DefaultsAreThoseOfThePage) {
 TEST(OperationFile, MembersAreRequiredKnownAndOfTheirTypes) {
   expect_complaint("  \"name\": \"two\",\n", "", "f:1:1: expected a member \"name\"");
   expect_complaint("\"triangles\": 2, ", "", "f:5:13: before: expected a member \"triangles\"");
+  expect_complaint("\"name\"", "\"take\": [0], \"name\"",
+                   "f:3:11: take: no port can be taken, since a rule does not see");
   expect_complaint("\"name\"", "\"nmae\"", "f:3:3: nmae: unknown member, expected restrip_operation, name,");
   expect_complaint("\"edges\"", "\"edge\"", "f:5:30: before.edge: unknown member, expected triangles, edges, ports");
   expect_complaint("\"name\": \"two\"", "\"name\": \"two\", \"name\": \"three\"",
