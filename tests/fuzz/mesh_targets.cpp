@@ -183,23 +183,32 @@ std::string ply_of_strips() {
   return strip_bytes({shape.points, indices, shape.triangles}, ".ply");
 }
 
+Soup textured_sheet() {
+  Soup shape = sheet(2);
+  shape.attributes = {{"NORMAL"},
+                      {"TEXCOORD_0", ComponentType::unsigned_short, 2, true},
+                      {"COLOR_0", ComponentType::unsigned_byte, 4, true}};
+  for (std::size_t v = 0; v < shape.points.size(); ++v) {
+    shape.attributes[0].append({0, 0, 1, 0});
+    shape.attributes[1].append({static_cast<double>(v), 65535, 0, 0});
+    shape.attributes[2].append({static_cast<double>(v), 255, 0, 7});
+  }
+  return shape;
+}
+
 std::string glb_of_strips(GltfPrimitives primitives) {
-  const Soup shape = sheet(2);
+  const Soup shape = textured_sheet();
   StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
   stripify(mesh);
   const std::vector<std::uint32_t> indices = strip_indices(mesh);
-  std::vector<Attribute> attributes{{"NORMAL"}, {"TEXCOORD_0", ComponentType::unsigned_short, 2, true}};
-  for (std::size_t v = 0; v < shape.points.size(); ++v) {
-    attributes[0].append({0, 0, 1, 0});
-    attributes[1].append({static_cast<double>(v), 65535, 0, 0});
-  }
-  return strip_bytes({shape.points, indices, shape.triangles, attributes}, ".glb", primitives);
+  return strip_bytes({shape.points, indices, shape.triangles, shape.attributes}, ".glb", primitives);
 }
 
 }  // namespace
 
 std::vector<Target> mesh_targets() {
   const Soup shape = sheet(2);
+  const Soup textured = textured_sheet();
   const ProgressiveMesh moved = simplify(sheet(3), {0.2, BoundaryPolicy::move}).mesh;
   const ProgressiveMesh locked = simplify(sheet(4), {0.5, BoundaryPolicy::lock}).mesh;
   std::vector<std::string> pms{pm_bytes(moved), pm_bytes(locked), hoppe_pm()};
@@ -211,11 +220,31 @@ std::vector<Target> mesh_targets() {
   const auto soup = [](auto read) {
     return refusing([read](std::string_view bytes) { return play(read(bytes, "f")); });
   };
+  // What was read is written, and read with as many attributes of the same length.
+  const auto with_attributes = [](auto read) {
+    return refusing([read](std::string_view bytes) {
+      Soup found = read(bytes, "f", ReadAttributes::yes);
+      for (const char* extension : {".obj", ".ply"}) {
+        const std::string written = mesh_bytes(found, extension);
+        const Soup again = extension == std::string_view(".obj") ? read_obj(written, "g", ReadAttributes::yes)
+                                                                 : read_ply(written, "g", ReadAttributes::yes);
+        promise(again.attributes.size() == found.attributes.size() && again.left_out_attributes.empty(),
+                "attributes that are written are read");
+        for (const Attribute& attribute : again.attributes)
+          promise(attribute.bytes.size() == again.points.size() * attribute.value_bytes(), "each point has a value");
+      }
+      return play(std::move(found));
+    });
+  };
   return {
       {"obj",
        {mesh_bytes(shape, ".obj"),
-        "# c\nv 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nv 1 1 0.5e-1\nvt 0 1\nf 1/2/3 2//1 \\\n3\nf -1 -2 -3\nf 1 2 3 4\nl 1 2\n"},
-       soup(read_obj),
+        "# c\nv 0 0 0\nv 1 0 0\nv 0 1 0 1.0\nv 1 1 0.5e-1\nvt 0 1\nvt 1 1\nvn 0 0 1\nvn 0 1 0\nvn 1 0 0\nf 1/2/3 2//1 "
+        "\\\n3\nf -1 -2 -3\nf 1 2 3 4\nl 1 2\n",
+        mesh_bytes(textured, ".obj"),
+        "v 0 0 0 1 0 0.5\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0\nvt 0 1\nvt .5\nvn 0 0 1\nf 1/1/1 2/-1/-1 3/1/1\nf 2/1/1 1/1/1 "
+        "3/2/1\n"},
+       with_attributes(read_obj),
        10000},
       {"off",
        {mesh_bytes(shape, ".off"), "COFF # c\n4 2 0\n0 0 0 1 1 1 1\n1 0 0\n0 1 0\n\n1 1 0.5\n3 0 1 2 9\n4 0 1 3 2\n"},
@@ -226,8 +255,14 @@ std::vector<Target> mesh_targets() {
         "ply\nformat ascii 1.0\ncomment c\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element edge 1\nproperty int a\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 "
         "0 0\n0 1 0\n7\n3 0 1 2\n",
-        ply_of_strips()},
-       soup(read_ply),
+        ply_of_strips(), mesh_bytes(textured, ".ply"),
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty "
+        "double "
+        "u\nproperty double v\nproperty ushort diffuse_red\nproperty ushort diffuse_green\nproperty ushort "
+        "diffuse_blue\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 0 1 9 9 9\n1 0 0 1 1 "
+        "0 0 "
+        "65535\n0 1 0 .5 0 1 2 3\n3 0 1 2\n"},
+       with_attributes(read_ply),
        10000},
       {"stl",
        {binary_stl,

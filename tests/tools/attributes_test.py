@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Claims: `restrip stripify` and `convert` draw the oriented triangles of a textured glTF file, each corner with all its
-attributes in the encoding that it came in; `--weld` joins vertices that agree in everything and no others; nodes move normals
+attributes in the encoding that it came in; through OBJ and PLY normals, texture coordinates and colours come back; `--weld` joins vertices that agree in everything and no others; nodes move normals
 and tangents as they move the surface; what is left out is named, and a damaged attribute is refused. The files are made and
 read here, with no code of restrip's.
 
@@ -15,7 +15,7 @@ import sys
 
 from gltf_maker import BYTE, FLOAT, SHORT, UBYTE, USHORT, File
 from program import Program
-from strip_readers import corners_of_glb, glb, obj
+from strip_readers import corners_of_glb, drawn_obj, drawn_ply, glb, obj, parts_of_glb
 from textured import N, cross, cube, save, sphere, unit
 
 run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
@@ -115,7 +115,7 @@ assert {v[0][0] for t in corners_of_glb(scratch / "out.glb") for c in t for v in
 
 # What is left out is named: by formats without attributes, and by everything that changes the mesh.
 source = save(sphere(), scratch / "sphere.glb")
-for arguments in (("convert", source, "-o", scratch / "out.obj"), ("stripify", source, "-o", scratch / "out.ply"),
+for arguments in (("convert", source, "-o", scratch / "out.off"), ("stripify", source, "-o", scratch / "out.bin"),
                   ("simplify", source, "--weld", "--base", 0.5, "-o", scratch / "out.pm"),
                   ("bake", source, "--weld", "--base", 0.5, "-o", scratch / "out.baked"),
                   ("replay", source, "--weld", "--base", 0.5, "--repeats", 0)):
@@ -124,14 +124,138 @@ for arguments in (("convert", source, "-o", scratch / "out.obj"), ("stripify", s
     told = json.loads(run(*arguments, "--json", "-").stdout)
     assert sorted(told["left_out_attributes"]) == ["COLOR_0", "NORMAL", "TEXCOORD_0"], told
 assert "left out:" not in run("stats", source).stdout
-(scratch / "in.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n")
-assert "left out: texture coordinates, normals\n" in run("convert", scratch / "in.obj", "-o", scratch / "out.glb").stdout
-(scratch / "in.ply").write_text("ply\nformat ascii 1.0\nelement vertex 3\n" + "".join(
-    f"property float {name}\n" for name in "x y z nx ny nz red green blue".split()) +
-    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0 0 0 1 1 1 1\n1 0 0 0 0 1 1 1 1\n"
-    "0 1 0 0 0 1 1 1 1\n3 0 1 2\n")
-assert "left out: normals, colours\n" in run("convert", scratch / "in.ply", "-o", scratch / "out.obj").stdout
-assert len(obj(scratch / "out.obj")[1]) == 1
+
+# Through OBJ and PLY.
+MOST = {UBYTE: 255, USHORT: 65535}
+
+
+def by_places(triangles):
+    """By the places of their corners; the other values as tuples, by name."""
+    made = {}
+    for t in triangles:
+        at = min(range(3), key=lambda i: t[i]["POSITION"])
+        t = t[at:] + t[:at]
+        places = tuple(struct.unpack("<3f", struct.pack("<3f", *c["POSITION"])) for c in t)
+        assert places not in made
+        made[places] = [{name: value for name, value in c.items() if name != "POSITION"} for c in t]
+    return made
+
+
+def meant(corners):
+    """Triangles of corners_of_glb, whole numbers as the fractions that they stand for, without what only glTF has."""
+    return [[{kind[0]: tuple(x / MOST[kind[2]] if kind[3] else x for x in values) for kind, *values in c
+              if kind[0] in ("POSITION", "NORMAL", "TEXCOORD_0", "COLOR_0")} for c in t] for t in corners]
+
+
+def expect_near(found, wanted):
+    """Within a 24th of a bit of single precision: both formats count texture coordinates from below."""
+    assert found.keys() == wanted.keys()
+    for places, corners in found.items():
+        for one, other in zip(corners, wanted[places], strict=True):
+            assert one.keys() == other.keys(), (one, other)
+            for name, value in one.items():
+                assert len(value) == len(other[name]) and max(map(abs, minus(value, other[name]))) < 2e-7, (name, value, other)
+
+
+for name, file, places in (("cube", cube(), 6 * N * N + 2), ("sphere", sphere(), 14 * 8 + 2)):
+    source = save(file, scratch / f"{name}.glb")
+    corners = corners_of_glb(source)
+    used, wanted = {c for t in corners for c in t}, by_places(meant(corners))
+    doc, accessor = parts_of_glb(source)
+    rows = [[flat[i:i + len(flat) // about["count"]] for i in range(0, len(flat), len(flat) // about["count"])]
+            for about, _, flat in (accessor(doc["meshes"][0]["primitives"][0]["attributes"][n]) for n in ("POSITION", "COLOR_0"))]
+    colors = set(zip(*rows, strict=True))
+    others = {"cube": "left out: tangents, texture coordinates, _ROOM\n", "sphere": ""}[name]
+    for command in ("convert", "stripify"):
+        out = {end: scratch / f"{name}-{command}.{end}" for end in ("obj", "ply")}
+        for path in out.values():
+            told = run(command, source, "-o", path).stdout
+            assert others in told and ("left out:" in told) == bool(others), told
+        triangles, lines = drawn_obj(out["obj"])
+        expect_near(by_places(triangles), wanted)
+        # A place is one `v` for each of its colours, however many normals and texture coordinates it has.
+        assert lines["v"] == len(colors) and lines["vn"] < len(rows[0]) >= lines["vt"]
+        triangles, types = drawn_ply(out["ply"])
+        kinds = {kind for t in corners for c in t for kind, *_ in c if kind[0] == "COLOR_0"}
+        assert [types[c] for c in ("red", "green", "blue")] == ["uchar"] * 3
+        assert ("alpha" in types) == (kinds == {("COLOR_0", "VEC4", UBYTE, True)}), kinds
+        expect_near(by_places([[c | {"COLOR_0": tuple(x / 255 for x in c["COLOR_0"])} for c in t] for t in triangles]), wanted)
+
+        # And back; from then on nothing changes any more.
+        for end, path in out.items():
+            back, again, third = (scratch / f"{name}-{end}-{i}.{e}" for i, e in ((1, "glb"), (2, end), (3, "glb")))
+            for one, other in ((path, back), (back, again), (again, third)):
+                assert "left out:" not in run(command, one, "-o", other).stdout
+            expect_near(by_places(meant(corners_of_glb(back))), wanted)
+            assert corners_of_glb(back) == corners_of_glb(third)
+            assert {v for t in corners_of_glb(back) for c in t for v in c if v[0][0] == "COLOR_0"} == {
+                v for t in corners for c in t for v in c if v[0][0] == "COLOR_0"} or end == "obj"
+            assert len({c for t in corners_of_glb(back) for c in t}) == len(used)
+            # By places alone the seams are gone, as they are with glTF.
+            run("stripify", path, "--no-attributes", "--weld", "-o", scratch / "out.glb")
+            assert len(glb(scratch / "out.glb")[0]) == places
+
+
+def values(lines, end, *others):
+    """The one triangle of a file, by names: the values of its three corners in a GLB."""
+    (scratch / f"in.{end}").write_text(lines)
+    told = run("convert", scratch / f"in.{end}", "-o", scratch / "out.glb").stdout
+    (line,) = [line for line in told.splitlines() if line.startswith("left out:")] or [""]
+    assert line == "".join(f"left out: {other}" for other in others), told
+    doc, accessor = parts_of_glb(scratch / "out.glb")
+    found = {}
+    for name, number in doc["meshes"][0]["primitives"][0]["attributes"].items():
+        about, _, flat = accessor(number)
+        assert about.get("normalized", False) == (about["componentType"] != FLOAT)
+        found[name] = list(zip(*[iter(flat)] * (len(flat) // about["count"])))
+    return found
+
+
+P = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+V = "vt 0 0.25\nvt 1 0\nvt 0.5\nvn 0 0 2\nvn 1 0 0\n"
+assert values(P + V + "f 1/1/1 2/2/2 3/3/1\n", "obj") == values(P + V + "f -3/-3/-2 -2/-2/-1 -1/-1/-2\n", "obj") == {
+    "POSITION": [(0, 0, 0), (1, 0, 0), (0, 1, 0)], "NORMAL": [(0, 0, 1), (1, 0, 0), (0, 0, 1)],
+    "TEXCOORD_0": [(0, 0.75), (1, 1), (0.5, 1)]}
+# Other pairs of a `v` come behind it.
+assert values(P + V + "f 1/1 2/1 3/1\nf 1/2 2/2 3/1\n", "obj", "normals") == {
+    "POSITION": [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 0), (1, 0, 0)],
+    "TEXCOORD_0": [(0, 0.75)] * 3 + [(1, 1)] * 2}
+assert values(P + V + "f 1//1 2//2 3//1\nf 3/1/1 2/1/1 1/1/1\n", "obj", "texture coordinates").keys() == {"POSITION", "NORMAL"}
+assert values(P + V + "f 1/1 2 3/1\n", "obj", "texture coordinates, normals").keys() == {"POSITION"}
+assert values("v 0 0 0 1 0 0.5\nv 1 0 0 0 1 0\nv 0 1 0 1 1 1\nf 1 2 3\n", "obj")["COLOR_0"] == [(1, 0, 0.5), (0, 1, 0), (1, 1, 1)]
+assert values("v 0 0 0 1 0 0 0\nv 1 0 0 0 1 0 1\nv 0 1 0 1 1 1 0\nf 1 2 3\n", "obj")["COLOR_0"][0] == (1, 0, 0, 0)
+assert values("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n", "obj").keys() == {"POSITION"}
+assert values("v 0 0 0 1 1 1\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "obj", "colours").keys() == {"POSITION"}
+assert values("v 0 0 0\nv 1 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n", "obj", "colours").keys() == {"POSITION"}
+
+
+def ply_text(properties, rows, *others):
+    return values("ply\nformat ascii 1.0\nelement vertex 3\n" + "".join(
+        f"property {kind} {name}\n" for kind, names in (("float", "x y z"), *properties) for name in names.split()) +
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+        "".join(f"{place} {row}\n" for place, row in zip(("0 0 0", "1 0 0", "0 1 0"), rows)) + "3 0 1 2\n", "ply", *others)
+
+
+assert ply_text([("double", "nx ny nz"), ("uchar", "red green blue")], ["0 0 3 1 2 3", "0 1 0 4 5 6", "1 0 0 7 8 255"]) == {
+    "POSITION": [(0, 0, 0), (1, 0, 0), (0, 1, 0)], "NORMAL": [(0, 0, 1), (0, 1, 0), (1, 0, 0)],
+    "COLOR_0": [(1, 2, 3), (4, 5, 6), (7, 8, 255)]}
+for u, v in (("s", "t"), ("u", "v"), ("texture_u", "texture_v")):
+    assert ply_text([("float", f"{u} {v}")], ["0 0", "1 0.25", "0 1"])["TEXCOORD_0"] == [(0, 1), (1, 0.75), (0, 0)]
+assert ply_text([("ushort", "diffuse_red diffuse_green diffuse_blue diffuse_alpha")], ["0 1 2 3", "9 9 9 9", "1 1 1 65535"])[
+    "COLOR_0"] == [(0, 1, 2, 3), (9, 9, 9, 9), (1, 1, 1, 65535)]
+for properties, said in (([("float", "nx ny")], "normals"), ([("int", "nx ny nz")], "normals"), ([("float", "s")], "texture coordinates"),
+                         ([("uchar", "red green"), ("float", "blue")], "colours"), ([("int", "red green blue")], "colours")):
+    row = " ".join(["1"] * sum(len(names.split()) for _, names in properties))
+    assert ply_text(properties, [row] * 3, said).keys() == {"POSITION"}
+for properties, row, words in (([("float", "nx ny nz")], "0 0 inf", "vertex 0 has normals that are infinite or not a number"),
+                               ([("uchar", "red green blue")], "1 2 256", "vertex 0 has a colour 256, which is none of 0 to 255"),
+                               ([("ushort", "red green blue")], "1 2 0.5", "vertex 0 has a colour 0.5")):
+    try:
+        ply_text(properties, [row] * 3)
+    except AssertionError as refusal:
+        assert words in str(refusal), refusal
+    else:
+        raise AssertionError(words)
 
 
 # Damaged ones.

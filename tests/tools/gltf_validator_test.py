@@ -117,6 +117,11 @@ for name, shape in (("cube", cube()), ("sphere", sphere())):  # with attributes
         written = scratch / f"{name}-{mode}.glb"
         run("stripify", source, "-o", written, "--gltf", mode)
         (with_restarts if mode == "restart" else plain).append(written)
+# Normals, texture coordinates and colours that came through other formats.
+for end in ("obj", "ply"):
+    run("convert", scratch / "cube.glb", "-o", scratch / f"cube.{end}")
+    run("convert", scratch / f"cube.{end}", "-o", scratch / f"cube-{end}.glb")
+    plain.append(scratch / f"cube-{end}.glb")
 # A baked mesh: viewers need to know nothing of its extension.
 for mode in ("strips", "list"):
     written = scratch / f"baked-{mode}.glb"

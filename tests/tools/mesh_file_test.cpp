@@ -21,6 +21,11 @@ namespace {
 
 using Reader = Soup (*)(std::string_view, const std::string&);
 
+Soup bare_obj(std::string_view bytes, const std::string& name) { return read_obj(bytes, name); }
+Soup bare_ply(std::string_view bytes, const std::string& name) { return read_ply(bytes, name); }
+Soup full_obj(std::string_view bytes, const std::string& name) { return read_obj(bytes, name, ReadAttributes::yes); }
+Soup full_ply(std::string_view bytes, const std::string& name) { return read_ply(bytes, name, ReadAttributes::yes); }
+
 std::string refusal(Reader read, std::string_view bytes) {
   try {
     (void)read(bytes, "some.file");
@@ -68,16 +73,33 @@ TEST(Obj, LinesMayEndInAnyWayAndGoOn) {
 }
 
 TEST(Obj, Refusals) {
-  expect_refused(read_obj, "", "no vertices");
-  expect_refused(read_obj, "v 0 0 0\nv 1 0 0\n", "no triangles");
-  expect_refused(read_obj, "v 0 0 0\nv 1 0\n", ":2: a vertex needs three numbers");
-  expect_refused(read_obj, "v 0 0 nan\n", "infinite or not a number");
-  expect_refused(read_obj, "v 0 0 1e300\n", "infinite or not a number");
-  expect_refused(read_obj, "v 0 0 0\nf 0 1 1\n", "counted from 1");
-  expect_refused(read_obj, "v 0 0 0\nf -2 1 1\n", "is no vertex");
-  expect_refused(read_obj, "v 0 0 0\nf 1 1 x\n", "is no vertex");
-  expect_refused(read_obj, "v 0 0 0\nf 1 1 2\n", "refers to vertex 1 (counted from 0), but there are 1");
-  expect_refused(read_obj, "v 0 0 0\nf 1 1 99999999999999999999\n", "is no vertex");
+  expect_refused(bare_obj, "", "no vertices");
+  expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\n", "no triangles");
+  expect_refused(bare_obj, "v 0 0 0\nv 1 0\n", ":2: a vertex needs three numbers");
+  expect_refused(bare_obj, "v 0 0 nan\n", "infinite or not a number");
+  expect_refused(bare_obj, "v 0 0 1e300\n", "infinite or not a number");
+  expect_refused(bare_obj, "v 0 0 0\nf 0 1 1\n", "counted from 1");
+  expect_refused(bare_obj, "v 0 0 0\nf -2 1 1\n", "is no vertex");
+  expect_refused(bare_obj, "v 0 0 0\nf 1 1 x\n", "is no vertex");
+  expect_refused(bare_obj, "v 0 0 0\nf 1 1 2\n", "refers to vertex 1 (counted from 0), but there are 1");
+  expect_refused(bare_obj, "v 0 0 0\nf 1 1 99999999999999999999\n", "is no vertex");
+}
+
+TEST(Obj, RefusalsOfAttributes) {
+  const std::string two = "v 0 0 0\nv 1 0 0\n";
+  expect_refused(full_obj, two + "f 1 2 3\n", "refers to vertex 2 (counted from 0), but there are 2");
+  // What comes behind as another vertex is no vertex of the file.
+  expect_refused(full_obj, two + "vt 0 0\nvt 1 1\nf 1/1 1/2 2/1\nf 3/1 1/2 2/2\n", "refers to vertex 2");
+  expect_refused(full_obj, two + "vt 0\nf 1/1 2/2 1/1\n", "refers to `vt` 2 (counted from 1), but there are 1");
+  expect_refused(full_obj, two + "vn 0 0 1\nf 1//1 2//3 1//1\n", "refers to `vn` 3 (counted from 1), but there are 1");
+  expect_refused(full_obj, two + "vn 0 1\n", ":3: a `vn` of 2 numbers needs 3");
+  expect_refused(full_obj, two + "vt\n", ":3: a `vt` of 0 numbers needs 1");
+  expect_refused(full_obj, two + "vn 0 nan 1\n", ":3: 'nan' is no number that is finite");
+  expect_refused(full_obj, two + "vt 0 x\n", ":3: 'x' is no number that is finite");
+  expect_refused(full_obj, "v 0 0 0 1 1 1e99\n", ":1: '1e99' is no number that is finite");
+  expect_refused(full_obj, two + "vt 0 0\nf 1/0 2/1 1/1\n", "'1/0' is no vertex");
+  expect_refused(full_obj, two + "vt 0 0\nf 1/-2 2/1 1/1\n", "'1/-2' is no vertex");
+  expect_refused(full_obj, two + "vn 0 0 1\nf 1//z 2/1 1/1\n", "'1//z' is no vertex");
 }
 
 TEST(Off, CommentsAndColoursAreSteppedOver) {
@@ -119,6 +141,21 @@ TEST(Ply, TextWithOtherProperties) {
   EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}}));
 }
 
+TEST(Ply, AttributesOfSomeVerticesAreLeftOut) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  const std::string rest =
+      "element vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int "
+      "vertex_index\nend_header\n0 0 9 1 2 3\n1 0 9 1 2 3\n0 1 9\n3 0 1 2\n";
+  const Soup soup = full_ply(header + colors + rest, "f");
+  EXPECT_EQ(soup.points.size(), 3U);
+  EXPECT_TRUE(soup.attributes.empty());
+  EXPECT_EQ(soup.left_out_attributes, std::vector<std::string>{"COLOR_0"});
+  expect_refused(full_ply, header + colors + "end_header\n0 0 9 1 2 3\n1 0 9 1 2 256\n",
+                 "vertex 1 has a colour 256, which is none of 0 to 255");
+}
+
 std::string ply_binary(bool big) {
   std::string bytes = fmt::format(
       "ply\nformat binary_{}_endian 1.0\nelement material 1\nproperty list uchar short ids\nelement vertex 3\nproperty "
@@ -147,7 +184,7 @@ TEST(Ply, EveryPrefixIsRefused) {
   for (const bool big : {false, true}) {
     const std::string whole = ply_binary(big);
     for (std::size_t size = 0; size < whole.size(); ++size)
-      EXPECT_NE(refusal(read_ply, std::string_view(whole).substr(0, size)), "") << size;
+      EXPECT_NE(refusal(bare_ply, std::string_view(whole).substr(0, size)), "") << size;
   }
 }
 
@@ -156,20 +193,20 @@ TEST(Ply, Refusals) {
     std::string text(ply_text);
     return text.replace(text.find(what), what.size(), instead);
   };
-  expect_refused(read_ply, "", "does not begin with `ply`");
-  expect_refused(read_ply, "ply\nformat ascii 1.0\n", "ends before `end_header`");
-  expect_refused(read_ply, "ply\nend_header\n", "no `format` line");
-  expect_refused(read_ply, with("ascii", "ebcdic"), ":2: unknown format");
-  expect_refused(read_ply, with("element vertex 3", "element vertex 3000000000"), "more than its remaining");
-  expect_refused(read_ply, with("element vertex 3", "element vertex many"), "without a count");
-  expect_refused(read_ply, with("double z", "quad z"), "unknown type 'quad'");
-  expect_refused(read_ply, with("double z", "double w"), "no property `z`");
-  expect_refused(read_ply, with("list uchar", "list float"), "must be an integer");
-  expect_refused(read_ply, with("7 3 0 1 2", "7 3000 0 1 2"), "a list `vertex_index` of length 3000");
-  expect_refused(read_ply, with("7 3 0 1 2", "7 3 0 1 -2"), "which is no vertex");
-  expect_refused(read_ply, with("7 3 0 1 2", "7 3 0 1 5"), "refers to vertex 5");
-  expect_refused(read_ply, with("7 3 0 1 2", "7 3 0 1"), "ends among the faces");
-  expect_refused(read_ply, with("comment c", "commend c"), "unknown keyword");
+  expect_refused(bare_ply, "", "does not begin with `ply`");
+  expect_refused(bare_ply, "ply\nformat ascii 1.0\n", "ends before `end_header`");
+  expect_refused(bare_ply, "ply\nend_header\n", "no `format` line");
+  expect_refused(bare_ply, with("ascii", "ebcdic"), ":2: unknown format");
+  expect_refused(bare_ply, with("element vertex 3", "element vertex 3000000000"), "more than its remaining");
+  expect_refused(bare_ply, with("element vertex 3", "element vertex many"), "without a count");
+  expect_refused(bare_ply, with("double z", "quad z"), "unknown type 'quad'");
+  expect_refused(bare_ply, with("double z", "double w"), "no property `z`");
+  expect_refused(bare_ply, with("list uchar", "list float"), "must be an integer");
+  expect_refused(bare_ply, with("7 3 0 1 2", "7 3000 0 1 2"), "a list `vertex_index` of length 3000");
+  expect_refused(bare_ply, with("7 3 0 1 2", "7 3 0 1 -2"), "which is no vertex");
+  expect_refused(bare_ply, with("7 3 0 1 2", "7 3 0 1 5"), "refers to vertex 5");
+  expect_refused(bare_ply, with("7 3 0 1 2", "7 3 0 1"), "ends among the faces");
+  expect_refused(bare_ply, with("comment c", "commend c"), "unknown keyword");
 }
 
 // A turn the other way is a repeated index; what draws nothing is no triangle.
@@ -190,11 +227,11 @@ TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
   EXPECT_EQ(strips("9 8 0 1 2 -1 2 1 3 -1\n9 2 0 1\n9 3 2 3 4\n"),
             (std::vector<std::uint32_t>{0, 1, 2, strip_end, 2, 1, 3, strip_end, 2, 3, 4}));
   EXPECT_EQ(strips("9 5 0 1 2 1 3\n"), (std::vector<std::uint32_t>{0, 1, 2, 1, 3}));
-  expect_refused(read_ply, with("9 5 0 1 2 2 6\n"), "refers to vertex 6");
-  expect_refused(read_ply, with("9 3 0 1 6\n"), "refers to vertex 6");
-  expect_refused(read_ply, with("9 3 0 1 -2\n"), "strip list 0 has a corner -2, which is no vertex");
-  expect_refused(read_ply, with("9 3 0 1\n"), "ends among the strips");
-  expect_refused(read_ply, with("9 2 0 1\n"), "no triangles");
+  expect_refused(bare_ply, with("9 5 0 1 2 2 6\n"), "refers to vertex 6");
+  expect_refused(bare_ply, with("9 3 0 1 6\n"), "refers to vertex 6");
+  expect_refused(bare_ply, with("9 3 0 1 -2\n"), "strip list 0 has a corner -2, which is no vertex");
+  expect_refused(bare_ply, with("9 3 0 1\n"), "ends among the strips");
+  expect_refused(bare_ply, with("9 2 0 1\n"), "no triangles");
 }
 
 std::string stl_binary(const Soup& soup) {

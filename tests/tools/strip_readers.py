@@ -44,6 +44,59 @@ def obj(path):
     return points, sorted(triangles)
 
 
+def drawn_obj(path):
+    """Triangles by corners; a corner is the values of its `v` (with colours), `vt` (turned, as glTF counts) and `vn`. And how
+    many lines of each there are."""
+    lists, triangles = {"v": [], "vt": [], "vn": []}, []
+    for line in path.read_text().splitlines():
+        keyword, *words = line.split()
+        if keyword == "f":
+            triangles.append([[lists[name][int(part) - 1] if part else None
+                               for name, part in zip(lists, (word + "//").split("/"))] for word in words])
+        else:
+            lists[keyword].append(tuple(map(float, words)))
+    made = []
+    for corners in triangles:
+        made.append([{name: value for name, value in (
+            ("POSITION", v[:3]), ("COLOR_0", v[3:]), ("TEXCOORD_0", vt and (vt[0], 1 - vt[1])), ("NORMAL", vn)) if value}
+            for v, vt, vn in corners])
+    return made, {name: len(values) for name, values in lists.items()}
+
+
+PLY_TYPES = {"uchar": "B", "ushort": "H", "float": "f", "int": "i", "uint": "I"}
+
+
+def drawn_ply(path):
+    """The same of a binary PLY with faces or strips; whole numbers of colours as they are. And the types of properties."""
+    head, body = path.read_bytes().split(b"end_header\n", 1)
+    lines = head.decode().splitlines()
+    assert lines[:2] == ["ply", "format binary_little_endian 1.0"]
+    types, at = {}, 3
+    while lines[at].startswith("property"):
+        _, kind, name = lines[at].split()
+        types[name] = kind
+        at += 1
+    row = struct.Struct("<" + "".join(PLY_TYPES[kind] for kind in types.values()))
+    count = int(lines[2].removeprefix("element vertex "))
+    vertices = []
+    for values in row.iter_unpack(body[:row.size * count]):
+        named = dict(zip(types, values, strict=True))
+        groups = {"POSITION": "xyz", "NORMAL": ("nx", "ny", "nz"), "TEXCOORD_0": "st", "COLOR_0": ("red", "green", "blue", "alpha")}
+        vertex = {group: tuple(named[name] for name in names if name in named) for group, names in groups.items()}
+        if vertex["TEXCOORD_0"]:
+            vertex["TEXCOORD_0"] = (vertex["TEXCOORD_0"][0], 1 - vertex["TEXCOORD_0"][1])
+        vertices.append({group: value for group, value in vertex.items() if value})
+    body = body[row.size * count:]
+    if lines[at] == "element tristrips 1":
+        (length,) = struct.unpack_from("<i", body)
+        assert len(body) == 4 + 4 * length
+        triangles = drawn(strips_between(struct.unpack_from(f"<{length}i", body, 4), -1))
+    else:
+        assert lines[at + 1] == "property list uchar uint vertex_indices" and len(body) % 13 == 0
+        triangles = [face[1:] for face in struct.iter_unpack("<B3I", body)]
+    return [[vertices[v] for v in t] for t in triangles], types
+
+
 def ply(path):
     head, body = path.read_bytes().split(b"end_header\n", 1)
     lines = head.decode().splitlines()

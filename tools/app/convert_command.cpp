@@ -100,7 +100,7 @@ int run(const ConvertCommand& command) {
     throw BadInput(fmt::format("{}: is no baked mesh; restrip bake makes one", command.mesh.string()));
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
-  if (!holds_attributes(files::extension_of(command.out))) leave_out_attributes(soup, mended);
+  leave_out_attributes(soup, files::extension_of(command.out), mended);
   const Converted made = converted(soup, command);
   out.write(made.bytes);
   nlohmann::ordered_json json{{"vertices", soup.points.size()},

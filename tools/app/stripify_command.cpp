@@ -28,7 +28,7 @@ int run(const StripifyCommand& command) {
   const ReportOutput out(command.json, {command.mesh, command.out});
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
-  if (strip_file && !holds_attributes(files::extension_of(command.out))) leave_out_attributes(soup, mended);
+  if (strip_file) leave_out_attributes(soup, files::extension_of(command.out), mended);
   if (command.as_in_file && soup.strips.empty())
     throw BadInput(
         fmt::format("{}: has no strips (PLY `tristrips`, or strips of glTF); leave out --effort file to make "

@@ -19,7 +19,7 @@
 namespace restrip::tools {
 namespace {
 
-std::span<const Point> base_points(const ProgressiveMesh& mesh) {
+std::span<const Point> points_of_base(const ProgressiveMesh& mesh) {
   return std::span(mesh.points).first(mesh.points.size() - mesh.splits.size());
 }
 
@@ -44,7 +44,7 @@ std::optional<JsonPlace> extension_in(const GltfFile& file) {
   return found;
 }
 
-ReadBeside beside(const std::filesystem::path& file) {
+ReadBeside files_beside(const std::filesystem::path& file) {
   return [&file](const std::string& buffer) { return files::read_whole(file.parent_path() / buffer); };
 }
 
@@ -54,7 +54,7 @@ std::string baked_glb_bytes(std::string_view baked, GltfPrimitives primitives) {
   const BakedMesh mesh = parse_baked(baked, "the baked mesh");
   const std::vector<std::uint32_t> indices = strip_indices(mesh.base);
   const std::vector<Corners> drawn = decode_strips(indices);
-  return glb_bytes({base_points(mesh.mesh), indices, drawn}, primitives, {baked_strips_extension, baked});
+  return glb_bytes({points_of_base(mesh.mesh), indices, drawn}, primitives, {baked_strips_extension, baked});
 }
 
 BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {
@@ -65,7 +65,7 @@ BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, con
   found.baked = parse_baked(found.bytes, fmt::format("{}: the {} in it", name, baked_strips_extension));
   const Soup drawn = read_gltf(bytes, name, beside);
   const ProgressiveMesh& mesh = found.baked.mesh;
-  if (!std::ranges::equal(drawn.points, base_points(mesh)) || in_order(drawn.triangles) != in_order(mesh.base))
+  if (!std::ranges::equal(drawn.points, points_of_base(mesh)) || in_order(drawn.triangles) != in_order(mesh.base))
     throw BadInput(
         fmt::format("{}: draws something else than the base of its {}, so the levels do not fit; remove the extension, "
                     "or write the file anew (restrip bake)",
@@ -81,13 +81,13 @@ bool is_baked_gltf(const std::filesystem::path& file) {
   // Without its name there is no extension, and no need to take the file apart.
   if (bytes.find(baked_strips_extension) == std::string::npos) return false;
   const std::string name = file.string();
-  const ReadBeside buffers = beside(file);
+  const ReadBeside buffers = files_beside(file);
   return extension_in(GltfFile(bytes, name, buffers)).has_value();
 }
 
 BakedBytes read_baked_bytes(const std::filesystem::path& file) {
   std::string bytes = files::read_whole(file);
-  if (files::extension_of(file) != baked_extension) return parse_baked_gltf(bytes, file.string(), beside(file));
+  if (files::extension_of(file) != baked_extension) return parse_baked_gltf(bytes, file.string(), files_beside(file));
   BakedMesh baked = parse_baked(bytes, file.string());
   return {std::move(bytes), std::move(baked)};
 }

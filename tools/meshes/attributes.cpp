@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <string_view>
 
 #include "meshes/little_endian.hpp"
@@ -40,6 +41,15 @@ Attribute::Value Attribute::value(std::size_t vertex) const {
   return found;
 }
 
+Attribute::Value Attribute::meant(std::size_t vertex) const {
+  Value found = value(vertex);
+  if (!normalized) return found;
+  const bool is_signed = type == ComponentType::signed_byte || type == ComponentType::signed_short;
+  const auto most = static_cast<double>((std::uint64_t{1} << (8 * width_of(type) - (is_signed ? 1U : 0U))) - 1);
+  for (double& component : found) component = std::max(component / most, -1.0);
+  return found;
+}
+
 void Attribute::append(const Value& value) {
   for (unsigned c = 0; c < components; ++c) {
     const std::uint32_t bits = type == ComponentType::real
@@ -55,6 +65,21 @@ Attribute selected(const Attribute& attribute, std::span<const std::uint32_t> ve
   made.bytes.reserve(size * vertices.size());
   for (const std::uint32_t v : vertices) made.bytes.append(attribute.bytes, v * size, size);
   return made;
+}
+
+const Attribute* named(std::span<const Attribute> attributes, std::string_view name) {
+  const auto found = std::find_if(attributes.begin(), attributes.end(),
+                                  [name](const Attribute& attribute) { return attribute.name == name; });
+  return found == attributes.end() ? nullptr : &*found;
+}
+
+Attribute::Value unit_normal(const Attribute::Value& normal) {
+  const auto [x, y, z, unused] = normal;
+  const double square = x * x + y * y + z * z;
+  constexpr double nearly = 1e-4;
+  if (std::abs(square - 1) <= nearly || !(square > 0) || !std::isfinite(square)) return normal;
+  const double length = std::sqrt(square);
+  return {x / length, y / length, z / length, 0};
 }
 
 std::string attributes_in_words(std::span<const std::string> names) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace restrip::tools {
@@ -40,6 +41,8 @@ struct Attribute {
   [[nodiscard]] std::size_t value_bytes() const noexcept { return std::size_t{components} * width_of(type); }
   /// The value of a vertex, as it is: not normalised. Components that there are not are 0.
   [[nodiscard]] Value value(std::size_t vertex) const;
+  /// What that stands for: whole numbers that are normalised as 0 to 1, or -1 to 1.
+  [[nodiscard]] Value meant(std::size_t vertex) const;
   /// The value of the next vertex. Every component must be one of the type.
   void append(const Value& value);
   /// The same name and encoding: the values of one may follow those of the other.
@@ -50,6 +53,12 @@ struct Attribute {
 
 /// Of these vertices, in this order.
 [[nodiscard]] Attribute selected(const Attribute& attribute, std::span<const std::uint32_t> vertices);
+
+/// The attribute of this name, or null.
+[[nodiscard]] const Attribute* named(std::span<const Attribute> attributes, std::string_view name);
+
+/// glTF's normals have length one, those of other formats nearly: others are made so. What has no length stays.
+[[nodiscard]] Attribute::Value unit_normal(const Attribute::Value& normal);
 
 /// The same names each once, as a reader knows them: "normals, texture coordinates". Others as they are.
 [[nodiscard]] std::string attributes_in_words(std::span<const std::string> names);

@@ -245,8 +245,9 @@ void add_to(nlohmann::ordered_json& report, const Mended& mended) {
   if (!mended.left_out_attributes.empty()) report["left_out_attributes"] = mended.left_out_attributes;
 }
 
-void leave_out_attributes(const Soup& soup, Mended& mended) {
-  for (const Attribute& attribute : soup.attributes) note(mended.left_out_attributes, attribute.name);
+void leave_out_attributes(const Soup& soup, const std::string& extension, Mended& mended) {
+  for (const Attribute& attribute : soup.attributes)
+    if (!holds_attribute(extension, attribute)) note(mended.left_out_attributes, attribute.name);
 }
 
 std::string hints(std::size_t coincident, std::size_t at_seams, std::size_t inconsistent_edges) {

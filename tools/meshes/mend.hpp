@@ -57,8 +57,8 @@ void orient(Soup& soup, const std::string& name, Mended& mended);
 [[nodiscard]] nlohmann::ordered_json json_of(const Mended& mended);
 /// Adds `mended`, when it was asked for, and `left_out_attributes`, when there are some, to a report.
 void add_to(nlohmann::ordered_json& report, const Mended& mended);
-/// The attributes of the soup are left out as well.
-void leave_out_attributes(const Soup& soup, Mended& mended);
+/// The attributes of the soup that a file with this extension does not hold are left out as well.
+void leave_out_attributes(const Soup& soup, const std::string& extension, Mended& mended);
 /// Sentences that say that mending would help, each with a line feed.
 [[nodiscard]] std::string hints(std::size_t coincident_vertices, std::size_t vertices_at_seams,
                                 std::size_t inconsistent_edges);

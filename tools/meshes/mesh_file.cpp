@@ -8,18 +8,11 @@
 #include "common/bad_input.hpp"
 #include "files/reading.hpp"
 #include "meshes/little_endian.hpp"
-#include "meshes/soup_builder.hpp"
+#include "meshes/write_obj.hpp"
+#include "meshes/write_ply.hpp"
 
 namespace restrip::tools {
 namespace {
-
-std::string obj_of(const Soup& soup) {
-  std::string text;
-  auto out = std::back_inserter(text);
-  for (const Point& p : soup.points) fmt::format_to(out, "v {} {} {}\n", p.x, p.y, p.z);
-  for (const Corners& t : soup.triangles) fmt::format_to(out, "f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1);
-  return text;
-}
 
 std::string off_of(const Soup& soup) {
   std::string text = fmt::format("OFF\n{} {} 0\n", soup.points.size(), soup.triangles.size());
@@ -27,20 +20,6 @@ std::string off_of(const Soup& soup) {
   for (const Point& p : soup.points) fmt::format_to(out, "{} {} {}\n", p.x, p.y, p.z);
   for (const Corners& t : soup.triangles) fmt::format_to(out, "3 {} {} {}\n", t[0], t[1], t[2]);
   return text;
-}
-
-std::string ply_of(const Soup& soup) {
-  std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
-      "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
-      soup.points.size(), soup.triangles.size());
-  bytes.reserve(bytes.size() + 12 * soup.points.size() + 13 * soup.triangles.size());
-  for (const Point& p : soup.points) put(bytes, p);
-  for (const Corners& t : soup.triangles) {
-    bytes.push_back(3);
-    for (const std::uint32_t corner : t) put(bytes, corner);
-  }
-  return bytes;
 }
 
 /// The attribute bytes and the normal are zero: programs compute normals from the corners.
@@ -65,6 +44,11 @@ struct ReadFormat {
 };
 
 const std::vector<ReadFormat>& read_formats() {
+  const auto with_attributes = [](Soup (*read)(std::string_view, const std::string&, ReadAttributes)) -> Reader {
+    return [read](std::string_view bytes, const std::filesystem::path& file, ReadAttributes attributes) {
+      return read(bytes, file.string(), attributes);
+    };
+  };
   const auto alone = [](Soup (*read)(std::string_view, const std::string&)) -> Reader {
     return [read](std::string_view bytes, const std::filesystem::path& file, ReadAttributes /*attributes*/) {
       return read(bytes, file.string());
@@ -74,9 +58,9 @@ const std::vector<ReadFormat>& read_formats() {
     const auto beside = [&file](const std::string& buffer) { return files::read_whole(file.parent_path() / buffer); };
     return read_gltf(bytes, file.string(), beside, attributes);
   };
-  static const std::vector<ReadFormat> formats{{".obj", alone(read_obj)}, {".off", alone(read_off)},
-                                               {".ply", alone(read_ply)}, {".stl", alone(read_stl)},
-                                               {".gltf", gltf},           {".glb", gltf}};
+  static const std::vector<ReadFormat> formats{
+      {".obj", with_attributes(read_obj)}, {".off", alone(read_off)}, {".ply", with_attributes(read_ply)},
+      {".stl", alone(read_stl)},           {".gltf", gltf},           {".glb", gltf}};
   return formats;
 }
 
@@ -110,12 +94,19 @@ Soup read_mesh(const std::filesystem::path& file, ReadAttributes attributes) {
 std::vector<std::string> written_mesh_extensions() { return {".obj", ".off", ".ply", ".stl"}; }
 
 std::string mesh_bytes(const Soup& soup, const std::string& extension) {
-  if (extension == ".obj") return obj_of(soup);
+  if (extension == ".obj") return obj_bytes(soup);
   if (extension == ".off") return off_of(soup);
-  if (extension == ".ply") return ply_of(soup);
+  if (extension == ".ply") return ply_bytes(soup);
   if (extension == ".stl") return stl_of(soup);
   throw BadInput(fmt::format("unknown extension '{}'; meshes are written as {}", extension,
                              fmt::join(written_mesh_extensions(), ", ")));
+}
+
+bool holds_attribute(const std::string& extension, const Attribute& attribute) {
+  if (extension == ".glb") return true;
+  const std::string& name = attribute.name;
+  return (extension == ".obj" || extension == ".ply") &&
+         (name == "NORMAL" || name == "TEXCOORD_0" || name == "COLOR_0");
 }
 
 }  // namespace restrip::tools

@@ -19,8 +19,8 @@ namespace restrip::tools {
 /// The bytes of a file in the folder of the one that names it. Throws when it cannot be read.
 using ReadBeside = std::function<std::string(const std::string& file_name)>;
 
-/// Whether to carry what vertices have beside their places. Only glTF's is; of OBJ and PLY files, and where it is not
-/// asked for, Soup::left_out_attributes says what there was.
+/// Whether to carry what vertices have beside their places: all that is in glTF, and normals, texture coordinates and
+/// colours of OBJ and PLY. Of what is not carried Soup::left_out_attributes says that there was some.
 enum class ReadAttributes { no, yes };
 
 /// The extensions of the formats that are read.
@@ -32,11 +32,15 @@ enum class ReadAttributes { no, yes };
 [[nodiscard]] std::vector<std::string> written_mesh_extensions();
 /// The bytes of a mesh file with this extension, in lower case. Throws BadInput when it is none of those.
 [[nodiscard]] std::string mesh_bytes(const Soup& soup, const std::string& extension);
+/// Whether a file with this extension, of a mesh or of strips (strip_file.hpp), has such an attribute.
+[[nodiscard]] bool holds_attribute(const std::string& extension, const Attribute& attribute);
 
 /// The readers, one a format, on the bytes of a file. `name` is for messages.
-[[nodiscard]] Soup read_obj(std::string_view bytes, const std::string& name);
+[[nodiscard]] Soup read_obj(std::string_view bytes, const std::string& name,
+                            ReadAttributes attributes = ReadAttributes::no);
 [[nodiscard]] Soup read_off(std::string_view bytes, const std::string& name);
-[[nodiscard]] Soup read_ply(std::string_view bytes, const std::string& name);
+[[nodiscard]] Soup read_ply(std::string_view bytes, const std::string& name,
+                            ReadAttributes attributes = ReadAttributes::no);
 /// Corners at exactly the same place become one vertex (STL has no indices).
 [[nodiscard]] Soup read_stl(std::string_view bytes, const std::string& name);
 /// Buffers in files of their own are asked of `beside`.

@@ -1,8 +1,16 @@
-// Wavefront OBJ: `v x y z` and `f c c c …`, a corner being v, v/vt, v//vn or v/vt/vn, counted from 1, or from the
-// end when negative. What vt and vn say is
-// left out and told; all other lines are no business of ours.
+// Wavefront OBJ: `v x y z`, with red, green, blue and alpha behind where a program wrote them, `vt u v`, `vn x y z` and
+// `f c c c …`, a corner being v, v/vt, v//vn or v/vt/vn, counted from 1, or from the end when negative. All other lines
+// are no business of ours.
+//
+// A vertex of the soup is a `v` with one `vt` and one `vn`. The first pair of these that a `v` is used with has the
+// number of the `v`; others come behind, in the order of the faces.
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "common/bad_input.hpp"
@@ -11,44 +19,212 @@
 #include "meshes/text_cursor.hpp"
 
 namespace restrip::tools {
+namespace {
 
-Soup read_obj(std::string_view bytes, const std::string& name) {
-  refuse_long_lines(bytes, name);
-  SoupBuilder soup(name);
-  std::vector<std::uint32_t> corners;
-  const auto coordinate = [&](TextCursor& cursor) {
-    const std::string_view word = cursor.word();
-    const auto number = parse<double>(word);
-    if (!number)
-      throw BadInput(
-          fmt::format("{}:{}: a vertex needs three numbers, found '{}'", name, cursor.line(), word.substr(0, 40)));
-    return *number;
-  };
-  for (TextCursor cursor(bytes); !cursor.at_end(); cursor.next_line()) {
-    const std::string_view keyword = cursor.word();
-    if (keyword == "v") {
-      const double x = coordinate(cursor);
-      const double y = coordinate(cursor);
-      const double z = coordinate(cursor);
-      soup.add_point(x, y, z);
-    } else if (keyword == "vt" || keyword == "vn") {
-      soup.leave_out(keyword == "vt" ? "TEXCOORD_0" : "NORMAL");
-    } else if (keyword == "f" || keyword == "fo") {
-      corners.clear();
-      for (std::string_view word = cursor.word(); !word.empty(); word = cursor.word()) {
-        const auto index = parse<long long>(word.substr(0, word.find('/')));
-        const long long vertex = !index       ? -1
-                                 : *index > 0 ? *index - 1
-                                              : static_cast<long long>(soup.point_count()) + *index;
-        if (!index || *index == 0 || vertex < 0 || vertex > static_cast<long long>(max_vertices))
-          throw BadInput(fmt::format("{}:{}: '{}' is no vertex of the {} before this face; corners are counted from 1",
-                                     name, cursor.line(), word.substr(0, 40), soup.point_count()));
-        corners.push_back(static_cast<std::uint32_t>(vertex));
-      }
-      soup.add_face(corners);
+constexpr std::uint32_t no_value = std::numeric_limits<std::uint32_t>::max();
+
+/// One corner of a face, by places in the lists of the file.
+struct ObjCorner {
+  std::uint32_t point = no_value;
+  std::uint32_t place = no_value;  // in the texture
+  std::uint32_t normal = no_value;
+};
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view bytes, const std::string& name, ReadAttributes attributes)
+      : name_(name), cursor_(bytes), soup_(name), carry_(attributes == ReadAttributes::yes) {}
+
+  Soup read() {
+    for (; !cursor_.at_end(); cursor_.next_line()) {
+      const std::string_view keyword = cursor_.word();
+      if (keyword == "v")
+        read_point();
+      else if (keyword == "vt")
+        read_value("TEXCOORD_0", places_, 1, 2);
+      else if (keyword == "vn")
+        read_value("NORMAL", normals_, 3, 3);
+      else if (keyword == "f" || keyword == "fo")
+        read_face();
     }
+    if (carry_) make_vertices();
+    return std::move(soup_).finish();
   }
-  return std::move(soup).finish();
+
+ private:
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw BadInput(fmt::format("{}:{}: {}", name_, cursor_.line(), why));
+  }
+  double number(const char* what) {
+    const std::string_view word = cursor_.word();
+    const auto found = parse<double>(word);
+    if (!found) refuse(fmt::format("a {}, found '{}'", what, word.substr(0, 40)));
+    return *found;
+  }
+  /// Of a value other than a coordinate.
+  double finite_number(std::string_view word) const {
+    const auto found = parse<double>(word);
+    if (!found || !std::isfinite(static_cast<float>(*found)))
+      refuse(fmt::format("'{}' is no number that is finite", word.substr(0, 40)));
+    return *found;
+  }
+
+  void read_point() {
+    std::array<double, 3> p{};
+    for (double& coordinate : p) coordinate = number("vertex needs three numbers");
+    soup_.add_point(p[0], p[1], p[2]);
+    Attribute::Value color{};
+    unsigned components = 0;
+    for (std::string_view word = cursor_.word(); !word.empty() && components < 4; word = cursor_.word())
+      color[components++] = carry_ ? finite_number(word) : 0;
+    if (components < 3) components = 0;  // one more is a weight
+    if (components != 0 && !carry_) soup_.leave_out("COLOR_0");
+    if (!carry_) return;
+    // All vertices have colours of one kind, or none.
+    if (soup_.point_count() == 1) {
+      colors_.components = components;
+    } else if (components != colors_.components) {
+      if (components != 0 || colors_.components != 0) soup_.leave_out("COLOR_0");
+      colors_.components = 0;
+    }
+    if (colors_.components != 0) colors_.append(color);
+  }
+
+  void read_value(const char* name, std::vector<Attribute::Value>& values, unsigned least, unsigned most) {
+    if (!carry_) {
+      soup_.leave_out(name);
+      return;
+    }
+    Attribute::Value value{};
+    unsigned components = 0;
+    for (std::string_view word = cursor_.word(); !word.empty() && components < most; word = cursor_.word())
+      value[components++] = finite_number(word);
+    if (components < least) refuse(fmt::format("a {} of {} numbers needs {}", attribute_line(name), components, least));
+    if (most == 2) value[1] = 1 - value[1];  // OBJ counts from below
+    values.push_back(most == 3 ? unit_normal(value) : value);
+  }
+  static const char* attribute_line(std::string_view name) { return name == "NORMAL" ? "`vn`" : "`vt`"; }
+
+  /// The place in a list of what is named in a corner; `size` of the list have been read.
+  std::uint32_t place_of(std::string_view word, std::size_t size, std::string_view corner) const {
+    const auto index = parse<long long>(word);
+    const long long place = !index ? -1 : *index > 0 ? *index - 1 : static_cast<long long>(size) + *index;
+    if (!index || *index == 0 || place < 0 || place > static_cast<long long>(max_vertices))
+      refuse(fmt::format("'{}' is no vertex of the {} before this face; corners are counted from 1",
+                         corner.substr(0, 40), size));
+    return static_cast<std::uint32_t>(place);
+  }
+
+  void read_face() {
+    std::vector<std::uint32_t>& corners = face_;
+    corners.clear();
+    for (std::string_view word = cursor_.word(); !word.empty(); word = cursor_.word()) {
+      const std::string_view corner = word;
+      const auto next_part = [&word] {
+        const std::size_t stop = word.find('/');
+        const std::string_view part = word.substr(0, stop);
+        word.remove_prefix(stop == std::string_view::npos ? word.size() : stop + 1);
+        return part;
+      };
+      ObjCorner read{place_of(next_part(), soup_.point_count(), corner)};
+      corners.push_back(carry_ ? static_cast<std::uint32_t>(corners_.size()) : read.point);
+      if (!carry_) continue;
+      if (const std::string_view part = next_part(); !part.empty()) read.place = place_of(part, places_.size(), corner);
+      if (const std::string_view part = next_part(); !part.empty())
+        read.normal = place_of(part, normals_.size(), corner);
+      corners_.push_back(read);
+    }
+    if (!carry_) {
+      soup_.add_face(corners);
+      return;
+    }
+    faces_.push_back(corners.size());
+  }
+
+  /// Whether the corners of all faces have one; told if some have.
+  bool all_have(std::uint32_t ObjCorner::*part, const std::vector<Attribute::Value>& values, const char* name) {
+    std::size_t have = 0;
+    for (const ObjCorner& corner : corners_) {
+      if (corner.*part == no_value) continue;
+      ++have;
+      if (corner.*part >= values.size())
+        throw BadInput(
+            fmt::format("{}: a face refers to {} {} (counted from 1), but there are {}; is the file complete?", name_,
+                        attribute_line(name), std::uint64_t{corner.*part} + 1, values.size()));
+    }
+    const bool all = have == corners_.size() && have != 0;
+    if (!all && !values.empty()) soup_.leave_out(name);
+    return all;
+  }
+
+  void make_vertices() {
+    const bool has_places = all_have(&ObjCorner::place, places_, "TEXCOORD_0");
+    const bool has_normals = all_have(&ObjCorner::normal, normals_, "NORMAL");
+    const std::size_t points = soup_.point_count();
+    // With which values a vertex is drawn. Those that no face has are drawn by nobody, and have the first values.
+    std::vector<ObjCorner> drawn(points);
+    std::map<std::array<std::uint32_t, 3>, std::uint32_t> others;
+    std::size_t at = 0;
+    for (const std::size_t size : faces_) {
+      face_.clear();
+      for (const std::size_t end = at + size; at < end; ++at) {
+        ObjCorner corner = corners_[at];
+        if (!has_places) corner.place = 0;
+        if (!has_normals) corner.normal = 0;
+        if (corner.point >= points)
+          throw BadInput(
+              fmt::format("{}: a face refers to vertex {} (counted from 0), but there are {}; is the file complete?",
+                          name_, corner.point, points));
+        face_.push_back(vertex_of(corner, drawn, others));
+      }
+      soup_.add_face(face_);
+    }
+    if (has_normals) add_values("NORMAL", 3, normals_, &ObjCorner::normal, drawn);
+    if (has_places) add_values("TEXCOORD_0", 2, places_, &ObjCorner::place, drawn);
+    if (colors_.components == 0) return;
+    for (std::size_t v = points; v < drawn.size(); ++v) colors_.append(colors_.value(drawn[v].point));
+    soup_.attributes().push_back(std::move(colors_));
+  }
+
+  std::uint32_t vertex_of(const ObjCorner& corner, std::vector<ObjCorner>& drawn,
+                          std::map<std::array<std::uint32_t, 3>, std::uint32_t>& others) {
+    ObjCorner& first = drawn[corner.point];
+    if (first.point == no_value) first = corner;
+    if (first.place == corner.place && first.normal == corner.normal) return corner.point;
+    const auto [found, is_new] = others.try_emplace(std::array{corner.point, corner.place, corner.normal},
+                                                    static_cast<std::uint32_t>(drawn.size()));
+    if (is_new) {
+      const Point p = soup_.point(corner.point);
+      soup_.add_point(p.x, p.y, p.z);
+      drawn.push_back(corner);
+    }
+    return found->second;
+  }
+
+  void add_values(const char* name, unsigned components, const std::vector<Attribute::Value>& values,
+                  std::uint32_t ObjCorner::*part, const std::vector<ObjCorner>& drawn) {
+    Attribute made{name, ComponentType::real, components};
+    for (const ObjCorner& corner : drawn) made.append(values[corner.point == no_value ? 0 : corner.*part]);
+    soup_.attributes().push_back(std::move(made));
+  }
+
+  const std::string& name_;
+  TextCursor cursor_;
+  SoupBuilder soup_;
+  bool carry_;
+  std::vector<Attribute::Value> places_;
+  std::vector<Attribute::Value> normals_;
+  Attribute colors_{"COLOR_0", ComponentType::real, 0};  // no components: there are none
+  std::vector<ObjCorner> corners_;                       // of all faces
+  std::vector<std::size_t> faces_;                       // how many corners each has
+  std::vector<std::uint32_t> face_;
+};
+
+}  // namespace
+
+Soup read_obj(std::string_view bytes, const std::string& name, ReadAttributes attributes) {
+  refuse_long_lines(bytes, name);
+  return ObjReader(bytes, name, attributes).read();
 }
 
 }  // namespace restrip::tools

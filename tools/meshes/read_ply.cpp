@@ -1,12 +1,15 @@
 // PLY (the Stanford polygon format): text, little-endian and big-endian. Elements `vertex` (x, y, z), `face` and
 // `tristrips` (vertex_indices or vertex_index; in strips -1 begins the next one); all else is stepped over by its
-// declared type. Normals, texture coordinates and colours are told.
+// declared type. Of vertices are carried nx ny nz, s t (or u v, texture_u texture_v), red green blue alpha (or
+// diffuse_red …).
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/bad_input.hpp"
@@ -49,18 +52,31 @@ std::optional<Type> type_named(std::string_view name) {
   return std::nullopt;
 }
 
-/// Properties of vertices that are told, not carried, and how glTF names what they are.
-struct LeftOutProperty {
-  std::string_view of_file;
+/// Properties of vertices that are an attribute, the last one perhaps missing; how glTF names it.
+struct AttributeProperties {
   const char* name;
+  unsigned least;  // components
+  std::array<std::string_view, 4> of_file;
 };
-constexpr LeftOutProperty left_out_properties[]{
-    {"nx", "NORMAL"},   {"s", "TEXCOORD_0"},         {"u", "TEXCOORD_0"},
-    {"red", "COLOR_0"}, {"texture_u", "TEXCOORD_0"}, {"diffuse_red", "COLOR_0"}};
+constexpr AttributeProperties attribute_properties[]{
+    {"NORMAL", 3, {"nx", "ny", "nz"}},
+    {"TEXCOORD_0", 2, {"s", "t"}},
+    {"TEXCOORD_0", 2, {"u", "v"}},
+    {"TEXCOORD_0", 2, {"texture_u", "texture_v"}},
+    {"COLOR_0", 3, {"red", "green", "blue", "alpha"}},
+    {"COLOR_0", 3, {"diffuse_red", "diffuse_green", "diffuse_blue", "diffuse_alpha"}}};
+
+/// How an attribute is carried that the file has in such numbers.
+std::optional<ComponentType> carried_type(const Type& type, std::string_view name) {
+  if (type.kind == Type::Kind::real) return ComponentType::real;
+  if (type.kind == Type::Kind::signed_integer || type.bytes > 2 || name != "COLOR_0") return std::nullopt;
+  return type.bytes == 1 ? ComponentType::unsigned_byte : ComponentType::unsigned_short;
+}
 
 class PlyReader {
  public:
-  PlyReader(std::string_view bytes, const std::string& name) : name_(name), cursor_(bytes), soup_(name) {}
+  PlyReader(std::string_view bytes, const std::string& name, ReadAttributes attributes)
+      : name_(name), cursor_(bytes), soup_(name), carry_(attributes == ReadAttributes::yes) {}
 
   Soup read() {
     read_header();
@@ -207,6 +223,11 @@ class PlyReader {
   }
 
   void read_vertices(const Element& element) {
+    if (soup_.point_count() != 0) {  // more vertices, which may have others
+      for (const Attribute& attribute : soup_.attributes()) soup_.leave_out(attribute.name);
+      soup_.attributes().clear();
+      carry_ = false;
+    }
     std::array<double, 3> xyz{};
     const auto axis_of = [&](const Property& property) -> double* {
       if (property.length || property.name.size() != 1) return nullptr;
@@ -217,18 +238,73 @@ class PlyReader {
       if (std::none_of(element.properties.begin(), element.properties.end(),
                        [&](const Property& property) { return property.name == std::string(1, letter); }))
         refuse(fmt::format("its vertices have no property `{}`", letter));
-    for (const Property& property : element.properties)
-      for (const auto& [of_file, name] : left_out_properties)
-        if (property.name == of_file) soup_.leave_out(name);
+    const std::vector<Component> components = components_of(element);
+    std::vector<Attribute>& attributes = soup_.attributes();
+    std::vector<Attribute::Value> values(attributes.size());
     for (std::size_t i = 0; i < element.count; ++i) {
-      for (const Property& property : element.properties) {
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const Property& property = element.properties[p];
         if (double* coordinate = axis_of(property))
           *coordinate = value(property.type, "vertices");
+        else if (components[p].attribute != no_attribute)
+          values[components[p].attribute][components[p].number] = value(property.type, "vertices");
         else
           skip(property);
       }
       soup_.add_point(xyz[0], xyz[1], xyz[2]);
+      for (std::size_t a = 0; a < attributes.size(); ++a) append(attributes[a], values[a], i);
     }
+  }
+
+  /// What a property of a vertex is.
+  struct Component {
+    std::size_t attribute = no_attribute;  // by its place in the soup
+    unsigned number = 0;
+  };
+  static constexpr std::size_t no_attribute = ~std::size_t{0};
+
+  /// Of each property of the vertices; makes the attributes, or leaves them out.
+  std::vector<Component> components_of(const Element& element) {
+    std::vector<Component> components(element.properties.size());
+    std::vector<Attribute>& made = soup_.attributes();
+    for (const auto& [name, least, of_file] : attribute_properties) {
+      std::vector<std::size_t> found;
+      for (const std::string_view wanted : of_file) {
+        const auto property = std::find_if(element.properties.begin(), element.properties.end(),
+                                           [&](const Property& one) { return one.name == wanted; });
+        if (wanted.empty() || property == element.properties.end()) break;
+        found.push_back(static_cast<std::size_t>(property - element.properties.begin()));
+      }
+      if (found.empty()) continue;
+      const auto& first = element.properties[found[0]];
+      const auto type = carried_type(first.type, name);
+      const bool alike = std::all_of(found.begin(), found.end(), [&](std::size_t p) {
+        const Property& one = element.properties[p];
+        return !one.length && one.type.kind == first.type.kind && one.type.bytes == first.type.bytes;
+      });
+      if (!carry_ || found.size() < least || !type || !alike || named(made, name) != nullptr) {
+        soup_.leave_out(name);
+        continue;
+      }
+      for (unsigned c = 0; c < found.size(); ++c) components[found[c]] = {made.size(), c};
+      made.push_back({name, *type, static_cast<unsigned>(found.size()), *type != ComponentType::real});
+    }
+    return components;
+  }
+
+  void append(Attribute& attribute, Attribute::Value value, std::size_t vertex) const {
+    for (unsigned c = 0; c < attribute.components; ++c)
+      if (!std::isfinite(static_cast<float>(value[c])))
+        refuse(fmt::format("vertex {} has {} that are infinite or not a number; mend or remove it", vertex,
+                           attributes_in_words(std::span(&attribute.name, 1))));
+    if (attribute.type != ComponentType::real)
+      for (unsigned c = 0; c < attribute.components; ++c)
+        if (const double most = attribute.type == ComponentType::unsigned_byte ? 255 : 65535;
+            !(value[c] >= 0) || value[c] > most || value[c] != std::floor(value[c]))
+          refuse(fmt::format("vertex {} has a colour {}, which is none of 0 to {}", vertex, value[c], most));
+    if (attribute.name == "NORMAL") value = unit_normal(value);
+    if (attribute.name == "TEXCOORD_0") value[1] = 1 - value[1];  // PLY counts from below
+    attribute.append(value);
   }
 
   static bool lists_corners(const Property& property) {
@@ -253,6 +329,8 @@ class PlyReader {
   }
 
   void read_faces(const Element& element) {
+    for (const Property& property : element.properties)
+      if (property.name == "texcoord") soup_.leave_out("TEXCOORD_0");  // of corners
     std::vector<std::uint32_t> corners;
     for_each_list(element, [&](std::size_t i, const Property& list) {
       corners.clear();
@@ -286,10 +364,13 @@ class PlyReader {
   Encoding encoding_ = Encoding::text;
   std::vector<Element> elements_;
   SoupBuilder soup_;
+  bool carry_;
 };
 
 }  // namespace
 
-Soup read_ply(std::string_view bytes, const std::string& name) { return PlyReader(bytes, name).read(); }
+Soup read_ply(std::string_view bytes, const std::string& name, ReadAttributes attributes) {
+  return PlyReader(bytes, name, attributes).read();
+}
 
 }  // namespace restrip::tools

@@ -36,6 +36,7 @@ class SoupBuilder {
   /// Values for points to come, or the last ones. At the end each attribute must have as many as there are points.
   [[nodiscard]] std::vector<Attribute>& attributes() noexcept { return soup_.attributes; }
   [[nodiscard]] std::size_t point_count() const noexcept { return soup_.points.size(); }
+  [[nodiscard]] const Point& point(std::size_t number) const { return soup_.points[number]; }
 
   /// The soup. Throws BadInput when a face refers to a vertex that the file does not have, or when there is no
   /// triangle.

@@ -26,14 +26,12 @@ struct StripFile {
   std::span<const Point> points;
   std::span<const std::uint32_t> indices;  ///< restart_index between strips
   std::span<const Corners> triangles;      ///< the same, drawn, in order
-  /// Of the points. Only glTF has them.
+  /// Of the points. The formats have those of which holds_attribute() (mesh_file.hpp) says so.
   std::span<const Attribute> attributes = {};
 };
 
 /// The extensions in which strips are written.
 [[nodiscard]] std::vector<std::string> written_strip_extensions();
-/// Whether a file with this extension has the attributes.
-[[nodiscard]] bool holds_attributes(const std::string& extension);
 /// The bytes of a file with this extension, in lower case. Throws BadInput when it is none of those, and where the
 /// format cannot hold the mesh: glTF and the lists of PLY have less than 2^31 values, and glTF no mesh without
 /// triangles.
