@@ -289,9 +289,8 @@ typedef struct restrip_split_request {
  * and does not depend on `threads` (1: this one alone; 0: as many as the machine runs). No two may overlap: a split
  * takes the triangles of its vertex, a collapse those of both and its apexes (RESTRIP_OVERLAP). `changes` may be null,
  * or has room for `count` and receives what each did. `fault` may be null, or receives after a refusal the place of the
- * request at fault, and that of the earlier one that it is at odds with (else the same). The mesh is copied: O(T) and what the
- * operations cost. A live buffer is written anew by its next update. After any error
- * nothing has changed. */
+ * request at fault, and that of the earlier one that it is at odds with (else the same). The mesh is copied: O(T) and
+ * what the operations cost. A live buffer is written anew by its next update. After any error nothing has changed. */
 RESTRIP_API restrip_status restrip_mesh_split_batch(restrip_mesh* mesh, const restrip_split_request* requests,
                                                     size_t count, uint32_t threads, restrip_change* changes,
                                                     size_t fault[2]);
