@@ -120,8 +120,6 @@ TurnColoring turn_coloring(std::string_view word, Mask links, const TurnWeights&
   return {arc.degrees_legal() && arc.joins_only_what_it_may(), turn_number(arc.arc_case()).value(), arc.cost(weights)};
 }
 
-bool turn_degrees_legal(std::string_view word, Mask links) { return TurningArc(word, links).degrees_legal(); }
-
 TurnCorner corner_at_link(char reach) {
   switch (reach) {
     case 'p':

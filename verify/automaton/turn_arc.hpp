@@ -59,8 +59,6 @@ struct TurnColoring {
 };
 /// With links whose triangles have at most two solid edges the other members are meaningful whatever `sound` says.
 TurnColoring turn_coloring(std::string_view word, Mask links, const TurnWeights& weights);
-/// Whether all triangles have at most two solid edges.
-bool turn_degrees_legal(std::string_view word, Mask links);
 
 /// The corner about which a strip passes the triangle at a link of an arc, by what its strand does there: the hub, the
 /// corner of the rim at the link, or none.
