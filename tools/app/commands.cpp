@@ -85,6 +85,7 @@ int run(const ReplayCommand& command) {
   const Way& way = command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way);
   Plan::Given given;
   given.cost = command.cost;
+  given.handles_along_strips = command.handles_along_strips;
   if (command.states != 0) given.search = {command.states, 0};
   if (source.baked) given.baked = &*source.baked;
   const Plan plan(way, source.mesh, given);

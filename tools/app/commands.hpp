@@ -34,9 +34,10 @@ struct ReplayCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
   ReplayOptions replay;
-  std::string way;             ///< its name; empty: the usual one (ways.hpp)
-  std::uint32_t states = 0;    ///< of each search of a way that searches; 0: its own
-  Cost cost = Cost::strips();  ///< what is kept low
+  std::string way;                   ///< its name; empty: the usual one (ways.hpp)
+  std::uint32_t states = 0;          ///< of each search of a way that searches; 0: its own
+  Cost cost = Cost::strips();        ///< what is kept low
+  bool handles_along_strips = true;  ///< false: in the order of the splits (Plan::Given)
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
   std::filesystem::path out;      ///< where a level is written, with its strips; empty: nowhere
@@ -101,6 +102,7 @@ struct StripifyCommand {
   Cost cost = Cost::strips();
   std::uint64_t limit = 0;  ///< of stripify(), for each triangle; 0: its own
   std::uint64_t seed = 1;
+  bool order_for_cache = false;  ///< strips are written in an order for a vertex cache, not in that of the triangles
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;

@@ -67,6 +67,12 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
          "the index buffer that is kept in step: strips, or a plain list of triangles to compare with")
       ->check(CLI::IsMember({"strips", "list"}))
       ->default_str("strips");
+  sub->add_option_function<std::string>(
+         "--handles", [&command](const std::string& word) { command.handles_along_strips = word == "strips"; },
+         "how triangles lie in memory: along the strips of the finest level, or in the order of the splits to compare "
+         "with; baked strips know the latter alone")
+      ->check(CLI::IsMember({"strips", "splits"}))
+      ->default_str("strips");
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
       ->check(whole_number())
       ->capture_default_str();
@@ -215,6 +221,11 @@ CLI::App* add_stripify(CLI::App& app, StripifyCommand& command) {
           ->check(CLI::Range(1, 1'000'000));
   const auto* seed =
       sub->add_option("--seed", command.seed, "of annealing")->check(whole_number())->capture_default_str();
+  sub->add_option_function<std::string>(
+         "--order", [&command](const std::string& word) { command.order_for_cache = word == "cache"; },
+         "of the strips: that of the triangles, or one that a vertex cache of 16 misses less often; as many indices")
+      ->check(CLI::IsMember({"triangles", "cache"}))
+      ->default_str("triangles");
   add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);

@@ -16,6 +16,7 @@
 #include "meshes/mend.hpp"
 #include "meshes/strip_file.hpp"
 #include "restrip/output/index_bound.hpp"
+#include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/output/vertex_cache.hpp"
 
@@ -47,10 +48,17 @@ int run(const StripifyCommand& command) {
     else
       stripify(mesh, command.effort, command.cost, command.limit * mesh.triangle_count(), command.seed);
   });
-  const Strips strips = extract_strips(mesh);
+  Strips strips = extract_strips(mesh);
   std::vector<std::uint32_t> indices;
   Medians writing;
-  writing.time([&] { indices = strip_indices(mesh); });
+  writing.time([&] {
+    if (command.order_for_cache) {
+      strips = order_for_vertex_cache(mesh, strips);
+      indices = strip_indices(mesh, strips);
+    } else {
+      indices = strip_indices(mesh);
+    }
+  });
   if (strip_file) {
     const std::vector<Corners> drawn = decode_strips(indices);
     strip_file->write(
@@ -72,6 +80,7 @@ int run(const StripifyCommand& command) {
                               {"indices", indices.size()},
                               {"lower_bound_indices", bound},
                               {"acmr", cache_misses},
+                              {"acmr_32", acmr(indices, 32, triangles)},
                               {"seconds", seconds},
                               {"seconds_to_build", building.nanoseconds() * 1e-9},
                               {"seconds_to_write", writing.nanoseconds() * 1e-9},

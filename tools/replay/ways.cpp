@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "lod/coloring_check.hpp"
+#include "lod/handle_order.hpp"
 #include "replay/paper_ways.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/operations.hpp"
@@ -168,6 +169,8 @@ Plan::Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given)
     base_ = StripMesh::build(mesh.base, mesh.points.size());
     stripify(base_, Effort::full, cost_);
   }
+  // Baked records name dual edges by the handles of the splits' order.
+  if (!way.bakes && given.handles_along_strips) base_.renumber(handles_along_strips(mesh, base_));
 }
 
 }  // namespace restrip::tools

@@ -33,6 +33,7 @@
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/output/triangle_list_buffer.hpp"
 #include "restrip/output/vertex_cache.hpp"

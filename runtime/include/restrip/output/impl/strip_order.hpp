@@ -1,0 +1,222 @@
+// The order of strips for a vertex cache. Included by strip_order.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "restrip/output/strip_order.hpp"
+
+namespace restrip::detail {
+
+// All strips written in one direction, and where each begins: strip s is indices[start[s]] … indices[start[s + 1] - 2].
+struct WrittenStrips {
+  std::vector<std::uint32_t> indices;
+  std::vector<std::size_t> start;
+
+  explicit WrittenStrips(std::vector<std::uint32_t> written) : indices(std::move(written)) {
+    start.push_back(0);
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      if (indices[i] == restart_index) start.push_back(i + 1);
+    start.push_back(indices.size() + 1);
+  }
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t s) const noexcept {
+    return std::span(indices).subspan(start[s], start[s + 1] - 1 - start[s]);
+  }
+};
+
+class StripOrder {
+ public:
+  // A strip and the direction in which it is written.
+  struct Choice {
+    std::uint32_t strip;
+    bool turned;
+  };
+
+  StripOrder(const WrittenStrips& plain, const WrittenStrips& turned, std::size_t strips, std::size_t cache_size)
+      : written_{&plain, &turned}, strips_(strips), cache_size_(cache_size), done_(strips, false) {
+    std::size_t vertices = 0;
+    for (const std::uint32_t v : plain.indices)
+      if (v != restart_index) vertices = std::max(vertices, v + std::size_t{1});
+    came_in_.assign(vertices, 0);
+    trial_of_.assign(vertices, 0);
+    trial_came_in_.assign(vertices, {});
+    list_beginnings(vertices);
+  }
+
+  std::vector<Choice> run() {
+    std::vector<Choice> order;
+    order.reserve(strips_);
+    std::size_t first = 0;
+    while (order.size() < strips_) {
+      Choice next{};
+      if (!best_beside_cache(next) && !beside_left_behind(next)) {
+        while (done_[first]) ++first;
+        next = {static_cast<std::uint32_t>(first), false};
+      }
+      order.push_back(next);
+      write(next);
+    }
+    return order;
+  }
+
+  [[nodiscard]] const StripOrderCounts& counts() const noexcept { return counts_; }
+
+ private:
+  static constexpr std::size_t most_tried = 64;
+
+  [[nodiscard]] std::span<const std::uint32_t> beginning(Choice of) const noexcept {
+    const std::span<const std::uint32_t> all = (*written_[of.turned ? 1 : 0])[of.strip];
+    return all.first(std::min(all.size(), 2 * cache_size_));
+  }
+
+  // For each vertex the strips that have it among their first indices in one direction or the other.
+  void list_beginnings(std::size_t vertices) {
+    first_of_.assign(vertices + 1, 0);
+    const auto each = [this](auto&& visit) {
+      for (std::uint32_t s = 0; s < strips_; ++s)
+        for (const bool turned : {false, true})
+          for (const std::uint32_t v : beginning({s, turned})) visit(v, Choice{s, turned});
+    };
+    each([this](std::uint32_t v, Choice) { ++first_of_[v + 1]; });
+    for (std::size_t v = 0; v < vertices; ++v) first_of_[v + 1] += first_of_[v];
+    choices_.resize(first_of_[vertices]);
+    std::vector<std::size_t> filled(first_of_.begin(), first_of_.end() - 1);
+    each([&](std::uint32_t v, Choice c) { choices_[filled[v]++] = c; });
+    end_of_ = std::move(filled);
+  }
+
+  // Strips that have been written are taken out of the list of v while it is read.
+  template <class Visit>
+  void for_each_choice_at(std::uint32_t v, Visit&& visit) {
+    for (std::size_t i = first_of_[v]; i < end_of_[v];) {
+      if (done_[choices_[i].strip])
+        choices_[i] = choices_[--end_of_[v]];
+      else if (!visit(choices_[i++]))
+        return;
+    }
+  }
+
+  // Misses of a beginning with an empty cache, and how many of these are spared by what is in the cache now.
+  struct Gain {
+    std::size_t spared = 0;
+    std::size_t of = 1;
+    [[nodiscard]] bool beats(const Gain& other) const noexcept { return spared * other.of > other.spared * of; }
+  };
+
+  Gain gain_of(Choice choice) {
+    ++counts_.tried;
+    ++trial_;
+    std::size_t misses = misses_;
+    std::size_t misses_alone = 0;
+    for (const std::uint32_t v : beginning(choice)) {
+      ++counts_.indices_read;
+      const bool met = trial_of_[v] == trial_;
+      const std::size_t last = met ? trial_came_in_[v].shared : came_in_[v];
+      if (!met) trial_came_in_[v] = {last, 0};
+      trial_of_[v] = trial_;
+      if (last == 0 || misses - last >= cache_size_) trial_came_in_[v].shared = ++misses;
+      std::size_t& alone = trial_came_in_[v].alone;
+      if (alone == 0 || misses_alone - alone >= cache_size_) alone = ++misses_alone;
+    }
+    const std::size_t now = misses - misses_;
+    return {misses_alone - std::min(misses_alone, now), misses_alone};
+  }
+
+  bool best_beside_cache(Choice& best) {
+    Gain best_gain;
+    std::size_t tried = 0;
+    // The vertices that came in last first: they stay longest.
+    for (std::size_t i = recent_.size(); i-- > recent_.size() - std::min(recent_.size(), cache_size_);)
+      for_each_choice_at(recent_[i], [&](Choice choice) {
+        if (tried == most_tried) return false;
+        ++tried;
+        const Gain gain = gain_of(choice);
+        if (gain.beats(best_gain)) {
+          best_gain = gain;
+          best = choice;
+        }
+        return true;
+      });
+    return best_gain.spared != 0;
+  }
+
+  // Beside the vertex that came in last of those that still have a strip.
+  bool beside_left_behind(Choice& next) {
+    while (!recent_.empty()) {
+      bool found = false;
+      for_each_choice_at(recent_.back(), [&](Choice choice) {
+        next = choice;
+        found = true;
+        return false;
+      });
+      if (found) return true;
+      recent_.pop_back();
+    }
+    return false;
+  }
+
+  void write(Choice choice) {
+    done_[choice.strip] = true;
+    for (const std::uint32_t v : (*written_[choice.turned ? 1 : 0])[choice.strip])
+      if (came_in_[v] == 0 || misses_ - came_in_[v] >= cache_size_) {
+        came_in_[v] = ++misses_;
+        recent_.push_back(v);
+      }
+  }
+
+  struct Times {
+    std::size_t shared;
+    std::size_t alone;
+  };
+
+  const WrittenStrips* written_[2];
+  std::size_t strips_;
+  std::size_t cache_size_;
+  std::vector<bool> done_;
+  std::vector<std::size_t> came_in_;  // of a vertex, as which miss; 0: never
+  std::size_t misses_ = 0;
+  std::vector<std::size_t> trial_of_;  // in which a vertex was met last
+  std::vector<Times> trial_came_in_;
+  std::size_t trial_ = 0;
+  std::vector<std::uint32_t> recent_;  // misses, without those that have no strip left
+  std::vector<std::size_t> first_of_;
+  std::vector<std::size_t> end_of_;
+  std::vector<Choice> choices_;
+  StripOrderCounts counts_;
+};
+
+}  // namespace restrip::detail
+
+namespace restrip {
+
+template <NumberedMesh Mesh>
+Strips order_for_vertex_cache(const Mesh& mesh, const Strips& strips, std::size_t cache_size,
+                              StripOrderCounts* counts) {
+  RESTRIP_ASSERT(detail::are_strips_of(mesh, strips), "order_for_vertex_cache", detail::not_strips);
+  if (counts != nullptr) *counts = {};
+  if (cache_size == 0 || strips.size() < 2) return strips;
+  // strip_indices() writes a strip as it is listed wherever that takes no index more.
+  Strips turned = strips;
+  for (std::size_t s = 0; s < strips.size(); ++s)
+    std::reverse(turned.order.begin() + static_cast<std::ptrdiff_t>(strips.start[s]),
+                 turned.order.begin() + static_cast<std::ptrdiff_t>(strips.start[s + 1]));
+  const detail::WrittenStrips plain_written(strip_indices(mesh, strips));
+  const detail::WrittenStrips turned_written(strip_indices(mesh, turned));
+  detail::StripOrder order(plain_written, turned_written, strips.size(), cache_size);
+  Strips ordered;
+  ordered.order.reserve(strips.order.size());
+  ordered.start.reserve(strips.start.size());
+  for (const auto& [strip, is_turned] : order.run()) {
+    const std::span<const Triangle> triangles = (is_turned ? turned : strips)[strip];
+    ordered.order.insert(ordered.order.end(), triangles.begin(), triangles.end());
+    ordered.start.push_back(ordered.order.size());
+  }
+  if (counts != nullptr) *counts = order.counts();
+  return ordered;
+}
+
+}  // namespace restrip
