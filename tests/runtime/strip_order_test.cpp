@@ -62,8 +62,8 @@ std::vector<StripMesh> meshes_to_order() {
   all.push_back(sample::octahedron());
   all.push_back(sample::double_cone(300));
   all.push_back(sample::sphere(4));
-  all.push_back(StripMesh::build(sample::grid(40, 30, false, false, 1), 41 * 31));
-  all.push_back(StripMesh::build(sample::grid(40, 30, true, true, 2), 40 * 30));
+  all.push_back(StripMesh::build(sample::grid(40, 30, false, false, 1), 1271));
+  all.push_back(StripMesh::build(sample::grid(40, 30, true, true, 2), 1200));
   return all;
 }
 
