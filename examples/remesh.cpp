@@ -13,6 +13,7 @@
 #include <fstream>
 #include <restrip/restrip.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -178,6 +179,7 @@ Surface ellipsoid(std::size_t triangles) {
 
 Surface read_obj(const char* file) {
   std::ifstream in(file);
+  if (!in) throw std::runtime_error("cannot be read");
   std::vector<std::array<Vertex, 3>> triangles;
   std::vector<Point> points;
   for (std::string line, kind; std::getline(in, line);) {
@@ -191,6 +193,7 @@ Surface read_obj(const char* file) {
         if (std::string word; words >> word) corner = static_cast<Vertex>(std::stoul(word)) - 1;
     }
   }
+  if (triangles.empty()) throw std::runtime_error("has no triangles");
   return {StripMesh::build(triangles, points.size()), points};
 }
 
@@ -232,12 +235,7 @@ std::size_t remesh(Keeper& keeper, std::vector<Point>& points, double length, Ro
   return remesher.operations;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const bool timed = argc > 1 && std::string(argv[1]) == "time";
-  const Surface start = argc > (timed ? 2 : 1) ? read_obj(argv[argc - 1]) : ellipsoid(3000);
-  if (start.mesh.triangle_count() == 0) return std::fprintf(stderr, "no triangles\n"), 1;
+void run(const Surface& start, bool timed) {
   const double length = mean_length(start);
 
   // Remeshed without strips, stripified afterwards.
@@ -259,7 +257,7 @@ int main(int argc, char** argv) {
     Row& row = rows.emplace_back(Row{way});
     const bool same = remesh(keeper, kept.points, length, row) == operations;
     const restrip::ColoringReport counted = restrip::check_coloring(kept.mesh);
-    if (!same || !counted.valid || counted.strips != keeper.strips()) return std::fprintf(stderr, "not kept\n"), 1;
+    if (!same || !counted.valid || counted.strips != keeper.strips()) throw std::logic_error("strips were not kept");
     row.strips = counted.strips;
     row.states = keeper.counts().states;
   }
@@ -273,5 +271,18 @@ int main(int argc, char** argv) {
     std::printf("| %s | %zu | %.1f |", way, strips, static_cast<double>(states) / static_cast<double>(operations));
     if (timed) std::printf(" %.1f | %.1f |", remeshing, stripifying);
     std::printf("\n");
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool timed = argc > 1 && std::string(argv[1]) == "time";
+  const char* file = argc > (timed ? 2 : 1) ? argv[argc - 1] : nullptr;
+  try {
+    run(file != nullptr ? read_obj(file) : ellipsoid(3000), timed);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", file != nullptr ? file : "example_remesh", error.what());
+    return 1;
   }
 }
