@@ -151,7 +151,7 @@ int run(const BakeCommand& command) {
   BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
   if (source.baked) baked.payload = std::move(source.baked->payload);  // the records are the same
   std::string file = baked_bytes(baked);
-  if (files::extension_of(command.out) == ".glb") file = baked_glb_bytes(baked, file, command.gltf);
+  if (files::extension_of(command.out) == ".glb") file = baked_glb_bytes(file, command.gltf);
   const std::size_t bytes = file.size();
   out.write(file);
   const std::size_t records = baked.records.size();

@@ -72,7 +72,7 @@ int convert_baked(const ConvertCommand& command, const files::Output& out, const
                     command.mesh.string(), fmt::join(extensions, " or ")));
   const BakedBytes found = read_baked_bytes(command.mesh);
   out.write(extension == ".glb"
-                ? baked_glb_bytes(found.baked, found.bytes, command.gltf_given ? command.gltf : GltfPrimitives::strips)
+                ? baked_glb_bytes(found.bytes, command.gltf_given ? command.gltf : GltfPrimitives::strips)
                 : found.bytes);
   const ProgressiveMesh& mesh = found.baked.mesh;
   const nlohmann::ordered_json json{

@@ -50,10 +50,12 @@ ReadBeside files_beside(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string baked_glb_bytes(const BakedMesh& baked, std::string_view bytes, GltfPrimitives primitives) {
-  const std::vector<std::uint32_t> indices = strip_indices(baked.base);
+std::string baked_glb_bytes(std::string_view baked, GltfPrimitives primitives) {
+  // As whoever reads the bytes sees the mesh, not as it was made: bake and convert write the same file.
+  const BakedMesh mesh = parse_baked(baked, "the baked mesh");
+  const std::vector<std::uint32_t> indices = strip_indices(mesh.base);
   const std::vector<Corners> drawn = decode_strips(indices);
-  return glb_bytes({points_of_base(baked.mesh), indices, drawn}, primitives, {baked_strips_extension, bytes});
+  return glb_bytes({points_of_base(mesh.mesh), indices, drawn}, primitives, {baked_strips_extension, baked});
 }
 
 BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {

@@ -18,9 +18,9 @@ struct BakedBytes {
   BakedMesh baked;
 };
 
-/// A .glb that draws the base as its strips and has `bytes`, those of the baked mesh, in the extension. The vertices
-/// are those of the base, in their order. Throws BadInput where it is more than a GLB can hold.
-[[nodiscard]] std::string baked_glb_bytes(const BakedMesh& baked, std::string_view bytes, GltfPrimitives primitives);
+/// A .glb that draws the base as its strips and has `baked`, the bytes of a baked mesh, in the extension. The vertices
+/// are those of the base, in their order. Throws BadInput where the bytes are damaged, or more than a GLB can hold.
+[[nodiscard]] std::string baked_glb_bytes(std::string_view baked, GltfPrimitives primitives);
 
 /// What the extension of a glTF file has. Throws BadInput where the file is damaged, no mesh or more than one has the
 /// extension, and where what the file draws is not the base. `name` is for messages.
