@@ -12,6 +12,7 @@ import struct
 import sys
 
 from baked_reader import Player, in_glb, with_payload
+from gltf_maker import edited_glb
 from program import Program
 from strip_readers import RESTART, obj, parts_of_glb, ply, rotated, strips_between, triangles_of_strip
 
@@ -131,14 +132,7 @@ for arguments, words in (((glb, "-o", scratch / "never.obj"), "is a baked mesh, 
 
 # Damage.
 def refused(edit, words):
-    data = glb.read_bytes()
-    (size,) = struct.unpack_from("<I", data, 12)
-    doc, binary = json.loads(data[20:20 + size]), bytearray(data[28 + size:])
-    edit(doc, binary)
-    text = json.dumps(doc).encode()
-    text += b" " * (-len(text) % 4)
-    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
-    (scratch / "bad.glb").write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
+    (scratch / "bad.glb").write_bytes(edited_glb(glb.read_bytes(), edit))
     for command in (("stats",), ("replay", "--repeats", 0), ("convert", "-o", scratch / "never.baked")):
         message = run(command[0], scratch / "bad.glb", *command[1:], code=2).stderr
         assert "bad.glb" in message and words in message, (words, message)

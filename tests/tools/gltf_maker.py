@@ -8,6 +8,22 @@ BYTE, UBYTE, SHORT, USHORT, UINT, FLOAT = 5120, 5121, 5122, 5123, 5125, 5126
 LETTER = {BYTE: "b", UBYTE: "B", SHORT: "h", USHORT: "H", UINT: "I", FLOAT: "f"}
 
 
+def glb_bytes(doc, binary):
+    text = json.dumps(doc).encode()
+    text += b" " * (-len(text) % 4)
+    binary = bytes(binary) + b"\0" * (-len(binary) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def edited_glb(data, edit):
+    """The bytes of a GLB after edit(doc, binary)."""
+    (size,) = struct.unpack_from("<I", data, 12)
+    doc, binary = json.loads(data[20:20 + size]), bytearray(data[28 + size:])
+    edit(doc, binary)
+    return glb_bytes(doc, binary)
+
+
 class File:
     """A document and the buffer that it grows."""
 
@@ -46,11 +62,7 @@ class File:
         self.doc["meshes"][mesh]["primitives"].append(about | ({} if mode is None else {"mode": mode}))
 
     def glb(self):
-        text = json.dumps(self.doc).encode()
-        text += b" " * (-len(text) % 4)
-        binary = self.binary + b"\0" * (-len(self.binary) % 4)
-        chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
-        return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+        return glb_bytes(self.doc, self.binary)
 
     def gltf(self, uri=None):
         doc = copy.deepcopy(self.doc)

@@ -15,6 +15,7 @@ import struct
 import subprocess
 import sys
 
+from gltf_maker import edited_glb
 from program import Program
 from strip_readers import RESTART, glb
 from textured import cube, save, sphere
@@ -66,15 +67,7 @@ def validated(paths):
 
 def edited(path, name, edit):
     """The GLB after edit(doc, binary)."""
-    data = path.read_bytes()
-    (size,) = struct.unpack_from("<I", data, 12)
-    doc, binary = json.loads(data[20:20 + size]), bytearray(data[28 + size:])
-    edit(doc, binary)
-    text = json.dumps(doc).encode()
-    text += b" " * (-len(text) % 4)
-    binary += b"\0" * (-len(binary) % 4)
-    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
-    (scratch / name).write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
+    (scratch / name).write_bytes(edited_glb(path.read_bytes(), edit))
     return scratch / name
 
 
