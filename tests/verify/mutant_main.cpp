@@ -9,34 +9,14 @@
 
 #include "bad_tables.hpp"
 #include "corpus.hpp"
-#include "mutant_names.hpp"
 #include "mutants.hpp"
+#include "named_mutant.hpp"
 #include "verdict.hpp"
 
 namespace {
 
 using namespace restrip::verify::test;
 using restrip::verify::Mutant;
-
-// Without a default case: the compiler warns about a fault that is not among the names.
-constexpr std::string_view name_of(Mutant mutant) {
-  switch (mutant) {
-#define RESTRIP_CASE(name) \
-  case Mutant::name:       \
-    return #name;
-    RESTRIP_EACH_MUTANT(RESTRIP_CASE)
-#undef RESTRIP_CASE
-  }
-  return {};
-}
-
-std::optional<Mutant> mutant_named(std::string_view name) {
-#define RESTRIP_ITEM(name) Mutant::name,
-  for (const Mutant mutant : {RESTRIP_EACH_MUTANT(RESTRIP_ITEM)})
-    if (name_of(mutant) == name) return mutant;
-#undef RESTRIP_ITEM
-  return std::nullopt;
-}
 
 std::string first_good_table_rejected() {
   for (const NaiveFamily& family : naive_families(corpus_max_k))
@@ -80,7 +60,7 @@ std::string first_damage_accepted() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::optional<Mutant> mutant = argc == 2 ? mutant_named(argv[1]) : std::nullopt;
+  const std::optional<Mutant> mutant = argc == 2 ? mutant_named<Mutant>(argv[1]) : std::nullopt;
   if (!mutant) {
     fmt::print(stderr, "usage: verify_mutants NAME, with a name from verify/mutants.hpp\n");
     return 2;

@@ -13,8 +13,9 @@
 namespace restrip::tools {
 
 /// The handles for StripMesh::renumber() of the base, before any split: what is t-th in the order of the splits is
-/// handles[t]-th along strips. `base` has the triangles of mesh.base and room for the others. Plays all splits and
-/// stripifies what comes out (stripify_fast); where a split is not possible the rest keeps its order. Linear time.
+/// handles[t]-th along strips. `base` has the triangles of mesh.base and room for the others. Plays all splits
+/// and makes strips of the finest level from scratch (Effort::fast). From a split that is not possible on, triangles
+/// keep the order of the splits. Linear time.
 [[nodiscard]] std::vector<Triangle> handles_along_strips(const ProgressiveMesh& mesh, StripMesh base);
 
 }  // namespace restrip::tools

@@ -23,7 +23,7 @@ enum class OperationMutant {
   accept_worse,       // a sound recolouring is good enough
   forget_last_class,  // the best is not looked for among the last recolourings
   // what is counted
-  ends_are_lonely,       // a triangle without a solid edge is an end, too
+  ends_are_lonely,       // triangles without a solid edge count as ends
   squares_of_solid,      // only solid ports are counted
   isolated_but_for_one,  // the last triangle is never isolated
   worst_without_ports,   // ports given up isolate nothing

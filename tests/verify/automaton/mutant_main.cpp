@@ -16,9 +16,9 @@
 
 #include "altered_lines.hpp"
 #include "automaton_certificate.hpp"
-#include "automaton_mutant_names.hpp"
 #include "automaton_mutants.hpp"
 #include "class_check.hpp"
+#include "named_mutant.hpp"
 #include "turn_certificate.hpp"
 #include "turn_check.hpp"
 #include "turn_fans.hpp"
@@ -27,26 +27,6 @@ namespace {
 
 using namespace restrip::verify;
 using namespace restrip::verify::test;
-
-// Without a default case: the compiler warns about a fault that is not among the names.
-constexpr std::string_view name_of(AutomatonMutant mutant) {
-  switch (mutant) {
-#define RESTRIP_CASE(name)    \
-  case AutomatonMutant::name: \
-    return #name;
-    RESTRIP_EACH_MUTANT(RESTRIP_CASE)
-#undef RESTRIP_CASE
-  }
-  return {};
-}
-
-std::optional<AutomatonMutant> mutant_named(std::string_view name) {
-#define RESTRIP_ITEM(name) AutomatonMutant::name,
-  for (const AutomatonMutant mutant : {RESTRIP_EACH_MUTANT(RESTRIP_ITEM)})
-    if (name_of(mutant) == name) return mutant;
-#undef RESTRIP_ITEM
-  return std::nullopt;
-}
 
 std::vector<std::string> shipped(const std::string& family) {
   return lines_of(fmt::format("{}/certificates/{}.cert", RESTRIP_TABLES_DIR, family));
@@ -156,7 +136,7 @@ std::vector<Crime> crimes_of_indices() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::optional<AutomatonMutant> mutant = argc == 2 ? mutant_named(argv[1]) : std::nullopt;
+  const std::optional<AutomatonMutant> mutant = argc == 2 ? mutant_named<AutomatonMutant>(argv[1]) : std::nullopt;
   if (!mutant) {
     fmt::print(stderr, "usage: verify_automaton_mutants NAME, with a name from automaton_mutants.hpp\n");
     return 2;

@@ -9,32 +9,12 @@
 #include <string>
 #include <string_view>
 
-#include "operation_mutant_names.hpp"
+#include "named_mutant.hpp"
 #include "operation_mutants.hpp"
 
 namespace {
 
 using restrip::verify::operations::OperationMutant;
-
-// Without a default case: the compiler warns about a fault that is not among the names.
-constexpr std::string_view name_of(OperationMutant mutant) {
-  switch (mutant) {
-#define RESTRIP_CASE(name)    \
-  case OperationMutant::name: \
-    return #name;
-    RESTRIP_EACH_MUTANT(RESTRIP_CASE)
-#undef RESTRIP_CASE
-  }
-  return {};
-}
-
-std::optional<OperationMutant> mutant_named(std::string_view name) {
-#define RESTRIP_ITEM(name) OperationMutant::name,
-  for (const OperationMutant mutant : {RESTRIP_EACH_MUTANT(RESTRIP_ITEM)})
-    if (name_of(mutant) == name) return mutant;
-#undef RESTRIP_ITEM
-  return std::nullopt;
-}
 
 /// Instead of the reports of GoogleTest: the name of the first test that fails, and how many passed.
 class Notice : public testing::EmptyTestEventListener {
@@ -55,7 +35,8 @@ class Notice : public testing::EmptyTestEventListener {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  const std::optional<OperationMutant> mutant = argc == 2 ? mutant_named(argv[1]) : std::nullopt;
+  const std::optional<OperationMutant> mutant =
+      argc == 2 ? restrip::verify::test::mutant_named<OperationMutant>(argv[1]) : std::nullopt;
   if (!mutant) {
     fmt::print(stderr, "usage: verify_operations_mutants NAME, with a name from operation_mutants.hpp\n");
     return 2;
