@@ -12,7 +12,7 @@
 namespace restrip::bench {
 namespace {
 
-const Ground& ground() {
+const Ground& large_ground() {
   static const Ground made =
       settings().quick ? make_ground(2'000, Effort::fast, 64) : make_ground(1'000'000, Effort::fast, 20'000);
   return made;
@@ -27,7 +27,7 @@ double seconds(Work&& work) {
 
 /// `threads` 0: one by one, no batch.
 void batch(benchmark::State& state, unsigned threads, bool checked) {
-  const Ground& g = ground();
+  const Ground& g = large_ground();
   const BatchOptions options{threads, checked};
   double down = 0;
   double up = 0;

@@ -28,7 +28,7 @@ extern "C" std::size_t tristripper_indices(const unsigned* ids, std::size_t coun
 namespace restrip::bench {
 namespace {
 
-constexpr std::array<int, 2> percents{20, 100};
+constexpr std::array<int, 2> drawn_percents{20, 100};
 
 void count(benchmark::State& state, double nanoseconds, std::size_t bytes, std::span<const std::uint32_t> indices,
            const LevelList& level) {
@@ -129,7 +129,7 @@ std::size_t tristripper_strips(const LevelList& level, Made& made) {
 
 void register_benchmarks() {
   for (const std::string& name : subject_names()) {
-    for (const int percent : percents) {
+    for (const int percent : drawn_percents) {
       const std::string stem = "draw/" + name + "/" + std::to_string(percent) + "/";
       const auto add = [&](const std::string& who, auto run) { add_timed(stem + who, run); };
       for (const Way& way : tools::ways())

@@ -12,7 +12,7 @@
 namespace restrip::bench {
 namespace {
 
-const Ground& ground() {
+const Ground& small_ground() {
   static const Ground made =
       settings().quick ? make_ground(2'000, Effort::full, 32) : make_ground(20'000, Effort::full, 512);
   return made;
@@ -20,10 +20,10 @@ const Ground& ground() {
 
 /// One pass over all sites in one way: down, up, up by way of the vertices, and two flips of every chord.
 struct Pass {
-  explicit Pass(const Way& way) : mesh_(ground().mesh), upkeep_(way.begin(mesh_, {way.search})) {}
+  explicit Pass(const Way& way) : mesh_(small_ground().mesh), upkeep_(way.begin(mesh_, {way.search})) {}
 
   void run() {
-    const Ground& g = ground();
+    const Ground& g = small_ground();
     mesh_ = g.mesh;
     upkeep_->restart(0);
     std::vector<Halfedge> chords = g.sites.chords;
@@ -61,7 +61,7 @@ void operation(benchmark::State& state, const Way& way) {
     bare.run();
     state.SetIterationTime(1e-9 * (with.split.nanoseconds() + with.collapse.nanoseconds()));
   }
-  const auto each = static_cast<double>(ground().sites.size());
+  const auto each = static_cast<double>(small_ground().sites.size());
   const auto report = [&state](const std::string& what, double ns, double bare_ns) {
     state.counters[what + "_ns"] = ns;
     state.counters[what + "_bare_ns"] = bare_ns;
@@ -77,7 +77,7 @@ void operation(benchmark::State& state, const Way& way) {
 /// The parts of a split and of a collapse, each in a pass of its own: read the colours, look the rule up, change the
 /// mesh, write the colours.
 void parts(benchmark::State& state) {
-  const Ground& g = ground();
+  const Ground& g = small_ground();
   const std::size_t n = g.sites.size();
   const std::vector<tools::Record>& records = g.sites.records;
   const std::vector<Halfedge>& chords = g.sites.chords;

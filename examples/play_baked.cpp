@@ -11,7 +11,7 @@ using restrip::StripMesh;
 using restrip::Vertex;
 
 /// A vertex split of the progressive mesh: v_t is split off v_s, between the spokes to v_l and v_r.
-struct Record {
+struct SplitRecord {
   Vertex v_s, v_t, v_l, v_r;
   [[nodiscard]] restrip::VertexSplit<StripMesh::Halfedge> where(const StripMesh& mesh) const {
     return {mesh.spoke(v_s, v_l), mesh.spoke(v_s, v_r)};
@@ -29,8 +29,8 @@ StripMesh cylinder(Vertex n) {
     }
   return StripMesh::build(triangles, std::size_t{n} * (n + 1));
 }
-std::vector<Record> coarsen(StripMesh& mesh) {
-  std::vector<Record> records;
+std::vector<SplitRecord> coarsen(StripMesh& mesh) {
+  std::vector<SplitRecord> records;
   for (int pass = 0; pass < 2; ++pass)
     for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
       const auto chord = mesh.spoke(v);
@@ -45,12 +45,12 @@ std::vector<Record> coarsen(StripMesh& mesh) {
 
 /// Plays all splits twice from the base, once with a keeper and once with no flips; where the colours of the two differ
 /// after a record is what that record flips.
-restrip::BakedRecords<StripMesh::Halfedge> bake(const StripMesh& base, const std::vector<Record>& records) {
+restrip::BakedRecords<StripMesh::Halfedge> bake(const StripMesh& base, const std::vector<SplitRecord>& records) {
   restrip::BakedRecords<StripMesh::Halfedge> baked;
   StripMesh wanted = base;
   StripMesh plain = base;
   restrip::StripKeeper keeper(wanted, restrip::Policy::full);
-  for (const Record& record : records) {
+  for (const SplitRecord& record : records) {
     keeper.split(record.where(wanted), record.v_t);
     restrip::split_baked(plain, record.where(plain), {}, record.v_t);
     for (restrip::Triangle t = 0; t < plain.triangle_bound(); ++t)
@@ -69,7 +69,7 @@ restrip::BakedRecords<StripMesh::Halfedge> bake(const StripMesh& base, const std
 
 int main() {
   StripMesh mesh = cylinder(40);
-  const std::vector<Record> records = coarsen(mesh);
+  const std::vector<SplitRecord> records = coarsen(mesh);
   restrip::stripify(mesh, restrip::Effort::full);
   const auto baked = bake(mesh, records);
   std::printf("%zu records, %zu flips\n", records.size(), baked.flips.size());
@@ -78,11 +78,11 @@ int main() {
   std::size_t strips = restrip::count_strips(mesh);
   const auto go_to = [&](std::size_t level) {
     while (player.level() < level) {
-      const Record& record = records[player.level()];
+      const SplitRecord& record = records[player.level()];
       strips += static_cast<std::size_t>(player.split(player.level(), record.where(mesh), record.v_t).strips);
     }
     while (player.level() > level) {
-      const Record& record = records[player.level() - 1];
+      const SplitRecord& record = records[player.level() - 1];
       strips +=
           static_cast<std::size_t>(player.collapse(player.level() - 1, mesh.spoke(record.v_s, record.v_t)).strips);
     }

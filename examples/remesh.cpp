@@ -24,20 +24,20 @@ using restrip::Triangle;
 using restrip::Vertex;
 using Halfedge = StripMesh::Halfedge;
 
-struct Point {
+struct Point3 {
   double x = 0, y = 0, z = 0;
-  Point operator+(const Point& p) const { return {x + p.x, y + p.y, z + p.z}; }
-  Point operator-(const Point& p) const { return {x - p.x, y - p.y, z - p.z}; }
-  Point operator*(double s) const { return {x * s, y * s, z * s}; }
+  Point3 operator+(const Point3& p) const { return {x + p.x, y + p.y, z + p.z}; }
+  Point3 operator-(const Point3& p) const { return {x - p.x, y - p.y, z - p.z}; }
+  Point3 operator*(double s) const { return {x * s, y * s, z * s}; }
 };
-double dot(const Point& a, const Point& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Point cross(const Point& a, const Point& b) {
+double dot(const Point3& a, const Point3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Point3 cross(const Point3& a, const Point3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 struct Surface {
   StripMesh mesh;
-  std::vector<Point> points;
+  std::vector<Point3> points;
 };
 
 /// The mesh update alone, for comparison: nothing is ever solid.
@@ -62,13 +62,13 @@ class Bare {
 template <class Keeper>
 class Remesher {
  public:
-  Remesher(Keeper& keeper, std::vector<Point>& points, double length)
+  Remesher(Keeper& keeper, std::vector<Point3>& points, double length)
       : keeper_(keeper), mesh_(keeper.mesh()), points_(points), short_(0.8 * length), long_(length * 4 / 3) {}
 
   void round() {
     for_each_edge([&](Halfedge h) {
       if (distance(h) <= long_) return;
-      const Point middle = (points_[mesh_.from(h)] + points_[mesh_.to(h)]) * 0.5;
+      const Point3 middle = (points_[mesh_.from(h)] + points_[mesh_.to(h)]) * 0.5;
       const Vertex v_t = mesh_.to(keeper_.bisect(h).halfedge);
       points_.resize(mesh_.vertex_bound());
       points_[v_t] = middle;
@@ -76,7 +76,7 @@ class Remesher {
     });
     for_each_edge([&](Halfedge h) {
       const Vertex v_s = mesh_.from(h), v_t = mesh_.to(h);
-      const Point middle = (points_[v_s] + points_[v_t]) * 0.5;
+      const Point3 middle = (points_[v_s] + points_[v_t]) * 0.5;
       if (distance(h) >= short_ || on_boundary(v_s) || on_boundary(v_t) || too_far(v_s, middle) || too_far(v_t, middle))
         return;
       if (restrip::check_collapse(mesh_, h) != restrip::Refusal::granted) return;
@@ -106,15 +106,15 @@ class Remesher {
       for (unsigned side = 0; side < 3 && mesh_.alive(t); ++side) visit(StripMesh::halfedge(t, side));
   }
   [[nodiscard]] double distance(Halfedge h) const {
-    const Point along = points_[mesh_.to(h)] - points_[mesh_.from(h)];
+    const Point3 along = points_[mesh_.to(h)] - points_[mesh_.from(h)];
     return std::sqrt(dot(along, along));
   }
   [[nodiscard]] bool on_boundary(Vertex v) const { return mesh_.leaves_boundary(mesh_.spoke(v)); }
   /// Would an edge of v be too long if v were there?
-  [[nodiscard]] bool too_far(Vertex v, const Point& there) const {
+  [[nodiscard]] bool too_far(Vertex v, const Point3& there) const {
     bool far = false;
     restrip::for_each_spoke(mesh_, v, [&](Halfedge h) {
-      const Point along = points_[mesh_.to(h)] - there;
+      const Point3 along = points_[mesh_.to(h)] - there;
       far = far || dot(along, along) > long_ * long_;
     });
     return far;
@@ -128,18 +128,18 @@ class Remesher {
   }
   /// Every vertex goes to the middle of its neighbours, but for what would take it off the surface.
   void smooth() {
-    std::vector<Point> moved = points_;
+    std::vector<Point3> moved = points_;
     for (Vertex v = 0; v < mesh_.vertex_bound(); ++v) {
       if (mesh_.spoke(v).id == restrip::none || on_boundary(v)) continue;
-      Point sum, normal;
+      Point3 sum, normal;
       double count = 0;
       restrip::for_each_spoke(mesh_, v, [&](Halfedge h) {
-        const Point to = points_[mesh_.to(h)], next = points_[mesh_.to(mesh_.next(h))];
+        const Point3 to = points_[mesh_.to(h)], next = points_[mesh_.to(mesh_.next(h))];
         sum = sum + to;
         normal = normal + cross(to - points_[v], next - points_[v]);
         ++count;
       });
-      const Point way = sum * (1 / count) - points_[v];
+      const Point3 way = sum * (1 / count) - points_[v];
       if (const double square = dot(normal, normal); square > 0)
         moved[v] = points_[v] + way - normal * (dot(way, normal) / square);
     }
@@ -148,7 +148,7 @@ class Remesher {
 
   Keeper& keeper_;
   const StripMesh& mesh_;
-  std::vector<Point>& points_;
+  std::vector<Point3>& points_;
   double short_, long_;
 };
 
@@ -161,14 +161,14 @@ Surface ellipsoid(std::size_t triangles) {
   StripMesh& mesh = made.mesh;
   const auto middle = [&](Halfedge h) { return (made.points[mesh.from(h)] + made.points[mesh.to(h)]) * 0.5; };
   const auto square = [&](Halfedge h) {
-    const Point along = made.points[mesh.to(h)] - made.points[mesh.from(h)];
+    const Point3 along = made.points[mesh.to(h)] - made.points[mesh.from(h)];
     return dot(along, along);
   };
   for (Triangle t = 0; mesh.triangle_count() < triangles; t = (t + 1) % static_cast<Triangle>(mesh.triangle_bound())) {
     Halfedge longest = StripMesh::halfedge(t);
     for (unsigned side = 1; side < 3; ++side)
       if (const Halfedge h = StripMesh::halfedge(t, side); square(h) > square(longest)) longest = h;
-    const Point p = middle(longest);
+    const Point3 p = middle(longest);
     restrip::bisect(mesh, longest);
     made.points.push_back(p * (1 / std::sqrt(p.x * p.x / 16 + p.y * p.y + p.z * p.z / 4)));
   }
@@ -181,12 +181,12 @@ Surface read_obj(const char* file) {
   std::ifstream in(file);
   if (!in) throw std::runtime_error("cannot be read");
   std::vector<std::array<Vertex, 3>> triangles;
-  std::vector<Point> points;
+  std::vector<Point3> points;
   for (std::string line, kind; std::getline(in, line);) {
     std::istringstream words(line);
     words >> kind;
     if (kind == "v") {
-      Point& p = points.emplace_back();
+      Point3& p = points.emplace_back();
       words >> p.x >> p.y >> p.z;
     } else if (kind == "f") {
       for (Vertex& corner : triangles.emplace_back())
@@ -204,7 +204,7 @@ double mean_length(const Surface& surface) {
   for (Triangle t = 0; t < surface.mesh.triangle_bound(); ++t)
     for (unsigned side = 0; side < 3; ++side, ++count) {
       const Halfedge h = StripMesh::halfedge(t, side);
-      const Point along = surface.points[surface.mesh.to(h)] - surface.points[surface.mesh.from(h)];
+      const Point3 along = surface.points[surface.mesh.to(h)] - surface.points[surface.mesh.from(h)];
       sum += std::sqrt(dot(along, along));
     }
   return sum / static_cast<double>(count);
@@ -227,7 +227,7 @@ struct Row {
 };
 
 template <class Keeper>
-std::size_t remesh(Keeper& keeper, std::vector<Point>& points, double length, Row& row) {
+std::size_t remesh(Keeper& keeper, std::vector<Point3>& points, double length, Row& row) {
   Remesher<Keeper> remesher(keeper, points, length);
   row.remeshing = milliseconds([&] {
     for (int round = 0; round < 5; ++round) remesher.round();

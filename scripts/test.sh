@@ -77,7 +77,7 @@ too_long='BitFlips|Targeted|EveryCrime|EveryFlipped|SatEncoding.(Every|Models)|S
 beside "building with Clang and its sanitizers" cmake --build --preset sanitize
 part "testing" ctest --preset test -j "$(nproc)"
 joined
-beside "running clang-tidy" scripts/tidy.sh
+beside "running clang-tidy" scripts/tidy.py
 part "testing with sanitizers" env -u RESTRIP_MESHES ctest --preset sanitize -j "$(nproc)" -E "$too_long"
 joined
 

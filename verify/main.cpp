@@ -7,20 +7,18 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
+#include "exit_code.hpp"
 #include "input.hpp"
 #include "operations/verify_operation.hpp"
 #include "verify.hpp"
 
 namespace {
 
-constexpr int all_claims_hold = 0;
-constexpr int some_claim_fails = 1;
-constexpr int bad_input = 2;
+using namespace restrip::verify;
 
 /// `verify` takes a listener and returns totals; `last` makes the last line of them.
 template <class Verify, class Last>
 int run(const Verify& verify, const Last& last, bool as_json) {
-  using namespace restrip::verify;
   std::vector<ClaimResult> claims;
   if (!as_json) fmt::print("{}", heading());
   const Totals totals = verify([&](const ClaimResult& result) {

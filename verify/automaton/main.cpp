@@ -8,17 +8,15 @@
 #include <stdexcept>
 #include <string>
 
+#include "exit_code.hpp"
 #include "facts.hpp"
 #include "verify_automaton.hpp"
 
 namespace {
 
-constexpr int all_claims_hold = 0;
-constexpr int some_claim_fails = 1;
-constexpr int bad_input = 2;
+using namespace restrip::verify;
 
 int run(const restrip::verify::AutomatonOptions& options) {
-  using namespace restrip::verify;
   fmt::print("{}", heading());
   const AutomatonTotals totals = verify_automaton(options, [](const ClaimResult& result) {
     fmt::print("{}", line_of(result));

@@ -52,12 +52,4 @@ std::string drawn(const Side& side, Colors colors) {
   return text;
 }
 
-std::string listed(PortPairs pairs, unsigned ports) {
-  std::string text;
-  for (unsigned j = 1; j < ports; ++j)
-    for (unsigned i = 0; i < j; ++i)
-      if (pairs.has(i, j)) text += fmt::format("{}{}-{}", text.empty() ? "" : " ", i, j);
-  return text.empty() ? "none" : text;
-}
-
 }  // namespace restrip::verify::operations

@@ -31,7 +31,4 @@ std::string invalid_because(const Side& side, Colors colors, unsigned most_solid
 /// "edges 0=1 1-2, ports 0" 1:", with = and " for solid, - and : for dashed.
 std::string drawn(const Side& side, Colors colors);
 
-/// The pairs as "0-3 1-2", or "none".
-std::string listed(PortPairs pairs, unsigned ports);
-
 }  // namespace restrip::verify::operations

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "draw.hpp"
+
 namespace restrip::verify::operations {
 namespace {
 

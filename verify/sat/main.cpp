@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "exit_code.hpp"
 #include "files/system_calls.hpp"
 #include "input.hpp"
 #include "prove.hpp"
@@ -14,10 +15,6 @@
 namespace {
 
 using namespace restrip::verify;
-
-constexpr int all_proved = 0;
-constexpr int some_not_proved = 1;
-constexpr int bad_input = 2;
 
 struct Sums {
   std::size_t positions = 0;
@@ -99,7 +96,7 @@ int run(const sat::Options& options, bool as_json) {
     fmt::print("{}", last_line(sums, options));
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::runtime_error("standard output: what was found could not be written");
-  return sums.failed == 0 ? all_proved : some_not_proved;
+  return sums.failed == 0 ? all_claims_hold : some_claim_fails;
 }
 
 /// Our checker on its own.
@@ -107,7 +104,7 @@ int check_one(const std::string& formula, const std::string& proof) {
   const sat::Cnf cnf = sat::parse_dimacs(formula, read_file(formula));
   const sat::ProofVerdict verdict = sat::check_proof(cnf, sat::parse_proof(proof, read_file(proof), cnf.variables));
   fmt::print("{}\n", verdict.proved ? "s VERIFIED" : fmt::format("s NOT VERIFIED\nc {}: {}", proof, verdict.fault));
-  return verdict.proved ? all_proved : some_not_proved;
+  return verdict.proved ? all_claims_hold : some_claim_fails;
 }
 
 }  // namespace
@@ -146,7 +143,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? all_proved : bad_input;
+    return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
 
   try {
