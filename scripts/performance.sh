@@ -46,12 +46,12 @@ mkdir -p "$out"
 # Medians of several repetitions, those of all benchmarks of a program mixed, so that a slow minute strikes all alike.
 mixed=(--benchmark_repetitions=5 --benchmark_enable_random_interleaving=true) which=()
 if [ -n "$short" ]; then mixed[0]=--benchmark_repetitions=3 which=(--benchmark_filter='-dragon|scale/[0-9]{8}/|scale/[3-9][0-9]{6}/'); fi
-[ ${#quick[@]} -eq 0 ] || { mixed=(--benchmark_repetitions=1); export RESTRIP_BENCH_QUICK=1; }
+[ ${#quick[@]} -eq 0 ] || { mixed=(--benchmark_repetitions=1 --benchmark_min_time=0.01); export RESTRIP_BENCH_QUICK=1; }
 for name in "${only[@]}"; do
   say "measuring: $name"
   case $name in
     programs) bench/programs.py --bin "$bin" --out "$out/programs.json" "${quick[@]}"; continue ;;
-    lookup) how=("${mixed[@]}" --benchmark_min_time=0.05) ;;
+    lookup) how=(--benchmark_min_time=0.05 "${mixed[@]}") ;;
     scale) how=() ;;  # one mesh at a time, repeated inside
     *) how=("${mixed[@]}") ;;
   esac

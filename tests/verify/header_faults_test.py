@@ -5,7 +5,7 @@ once. With no fault switched on the verifier must accept both of its dumps; with
 and a line that names the table and the configuration. The loops of the look-up are bounded in the copy: a fault that
 makes one of them endless ends the dump program after MOST_STEPS steps, which counts as noticed, and says so.
 
-Fans up to k = 5 are enough for every fault. That the true headers hold for larger ones is verify.shipped_tables (all
+Fans up to k = 5 are enough for every fault. That the true headers hold for larger ones is cross.demo (all
 that the rules answer, k <= 8), verify.linked_look_up (k <= 7) and scripts/prove.sh (both, k <= 8).
 
   header_faults_test.py SOURCE_DIR COMPILER RESTRIP_VERIFY
