@@ -50,9 +50,9 @@ TEST(Replay, HandlesDecideNoStrips) {
     for (const Cost cost : {Cost::strips(), Cost::indices()}) {
       Plan::Given given;
       given.cost = cost;
-      const Plan along_strips(way_named(policy), mesh, given);
-      given.handles_along_strips = false;
       const Plan in_order_of_splits(way_named(policy), mesh, given);
+      given.handles_along_strips = true;
+      const Plan along_strips(way_named(policy), mesh, given);
       EXPECT_EQ(in_order_of_splits.base().triangle_bound(), mesh.base.size());
       EXPECT_EQ(along_strips.base().triangle_bound(), soup.triangles.size());
       const ReplayReport report = replay(along_strips, soup.triangles, quick);

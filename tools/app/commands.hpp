@@ -34,10 +34,10 @@ struct ReplayCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
   ReplayOptions replay;
-  std::string way;                   ///< its name; empty: the usual one (ways.hpp)
-  std::uint32_t states = 0;          ///< of each search of a way that searches; 0: its own
-  Cost cost = Cost::strips();        ///< what is kept low
-  bool handles_along_strips = true;  ///< false: in the order of the splits (Plan::Given)
+  std::string way;                    ///< its name; empty: the usual one (ways.hpp)
+  std::uint32_t states = 0;           ///< of each search of a way that searches; 0: its own
+  Cost cost = Cost::strips();         ///< what is kept low
+  bool handles_along_strips = false;  ///< else in the order of the splits (Plan::Given)
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
   std::filesystem::path out;      ///< where a level is written, with its strips; empty: nowhere

@@ -69,10 +69,10 @@ CLI::App* add_replay(CLI::App& app, ReplayCommand& command) {
       ->default_str("strips");
   sub->add_option_function<std::string>(
          "--handles", [&command](const std::string& word) { command.handles_along_strips = word == "strips"; },
-         "how triangles lie in memory: along the strips of the finest level, or in the order of the splits to compare "
-         "with; baked strips know the latter alone")
-      ->check(CLI::IsMember({"strips", "splits"}))
-      ->default_str("strips");
+         "how triangles lie in memory: in the order of the splits, or along the strips of the finest level to compare "
+         "with; baked strips know the former alone")
+      ->check(CLI::IsMember({"splits", "strips"}))
+      ->default_str("splits");
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
       ->check(whole_number())
       ->capture_default_str();

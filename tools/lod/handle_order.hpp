@@ -1,8 +1,8 @@
 // An order of the triangles of a progressive mesh in memory: along the strips of its finest level.
 //
-// A split takes the next free handles, so triangles lie in memory in the order of the splits, and those that lie side
-// by side in the mesh are far apart. Along strips most neighbours are close, at the fine levels; the triangles of a
-// coarse level are spread over the memory of all.
+// A split takes the next free handles, so triangles lie in memory in the order of the splits: those of a coarse level
+// close together, those that lie side by side in the mesh often far apart. Along strips most neighbours are close, at
+// the fine levels; the triangles of a coarse level are spread over the memory of all.
 #pragma once
 
 #include <vector>

@@ -58,15 +58,14 @@ struct Way {
 /// The way for whoever names none.
 [[nodiscard]] const Way& usual_way(bool strips_are_baked);
 
-/// A way made ready for one progressive mesh: the base in colours, and what was decided beforehand. Triangles have
-/// their handles along the strips of the finest level (handle_order.hpp), but where strips are baked.
+/// A way made ready for one progressive mesh: the base in colours, and what was decided beforehand.
 class Plan {
  public:
   /// What is there already and need not be made.
   struct Given {
     std::optional<Search> search = std::nullopt;  ///< other than the way's own
     Cost cost = Cost::strips();                   ///< what is kept low; other costs only where the way weighs
-    bool handles_along_strips = true;             ///< else in the order of the splits, as where strips are baked
+    bool handles_along_strips = false;            ///< of the finest level (handle_order.hpp), but where strips are baked
     const StripMesh* base = nullptr;              ///< the base with strips from scratch
     const BakedMesh* baked = nullptr;             ///< must be baked from that mesh, and outlive the plan
   };

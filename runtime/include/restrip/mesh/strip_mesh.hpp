@@ -254,8 +254,8 @@ class StripMesh {
   /// keeps strips of this mesh; vertices keep their numbers. A watch is not told. Linear time. Throws
   /// std::length_error for more than `max_triangles` handles, or std::bad_alloc; nothing has changed then.
   ///
-  /// Where the mesh is larger than the caches, operations that look beyond their patch are faster when the triangles
-  /// of the finest level lie in the order of its strips, not in that of the splits (docs/strips.md has figures).
+  /// Which order is quickest depends on the machine and on what is done. In the order of the splits, as triangles lie
+  /// by themselves, coarse levels are close together (docs/strips.md, "Where triangles lie in memory", has figures).
   void renumber(std::span<const Triangle> handles);
 
  private:
