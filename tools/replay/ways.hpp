@@ -65,9 +65,9 @@ class Plan {
   struct Given {
     std::optional<Search> search = std::nullopt;  ///< other than the way's own
     Cost cost = Cost::strips();                   ///< what is kept low; other costs only where the way weighs
-    bool handles_along_strips = false;            ///< of the finest level (handle_order.hpp), but where strips are baked
-    const StripMesh* base = nullptr;              ///< the base with strips from scratch
-    const BakedMesh* baked = nullptr;             ///< must be baked from that mesh, and outlive the plan
+    bool handles_along_strips = false;  ///< of the finest level (handle_order.hpp), but where strips are baked
+    const StripMesh* base = nullptr;    ///< the base with strips from scratch
+    const BakedMesh* baked = nullptr;   ///< must be baked from that mesh, and outlive the plan
   };
 
   /// The mesh must outlive the plan. Stripifies the base, or bakes, which may throw BadInput and take long (bake.hpp).
