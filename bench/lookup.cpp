@@ -8,12 +8,12 @@
 
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "restrip/rules/rules.hpp"
+#include "settings.hpp"
 
 namespace {
 
@@ -160,15 +160,15 @@ void family(const char* name) {
   const std::string stem = std::string("lookup/") + name;
   benchmark::RegisterBenchmark((stem + "/hot").c_str(), lookup<Family>)->Arg(hot);
   benchmark::RegisterBenchmark((stem + "/random").c_str(), lookup<Family>)->Arg(random_order);
-  const int sweeps = std::getenv("RESTRIP_BENCH_QUICK") != nullptr ? 2 : 32;  // of the cache, one a look-up
+  const int sweeps = restrip::bench::settings().quick ? 2 : 32;  // of the cache, one a look-up
   benchmark::RegisterBenchmark((stem + "/cold").c_str(), cold_lookup<Family>)->UseManualTime()->Iterations(sweeps);
 }
 
 }  // namespace
 
-int main(int count, char** values) {
-  benchmark::Initialize(&count, values);
-  if (benchmark::ReportUnrecognizedArguments(count, values)) return 1;
+namespace restrip::bench {
+
+void register_benchmarks() {
   family<Split>("split");
   family<MixedSplit>("split, four to eight triangles");
   family<LongSplit>("split, ten triangles");
@@ -180,5 +180,6 @@ int main(int count, char** values) {
   family<BoundarySplit>("boundary-split");
   family<BoundaryCollapse>("boundary-collapse");
   family<Flip>("flip");
-  benchmark::RunSpecifiedBenchmarks();
 }
+
+}  // namespace restrip::bench

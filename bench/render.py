@@ -8,6 +8,7 @@ import argparse
 import os
 import re
 import sys
+import textwrap
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # nothing but the page is written, least of all into the source tree
@@ -34,6 +35,7 @@ DRAWN = {
 }
 UPKEEP_GOAL = 2.0
 MOVE_GOAL = 50.0
+WIDTH = 125
 
 
 class Page:
@@ -364,6 +366,14 @@ def fill(template, page):
     return re.sub(r"\{\{(\w+)\}\}", value, template)
 
 
+def wrapped(text):
+    """Long lines of prose broken; tables, pictures and comments stay whole."""
+    return "\n".join(line if len(line) <= WIDTH or line.startswith(("|", "!", "<")) else
+                     textwrap.fill(line, WIDTH, subsequent_indent="  " if line.startswith("- ") else "",
+                                   break_long_words=False, break_on_hyphens=False)
+                     for line in text.split("\n"))
+
+
 def write_whole(path, text):
     partial = path.with_name(path.name + ".partial")
     partial.write_text(text)
@@ -381,7 +391,7 @@ def main():
     given.out.mkdir(parents=True, exist_ok=True)
     for name, chart in charts.items():
         write_whole(given.out / name, chart)
-    write_whole(given.out / "performance.md", text)
+    write_whole(given.out / "performance.md", wrapped(text))
 
 
 if __name__ == "__main__":
