@@ -89,7 +89,7 @@ rung sat "no valid configuration has a sound recolouring that beats its rule" \
   $bin/restrip-sat --tables-dir tables --threads "$(nproc)"
 rung compiler "the shipped headers give sound and optimal rules, k <= 4" \
   "brute force in static_assert, while the program is built" \
-  "C++ compiler, one page of tests/runtime/static_proof_test.cpp" \
+  "C++ compiler, one page of tests/runtime/rules/static_proof_test.cpp" \
   's/.*\[  PASSED  \] (.*)$/\1/p' \
   $bin/runtime_static_proof_test
 if [ "$coq" = yes ]; then

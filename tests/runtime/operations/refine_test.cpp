@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "../support/sanitizers.hpp"
+#include "../../support/sanitizers.hpp"
 #include "index_agrees.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
