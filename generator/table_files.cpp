@@ -16,11 +16,11 @@
 #include <variant>
 #include <vector>
 
-#include "automaton.hpp"
+#include "automaton/automaton.hpp"
+#include "automaton/emit_automaton.hpp"
+#include "automaton/emit_index_automaton.hpp"
 #include "digest.hpp"
 #include "emit.hpp"
-#include "emit_automaton.hpp"
-#include "emit_index_automaton.hpp"
 #include "files/output.hpp"
 #include "languages/languages.hpp"
 #include "part.hpp"

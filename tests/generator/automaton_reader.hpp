@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "automaton.hpp"
+#include "automaton/automaton.hpp"
 #include "configuration.hpp"
 #include "patch.hpp"
 

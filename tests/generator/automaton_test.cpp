@@ -2,7 +2,7 @@
 // 6 its answer has as many solid edges and as many isolated triangles as the search's, and the value it tells is that
 // of its answer; at k = 9, where an arc is longer than most witnesses, the same for one position. The search
 // (search.hpp) tries all recolourings of a patch and knows nothing of arcs.
-#include "automaton.hpp"
+#include "automaton/automaton.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <map>
 #include <set>
 
+#include "automaton/emit_automaton.hpp"
 #include "automaton_reader.hpp"
-#include "emit_automaton.hpp"
 #include "section.hpp"
 
 namespace restrip::generator {

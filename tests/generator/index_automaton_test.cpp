@@ -1,7 +1,7 @@
 // Claim: the index automaton has as many classes as a program of another language counted before, dropping cases leaves
 // a third of them, and weights that need too many are refused with a remedy. What its answers are worth is checked by
 // the verifier and by the tests of the runtime.
-#include "index_automaton.hpp"
+#include "automaton/index_automaton.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "emit_index_automaton.hpp"
+#include "automaton/emit_index_automaton.hpp"
 
 namespace restrip::generator::indices {
 namespace {

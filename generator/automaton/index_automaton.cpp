@@ -1,4 +1,4 @@
-#include "index_automaton.hpp"
+#include "automaton/index_automaton.hpp"
 
 #include <fmt/format.h>
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "arc.hpp"
-#include "meeting.hpp"
+#include "automaton/arc.hpp"
+#include "automaton/meeting.hpp"
 
 namespace restrip::generator {
 

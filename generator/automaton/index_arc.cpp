@@ -1,4 +1,4 @@
-#include "index_arc.hpp"
+#include "automaton/index_arc.hpp"
 
 #include <string_view>
 

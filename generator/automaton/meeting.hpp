@@ -4,7 +4,7 @@
 #include <compare>
 #include <optional>
 
-#include "arc.hpp"
+#include "automaton/arc.hpp"
 
 namespace restrip::generator {
 

@@ -1,4 +1,4 @@
-#include "automaton.hpp"
+#include "automaton/automaton.hpp"
 
 #include <algorithm>
 #include <deque>

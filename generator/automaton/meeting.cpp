@@ -1,4 +1,4 @@
-#include "meeting.hpp"
+#include "automaton/meeting.hpp"
 
 #include <algorithm>
 #include <array>

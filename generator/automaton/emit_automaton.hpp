@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "automaton.hpp"
-#include "automaton_text.hpp"
+#include "automaton/automaton.hpp"
+#include "automaton/automaton_text.hpp"
 #include "emit.hpp"
 
 namespace restrip::generator {

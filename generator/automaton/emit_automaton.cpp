@@ -1,4 +1,4 @@
-#include "emit_automaton.hpp"
+#include "automaton/emit_automaton.hpp"
 
 #include <fmt/format.h>
 

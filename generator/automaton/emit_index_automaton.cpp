@@ -1,4 +1,4 @@
-#include "emit_index_automaton.hpp"
+#include "automaton/emit_index_automaton.hpp"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "automaton_text.hpp"
+#include "automaton/automaton_text.hpp"
+#include "automaton/index_automaton.hpp"
 #include "emit.hpp"
-#include "index_automaton.hpp"
 
 namespace restrip::generator::indices {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "index_arc.hpp"
+#include "automaton/index_arc.hpp"
 
 namespace restrip::generator::indices {
 

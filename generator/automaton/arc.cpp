@@ -1,4 +1,4 @@
-#include "arc.hpp"
+#include "automaton/arc.hpp"
 
 #include <tuple>
 
