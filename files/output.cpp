@@ -186,10 +186,10 @@ OutputSet::OutputSet(fs::path folder, const std::vector<fs::path>& names, const 
 
 namespace {
 
-/// Puts drafts in the place of the files that have their names, and back.
+/// Puts drafts in place of the files that have their names, and back.
 class Exchange {
  public:
-  struct Place {
+  struct Replacement {
     Draft fresh;
     std::optional<Draft> old;  ///< a name beside it for the file that is there, if one is
     std::string shown;
@@ -197,29 +197,28 @@ class Exchange {
     bool is_published = false;
   };
 
-  explicit Exchange(std::vector<Place> places) : places_(std::move(places)) { lost_.reserve(places_.size()); }
+  explicit Exchange(std::vector<Replacement> files) : files_(std::move(files)) { lost_.reserve(files_.size()); }
 
-  /// The place at which it failed, with errno; null: it is done.
-  const Place* run() noexcept {
-    if (places_.size() > 1 && !set_aside(places_.back())) return &places_.back();
-    for (Place& place : places_) {
-      if (!set_aside(place) || !place.fresh.try_publish()) return &place;
-      place.is_published = true;
+  /// The file at which it failed, with errno; null: it is done.
+  const Replacement* run() noexcept {
+    if (files_.size() > 1 && !set_aside(files_.back())) return &files_.back();
+    for (Replacement& file : files_) {
+      if (!set_aside(file) || !file.fresh.try_publish()) return &file;
+      file.is_published = true;
     }
     return nullptr;
   }
 
-  /// The old files that could not be put back, under the names that they have now. The last place comes last, and only
+  /// The old files that could not be put back, under the names that they have now. The last file comes last, and only
   /// if all others are as they were. Allocates nothing: what is lost here is lost for good.
   const std::vector<std::string>& undo() noexcept {
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      Place& place = places_[i];
-      const bool may_vouch = i + 1 < places_.size() || whole_;
-      if (place.is_aside ? may_vouch && place.old->try_publish()
-                         : !place.is_published || place.fresh.remove_published())
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      Replacement& file = files_[i];
+      const bool may_vouch = i + 1 < files_.size() || whole_;
+      if (file.is_aside ? may_vouch && file.old->try_publish() : !file.is_published || file.fresh.remove_published())
         continue;
       whole_ = false;
-      if (place.is_aside) lost_.push_back(place.old->leave());
+      if (file.is_aside) lost_.push_back(file.old->leave());
     }
     return lost_;
   }
@@ -227,13 +226,13 @@ class Exchange {
   [[nodiscard]] bool whole() const noexcept { return whole_; }
 
  private:
-  static bool set_aside(Place& place) noexcept {
-    if (!place.old || place.is_aside) return true;
-    place.is_aside = place.old->take_target_aside();
-    return place.is_aside;
+  static bool set_aside(Replacement& file) noexcept {
+    if (!file.old || file.is_aside) return true;
+    file.is_aside = file.old->take_target_aside();
+    return file.is_aside;
   }
 
-  std::vector<Place> places_;
+  std::vector<Replacement> files_;
   std::vector<std::string> lost_;
   bool whole_ = true;
 };
@@ -242,19 +241,20 @@ class Exchange {
 
 void OutputSet::write(const std::vector<NamedBytes>& files) {
   const SignalPause pause;
-  std::vector<Exchange::Place> places;
-  places.reserve(files.size());
+  std::vector<Exchange::Replacement> replacements;
+  replacements.reserve(files.size());
   for (const NamedBytes& file : files) {
     const fs::path path = folder_ / file.name;
     made_.make(folder_of(path));
     const fs::path target = follow_links(path).file;
     const std::string shown = path.string();
-    Exchange::Place& place = places.emplace_back(Exchange::Place{Draft(target, shown), {}, shown});
-    place.fresh.fill(file.bytes);
-    if (status_of(target)) place.old.emplace(target, shown);
+    Exchange::Replacement& replacement =
+        replacements.emplace_back(Exchange::Replacement{Draft(target, shown), {}, shown});
+    replacement.fresh.fill(file.bytes);
+    if (status_of(target)) replacement.old.emplace(target, shown);
   }
-  Exchange exchange(std::move(places));
-  if (const Exchange::Place* const failed = exchange.run()) {
+  Exchange exchange(std::move(replacements));
+  if (const Exchange::Replacement* const failed = exchange.run()) {
     const int error = errno;
     const std::vector<std::string>& lost = exchange.undo();
     if (!exchange.whole())

@@ -37,14 +37,14 @@ void dump(const Family& family, unsigned k, std::FILE* out) {
       return std::find(s.serves.begin(), s.serves.end(), position) != s.serves.end();
     });
     const Patch patch = make_patch(position);
-    std::string place;
-    for (std::size_t i = 0; i < family.numbers.size(); ++i) place += fmt::format("{},", position.place().at(i));
+    std::string numbers;
+    for (std::size_t i = 0; i < family.numbers.size(); ++i) numbers += fmt::format("{},", position.numbers().at(i));
     for_each_valid(position, patch.before, [&](const Configuration& c) {
       const Row& row = row_of(*section, c.key);
-      const Cost cost = cost_of(patch, c, row);
-      fmt::print(out, "{}{},{},{},", place, c.before, c.ports, row.recoloring);
+      const Change change = change_of(patch, c, row);
+      fmt::print(out, "{}{},{},{},", numbers, c.before, c.ports, row.recoloring);
       if (family.gives_ports_up) fmt::print(out, "{},", row.kept);
-      fmt::print(out, "{},{}\n", cost.strips, cost.isolated);
+      fmt::print(out, "{},{}\n", change.strips, change.isolated);
     });
   }
 }

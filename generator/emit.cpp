@@ -155,12 +155,12 @@ RulesHeader linked_header(const std::vector<LinkedFamily>& families, unsigned ma
   return {text + footer, bytes};
 }
 
-std::string place_of(const Position& position) {
+std::string position_text(const Position& position) {
   std::string text = position.family->section;
   for (std::size_t i = 0; i < position.family->numbers.size(); ++i) {
     const std::string name = fmt::format("{{{}}}", position.family->numbers[i]);
     if (const std::size_t at = text.find(name); at != std::string::npos)
-      text.replace(at, name.size(), std::to_string(position.place().at(i)));
+      text.replace(at, name.size(), std::to_string(position.numbers().at(i)));
   }
   return text;
 }
@@ -168,7 +168,7 @@ std::string place_of(const Position& position) {
 std::string section_text(const Section& section) {
   std::string text;
   auto out = std::back_inserter(text);
-  fmt::format_to(out, "section {}\n", place_of(section.position));
+  fmt::format_to(out, "section {}\n", position_text(section.position));
   const Claims claims = sum(section.claims);
   fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
                  claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
@@ -201,7 +201,7 @@ std::string section_text(const LinkedSection& section) {
     longest = std::max(longest, list.size());
   }
   fmt::format_to(out, "section {}\nclaim lists {}\nclaim alternatives {}\nclaim longest {}\n",
-                 place_of(section.position), section.lists.size(), alternatives, longest);
+                 position_text(section.position), section.lists.size(), alternatives, longest);
   for (std::size_t ports = 0; ports < section.lists.size(); ++ports)
     for (const Alternative& alternative : section.lists[ports])
       fmt::format_to(out, "alternative {:x} {:x}\n", ports, alternative.recoloring);

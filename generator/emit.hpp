@@ -49,7 +49,7 @@ struct LinkedFamily {
 [[nodiscard]] RulesHeader linked_header(const std::vector<LinkedFamily>& families, unsigned max_k);
 
 /// A position as certificates write it, after the word `section`.
-[[nodiscard]] std::string place_of(const Position& position);
+[[nodiscard]] std::string position_text(const Position& position);
 
 /// A solved section as certificates write it, with claims, rows and reasons (docs/certificate.md).
 [[nodiscard]] std::string section_text(const Section& section);

@@ -132,7 +132,7 @@ Family family_from(const Json& json) {
   family.name = json.at("name");
   family.certificate = json.value("certificate", family.name);
   family.numbers = json.value("numbers", family.numbers);
-  if (family.numbers.size() > Place{}.size()) throw std::runtime_error("\"numbers\": expected three at most");
+  if (family.numbers.size() > PositionNumbers{}.size()) throw std::runtime_error("\"numbers\": expected three at most");
   family.range = json.value("where", "");
   if (json.contains("where")) family.where = FormulaReader(family.range, family.numbers).conditions();
   const std::string listed = json.value("listed", "");
@@ -148,16 +148,16 @@ Family family_from(const Json& json) {
 
 }  // namespace
 
-unsigned Sum::at(const Place& place) const {
+unsigned Sum::at(const PositionNumbers& numbers) const {
   unsigned sum = constant;
-  for (std::size_t i = 0; i < place.size(); ++i) sum += factors[i] * place[i];
+  for (std::size_t i = 0; i < numbers.size(); ++i) sum += factors[i] * numbers[i];
   return sum;
 }
 
-bool hold(const Conditions& conditions, const Place& place) {
+bool hold(const Conditions& conditions, const PositionNumbers& numbers) {
   return std::all_of(conditions.begin(), conditions.end(), [&](const Comparison& comparison) {
-    const unsigned left = comparison.left.at(place);
-    const unsigned right = comparison.right.at(place);
+    const unsigned left = comparison.left.at(numbers);
+    const unsigned right = comparison.right.at(numbers);
     if (comparison.sign == "=") return left == right;
     if (comparison.sign == "<") return left < right;
     return comparison.sign == "<=" ? left <= right : left >= right;

@@ -11,13 +11,13 @@
 namespace restrip::generator {
 
 /// The numbers that say where an operation of a family happens, the valence first; unused ones are 0.
-using Place = std::array<unsigned, 3>;
+using PositionNumbers = std::array<unsigned, 3>;
 
 /// "2 a + 1": what each number counts, and a constant.
 struct Sum {
-  Place factors{};
+  PositionNumbers factors{};
   unsigned constant = 0;
-  [[nodiscard]] unsigned at(const Place& place) const;
+  [[nodiscard]] unsigned at(const PositionNumbers& numbers) const;
 };
 
 struct Comparison {
@@ -28,7 +28,7 @@ struct Comparison {
 
 /// All of them hold.
 using Conditions = std::vector<Comparison>;
-[[nodiscard]] bool hold(const Conditions& conditions, const Place& place);
+[[nodiscard]] bool hold(const Conditions& conditions, const PositionNumbers& numbers);
 
 /// Triangles of a side in the order of the ring or path that they form: one by its name, or t_from … t_(to - 1).
 struct Stretch {

@@ -26,17 +26,17 @@ using namespace restrip::generator;
 namespace {
 
 /// The position that the options --k, --at and --to say.
-Position position_of(const Family& family, Place place) {
+Position position_of(const Family& family, PositionNumbers numbers) {
   if (family.numbers.empty()) return positions(family, 0).at(0);
-  if (!hold(family.where, place)) {
+  if (!hold(family.where, numbers)) {
     constexpr std::array<const char*, 3> options{"--k", "--at", "--to"};
     std::string names;
     for (std::size_t i = 0; i < family.numbers.size(); ++i)
       names += fmt::format("{}{} by {}", i == 0 ? "" : ", ", family.numbers[i], options.at(i));
     throw std::invalid_argument(fmt::format("--family {}: expected {}; {}", family.name, family.range, names));
   }
-  for (std::size_t i = family.numbers.size(); i < place.size(); ++i) place.at(i) = 0;
-  return {&family, place[0], place[1], place[2]};
+  for (std::size_t i = family.numbers.size(); i < numbers.size(); ++i) numbers.at(i) = 0;
+  return {&family, numbers[0], numbers[1], numbers[2]};
 }
 
 }  // namespace
@@ -144,17 +144,17 @@ int main(int argc, char** argv) {
   auto* k_option =
       dump_command->add_option("--k", k, "Valence: 3 … 13 (open families: 1 … 13)")->check(CLI::Range(1, 13));
 
-  Place place{};
+  PositionNumbers numbers{};
   std::string described_family = "split";
   auto* describe_command =
       app.add_subcommand("describe", "Print the operation file of a family at one position, to start from");
   describe_command->add_option("--family", described_family, "As for dump")
       ->check(CLI::IsMember(names))
       ->capture_default_str();
-  describe_command->add_option("--k", place[0], "Valence, 1 … 8; not for the flip")->check(CLI::Range(1, 8));
-  describe_command->add_option("--at", place[1], "Arc a of a closed fan, gap i of an open one")
+  describe_command->add_option("--k", numbers[0], "Valence, 1 … 8; not for the flip")->check(CLI::Range(1, 8));
+  describe_command->add_option("--at", numbers[1], "Arc a of a closed fan, gap i of an open one")
       ->check(CLI::Range(0, 8));
-  describe_command->add_option("--to", place[2], "Gap j of an open fan")->check(CLI::Range(0, 8));
+  describe_command->add_option("--to", numbers[2], "Gap j of an open fan")->check(CLI::Range(0, 8));
   std::string described_constraint = "strips";
   describe_command
       ->add_option(
@@ -194,7 +194,8 @@ int main(int argc, char** argv) {
     if (*describe_command) {
       const auto* const word = std::find(constraint_words.begin(), constraint_words.end(), described_constraint);
       const Constraint constraint{static_cast<unsigned>(word - constraint_words.begin()) + 1};
-      fmt::print("{}", operation_file_text(described(position_of(family_named(described_family), place), constraint)));
+      fmt::print("{}",
+                 operation_file_text(described(position_of(family_named(described_family), numbers), constraint)));
     }
     if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");

@@ -11,16 +11,16 @@ namespace restrip::generator {
 namespace {
 
 /// t_i is node i, and the others follow in the order in which they stand.
-Side side_at(const SidePattern& pattern, const Place& place) {
+Side side_at(const SidePattern& pattern, const PositionNumbers& numbers) {
   Side side;
   for (const Stretch& stretch : pattern.stretches)
-    if (stretch.name == "t") side.nodes += stretch.to.at(place) - stretch.from.at(place);
+    if (stretch.name == "t") side.nodes += stretch.to.at(numbers) - stretch.from.at(numbers);
   for (unsigned t = 0; pattern.ports.empty() && t < side.nodes; ++t) side.owner.push_back(t);
   std::vector<unsigned> order;
   std::map<std::string, unsigned> named;
   for (const Stretch& stretch : pattern.stretches) {
     if (stretch.name == "t") {
-      for (unsigned t = stretch.from.at(place); t < stretch.to.at(place); ++t) order.push_back(t);
+      for (unsigned t = stretch.from.at(numbers); t < stretch.to.at(numbers); ++t) order.push_back(t);
       continue;
     }
     named[stretch.name] = side.nodes;
@@ -61,13 +61,13 @@ std::vector<Position> positions(const Family& family, unsigned k) {
 }
 
 Patch make_patch(const Position& position) {
-  const Place place = position.place();
-  return {side_at(position.family->before, place), side_at(position.family->after, place)};
+  const PositionNumbers numbers = position.numbers();
+  return {side_at(position.family->before, numbers), side_at(position.family->after, numbers)};
 }
 
 Patch patch_of_rows(const Position& position) {
   if (!serves_every_position(*position.family)) return make_patch(position);
-  const Side after = side_at(position.family->after, position.place());
+  const Side after = side_at(position.family->after, position.numbers());
   return {after, after};
 }
 

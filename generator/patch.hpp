@@ -42,7 +42,7 @@ struct Position {
   unsigned k = 0;
   unsigned at = 0;
   unsigned to = 0;
-  [[nodiscard]] Place place() const { return {k, at, to}; }
+  [[nodiscard]] PositionNumbers numbers() const { return {k, at, to}; }
   friend auto operator<=>(const Position&, const Position&) = default;
 };
 

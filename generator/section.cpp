@@ -87,8 +87,8 @@ void make_claims(Section& section) {
     claims.configurations = std::size_t{1} << (patch.before.edges.size() + patch.before.owner.size());
     claims.orbits = smallest.orbits();
     for_each_valid(position, patch.before, [&](const Configuration& c) {
-      const Cost cost = cost_of(patch, c, row_of(section, c.key));
-      claims.count(cost.strips, cost.isolated, cost.strips >= 1, smallest(c.before, c.ports));
+      const Change change = change_of(patch, c, row_of(section, c.key));
+      claims.count(change.strips, change.isolated, change.strips >= 1, smallest(c.before, c.ports));
     });
     section.claims.push_back(claims);
   }
@@ -166,7 +166,7 @@ const Row& row_of(const Section& section, const Key& key) {
   return *at;
 }
 
-Cost cost_of(const Patch& patch, const Configuration& configuration, const Row& row) {
+Change change_of(const Patch& patch, const Configuration& configuration, const Row& row) {
   const auto given_up = std::popcount(configuration.ports & ~row.kept);
   const int nodes = static_cast<int>(patch.after.nodes) - static_cast<int>(patch.before.nodes);
   return {nodes - (static_cast<int>(row.solid) - given_up - static_cast<int>(configuration.solid)),

@@ -50,11 +50,11 @@ void solve(Section& section);
 /// The row of a key that some valid configuration has.
 [[nodiscard]] const Row& row_of(const Section& section, const Key& key);
 
-/// What it costs to answer a configuration with a row.
-struct Cost {
+/// What answering a configuration with a row does to the number of strips and of isolated triangles.
+struct Change {
   int strips = 0;
   int isolated = 0;
 };
-[[nodiscard]] Cost cost_of(const Patch& patch, const Configuration& configuration, const Row& row);
+[[nodiscard]] Change change_of(const Patch& patch, const Configuration& configuration, const Row& row);
 
 }  // namespace restrip::generator

@@ -131,7 +131,7 @@ void read_rows(LinkedSection& section, Reader& reader) {
 
 void read_part(Part& part, Reader& reader) {
   const std::size_t begin = reader.at;
-  reader.expect("section " + place_of(position_of(part)));
+  reader.expect("section " + position_text(position_of(part)));
   while (reader.starts("claim ")) reader.skip();
   std::visit([&](auto& section) { read_rows(section, reader); }, part.section);
   part.text = reader.text.substr(begin, reader.at - begin);

@@ -39,7 +39,7 @@ FormHead family_head(const std::string& family) { return {"restrip-certificate 2
 
 void parse_form(const std::string& file, std::string text, const FormHead& head,
                 const std::function<std::size_t(LineReader&)>& read_body) {
-  const std::optional<Place> altered = altered_byte(text);
+  const std::optional<BytePosition> altered = altered_byte(text);
   if (altered && !mutated(Mutant::skip_sums))
     throw InputError(
         file, altered->line,

@@ -114,10 +114,10 @@ void Judge::judge_configuration(const PortSlice& slice, const SurveyedColoring& 
   const Merit merit = merit_of(own->survey, own->colors, slice.ports);
   if (searched(operation_)) search_better(slice, configuration, *row, merit);
 
-  const Cost cost = cost_of(operation_, configuration, merit);
-  judgment_.costing += cost.strips >= 1 ? 1U : 0U;
-  judgment_.worst_strips = std::max(judgment_.worst_strips.value_or(cost.strips), cost.strips);
-  judgment_.worst_isolated = std::max(judgment_.worst_isolated.value_or(cost.isolated), cost.isolated);
+  const Change change = change_of(operation_, configuration, merit);
+  judgment_.costing += change.strips >= 1 ? 1U : 0U;
+  judgment_.worst_strips = std::max(judgment_.worst_strips.value_or(change.strips), change.strips);
+  judgment_.worst_isolated = std::max(judgment_.worst_isolated.value_or(change.isolated), change.isolated);
 }
 
 /// Holds the row of a configuration, which has this merit, against all recolourings.

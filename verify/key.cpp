@@ -5,7 +5,7 @@
 namespace restrip::verify {
 namespace {
 
-/// The nearest solid port in descending order of index; cyclic in a closed fan.
+/// The nearest solid port in descending order of number; cyclic in a closed fan.
 std::optional<unsigned> preceding_solid_port(unsigned port, Mask ports, unsigned port_count, bool closed) {
   for (unsigned step = 1; step < port_count; ++step) {
     if (!closed && step > port) break;

@@ -22,12 +22,12 @@ inline Merit merit_of(const Survey& after, Coloring colors, Mask ports_before) {
 }
 
 /// What an operation did to the number of strips and of isolated triangles.
-struct Cost {
+struct Change {
   int strips = 0;
   int isolated = 0;
 };
 
-inline Cost cost_of(const Operation& operation, const SurveyedColoring& before, Merit after) {
+inline Change change_of(const Operation& operation, const SurveyedColoring& before, Merit after) {
   const int nodes =
       static_cast<int>(operation.after.triangles().size()) - static_cast<int>(operation.before.triangles().size());
   const int solid_before = before.survey.solid + static_cast<int>(solid_count(before.colors.ports));

@@ -213,8 +213,8 @@ std::string glsl_source(const TableLayout& layout) {
       "//     layout(std430, set = 0, binding = 0) readonly buffer RestripTables { uint restrip_words[]; };\n\n";
   text += fmt::format("const uint RESTRIP_MAX_K = {}u;\nconst uint RESTRIP_CHECKSUM = {:#010x}u;\n", layout.max_k,
                       data.words[0]);
-  for (const TableWords::Place& place : data.places)
-    text += fmt::format("const uvec2 RESTRIP_{} = uvec2({}u, {}u);\n", place.name, place.word, place.bits);
+  for (const TableWords::Array& array : data.arrays)
+    text += fmt::format("const uvec2 RESTRIP_{} = uvec2({}u, {}u);\n", array.name, array.word, array.bits);
   return text + glsl_text;
 }
 

@@ -68,7 +68,7 @@ std::string language_manual(const std::string& comment) {
 TableWords table_words(const TableLayout& layout) {
   TableWords data{{0}, {}};
   for (const TableArray& array : layout.arrays) {
-    data.places.push_back({capitals(array.name), static_cast<unsigned>(data.words.size()), array.bits});
+    data.arrays.push_back({capitals(array.name), static_cast<unsigned>(data.words.size()), array.bits});
     const std::size_t in_a_word = 32 / array.bits;
     for (std::size_t i = 0; i < array.values.size(); ++i) {
       if (i % in_a_word == 0) data.words.push_back(0);

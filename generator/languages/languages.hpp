@@ -33,13 +33,13 @@ struct LanguageFile {
 /// All arrays as one run of 32-bit words, for buffers of shaders. Elements of 8 and 16 bits fill a word from its lowest
 /// bit, and each array begins with a word. The first word is the checksum of the others.
 struct TableWords {
-  struct Place {
+  struct Array {
     std::string name;   ///< of the array, in capitals
     unsigned word = 0;  ///< where it begins
     unsigned bits = 8;  ///< of an element
   };
   std::vector<std::uint32_t> words;
-  std::vector<Place> places;
+  std::vector<Array> arrays;
 };
 [[nodiscard]] TableWords table_words(const TableLayout& layout);
 

@@ -264,8 +264,8 @@ std::string wgsl_source(const TableLayout& layout) {
       "// Declare in the same module, with whatever binding you like:\n"
       "//     @group(0) @binding(0) var<storage, read> restrip_words: array<u32>;\n\n";
   text += fmt::format("const RESTRIP_MAX_K = {}u;\nconst RESTRIP_CHECKSUM = {:#010x}u;\n", layout.max_k, data.words[0]);
-  for (const TableWords::Place& place : data.places)
-    text += fmt::format("const RESTRIP_{} = vec2<u32>({}u, {}u);\n", place.name, place.word, place.bits);
+  for (const TableWords::Array& array : data.arrays)
+    text += fmt::format("const RESTRIP_{} = vec2<u32>({}u, {}u);\n", array.name, array.word, array.bits);
   return text + wgsl_text;
 }
 

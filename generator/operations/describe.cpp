@@ -15,7 +15,7 @@ using OrderedJson = nlohmann::ordered_json;
 std::string name_at(const Position& position) {
   std::string name = position.family->name;
   for (std::size_t i = 0; i < position.family->numbers.size(); ++i)
-    name += fmt::format("-{}{}", position.family->numbers[i], position.place().at(i));
+    name += fmt::format("-{}{}", position.family->numbers[i], position.numbers().at(i));
   return name;
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "files/reading.hpp"
-#include "operations/json_place.hpp"
+#include "operations/json_line.hpp"
 #include "operations/operation_words.hpp"
 
 namespace restrip::generator {

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "index_agrees.hpp"
+#include "locator_agrees.hpp"
 #include "naive_patch.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/baked.hpp"
@@ -300,7 +300,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
           ASSERT_EQ(keeper.up_to_date(), !threw);
           if (threw) {
             ++failed;
-            ASSERT_EQ(keeper.index(), nullptr);
+            ASSERT_EQ(keeper.locator(), nullptr);
             // The mesh may be as it was or changed; the next operation is one that is possible there.
             if (corners(mesh) == corners(colored) && allocation % 2 == 0)
               operate();
@@ -310,8 +310,8 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
           ASSERT_TRUE(keeper.up_to_date());
           ASSERT_TRUE(check_coloring(mesh).valid);
           ASSERT_EQ(keeper.strips(), check_coloring(mesh).strips);
-          if (keeper.index() != nullptr) {
-            ASSERT_TRUE(agrees(*keeper.index(), mesh));
+          if (keeper.locator() != nullptr) {
+            ASSERT_TRUE(agrees(*keeper.locator(), mesh));
           }
           if (!threw) break;
         }

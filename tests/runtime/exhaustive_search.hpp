@@ -14,13 +14,13 @@ namespace naive {
 
 using Mask = std::uint64_t;
 
-struct Cost {
+struct Merit {
   int solid = -1;
   int isolated = 0;
-  friend bool operator==(const Cost&, const Cost&) = default;
+  friend bool operator==(const Merit&, const Merit&) = default;
 };
 
-inline bool better(const Cost& one, const Cost& two) {
+inline bool better(const Merit& one, const Merit& two) {
   return one.solid != two.solid ? one.solid > two.solid : one.isolated < two.isolated;
 }
 
@@ -54,30 +54,30 @@ class ExhaustiveSearch {
       if (port_bits[i]) before_[i] = port_before(patch_, port_bits, i);
     }
     ports_ = ports;
-    best_.assign(std::size_t{1} << k, Cost{});
+    best_.assign(std::size_t{1} << k, Merit{});
     for (const Coloring& coloring : colorings_) {
       const std::optional<Mask> needed = needs(coloring);
-      if (needed && better(cost(coloring), best_[*needed])) best_[*needed] = cost(coloring);
+      if (needed && better(merit(coloring), best_[*needed])) best_[*needed] = merit(coloring);
     }
     // A key with more pairs may do all that one with fewer may.
     for (Mask joined = 0; joined < best_.size(); ++joined) {
       for (std::size_t i = 0; i < k; ++i) {
         if (((joined >> i) & 1) == 0) continue;
-        const Cost& fewer = best_[joined & ~(Mask{1} << i)];
+        const Merit& fewer = best_[joined & ~(Mask{1} << i)];
         if (better(fewer, best_[joined])) best_[joined] = fewer;
       }
     }
   }
 
-  Cost best(Mask joined) const { return best_[joined]; }
+  Merit best(Mask joined) const { return best_[joined]; }
 
-  // What a recolouring costs under the solved ports, if it is sound for this key.
-  std::optional<Cost> judge(Mask inner, Mask joined) const {
+  // The merit of a recolouring under the solved ports, if it is sound for this key.
+  std::optional<Merit> judge(Mask inner, Mask joined) const {
     if (inner >= index_.size() || index_[inner] == npos) return std::nullopt;
     const Coloring& coloring = colorings_[index_[inner]];
     const std::optional<Mask> needed = needs(coloring);
     if (!needed || (*needed & ~joined) != 0) return std::nullopt;
-    return cost(coloring);
+    return merit(coloring);
   }
 
  private:
@@ -110,8 +110,8 @@ class ExhaustiveSearch {
     return result;
   }
 
-  Cost cost(const Coloring& coloring) const {
-    Cost result{coloring.solid, coloring.isolated};
+  Merit merit(const Coloring& coloring) const {
+    Merit result{coloring.solid, coloring.isolated};
     for (Mask rest = coloring.single & ~ports_; rest != 0; rest &= rest - 1) ++result.isolated;
     return result;
   }
@@ -134,7 +134,7 @@ class ExhaustiveSearch {
   std::vector<std::size_t> index_;
   Mask ports_ = 0;
   std::vector<std::size_t> before_;
-  std::vector<Cost> best_;
+  std::vector<Merit> best_;
 };
 
 }  // namespace naive

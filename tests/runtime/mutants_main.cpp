@@ -24,9 +24,9 @@ constexpr const char* stages[] = {
     "Refine.Inverses*:Refine.Refuses*:Refine.Refining*:Operations.Going*:Operations.Invalid*:Operations.Refused*:"
     "Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:"
     "Checks.Checked*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:StripBuffer.RunsAre*:Strips.*:"
-    "ChunkLists.*:*StripIndexOf.AgreesAfterCuts*",
-    "*StripIndexOf.AgreesAfterRewrites*:*StripIndexOf.AgreesWhere*:Operations.AdoptionLeaves*:Operations.LargeFans*:"
-    "LinkedRules.*ForAll*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
+    "ChunkLists.*:*StripLocatorOf.AgreesAfterCuts*",
+    "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesWhere*:Operations.AdoptionLeaves*:"
+    "Operations.LargeFans*:LinkedRules.*ForAll*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
     "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:StripKeeper.Changes*:"
     "Refine.Keepers*:InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:IndexKeeper.Tells*",
 };

@@ -166,30 +166,30 @@ TEST(PreconditionDeathTest, StripsThatAreOutOfDate) {
   EXPECT_FAILED((void)strip_index_count(mesh, strips), "strip_index_count: the strips are not those of the mesh");
 }
 
-TEST(PreconditionDeathTest, TheIndexOfStrips) {
+TEST(PreconditionDeathTest, TheLocatorOfStrips) {
   StripMesh mesh = two_triangles();
-  StripIndex index(mesh);
+  StripLocator locator(mesh);
   const Halfedge inside = mesh.spoke(0, 2);
-  EXPECT_FAILED((void)index.position(7), "StripIndex::position: the index does not know the triangle");
-  EXPECT_FAILED(index.cut(mesh, inside), "StripIndex::cut: the dual edge is dashed already");
-  EXPECT_REFUSED(index.cut(mesh, {}), "StripIndex::cut", no_such_edge);
-  EXPECT_REFUSED(index.link(mesh, {}), "StripIndex::link", no_such_edge);
-  EXPECT_REFUSED(index.link(mesh, mesh.spoke(0, 1)), "StripIndex::link", boundary_edge);
-  index.link(mesh, inside);
-  EXPECT_FAILED(index.link(mesh, inside), "StripIndex::link: the dual edge is solid already");
+  EXPECT_FAILED((void)locator.position(7), "StripLocator::position: the locator does not know the triangle");
+  EXPECT_FAILED(locator.cut(mesh, inside), "StripLocator::cut: the dual edge is dashed already");
+  EXPECT_REFUSED(locator.cut(mesh, {}), "StripLocator::cut", no_such_edge);
+  EXPECT_REFUSED(locator.link(mesh, {}), "StripLocator::link", no_such_edge);
+  EXPECT_REFUSED(locator.link(mesh, mesh.spoke(0, 1)), "StripLocator::link", boundary_edge);
+  locator.link(mesh, inside);
+  EXPECT_FAILED(locator.link(mesh, inside), "StripLocator::link: the dual edge is solid already");
   // Around vertex 3, three triangles in a row: the edge that is left would close the ring.
   StripMesh cone = build({{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 4}}, 5);
-  StripIndex of_cone(cone);
+  StripLocator of_cone(cone);
   of_cone.link(cone, cone.spoke(3, 1));
   of_cone.link(cone, cone.spoke(3, 2));
   EXPECT_FAILED(of_cone.link(cone, cone.spoke(3, 0)),
-                "StripIndex::link: the dual edge joins the two ends of one strip");
+                "StripLocator::link: the dual edge joins the two ends of one strip");
   StripMesh row = build({{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {1, 5, 3}}, 6);
-  StripIndex of_row(row);
+  StripLocator of_row(row);
   of_row.link(row, row.spoke(1, 2));
   of_row.link(row, row.spoke(2, 3));
   EXPECT_FAILED(of_row.link(row, row.spoke(1, 3)),
-                "StripIndex::link: a triangle beside the dual edge is not the end of a strip");
+                "StripLocator::link: a triangle beside the dual edge is not the end of a strip");
 }
 
 TEST(PreconditionDeathTest, EveryLookUp) {

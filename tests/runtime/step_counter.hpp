@@ -1,6 +1,6 @@
-// Counts the steps and the allocations of a program, for promises of cost. A step is a basic block that runs: files
-// compiled with -fsanitize-coverage=trace-pc call step_counter.cpp in each. So no loop can be forgotten, those of the
-// standard library's templates included, and no clock is asked.
+// Counts the steps and the allocations of a program, for promises of complexity. A step is a basic block that runs:
+// files compiled with -fsanitize-coverage=trace-pc call step_counter.cpp in each. So no loop can be forgotten, those of
+// the standard library's templates included, and no clock is asked.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@ std::uint64_t steps() noexcept;
 std::uint64_t allocations() noexcept;
 
 /// What `run` took.
-struct Cost {
+struct Work {
   std::uint64_t steps = 0;
   std::uint64_t allocations = 0;
 };
 template <class Run>
-Cost cost_of(Run&& run) {
-  const Cost before{steps(), allocations()};
+Work work_of(Run&& run) {
+  const Work before{steps(), allocations()};
   run();
   return {steps() - before.steps, allocations() - before.allocations};
 }

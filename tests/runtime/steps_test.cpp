@@ -1,6 +1,6 @@
-// What the headers promise about cost: an operation takes time linear in the valence, under every policy and however
-// many strands pass through the patch; dividing, cutting and linking long strips, looking along strips and updating
-// buffers take what their headers say; and what is said to allocate nothing does not.
+// What the headers promise about complexity: an operation takes time linear in the valence, under every policy and
+// however many strands pass through the patch; dividing, cutting and linking long strips, looking along strips and
+// updating buffers take what their headers say; and what is said to allocate nothing does not.
 //
 // Steps are counted (step_counter.hpp) at two sizes, one twice the other.
 #include <gtest/gtest.h>
@@ -27,10 +27,10 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
-using counter::Cost;
-using counter::cost_of;
+using counter::Work;
+using counter::work_of;
 
-::testing::AssertionResult grows_at_most(double times, const Cost& once, const Cost& twice) {
+::testing::AssertionResult grows_at_most(double times, const Work& once, const Work& twice) {
   if (once.steps < 20) return ::testing::AssertionFailure() << "nothing was counted: " << once.steps << " steps";
   const double ratio = static_cast<double>(twice.steps) / static_cast<double>(once.steps);
   if (ratio <= times) return ::testing::AssertionSuccess() << once.steps << " steps, then " << twice.steps;
@@ -55,11 +55,11 @@ Where middle_of_the_fan(const StripMesh& mesh, Vertex k) {
   return {mesh.spoke(0, 2), mesh.spoke(0, 2 + k / 2), Where::Spokes::both};
 }
 
-TEST(Cost, OperationsAreLinearInTheValenceUnderEveryPolicy) {
+TEST(Complexity, OperationsAreLinearInTheValenceUnderEveryPolicy) {
   constexpr Policy policies[] = {Policy::local, Policy::linked, Policy::quick, Policy::full};
   for (const bool zigzags : {true, false}) {
-    Cost split[std::size(policies)][2];
-    Cost collapse[std::size(policies)][2];
+    Work split[std::size(policies)][2];
+    Work collapse[std::size(policies)][2];
     for (const unsigned size : {0U, 1U}) {
       const Vertex k = 16'000U << size;
       StripMesh start = zigzags ? zigzag(k) : sample::double_cone(k);
@@ -72,8 +72,8 @@ TEST(Cost, OperationsAreLinearInTheValenceUnderEveryPolicy) {
         StripMesh mesh = start;
         StripKeeper keeper(mesh, policies[p]);
         Halfedge chord;
-        split[p][size] = cost_of([&] { chord = keeper.split(middle_of_the_fan(mesh, k)).halfedge; });
-        collapse[p][size] = cost_of([&] { keeper.collapse(chord); });
+        split[p][size] = work_of([&] { chord = keeper.split(middle_of_the_fan(mesh, k)).halfedge; });
+        collapse[p][size] = work_of([&] { keeper.collapse(chord); });
         ASSERT_TRUE(check_coloring(mesh).valid);
         ASSERT_EQ(keeper.strips(), check_coloring(mesh).strips);
       }
@@ -103,34 +103,34 @@ StripMesh ladder(Vertex n) {
 }
 
 // The middle of a long strip grows, its chunk is divided again and again, and the strip's length does not matter.
-TEST(Cost, DividingTheMiddleOfAStripDoesNotDependOnItsLength) {
-  Cost growing[2];
+TEST(Complexity, DividingTheMiddleOfAStripDoesNotDependOnItsLength) {
+  Work growing[2];
   for (const unsigned size : {0U, 1U}) {
     const Vertex n = 40'000U << size;
     StripMesh mesh = ladder(n);
     mesh.reserve(2 * n + 2'000, 2 * n + 2'000);
-    StripIndex index(mesh, 8);
-    index.reserve(2 * n + 2'000);
-    ASSERT_EQ(index.strips(), 1U);
+    StripLocator locator(mesh, 8);
+    locator.reserve(2 * n + 2'000);
+    ASSERT_EQ(locator.strips(), 1U);
     std::vector<Triangle> patch;
     for (Vertex i = 0; i < 1'000; ++i) {
       const Halfedge h = mesh.spoke(n);
       const Where where{h, turn_ccw(mesh, h), Where::Spokes::right_only};
-      growing[size].steps += cost_of([&] {
+      growing[size].steps += work_of([&] {
                                fan_triangles(mesh, where.right, patch);
-                               index.before_patch(mesh, patch);
+                               locator.before_patch(mesh, patch);
                                const auto done = split(mesh, where);
                                edge_triangles(mesh, done.halfedge, patch);
-                               index.after_patch(mesh, patch);
+                               locator.after_patch(mesh, patch);
                              }).steps;
     }
-    EXPECT_EQ(index.strips(), 1U);
+    EXPECT_EQ(locator.strips(), 1U);
   }
   EXPECT_TRUE(grows_at_most(constant, growing[0], growing[1]));
 }
 
-TEST(Cost, AddingChunksInTheMiddleOfAListIsLogarithmic) {
-  Cost adding[2];
+TEST(Complexity, AddingChunksInTheMiddleOfAListIsLogarithmic) {
+  Work adding[2];
   for (const unsigned size : {0U, 1U}) {
     detail::ChunkLists lists;
     lists.reserve(100'000, 1);
@@ -140,7 +140,7 @@ TEST(Cost, AddingChunksInTheMiddleOfAListIsLogarithmic) {
       last = lists.add_beside(last, true);
       if (i == 10'000U << size) middle = last;
     }
-    adding[size] = cost_of([&] {
+    adding[size] = work_of([&] {
       for (int i = 0; i < 10'000; ++i) lists.add_beside(middle, i % 3 == 0);
     });
     EXPECT_LT(adding[size].steps, 10'000U * 400);
@@ -149,20 +149,20 @@ TEST(Cost, AddingChunksInTheMiddleOfAListIsLogarithmic) {
   EXPECT_TRUE(grows_at_most(constant, adding[0], adding[1]));
 }
 
-TEST(Cost, CuttingAndLinkingALongStripRewritesChunksNotTriangles) {
-  Cost cut[2];
-  Cost link[2];
+TEST(Complexity, CuttingAndLinkingALongStripRewritesChunksNotTriangles) {
+  Work cut[2];
+  Work link[2];
   for (const unsigned size : {0U, 1U}) {
     const Vertex n = 50'000U << size;
     StripMesh mesh = ladder(n);
-    StripIndex index(mesh);
-    index.reserve(2 * n);
+    StripLocator locator(mesh);
+    locator.reserve(2 * n);
     const Halfedge h = mesh.spoke(n, n + 1).id != none ? mesh.spoke(n, n + 1) : mesh.spoke(n + 1, n);
     for (int round = 0; round < 2; ++round) {  // the second one after warm-up
-      cut[size] = cost_of([&] { index.cut(mesh, h); });
-      ASSERT_EQ(index.strips(), 2U);
-      link[size] = cost_of([&] { index.link(mesh, h); });
-      ASSERT_EQ(index.strips(), 1U);
+      cut[size] = work_of([&] { locator.cut(mesh, h); });
+      ASSERT_EQ(locator.strips(), 2U);
+      link[size] = work_of([&] { locator.link(mesh, h); });
+      ASSERT_EQ(locator.strips(), 1U);
     }
     EXPECT_EQ(cut[size].allocations + link[size].allocations, 0U);
     EXPECT_LT(cut[size].steps + link[size].steps, std::uint64_t{n});
@@ -171,21 +171,21 @@ TEST(Cost, CuttingAndLinkingALongStripRewritesChunksNotTriangles) {
   EXPECT_TRUE(grows_at_most(linear, link[0], link[1]));
 }
 
-TEST(Cost, LooksAlongAStripEndAfterReach) {
-  Cost looking[2];
+TEST(Complexity, LooksAlongAStripEndAfterReach) {
+  Work looking[2];
   for (const unsigned size : {0U, 1U}) {
     const Vertex n = 10'000U << size;
     StripMesh mesh = ladder(n);
     mesh.set_solid(mesh.spoke(n, n + 1).id != none ? mesh.spoke(n, n + 1) : mesh.spoke(n + 1, n), false);
     const Halfedge end = mesh.spoke(n, n + 1).id != none ? mesh.spoke(n, n + 1) : mesh.spoke(n + 1, n);
-    looking[size] = cost_of([&] { link_end(mesh, end); });
+    looking[size] = work_of([&] { link_end(mesh, end); });
     EXPECT_EQ(looking[size].allocations, 0U);
   }
   EXPECT_TRUE(grows_at_most(1.0, looking[0], looking[1]));
 }
 
-TEST(Cost, ABufferRewritesTheRunsAroundAChange) {
-  Cost updating[2];
+TEST(Complexity, ABufferRewritesTheRunsAroundAChange) {
+  Work updating[2];
   for (const unsigned size : {0U, 1U}) {
     const Vertex n = 10'000U << size;
     StripMesh mesh = ladder(n);
@@ -196,7 +196,7 @@ TEST(Cost, ABufferRewritesTheRunsAroundAChange) {
     const Halfedge inner = mesh.solid(h) ? h : StripMesh::next(h);
     for (const bool solid : {false, true, false, true}) {  // the last one after warm-up
       mesh.set_solid(inner, solid);
-      updating[size] = cost_of([&] { buffer.update(mesh, changed); });
+      updating[size] = work_of([&] { buffer.update(mesh, changed); });
       changed.clear();
     }
     EXPECT_EQ(updating[size].allocations, 0U);
@@ -205,8 +205,8 @@ TEST(Cost, ABufferRewritesTheRunsAroundAChange) {
 }
 
 // Coarsening leaves gaps, which are closed a few at a time: the longest of all updates does not depend on the mesh.
-TEST(Cost, NoUpdateOfABufferTakesLong) {
-  Cost longest[2];
+TEST(Complexity, NoUpdateOfABufferTakesLong) {
+  Work longest[2];
   for (const unsigned size : {0U, 1U}) {
     StripMesh mesh = sample::torus(60, 60U << size);
     stripify(mesh);
@@ -220,9 +220,9 @@ TEST(Cost, NoUpdateOfABufferTakesLong) {
       for (Triangle t = pass % 7; t < mesh.triangle_bound() && mesh.triangle_count() > most; t += 7) {
         if (!mesh.alive(t) || check_collapse(mesh, StripMesh::halfedge(t, t % 3)) != Refusal::granted) continue;
         collapse(mesh, StripMesh::halfedge(t, t % 3));
-        const Cost cost = cost_of([&] { buffer.update(mesh, changed); });
+        const Work work = work_of([&] { buffer.update(mesh, changed); });
         changed.clear();
-        longest[size].steps = std::max(longest[size].steps, cost.steps);
+        longest[size].steps = std::max(longest[size].steps, work.steps);
       }
     }
     EXPECT_LT(mesh.triangle_count(), 2 * most);
@@ -231,21 +231,21 @@ TEST(Cost, NoUpdateOfABufferTakesLong) {
 }
 
 // Searches of twice as many states take little more than twice the steps: chains get longer by a move or two.
-TEST(Cost, SearchesAreLinearInTheirStates) {
-  Cost searching[2];
+TEST(Complexity, SearchesAreLinearInTheirStates) {
+  Work searching[2];
   for (const unsigned size : {0U, 1U}) {
     StripMesh torus = sample::torus(60, 60);
     stripify(torus, Effort::full);
-    StripIndex index(torus);
+    StripLocator locator(torus);
     Tunnel tunnel;
     std::size_t searches = 0;
-    for (Triangle t = 0; t < torus.triangle_bound() && index.strips() < 3; t += 500)
+    for (Triangle t = 0; t < torus.triangle_bound() && locator.strips() < 3; t += 500)
       for (unsigned side = 0; side < 3; ++side)
-        if (torus.solid(StripMesh::halfedge(t, side))) index.cut(torus, StripMesh::halfedge(t, side));
-    searching[size] = cost_of([&] {
+        if (torus.solid(StripMesh::halfedge(t, side))) locator.cut(torus, StripMesh::halfedge(t, side));
+    searching[size] = work_of([&] {
       for (Triangle t = 0; t < torus.triangle_bound(); ++t)
         if (torus.solid_degree(t) == 1) {
-          tunnel.join(torus, index, t, 200U << size, Tunnel::OnFailure::wander);
+          tunnel.join(torus, locator, t, 200U << size, Tunnel::OnFailure::wander);
           ++searches;
         }
     });
@@ -257,7 +257,7 @@ TEST(Cost, SearchesAreLinearInTheirStates) {
   EXPECT_TRUE(grows_at_most(linear, searching[0], searching[1]));
 }
 
-TEST(Cost, OperationsAllocateNothing) {
+TEST(Complexity, OperationsAllocateNothing) {
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
     StripMesh mesh = sample::double_cone(40);
     stripify(mesh);
@@ -267,13 +267,13 @@ TEST(Cost, OperationsAllocateNothing) {
     std::uint64_t allocations = 0;
     for (int round = 0; round < 40; ++round) {
       const Where where{mesh.spoke(0), turn_ccw(mesh, turn_ccw(mesh, mesh.spoke(0))), Where::Spokes::both};
-      const Cost cost = cost_of([&] {
+      const Work work = work_of([&] {
         const Halfedge chord = keeper.split(where).halfedge;
         const Halfedge turned = keeper.flip(mesh.spoke(1)).halfedge;
         keeper.flip(turned);
         keeper.collapse(chord);
       });
-      if (round >= 20) allocations += cost.allocations;
+      if (round >= 20) allocations += work.allocations;
     }
     EXPECT_EQ(allocations, 0U) << "policy " << static_cast<int>(policy);
   }
@@ -299,21 +299,21 @@ struct RandomOutside {
   std::vector<int> seen;
 };
 
-TEST(Cost, LinkedRulesAreLinearInTheValence) {
+TEST(Complexity, LinkedRulesAreLinearInTheValence) {
   std::mt19937_64 random(9);
   for (const bool splits : {true, false}) {
-    Cost asking[2];
+    Work asking[2];
     for (const unsigned size : {0U, 1U}) {
       const std::size_t k = 30U << size;
       for (int run = 0; run < 1'000; ++run) {
         const RandomOutside outside(random, k, 3);
-        const Cost cost = cost_of([&] {
+        const Work work = work_of([&] {
           const Rule rule = splits ? linked_split_rule({k, k / 3}, 0, outside.ports, outside)
                                    : linked_collapse_rule({k, k / 3}, 0, outside.ports, outside);
           ASSERT_TRUE(rule.valid);
         });
-        asking[size].steps += cost.steps;
-        EXPECT_EQ(cost.allocations, 0U);
+        asking[size].steps += work.steps;
+        EXPECT_EQ(work.allocations, 0U);
       }
     }
     EXPECT_TRUE(grows_at_most(linear, asking[0], asking[1]));
@@ -321,23 +321,23 @@ TEST(Cost, LinkedRulesAreLinearInTheValence) {
 }
 
 // However many cycles there are to avoid, the automaton is asked max_answers times at most.
-TEST(Cost, LinkedRulesStopAtTheirLimit) {
+TEST(Complexity, LinkedRulesStopAtTheirLimit) {
   std::mt19937_64 random(10);
   constexpr std::size_t k = max_word_valence;
   std::uint64_t most = 0;
   std::uint64_t local = 0;
   for (int run = 0; run < 3'000; ++run) {
     const RandomOutside outside(random, k, k);
-    most = std::max(most, cost_of([&] { (void)linked_split_rule({k, k / 2}, 0, outside.ports, outside); }).steps);
-    local = std::max(local, cost_of([&] { (void)split_rule({k, k / 2}, 0, outside.ports); }).steps);
+    most = std::max(most, work_of([&] { (void)linked_split_rule({k, k / 2}, 0, outside.ports, outside); }).steps);
+    local = std::max(local, work_of([&] { (void)split_rule({k, k / 2}, 0, outside.ports); }).steps);
   }
   EXPECT_GT(most, 20 * local) << "no hard case was among them";
   EXPECT_LT(most, 4 * std::uint64_t{detail::max_answers} * local);
 }
 
-TEST(Cost, IndexRulesAreLinearInTheValence) {
-  Cost split[2];
-  Cost collapse[2];
+TEST(Complexity, IndexRulesAreLinearInTheValence) {
+  Work split[2];
+  Work collapse[2];
   for (const unsigned size : {0U, 1U}) {
     const std::size_t k = 2000U << size;
     // Every third port is solid, and its strip goes on one way, the other way, or not at all.
@@ -346,22 +346,22 @@ TEST(Cost, IndexRulesAreLinearInTheValence) {
     const std::vector<Word> right(words_for(k), 0x1008040201008040U);
     std::vector<Word> colors(words_for(k + 3));
     const index_rules::LongKey key{{ports.data()}, {ports.data()}, {left.data()}, {right.data()}};
-    split[size] = cost_of([&] { index_rules::best_split(k, k / 2, key, {colors.data()}); });
-    collapse[size] = cost_of([&] { index_rules::best_collapse(k, key, {colors.data()}); });
+    split[size] = work_of([&] { index_rules::best_split(k, k / 2, key, {colors.data()}); });
+    collapse[size] = work_of([&] { index_rules::best_collapse(k, key, {colors.data()}); });
   }
   EXPECT_TRUE(grows_at_most(linear, split[0], split[1]));
   EXPECT_TRUE(grows_at_most(linear, collapse[0], collapse[1]));
 }
 
-TEST(Cost, IndexRulesAllocateNothingUpToSixtyFour) {
+TEST(Complexity, IndexRulesAllocateNothingUpToSixtyFour) {
   const Word ports = 0x9249249249249249U;
   Word colors[2]{};
   const index_rules::LongKey key{{&ports}, {&ports}, {&ports}, {&ports}};
-  EXPECT_EQ(cost_of([&] { index_rules::best_split(64, 20, key, {colors}); }).allocations, 0U);
-  EXPECT_EQ(cost_of([&] { index_rules::best_open_split(64, 0, 64, key, {colors}); }).allocations, 0U);
+  EXPECT_EQ(work_of([&] { index_rules::best_split(64, 20, key, {colors}); }).allocations, 0U);
+  EXPECT_EQ(work_of([&] { index_rules::best_open_split(64, 0, 64, key, {colors}); }).allocations, 0U);
   const std::vector<Word> longer(2, ports);
   const index_rules::LongKey beyond{{longer.data()}, {longer.data()}, {longer.data()}, {longer.data()}};
-  EXPECT_EQ(cost_of([&] { index_rules::best_collapse(65, beyond, {colors}); }).allocations, 1U);
+  EXPECT_EQ(work_of([&] { index_rules::best_collapse(65, beyond, {colors}); }).allocations, 1U);
 }
 
 }  // namespace

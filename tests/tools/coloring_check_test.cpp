@@ -46,15 +46,15 @@ TEST(FindFaults, RejectsASolidCycle) {
   EXPECT_NE(find_fault_around(mesh, inner).find("cycle"), std::string::npos);
 }
 
-TEST(FindFault, OfAnIndexThatIsNoLongerTrue) {
+TEST(FindFault, OfALocatorThatIsNoLongerTrue) {
   StripMesh mesh = mesh_of(tetrahedron());
   mesh.set_solid(StripMesh::halfedge(0, 0), true);
-  const StripIndex index(mesh);
-  EXPECT_EQ(find_fault(mesh, index), "");
+  const StripLocator locator(mesh);
+  EXPECT_EQ(find_fault(mesh, locator), "");
   mesh.set_solid(StripMesh::halfedge(0, 0), false);
-  EXPECT_EQ(find_fault(mesh, index), "4 strips, but the index has 3");
+  EXPECT_EQ(find_fault(mesh, locator), "4 strips, but the locator has 3");
   mesh.set_solid(StripMesh::halfedge(0, 1), true);
-  EXPECT_NE(find_fault(mesh, index).find("in a wrong place"), std::string::npos);
+  EXPECT_NE(find_fault(mesh, locator).find("in a wrong place"), std::string::npos);
 }
 
 TEST(DecodeStrips, FollowsTheRulesOfTheCard) {

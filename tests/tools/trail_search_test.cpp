@@ -32,29 +32,29 @@ std::size_t solid_edges_that_differ(const StripMesh& one, const StripMesh& other
 TEST(TrailSearch, EverySuccessIsOneStripLess) {
   for (const Soup& soup : {make_mesh(2000), sheet(20), tetrahedron()}) {
     StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
-    StripIndex index(mesh);  // every triangle alone
+    StripLocator locator(mesh);  // every triangle alone
     TrailSearch search;
     std::size_t joined = 0;
     for (;;) {
       const StripMesh before = mesh;
-      const std::size_t strips = index.strips();
-      if (!search.join(mesh, index, ends_of(mesh), 20'000)) {
+      const std::size_t strips = locator.strips();
+      if (!search.join(mesh, locator, ends_of(mesh), 20'000)) {
         EXPECT_EQ(solid_edges_that_differ(before, mesh), 0U);
         break;
       }
       ++joined;
-      ASSERT_EQ(index.strips(), strips - 1);
+      ASSERT_EQ(locator.strips(), strips - 1);
       ASSERT_EQ(search.flips().size() % 2, 1U);
       ASSERT_EQ(solid_edges_that_differ(before, mesh), search.flips().size());
       for (const StripMesh::Halfedge h : search.flips()) ASSERT_NE(mesh.solid(h), before.solid(h));
       if (joined % 50 != 0) continue;
       const ColoringReport report = check_coloring(mesh);
       ASSERT_TRUE(report.valid);
-      ASSERT_EQ(report.strips, index.strips());
+      ASSERT_EQ(report.strips, locator.strips());
     }
     const ColoringReport report = check_coloring(mesh);
     EXPECT_TRUE(report.valid);
-    EXPECT_EQ(report.strips, index.strips());
+    EXPECT_EQ(report.strips, locator.strips());
     EXPECT_EQ(report.strips, soup.triangles.size() - joined);
     EXPECT_LE(report.strips, 1 + soup.triangles.size() / 30);
   }
@@ -64,10 +64,10 @@ TEST(TrailSearch, KeepsToItsBudget) {
   const Soup soup = make_mesh(2000);
   StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
   stripify(mesh, Effort::full);
-  StripIndex index(mesh);
+  StripLocator locator(mesh);
   TrailSearch search;
-  ASSERT_EQ(index.strips(), 1U);
-  EXPECT_FALSE(search.join(mesh, index, ends_of(mesh), 10'000));  // one strip has none to join
+  ASSERT_EQ(locator.strips(), 1U);
+  EXPECT_FALSE(search.join(mesh, locator, ends_of(mesh), 10'000));  // one strip has none to join
   EXPECT_LE(search.states(), 10'000U + 3 * TrailSearch::longest);
 }
 

@@ -76,13 +76,13 @@ TEST(Walk, EveryWay) {
 }
 
 TEST(Walk, FindsWhatIsKeptWrongBesideTheMesh) {
-  struct WithAStaleIndex : Operations {
-    StripIndex index;
-    explicit WithAStaleIndex(StripMesh& on) : Operations(on), index(on) {}
-    [[nodiscard]] std::string fault() const { return find_fault(mesh, index); }
+  struct WithAStaleLocator : Operations {
+    StripLocator locator;
+    explicit WithAStaleLocator(StripMesh& on) : Operations(on), locator(on) {}
+    [[nodiscard]] std::string fault() const { return find_fault(mesh, locator); }
   };
   StripMesh mesh = stripified(make_mesh(500));
-  EXPECT_NE(walk(mesh, {200, 2, 100}, begin<WithAStaleIndex>).fault.find("index"), std::string::npos);
+  EXPECT_NE(walk(mesh, {200, 2, 100}, begin<WithAStaleLocator>).fault.find("locator"), std::string::npos);
 }
 
 TEST(Walk, FindsCountersThatAreWrong) {

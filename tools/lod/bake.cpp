@@ -17,7 +17,7 @@
 #include "restrip/output/strips.hpp"
 #include "restrip/search/end_search.hpp"
 #include "restrip/search/rounds.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 #include "restrip/search/stripify.hpp"
 #include "restrip/search/tunnel.hpp"
 
@@ -149,17 +149,19 @@ class Baker {
 class StripBaker final : public Baker {
  public:
   StripBaker(BakedMesh& baked, std::size_t effort)
-      : Baker(baked), effort_(effort), index_(StripIndex::chunk_limit_for_long_strips(baked.mesh.fine_triangles())) {}
+      : Baker(baked),
+        effort_(effort),
+        locator_(StripLocator::chunk_limit_for_long_strips(baked.mesh.fine_triangles())) {}
 
  private:
-  [[nodiscard]] std::size_t strips() const override { return index_.strips(); }
+  [[nodiscard]] std::size_t strips() const override { return locator_.strips(); }
   [[nodiscard]] std::size_t states() const override { return trails_.states() + tunnel_.counts().states; }
 
   void begin(StripMesh& base) override {
     // Searches on the base are cheap, and every level inherits its strips.
     constexpr std::size_t states_per_triangle = 1000;
     stripify(base, Effort::full, states_per_triangle * base.triangle_count());
-    index_.rebuild(base);
+    locator_.rebuild(base);
   }
 
   void bake_split(const VertexSplit<Halfedge>& where, Vertex v_t) override {
@@ -170,10 +172,10 @@ class StripBaker final : public Baker {
 
   void split_patch(const VertexSplit<Halfedge>& where, Vertex v_t) {
     fan_triangles(mesh(), where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left, patch_);
-    index_.before_patch(mesh(), patch_);
+    locator_.before_patch(mesh(), patch_);
     const Halfedge chord = split_plainly(where, v_t).halfedge;
     edge_triangles(mesh(), chord, patch_);
-    index_.after_patch(mesh(), patch_);
+    locator_.after_patch(mesh(), patch_);
     // The inserted triangles first: trails from there are the shortest.
     const auto inserted = [&](Triangle t) {
       return t == StripMesh::triangle(chord) || t == StripMesh::triangle(mesh().opposite(chord));
@@ -182,7 +184,7 @@ class StripBaker final : public Baker {
     // Both alone: together they are one strip.
     if (where.spokes == VertexSplit<Halfedge>::Spokes::both && mesh().solid_degree(patch_[0]) == 0 &&
         mesh().solid_degree(patch_[1]) == 0)
-      index_.link(mesh(), chord);
+      locator_.link(mesh(), chord);
   }
 
   /// Short trails from the strip ends in the patch, until the mesh has no strip too many or none is found. False when
@@ -204,7 +206,7 @@ class StripBaker final : public Baker {
   /// Unwatched, because the search tries many more colours than it keeps.
   bool join(std::size_t most_states) {
     watch(false);
-    const bool joined = trails_.join(mesh(), index_, ends_, most_states);
+    const bool joined = trails_.join(mesh(), locator_, ends_, most_states);
     watch(true);
     if (joined)
       for (const Halfedge h : trails_.flips()) changed(h);
@@ -217,9 +219,9 @@ class StripBaker final : public Baker {
     const std::size_t strips_before = strips();
     const auto states = static_cast<std::uint32_t>(std::min<std::size_t>(effort_ / 16, 1U << 20));
     for (const Triangle t : patch_)
-      if (mesh().solid_degree(t) < 2) tunnel_.join(mesh(), index_, t, states);
+      if (mesh().solid_degree(t) < 2) tunnel_.join(mesh(), locator_, t, states);
     if (strips() == strips_before && ++waited_ >= wait_) {
-      rounds_.run(mesh(), index_, tunnel_, effort_ / 8, components());
+      rounds_.run(mesh(), locator_, tunnel_, effort_ / 8, components());
       // Where nothing is found, the next try can wait, and the longer the more often that was so.
       waited_ = 0;
       wait_ = strips() < strips_before ? 1 : std::min<std::size_t>(2 * wait_, 1024);
@@ -232,12 +234,12 @@ class StripBaker final : public Baker {
                                   std::back_inserter(wandered), [](Halfedge g, Halfedge h) { return g.id < h.id; });
     const auto missing =
         std::partition(wandered.begin(), wandered.end(), [this](Halfedge h) { return mesh().solid(h); });
-    std::for_each(wandered.begin(), missing, [this](Halfedge h) { index_.cut(mesh(), h); });
-    std::for_each(missing, wandered.end(), [this](Halfedge h) { index_.link(mesh(), h); });
+    std::for_each(wandered.begin(), missing, [this](Halfedge h) { locator_.cut(mesh(), h); });
+    std::for_each(missing, wandered.end(), [this](Halfedge h) { locator_.link(mesh(), h); });
   }
 
   std::size_t effort_;
-  StripIndex index_;
+  StripLocator locator_;
   TrailSearch trails_;
   Tunnel tunnel_;
   TunnelRounds rounds_{256, 4096};

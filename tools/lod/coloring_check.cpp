@@ -103,24 +103,24 @@ std::vector<std::string> find_faults(const StripMesh& mesh) {
   return faults;
 }
 
-std::string find_fault(const StripMesh& mesh, const StripIndex& index) {
+std::string find_fault(const StripMesh& mesh, const StripLocator& locator) {
   const Strips strips = extract_strips(mesh);
-  if (strips.size() != index.strips())
-    return fmt::format("{} strips, but the index has {}", strips.size(), index.strips());
+  if (strips.size() != locator.strips())
+    return fmt::format("{} strips, but the locator has {}", strips.size(), locator.strips());
   for (const Triangle t : strips.order)
-    if (!index.knows(t)) return fmt::format("the index does not know triangle {}", t);
+    if (!locator.knows(t)) return fmt::format("the locator does not know triangle {}", t);
   std::set<std::uint32_t> names;
   for (std::size_t s = 0; s < strips.size(); ++s) {
     const auto strip = strips[s];
-    const StripIndex::Position first = index.position(strip.front());
-    const bool up = first.order < index.position(strip.back()).order;
+    const StripLocator::Position first = locator.position(strip.front());
+    const bool up = first.order < locator.position(strip.back()).order;
     if (!names.insert(first.strip).second)
-      return fmt::format("the index has the strip of triangle {} twice", strip.front());
+      return fmt::format("the locator has the strip of triangle {} twice", strip.front());
     for (std::size_t i = 1; i < strip.size(); ++i) {
-      const StripIndex::Position before = index.position(strip[i - 1]);
-      const StripIndex::Position here = index.position(strip[i]);
+      const StripLocator::Position before = locator.position(strip[i - 1]);
+      const StripLocator::Position here = locator.position(strip[i]);
       if (here.strip != first.strip || here.order == before.order || (before.order < here.order) != up)
-        return fmt::format("the index has triangle {} in a wrong place", strip[i]);
+        return fmt::format("the locator has triangle {} in a wrong place", strip[i]);
     }
   }
   return {};

@@ -10,7 +10,7 @@
 #include "meshes/soup.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/search/index_keeper.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 
 namespace restrip::tools {
 
@@ -33,8 +33,8 @@ namespace restrip::tools {
 [[nodiscard]] std::string find_fault_around(const StripMesh& mesh, Vertex v);
 inline constexpr std::size_t farthest_cycle = 4096;
 
-/// Does the index know the strips of the mesh, and the order of the triangles in each? Empty when it does.
-[[nodiscard]] std::string find_fault(const StripMesh& mesh, const StripIndex& index);
+/// Does the locator know the strips of the mesh, and the order of the triangles in each? Empty when it does.
+[[nodiscard]] std::string find_fault(const StripMesh& mesh, const StripLocator& locator);
 
 /// Are the strips, swaps and isolated triangles of the mesh as many as its keeper says? Empty when they are.
 [[nodiscard]] std::string find_fault(const IndexKeeper& keeper);

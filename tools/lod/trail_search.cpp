@@ -15,9 +15,10 @@ constexpr unsigned short_trail = 7;
 
 }  // namespace
 
-bool TrailSearch::join(StripMesh& mesh, StripIndex& index, const std::vector<Triangle>& ends, std::size_t max_states) {
+bool TrailSearch::join(StripMesh& mesh, StripLocator& locator, const std::vector<Triangle>& ends,
+                       std::size_t max_states) {
   mesh_ = &mesh;
-  index_ = &index;
+  locator_ = &locator;
   const std::size_t bound = mesh.triangle_bound();
   if (distance_.size() < bound) {
     distance_.resize(bound + bound / 2, far);
@@ -110,7 +111,7 @@ void TrailSearch::take_back() {
 }
 
 TrailSearch::Cut TrailSearch::place_of(Triangle t) const {
-  const StripIndex::Position at = index_->position(t);
+  const StripLocator::Position at = locator_->position(t);
   return {at.strip, at.order};
 }
 
@@ -125,7 +126,7 @@ std::size_t TrailSearch::piece_of(Triangle t) {
   return i;
 }
 
-// The index has the strips as they were before the trail: cut them at its solid edges, and join the pieces at its
+// The locator has the strips as they were before the trail: cut them at its solid edges, and join the pieces at its
 // dashed ones.
 bool TrailSearch::closes_no_cycle() {
   cuts_.clear();
@@ -143,13 +144,13 @@ bool TrailSearch::closes_no_cycle() {
   return true;
 }
 
-// Flips the trail in colours and index alike. Whatever part of a valid colouring is linked first is valid.
+// Flips the trail in colours and locator alike. Whatever part of a valid colouring is linked first is valid.
 void TrailSearch::commit() {
   const std::vector<Halfedge> trail = trail_;
   while (!trail_.empty()) take_back();
   trail_ = trail;
-  for (std::size_t i = 1; i < trail_.size(); i += 2) index_->cut(*mesh_, trail_[i]);
-  for (std::size_t i = 0; i < trail_.size(); i += 2) index_->link(*mesh_, trail_[i]);
+  for (std::size_t i = 1; i < trail_.size(); i += 2) locator_->cut(*mesh_, trail_[i]);
+  for (std::size_t i = 0; i < trail_.size(); i += 2) locator_->link(*mesh_, trail_[i]);
 }
 
 }  // namespace restrip::tools

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 
 namespace restrip::tools {
 
@@ -25,8 +25,8 @@ class TrailSearch {
   static constexpr unsigned longest = 32;
 
   /// Joins two strips by the shortest trail from one of `ends` that it can find within `max_states` edges walked. True
-  /// when it did: then colours and index are changed, and flips() are the edges of the trail. Deterministic.
-  bool join(StripMesh& mesh, StripIndex& index, const std::vector<Triangle>& ends, std::size_t max_states);
+  /// when it did: then colours and locator are changed, and flips() are the edges of the trail. Deterministic.
+  bool join(StripMesh& mesh, StripLocator& locator, const std::vector<Triangle>& ends, std::size_t max_states);
 
   /// The trail of the last success: dashed, solid, ..., dashed before, each the other way now.
   [[nodiscard]] const std::vector<Halfedge>& flips() const noexcept { return trail_; }
@@ -41,7 +41,7 @@ class TrailSearch {
   void commit();
 
   StripMesh* mesh_ = nullptr;
-  StripIndex* index_ = nullptr;
+  StripLocator* locator_ = nullptr;
   std::vector<std::uint8_t> on_trail_;  // by halfedge
   std::vector<Halfedge> trail_;
   // How far the nearest strip end is, in steps across edges; `far` where none is near enough for any trail.

@@ -11,7 +11,7 @@
 
 #include "common/bad_input.hpp"
 #include "meshes/mesh_file.hpp"
-#include "meshes/place_index.hpp"
+#include "meshes/vertex_lookup.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -155,7 +155,7 @@ std::size_t repeated(const Soup& soup, std::span<const Attribute> attributes) {
   std::vector<bool> used(soup.points.size(), false);
   for (const Corners& t : soup.triangles)
     for (const std::uint32_t corner : t) used[corner] = true;
-  PlaceIndex places(attributes);
+  VertexLookup places(attributes);
   std::size_t count = 0;
   for (std::uint32_t v = 0; v < used.size(); ++v)
     if (used[v] && places.put(soup.points[v], v) != v) ++count;
@@ -185,7 +185,7 @@ void refuse_mending(const std::filesystem::path& file, const MendingOptions& opt
 
 void weld(Soup& soup, Mended& mended) {
   std::vector<std::uint32_t> number(soup.points.size());
-  PlaceIndex places(soup.attributes);
+  VertexLookup places(soup.attributes);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t v = 0; v < soup.points.size(); ++v) {
     const std::uint32_t first = places.put(soup.points[v], v);

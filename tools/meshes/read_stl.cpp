@@ -6,9 +6,9 @@
 
 #include "common/bad_input.hpp"
 #include "meshes/mesh_file.hpp"
-#include "meshes/place_index.hpp"
 #include "meshes/soup_builder.hpp"
 #include "meshes/text_cursor.hpp"
+#include "meshes/vertex_lookup.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -43,7 +43,7 @@ class Welder {
 
  private:
   SoupBuilder soup_;
-  PlaceIndex places_;
+  VertexLookup places_;
   Corners corners_{};
   unsigned filled_ = 0;
 };

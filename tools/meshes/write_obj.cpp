@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "meshes/place_index.hpp"
+#include "meshes/vertex_lookup.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -51,8 +51,8 @@ class ObjWriter {
     std::vector<Attribute> all;
     for (const Attribute* attribute : {normals_, places_, colors_})
       if (attribute != nullptr) all.push_back(*attribute);
-    PlaceIndex vertices(all);
-    PlaceIndex points(colors_ == nullptr ? std::span<const Attribute>() : std::span(colors_, 1));
+    VertexLookup vertices(all);
+    VertexLookup points(colors_ == nullptr ? std::span<const Attribute>() : std::span(colors_, 1));
     std::vector<std::uint32_t> number(soup_.points.size());
     std::uint32_t count = 0;
     auto out = std::back_inserter(text_);

@@ -7,7 +7,7 @@
 #include "lod/coloring_check.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/operations.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 #include "restrip/search/tunnel.hpp"
 
 namespace restrip::tools {
@@ -39,7 +39,7 @@ class Paper {
  public:
   Paper(StripMesh& mesh, bool join, bool tunnel) : mesh_(mesh), join_(join) {
     if (tunnel) {
-      index_.emplace();
+      locator_.emplace();
       restart(0);
     }
   }
@@ -69,37 +69,37 @@ class Paper {
     for (const Triangle t : patch_)
       for (unsigned side = 0; side < 3; ++side)
         if (const Halfedge across = mesh_.opposite(StripMesh::halfedge(t, side));
-            index_ && !StripMesh::on_boundary(across))
+            locator_ && !StripMesh::on_boundary(across))
           note(StripMesh::triangle(across));
     return turned;
   }
 
   Mending between() {
-    if (!index_) return {};
+    if (!locator_) return {};
     // Some have found a strip meanwhile, some were noted twice, some are no more.
-    const auto too_many = [&](std::size_t isolated) { return 10 * isolated > index_->strips(); };
+    const auto too_many = [&](std::size_t isolated) { return 10 * isolated > locator_->strips(); };
     if (!too_many(alone_.size())) return {};
     std::sort(alone_.begin(), alone_.end());
     alone_.erase(std::unique(alone_.begin(), alone_.end()), alone_.end());
     std::erase_if(alone_, [&](Triangle t) { return !alone(t); });
-    const std::size_t strips = index_->strips();
+    const std::size_t strips = locator_->strips();
     const std::ptrdiff_t isolated = tunnel_.counts().isolated;
     std::vector<Triangle> left;
     for (; !alone_.empty() && too_many(alone_.size() + left.size()); alone_.pop_back()) {
       const Triangle t = alone_.back();
-      if (alone(t) && !tunnel_.join(mesh_, *index_, t, short_tunnel)) left.push_back(t);
+      if (alone(t) && !tunnel_.join(mesh_, *locator_, t, short_tunnel)) left.push_back(t);
     }
     alone_.insert(alone_.end(), left.begin(), left.end());
-    return {-static_cast<int>(strips - index_->strips()), static_cast<int>(tunnel_.counts().isolated - isolated)};
+    return {-static_cast<int>(strips - locator_->strips()), static_cast<int>(tunnel_.counts().isolated - isolated)};
   }
 
   void restart(std::size_t) {
-    if (!index_) return;
-    index_->rebuild(mesh_);
+    if (!locator_) return;
+    locator_->rebuild(mesh_);
     alone_.clear();
     for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) note(t);
   }
-  [[nodiscard]] std::string fault() const { return index_ ? find_fault(mesh_, *index_) : std::string(); }
+  [[nodiscard]] std::string fault() const { return locator_ ? find_fault(mesh_, *locator_) : std::string(); }
 
  private:
   static constexpr std::uint32_t short_tunnel = 50;  // states: chains of four moves or so
@@ -109,17 +109,17 @@ class Paper {
     if (alone(t)) alone_.push_back(t);
   }
   void before() {
-    if (index_) index_->before_patch(mesh_, patch_);
+    if (locator_) locator_->before_patch(mesh_, patch_);
   }
   void after() {
-    if (!index_) return;
-    index_->after_patch(mesh_, patch_);
+    if (!locator_) return;
+    locator_->after_patch(mesh_, patch_);
     for (const Triangle t : patch_) note(t);
   }
 
   StripMesh& mesh_;
   bool join_;
-  std::optional<StripIndex> index_;  // of those that tunnel
+  std::optional<StripLocator> locator_;  // of those that tunnel
   Tunnel tunnel_;
   std::vector<Triangle> patch_;
   std::vector<Triangle> alone_;  ///< every isolated triangle, and some that no longer are

@@ -42,7 +42,7 @@ struct Kept {
   Rewrite<Halfedge> flip(Halfedge h) { return keeper.flip(h); }
   void restart(std::size_t) { keeper.rebuild(); }
   [[nodiscard]] std::string fault() const {
-    return keeper.index() != nullptr ? find_fault(keeper.mesh(), *keeper.index()) : std::string();
+    return keeper.locator() != nullptr ? find_fault(keeper.mesh(), *keeper.locator()) : std::string();
   }
 };
 

@@ -50,6 +50,6 @@
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/policy.hpp"
 #include "restrip/search/rounds.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 #include "restrip/search/stripify.hpp"
 #include "restrip/search/tunnel.hpp"

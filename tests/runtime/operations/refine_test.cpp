@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "../../support/sanitizers.hpp"
-#include "index_agrees.hpp"
+#include "locator_agrees.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
@@ -213,7 +213,7 @@ TEST(Refine, InversesUndoEachOther) {
       }
 }
 
-// Under a keeper told is counted as well, and its index follows.
+// Under a keeper told is counted as well, and its locator follows.
 TEST(Refine, KeepersFollow) {
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
     StripMesh mesh = sample::torus(12, 9);
@@ -243,8 +243,8 @@ TEST(Refine, KeepersFollow) {
       ASSERT_EQ(told.strips, counted.strips);
       ASSERT_EQ(told.isolated, counted.isolated);
       ASSERT_EQ(static_cast<long>(keeper.strips()), counted.strips);
-      if (keeper.index() != nullptr) {
-        ASSERT_TRUE(agrees(*keeper.index(), mesh));
+      if (keeper.locator() != nullptr) {
+        ASSERT_TRUE(agrees(*keeper.locator(), mesh));
       }
     }
   }

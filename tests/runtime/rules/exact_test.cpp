@@ -23,7 +23,7 @@ static_assert(best_collapse(3, 0, 0).value == Value{2, 0});
 static_assert(best_fan_collapse(1, 0, 0).value == Value{0, 1});
 static_assert(noexcept(best_split(4, 2, Word{0}, Word{0})));
 
-naive::Cost cost_of(const Value& value) { return {value.solid, value.isolated}; }
+naive::Merit merit_of(const Value& value) { return {value.solid, value.isolated}; }
 
 // The largest valence to search. An unoptimised build stops one earlier, to stay below half a minute.
 std::size_t largest() {
@@ -51,7 +51,7 @@ void check_all_keys(const naive::Patch& patch, Answer answer) {
         ++keys;
         const Recoloring best = answer(ports, given);
         const auto judged = search.judge(best.colors, joined);
-        if (!judged || *judged != cost_of(best.value) || *judged != search.best(joined)) {
+        if (!judged || *judged != merit_of(best.value) || *judged != search.best(joined)) {
           ADD_FAILURE() << "k " << k << " ports " << ports << " joined " << given << " colors " << best.colors
                         << " solid " << best.value.solid << " isolated " << best.value.isolated
                         << (judged ? "" : ", not sound") << "; best is " << search.best(joined).solid << ", "
@@ -123,17 +123,17 @@ void check_all_configurations(const naive::Patch& before, const naive::Patch& af
     for (Word inner = 0; inner < (Word{1} << before.edges.size()); ++inner) {
       const naive::Analysis now = naive::analyze(before, naive::bits_of(inner, before.edges.size()), port_bits);
       if (!now.valid) continue;
-      naive::Cost best;
+      naive::Merit best;
       for (const naive::Analysis& next : recolorings) {
-        const naive::Cost cost{next.solid, next.isolated};
-        if (next.valid && naive::better(cost, best) && naive::subset(next.joined, now.joined)) best = cost;
+        const naive::Merit merit{next.solid, next.isolated};
+        if (next.valid && naive::better(merit, best) && naive::subset(next.joined, now.joined)) best = merit;
       }
       const Recoloring found = answer(ports, key_of(inner, ports));
       const naive::Analysis& next = recolorings.at(found.colors);
       ASSERT_TRUE(next.valid && naive::subset(next.joined, now.joined)) << "inner " << inner << " ports " << ports;
-      ASSERT_EQ(cost_of(found.value), (naive::Cost{next.solid, next.isolated}))
+      ASSERT_EQ(merit_of(found.value), (naive::Merit{next.solid, next.isolated}))
           << "inner " << inner << " ports " << ports;
-      ASSERT_EQ(cost_of(found.value), best) << "inner " << inner << " ports " << ports;
+      ASSERT_EQ(merit_of(found.value), best) << "inner " << inner << " ports " << ports;
     }
   }
 }

@@ -30,7 +30,7 @@ naive::Weights weights() {
 }
 
 // The operations by number, with all their positions.
-struct Place {
+struct OperationAt {
   int family = 0;
   std::size_t k = 0;
   std::size_t i = 0;  // a, or the first gap
@@ -88,8 +88,8 @@ struct Place {
   }
 };
 
-std::vector<Place> places(std::size_t k) {
-  std::vector<Place> all;
+std::vector<OperationAt> operations(std::size_t k) {
+  std::vector<OperationAt> all;
   for (std::size_t a = 1; k >= 3 && a < k; ++a) all.push_back({0, k, a, 0});
   if (k >= 3) all.push_back({1, k, 0, 0});
   for (std::size_t i = 0; i < k; ++i) {
@@ -114,23 +114,23 @@ struct Sound {
   naive::Turned turned;
 };
 
-// Every key of one place, in four steps: ports, what is behind them, what is joined. Returns the number of keys.
-std::size_t check_all_keys(const Place& place) {
-  const naive::TurnPatch patch = place.patch();
-  const std::size_t k = place.k;
+// Every key of one operation, in four steps: ports, what is behind them, what is joined. Returns the number of keys.
+std::size_t check_all_keys(const OperationAt& operation) {
+  const naive::TurnPatch patch = operation.patch();
+  const std::size_t k = operation.k;
   const std::size_t colors = patch.graph.edges.size();
   std::size_t keys = 0;
   for (Word ports = 0; ports < bit(k); ++ports) {
     const naive::Bits port_bits = naive::bits_of(ports, k);
     std::vector<Sound> sounds;
-    std::vector<int> place_of(std::size_t{1} << colors, -1);
+    std::vector<int> number_of(std::size_t{1} << colors, -1);
     for (Word inner = 0; inner < bit(colors); ++inner) {
       const naive::Bits inner_bits = naive::bits_of(inner, colors);
       const naive::Analysis truth = naive::analyze(patch.graph, inner_bits, port_bits);
       if (!truth.valid) continue;
       const naive::Bits needed = naive::key_of(patch.graph, port_bits, truth.joined);
       if (!naive::subset(truth.joined, naive::pairs_of(patch.graph, port_bits, needed))) continue;
-      place_of[inner] = static_cast<int>(sounds.size());
+      number_of[inner] = static_cast<int>(sounds.size());
       sounds.push_back({naive::mask_of(needed), naive::turned(patch, inner_bits, port_bits, weights())});
     }
     for (Word left = ports;; left = (left - 1) & ports) {
@@ -152,13 +152,13 @@ std::size_t check_all_keys(const Place& place) {
           // Of two ports in a ring either bit stands for the pair.
           const bool two = patch.graph.cyclic && count_bits(ports) == 2 && joined != 0;
           const Word meant = two ? ports : joined;
-          const Recoloring best = place.best({ports, joined, left, right});
-          const int at = best.colors < place_of.size() ? place_of[best.colors] : -1;
+          const Recoloring best = operation.best({ports, joined, left, right});
+          const int at = best.colors < number_of.size() ? number_of[best.colors] : -1;
           if (at < 0 || (sounds[static_cast<std::size_t>(at)].needed & ~meant) != 0 ||
               costs[static_cast<std::size_t>(at)] != best.cost || best.cost != least[meant]) {
-            ADD_FAILURE() << place.text() << " ports " << ports << " joined " << joined << " left " << left << " right "
-                          << right << ": colors " << best.colors << " cost " << best.cost << ", best " << least[meant]
-                          << (at < 0 ? ", not sound" : "");
+            ADD_FAILURE() << operation.text() << " ports " << ports << " joined " << joined << " left " << left
+                          << " right " << right << ": colors " << best.colors << " cost " << best.cost << ", best "
+                          << least[meant] << (at < 0 ? ", not sound" : "");
             return keys;
           }
           if (joined == 0) break;
@@ -182,18 +182,18 @@ TEST(IndexRules, EveryKeyOfEveryPosition) {
   std::size_t words = 1;
   for (std::size_t k = 1; k <= largest; ++k) {
     words *= 7;  // a dashed port, or a solid one, joined or not, with one of three things behind it
-    for (const Place& place : places(k)) {
-      EXPECT_EQ(check_all_keys(place), words) << place.text();
+    for (const OperationAt& operation : operations(k)) {
+      EXPECT_EQ(check_all_keys(operation), words) << operation.text();
       if (testing::Test::HasFailure()) return;
     }
   }
 }
 
 void check_one(std::mt19937_64& random, std::size_t k) {
-  Place place{static_cast<int>(random() % 5), k, 0, 0};
-  place.i = place.family == 0 ? 1 + random() % (k - 1) : random() % k;
-  place.j = place.i + 1 + random() % (k - place.i);
-  const naive::TurnPatch patch = place.patch();
+  OperationAt operation{static_cast<int>(random() % 5), k, 0, 0};
+  operation.i = operation.family == 0 ? 1 + random() % (k - 1) : random() % k;
+  operation.j = operation.i + 1 + random() % (k - operation.i);
+  const naive::TurnPatch patch = operation.patch();
   const std::size_t colors = patch.graph.edges.size();
   // Between a handful of ports and all of them, each pair joined seldom or nearly always, strips that end or go on.
   const std::uint64_t solid_of_64 = random() % 3 == 0 ? random() % 4 : random() % 65;
@@ -209,15 +209,15 @@ void check_one(std::mt19937_64& random, std::size_t k) {
     left[x] = random() % 8 < left_of_8;
     right[x] = !left[x] && random() % 2 == 0;
   }
-  SCOPED_TRACE(place.text());
+  SCOPED_TRACE(operation.text());
   const std::vector<Word> port_words = naive::words_of(ports);
   const std::vector<Word> joined_words = naive::words_of(joined);
   const std::vector<Word> left_words = naive::words_of(left);
   const std::vector<Word> right_words = naive::words_of(right);
   std::vector<Word> out(words_for(colors == 0 ? 1 : colors), 0);
-  const int cost = place.best(LongKey{BitSpan{port_words.data()}, BitSpan{joined_words.data()},
-                                      BitSpan{left_words.data()}, BitSpan{right_words.data()}},
-                              MutableBitSpan{out.data()});
+  const int cost = operation.best(LongKey{BitSpan{port_words.data()}, BitSpan{joined_words.data()},
+                                          BitSpan{left_words.data()}, BitSpan{right_words.data()}},
+                                  MutableBitSpan{out.data()});
   const naive::Bits inner = naive::bits_from(out, colors);
   const naive::Analysis truth = naive::analyze(patch.graph, inner, ports);
   ASSERT_TRUE(truth.valid);
@@ -227,7 +227,7 @@ void check_one(std::mt19937_64& random, std::size_t k) {
   EXPECT_EQ(cost, naive::TurnFrontier(patch, ports, joined, behind, weights()).least());
   if (k > max_word_valence) return;
   const Recoloring word =
-      place.best(Key{naive::mask_of(ports), naive::mask_of(joined), naive::mask_of(left), naive::mask_of(right)});
+      operation.best(Key{naive::mask_of(ports), naive::mask_of(joined), naive::mask_of(left), naive::mask_of(right)});
   EXPECT_EQ(word.cost, cost);
   EXPECT_EQ(naive::bits_of(word.colors, colors), inner);
 }

@@ -1,5 +1,5 @@
-// Tunnelling joins strips and never harms a colouring; a keeper's strips, counts and index are right after any mixture
-// of operations, and they stay few.
+// Tunnelling joins strips and never harms a colouring; a keeper's strips, counts and locator are right after any
+// mixture of operations, and they stay few.
 #include "restrip/search/keeper.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "index_agrees.hpp"
+#include "locator_agrees.hpp"
 #include "random_operation.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -20,14 +20,14 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 
-void expect_right(const StripMesh& mesh, const StripIndex& index) {
+void expect_right(const StripMesh& mesh, const StripLocator& locator) {
   ASSERT_TRUE(check_coloring(mesh).valid);
-  ASSERT_TRUE(agrees(index, mesh));
+  ASSERT_TRUE(agrees(locator, mesh));
 }
 
 void expect_right(const StripKeeper& keeper) {
-  if (keeper.index() != nullptr) {
-    expect_right(keeper.mesh(), *keeper.index());
+  if (keeper.locator() != nullptr) {
+    expect_right(keeper.mesh(), *keeper.locator());
     return;
   }
   const ColoringReport report = check_coloring(keeper.mesh());
@@ -37,19 +37,19 @@ void expect_right(const StripKeeper& keeper) {
 
 TEST(Tunnel, EachJoinTakesOneStripAway) {
   for (StripMesh& mesh : sample::meshes()) {
-    StripIndex index(mesh);  // all isolated
+    StripLocator locator(mesh);  // all isolated
     Tunnel tunnel;
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-      const std::size_t before = index.strips();
-      const bool joined = tunnel.join(mesh, index, t, 20);
-      ASSERT_EQ(index.strips(), before - (joined ? 1 : 0));
-      expect_right(mesh, index);
+      const std::size_t before = locator.strips();
+      const bool joined = tunnel.join(mesh, locator, t, 20);
+      ASSERT_EQ(locator.strips(), before - (joined ? 1 : 0));
+      expect_right(mesh, locator);
     }
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-      const std::size_t before = index.strips();
-      const bool joined = tunnel.join(mesh, index, t, 50, Tunnel::OnFailure::wander);
-      ASSERT_EQ(index.strips(), before - (joined ? 1 : 0));
-      expect_right(mesh, index);
+      const std::size_t before = locator.strips();
+      const bool joined = tunnel.join(mesh, locator, t, 50, Tunnel::OnFailure::wander);
+      ASSERT_EQ(locator.strips(), before - (joined ? 1 : 0));
+      expect_right(mesh, locator);
     }
   }
 }
@@ -57,10 +57,10 @@ TEST(Tunnel, EachJoinTakesOneStripAway) {
 TEST(Tunnel, LooksAtNoMoreStatesThanAllowed) {
   StripMesh mesh = sample::torus(30, 30);
   stripify(mesh);
-  StripIndex index(mesh);
+  StripLocator locator(mesh);
   for (const std::uint32_t states : {0U, 1U, 2U, 7U, 100U}) {
     Tunnel tunnel;
-    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) tunnel.join(mesh, index, t, states);
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) tunnel.join(mesh, locator, t, states);
     EXPECT_LE(tunnel.counts().states, tunnel.counts().searches * states);
   }
 }
@@ -142,7 +142,8 @@ TEST(StripKeeper, StripsDoNotAge) {
   expect_right(keeper);
 }
 
-// A ring of solid edges has no end to index a strip from, and a triangle of three solid edges no strip.
+// A ring of solid edges has no end from which its triangles could be numbered, and a triangle of three solid edges no
+// strip.
 TEST(InvalidColorings, AreRefusedByWhoeverReadsTheWholeMesh) {
   for (const bool cycle : {true, false}) {
     StripMesh mesh = sample::rectangle(3, 3);
@@ -169,7 +170,7 @@ TEST(InvalidColorings, AreRefusedByWhoeverReadsTheWholeMesh) {
                                  (cycle ? "solid dual edges close a cycle" : "a triangle has three solid dual edges");
     for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full})
       EXPECT_EQ(message([&] { const StripKeeper keeper(mesh, policy); }), expected);
-    EXPECT_EQ(message([&] { const StripIndex index(mesh); }), expected);
+    EXPECT_EQ(message([&] { const StripLocator locator(mesh); }), expected);
     EXPECT_EQ(message([&] { (void)count_strips(mesh); }), expected);
     mesh.clear_colors();
     StripKeeper keeper(mesh);

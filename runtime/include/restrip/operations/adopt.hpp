@@ -2,9 +2,9 @@
 //
 // Splits and collapses inside the mesh never add an isolated triangle (proved for fans of up to eight triangles, tested
 // for larger ones). On its boundary, and in flips, even the optimal rule sometimes must, because it reads and writes
-// only its patch (docs/notation.md, "Cost"). Looking one triangle further helps: the isolated triangle x takes the edge
-// to a neighbour t, and t gives up one of its two solid edges, to a triangle that has another one. The number of strips
-// stays the same, no other triangle becomes isolated, and no cycle can close, because x had no solid edge.
+// only its patch. Looking one triangle further helps: the isolated triangle x takes the edge to a neighbour t, and t
+// gives up one of its two solid edges, to a triangle that has another one. The number of strips stays the same, no
+// other triangle becomes isolated, and no cycle can close, because x had no solid edge.
 //
 // Call after an operation whose Rewrite says `isolated > 0`, or after any flip. Adoption writes colours outside the
 // patch, so operations that adopt do not commute with their neighbours. Constant time a triangle, and rarely needed.

@@ -117,7 +117,7 @@ class IndexKeeper {
 
  private:
   // The triangles whose colours a flip may change, and what they and their solid edges count.
-  class Place {
+  class Surroundings {
    public:
     void add(Triangle t) noexcept;
     void add_neighbors(const StripMesh& mesh, Triangle t) noexcept;

@@ -2,10 +2,10 @@
 //
 // The local rules (operations.hpp) see one patch, and under them strips get shorter over thousands of operations. A
 // policy says how much more an operation looks at: the strips around the patch (linked.hpp), or everything that
-// tunnelling (tunnel.hpp) reaches from every strip end in the patch, which needs an index of the strips beside the mesh
-// (strip_index.hpp). At the moment when a strip breaks, its ends are known, and ends of other strips are near. (Porcu
-// and Scateni tunnel when isolated triangles exceed a threshold. Tunnelling at once and locally keeps the strips of
-// every level of detail as long as those made from scratch.)
+// tunnelling (tunnel.hpp) reaches from every strip end in the patch, which needs a locator of the strips beside the
+// mesh (strip_locator.hpp). At the moment when a strip breaks, its ends are known, and ends of other strips are near.
+// (Porcu and Scateni tunnel when isolated triangles exceed a threshold. Tunnelling at once and locally keeps the strips
+// of every level of detail as long as those made from scratch.)
 //
 //   StripMesh mesh = ...;
 //   stripify(mesh, Effort::full);
@@ -13,14 +13,15 @@
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
 //   keeper.improve(10'000);                            // in idle time
 //
-// Cost. An operation costs its rule and, if the policy tunnels, time linear in the patch for the index, and the
+// Cost. An operation costs its rule and, if the policy tunnels, time linear in the patch for the locator, and the
 // searches. Their mean number of states depends on the policy, not on the size of the mesh. The same holds for the mean
-// length of the strips, on which the index depends, once they have the length that the policy keeps. After warm-up
+// length of the strips, on which the locator depends, once they have the length that the policy keeps. After warm-up
 // nothing is allocated beyond what the mesh itself allocates to grow.
 //
 // Exceptions (only std::bad_alloc). The mesh and its colouring are valid after one: the operation, or the repair that
 // follows it, is done as a whole, in part or not at all. What the keeper knows beside the mesh is then out of date:
-// up_to_date() is false, index() is null and strips() is stale until rebuild(), which the next operation calls itself.
+// up_to_date() is false, locator() is null and strips() is stale until rebuild(), which the next operation calls
+// itself.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +37,7 @@
 #include "restrip/output/strips.hpp"
 #include "restrip/search/policy.hpp"
 #include "restrip/search/rounds.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 #include "restrip/search/tunnel.hpp"
 
 namespace restrip {
@@ -74,16 +75,16 @@ class StripKeeper {
     rebuild();
   }
 
-  /// From the next operation on. Linear time when the index has to be made.
+  /// From the next operation on. Linear time when the locator has to be made.
   void set_policy(Policy policy) {
     linked_ = policy == Policy::linked;
     set_search(search_of(policy));
   }
   /// Searches of any size: larger ones keep longer strips and take proportionally longer.
   void set_search(Search search) {
-    const bool had_index = tunnels();
+    const bool had_locator = tunnels();
     search_ = search;
-    if (!had_index && tunnels()) rebuild();
+    if (!had_locator && tunnels()) rebuild();
   }
 
   /// The operations of operations.hpp, with the same preconditions. `strips` of the result includes what tunnelling
@@ -96,7 +97,7 @@ class StripKeeper {
     if (!tunnels())
       return counted(linked_ ? split_and_link(*mesh_, where, new_vertex) : split_and_adopt(*mesh_, where, new_vertex));
     fan_triangles(*mesh_, where.spokes == Spokes::right_only ? where.right : where.left, patch_);
-    index_.before_patch(*mesh_, patch_);
+    locator_.before_patch(*mesh_, patch_);
     const Rewrite<Halfedge> done = restrip::split(*mesh_, where, new_vertex);
     for (const Halfedge h : {done.halfedge, mesh_->opposite(done.halfedge)})
       if (!StripMesh::on_boundary(h)) patch_.push_back(StripMesh::triangle(h));
@@ -108,7 +109,7 @@ class StripKeeper {
     begin();
     if (!tunnels()) return counted(linked_ ? collapse_and_link(*mesh_, chord) : collapse_and_adopt(*mesh_, chord));
     edge_triangles(*mesh_, chord, patch_);
-    index_.before_patch(*mesh_, patch_);
+    locator_.before_patch(*mesh_, patch_);
     const Rewrite<Halfedge> done = restrip::collapse(*mesh_, chord);
     forget_removed();
     return finish(done);
@@ -118,7 +119,7 @@ class StripKeeper {
     begin();
     if (!tunnels()) return counted(linked_ ? flip_and_link(*mesh_, h) : flip_and_adopt(*mesh_, h));
     patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_->opposite(h))});
-    index_.before_patch(*mesh_, patch_);
+    locator_.before_patch(*mesh_, patch_);
     Rewrite<Halfedge> done = finish(restrip::flip(*mesh_, h));
     adopt_beside_patch(done);
     return done;
@@ -150,10 +151,10 @@ class StripKeeper {
   /// the number of strips it saved.
   std::size_t improve(std::size_t budget) {
     begin();
-    if (!tunnels()) index_.rebuild(*mesh_);
-    const std::size_t before = index_.strips();
-    rounds_.run(*mesh_, index_, tunnel_, budget);
-    strips_ = index_.strips();
+    if (!tunnels()) locator_.rebuild(*mesh_);
+    const std::size_t before = locator_.strips();
+    rounds_.run(*mesh_, locator_, tunnel_, budget);
+    strips_ = locator_.strips();
     up_to_date_ = true;
     return before - strips_;
   }
@@ -164,21 +165,21 @@ class StripKeeper {
     up_to_date_ = false;
     rounds_.restart();
     if (tunnels()) {
-      index_.rebuild(*mesh_);
-      strips_ = index_.strips();
+      locator_.rebuild(*mesh_);
+      strips_ = locator_.strips();
     } else {
       strips_ = count_strips(*mesh_);
     }
     up_to_date_ = true;
   }
-  void reserve(std::size_t triangles) { index_.reserve(triangles); }
+  void reserve(std::size_t triangles) { locator_.reserve(triangles); }
 
   [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
   [[nodiscard]] const StripMesh& mesh() const noexcept { return *mesh_; }
   /// False after an exception, until rebuild() or the next operation.
   [[nodiscard]] bool up_to_date() const noexcept { return up_to_date_; }
-  /// Null under policies without an index, and while it is not up to date.
-  [[nodiscard]] const StripIndex* index() const noexcept { return tunnels() && up_to_date_ ? &index_ : nullptr; }
+  /// Null under policies without a locator, and while it is not up to date.
+  [[nodiscard]] const StripLocator* locator() const noexcept { return tunnels() && up_to_date_ ? &locator_ : nullptr; }
   [[nodiscard]] const TunnelCounts& counts() const noexcept { return tunnel_.counts(); }
 
  private:
@@ -191,7 +192,7 @@ class StripKeeper {
   // For the next operation. The longer the strips, the more states it takes to find an end; a high power of the length
   // keeps all levels of detail close to `enough`.
   [[nodiscard]] std::uint32_t states_now() const noexcept {
-    const double short_of = static_cast<double>(search_.enough) * static_cast<double>(index_.strips()) /
+    const double short_of = static_cast<double>(search_.enough) * static_cast<double>(locator_.strips()) /
                             static_cast<double>(mesh_->triangle_count());
     if (search_.enough == 0 || short_of >= 1) return search_.states;
     const double square = short_of * short_of;
@@ -203,16 +204,16 @@ class StripKeeper {
     return done;
   }
   Rewrite<Halfedge> finish(Rewrite<Halfedge> done) {
-    index_.after_patch(*mesh_, patch_);
+    locator_.after_patch(*mesh_, patch_);
     const std::uint32_t states = states_now();
     const TunnelCounts before = tunnel_.counts();
     for (const Triangle t : patch_)
-      if (mesh_->solid_degree(t) < 2) tunnel_.join(*mesh_, index_, t, states);
+      if (mesh_->solid_degree(t) < 2) tunnel_.join(*mesh_, locator_, t, states);
     done.strips -= static_cast<int>(tunnel_.counts().joined - before.joined);
     done.isolated += static_cast<int>(tunnel_.counts().isolated - before.isolated);
     if (done.isolated > 0)
       for (const Triangle t : patch_) adopt_isolated(done, StripMesh::halfedge(t, 0));
-    strips_ = index_.strips();
+    strips_ = locator_.strips();
     up_to_date_ = true;
     return done;
   }
@@ -224,7 +225,7 @@ class StripKeeper {
     patch_.clear();
     for (const Halfedge side : {h, mesh_->opposite(h)})
       if (!StripMesh::on_boundary(side) && (on_edge || side == h)) patch_.push_back(StripMesh::triangle(side));
-    index_.before_patch(*mesh_, patch_);
+    locator_.before_patch(*mesh_, patch_);
     const Rewrite<Halfedge> done = operation();
     fan_triangles(*mesh_, mesh_->opposite(done.halfedge), patch_);
     return finish(done);
@@ -234,7 +235,7 @@ class StripKeeper {
   Rewrite<Halfedge> remove(Halfedge chord, Do&& operation) {
     begin();
     fan_triangles(*mesh_, mesh_->opposite(chord), patch_);
-    if (tunnels()) index_.before_patch(*mesh_, patch_);
+    if (tunnels()) locator_.before_patch(*mesh_, patch_);
     Rewrite<Halfedge> done = operation();
     forget_removed();
     done = tunnels() ? finish(done) : counted(done);
@@ -259,14 +260,14 @@ class StripKeeper {
       if (!tunnels())
         mesh_->set_solid(g, solid);
       else
-        solid ? index_.link(*mesh_, g) : index_.cut(*mesh_, g);
+        solid ? locator_.link(*mesh_, g) : locator_.cut(*mesh_, g);
     });
     done = detail::with(done, mending);
     strips_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(strips_) + mending.strips);
   }
 
   StripMesh* mesh_;
-  StripIndex index_;
+  StripLocator locator_;
   Tunnel tunnel_;
   TunnelRounds rounds_{256, 4096};
   Search search_;

@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 #include "restrip/search/tunnel.hpp"
 
 namespace restrip {
@@ -24,20 +24,20 @@ class TunnelRounds {
   /// there are no more than `enough` strips. Returns the number of states looked at. One state of the largest searches
   /// costs a few hundred nanoseconds; walking past triangles inside strips counts as one state for every 64.
   /// Deterministic: the same calls on the same mesh do the same.
-  std::size_t run(StripMesh& mesh, StripIndex& index, Tunnel& tunnel, std::size_t budget, std::size_t enough = 1) {
+  std::size_t run(StripMesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget, std::size_t enough = 1) {
     const std::size_t before = tunnel.counts().states;
     std::size_t passed = 0;
     const auto spent = [&] { return tunnel.counts().states - before + passed / 64; };
-    while (index.strips() > enough && spent() < budget) {
+    while (locator.strips() > enough && spent() < budget) {
       if (next_ >= mesh.triangle_bound()) {
-        finish_round(index.strips());
+        finish_round(locator.strips());
         if (mesh.triangle_count() == 0) break;
       }
       const Triangle t = next_++;
       ++passed;
       if (!mesh.alive(t) || mesh.solid_degree(t) > 1) continue;
       const auto on_failure = states_ >= last_ ? Tunnel::OnFailure::wander : Tunnel::OnFailure::stay;
-      tunnel.join(mesh, index, t, states_, on_failure);
+      tunnel.join(mesh, locator, t, states_, on_failure);
     }
     return spent();
   }

@@ -18,7 +18,7 @@
 #include "restrip/search/anneal.hpp"
 #include "restrip/search/greedy.hpp"
 #include "restrip/search/rounds.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 #include "restrip/search/tunnel.hpp"
 
 namespace restrip {
@@ -52,11 +52,11 @@ namespace detail {
 
 /// Fewer strips than stripify_fast() left, by tunnelling.
 inline std::size_t tunnel_from_scratch(StripMesh& mesh, std::uint64_t states) {
-  StripIndex index(mesh, StripIndex::chunk_limit_for_long_strips(mesh.triangle_count()));
+  StripLocator locator(mesh, StripLocator::chunk_limit_for_long_strips(mesh.triangle_count()));
   Tunnel tunnel;
   TunnelRounds rounds;
-  rounds.run(mesh, index, tunnel, static_cast<std::size_t>(states), connected_components(mesh));
-  return index.strips();
+  rounds.run(mesh, locator, tunnel, static_cast<std::size_t>(states), connected_components(mesh));
+  return locator.strips();
 }
 
 }  // namespace detail

@@ -7,10 +7,10 @@
 // 1976; Stewart, "Tunneling for triangle strips in continuous level-of-detail meshes", 2001; Porcu, Scateni, "An
 // iterative stripification algorithm based on dual graph operations", 2003.)
 //
-// The search simulates such chains breadth-first. A state is a list of *pieces*, stretches of the strips as the index
+// The search simulates such chains breadth-first. A state is a list of *pieces*, stretches of the strips as the locator
 // knows them, in the order in which the moves so far would join them. No triangle becomes the new end twice, so a
 // search of n states has looked at n different ends, and on a mesh where one triangle in d is an end it takes about d
-// states to find one. Colours and index are changed only by the chain that succeeds, which is the shortest of those
+// states to find one. Colours and locator are changed only by the chain that succeeds, which is the shortest of those
 // tried, or, on request, by the chain to one state of a search that fails.
 #pragma once
 
@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 
 namespace restrip {
 
@@ -42,14 +42,14 @@ class Tunnel {
   };
 
   /// Tries to join the strip that ends at `end` with another one, looking at no more than `max_states` states. Returns
-  /// true when the mesh has one strip less. `index` must be that of the mesh. Deterministic.
+  /// true when the mesh has one strip less. `locator` must be that of the mesh. Deterministic.
   ///
   /// A search that fails leaves the number of strips as it is. After `wander` the next search starts from a place that
   /// this one could only just reach.
   ///
   /// Cost: O(max_states * length of the chains), with chains as long as a search of that size gets (about 5 moves at
   /// 100 states, 12 at 1,000, 25 at 10,000). Does nothing when `end` is inside a strip.
-  bool join(StripMesh& mesh, StripIndex& index, Triangle end, std::uint32_t max_states,
+  bool join(StripMesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
             OnFailure on_failure = OnFailure::stay);
 
   [[nodiscard]] const TunnelCounts& counts() const noexcept { return counts_; }
@@ -78,8 +78,8 @@ class Tunnel {
       return {upwards ? x : low, upwards ? high : x, strip, flags};
     }
   };
-  // The paths after some moves: first the one that begins at `end`, then the others that are no longer as the index has
-  // them.
+  // The paths after some moves: first the one that begins at `end`, then the others that are no longer as the locator
+  // has them.
   struct State {
     std::uint32_t parent;
     Halfedge join;  // the last move made the dual edge of `join` solid
@@ -99,19 +99,19 @@ class Tunnel {
   };
   static unsigned dashed_sides(const StripMesh& mesh, Triangle t) noexcept;
   static Halfedge lowest(Triangle t, unsigned sides) noexcept;
-  void start(const StripMesh& mesh, const StripIndex& index, Triangle end);
-  bool expand(StripMesh& mesh, StripIndex& index, std::uint32_t s);
-  bool move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge join, Triangle x);
-  bool reach(StripMesh& mesh, StripIndex& index, const State& state);
+  void start(const StripMesh& mesh, const StripLocator& locator, Triangle end);
+  bool expand(StripMesh& mesh, StripLocator& locator, std::uint32_t s);
+  bool move(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x);
+  bool reach(StripMesh& mesh, StripLocator& locator, const State& state);
   void lay_out(std::uint32_t s);
   Piece* room_for(State& state, std::uint32_t current, std::uint32_t total);
   void rotate(std::uint32_t s);
   void change_over_whole(std::uint32_t s);
   void change_over(std::uint32_t s);
-  void cut(StripMesh& mesh, StripIndex& index, Halfedge h);
-  void link(StripMesh& mesh, StripIndex& index, Halfedge h);
-  void commit(StripMesh& mesh, StripIndex& index, std::uint32_t s);
-  void commit(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge last_join);
+  void cut(StripMesh& mesh, StripLocator& locator, Halfedge h);
+  void link(StripMesh& mesh, StripLocator& locator, Halfedge h);
+  void commit(StripMesh& mesh, StripLocator& locator, std::uint32_t s);
+  void commit(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join);
 
   std::vector<State> states_;
   std::vector<Piece> pieces_;  // as large as it ever had to be

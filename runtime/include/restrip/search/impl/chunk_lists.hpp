@@ -1,4 +1,4 @@
-// Lists of chunks, cut, joined and reversed: the upper level of StripIndex.
+// Lists of chunks, cut, joined and reversed: the upper level of StripLocator.
 //
 // A chunk knows its list, its rank in it, its two neighbours and whether it reads backwards, so a look costs one memory
 // read. Cutting and joining rewrite the smaller part, which two walkers that start at the cut at the same time find;

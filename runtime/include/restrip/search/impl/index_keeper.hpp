@@ -11,16 +11,16 @@
 
 namespace restrip {
 
-// ---- the place of an operation
-inline void IndexKeeper::Place::add(Triangle t) noexcept {
+// ---- the surroundings of a flip
+inline void IndexKeeper::Surroundings::add(Triangle t) noexcept {
   const auto end = triangles_.begin() + static_cast<std::ptrdiff_t>(count_);
   if (std::find(triangles_.begin(), end, t) == end) triangles_[count_++] = t;
 }
-inline void IndexKeeper::Place::add_neighbors(const StripMesh& mesh, Triangle t) noexcept {
+inline void IndexKeeper::Surroundings::add_neighbors(const StripMesh& mesh, Triangle t) noexcept {
   for_each_neighbor(mesh, t, [this](Triangle u) { add(u); });
 }
 
-inline ColoringChange IndexKeeper::Place::counted(const StripMesh& mesh) const noexcept {
+inline ColoringChange IndexKeeper::Surroundings::counted(const StripMesh& mesh) const noexcept {
   ColoringChange count;
   count.strips = static_cast<int>(count_);
   for (std::size_t i = 0; i < count_; ++i) {
@@ -244,12 +244,12 @@ inline Rewrite<StripMesh::Halfedge> IndexKeeper::flip(Halfedge h) {
   RESTRIP_ASSERT(check_flip(*mesh_, h) == Refusal::granted, "IndexKeeper::flip", describe(check_flip(*mesh_, h)));
   begin();
   start_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_->opposite(h))});
-  Place place;
-  for (const Triangle t : start_) place.add(t);
-  for (const Triangle t : start_) place.add_neighbors(*mesh_, t);
-  const ColoringChange before = place.counted(*mesh_);
+  Surroundings around;
+  for (const Triangle t : start_) around.add(t);
+  for (const Triangle t : start_) around.add_neighbors(*mesh_, t);
+  const ColoringChange before = around.counted(*mesh_);
   const Rewrite<Halfedge> done = restrip::flip(*mesh_, h);
-  change_ = place.counted(*mesh_);
+  change_ = around.counted(*mesh_);
   change_ += {-before.strips, -before.swaps, -before.isolated};
   return finish(done.halfedge, done.valence);
 }

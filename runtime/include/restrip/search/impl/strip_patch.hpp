@@ -1,4 +1,4 @@
-// StripIndex: local rewrites. Included by strip_index.hpp.
+// StripLocator: local rewrites. Included by strip_locator.hpp.
 //
 // Outside the patch nothing moves, and a rewrite joins nothing there that was not joined before. So a strip that passed
 // through keeps its order, and the triangles it now has inside the patch get labels between those of its two outside
@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 
 namespace restrip {
 
 // Splits the solid edges of a patch into paths.
-inline void StripIndex::find_strands(const StripMesh& mesh, std::span<const Triangle> patch,
-                                     std::vector<Strand>& strands) {
+inline void StripLocator::find_strands(const StripMesh& mesh, std::span<const Triangle> patch,
+                                       std::vector<Strand>& strands) {
   strands.clear();
   strand_nodes_.clear();
   if (marks_.size() < mesh.triangle_bound()) marks_.resize(mesh.triangle_bound(), 0);
@@ -66,7 +66,7 @@ inline void StripIndex::find_strands(const StripMesh& mesh, std::span<const Tria
   }
 }
 
-inline void StripIndex::before_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
+inline void StripLocator::before_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
   // Marks that this rewrite needs: two for the patch before and two after it, two for the ends of each strand.
   if ((none - mark_) / 2 < patch.size() + 2) {
     std::fill(marks_.begin(), marks_.end(), 0U);
@@ -87,14 +87,14 @@ inline void StripIndex::before_patch(const StripMesh& mesh, std::span<const Tria
   mark_ += static_cast<std::uint32_t>(ends_.size());
   touched_.clear();
   for (const Triangle t : patch) {
-    const ChunkId c = places_[t].chunk;
+    const ChunkId c = addresses_[t].chunk;
     --lists_.count(c);
-    places_[t].chunk = none;
+    addresses_[t].chunk = none;
     if (touched_.empty() || touched_.back() != c) touched_.push_back(c);
   }
 }
 
-inline void StripIndex::add_end(Halfedge at, std::uint32_t strand) {
+inline void StripLocator::add_end(Halfedge at, std::uint32_t strand) {
   const auto name = static_cast<std::uint32_t>(ends_.size());
   std::uint32_t& mark = marks_[StripMesh::triangle(at)];
   ends_.push_back({at, strand, none});
@@ -105,7 +105,7 @@ inline void StripIndex::add_end(Halfedge at, std::uint32_t strand) {
 }
 
 // The strand before the rewrite that h led into; null if there was none.
-inline StripIndex::Strand* StripIndex::strand_at(Halfedge h) noexcept {
+inline StripLocator::Strand* StripLocator::strand_at(Halfedge h) noexcept {
   std::uint32_t e = marks_[StripMesh::triangle(h)] - first_end_;
   if (e >= ends_.size()) return nullptr;
   while (e != none && !(ends_[e].at == h)) e = ends_[e].other;
@@ -113,20 +113,20 @@ inline StripIndex::Strand* StripIndex::strand_at(Halfedge h) noexcept {
 }
 
 // Did labels grow across h, into the patch, before the rewrite?
-inline bool StripIndex::grew(Halfedge h) noexcept {
+inline bool StripLocator::grew(Halfedge h) noexcept {
   const Strand* const strand = strand_at(h);
   return strand != nullptr && (strand->in == h ? strand->up_in : strand->up_out);
 }
 
-// Once for each chunk, when all strands have their places: until then only labels outside the patch are looked at.
-inline void StripIndex::renumber_later(Halfedge h, bool up) {
-  bool& crowded = lists_.crowded(places_[StripMesh::triangle(h)].chunk);
+// Once for each chunk, when all strands have their addresses: until then only labels outside the patch are looked at.
+inline void StripLocator::renumber_later(Halfedge h, bool up) {
+  bool& crowded = lists_.crowded(addresses_[StripMesh::triangle(h)].chunk);
   if (crowded) return;
   crowded_.emplace_back(h, up);
   crowded = true;
 }
 
-inline void StripIndex::place_strand(const Strand& strand) {
+inline void StripLocator::place_strand(const Strand& strand) {
   const std::span<const Triangle> nodes{strand_nodes_.data() + strand.first, strand_nodes_.data() + strand.last};
   if (strand.in.id == none) {
     const ChunkId c = lists_.add();
@@ -135,30 +135,30 @@ inline void StripIndex::place_strand(const Strand& strand) {
     const Label step_size = std::min<Label>(label_step, ~Label{0} / (count + 1));
     Label label = middle_label - step_size * (count / 2);
     for (const Triangle t : nodes) {
-      places_[t] = {c, label};
+      addresses_[t] = {c, label};
       label += step_size;
     }
     return;
   }
-  const Place from = places_[StripMesh::triangle(strand.in)];
+  const Address from = addresses_[StripMesh::triangle(strand.in)];
   const bool up = grew(strand.in);
-  if (strand.out.id == none || places_[StripMesh::triangle(strand.out)].chunk != from.chunk) {
+  if (strand.out.id == none || addresses_[StripMesh::triangle(strand.out)].chunk != from.chunk) {
     if (!append(strand.in, up, nodes)) renumber_later(strand.in, up);
     return;
   }
-  const Label to = places_[StripMesh::triangle(strand.out)].label;
+  const Label to = addresses_[StripMesh::triangle(strand.out)].label;
   const Label gap = (up ? to - from.label : from.label - to) / static_cast<Label>(nodes.size() + 1);
   Label label = from.label;
   for (const Triangle t : nodes) {
     label = up ? label + gap : label - gap;
-    places_[t] = {from.chunk, label};
+    addresses_[t] = {from.chunk, label};
   }
   lists_.count(from.chunk) += static_cast<std::uint32_t>(nodes.size());
   if (gap == 0) renumber_later(strand.in, up);
 }
 
-inline void StripIndex::after_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
-  if (places_.size() < mesh.triangle_bound()) places_.resize(mesh.triangle_bound());
+inline void StripLocator::after_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
+  if (addresses_.size() < mesh.triangle_bound()) addresses_.resize(mesh.triangle_bound());
   find_strands(mesh, patch, strands_after_);
   pending_ = 0;
   for (Strand& old : strands_before_) {
@@ -193,14 +193,14 @@ inline void StripIndex::after_patch(const StripMesh& mesh, std::span<const Trian
     if (strand.out.id == none) place_strand(strand);
   ends_.clear();
   for (const auto& [h, up] : crowded_) {
-    lists_.crowded(places_[StripMesh::triangle(h)].chunk) = false;
+    lists_.crowded(addresses_[StripMesh::triangle(h)].chunk) = false;
     renumber(mesh, h, up);
   }
   crowded_.clear();
   for (const ChunkId c : touched_)
     if (lists_[c].count == 0 && lists_.in_use(c)) lists_.erase(c);
   for (const Triangle t : patch)
-    if (lists_[places_[t].chunk].count > chunk_limit_) divide(mesh, t);
+    if (lists_[addresses_[t].chunk].count > chunk_limit_) divide(mesh, t);
 }
 
 }  // namespace restrip

@@ -8,26 +8,26 @@
 
 namespace restrip {
 
-inline bool Tunnel::join(StripMesh& mesh, StripIndex& index, Triangle end, std::uint32_t max_states,
+inline bool Tunnel::join(StripMesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
                          OnFailure on_failure) {
-  RESTRIP_ASSERT(mesh.alive(end) && index.knows(end), "Tunnel::join",
-                 "the triangle is not one of this mesh, or the index does not know it");
-  if (max_states == 0 || index.strips() < 2 || mesh.solid_degree(end) > 1) return false;
+  RESTRIP_ASSERT(mesh.alive(end) && locator.knows(end), "Tunnel::join",
+                 "the triangle is not one of this mesh, or the locator does not know it");
+  if (max_states == 0 || locator.strips() < 2 || mesh.solid_degree(end) > 1) return false;
   ++counts_.searches;
   max_states_ = max_states;
-  start(mesh, index, end);
+  start(mesh, locator, end);
   bool joined = false;
   for (std::uint32_t s = 0; s < states_.size() && (s == 0 || states_.size() < max_states) && !joined; ++s) {
-    joined = expand(mesh, index, s);
+    joined = expand(mesh, locator, s);
   }
   counts_.states += states_.size();
   counts_.joined += joined ? 1U : 0U;
   if (joined) return true;
-  if (on_failure == OnFailure::wander) commit(mesh, index, static_cast<std::uint32_t>(states_.size() - 1));
+  if (on_failure == OnFailure::wander) commit(mesh, locator, static_cast<std::uint32_t>(states_.size() - 1));
   return false;
 }
 
-inline void Tunnel::start(const StripMesh& mesh, const StripIndex& index, Triangle end) {
+inline void Tunnel::start(const StripMesh& mesh, const StripLocator& locator, Triangle end) {
   if (seen_.size() < mesh.triangle_bound()) seen_.resize(mesh.triangle_bound(), 0);
   if (++search_ == 0) {
     std::fill(seen_.begin(), seen_.end(), 0U);
@@ -37,11 +37,11 @@ inline void Tunnel::start(const StripMesh& mesh, const StripIndex& index, Triang
   used_ = 0;
   start_ = end;
   seen_[end] = search_;
-  const StripIndex::Position at = index.position(end);
+  const StripLocator::Position at = locator.position(end);
   bool down = false;
   for (unsigned s = 0; s < 3; ++s) {
     const Halfedge h = StripMesh::halfedge(end, s);
-    if (mesh.solid(h)) down = index.position(StripMesh::triangle(mesh.opposite(h))).order < at.order;
+    if (mesh.solid(h)) down = locator.position(StripMesh::triangle(mesh.opposite(h))).order < at.order;
   }
   states_.push_back({none, {}, {}, 0, 0, at.strip, false});
   *room_for(states_.back(), 1, 1) = {down ? 0 : at.order, down ? at.order : ~Order{0}, at.strip,
@@ -56,7 +56,7 @@ inline StripMesh::Halfedge Tunnel::lowest(Triangle t, unsigned sides) noexcept {
 
 // Adds a state, unless its end has been one before. True when the new end lies beside the end of another strip, and the
 // two have been joined: most searches end here, so looking ahead spares expanding half of all states.
-inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state) {
+inline bool Tunnel::reach(StripMesh& mesh, StripLocator& locator, const State& state) {
   const Triangle y = StripMesh::triangle(state.cut);
   if (seen_[y] == search_ || states_.size() >= max_states_) return false;
   seen_[y] = search_;
@@ -69,25 +69,25 @@ inline bool Tunnel::reach(StripMesh& mesh, StripIndex& index, const State& state
     const Triangle x = StripMesh::triangle(there);
     if (mesh.solid_degree(x) > 1) continue;
     lay_out(s);
-    if (move(mesh, index, s, join, x)) return true;
+    if (move(mesh, locator, s, join, x)) return true;
   }
   return false;
 }
 
 // All moves from a state. True when one of them has joined two strips.
-inline bool Tunnel::expand(StripMesh& mesh, StripIndex& index, std::uint32_t s) {
+inline bool Tunnel::expand(StripMesh& mesh, StripLocator& locator, std::uint32_t s) {
   if (s != 0) lay_out(s);
   const Triangle end = s == 0 ? start_ : StripMesh::triangle(states_[s].cut);
   for (unsigned dashed = dashed_sides(mesh, end); dashed != 0; dashed &= dashed - 1) {
     const Halfedge join = lowest(end, dashed);
     const Halfedge there = mesh.opposite(join);
-    if (!StripMesh::on_boundary(there) && move(mesh, index, s, join, StripMesh::triangle(there))) return true;
+    if (!StripMesh::on_boundary(there) && move(mesh, locator, s, join, StripMesh::triangle(there))) return true;
   }
   return false;
 }
 
 // The moves over one dashed edge, to x.
-inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge join, Triangle x) {
+inline bool Tunnel::move(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x) {
   Neighbor next[3];  // two, where the colouring is valid
   unsigned n = 0;
   bool seen_all = true;
@@ -97,8 +97,8 @@ inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Ha
     ++n;
   }
   if (seen_all && n > 1) return false;
-  const StripIndex::Position at = index.position(x);
-  for (unsigned i = 0; i < n; ++i) next[i].order = index.position(StripMesh::triangle(next[i].towards_x)).order;
+  const StripLocator::Position at = locator.position(x);
+  for (unsigned i = 0; i < n; ++i) next[i].order = locator.position(StripMesh::triangle(next[i].towards_x)).order;
 
   const Piece* const pieces = pieces_.data() + states_[s].pieces;
   const std::uint32_t total = states_[s].total;
@@ -107,11 +107,11 @@ inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Ha
   while (f < total && (pieces[f].strip != at.strip || !pieces[f].has(at.order))) ++f;
   if (f == total) {  // a strip that no move has touched
     if (n < 2) {
-      commit(mesh, index, s, join);
+      commit(mesh, locator, s, join);
       return true;
     }
     for (unsigned i = 0; i < n; ++i)
-      if (reach(mesh, index, {s, join, next[i].towards_x, at.order, next[i].order, at.strip, false})) return true;
+      if (reach(mesh, locator, {s, join, next[i].towards_x, at.order, next[i].order, at.strip, false})) return true;
     return false;
   }
   // Solid edges that the moves have cut do not count.
@@ -124,18 +124,18 @@ inline bool Tunnel::move(StripMesh& mesh, StripIndex& index, std::uint32_t s, Ha
     if (f == 1 && pieces[0].low == pieces[0].high && piece.front() == at.order) return false;
     for (unsigned i = 0; i < kept; ++i)
       if ((next[i].order > at.order) == piece.down() &&
-          reach(mesh, index, {s, join, next[i].towards_x, at.order, next[i].order, f, true}))
+          reach(mesh, locator, {s, join, next[i].towards_x, at.order, next[i].order, f, true}))
         return true;
     return false;
   }
   const bool joined_in_front = f > current && !pieces[f - 1].last() && piece.front() == at.order;
   const bool joined_behind = !piece.last() && piece.back() == at.order;
   if (kept + (joined_in_front ? 1U : 0U) + (joined_behind ? 1U : 0U) < 2) {
-    commit(mesh, index, s, join);
+    commit(mesh, locator, s, join);
     return true;
   }
   for (unsigned i = 0; i < kept; ++i)
-    if (reach(mesh, index, {s, join, next[i].towards_x, at.order, next[i].order, f, true})) return true;
+    if (reach(mesh, locator, {s, join, next[i].towards_x, at.order, next[i].order, f, true})) return true;
   return false;
 }
 
@@ -236,32 +236,32 @@ inline void Tunnel::change_over(std::uint32_t s) {
   for (std::uint32_t i = last + 1; i < parent.total; ++i) *out++ = old[i];
 }
 
-inline void Tunnel::cut(StripMesh& mesh, StripIndex& index, Halfedge h) {
-  index.cut(mesh, h);
+inline void Tunnel::cut(StripMesh& mesh, StripLocator& locator, Halfedge h) {
+  locator.cut(mesh, h);
   for (const Halfedge side : {h, mesh.opposite(h)})
     counts_.isolated += mesh.solid_degree(StripMesh::triangle(side)) == 0 ? 1 : 0;
 }
 
-inline void Tunnel::link(StripMesh& mesh, StripIndex& index, Halfedge h) {
+inline void Tunnel::link(StripMesh& mesh, StripLocator& locator, Halfedge h) {
   for (const Halfedge side : {h, mesh.opposite(h)})
     counts_.isolated -= mesh.solid_degree(StripMesh::triangle(side)) == 0 ? 1 : 0;
-  index.link(mesh, h);
+  locator.link(mesh, h);
   ++counts_.moves;
 }
 
 // Makes the moves that lead to a state; each leaves a valid colouring.
-inline void Tunnel::commit(StripMesh& mesh, StripIndex& index, std::uint32_t s) {
+inline void Tunnel::commit(StripMesh& mesh, StripLocator& locator, std::uint32_t s) {
   chain_.clear();
   for (; states_[s].parent != none; s = states_[s].parent) chain_.push_back(s);
   for (auto step = chain_.rbegin(); step != chain_.rend(); ++step) {
-    cut(mesh, index, states_[*step].cut);
-    link(mesh, index, states_[*step].join);
+    cut(mesh, locator, states_[*step].cut);
+    link(mesh, locator, states_[*step].join);
   }
 }
 
-inline void Tunnel::commit(StripMesh& mesh, StripIndex& index, std::uint32_t s, Halfedge last_join) {
-  commit(mesh, index, s);
-  link(mesh, index, last_join);
+inline void Tunnel::commit(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join) {
+  commit(mesh, locator, s);
+  link(mesh, locator, last_join);
 }
 
 }  // namespace restrip

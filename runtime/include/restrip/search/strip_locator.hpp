@@ -1,4 +1,4 @@
-// StripIndex: "same strip? which side?" without walking the strip, while strips are cut, linked, reversed and
+// StripLocator: "same strip? which side?" without walking the strip, while strips are cut, linked, reversed and
 // rewritten.
 //
 // A strip is a list of *chunks* of at most `chunk_limit` triangles. A triangle knows its chunk and a label that grows
@@ -12,9 +12,9 @@
 // for each chunk whose labels run out and O(log n) for each chunk added when one has grown too large. The default limit
 // is made for strips of a few hundred triangles; about half the square root of n is best for longer ones. Memory: 12
 // bytes a triangle and about one byte for chunks. Nothing is allocated once the arrays have grown. After an exception
-// (std::bad_alloc) of any function the mesh's colouring is valid, and the index is to be rebuilt.
+// (std::bad_alloc) of any function the mesh's colouring is valid, and the locator is to be rebuilt.
 //
-// The index walks solid edges of the mesh when it splits or renumbers a chunk, so colours and index must change
+// The locator walks solid edges of the mesh when it splits or renumbers a chunk, so colours and locator must change
 // together. Colour dual edges through cut() and link(), and call before_patch() before every local operation and
 // after_patch() after it.
 #pragma once
@@ -31,7 +31,7 @@
 
 namespace restrip {
 
-class StripIndex {
+class StripLocator {
  public:
   using Halfedge = StripMesh::Halfedge;
 
@@ -48,18 +48,18 @@ class StripIndex {
   [[nodiscard]] static std::uint32_t chunk_limit_for_long_strips(std::size_t triangles) noexcept;
 
   /// Chunks hold at most `chunk_limit` triangles; below 8 and above 1024 these are taken.
-  explicit StripIndex(std::uint32_t chunk_limit = default_chunk_limit)
+  explicit StripLocator(std::uint32_t chunk_limit = default_chunk_limit)
       : chunk_limit_(std::clamp(chunk_limit, 8U, room_for_labels)) {}
-  /// Indexes a valid colouring; throws std::invalid_argument when it is not. Linear time.
-  explicit StripIndex(const StripMesh& mesh, std::uint32_t chunk_limit = default_chunk_limit)
-      : StripIndex(chunk_limit) {
+  /// Reads a valid colouring; throws std::invalid_argument when it is not. Linear time.
+  explicit StripLocator(const StripMesh& mesh, std::uint32_t chunk_limit = default_chunk_limit)
+      : StripLocator(chunk_limit) {
     rebuild(mesh);
   }
-  /// The same. After an exception the index must not be used until rebuild() succeeds.
+  /// The same. After an exception the locator must not be used until rebuild() succeeds.
   void rebuild(const StripMesh& mesh);
 
-  /// False if the index does not know a triangle, because the mesh was changed without it.
-  [[nodiscard]] bool knows(Triangle t) const noexcept { return t < places_.size() && places_[t].chunk != none; }
+  /// False if the locator does not know a triangle, because the mesh was changed without it.
+  [[nodiscard]] bool knows(Triangle t) const noexcept { return t < addresses_.size() && addresses_[t].chunk != none; }
   /// The position of a triangle that is alive.
   [[nodiscard]] Position position(Triangle t) const noexcept;
   /// Number of strips.
@@ -89,7 +89,7 @@ class StripIndex {
   static constexpr Label label_step = 1U << 21;
   static constexpr std::uint32_t room_for_labels = middle_label / label_step;  // in one chunk
 
-  struct Place {
+  struct Address {
     ChunkId chunk = none;
     Label label = 0;
   };
@@ -100,7 +100,7 @@ class StripIndex {
     bool up_in = false;  // labels grow across `in`, from the outside triangle into the patch
     bool up_out = false;
     bool passes = false;      // before the rewrite: it still leads from `in` to `out` after it
-    bool pending = false;     // before the rewrite: its triangles have no place at the moment
+    bool pending = false;     // before the rewrite: its triangles have no address at the moment
     std::uint32_t first = 0;  // its triangles in strand_nodes_
     std::uint32_t last = 0;
   };
@@ -112,7 +112,7 @@ class StripIndex {
     std::uint32_t other = none;  // in ends_
   };
 
-  // ---- chunks and their labels (impl/strip_index.hpp)
+  // ---- chunks and their labels (impl/strip_locator.hpp)
   bool step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept;
   [[nodiscard]] bool labels_grow(const StripMesh& mesh, Halfedge h) const noexcept;
   [[nodiscard]] bool is_last(const StripMesh& mesh, Triangle end) const noexcept;
@@ -132,7 +132,7 @@ class StripIndex {
   void place_strand(const Strand& strand);
   void renumber_later(Halfedge h, bool up);
 
-  std::vector<Place> places_;
+  std::vector<Address> addresses_;
   detail::ChunkLists lists_;
   std::uint32_t chunk_limit_;
   std::vector<Triangle> moving_;
@@ -151,5 +151,5 @@ class StripIndex {
 
 }  // namespace restrip
 
-#include "restrip/search/impl/strip_index.hpp"
+#include "restrip/search/impl/strip_locator.hpp"
 #include "restrip/search/impl/strip_patch.hpp"

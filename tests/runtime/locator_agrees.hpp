@@ -1,4 +1,4 @@
-// Does an index say of every triangle what walking its strip says?
+// Does a locator say of every triangle what walking its strip says?
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,25 +7,25 @@
 #include <set>
 
 #include "restrip/output/strips.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 
 namespace restrip {
 
 // Along every strip the order grows or falls throughout, and no two strips share a name.
-inline ::testing::AssertionResult agrees(const StripIndex& index, const StripMesh& mesh) {
+inline ::testing::AssertionResult agrees(const StripLocator& locator, const StripMesh& mesh) {
   const Strips strips = extract_strips(mesh);
-  if (strips.size() != index.strips())
-    return ::testing::AssertionFailure() << index.strips() << " strips in the index, " << strips.size()
+  if (strips.size() != locator.strips())
+    return ::testing::AssertionFailure() << locator.strips() << " strips in the locator, " << strips.size()
                                          << " in the mesh";
   std::set<std::uint32_t> names;
   for (std::size_t s = 0; s < strips.size(); ++s) {
     const auto strip = strips[s];
-    const StripIndex::Position first = index.position(strip.front());
+    const StripLocator::Position first = locator.position(strip.front());
     if (!names.insert(first.strip).second) return ::testing::AssertionFailure() << "two strips with one name";
-    const bool up = strip.size() < 2 || index.position(strip[1]).order > first.order;
+    const bool up = strip.size() < 2 || locator.position(strip[1]).order > first.order;
     for (std::size_t i = 1; i < strip.size(); ++i) {
-      const StripIndex::Position a = index.position(strip[i - 1]);
-      const StripIndex::Position b = index.position(strip[i]);
+      const StripLocator::Position a = locator.position(strip[i - 1]);
+      const StripLocator::Position b = locator.position(strip[i]);
       if (b.strip != first.strip) return ::testing::AssertionFailure() << "a strip with two names";
       if (a.order == b.order || (a.order < b.order) != up) return ::testing::AssertionFailure() << "out of order";
     }

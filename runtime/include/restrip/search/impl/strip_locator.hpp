@@ -1,4 +1,4 @@
-// StripIndex: labels and chunks. Included by strip_index.hpp.
+// StripLocator: labels and chunks. Included by strip_locator.hpp.
 #pragma once
 
 #include <algorithm>
@@ -6,13 +6,13 @@
 #include <utility>
 
 #include "restrip/mesh/invalid_coloring.hpp"
-#include "restrip/search/strip_index.hpp"
+#include "restrip/search/strip_locator.hpp"
 
 namespace restrip {
 
 // Goes on along the strip from t, which was entered over side `entry` (3: nowhere). While a patch is rewritten, its
 // strands that are not placed yet are jumped over.
-inline bool StripIndex::step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept {
+inline bool StripLocator::step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept {
   if (pending_ != 0 && marks_[t] - first_end_ < ends_.size()) {
     for (std::uint32_t e = marks_[t] - first_end_; e != none; e = ends_[e].other) {
       const Strand& strand = strands_before_[ends_[e].strand];
@@ -29,47 +29,47 @@ inline bool StripIndex::step(const StripMesh& mesh, Triangle& t, unsigned& entry
   return next.goes_on;
 }
 
-inline StripIndex::Position StripIndex::position(Triangle t) const noexcept {
-  RESTRIP_ASSERT(knows(t), "StripIndex::position", "the index does not know the triangle");
-  const Place place = places_[t];
-  const auto& chunk = lists_[place.chunk];
-  const Label label = chunk.backwards ? ~place.label : place.label;
+inline StripLocator::Position StripLocator::position(Triangle t) const noexcept {
+  RESTRIP_ASSERT(knows(t), "StripLocator::position", "the locator does not know the triangle");
+  const Address address = addresses_[t];
+  const auto& chunk = lists_[address.chunk];
+  const Label label = chunk.backwards ? ~address.label : address.label;
   return {chunk.list, std::uint64_t{chunk.rank} << 32 | label};
 }
 
 // Do labels of the chunk of h's triangle grow across the solid edge of h?
-inline bool StripIndex::labels_grow(const StripMesh& mesh, Halfedge h) const noexcept {
-  const Place here = places_[StripMesh::triangle(h)];
-  const Place there = places_[StripMesh::triangle(mesh.opposite(h))];
+inline bool StripLocator::labels_grow(const StripMesh& mesh, Halfedge h) const noexcept {
+  const Address here = addresses_[StripMesh::triangle(h)];
+  const Address there = addresses_[StripMesh::triangle(mesh.opposite(h))];
   if (here.chunk == there.chunk) return there.label > here.label;
   const auto& chunk = lists_[here.chunk];
   return (lists_[there.chunk].rank > chunk.rank) != chunk.backwards;
 }
 
 // Is the end of a strip its last triangle? An isolated triangle is.
-inline bool StripIndex::is_last(const StripMesh& mesh, Triangle end) const noexcept {
-  const Place place = places_[end];
-  const auto& chunk = lists_[place.chunk];
+inline bool StripLocator::is_last(const StripMesh& mesh, Triangle end) const noexcept {
+  const Address address = addresses_[end];
+  const auto& chunk = lists_[address.chunk];
   if (chunk.after != chunk.before) return chunk.after == none;
   Triangle before = end;
   unsigned entry = 3;
   if (!step(mesh, before, entry)) return true;
-  return (places_[before].label < place.label) != chunk.backwards;
+  return (addresses_[before].label < address.label) != chunk.backwards;
 }
 
 // Spreads the labels of a chunk evenly. Labels grow across h if `up`; h's triangle is a member.
-inline void StripIndex::renumber(const StripMesh& mesh, Halfedge h, bool up) {
+inline void StripLocator::renumber(const StripMesh& mesh, Halfedge h, bool up) {
   Triangle t = StripMesh::triangle(h);
   unsigned entry = StripMesh::side(h);
-  const ChunkId c = places_[t].chunk;
+  const ChunkId c = addresses_[t].chunk;
   renumbered_.clear();
   do renumbered_.push_back(t);  // away from h, to the chunk's end
-  while (step(mesh, t, entry) && places_[t].chunk == c);
+  while (step(mesh, t, entry) && addresses_[t].chunk == c);
   std::reverse(renumbered_.begin(), renumbered_.end());
   const Halfedge back = mesh.opposite(h);
   t = StripMesh::triangle(back);
   entry = StripMesh::side(back);
-  while (places_[t].chunk == c) {
+  while (addresses_[t].chunk == c) {
     renumbered_.push_back(t);
     if (!step(mesh, t, entry)) break;
   }
@@ -77,40 +77,40 @@ inline void StripIndex::renumber(const StripMesh& mesh, Halfedge h, bool up) {
   const Label gap = std::min(label_step, middle_label / (count + 1));
   Label label = up ? middle_label - gap * (count / 2) : middle_label + gap * (count / 2);
   for (const Triangle member : renumbered_) {
-    places_[member].label = label;
+    addresses_[member].label = label;
     label = up ? label + gap : label - gap;
   }
 }
 
 // Places nodes that follow h's triangle across h, one after the other, in its chunk. False: there was no room for their
 // labels, and the chunk is to be renumbered.
-inline bool StripIndex::append(Halfedge h, bool up, std::span<const Triangle> nodes) {
+inline bool StripLocator::append(Halfedge h, bool up, std::span<const Triangle> nodes) {
   const Triangle at = StripMesh::triangle(h);
-  const ChunkId c = places_[at].chunk;
+  const ChunkId c = addresses_[at].chunk;
   lists_.count(c) += static_cast<std::uint32_t>(nodes.size());
-  const std::uint64_t space = up ? ~places_[at].label : places_[at].label;
+  const std::uint64_t space = up ? ~addresses_[at].label : addresses_[at].label;
   const bool fits = space / label_step > nodes.size();
-  Label label = places_[at].label;
+  Label label = addresses_[at].label;
   for (const Triangle t : nodes) {
     label = up ? label + label_step : label - label_step;
-    places_[t] = {c, label};
+    addresses_[t] = {c, label};
   }
   return fits;
 }
 
 // Cuts the strip between the triangles of a and b: b's follows a's across a, though triangles of a patch may have been
 // between them.
-inline void StripIndex::separate(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b) {
-  const ChunkId c = places_[StripMesh::triangle(a)].chunk;
-  if (c == places_[StripMesh::triangle(b)].chunk)
+inline void StripLocator::separate(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b) {
+  const ChunkId c = addresses_[StripMesh::triangle(a)].chunk;
+  if (c == addresses_[StripMesh::triangle(b)].chunk)
     split_chunk(mesh, a, up_a, b);
   else
     lists_.cut(c, up_a != lists_[c].backwards);
 }
 
 // The same inside one chunk: the smaller part, found by walking both ways at once, moves to a chunk of its own.
-inline void StripIndex::split_chunk(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b) {
-  const ChunkId c = places_[StripMesh::triangle(a)].chunk;
+inline void StripLocator::split_chunk(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b) {
+  const ChunkId c = addresses_[StripMesh::triangle(a)].chunk;
   Triangle at[2] = {StripMesh::triangle(a), StripMesh::triangle(b)};
   unsigned entry[2] = {StripMesh::side(a), StripMesh::side(b)};
   std::vector<Triangle>* const part[2] = {&moving_, &renumbered_};
@@ -119,32 +119,32 @@ inline void StripIndex::split_chunk(const StripMesh& mesh, Halfedge a, bool up_a
   unsigned smaller = 0;
   for (;; smaller ^= 1U) {
     part[smaller]->push_back(at[smaller]);
-    if (!step(mesh, at[smaller], entry[smaller]) || places_[at[smaller]].chunk != c) break;
+    if (!step(mesh, at[smaller], entry[smaller]) || addresses_[at[smaller]].chunk != c) break;
   }
   const bool a_first = up_a != lists_[c].backwards;
   move_to(lists_.cut_off(c, a_first != (smaller == 0)), c, *part[smaller]);
 }
 
-inline void StripIndex::move_to(ChunkId to, ChunkId from, std::span<const Triangle> nodes) noexcept {
-  for (const Triangle t : nodes) places_[t].chunk = to;
+inline void StripLocator::move_to(ChunkId to, ChunkId from, std::span<const Triangle> nodes) noexcept {
+  for (const Triangle t : nodes) addresses_[t].chunk = to;
   lists_.count(to) += static_cast<std::uint32_t>(nodes.size());
   lists_.count(from) -= static_cast<std::uint32_t>(nodes.size());
 }
 
 // Divides a chunk that has grown too large: goes once from one of its ends to the other and leaves pieces behind.
-inline void StripIndex::divide(const StripMesh& mesh, Triangle member) {
-  const ChunkId c = places_[member].chunk;
+inline void StripLocator::divide(const StripMesh& mesh, Triangle member) {
+  const ChunkId c = addresses_[member].chunk;
   Triangle t = member;
   Triangle last = none;
   unsigned entry = 3;
   do {
     last = t;
-  } while (step(mesh, t, entry) && places_[t].chunk == c);
+  } while (step(mesh, t, entry) && addresses_[t].chunk == c);
   // `last` is an end of the chunk; come back from it over the side towards the chunk.
   t = last;
   const auto inside = [&](unsigned side) {
     const Halfedge h = StripMesh::halfedge(t, side);
-    return mesh.solid(h) && places_[StripMesh::triangle(mesh.opposite(h))].chunk == c;
+    return mesh.solid(h) && addresses_[StripMesh::triangle(mesh.opposite(h))].chunk == c;
   };
   unsigned s = 0;
   while (!inside(s)) ++s;
@@ -157,16 +157,16 @@ inline void StripIndex::divide(const StripMesh& mesh, Triangle member) {
       moving_.push_back(t);
       step(mesh, t, entry);
     }
-    const bool piece_first = (places_[last].label < places_[t].label) != lists_[c].backwards;
+    const bool piece_first = (addresses_[last].label < addresses_[t].label) != lists_[c].backwards;
     move_to(lists_.add_beside(c, !piece_first), c, moving_);
   }
 }
 
 // Makes one chunk of the two beside the solid edge of h when they are small: h's triangle's takes in the other.
-inline void StripIndex::join_chunks(const StripMesh& mesh, Halfedge h) {
+inline void StripLocator::join_chunks(const StripMesh& mesh, Halfedge h) {
   const Halfedge back = mesh.opposite(h);
-  const ChunkId keep = places_[StripMesh::triangle(h)].chunk;
-  const ChunkId gone = places_[StripMesh::triangle(back)].chunk;
+  const ChunkId keep = addresses_[StripMesh::triangle(h)].chunk;
+  const ChunkId gone = addresses_[StripMesh::triangle(back)].chunk;
   if (keep == gone || lists_[keep].count + lists_[gone].count > chunk_limit_ * 3 / 4) return;
   if (lists_[keep].count < lists_[gone].count) {
     join_chunks(mesh, back);
@@ -178,49 +178,49 @@ inline void StripIndex::join_chunks(const StripMesh& mesh, Halfedge h) {
   Triangle t = StripMesh::triangle(back);
   unsigned entry = StripMesh::side(back);
   do moving_.push_back(t);
-  while (step(mesh, t, entry) && places_[t].chunk == gone);
+  while (step(mesh, t, entry) && addresses_[t].chunk == gone);
   lists_.erase(gone);
   if (!append(h, up, moving_)) renumber(mesh, h, up);
 }
 
-inline void StripIndex::cut(StripMesh& mesh, Halfedge h) {
-  RESTRIP_ASSERT(mesh.alive(h), "StripIndex::cut", describe(Refusal::no_such_edge));
-  RESTRIP_ASSERT(mesh.solid(h), "StripIndex::cut", "the dual edge is dashed already");
+inline void StripLocator::cut(StripMesh& mesh, Halfedge h) {
+  RESTRIP_ASSERT(mesh.alive(h), "StripLocator::cut", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(mesh.solid(h), "StripLocator::cut", "the dual edge is dashed already");
   const bool up = labels_grow(mesh, h);
   mesh.set_solid(h, false);
   separate(mesh, h, up, mesh.opposite(h));
 }
 
-inline void StripIndex::link(StripMesh& mesh, Halfedge h) {
-  RESTRIP_ASSERT(mesh.alive(h), "StripIndex::link", describe(Refusal::no_such_edge));
-  RESTRIP_ASSERT(!StripMesh::on_boundary(h) && !StripMesh::on_boundary(mesh.opposite(h)), "StripIndex::link",
+inline void StripLocator::link(StripMesh& mesh, Halfedge h) {
+  RESTRIP_ASSERT(mesh.alive(h), "StripLocator::link", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(!StripMesh::on_boundary(h) && !StripMesh::on_boundary(mesh.opposite(h)), "StripLocator::link",
                  describe(Refusal::boundary_edge));
-  RESTRIP_ASSERT(!mesh.solid(h), "StripIndex::link", "the dual edge is solid already");
+  RESTRIP_ASSERT(!mesh.solid(h), "StripLocator::link", "the dual edge is solid already");
   RESTRIP_ASSERT(
       mesh.solid_degree(StripMesh::triangle(h)) < 2 && mesh.solid_degree(StripMesh::triangle(mesh.opposite(h))) < 2,
-      "StripIndex::link", "a triangle beside the dual edge is not the end of a strip");
+      "StripLocator::link", "a triangle beside the dual edge is not the end of a strip");
   RESTRIP_ASSERT(position(StripMesh::triangle(h)).strip != position(StripMesh::triangle(mesh.opposite(h))).strip,
-                 "StripIndex::link", "the dual edge joins the two ends of one strip");
+                 "StripLocator::link", "the dual edge joins the two ends of one strip");
   const Triangle a = StripMesh::triangle(h);
   const Triangle b = StripMesh::triangle(mesh.opposite(h));
-  lists_.join(places_[a].chunk, is_last(mesh, a), places_[b].chunk, is_last(mesh, b));
+  lists_.join(addresses_[a].chunk, is_last(mesh, a), addresses_[b].chunk, is_last(mesh, b));
   mesh.set_solid(h, true);
   join_chunks(mesh, h);
 }
 
-inline std::uint32_t StripIndex::chunk_limit_for_long_strips(std::size_t triangles) noexcept {
+inline std::uint32_t StripLocator::chunk_limit_for_long_strips(std::size_t triangles) noexcept {
   return std::clamp(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(triangles)) / 2), default_chunk_limit,
                     room_for_labels);
 }
 
-inline void StripIndex::reserve(std::size_t triangles) {
-  places_.reserve(triangles);
+inline void StripLocator::reserve(std::size_t triangles) {
+  addresses_.reserve(triangles);
   marks_.reserve(triangles);
   lists_.reserve(triangles / 16, triangles / 16);
 }
 
-inline void StripIndex::rebuild(const StripMesh& mesh) {
-  places_.assign(mesh.triangle_bound(), {});
+inline void StripLocator::rebuild(const StripMesh& mesh) {
+  addresses_.assign(mesh.triangle_bound(), {});
   marks_.assign(mesh.triangle_bound(), 0);
   mark_ = 0;
   ends_.clear();
@@ -232,7 +232,7 @@ inline void StripIndex::rebuild(const StripMesh& mesh) {
   std::vector<Triangle> strip;
   std::size_t placed = 0;
   for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {
-    if (!mesh.alive(start) || places_[start].chunk != none || mesh.solid_degree(start) > 1) continue;
+    if (!mesh.alive(start) || addresses_[start].chunk != none || mesh.solid_degree(start) > 1) continue;
     strip.clear();
     Triangle t = start;
     unsigned entry = 3;
@@ -245,7 +245,7 @@ inline void StripIndex::rebuild(const StripMesh& mesh) {
       const ChunkId c = last == none ? lists_.add() : lists_.add_beside(last, true);
       lists_.count(c) = static_cast<std::uint32_t>(n);
       for (std::size_t j = 0; j < n; ++j)
-        places_[strip[i + j]] = {c, static_cast<Label>(middle_label + label_step * (j - n / 2))};
+        addresses_[strip[i + j]] = {c, static_cast<Label>(middle_label + label_step * (j - n / 2))};
       last = c;
       i += n;
     }

@@ -1,4 +1,4 @@
-#include "operations/json_place.hpp"
+#include "operations/json_line.hpp"
 
 #include <algorithm>
 

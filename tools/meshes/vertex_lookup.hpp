@@ -1,4 +1,4 @@
-// Vertices by their places: the same bits, the two zeros being one. With attributes, by these too.
+// Finds the vertex at a point: the same bits, the two zeros being one. With attributes, by these too.
 #pragma once
 
 #include <bit>
@@ -13,13 +13,13 @@
 
 namespace restrip::tools {
 
-class PlaceIndex {
+class VertexLookup {
  public:
-  PlaceIndex() = default;
+  VertexLookup() = default;
   /// The attributes must outlive it.
-  explicit PlaceIndex(std::span<const Attribute> attributes) : attributes_(attributes) {}
+  explicit VertexLookup(std::span<const Attribute> attributes) : attributes_(attributes) {}
 
-  /// The vertex that was first put at this place, with the attributes that `vertex` has: `vertex`, when there was none.
+  /// The vertex that was first put at this point with the attributes that `vertex` has; `vertex` if there was none.
   std::uint32_t put(const Point& at, std::uint32_t vertex) {
     key_.clear();
     restrip::tools::put(key_, {at.x + 0.0F, at.y + 0.0F, at.z + 0.0F});

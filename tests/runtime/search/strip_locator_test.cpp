@@ -1,12 +1,12 @@
-// The index says of every triangle what walking its strip says, after any mixture of cuts, links and local rewrites.
-#include "restrip/search/strip_index.hpp"
+// The locator says of every triangle what walking its strip says, after any mixture of cuts, links and local rewrites.
+#include "restrip/search/strip_locator.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
 
-#include "index_agrees.hpp"
+#include "locator_agrees.hpp"
 #include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
@@ -21,37 +21,37 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 
-void random_cut_or_link(StripIndex& index, StripMesh& mesh, std::mt19937& random) {
+void random_cut_or_link(StripLocator& locator, StripMesh& mesh, std::mt19937& random) {
   const Halfedge h = random_halfedge(mesh, random);
   const Halfedge g = mesh.opposite(h);
   if (StripMesh::on_boundary(g)) return;
   if (mesh.solid(h)) {
-    if (random() % 4 == 0) index.cut(mesh, h);
+    if (random() % 4 == 0) locator.cut(mesh, h);
     return;
   }
   const Triangle a = StripMesh::triangle(h);
   const Triangle b = StripMesh::triangle(g);
   if (mesh.solid_degree(a) > 1 || mesh.solid_degree(b) > 1) return;
-  if (index.position(a).strip != index.position(b).strip) index.link(mesh, h);
+  if (locator.position(a).strip != locator.position(b).strip) locator.link(mesh, h);
 }
 
 // Returns the chord of a split; {none} after anything else.
-Halfedge operation_at(StripIndex& index, StripMesh& mesh, Halfedge h, std::mt19937& random, bool grow) {
+Halfedge operation_at(StripLocator& locator, StripMesh& mesh, Halfedge h, std::mt19937& random, bool grow) {
   std::vector<Triangle> patch;
   const unsigned kind = static_cast<unsigned>(random() % 5);
   if (kind == 0) {
     if (check_flip(mesh, h) != Refusal::granted) return {};
     patch = {StripMesh::triangle(h), StripMesh::triangle(mesh.opposite(h))};
-    index.before_patch(mesh, patch);
+    locator.before_patch(mesh, patch);
     flip(mesh, h);
-    index.after_patch(mesh, patch);
+    locator.after_patch(mesh, patch);
   } else if (!grow) {
     if (check_collapse(mesh, h) != Refusal::granted) return {};
     edge_triangles(mesh, h, patch);
-    index.before_patch(mesh, patch);
+    locator.before_patch(mesh, patch);
     const auto done = collapse(mesh, h);
     fan_triangles(mesh, done.halfedge, patch);
-    index.after_patch(mesh, patch);
+    locator.after_patch(mesh, patch);
   } else {
     using Spokes = VertexSplit<Halfedge>::Spokes;
     VertexSplit<Halfedge> where{h, h, Spokes::both};
@@ -62,101 +62,101 @@ Halfedge operation_at(StripIndex& index, StripMesh& mesh, Halfedge h, std::mt199
     if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return {};
     if (check_split(mesh, where) != Refusal::granted) return {};
     fan_triangles(mesh, h, patch);
-    index.before_patch(mesh, patch);
+    locator.before_patch(mesh, patch);
     const auto done = split(mesh, where);
     edge_triangles(mesh, done.halfedge, patch);
-    index.after_patch(mesh, patch);
+    locator.after_patch(mesh, patch);
     return done.halfedge;
   }
   return {};
 }
 
-void random_operation(StripIndex& index, StripMesh& mesh, std::mt19937& random, bool grow) {
-  operation_at(index, mesh, random_halfedge(mesh, random), random, grow);
+void random_operation(StripLocator& locator, StripMesh& mesh, std::mt19937& random, bool grow) {
+  operation_at(locator, mesh, random_halfedge(mesh, random), random, grow);
 }
 
 // Chunks of all sizes: many small ones, the usual ones, and one for every strip.
-class StripIndexOf : public ::testing::TestWithParam<std::uint32_t> {};
-INSTANTIATE_TEST_SUITE_P(ChunkLimits, StripIndexOf, ::testing::Values(8, StripIndex::default_chunk_limit, 1024));
+class StripLocatorOf : public ::testing::TestWithParam<std::uint32_t> {};
+INSTANTIATE_TEST_SUITE_P(ChunkLimits, StripLocatorOf, ::testing::Values(8, StripLocator::default_chunk_limit, 1024));
 
-TEST_P(StripIndexOf, AgreesAfterCutsAndLinks) {
+TEST_P(StripLocatorOf, AgreesAfterCutsAndLinks) {
   std::mt19937 random(3);
   for (StripMesh& mesh : sample::meshes()) {
     stripify(mesh);
-    StripIndex index(mesh, GetParam());
-    ASSERT_TRUE(agrees(index, mesh));
+    StripLocator locator(mesh, GetParam());
+    ASSERT_TRUE(agrees(locator, mesh));
     for (int i = 0; i < 2000; ++i) {
-      random_cut_or_link(index, mesh, random);
+      random_cut_or_link(locator, mesh, random);
       if (i % 20 == 0) {
-        ASSERT_TRUE(agrees(index, mesh)) << i;
+        ASSERT_TRUE(agrees(locator, mesh)) << i;
       }
     }
     ASSERT_TRUE(check_coloring(mesh).valid);
   }
 }
 
-TEST_P(StripIndexOf, AgreesAfterRewrites) {
+TEST_P(StripLocatorOf, AgreesAfterRewrites) {
   std::mt19937 random(4);
   for (StripMesh& mesh : sample::meshes()) {
     stripify(mesh);
-    StripIndex index(mesh, GetParam());
+    StripLocator locator(mesh, GetParam());
     for (int i = 0; i < 3000; ++i) {
-      random_operation(index, mesh, random, mesh.triangle_count() < 40 || (i / 300) % 2 == 0);
+      random_operation(locator, mesh, random, mesh.triangle_count() < 40 || (i / 300) % 2 == 0);
       if (i % 25 == 0) {
-        ASSERT_TRUE(agrees(index, mesh)) << i;
+        ASSERT_TRUE(agrees(locator, mesh)) << i;
       }
     }
     ASSERT_TRUE(check_coloring(mesh).valid);
   }
 }
 
-TEST_P(StripIndexOf, AgreesOnALargeMeshAfterEverything) {
+TEST_P(StripLocatorOf, AgreesOnALargeMeshAfterEverything) {
   std::mt19937 random(5);
   StripMesh mesh = sample::torus(90, 70);
   stripify(mesh);
-  StripIndex index(mesh, GetParam());
+  StripLocator locator(mesh, GetParam());
   for (int i = 0; i < 60000; ++i) {
     if (random() % 3 != 0)
-      random_cut_or_link(index, mesh, random);
+      random_cut_or_link(locator, mesh, random);
     else
-      random_operation(index, mesh, random, (i / 5000) % 2 == 0);
+      random_operation(locator, mesh, random, (i / 5000) % 2 == 0);
     if (i % 1500 == 0) {
-      ASSERT_TRUE(agrees(index, mesh)) << i;
+      ASSERT_TRUE(agrees(locator, mesh)) << i;
     }
   }
-  ASSERT_TRUE(agrees(index, mesh));
+  ASSERT_TRUE(agrees(locator, mesh));
   ASSERT_TRUE(check_coloring(mesh).valid);
 }
 
 // Splits at one vertex, over and over: the labels between the two triangles beside its fan come closer until there is
 // no room. Some strips have been cut and linked before, so that chunks read in either direction.
-TEST_P(StripIndexOf, AgreesWhereThereIsNoRoomBetweenLabels) {
+TEST_P(StripLocatorOf, AgreesWhereThereIsNoRoomBetweenLabels) {
   std::mt19937 random(6);
   StripMesh mesh = sample::torus(30, 20);
-  StripIndex index(mesh, GetParam());
+  StripLocator locator(mesh, GetParam());
   Tunnel tunnel;
   for (int place = 0; place < 30; ++place) {
-    for (int i = 0; i < 1000; ++i) random_cut_or_link(index, mesh, random);
+    for (int i = 0; i < 1000; ++i) random_cut_or_link(locator, mesh, random);
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-      if (mesh.alive(t) && mesh.solid_degree(t) < 2) tunnel.join(mesh, index, t, 100);
+      if (mesh.alive(t) && mesh.solid_degree(t) < 2) tunnel.join(mesh, locator, t, 100);
     const Vertex v = mesh.from(random_halfedge(mesh, random));
     for (int i = 0; i < 120; ++i) {
       Halfedge h = mesh.spoke(v);
       for (auto turns = random() % 8; turns > 0; --turns)
         if (!StripMesh::on_boundary(h)) h = turn_ccw(mesh, h);
-      operation_at(index, mesh, h, random, true);
+      operation_at(locator, mesh, h, random, true);
       if (i % 40 == 39) {
-        ASSERT_TRUE(agrees(index, mesh)) << place << ' ' << i;
+        ASSERT_TRUE(agrees(locator, mesh)) << place << ' ' << i;
       }
     }
-    for (int i = 0; i < 400; ++i) operation_at(index, mesh, random_halfedge(mesh, random), random, false);
+    for (int i = 0; i < 400; ++i) operation_at(locator, mesh, random_halfedge(mesh, random), random, false);
   }
   ASSERT_TRUE(check_coloring(mesh).valid);
 }
 
 // A strip creeps round a ring of triangles, linked at one end and cut at the other, further than a chunk has labels;
 // and back.
-TEST_P(StripIndexOf, AgreesWhereAStripCreepsOutOfItsLabels) {
+TEST_P(StripLocatorOf, AgreesWhereAStripCreepsOutOfItsLabels) {
   StripMesh mesh = sample::tube(6, 1);
   std::vector<Halfedge> ring;  // from each triangle to the next
   for (Halfedge h = StripMesh::halfedge(0, 0); ring.size() < mesh.triangle_count(); h = mesh.opposite(ring.back())) {
@@ -164,20 +164,20 @@ TEST_P(StripIndexOf, AgreesWhereAStripCreepsOutOfItsLabels) {
     while (StripMesh::on_boundary(mesh.opposite(h)));
     ring.push_back(h);
   }
-  StripIndex index(mesh, GetParam());
+  StripLocator locator(mesh, GetParam());
   constexpr std::size_t length = 5;
   constexpr std::size_t way = 2600;
   const auto dual_edge = [&](std::size_t i) { return ring[i % ring.size()]; };
-  for (std::size_t i = 0; i < length; ++i) index.link(mesh, dual_edge(i));
+  for (std::size_t i = 0; i < length; ++i) locator.link(mesh, dual_edge(i));
   for (std::size_t i = 0; i < way; ++i) {
-    index.link(mesh, dual_edge(i + length));
-    index.cut(mesh, dual_edge(i));
-    ASSERT_TRUE(agrees(index, mesh)) << i;
+    locator.link(mesh, dual_edge(i + length));
+    locator.cut(mesh, dual_edge(i));
+    ASSERT_TRUE(agrees(locator, mesh)) << i;
   }
   for (std::size_t i = way; i-- > 0;) {
-    index.link(mesh, dual_edge(i));
-    index.cut(mesh, dual_edge(i + length));
-    ASSERT_TRUE(agrees(index, mesh)) << i;
+    locator.link(mesh, dual_edge(i));
+    locator.cut(mesh, dual_edge(i + length));
+    ASSERT_TRUE(agrees(locator, mesh)) << i;
   }
 }
 
