@@ -71,13 +71,6 @@ int main(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(goals))
       ->default_str("strips")
       ->excludes(shard_option);
-  tables_command
-      ->add_option(
-          "--cost", tables.cost,
-          "Of the index rules: indices (3 for a strip, 1 for a swap), or R,S,I, the weights of a strip, a swap "
-          "and an isolated triangle")
-      ->capture_default_str()
-      ->excludes(shard_option);
   std::vector<std::string> tables_languages;
   tables_command
       ->add_option("--language", tables_languages,

@@ -18,7 +18,6 @@
 
 #include "automaton/automaton.hpp"
 #include "automaton/emit_automaton.hpp"
-#include "automaton/emit_index_automaton.hpp"
 #include "digest.hpp"
 #include "emit.hpp"
 #include "files/output.hpp"
@@ -55,35 +54,28 @@ std::string header_path(const std::string& family) { return headers + identifier
 
 std::string certificate_path(const std::string& family) { return "certificates/" + family + ".cert"; }
 
-/// The two files of an automaton, which serves every valence.
+/// The two files of the automaton, which serves every valence.
 struct AutomatonFiles {
-  std::string name;
-  std::size_t classes = 0;
+  explicit AutomatonFiles(const Weights& weights)
+      : automaton(make_automaton(weights)),
+        header(automaton_header(automaton)),
+        certificate(automaton_certificate(automaton)) {}
+
+  Automaton automaton;
   RulesHeader header;
-  std::string certificate;
-  std::size_t rows = 0;
-  std::string json;
-  std::string classes_json;
+  AutomatonCertificate certificate;
+
+  [[nodiscard]] std::string summary() const {
+    return fmt::format("{:<16} {:>3} classes   {:>6} rows   {:>6} bytes\n", "automaton", automaton.classes.size(),
+                       certificate.rows, header.bytes);
+  }
 };
 
-AutomatonFiles strips_automaton() {
-  const Automaton automaton = make_automaton();
-  const AutomatonCertificate certificate = automaton_certificate(automaton);
-  return {"automaton",      automaton.classes.size(),  automaton_header(automaton), certificate.text,
-          certificate.rows, automaton_json(automaton), classes_json(automaton)};
-}
-
-AutomatonFiles index_automaton(const indices::Weights& weights) {
-  const indices::Automaton automaton = indices::make_automaton(weights);
-  const AutomatonCertificate certificate = indices::automaton_certificate(automaton);
-  return {"index-automaton", automaton.classes.size(),           indices::automaton_header(automaton), certificate.text,
-          certificate.rows,  indices::automaton_json(automaton), indices::classes_json(automaton)};
-}
-
-/// "indices", or the weights of a strip, a swap and an isolated triangle with commas between them.
-indices::Weights weights_named(const std::string& cost) {
-  indices::Weights weights;
-  if (cost == "indices") return weights;
+/// "strips", "indices", or the weights of a strip, a swap and an isolated triangle with commas between them.
+Weights weights_named(const std::string& cost) {
+  if (cost == "strips") return strips_weights;
+  if (cost == "indices") return index_weights;
+  Weights weights;
   int end = 0;
   if (std::sscanf(cost.c_str(), "%4d,%4d,%4d%n", &weights.restart, &weights.swap, &weights.isolated, &end) != 3 ||
       static_cast<std::size_t>(end) != cost.size())
@@ -94,23 +86,13 @@ indices::Weights weights_named(const std::string& cost) {
   return weights;
 }
 
-AutomatonFiles automaton_for(const std::string& cost) {
-  return cost == "strips" ? strips_automaton() : index_automaton(weights_named(cost));
-}
-
-std::string summary(const AutomatonFiles& files) {
-  return fmt::format("{:<16} {:>3} classes   {:>6} rows   {:>6} bytes\n", files.name, files.classes, files.rows,
-                     files.header.bytes);
-}
-
 /// The files that write_tables writes, whatever the largest valence; MANIFEST, which vouches for the others, last.
 files::OutputSet table_files(const std::string& out, const std::set<std::string>& wanted) {
   std::set<std::filesystem::path> names;
   for (const std::string& language : wanted)
     for (const LanguageFile& file : language_files().at(language)) names.insert(file.name);
   if (!wanted.contains("c++")) return files::OutputSet(out, {names.begin(), names.end()});
-  names.insert({headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"), certificate_path("automaton"),
-                header_path("index-automaton"), certificate_path("index-automaton")});
+  names.insert({headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"), certificate_path("automaton")});
   for (const Part& part : parts(3)) {
     names.insert(certificate_path(part.family));
     if (std::holds_alternative<Section>(part.section)) names.insert(header_path(part.family));
@@ -220,10 +202,11 @@ void add_linked(const std::vector<LinkedFamily>& families, unsigned max_k, Table
   to.told += summary("linked", sections, alternatives, header.bytes);
 }
 
-void add_automaton(const AutomatonFiles& automaton, TableFiles& to) {
-  to.by_path[header_path(automaton.name)] = {automaton.header.text, automaton.rows};
-  to.by_path[certificate_path(automaton.name)] = {automaton.certificate, automaton.rows};
-  to.told += summary(automaton);
+void add_automaton(TableFiles& to) {
+  const AutomatonFiles automaton(strips_weights);
+  to.by_path[header_path("automaton")] = {automaton.header.text, automaton.certificate.rows};
+  to.by_path[certificate_path("automaton")] = {automaton.certificate.text, automaton.certificate.rows};
+  to.told += automaton.summary();
 }
 
 /// The files of other languages than C++. MANIFEST does not list them: it vouches for what restrip-verify reads.
@@ -243,8 +226,7 @@ std::vector<files::NamedBytes> other_languages(const std::vector<SolvedFamily>& 
 }
 
 /// From all parts, or, when C++ is not among the languages, those of the rules.
-void write_tables(files::OutputSet& out, std::vector<Part> all, const TablesOptions& options,
-                  const indices::Weights& weights) {
+void write_tables(files::OutputSet& out, std::vector<Part> all, const TablesOptions& options) {
   const Families families = by_family(std::move(all));
   const Packings packings = packings_of(families.rules, options.max_k);
   TableFiles tables;
@@ -252,8 +234,7 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, const TablesOpti
   if (options.languages.contains("c++")) {
     add_rules(families.rules, packings, options.max_k, tables);
     add_linked(families.linked, options.max_k, tables);
-    add_automaton(strips_automaton(), tables);
-    add_automaton(index_automaton(weights), tables);
+    add_automaton(tables);
     for (files::NamedBytes& file : tables.take()) written.push_back(std::move(file));
   }
   out.write(written);
@@ -263,7 +244,6 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, const TablesOpti
 }  // namespace
 
 void make_tables(const TablesOptions& options) {
-  const indices::Weights weights = weights_named(options.cost);
   files::OutputSet out = table_files(options.out, options.languages);
   std::vector<Part> all = parts(options.max_k, options.goal);
   const bool cpp = options.languages.contains("c++");
@@ -271,7 +251,7 @@ void make_tables(const TablesOptions& options) {
   std::vector<std::size_t> everything(all.size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
   solve_parts(all, everything, options.threads, cpp ? Wanted::rules_and_text : Wanted::rules);
-  write_tables(out, std::move(all), options, weights);
+  write_tables(out, std::move(all), options);
 }
 
 void make_shard(const TablesOptions& options) {
@@ -298,22 +278,23 @@ void merge_shards(const std::string& in, const std::string& folder) {
   files::OutputSet out = table_files(folder, options.languages);
   Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
   options.max_k = merged.max_k;
-  write_tables(out, std::move(merged.parts), options, {});
+  write_tables(out, std::move(merged.parts), options);
 }
 
 void make_automaton_files(const AutomatonOptions& options) {
   const auto& [cost, folder, json, classes] = options;
-  const AutomatonFiles automaton = automaton_for(cost);
-  files::OutputSet out(folder, {header_path(automaton.name), certificate_path(automaton.name)});
+  const Weights weights = weights_named(cost);
+  files::OutputSet out(folder, {header_path("automaton"), certificate_path("automaton")});
   std::optional<files::Output> json_out;
   if (!json.empty() && json != "-") json_out.emplace(json, files::OutputRules{{".json"}, {}});
   std::optional<files::Output> classes_out;
   if (!classes.empty()) classes_out.emplace(classes, files::OutputRules{{".json"}, {}});
-  out.write({{header_path(automaton.name), automaton.header.text},
-             {certificate_path(automaton.name), automaton.certificate}});
-  if (json_out) json_out->write(automaton.json);
-  if (classes_out) classes_out->write(automaton.classes_json);
-  fmt::print("{}", json == "-" ? automaton.json : summary(automaton));
+  const AutomatonFiles made(weights);
+  const std::string figures = automaton_json(made.automaton);
+  out.write({{header_path("automaton"), made.header.text}, {certificate_path("automaton"), made.certificate.text}});
+  if (json_out) json_out->write(figures);
+  if (classes_out) classes_out->write(classes_json(made.automaton));
+  fmt::print("{}", json == "-" ? figures : made.summary());
 }
 
 }  // namespace restrip::generator

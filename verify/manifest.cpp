@@ -30,7 +30,6 @@ std::size_t natural(const LineReader& reader, std::size_t index) {
 bool made_otherwise(const std::string& path) {
   return path == "CMakeLists.txt" || path == "families.json" || path == "include/restrip/tables/format.hpp" ||
          path == "include/restrip/tables/automaton_format.hpp" ||
-         path == "include/restrip/tables/index_automaton_format.hpp" ||
          path == "include/restrip/tables/operation_format.hpp" || path == "include/restrip/tables/operation_dump.hpp" ||
          path.starts_with("operations/") || path.starts_with("certificates/operations/") ||
          path.starts_with("include/restrip/tables/operations/");

@@ -1,14 +1,13 @@
 #pragma once
-// Deliberate faults of the automata's verifier, as those of mutants.hpp: the shipped program is built without any, and
+// Deliberate faults of the automaton's verifier, as those of mutants.hpp: the shipped program is built without any, and
 // tests/verify/automaton must notice each.
 
 namespace restrip::verify {
 
 enum class AutomatonMutant {
   none,
-  // the automaton of fewest strips
   automaton_any_witness,      // witnesses are not compared
-  automaton_any_gain,         // a letter may add anything
+  automaton_any_cost,         // a letter may cost anything
   automaton_any_origin,       // a case may come from any case
   automaton_join_anything,    // a meeting may join ports that were not joined
   automaton_any_own_meeting,  // the stated meeting need not be legal
@@ -16,13 +15,9 @@ enum class AutomatonMutant {
   automaton_any_closing,      // better closings are not looked for
   automaton_loosen_degree,    // a triangle of an arc may have three solid edges
   automaton_first_arcs_only,  // the arcs that longer words lead to are not looked at
-  // the index automaton
-  turns_any_cost,          // a letter may cost anything
-  turns_any_origin,        // a case may come from any case
-  turns_no_pairs,          // what a class leaves out is never missed
+  // where swaps have a price
   turns_no_swap_at_ports,  // a port is never a swap
   turns_no_swap_at_chord,  // the chord is never a swap
-  turns_first_arcs_only,   // the arcs that longer words lead to are not looked at
   turns_search_no_swap,    // whole fans are searched as if nothing were a swap
   turns_search_one_side    // nothing behind a port goes on at its right
 };
