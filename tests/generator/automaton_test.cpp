@@ -1,7 +1,6 @@
-// Claim: the automaton is worth what exhaustive search finds. For every family, every position and every key with k <=
-// 6 its answer has as many solid edges and as many isolated triangles as the search's, and the value it tells is that
-// of its answer; at k = 9, where an arc is longer than most witnesses, the same for one position. The search
-// (search.hpp) tries all recolourings of a patch and knows nothing of arcs.
+// Claim: the automaton is minimal and has as many classes as were counted before, its rules are the same whatever an
+// isolated triangle costs, and weights that it cannot serve are refused with a remedy. What its answers are worth is
+// checked by the verifier, for the shipped certificate and for those of other costs.
 #include "automaton/automaton.hpp"
 
 #include <gtest/gtest.h>
@@ -13,64 +12,14 @@
 #include <string>
 
 #include "automaton/emit_automaton.hpp"
-#include "automaton_reader.hpp"
-#include "section.hpp"
 
 namespace restrip::generator {
 namespace {
 
-/// How many rows were compared.
-std::size_t compare(const AutomatonReader& reader, const Section& section) {
-  const Side after = patch_of_rows(section.position).after;
-  const std::vector<Coloring> colorings = legal_colorings(after);
-  for (const Row& row : section.rows) {
-    const Answer answer = reader.answer(section.position, row.key);
-    EXPECT_EQ(answer.cost, static_cast<int>(row.isolated) - strips_weights.restart * static_cast<int>(row.solid))
-        << row.key.ports << ' ' << row.key.joined;
-    const auto coloring = std::find_if(colorings.begin(), colorings.end(),
-                                       [&](const Coloring& c) { return c.inner == answer.recoloring; });
-    if (coloring == colorings.end()) {
-      ADD_FAILURE() << "not legal: " << answer.recoloring;
-      continue;
-    }
-    const auto outcome = with_ports(*coloring, row.key.ports);
-    if (!outcome) {
-      ADD_FAILURE() << "a triangle has three solid edges";
-      continue;
-    }
-    EXPECT_EQ(outcome->solid, row.solid);
-    EXPECT_EQ(outcome->isolated, row.isolated);
-    bool leftover = false;
-    const Mask joins = joined_to_previous(outcome->pairs, row.key.ports, section.position.k,
-                                          closed(*section.position.family), &leftover);
-    EXPECT_FALSE(leftover);
-    EXPECT_EQ(joins & ~row.key.joined, 0U) << "joins ports that were not joined";
-  }
-  return section.rows.size();
-}
-
 class AutomatonTest : public testing::Test {
  protected:
   const Automaton automaton = make_automaton(strips_weights);
-  const AutomatonReader reader{automaton};
 };
-
-TEST_F(AutomatonTest, AnswersAreWorthWhatTheSearchFinds) {
-  for (const std::string& family : certificate_families()) {
-    if (family == "flip") continue;
-    std::size_t compared = 0;
-    for (const Section& section : solve(family, 6, 2)) compared += compare(reader, section);
-    EXPECT_GT(compared, 300U) << family;
-  }
-}
-
-TEST_F(AutomatonTest, BeyondTheTablesToo) {
-  Section section;
-  section.position = {&family_named("boundary-split"), 9, 4, 0};
-  section.serves = {section.position};
-  solve(section);
-  EXPECT_GT(compare(reader, section), 4000U);
-}
 
 // Two classes that nothing tells apart would be one.
 TEST_F(AutomatonTest, IsMinimal) {
