@@ -41,6 +41,7 @@ class JsonValue {
 
   bool is_string() const { return json_.kind == Json::Kind::string; }
   bool is_list() const { return json_.kind == Json::Kind::array; }
+  std::size_t size() const { return json_.items.size(); }
   bool is_integer(std::int64_t number) const { return json_.kind == Json::Kind::integer && json_.integer == number; }
 
   /// Members that may stand here; each is unknown until it is named.

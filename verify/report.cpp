@@ -80,11 +80,11 @@ std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals
   }
   return text + fmt::format(
                     "\n  ],\n  \"rules\": {},\n  \"alternatives\": {},\n  \"configurations\": {},\n  \"recolorings\": "
-                    "{},\n  \"answers_proved\": {},\n  \"answers_not_compared\": {},\n  \"failed\": {},\n"
-                    "  \"verified\": {}\n}}\n",
+                    "{},\n  \"answers_proved\": {},\n  \"answers_not_compared\": {},\n  \"graph_only\": {},\n"
+                    "  \"failed\": {},\n  \"verified\": {}\n}}\n",
                     totals.rules, totals.alternatives, totals.configurations, totals.pairs,
-                    json_of_answers(totals.answers), json_of_answers(totals.not_compared), totals.failed,
-                    totals.failed == 0);
+                    json_of_answers(totals.answers), json_of_answers(totals.not_compared), totals.graph_only,
+                    totals.failed, totals.failed == 0);
 }
 
 }  // namespace restrip::verify

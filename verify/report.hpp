@@ -41,6 +41,7 @@ struct Totals {
   std::uint64_t pairs = 0;           ///< (configuration with a sound row, recolouring)
   std::uint64_t claims = 0;
   std::uint64_t failed = 0;
+  bool graph_only = false;  ///< an operation that is not checked to be one on a mesh
   struct Answers {
     std::uint64_t positions = 0;
     std::uint64_t entries = 0;

@@ -60,7 +60,7 @@ NamedOperation described(const Position& position, Constraint constraint) {
     operation.preference.clear();
     name += fmt::format("-{}", constraint_words.at(constraint.most_edges - 1));
   }
-  return {std::move(name), "", std::move(operation)};
+  return {std::move(name), "", std::move(operation), {}};
 }
 
 std::string operation_file_text(const NamedOperation& named) {

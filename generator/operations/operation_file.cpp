@@ -33,6 +33,7 @@ class JsonValue {
 
   [[nodiscard]] bool has(const std::string& member) const { return json_.contains(member); }
   [[nodiscard]] bool is_text() const { return json_.is_string(); }
+  [[nodiscard]] bool is_list() const { return json_.is_array(); }
   [[nodiscard]] JsonValue operator[](const std::string& member) const {
     if (!has(member)) refuse(fmt::format("expected a member \"{}\"", member));
     return inside(json_.at(member), {member, 0});
@@ -144,6 +145,35 @@ Side side_from(const JsonValue& value) {
   return side;
 }
 
+NamedPatch::Triangles triangles_from(const JsonValue& value) {
+  NamedPatch::Triangles triangles;
+  for (const JsonValue& triangle : value.elements("triangles")) {
+    const std::vector<JsonValue> corners = triangle.elements("three vertices");
+    if (corners.size() != 3) triangle.refuse("expected three vertices");
+    triangles.push_back({corners[0].text(), corners[1].text(), corners[2].text()});
+    if (triangles.size() > most_nodes) triangle.refuse(fmt::format("expected 1 to {} triangles", most_nodes));
+  }
+  return triangles;
+}
+
+/// The patch of triangles with named vertices.
+SurfacePatch surface_from(const JsonValue& top) {
+  NamedPatch named{triangles_from(top["before"]), triangles_from(top["after"]), {}};
+  if (top.has("boundary"))
+    for (const JsonValue& stretch : top["boundary"].elements("stretches of the rim")) {
+      const std::vector<JsonValue> ends = stretch.elements("two vertices");
+      if (ends.size() != 2) stretch.refuse("expected two vertices");
+      named.boundary.push_back({ends[0].text(), ends[1].text()});
+    }
+  try {
+    return surface_patch(named);
+  } catch (const PatchFault& fault) {
+    const JsonValue member = top[fault.member];
+    if (fault.element < 0) member.refuse(fault.what());
+    member.elements("")[static_cast<std::size_t>(fault.element)].refuse(fault.what());
+  }
+}
+
 Constraint constraint_from(const JsonValue& value) {
   const auto* const found = std::find(constraint_words.begin(), constraint_words.end(), value.text());
   if (found == constraint_words.end()) value.refuse("expected \"strips\", \"matching\" or \"forest\"");
@@ -213,14 +243,22 @@ NamedOperation parse_operation(const std::string& file, const std::string& text)
         "a dashed port stays dashed: whether it may become solid depends on the triangle behind it, which no rule "
         "sees; "
         "describe that triangle as part of the patch");
-  top.expect_members({"restrip_operation", "name", "about", "constraint", "before", "after", "give_up", "cost"});
+  top.expect_members(
+      {"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up", "cost"});
   static_cast<void>(top["restrip_operation"].number(1, 1, "a version of the format"));
   NamedOperation named;
   named.name = name_from(top["name"]);
   if (top.has("about")) named.about = top["about"].text();
   Operation& operation = named.operation;
   operation.constraint = constraint_from(top["constraint"]);
-  operation.patch = {side_from(top["before"]), side_from(top["after"])};
+  if (top["before"].is_list()) {
+    SurfacePatch surface = surface_from(top);
+    operation.patch = std::move(surface.patch);
+    named.surface = std::move(surface.surface);
+  } else {
+    if (top.has("boundary")) top["boundary"].refuse("this is for patches given by their triangles");
+    operation.patch = {side_from(top["before"]), side_from(top["after"])};
+  }
   const std::size_t ports = operation.patch.before.owner.size();
   if (operation.patch.after.owner.size() != ports) top["after"]["ports"].refuse("expected as many ports as before");
   if (top.has("give_up")) operation.may_give_up = give_up_from(top["give_up"], ports);

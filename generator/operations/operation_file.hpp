@@ -5,6 +5,7 @@
 #include <string>
 
 #include "operation.hpp"
+#include "operations/triangles.hpp"
 
 namespace restrip::generator {
 
@@ -12,6 +13,7 @@ struct NamedOperation {
   std::string name;
   std::string about;
   Operation operation;
+  Surface surface;  ///< of a patch given by its triangles; empty for one that is a graph only
 };
 
 /// No operation has more, on either side.

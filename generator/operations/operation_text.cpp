@@ -26,6 +26,15 @@ unsigned width_of(const Operation& operation) {
   return bits < 8 ? 8 : bits < 16 ? 16 : 32;
 }
 
+/// As the header lists them.
+std::string triangles(const std::vector<SurfaceTriangle>& met) {
+  std::vector<std::string> words;
+  for (const SurfaceTriangle& t : met)
+    words.push_back(fmt::format("{{{}, {}, {{{}}}, {{{}}}}}", t.from, t.from_side, fmt::join(t.vertex, ", "),
+                                fmt::join(t.side, ", ")));
+  return "    {{\n" + numbers(words) + "    }},\n";
+}
+
 }  // namespace
 
 std::string operation_certificate(const NamedOperation& named, const OperationRules& rules) {
@@ -61,12 +70,21 @@ OperationHeader operation_header(const NamedOperation& named, const OperationRul
       "restrip/tables/operation_format.hpp.\n#pragma once\n\n#include \"restrip/tables/operation_format.hpp\"\n\n"
       "namespace restrip::tables {{\n\n",
       named.about.empty() ? named.name : named.about, named.name);
-  text += fmt::format("inline constexpr OperationTable<std::uint{}_t, {}> {}{{\n", width, entries.size(),
+  const Surface& surface = named.surface;
+  const bool has_surface = !surface.before.empty();
+  const std::string sizes =
+      has_surface ? fmt::format(", {}, {}", surface.before.size(), surface.after.size()) : std::string();
+  text += fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{\n",
+                      has_surface ? "SurfaceOperation" : "OperationTable", width, entries.size(), sizes,
                       variable(named.name));
-  text += fmt::format("    {{{}, {}}},\n    {{{}, {}}},\n    {},\n    {},\n    {{\n", patch.before.nodes,
-                      patch.before.edges.size(), patch.after.nodes, patch.after.edges.size(), patch.before.owner.size(),
-                      named.operation.constraint.most_edges == 1);
-  text += numbers(entries) + "    }};\n\n}  // namespace restrip::tables\n";
+  text += fmt::format("    {}{{{}, {}}},\n    {{{}, {}}},\n    {},\n    {},\n    {{\n", has_surface ? "{" : "",
+                      patch.before.nodes, patch.before.edges.size(), patch.after.nodes, patch.after.edges.size(),
+                      patch.before.owner.size(), named.operation.constraint.most_edges == 1);
+  text += numbers(entries);
+  text += has_surface ? fmt::format("    }}}},\n    {},\n{}{}}};\n", surface.vertices, triangles(surface.before),
+                                    triangles(surface.after))
+                      : "    }};\n";
+  text += "\n}  // namespace restrip::tables\n";
   return {text, entries.size() * width / 8};
 }
 

@@ -9,7 +9,7 @@ namespace restrip::generator {
 
 [[nodiscard]] std::string operation_certificate(const NamedOperation& named, const OperationRules& rules);
 
-/// A header and the read-only data that it compiles to.
+/// A header, and how many bytes its table of rules has.
 struct OperationHeader {
   std::string text;
   std::size_t bytes = 0;

@@ -25,7 +25,8 @@ nlohmann::ordered_json figures(const NamedOperation& named, const OperationRules
           {"costing", claims.costing},
           {"worst_strips", claims.worst_strips},
           {"worst_isolated", claims.worst_isolated},
-          {"bytes", bytes}};
+          {"bytes", bytes},
+          {"graph_only", named.surface.before.empty()}};
 }
 
 }  // namespace
@@ -56,6 +57,7 @@ void make_rules(const RulesOptions& options) {
     json["operations"].push_back(figures(named, rules, header.bytes));
     told += fmt::format("{:<24} {:>6} configurations  {:>5} rules  {:>6} bytes\n", named.name,
                         rules.claims.configurations, rules.rows.size(), header.bytes);
+    if (named.surface.before.empty()) told += "  graph only: not checked to be an operation on a mesh\n";
   }
   out.write(texts);
   const std::string json_text = json.dump(2) + "\n";

@@ -39,7 +39,8 @@ Target file_target() {
     return true;
   };
   return {"operation-file",
-          {corpus_text("split-face"), corpus_text("bisect-costs"), corpus_text("flip-forest")},
+          {corpus_text("split-face"), corpus_text("bisect-costs"), corpus_text("flip-forest"),
+           read_file(RESTRIP_TABLES "/operations/merge-boundary.json")},
           refusing(read),
           10000};
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "json_value.hpp"
+#include "model/triangles.hpp"
 
 namespace restrip::verify::operations {
 namespace {
@@ -52,6 +53,51 @@ Side side_of(const JsonValue& value) {
     edges.fail_found(fmt::format("expected at most {} edges and ports together, found {} and {}", most_colors,
                                  side.inner_edges(), side.ports()));
   return side;
+}
+
+/// Lists of so many names.
+template <std::size_t n>
+std::vector<std::array<std::string, n>> names_of(const JsonValue& value, const std::string& expected,
+                                                 const std::string& element, std::size_t most) {
+  std::vector<std::array<std::string, n>> all;
+  for (const JsonValue& names : value.list(expected, most)) {
+    const std::vector<JsonValue> each = names.list(element, n);
+    if (each.size() != n) names.fail_found(fmt::format("expected {}", element));
+    all.emplace_back();
+    for (std::size_t i = 0; i < n; ++i) all.back()[i] = each[i].string("the name of a vertex");
+  }
+  return all;
+}
+
+Side side_of(const JsonValue& value, PatchGraph graph) {
+  const auto edges = static_cast<unsigned>(graph.edges.size());
+  const auto ports = static_cast<unsigned>(graph.owner_of_port.size());
+  if (ports == 0 || ports > most_ports)
+    value.fail_found(fmt::format("expected 1 to {} ports, found {}", most_ports, ports));
+  if (edges + ports > most_colors)
+    value.fail_found(
+        fmt::format("expected at most {} edges and ports together, found {} and {}", most_colors, edges, ports));
+  return {graph.triangles, std::move(graph.edges), std::move(graph.owner_of_port)};
+}
+
+/// The two sides of a patch that is given by its triangles.
+void read_triangles(const JsonValue& whole, OperationFile& operation) {
+  const auto triangles = [&](const char* member) {
+    return names_of<3>(whole.required(member), "a list of 1 to 16 triangles", "three vertices", most_triangles);
+  };
+  NamedSurface surface{triangles("before"), triangles("after"), {}};
+  if (const std::optional<JsonValue> boundary = whole.member("boundary"))
+    surface.boundary = names_of<2>(*boundary, "a list of stretches", "two vertices", most_colors);
+  try {
+    SurfaceGraphs graphs = graphs_of(surface);
+    operation.before = side_of(whole.required("before"), std::move(graphs.before));
+    operation.after = side_of(whole.required("after"), std::move(graphs.after));
+  } catch (const SurfaceFault& fault) {
+    const JsonValue member = whole.required(fault.member);
+    if (!fault.element) member.fail_found(fault.what);
+    member.list("", member.size())[*fault.element].fail_found(fault.what);
+  }
+  operation.on_a_mesh = true;
 }
 
 Mask give_up_of(const JsonValue& value, unsigned ports) {
@@ -133,7 +179,8 @@ OperationFile parse_operation_file(const std::string& file, std::string_view tex
   const JsonValue whole(file, json, {});
   if (const std::optional<JsonValue> take = whole.member("take"))
     take->fail_found("no port can be taken, since a rule does not see the triangle behind a dashed port");
-  whole.expect_object({"restrip_operation", "name", "about", "constraint", "before", "after", "give_up", "cost"});
+  whole.expect_object(
+      {"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up", "cost"});
   const JsonValue version = whole.required("restrip_operation");
   if (!version.is_integer(1)) version.fail("1, the version of the format");
   OperationFile operation;
@@ -145,9 +192,15 @@ OperationFile parse_operation_file(const std::string& file, std::string_view tex
   if (const std::optional<JsonValue> about = whole.member("about"))
     operation.about = about->string("a sentence in quotes");
   operation.constraint = static_cast<Constraint>(whole.required("constraint").one_of(constraint_names));
-  operation.before = side_of(whole.required("before"));
+  if (whole.required("before").is_list()) {
+    read_triangles(whole, operation);
+  } else {
+    if (const std::optional<JsonValue> boundary = whole.member("boundary"))
+      boundary->fail_found("expected patches that are given by their triangles where there is this member");
+    operation.before = side_of(whole.required("before"));
+    operation.after = side_of(whole.required("after"));
+  }
   const JsonValue after = whole.required("after");
-  operation.after = side_of(after);
   if (operation.after.ports() != operation.before.ports())
     after.required("ports").fail_found(fmt::format("expected as many ports as before, {}, found {}",
                                                    operation.before.ports(), operation.after.ports()));

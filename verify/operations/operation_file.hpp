@@ -71,6 +71,7 @@ struct OperationFile {
   Side after;
   Mask may_give_up = 0;
   std::vector<Criterion> cost;  ///< the default is written out
+  bool on_a_mesh = false;       ///< given by its triangles, and found to be an operation on a mesh
 
   unsigned ports() const { return before.ports(); }
   /// The most solid edges that a triangle may have.

@@ -115,6 +115,7 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& li
   if (!options.certificate.empty())
     certificate = parse_operation_certificate(options.certificate, read_file(options.certificate), operation);
   Totals totals;
+  totals.graph_only = !operation.on_a_mesh;
   OperationReport report(operation, listener, totals);
   RuleJudge judge(operation);
   const std::uint64_t keys = report_keys(judge, report, totals);
@@ -129,9 +130,10 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& li
 }
 
 std::string last_line_of(const OperationOptions& options, const Totals& totals) {
-  std::string text = fmt::format("{}: {}: {} configurations, {} recolourings of them",
-                                 totals.failed == 0 ? "verified" : "NOT verified", options.operation,
-                                 totals.configurations, totals.pairs);
+  std::string text = totals.graph_only ? "graph only: not checked to be an operation on a mesh\n" : "";
+  text += fmt::format("{}: {}: {} configurations, {} recolourings of them",
+                      totals.failed == 0 ? "verified" : "NOT verified", options.operation, totals.configurations,
+                      totals.pairs);
   if (!options.certificate.empty()) text += fmt::format(", {} rules", totals.rules);
   for (const auto& [what, answers] : totals.answers) text += fmt::format(", {} answers of the table", answers.entries);
   text += fmt::format(", {} claims", totals.claims);

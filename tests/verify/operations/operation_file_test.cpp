@@ -103,7 +103,7 @@ TEST(OperationFile, MembersAreRequiredKnownAndOfTheirTypes) {
   expect_complaint("\"strips\"", "null",
                    "f:4:17: constraint: expected \"strips\", \"matching\" or \"forest\", found null");
   expect_complaint("{\"triangles\": 2, \"edges\": [[0, 1]], \"ports\": [0, 0, 1, 1]}", "[2]",
-                   "f:5:13: before: expected an object, found a list");
+                   "f:5:14: before[0]: expected three vertices, found 2");
   expect_complaint("\"all\"", "\"some\"",
                    "f:7:14: give_up: expected \"none\", \"all\" or a list of ports, found \"some\"");
   expect_complaint("\"all\"", "{}", "f:7:14: give_up: expected \"none\", \"all\" or a list of ports, found an object");
@@ -150,6 +150,35 @@ TEST(OperationFile, Limits) {
   expect_accepted("\"triangles\": 2, \"edges\": [[0, 1]], \"ports\": [0, 0, 1, 1]", large("[0, 1, 2, 3]"));
   expect_complaint("\"triangles\": 2, \"edges\": [[0, 1]], \"ports\": [0, 0, 1, 1]", large("[0, 1, 2, 3, 4]"),
                    "f:5:40: before.edges: expected at most 20 edges and ports together, found 16 and 5");
+}
+
+TEST(OperationFile, Triangles) {
+  const std::string graphs =
+      "\"before\": {\"triangles\": 2, \"edges\": [[0, 1]], \"ports\": [0, 0, 1, 1]},\n"
+      "  \"after\": {\"triangles\": 2, \"edges\": [[1, 0]], \"ports\": [1, 0, 0, 1]}";
+  const auto flip = [&](const std::string& after) {
+    return "\"before\": [[\"a\", \"b\", \"c\"], [\"b\", \"a\", \"d\"]],\n  \"after\": " + after;
+  };
+  const std::string text = with(graphs, flip("[[\"c\", \"a\", \"d\"], [\"d\", \"b\", \"c\"]]"));
+  const OperationFile operation = parse_operation_file("f", text);
+  EXPECT_TRUE(operation.on_a_mesh);
+  EXPECT_EQ(operation.before.owner_of_port, (std::vector<unsigned>{0, 0, 1, 1}));
+  EXPECT_EQ(operation.after.edges, (std::vector<std::array<unsigned, 2>>{{0, 1}}));
+  EXPECT_EQ(operation.after.owner_of_port, (std::vector<unsigned>{1, 0, 0, 1}));
+  EXPECT_FALSE(parse_operation_file("f", good).on_a_mesh);
+  const auto expect = [&](const std::string& after, const std::string& expected) {
+    expect_complaint(graphs, flip(after), expected);
+  };
+  expect("[]", "f:6:12: after: expected a list of triangles, found none");
+  expect("3", "f:6:12: after: expected a list of 1 to 16 triangles, found 3");
+  expect("[[\"c\", \"a\"]]", "f:6:13: after[0]: expected three vertices");
+  expect("[[\"c\", \"a\", 1]]", "f:6:24: after[0][2]: expected the name of a vertex, found 1");
+  expect("[[\"c\", \"a\", \"d\"], [\"d\", \"e\", \"c\"]]",
+         "f:5:14: before[0]: expected the same rim on both sides, the edge b c is on it before");
+  expect("[[\"c\", \"a\", \"d\"], [\"d\", \"b\", \"c\"]], \"boundary\": [[\"a\", \"e\"]]",
+         "f:6:61: boundary[0]: expected vertices that the rim has on both sides, \"e\" is not there");
+  expect("[[\"c\", \"a\", \"d\"], [\"d\", \"b\", \"c\"]], \"boundary\": [[\"a\", \"a\"]]",
+         "f:6:61: boundary[0]: expected two different vertices");
 }
 
 TEST(OperationFile, Costs) {

@@ -64,12 +64,20 @@ GOOD = {
         [{"count": "solid", "edges": [0]}, {"count": "ends", "triangles": [0, 1]}, {"count": "ends_at_port"}],
     ],
 }
+TRIANGLES = GOOD | {
+    "before": [["a", "b", "c"], ["b", "a", "d"]],
+    "after": [["c", "a", "d"], ["d", "b", "c"]],
+    "boundary": [["b", "c"], ["c", "a"]],
+    "give_up": "all",
+    "cost": [[{"count": "strips"}]],
+}
 VALUES = [None, True, -1, 0, 1, 2, 3, 8, 9, 16, 17, 1.5, 1000001, "", "none", "all", "strips", "matching", "forest", "kept",
-          "squares", "two-2", "Two", "a--b", "a" * 60, "a" * 61, [], [0], [0, 0], [[0, 1]], {}, [[{"count": "joined"}]],
+          "squares", "two-2", "Two", "a", "v_1", ["a", "b", "c"], ["b", "c"], ["a", "b", "a"], "a--b", "a" * 60, "a" * 61, [], [0], [0, 0], [[0, 1]], {}, [[{"count": "joined"}]],
           [[{"count": "strips"}]] * 9, [[{"count": "strips"}] * 65]]
 # What the reader's words tell of the faults that the schema's description leaves to it.
 BEYOND = re.compile(r"from 0 to \d+, found \d|edges and ports of triangle|each edge once|as many ports as before|"
-                    r"expected each|edges and ports together|expected a list of (edges|ports|triangles)s?, found a list")
+                    r"expected each|edges and ports together|the same rim|opposite directions|fan|connected over|Euler characteristic|"
+                    r"1 to 8 ports|stretches that are apart|on both sides|expected a list of (edges|ports|triangles)s?, found a list")
 
 
 def places(value, path=()):
@@ -80,11 +88,11 @@ def places(value, path=()):
         yield from places(member, path + (key,))
 
 
-def all_altered():
+def all_altered(good):
     """Every value replaced by each of VALUES, every member left out, an unknown one put in; each fifth of these."""
-    for path in places(GOOD):
+    for path in places(good):
         for number in range(len(VALUES) + 2):
-            operation = copy.deepcopy(GOOD)
+            operation = copy.deepcopy(good)
             inside = operation
             for key in path[:-1]:
                 inside = inside[key]
@@ -105,7 +113,7 @@ def all_altered():
 
 
 def altered():
-    return itertools.islice(all_altered(), 0, None, 5)
+    return itertools.islice(itertools.chain(all_altered(GOOD), all_altered(TRIANGLES)), 0, None, 5)
 
 
 def main():
