@@ -58,13 +58,13 @@ all_reasons() {
 }
 
 rung search "every rule is sound and optimal; the shipped headers give it, in every position" \
-  "every recolouring of every configuration on explicit graphs, twice: strips walked, smallest hitting sets" \
-  "C++ compiler, Boost.Graph, verify/" \
+  "every recolouring of every configuration on explicit graphs, twice: every world outside, smallest hitting sets" \
+  "C++ compiler, verify/" \
   's/^verified: (.*)$/\1/p' \
   $bin/restrip-verify --all --dump-command $bin/restrip-dump-tables
 rung linked "what the linked look-up picks is the best, in every position, whatever is known of the outside" \
   "every recolouring beside every set of pairs that the strips outside may join" \
-  "C++ compiler, Boost.Graph, verify/" \
+  "C++ compiler, verify/" \
   's/^answers of the shipped headers proved: (.*)$/\1/p' \
   $bin/restrip-verify --headers --linked-dump-command "$bin/restrip-dump-tables --linked"
 rung automaton "every answer of the automaton is sound and optimal, for every k" \

@@ -1,4 +1,4 @@
-#include "answers.hpp"
+#include "automaton/answers.hpp"
 
 #include <fmt/format.h>
 
@@ -39,7 +39,21 @@ std::string FanPlace::text() const {
   return fmt::format("{} k {}", family, k);
 }
 
-Patch patch_after(const FanPlace& place) { return patch_after(place.family, {place.k, place.a, place.b}); }
+Side patch_after(const FanPlace& place) { return patch_after(place.family, {place.k, place.a, place.b}); }
+
+FanKey fan_key(const Key& key, const FanPlace& place) {
+  Mask joined = 0;
+  for (unsigned port = 0; port < place.k; ++port) {
+    if (!is_solid(key.ports, port)) continue;
+    for (unsigned step = 1; step < place.k && (place.closed() || step <= port); ++step) {
+      const unsigned before = (port + place.k - step) % place.k;
+      if (!is_solid(key.ports, before)) continue;
+      if (key.joined.has(before, port)) joined |= single(port);
+      break;
+    }
+  }
+  return {key.ports, joined, 0, 0};
+}
 
 std::vector<FanPlace> all_places(unsigned k) {
   std::vector<FanPlace> places;

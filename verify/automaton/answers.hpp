@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "arcs_around.hpp"
-#include "automaton_certificate.hpp"
-#include "operation.hpp"
+#include "automaton/arcs_around.hpp"
+#include "automaton/automaton_certificate.hpp"
+#include "model/family.hpp"
+#include "model/key.hpp"
 
 namespace restrip::verify {
 
@@ -25,7 +26,7 @@ struct FanPlace {
 };
 
 /// The patch after the operation.
-Patch patch_after(const FanPlace& place);
+Side patch_after(const FanPlace& place);
 
 /// All places of valence k, those that notation.md leaves to symmetry included.
 std::vector<FanPlace> all_places(unsigned k);
@@ -38,6 +39,9 @@ struct FanKey {
   Mask right = 0;   ///< the same at the right link
   std::string text() const;
 };
+
+/// What a row of a table of fans is told: bit i of `joined` where port i is joined to the solid port before it.
+FanKey fan_key(const Key& key, const FanPlace& place);
 
 /// A recolouring, and what the certificate says it costs, less the restarts of all triangles of the patch.
 struct AutomatonAnswer {

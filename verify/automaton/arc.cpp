@@ -1,6 +1,6 @@
-#include "arc.hpp"
+#include "automaton/arc.hpp"
 
-#include "automaton_mutants.hpp"
+#include "automaton/automaton_mutants.hpp"
 
 namespace restrip::verify {
 namespace {

@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "masks.hpp"
+#include "model/masks.hpp"
 
 namespace restrip::verify {
 

@@ -1,4 +1,4 @@
-#include "arc_joints.hpp"
+#include "automaton/arc_joints.hpp"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "arc.hpp"
-#include "judgment.hpp"
+#include "automaton/arc.hpp"
+#include "judge/report.hpp"
 
 namespace restrip::verify {
 

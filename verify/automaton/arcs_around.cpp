@@ -1,11 +1,11 @@
-#include "arcs_around.hpp"
+#include "automaton/arcs_around.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 
-#include "automaton_mutants.hpp"
+#include "automaton/automaton_mutants.hpp"
 
 namespace restrip::verify {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "arc.hpp"
+#include "automaton/arc.hpp"
 
 namespace restrip::verify {
 

@@ -1,4 +1,4 @@
-#include "automaton_certificate.hpp"
+#include "automaton/automaton_certificate.hpp"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "certificate_form.hpp"
-#include "input.hpp"
-#include "row_reader.hpp"
+#include "automaton/row_reader.hpp"
+#include "certificate/certificate_form.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "arc.hpp"
+#include "automaton/arc.hpp"
 
 namespace restrip::verify {
 

@@ -1,4 +1,4 @@
-#include "class_check.hpp"
+#include "automaton/class_check.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
-#include "automaton_mutants.hpp"
-#include "witnesses.hpp"
+#include "automaton/automaton_mutants.hpp"
+#include "automaton/witnesses.hpp"
 
 namespace restrip::verify {
 namespace {

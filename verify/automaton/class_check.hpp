@@ -8,10 +8,10 @@
 #include <tuple>
 #include <vector>
 
-#include "arc_joints.hpp"
-#include "arcs_around.hpp"
-#include "automaton_certificate.hpp"
-#include "judgment.hpp"
+#include "automaton/arc_joints.hpp"
+#include "automaton/arcs_around.hpp"
+#include "automaton/automaton_certificate.hpp"
+#include "judge/report.hpp"
 
 namespace restrip::verify {
 

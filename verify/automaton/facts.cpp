@@ -1,4 +1,4 @@
-#include "facts.hpp"
+#include "automaton/facts.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "arcs_around.hpp"
+#include "automaton/arcs_around.hpp"
 
 namespace restrip::verify {
 namespace {

@@ -1,4 +1,4 @@
-#include "fan_check.hpp"
+#include "automaton/fan_check.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "fan_search.hpp"
-#include "survey.hpp"
+#include "automaton/fan_search.hpp"
+#include "model/coloring.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -112,15 +112,16 @@ FanCheck check_against_rows(const AutomatonCertificate& certificate, const Famil
   const AutomatonReader reader(certificate);
   for (std::size_t s = 0; s < family.sections.size(); ++s) {
     const FanPlace place = place_of(family, family.sections[s]);
-    const Patch after = patch_after(place);
+    const Side after = patch_after(place);
     ++check.places;
     for (const Row& row : rows.sections[s].rows) {
       ++check.keys;
-      const FanKey key{row.key.ports, row.key.second, 0, 0};
+      const FanKey key = fan_key(row.key, place);
       const AutomatonAnswer answer = reader.answer(place, key);
       const Survey of_row = survey(after, row.after);
       check.same += answer.inner == row.after.inner ? 1U : 0U;
-      if (answer.cost != strips_weights.isolated * of_row.isolated - strips_weights.restart * of_row.solid)
+      if (answer.cost != strips_weights.isolated * static_cast<int>(of_row.isolated) -
+                             strips_weights.restart * static_cast<int>(solid_count(row.after.inner)))
         check.failures.add(fmt::format("{}:{}: {}, {} is worth another answer than this rule", rows.file, row.line,
                                        place.text(), key.text()));
     }

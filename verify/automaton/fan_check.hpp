@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "answers.hpp"
-#include "certificate.hpp"
-#include "judgment.hpp"
-#include "operation.hpp"
+#include "automaton/answers.hpp"
+#include "certificate/certificate.hpp"
+#include "judge/report.hpp"
+#include "model/operation.hpp"
 
 namespace restrip::verify {
 

@@ -1,8 +1,8 @@
-#include "fan_search.hpp"
+#include "automaton/fan_search.hpp"
 
 #include <algorithm>
 
-#include "automaton_mutants.hpp"
+#include "automaton/automaton_mutants.hpp"
 
 namespace restrip::verify {
 namespace {

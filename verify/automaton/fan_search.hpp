@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "answers.hpp"
+#include "automaton/answers.hpp"
 
 namespace restrip::verify {
 

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "exit_code.hpp"
-#include "facts.hpp"
-#include "verify_automaton.hpp"
+#include "automaton/facts.hpp"
+#include "automaton/verify_automaton.hpp"
+#include "model/exit_code.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "row_reader.hpp"
+#include "automaton/row_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
-#include "arc.hpp"
-#include "certificate_form.hpp"
+#include "automaton/arc.hpp"
+#include "certificate/certificate_form.hpp"
 
 namespace restrip::verify {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "input.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify {
 

@@ -1,14 +1,14 @@
-#include "verify_automaton.hpp"
+#include "automaton/verify_automaton.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <vector>
 
-#include "class_check.hpp"
-#include "family_check.hpp"
-#include "fan_check.hpp"
-#include "input.hpp"
+#include "automaton/class_check.hpp"
+#include "automaton/fan_check.hpp"
+#include "judge/position_check.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify {
 
@@ -59,7 +59,7 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
   if (totals.failed != 0) return totals;
 
   for (const Family& family : all_families(options.tables_max_k)) {
-    if (certificate.weights != strips_weights || family.sections.front().operations.front().gives_ports_up) continue;
+    if (certificate.weights != strips_weights || family.sections.front().operations.front().may_give_up != 0) continue;
     const std::string file = certificate_of(options, family.name);
     const FanCheck check = check_against_rows(certificate, family, parse_certificate(file, read_file(file), family));
     teller.tell(fmt::format("worth what the rules of {} are", family.name),

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "operation.hpp"
-#include "report.hpp"
+#include "judge/report.hpp"
+#include "model/family.hpp"
 
 namespace restrip::verify {
 

@@ -1,10 +1,10 @@
-#include "witnesses.hpp"
+#include "automaton/witnesses.hpp"
 
 #include <fmt/format.h>
 
 #include <deque>
 
-#include "automaton_mutants.hpp"
+#include "automaton/automaton_mutants.hpp"
 
 namespace restrip::verify {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "input.hpp"
-#include "sums.hpp"
+#include "certificate/sums.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify::test {
 

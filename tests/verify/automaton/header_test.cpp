@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "automaton_certificate.hpp"
-#include "input.hpp"
+#include "automaton/automaton_certificate.hpp"
+#include "model/input.hpp"
 #include "restrip/tables/automaton.hpp"
 
 namespace restrip::verify {

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "altered_lines.hpp"
-#include "automaton_certificate.hpp"
-#include "automaton_mutants.hpp"
-#include "class_check.hpp"
-#include "fan_check.hpp"
+#include "automaton/automaton_certificate.hpp"
+#include "automaton/automaton_mutants.hpp"
+#include "automaton/class_check.hpp"
+#include "automaton/fan_check.hpp"
 #include "named_mutant.hpp"
 
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "altered_lines.hpp"
-#include "automaton_certificate.hpp"
-#include "class_check.hpp"
-#include "input.hpp"
+#include "automaton/automaton_certificate.hpp"
+#include "automaton/class_check.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify {
 namespace {
