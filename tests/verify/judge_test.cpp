@@ -13,6 +13,7 @@
 #include <random>
 
 #include "judge/position_check.hpp"
+#include "model/family.hpp"
 #include "verdict.hpp"
 
 namespace restrip::verify::test {
@@ -72,6 +73,60 @@ TEST(OperationJudge, GoodCertificatesAndDumpsHold) {
         verdict_on(corpus_path(name), certificate_text(name, {*table}), dump_text(section.operations.front(), *table));
     EXPECT_EQ(verdict.exit_code, 0) << name << '\n' << verdict.text;
   }
+}
+
+// A family of one's own: every position, those that share a section and those that have no rules included. A fan
+// without gaps gets one triangle more, or loses it; where it stood does not matter to the collapse.
+TEST(OperationJudge, AFamilyOfOnesOwn) {
+  const std::string name = "wedge";
+  const std::string text = R"json({
+    "restrip_operation": 1, "name": "wedge", "numbers": ["k", "i"], "where": "2 <= k, k <= 3, i <= k",
+    "listed": "2 i <= k", "position": "k {k} at {i}", "section": "SECTION", "give_up": "GIVE",
+    "before": {"path": ["t[0,i)", "A", "t[i,k)"]}, "after": {"path": ["t[0,k)"]}
+  })json";
+  for (const std::string section : {"k {k} at {i}", "k {k}"})
+    for (const std::string give_up : {"none", "all"}) {
+      std::string described = text;
+      described.replace(described.find("SECTION"), 7, section);
+      described.replace(described.find("GIVE"), 4, give_up);
+      const Family family = families_of(parse_descriptions("f", described), 8).front();
+      std::vector<NaiveTable> tables;
+      std::string dump = "restrip-table-dump 3\n";
+      std::size_t entries = 0;
+      const auto add = [&](const NaiveOperation& operation, const NaiveTable& table) {
+        const std::string own = dump_text(operation, table);
+        const std::size_t first = own.find('\n') + 1;
+        const std::size_t end = own.rfind("end ");
+        dump += own.substr(first, end - first);
+        entries += operation.configurations().size();
+      };
+      for (const Section& one : family.sections) {
+        NaiveSection naive{one.position, one.serves_every_position, {}};
+        for (const Operation& operation : one.operations) naive.operations.emplace_back(operation);
+        tables.push_back(naive_table(name, naive, true).value());
+        for (const NaiveOperation& operation : naive.operations) add(operation, tables.back());
+      }
+      for (const Operation& operation : family.unlisted) {
+        const NaiveSection naive{"", false, {NaiveOperation(operation)}};
+        add(naive.operations.front(), naive_table(name, naive, false).value());
+      }
+      dump += fmt::format("end {}\n", entries);
+      const std::string path = fmt::format("{}/family-{}.json", testing::TempDir(), getpid());
+      std::ofstream(path) << described;
+      const std::string certificate = certificate_text(name, tables);
+      const Verdict good = verdict_on(path, certificate, dump);
+      EXPECT_EQ(good.exit_code, 0) << section << ", " << give_up << '\n' << good.text;
+      // One wrong row, and one wrong answer in a position that has no rules.
+      std::vector<NaiveTable> worse = tables;
+      worse.back().rows.at({0, 0}).after.inner = 0;
+      EXPECT_TRUE(verdict_on(path, certificate_text(name, worse), {}).says("not best: strips is"));
+      const std::size_t unlisted = dump.find("table wedge k 3 at 3\n0 0 ") + 25;
+      std::string altered = dump;
+      altered.replace(unlisted, dump.find('\n', unlisted) - unlisted, "0 0");
+      const Verdict bad = verdict_on(path, {}, altered);
+      EXPECT_TRUE(bad.says("table wedge k 3 at 3, inner 0, ports 0: ")) << bad.text;
+      std::remove(path.c_str());
+    }
 }
 
 // The four symmetries of a flip, less those that the ports that may be given up or the cost forbid.

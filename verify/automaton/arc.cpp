@@ -1,7 +1,5 @@
 #include "automaton/arc.hpp"
 
-#include "automaton/automaton_mutants.hpp"
-
 namespace restrip::verify {
 namespace {
 
@@ -13,8 +11,7 @@ class TurningArc {
 
   bool degrees_legal() const {
     for (std::size_t i = 0; i < word_.size(); ++i)
-      if (degree(i) > (is_boundary(word_[i]) ? 0 : 2) && !mutated(AutomatonMutant::automaton_loosen_degree))
-        return false;
+      if (degree(i) > (is_boundary(word_[i]) ? 0 : 2)) return false;
     return true;
   }
 
@@ -40,7 +37,6 @@ class TurningArc {
       const int corner = passed_about(i);
       if (corner == nowhere) continue;
       if (i > 0 && solid(i) && passed_about(i - 1) == corner) cost += weights.swap;
-      if (mutated(AutomatonMutant::turns_no_swap_at_ports)) continue;
       if (has_port(word_[i]) && behind_port(i) == corner) cost += weights.swap;
     }
     return cost;

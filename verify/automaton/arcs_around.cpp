@@ -5,8 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "automaton/automaton_mutants.hpp"
-
 namespace restrip::verify {
 namespace {
 
@@ -124,7 +122,7 @@ ArcWay way_around(std::size_t first, std::size_t second, bool chord, const Weigh
                          (x.right != '-' && swaps(at_d, end_corner(x.right, false, AroundCorner::rim_at_d)) ? 1 : 0) +
                          (y.left != '-' && swaps(at_d, end_corner(y.left, true, AroundCorner::rim_at_d)) ? 1 : 0) +
                          (y.right != '-' && swaps(at_a, end_corner(y.right, true, AroundCorner::rim_at_a)) ? 1 : 0) +
-                         (chord && swaps(at_a, at_d) && !mutated(AutomatonMutant::turns_no_swap_at_chord) ? 1 : 0);
+                         (chord && swaps(at_a, at_d) ? 1 : 0);
   const int edges = (x.right != '-' ? 1 : 0) + (y.right != '-' ? 1 : 0) + (chord ? 1 : 0);
   const int isolated = (graph.degree(node_a) == 0 ? 1 : 0) + (graph.degree(node_d) == 0 ? 1 : 0);
   way.cost = weights.swap * swap_count + weights.isolated * isolated - weights.restart * edges;

@@ -6,7 +6,6 @@
 #include <array>
 #include <optional>
 
-#include "automaton/automaton_mutants.hpp"
 #include "automaton/witnesses.hpp"
 
 namespace restrip::verify {
@@ -169,7 +168,7 @@ void ClassCheck::check_step(std::size_t at, char letter) {
   const ArcKind& next = arcs_[place_of(word, hopeful, step.to)];
   if (!next.comparable || !arc.comparable) return;
   ++claims_[costs].cases;
-  if (step.cost - added != next.offset - arc.offset && !mutated(AutomatonMutant::automaton_any_cost))
+  if (step.cost - added != next.offset - arc.offset)
     fail(costs, step.line,
          fmt::format("wrong cost: {} where the arc {} costs {} more", step.cost, word,
                      added + next.offset - arc.offset));
@@ -177,7 +176,6 @@ void ClassCheck::check_step(std::size_t at, char letter) {
     if (!certificate_.classes[step.to].costs[c]) continue;
     ++claims_[origins].cases;
     const std::size_t before = step.from[c];
-    if (mutated(AutomatonMutant::automaton_any_origin)) continue;
     if (!is_solid(next_arc.from[c], static_cast<unsigned>(before)) || !states(arc, before))
       fail(origins, step.line,
            fmt::format("wrong origin: no best colouring of {} with case {} has case {} before its last letter", word,
@@ -190,7 +188,6 @@ void ClassCheck::explore() {
   empty[both_dashed] = empty[through] = 0;
   place_of("", empty, 0);
   if (arcs_[0].offset != 0) fail(values, certificate_.classes[0].line, "wrong value: the empty arc costs nothing");
-  if (mutated(AutomatonMutant::automaton_first_arcs_only)) return;
   for (std::size_t at = 0; at < arcs_.size(); ++at)
     for (const char letter : letters_of(certificate_.weights)) {
       // A class with the boundary inside that an arc without it is given has been told.
@@ -215,19 +212,15 @@ void ClassCheck::check_meeting(const ArcKind& x, const ArcKind& y) {
   ++claims_[meetings].cases;
   const AutomatonMeeting& stated = certificate_.meeting(x.arc_class, y.arc_class);
   const Mask allowed = allowed_pairs(x, y);
-  const auto possible = [&](const ArcWay& way) {
-    return way.legal && (is_subset(way.joined, allowed) || mutated(AutomatonMutant::automaton_join_anything));
-  };
+  const auto possible = [&](const ArcWay& way) { return way.legal && is_subset(way.joined, allowed); };
   const auto arcs = [&] { return fmt::format("the arcs {} and {}", x.word, y.word); };
   const ArcWay& own = ways_.around(stated.first, stated.second, stated.chord);
-  if (!(possible(own) || mutated(AutomatonMutant::automaton_any_own_meeting)) || !states(x, stated.first) ||
-      !states(y, stated.second))
+  if (!possible(own) || !states(x, stated.first) || !states(y, stated.second))
     return fail(meetings, stated.line, fmt::format("unsound meeting: {}", arcs()));
   const int own_cost = *x.costs[stated.first] + *y.costs[stated.second] + own.cost;
   for (const auto& [one, of_x] : x.entries)
     for (const auto& [other, of_y] : y.entries)
       for (const bool chord : {false, true}) {
-        if (chord && mutated(AutomatonMutant::automaton_never_chord)) break;
         const ArcWay& way = ways_.around(one, other, chord);
         if (!possible(way) || of_x + of_y + way.cost >= own_cost) continue;
         return fail(
@@ -251,7 +244,7 @@ void ClassCheck::check_closing(const ArcKind& arc) {
   if (!own || !states(arc, stated->arc))
     return fail(closings, stated->line, fmt::format("unsound closing: {}", arc.word));
   for (std::size_t c = 0; c < case_count; ++c)
-    if (const auto cost = cost_of(c); cost && *cost < *own && !mutated(AutomatonMutant::automaton_any_closing))
+    if (const auto cost = cost_of(c); cost && *cost < *own)
       return fail(closings, stated->line,
                   fmt::format("not the best closing: {}, {} costs {} less", arc.word, case_at(c).text(), *own - *cost));
 }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "automaton/automaton_mutants.hpp"
-
 namespace restrip::verify {
 namespace {
 
@@ -132,7 +130,7 @@ std::optional<FanSearch::Sound> FanSearch::with_ports(const InnerColoring& color
     return (to_port ? coloring.passed_to_port : coloring.passed)[t];
   };
   for (unsigned e = 0; e < inner_.size(); ++e) {
-    if (!is_solid(coloring.inner, e) || mutated(AutomatonMutant::turns_search_no_swap)) continue;
+    if (!is_solid(coloring.inner, e)) continue;
     const CornerNumber corner = passed(inner_[e].one);
     if (corner != no_corner && corner == passed(inner_[e].other)) result.cost += weights_.swap;
   }
@@ -151,11 +149,8 @@ std::vector<FanSearch::Sound> FanSearch::colorings(Mask ports) const {
 
 std::vector<CornerNumber> FanSearch::behind(const FanKey& key) const {
   std::vector<CornerNumber> corners;
-  const bool no_right = mutated(AutomatonMutant::turns_search_one_side);
   for (unsigned i = 0; i < place_.k; ++i)
-    corners.push_back(is_solid(key.left, i)                 ? ports_[i][0]
-                      : is_solid(key.right, i) && !no_right ? ports_[i][1]
-                                                            : no_corner);
+    corners.push_back(is_solid(key.left, i) ? ports_[i][0] : is_solid(key.right, i) ? ports_[i][1] : no_corner);
   return corners;
 }
 

@@ -73,14 +73,14 @@ Side read_graph(const JsonValue& value) {
 }
 
 /// What an element stands for: one triangle by its name, or x_from … x_(to-1).
-using Element = std::vector<std::string>;
+using TriangleNames = std::vector<std::string>;
 
 /// Reads elements, and remembers the indexed triangles among those that it has read.
 class ElementReader {
  public:
   explicit ElementReader(const NamedNumbers& numbers) : numbers_(numbers) {}
 
-  Element read(const JsonValue& value) {
+  TriangleNames read(const JsonValue& value) {
     const std::string text = value.string("a text");
     try {
       return element(text);
@@ -93,7 +93,7 @@ class ElementReader {
   const std::set<unsigned>& indices(const std::string& name) const { return indices_.at(name); }
 
  private:
-  Element element(const std::string& text) {
+  TriangleNames element(const std::string& text) {
     const std::size_t open = text.find('[');
     if (open == std::string::npos) {
       if (text.empty()) throw std::invalid_argument("expected the name of a triangle, found \"\"");
@@ -114,7 +114,7 @@ class ElementReader {
     const unsigned to = value_of(comma + 1, text.size() - 1);
     if (!indices_.contains(name)) indexed_names_.push_back(name);
     std::set<unsigned>& indices = indices_[name];
-    Element element;
+    TriangleNames element;
     for (unsigned i = from; i < to; ++i) {
       indices.insert(i);
       element.push_back(fmt::format("{}{}", name, i));
@@ -180,7 +180,7 @@ class PatternReader {
       for (const JsonValue& chain : ring ? one_or_more("ring", "rings") : one_or_more("path", "paths")) {
         chains_.push_back({chain, ring, {}});
         for (const JsonValue& part : chain.list("a list of triangles", most_members)) {
-          const Element element = elements_.read(part);
+          const TriangleNames element = elements_.read(part);
           std::vector<std::string>& triangles = chains_.back().triangles;
           triangles.insert(triangles.end(), element.begin(), element.end());
         }

@@ -67,6 +67,7 @@ class Complex {
       first_of_second[{second.triangle, second.side}] = first.triangle;
     }
     std::vector<std::array<unsigned, 2>> edges;
+    edges.reserve(first_of_second.size());
     for (const auto& [second, first] : first_of_second)
       edges.push_back({static_cast<unsigned>(first), static_cast<unsigned>(std::get<0>(second))});
     return edges;

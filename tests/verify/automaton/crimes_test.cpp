@@ -1,23 +1,19 @@
-// Gives the automaton's verifier one deliberate fault, named by the argument, and tells the first certificate that
-// shows it: a good one that is refused, or one altered in a way that breaks one claim and is accepted. With the fault
-// `none` there must be no such certificate. Good ones are the shipped one, and one of a cost in which swaps have a
-// price; only one of the two is asked, by the fault's name.
+// Certificates altered in a way that breaks one claim are refused; the good ones are not: the shipped one, and one of a
+// cost in which swaps have a price.
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "altered_lines.hpp"
 #include "automaton/automaton_certificate.hpp"
-#include "automaton/automaton_mutants.hpp"
 #include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
-#include "named_mutant.hpp"
 
 namespace {
 
@@ -101,28 +97,16 @@ std::vector<Crime> crimes(const std::vector<std::string>& good) {
   return list;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  const std::optional<AutomatonMutant> mutant = argc == 2 ? mutant_named<AutomatonMutant>(argv[1]) : std::nullopt;
-  if (!mutant) {
-    fmt::print(stderr, "usage: verify_automaton_mutants NAME, with a name from automaton_mutants.hpp\n");
-    return 2;
-  }
-  const std::string_view name = argv[1];
-  active_automaton_mutant = *mutant;
-  std::string killer;
-  if (!name.starts_with("turns_")) {
-    const std::vector<std::string> shipped = lines_of(RESTRIP_TABLES_DIR "/certificates/automaton.cert");
-    if (!accepted(shipped)) killer = "the shipped certificate";
-    for (const Crime& crime : crimes(shipped))
-      if (killer.empty() && accepted(crime.lines)) killer = crime.name;
-  }
-  if (!name.starts_with("automaton_")) {
-    const std::vector<std::string> other = lines_of(RESTRIP_OTHER_TABLES_DIR "/certificates/automaton.cert");
-    if (!whole_fans_accepted(other)) killer = "the other certificate in whole fans";
-    if (killer.empty() && !accepted(other)) killer = "the other certificate";
-  }
-  fmt::print("{}{}\n", killer.empty() ? "survived" : "killed by: ", killer);
-  return killer.empty() ? 1 : 0;
+TEST(AutomatonCrimes, AreNoticed) {
+  const std::vector<std::string> shipped = lines_of(RESTRIP_TABLES_DIR "/certificates/automaton.cert");
+  EXPECT_TRUE(accepted(shipped));
+  for (const Crime& crime : crimes(shipped)) EXPECT_FALSE(accepted(crime.lines)) << crime.name;
 }
+
+TEST(AutomatonCrimes, NoneIsSeenWhereSwapsHaveAPrice) {
+  const std::vector<std::string> other = lines_of(RESTRIP_OTHER_TABLES_DIR "/certificates/automaton.cert");
+  EXPECT_TRUE(whole_fans_accepted(other));
+  EXPECT_TRUE(accepted(other));
+}
+
+}  // namespace
