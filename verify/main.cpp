@@ -48,10 +48,14 @@ int main(int argc, char** argv) {
       "An operation of one's own (docs/operation-file.md):\n"
       "  build/release/bin/restrip-verify --operation tables/operations/bisect.json \\\n"
       "    --certificate tables/certificates/operations/bisect.cert");
-  CLI::Option* const operation = app.add_option("--operation", own.operation,
-                                                "An operation or family of one's own: its file. With it go only "
-                                                "--certificate, --dump-command, --max-k, --all, --threads and --json");
-  app.add_option("--certificate", own.certificate, "The certificate of the operation")->needs(operation);
+  CLI::Option* const operation =
+      app.add_option("--operation", own.operation,
+                     "An operation or family of one's own: its file. With it go only "
+                     "--certificate, --linked-certificate, --dump-command, --max-k, --all, --threads and --json");
+  CLI::Option* const certificate =
+      app.add_option("--certificate", own.certificate, "The certificate of the operation")->needs(operation);
+  app.add_option("--linked-certificate", own.linked_certificate, "The certificate of its linked rules")
+      ->needs(certificate);
   app.add_option("--tables-dir", options.tables_dir, "The folder with MANIFEST and certificates/")
       ->capture_default_str();
   app.add_option("--dump-command", options.dump_command,

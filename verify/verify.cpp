@@ -292,8 +292,8 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
 Totals verify_operation(const OperationOptions& options, const ClaimListener& user_listener) {
   Totals totals;
   const ClaimListener listener = counting(totals, user_listener);
-  const std::vector<Family> families =
-      families_of(parse_descriptions(options.operation, read_file(options.operation)), options.max_k);
+  const std::vector<Description> descriptions = parse_descriptions(options.operation, read_file(options.operation));
+  const std::vector<Family> families = families_of(descriptions, options.max_k);
   if (families.size() != 1)
     throw InputError(options.operation, 0,
                      fmt::format("expected the operations of one certificate, found those of {}", families.size()));
@@ -306,12 +306,28 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& us
     totals.rules = certificates.front().rows;
   }
   check_families({&family}, certificates, options.second_formulation, options.threads, false, listener, totals);
+  const LinkedFamily linked{"linked-" + family.name, family};
+  std::vector<std::vector<std::string>> lines(family.sections.size());
+  const bool with_lists = !options.linked_certificate.empty();
+  if (with_lists) {
+    if (certificates.empty())
+      throw InputError(options.linked_certificate, 0, "expected a certificate of rules beside it");
+    const LinkedInput input{
+        &linked, parse_linked_certificate(options.linked_certificate, read_file(options.linked_certificate), linked),
+        certificates.front()};
+    totals.alternatives = input.certificate.rows;
+    lines = check_linked_family(input, options.max_k, listener);
+  }
   if (options.dump_command.empty()) return totals;
   ExpectedDump expected;
   for (const Section& section : family.sections)
     for (const Operation& operation : section.operations) expect_judged(operation, Against::own_patch, expected);
   for (const Operation& operation : family.unlisted) expect_judged(operation, Against::own_patch, expected);
   if (!certificates.empty()) expect_rows(expected, family, certificates.front());
+  if (std::any_of(descriptions.begin(), descriptions.end(), [](const Description& one) { return one.linked; }))
+    for (std::size_t i = 0; i < family.sections.size(); ++i)
+      expected.lists.push_back(
+          {linked.name, family.sections[i].position, family.sections[i].ports, with_lists ? &lines[i] : nullptr});
   check_dump(family.name, options.dump_command, expected, listener, totals);
   return totals;
 }
@@ -322,9 +338,14 @@ std::string last_line_of(const OperationOptions& options, const Totals& totals) 
                       totals.failed == 0 ? "verified" : "NOT verified", options.operation, totals.configurations,
                       totals.pairs);
   if (!options.certificate.empty()) text += fmt::format(", {} rules", totals.rules);
-  std::uint64_t answers = 0;
-  for (const auto& family : totals.answers) answers += family.second.entries;
-  if (answers != 0) text += fmt::format(", {} answers of the table", answers);
+  if (!options.linked_certificate.empty()) text += fmt::format(", {} alternatives", totals.alternatives);
+  const auto sum = [](const std::map<std::string, Totals::Answers>& answers) {
+    std::uint64_t entries = 0;
+    for (const auto& family : answers) entries += family.second.entries;
+    return entries;
+  };
+  if (sum(totals.answers) != 0) text += fmt::format(", {} answers of the table", sum(totals.answers));
+  if (sum(totals.not_compared) != 0) text += fmt::format(", {} more NOT compared", sum(totals.not_compared));
   text += fmt::format(", {} claims", totals.claims);
   return text + (totals.failed == 0 ? "\n" : fmt::format(" of which {} failed\n", totals.failed));
 }

@@ -27,8 +27,10 @@ Totals verify_tables(const Options& options, const ClaimListener& listener);
 
 /// An operation, or family, of a user's own.
 struct OperationOptions {
-  std::string operation;     ///< the file that describes it
-  std::string certificate;   ///< the file with its rules; empty: none is checked
+  std::string operation;    ///< the file that describes it
+  std::string certificate;  ///< the file with its rules; empty: none is checked
+  std::string
+      linked_certificate;    ///< the file with its linked rules, which are compared with the others; empty: likewise
   std::string dump_command;  ///< prints the compiled tables; empty: they are not checked
   bool second_formulation = false;
   unsigned threads = 2;

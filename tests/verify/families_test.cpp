@@ -140,6 +140,21 @@ TEST(Families, FilesThatAreWrongAreRefusedWithTheLine) {
   }
 }
 
+// A section that leaves a number out on which the patch after depends has no rules to offer.
+TEST(Families, SectionsServeOnePatch) {
+  std::string text = one_family;
+  const std::string after = "{\"ring\": [\"A\", \"t[0,1)\", \"D\", \"t[1,k)\"], \"chord\": [\"A\", \"D\"]}";
+  text.replace(text.find(after), after.size(), "{\"path\": [\"t[0,i)\", \"A\", \"t[i,k)\"]}");
+  try {
+    (void)families_of(parse_descriptions("f.json", text), 3);
+    ADD_FAILURE() << "taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("f.json: section k 2 cannot serve both fan k 2 i 0 and fan k 2 i 1"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 // Rings and paths that share triangles, several chords, ports of ranges and of names, differences of numbers.
 TEST(Families, PatternsOfAllForms) {
   const std::vector<Description> read = parse_descriptions("f.json", R"json({

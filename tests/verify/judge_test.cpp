@@ -129,6 +129,34 @@ TEST(OperationJudge, AFamilyOfOnesOwn) {
     }
 }
 
+// Linked rules of a family of one's own: the shipped splits under another name.
+TEST(OperationJudge, LinkedRulesOfOnesOwn) {
+  const std::string described = R"json({
+    "restrip_operation": 1, "name": "cut", "numbers": ["k", "a"], "where": "3 <= k, k <= 4, 1 <= a, 2 a <= k",
+    "position": "k {k} a {a}", "before": {"ring": ["t[0,k)"]},
+    "after": {"ring": ["A", "t[0,a)", "D", "t[a,k)"], "chord": ["A", "D"]}, "linked": true
+  })json";
+  const std::vector<NaiveFamily> families = naive_families(4);
+  std::vector<NaiveTable> tables;
+  std::vector<NaiveLists> lists;
+  for (const NaiveSection& section : families.front().sections)
+    tables.push_back(naive_table("cut", section, true).value());
+  for (const NaiveLinked& linked : naive_linked(families))
+    if (linked.good().family == "linked-split") lists.push_back(linked.good());
+  const std::string path = fmt::format("{}/linked-{}.json", testing::TempDir(), getpid());
+  std::ofstream(path) << described;
+  const auto verdict = [&](const std::vector<NaiveLists>& stated) {
+    return verdict_on(path, certificate_text("cut", tables), {}, certificate_text("linked-cut", stated));
+  };
+  EXPECT_EQ(verdict(lists).exit_code, 0) << verdict(lists).text;
+  std::vector<NaiveLists> shorter = lists;
+  shorter.back().lists.at(0).pop_back();
+  shorter.back().count();
+  EXPECT_TRUE(verdict(shorter).says("missing list: the ports 0 have no row") ||
+              verdict(shorter).says("incomplete list"));
+  std::remove(path.c_str());
+}
+
 // The four symmetries of a flip, less those that the ports that may be given up or the cost forbid.
 TEST(OperationJudge, SymmetriesLeaveTheCostAsItIs) {
   const auto symmetries = [](const std::string& cost, const std::string& give_up) {

@@ -107,13 +107,15 @@ Operation corpus_operation(const std::string& name) {
 }
 
 Verdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
-                   const std::optional<std::string>& dump) {
+                   const std::optional<std::string>& dump, const std::optional<std::string>& linked) {
   const PassingFile certificate_file("certificate", certificate.value_or(""));
+  const PassingFile linked_file("linked", linked.value_or(""));
   const PassingFile dump_file("dump", dump.value_or(""));
   OperationOptions options;
   options.operation = operation_path;
   options.threads = 1;
   if (certificate) options.certificate = certificate_file.path();
+  if (linked) options.linked_certificate = linked_file.path();
   if (dump) options.dump_command = "cat " + dump_file.path();
   return collected([&](const ClaimListener& listener) { verify_operation(options, listener); });
 }

@@ -203,6 +203,8 @@ Operation Description::at(const Numbers& values) const {
     operation.may_give_up = give_up_of(*give_up, operation.ports());
   const std::optional<JsonValue> cost = value.member("cost");
   operation.cost = cost ? cost_of(*cost, operation.after) : default_cost(operation.constraint);
+  if (linked && (operation.constraint != Constraint::strips || operation.may_give_up != 0))
+    value.required("linked").fail_found("linked rules are for strips that keep all ports");
   if (const std::optional<JsonValue> bounds = value.member("at_most")) take_bounds(*bounds, numbers, operation);
   return operation;
 }

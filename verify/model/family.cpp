@@ -15,7 +15,15 @@ Section& section_at(Family& family, const Description& description, const Operat
       description.section.empty() ? description.name : description.filled(description.section, operation.numbers);
   const auto found = std::find_if(family.sections.begin(), family.sections.end(),
                                   [&](const Section& section) { return section.position == position; });
-  if (found != family.sections.end()) return *found;
+  if (found != family.sections.end()) {
+    const Operation& first = found->operations.front();
+    if (first.after != operation.after || first.may_give_up != operation.may_give_up || first.cost != operation.cost ||
+        first.constraint != operation.constraint)
+      throw InputError(description.file(), 0,
+                       fmt::format("section {} cannot serve both {} and {}: they differ after the operation", position,
+                                   first.name(), operation.name()));
+    return *found;
+  }
   family.sections.push_back({position, operation.ports(), description.serves_every_position(), {}});
   return family.sections.back();
 }

@@ -19,6 +19,8 @@ struct Side {
   std::vector<unsigned> owner_of_port;
   std::vector<std::string> names;  ///< of the triangles, as the description has them
 
+  friend bool operator==(const Side&, const Side&) = default;
+
   unsigned inner_edges() const { return static_cast<unsigned>(edges.size()); }
   unsigned ports() const { return static_cast<unsigned>(owner_of_port.size()); }
   unsigned colors() const { return inner_edges() + ports(); }
