@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "family_operation.hpp"
+#include "operations/tie_break.hpp"
 
 namespace restrip::generator {
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "operations/operation_file.hpp"
+#include "operations/description_file.hpp"
 
 namespace restrip::generator {
 namespace {

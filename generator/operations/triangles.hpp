@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "patch.hpp"
+#include "operations/patch.hpp"
 
 namespace restrip::generator {
 

@@ -1,4 +1,4 @@
-#include "coloring.hpp"
+#include "solve/coloring.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -73,30 +73,9 @@ std::optional<Outcome> with_ports(const Coloring& coloring, Mask ports) {
   for (const Mask strip : coloring.strips)
     for (Mask rest = strip & ports; rest != 0; rest &= rest - 1)
       for (Mask others = rest & (rest - 1); others != 0; others &= others - 1)
-        outcome.pairs.push_back((rest & -rest) | (others & -others));
+        outcome.joined.add(static_cast<unsigned>(std::countr_zero(rest)),
+                           static_cast<unsigned>(std::countr_zero(others)));
   return outcome;
-}
-
-Mask joined_to_previous(const std::vector<Mask>& pairs, Mask ports, unsigned k, bool closed, bool* leftover) {
-  if (leftover != nullptr) *leftover = false;
-  Mask joined = 0;
-  for (const Mask pair : pairs) {
-    bool consecutive = false;
-    for (unsigned i = 0; i < k; ++i) {
-      if ((pair & bit(i)) == 0) continue;
-      // The nearest solid port below i, cyclic in a closed fan.
-      const Mask below = ports & (bit(i) - 1);
-      const Mask others = ports & ~bit(i);
-      if (below == 0 && !(closed && others != 0)) continue;
-      const Mask previous = std::bit_floor(below != 0 ? below : others);
-      if ((pair & previous) != 0) {
-        joined |= bit(i);
-        consecutive = true;
-      }
-    }
-    if (!consecutive && leftover != nullptr) *leftover = true;
-  }
-  return joined;
 }
 
 }  // namespace restrip::generator

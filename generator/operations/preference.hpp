@@ -2,13 +2,11 @@
 // counts (docs/operation-file.md, "Cost").
 #pragma once
 
-#include <array>
-#include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "coloring.hpp"
-#include "patch.hpp"
+#include "operations/patch.hpp"
 
 namespace restrip::generator {
 
@@ -41,17 +39,11 @@ using Criterion = std::vector<Term>;
 using Preference = std::vector<Criterion>;
 
 /// Fewest strips; then fewest isolated triangles, a port given up counting as one; then fewest ports given up.
-[[nodiscard]] Preference fewest_strips();
+[[nodiscard]] inline Preference fewest_strips() {
+  return {{{Count::strips}}, {{Count::isolated}, {Count::given_up}}, {{Count::given_up}}};
+}
 
 /// No preference has more criteria.
 inline constexpr std::size_t most_criteria = 8;
-
-/// What the criteria add up to; smaller is better, compared in turn.
-using CriterionValues = std::array<std::int64_t, most_criteria>;
-
-/// CriterionValues of a coloring of `after` whose ports `kept` are solid, out of the ports that were. Depends on the
-/// patch alone, never on the machine.
-[[nodiscard]] CriterionValues values_of(const Preference& preference, const Side& after, const Coloring& coloring,
-                                        const Outcome& outcome, Mask ports, Mask kept);
 
 }  // namespace restrip::generator

@@ -1,6 +1,7 @@
-#include "family_operation.hpp"
+#include "operations/tie_break.hpp"
 
-#include "section.hpp"
+#include <cstddef>
+#include <cstdint>
 
 namespace restrip::generator {
 namespace {
@@ -31,13 +32,17 @@ Mask edges_at(const Side& side, Mask nodes, int ends) {
   return edges;
 }
 
+}  // namespace
+
 Criterion tie_break(const Position& position, const Side& after, Sight sight, Goal goal) {
+  const Description& family = *position.family;
+  if (!family.is_pattern() || family.own_cost || family.constraint.most_edges != 2) return {};
   // Where one of two ports has to be given up, either will do: this has been the flip's choice from the start.
-  if (position.family->gives_ports_up) return {{Count::kept, -1, 0b0101}};
+  if (family.numbers.empty()) return {{Count::kept, -1, 0b0101}};
   const Weights& weight = sight == Sight::patch ? of_local_rules : of_linked_rules;
-  const Mask nodes = (Mask{1} << after.nodes) - 1;
-  const Mask fan = nodes & ((Mask{1} << after.owner.size()) - 1);
-  const Mask added = nodes & ~fan;
+  Mask fan = 0;
+  for (const unsigned owner : after.owner) fan |= Mask{1} << owner;
+  const Mask added = ((Mask{1} << after.nodes) - 1) & ~fan;
   Criterion terms{{Count::ends, weight.end_facing_out, fan},
                   {Count::ends_at_port, weight.end_at_port - weight.end_facing_out, fan},
                   {Count::ends, weight.end_at_new, added},
@@ -46,7 +51,7 @@ Criterion tie_break(const Position& position, const Side& after, Sight sight, Go
                   {Count::joined, weight.joined_pair},
                   {Count::solid, weight.solid_at_new, edges_at(after, added, 1)},
                   {Count::solid, 2 * std::int64_t{weight.solid_at_new}, edges_at(after, added, 2)}};
-  if (!position.family->after.chord.empty()) {
+  if (!std::get<SidePattern>(family.after).chords.empty()) {
     const Mask chord = Mask{1} << (after.edges.size() - 1);
     const Mask first_arc = (Mask{2} << position.at) - 1;
     terms.push_back({Count::solid, weight.solid_chord, chord});
@@ -57,12 +62,11 @@ Criterion tie_break(const Position& position, const Side& after, Sight sight, Go
   return terms;
 }
 
-}  // namespace
-
-Operation operation_of(const Position& position, Sight sight, Goal goal) {
-  Operation operation{patch_of_rows(position), {}, 0, fewest_strips()};
-  if (position.family->gives_ports_up) operation.may_give_up = (Mask{1} << operation.patch.after.owner.size()) - 1;
-  operation.preference.push_back(tie_break(position, operation.patch.after, sight, goal));
+Operation operation_of_rows(const Position& position, Sight sight, Goal goal) {
+  Operation operation = operation_at(position, patch_of_rows(position));
+  // Linked rules keep every port.
+  if (sight == Sight::outside) operation.may_give_up = 0;
+  operation.tie_break = tie_break(position, operation.patch.after, sight, goal);
   return operation;
 }
 

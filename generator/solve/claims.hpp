@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace restrip::generator {
 
@@ -26,5 +27,21 @@ struct Claims {
     worst_isolated = std::max(worst_isolated, isolated);
   }
 };
+
+/// One number for several positions: counts add up, worst cases are the worst.
+[[nodiscard]] inline Claims sum(const std::vector<Claims>& parts) {
+  Claims total = parts.at(0);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const Claims& part = parts[i];
+    total.configurations += part.configurations;
+    total.valid += part.valid;
+    total.orbits += part.orbits;
+    total.valid_orbits += part.valid_orbits;
+    total.costing += part.costing;
+    total.worst_strips = std::max(total.worst_strips, part.worst_strips);
+    total.worst_isolated = std::max(total.worst_isolated, part.worst_isolated);
+  }
+  return total;
+}
 
 }  // namespace restrip::generator

@@ -1,4 +1,4 @@
-#include "preference.hpp"
+#include "solve/values.hpp"
 
 #include <bit>
 #include <cstddef>
@@ -52,10 +52,9 @@ int swaps(const Side& after, const Coloring& coloring, Mask ports) {
 
 }  // namespace
 
-Preference fewest_strips() { return {{{Count::strips}}, {{Count::isolated}, {Count::given_up}}, {{Count::given_up}}}; }
-
-CriterionValues values_of(const Preference& preference, const Side& after, const Coloring& coloring,
-                          const Outcome& outcome, Mask ports, Mask kept) {
+CriterionValues values_of(const Operation& operation, const Coloring& coloring, const Outcome& outcome, Mask ports,
+                          Mask kept) {
+  const Side& after = operation.patch.after;
   const Degrees degree = degrees(after, coloring, kept);
   const auto end = [&](unsigned node) { return degree.all[node] == 1; };
   const auto nodes_where = [&](Mask of, const auto& holds) {
@@ -74,7 +73,7 @@ CriterionValues values_of(const Preference& preference, const Side& after, const
       case Count::kept:
         return std::popcount(kept & term.of);
       case Count::joined:
-        return static_cast<int>(outcome.pairs.size());
+        return static_cast<int>(outcome.joined.size());
       case Count::solid:
         return std::popcount(coloring.inner & term.of);
       case Count::ends:
@@ -97,8 +96,9 @@ CriterionValues values_of(const Preference& preference, const Side& after, const
     throw std::logic_error("a count without a meaning");
   };
   CriterionValues values{};
-  for (std::size_t i = 0; i < preference.size(); ++i)
-    for (const Term& term : preference[i]) values[i] += term.weight * counted(term);
+  for (std::size_t i = 0; i < operation.preference.size(); ++i)
+    for (const Term& term : operation.preference[i]) values[i] += term.weight * counted(term);
+  for (const Term& term : operation.tie_break) values.back() += term.weight * counted(term);
   return values;
 }
 

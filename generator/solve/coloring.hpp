@@ -1,16 +1,12 @@
 // Colorings of one side of a patch, as bit masks: which are legal inside, and what they join.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "patch.hpp"
+#include "solve/port_pairs.hpp"
 
 namespace restrip::generator {
-
-/// Colours of up to 32 dual edges, 1 = solid.
-using Mask = std::uint32_t;
 
 /// Ports of one node of which at most `room` may be solid.
 struct Crowd {
@@ -33,17 +29,12 @@ struct Coloring {
 
 /// A legal coloring together with the colours of the ports.
 struct Outcome {
-  unsigned solid = 0;       ///< solid inner edges
-  unsigned isolated = 0;    ///< isolated triangles
-  std::vector<Mask> pairs;  ///< joined ports, two bits each
+  unsigned solid = 0;     ///< solid inner edges
+  unsigned isolated = 0;  ///< isolated triangles
+  PortPairs joined;
 };
 
-/// Nothing when the ports make some degree exceed two.
+/// Nothing when the ports give some triangle too many solid edges.
 [[nodiscard]] std::optional<Outcome> with_ports(const Coloring& coloring, Mask ports);
-
-/// The key's second mask (docs/notation.md): bit i is set when solid port i is paired with the solid port that precedes
-/// it. `leftover`, if given, is set when some pair is not of consecutive solid ports.
-[[nodiscard]] Mask joined_to_previous(const std::vector<Mask>& pairs, Mask ports, unsigned k, bool closed,
-                                      bool* leftover = nullptr);
 
 }  // namespace restrip::generator

@@ -1,26 +1,14 @@
 // Exhaustive search: the best sound recolouring for every key.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "operation.hpp"
+#include "operations/operation.hpp"
+#include "solve/coloring.hpp"
+#include "solve/values.hpp"
 
 namespace restrip::generator {
-
-/// A set of pairs of ports, at most sixteen ports: bit j (j - 1) / 2 + i stands for {i, j}, i < j.
-struct PortPairs {
-  std::array<std::uint64_t, 2> words{};
-
-  void add(unsigned low, unsigned high);
-  [[nodiscard]] bool within(const PortPairs& others) const {
-    return ((words[0] & ~others.words[0]) | (words[1] & ~others.words[1])) == 0;
-  }
-};
-
-/// The same of masks with two bits each.
-[[nodiscard]] PortPairs port_pairs(const std::vector<Mask>& pairs);
 
 /// The colours after an operation.
 struct Choice {
@@ -29,6 +17,10 @@ struct Choice {
   unsigned solid = 0;     ///< solid inner edges
   unsigned isolated = 0;  ///< isolated triangles; a port given up counts as one
 };
+
+/// By solid ports, the pairs that some valid recolouring of these joins: of others it does not matter whether they were
+/// joined.
+[[nodiscard]] std::vector<PortPairs> relevant_pairs(const Operation& operation);
 
 /// Valid recolourings of one port mask, best first.
 class Candidates {
@@ -40,6 +32,10 @@ class Candidates {
   /// std::invalid_argument when there is none; with everything dashed inside and nothing given up there always is one
   /// for fans.
   [[nodiscard]] const Choice& best(const PortPairs& joined_before) const;
+
+  /// The list of linked rules: of the recolourings that no better one covers, which joins only pairs that it joins too,
+  /// the best first. For each set of pairs joined outside, the first of them that closes no cycle with it is best.
+  [[nodiscard]] std::vector<std::pair<Choice, PortPairs>> uncovered() const;
 
  private:
   struct Candidate {
