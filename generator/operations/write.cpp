@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -25,7 +26,7 @@ nlohmann::ordered_json figures(const Section& section, std::size_t bytes) {
           {"valid", claims.valid},
           {"orbits", claims.orbits},
           {"valid_orbits", claims.valid_orbits},
-          {"symmetries", section.symmetries},
+          {"symmetries", static_cast<std::uint64_t>(section.symmetries)},
           {"keys", section.rows.size()},
           {"costing", claims.costing},
           {"worst_strips", claims.worst_strips},
