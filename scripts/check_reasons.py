@@ -144,16 +144,11 @@ def valid_keys(family, position, known={}):
     return known[ring, k]
 
 
-def older(section):
-    """Of version 2, which had other keys."""
-    return section.version == "2"
-
-
 class Section:
     """What a section has been seen to have: claims and rows. Closed, it must have had all of them."""
 
-    def __init__(self, family, position, version):
-        self.family, self.position, self.version, self.claims, self.keys = family, position, version, {}, []
+    def __init__(self, family, position):
+        self.family, self.position, self.claims, self.keys = family, position, {}, []
         self.lists, self.rows, self.longest, self.here, self.last = 0, 0, 0, 0, None
 
     def claim(self, word, number):
@@ -163,11 +158,11 @@ class Section:
         if self.keys or self.rows:
             raise Wrong("a claim after the rows")
         self.claims[word] = int(number)
-        if not older(self) and list(self.claims) != list(words[:len(self.claims)]):
+        if list(self.claims) != list(words[:len(self.claims)]):
             raise Wrong("a claim out of order, or the one before it is missing")
 
     def row(self, key):
-        if self.keys and self.keys[-1] >= key and not older(self):
+        if self.keys and self.keys[-1] >= key:
             raise Wrong("rows are not in ascending order, or one is there twice")
         self.keys.append(key)
 
@@ -183,11 +178,10 @@ class Section:
             missing = set(LINKED_CLAIMS) - set(self.claims)
         else:
             counted = {"configurations": configurations(self.family, self.position)}
-            missing = set(CLAIMS) - set(self.claims) - ({"keys"} if older(self) else set())
+            missing = set(CLAIMS) - set(self.claims)
             if not self.family.endswith("collapse"):
                 counted["valid"], keys = valid_keys(self.family, self.position)
-                if not older(self):
-                    counted["keys"] = len(keys)
+                counted["keys"] = len(keys)
                 for key in sorted(keys.symmetric_difference(self.keys)):
                     raise Wrong("section %s above: the key %x %x %s" % (
                         (self.position,) + key + ("has no row" if key in keys else "is of no valid configuration",)))
@@ -308,41 +302,18 @@ class Lists:
             raise Wrong("the lists above end with the ports %x" % self.ports)
 
 
-def of_today(family, words, ports):
-    """A row of version 2 in the form of today: keys had a bit for each port that is joined to the solid one before it, flips
-    their inner edge; symmetries were turns and mirrors."""
-    if words[0] not in ("rule", "copy"):
-        return words
-    masks = [int(word, 16) for word in words[1:5 if family == "flip" else 4]]
-    if family == "flip":
-        before = Patch(["L", "R"], False, False, ["L", "L", "R", "R"])
-        pairs, after = before.strips(masks[1] | masks[0] << 1), [masks[3], masks[2]]
-    else:
-        solid = [p for p in range(ports) if masks[0] >> p & 1]
-        pairs, after = {frozenset((p, solid[i - 1])) for i, p in enumerate(solid) if masks[1] >> p & 1}, [masks[2], masks[0]]
-    rest = words[len(masks) + 1:]
-    if words[0] == "copy" and rest[1] in ("turn", "mirror"):
-        n = int(rest[2])
-        rest = rest[:1] + [str(((n - p) if rest[1] == "mirror" else (n + p)) % ports) for p in range(ports)] + rest[3:]
-    return [words[0]] + ["%x" % mask for mask in [masks[0], mask_of(pairs)] + after] + rest
-
-
 def check(path, max_k=8):
     with open(path, "rb") as file:
         lines = file.read().split(b"\n")
-    family, lists, section, rules, copies, alternatives, same = "", None, None, 0, 0, 0, 0
+    family, lists, section, rules, copies, alternatives = "", None, None, 0, 0, 0
     for number, line in enumerate(lines, 1):
         words = line.decode("ascii", "replace").split(" ")
         try:
-            if number == 1:
-                version = words[-1]
-                if words[:-1] != ["restrip-certificate"] or version not in ("2", "3"):
-                    raise Wrong("not a certificate of version 3")
-            if version == "2" and section:
-                words = of_today(family, words, len(patch.owners))
+            if number == 1 and words != ["restrip-certificate", "3"] and lines[1] != b"family automaton":
+                raise Wrong("not a certificate of version 3")
             if number == 2 and words[1:] == ["automaton"]:
                 return "%s: not looked at, an automaton has no reasons; restrip-verify-automaton checks it" % path
-            if number == 2 and words[0] == ("family" if version == "2" else "operation"):
+            if number == 2 and words[0] == "operation":
                 family, waiting = words[1], positions(words[1], max_k)
             elif words[0] == "section":
                 if lists:
@@ -351,14 +322,11 @@ def check(path, max_k=8):
                     section.close()
                 if not waiting or " ".join(words[1:]) != waiting[0]:
                     raise Wrong("expected " + ("section " + waiting[0] if waiting else "end"))
-                section = Section(family, waiting.pop(0), version)
+                section = Section(family, waiting.pop(0))
                 patch, proved = patch_of(family.replace("linked-", ""), words[1:]), {}
                 lists = Lists(patch) if family.startswith("linked-") else None
             elif words[0] in ("rule", "copy") and not lists:
                 row, key = Row(family, patch, words), (int(words[1], 16), int(words[2], 16))
-                if family == "flip" and older(section) and key in section.keys:  # the same for both colours of the inner edge
-                    same += 1
-                    continue
                 section.row(key)
                 rest = words[5:]
                 if words[0] == "rule" and rest.pop(0) == "because":
@@ -383,7 +351,7 @@ def check(path, max_k=8):
                     raise Wrong("expected section " + waiting[0])
                 section.close()
                 above = b"".join(text + b"\n" for text in lines[:number - 1])
-                sums = [rules + copies + alternatives + same, sum(above), sum(place * byte for place, byte in enumerate(above, 1))]
+                sums = [rules + copies + alternatives, sum(above), sum(place * byte for place, byte in enumerate(above, 1))]
                 if [int(word) for word in words[1:]] != sums or lines[number:] != [b""]:
                     raise Wrong("expected end %d %d %d and the end of the file" % tuple(sums))
                 if alternatives:

@@ -83,7 +83,7 @@ std::vector<std::vector<std::string>> check_linked_family(const LinkedInput& inp
   for (std::size_t i = 0; i < input.family->local.sections.size(); ++i) {
     const Section& section = input.family->local.sections[i];
     checks.push_back(check_linked({&section, &input.certificate.sections[i], &input.local.sections[i],
-                                   input.certificate.file, input.local.file, input.local.full_keys}));
+                                   input.certificate.file, input.local.file}));
     dump.push_back(dump_of(section, input.certificate.sections[i], pairing_places(max_k)));
   }
   report_linked(*input.family, checks, listener);
@@ -139,7 +139,7 @@ void check_linked_picks(const Options& options, const ClaimListener& listener, T
 }
 
 void expect_judged(const Operation& operation, Against against, ExpectedDump& expected) {
-  expected.tables.push_back({&operation, searched(operation) ? against : Against::nothing, nullptr, false});
+  expected.tables.push_back({&operation, searched(operation) ? against : Against::nothing, nullptr});
 }
 
 /// The tables of the shipped headers: what they must say when there is no certificate.
@@ -240,7 +240,7 @@ LinesOfSections check_linked_families(const Certificates& read, unsigned max_k, 
 void expect_rows(ExpectedDump& expected, const Family& family, const Certificate& certificate) {
   for (const PositionTask& task : tasks_of(family, &certificate))
     for (ExpectedTable& table : expected.tables)
-      if (table.operation == task.operation) table = {task.operation, Against::certificate, task.rows, task.full_keys};
+      if (table.operation == task.operation) table = {task.operation, Against::certificate, task.rows};
 }
 
 /// And with its lists.

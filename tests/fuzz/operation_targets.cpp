@@ -81,7 +81,7 @@ Target operation_dump_target() {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(fmemopen(text.data(), text.size(), "r"), std::fclose);
     promise(stream != nullptr, "a stream of bytes opens");
     ExpectedDump expected;
-    expected.tables.push_back({&family->sections.front().operations.front(), Against::own_patch, nullptr, false});
+    expected.tables.push_back({&family->sections.front().operations.front(), Against::own_patch, nullptr});
     return compare_dump(stream.get(), expected).fault.empty();
   };
   return {"operation-dump", {seed}, read, 3000};

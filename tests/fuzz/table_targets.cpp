@@ -101,7 +101,7 @@ Target dump_target() {
     if (family.name != "flip" && family.name != "split") continue;
     const Operation& operation = family.sections.front().operations.front();
     expected->dump.tables.push_back(
-        {&operation, family.name == "flip" ? Against::nothing : Against::own_patch, nullptr, false});
+        {&operation, family.name == "flip" ? Against::nothing : Against::own_patch, nullptr});
     seed += fmt::format("table {}\n", operation.name());
     for (Mask inner = 0; inner < mask_count(operation.before.inner_edges()); ++inner)
       for (Mask ports = 0; ports < mask_count(operation.before.ports()); ++ports, ++entries)

@@ -79,13 +79,13 @@ struct Tables {
       for (std::size_t s = 0; s < families[f].sections.size(); ++s)
         for (std::size_t o = 0; o < families[f].sections[s].operations.size(); ++o) {
           const Operation& operation = families[f].sections[s].operations[o];
-          expected.tables.push_back({&operation, Against::certificate, &certificates[f].sections[s], false});
+          expected.tables.push_back({&operation, Against::certificate, &certificates[f].sections[s]});
           answers.push_back(rows_of(naive[f].sections[s].operations[o], tables[s]));
         }
     }
     for (const Family& family : families)
       for (const Operation& operation : family.unlisted) {
-        expected.tables.push_back({&operation, Against::own_patch, nullptr, false});
+        expected.tables.push_back({&operation, Against::own_patch, nullptr});
         answers.push_back(NaiveAnswers(operation).answers());
       }
     for (const LinkedFamily& family : linked)
@@ -161,7 +161,7 @@ TEST(TableDump, CountsWhatItComparedAndNothingElse) {
   const auto split = std::find_if(tables.expected.tables.begin(), tables.expected.tables.end(),
                                   [](const auto& table) { return table.operation->name() == "split k 3 a 1"; });
   ASSERT_NE(split, tables.expected.tables.end());
-  *split = {split->operation, Against::nothing, nullptr, false};
+  *split = {split->operation, Against::nothing, nullptr};
   std::string altered = tables.dump();
   const std::size_t first = altered.find("table split k 3 a 1\n0 0 ") + 24;
   altered.replace(first, altered.find('\n', first) - first, "3f 0");
@@ -191,7 +191,7 @@ TEST(TableDump, WhereNoCertificateIsTheRightAnswersAreAccepted) {
     for (const Operation& operation : family.unlisted) {
       const NaiveAnswers naive(operation);
       ExpectedDump expected;
-      expected.tables.push_back({&operation, Against::own_patch, nullptr, false});
+      expected.tables.push_back({&operation, Against::own_patch, nullptr});
       const auto wrong = [&](const Answers& answers) {
         std::string text =
             fmt::format("restrip-table-dump 3\n{}end {}\n", table_text(operation, answers), answers.size());

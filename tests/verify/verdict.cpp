@@ -81,7 +81,7 @@ Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local) {
         parse_linked_certificate("table", certificate_text(lists.family, std::vector{lists}), family);
     report_linked(family,
                   {check_linked({&family.local.sections.front(), &certificate.sections.front(), &rules.sections.front(),
-                                 certificate.file, rules.file, false})},
+                                 certificate.file, rules.file})},
                   listener);
   });
 }

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "certificate/older_certificate.hpp"
-
 namespace restrip::verify {
 namespace {
 
@@ -106,7 +104,6 @@ void expect_order(const LineReader& reader, const std::vector<Row>& rows, const 
 }
 
 Certificate parse_certificate(const std::string& file, std::string text, const Family& family) {
-  if (is_older_certificate(text)) return parse_older_certificate(file, std::move(text), family);
   Certificate certificate;
   certificate.file = file;
   parse_form(file, std::move(text), head_of(family.name), [&](LineReader& reader) {

@@ -41,8 +41,6 @@ struct Certificate {
   std::string file;
   std::vector<SectionRows> sections;  ///< one for each section of the family, in the same order
   std::size_t rows = 0;
-  bool full_keys = false;    ///< of an older form: keys have all pairs that are joined
-  bool other_order = false;  ///< of an older form: another key is the smallest of an orbit
 
   bool has_reasons() const;
 };

@@ -86,8 +86,7 @@ class FamilyReport {
     for (std::size_t i = 0; i < family_.sections.size(); ++i) {
       const Section& section = family_.sections[i];
       const CheckedSection checked{section, certificate_->sections[i],
-                                   checks_.subspan(first, section.operations.size()), certificate_->file,
-                                   certificate_->other_order};
+                                   checks_.subspan(first, section.operations.size()), certificate_->file};
       first += section.operations.size();
       const Symmetries symmetries(section.operations.front(), section.serves_every_position
                                                                   ? Symmetries::Keep::after
@@ -96,7 +95,7 @@ class FamilyReport {
       extra_.add(extra_rows(checked));
       copies_.add(wrong_copies(checked, symmetries));
       claims_.add(wrong_claims(checked));
-      for (const StatedClaim& claim : checked.rows.claims) stated_ += claim.line != 0 ? 1U : 0U;
+      stated_ += claim_words.size();
       tally_reasons(checked, reasons_);
     }
     section_seconds_ = thread_seconds() - start;
@@ -230,11 +229,10 @@ std::vector<PositionTask> tasks_of(const Family& family, const Certificate* cert
   std::vector<PositionTask> tasks;
   for (std::size_t i = 0; i < family.sections.size(); ++i)
     for (const Operation& operation : family.sections[i].operations) {
-      PositionTask task{&family.sections[i], &operation, nullptr, {}, false};
+      PositionTask task{&family.sections[i], &operation, nullptr, {}};
       if (certificate != nullptr) {
         task.rows = &certificate->sections[i];
         task.file = certificate->file;
-        task.full_keys = certificate->full_keys;
       }
       tasks.push_back(task);
     }

@@ -165,7 +165,7 @@ PositionCheck check_position(const PositionTask& task, bool second_formulation, 
   };
   const Operation& operation = *task.operation;
   FitTable& table = tables.of(operation);
-  RuleJudge judge(operation, table, task.full_keys);
+  RuleJudge judge(operation, table);
   check_keys(judge, table, check);
   if (task.rows == nullptr) return check;
   RowChecker rows(task, judge, check);

@@ -52,7 +52,6 @@ struct PositionTask {
   const Operation* operation = nullptr;
   const SectionRows* rows = nullptr;
   std::string file;
-  bool full_keys = false;
 };
 
 /// The tables of one thread, one for each constraint and number of ports.

@@ -25,7 +25,7 @@ auto keeping_the_best(const Operation& operation, std::vector<Colors>& best) {
 
 }  // namespace
 
-RuleJudge::RuleJudge(const Operation& operation, FitTable& table, bool full_keys)
+RuleJudge::RuleJudge(const Operation& operation, FitTable& table)
     : operation_(operation),
       table_(table),
       before_(operation.before, most_solid(operation.constraint), table),
@@ -36,7 +36,6 @@ RuleJudge::RuleJudge(const Operation& operation, FitTable& table, bool full_keys
     for_each_class_after(ports, [&](std::uint32_t number) {
       joinable_[ports].add(table_.classes()[after_.classes()[number].fit_class].joined);
     });
-    if (full_keys) joinable_[ports] = PortPairs::all(operation.ports());
     if (searched(operation)) search(ports);
   }
 }

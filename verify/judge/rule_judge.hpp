@@ -25,8 +25,8 @@ struct Judged {
 class RuleJudge {
  public:
   /// The table must be that of the operation's constraint and ports. Nothing is searched when the operation is not
-  /// `searched`: then nothing is found `not_best`. `full_keys`: keys have all joined pairs, as in older certificates.
-  RuleJudge(const Operation& operation, FitTable& table, bool full_keys = false);
+  /// `searched`: then nothing is found `not_best`.
+  RuleJudge(const Operation& operation, FitTable& table);
 
   const Operation& operation() const { return operation_; }
   const Colorings& before() const { return before_; }

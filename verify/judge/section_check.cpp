@@ -80,7 +80,7 @@ Failures wrong_copies(const CheckedSection& checked, const Symmetries& symmetrie
   for (std::size_t i = 0; i < checked.rows.rows.size(); ++i) {
     const Row& row = checked.rows.rows[i];
     std::string fault;
-    const bool smallest_is_rule = checked.other_order || row.copy != (smallest[i] == row.key);
+    const bool smallest_is_rule = row.copy != (smallest[i] == row.key);
     if (!smallest_is_rule && row.copy)
       fault = "wrong representative: the smallest key of its orbit must be a rule, not a copy";
     else if (!smallest_is_rule)
@@ -98,7 +98,7 @@ Failures wrong_claims(const CheckedSection& checked) {
   Failures failures;
   for (std::size_t i = 0; i < claim_words.size(); ++i) {
     const StatedClaim& claim = checked.rows.claims[i];
-    if (claim.line != 0 && claim.number != counted[i])  // older certificates do not state all
+    if (claim.number != counted[i])
       failures.add(fmt::format("{}:{}: \"claim {} {}\"\n  wrong claim: recounted {}\n", checked.file, claim.line,
                                claim_words[i], claim.number, counted[i]));
   }

@@ -13,7 +13,6 @@ struct CheckedSection {
   const SectionRows& rows;
   std::span<const PositionCheck> positions;
   const std::string& file;
-  bool other_order = false;  ///< of keys: representatives are not checked
 };
 
 /// Every row's key belongs to a valid configuration of some position of the section.

@@ -14,8 +14,6 @@ namespace restrip::verify {
 namespace {
 
 constexpr std::string_view title = "restrip-table-dump 3";
-constexpr std::string_view older_title = "restrip-table-dump 2";                // leaves out ports that cannot change
-constexpr std::string_view older_operation_title = "restrip-operation-dump 1";  // one table, whose name comes first
 
 void append_mask(std::string& text, Mask mask) {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -43,7 +41,7 @@ std::optional<Mask> taken_mask(std::string_view& line, unsigned bits) {
 class TableJudge {
  public:
   TableJudge(const ExpectedTable& table, FitTables& tables, Compared& compared)
-      : table_(table), judge_(*table.operation, tables.of(*table.operation), table.full_keys), compared_(compared) {
+      : table_(table), judge_(*table.operation, tables.of(*table.operation)), compared_(compared) {
     if (table.rows != nullptr)
       for (std::uint32_t number = 0; number < judge_.before().classes().size(); ++number)
         row_of_class_.push_back(table.rows->row_of(judge_.key_of_class(number)));
@@ -90,16 +88,8 @@ class DumpReader {
       : lines_(stream), expected_(expected), result_(result) {}
 
   void run() {
-    title_ = next_line(std::string(title));
-    if (title_ == older_operation_title) {
-      const ExpectedTable& only = expected_.tables.front();
-      expect("operation " + only.operation->name());
-      table_of(only);
-    } else if (title_ == title || title_ == older_title) {
-      read_tables();
-    } else {
-      throw BadDump(fmt::format("line 1: expected \"{}\", found \"{}\"", title, title_));
-    }
+    expect(std::string(title));
+    read_tables();
     expect(fmt::format("end {}", result_.lines));
     if (lines_.next() || lines_.left_over()) throw BadDump(fmt::format("line {}: text after the end", lines_.number()));
   }
@@ -170,9 +160,7 @@ class DumpReader {
       std::string_view rest = line.substr(prefix_.size());
       if (rest == "-") return {};
       const std::optional<Mask> inner = taken_mask(rest, operation.after.inner_edges());
-      const bool ports_left_out = title_ == older_title && operation.may_give_up == 0;
-      if (inner && ports_left_out && rest.empty()) return Colors{*inner, configuration.ports};
-      if (inner && !ports_left_out && rest.starts_with(' ')) {
+      if (inner && rest.starts_with(' ')) {
         rest.remove_prefix(1);
         if (const std::optional<Mask> kept = taken_mask(rest, operation.ports()); kept && rest.empty())
           return Colors{*inner, *kept};
@@ -204,7 +192,6 @@ class DumpReader {
   const ExpectedDump& expected_;
   DumpComparison& result_;
   FitTables tables_;
-  std::string title_;
   std::string prefix_;
 };
 

@@ -24,7 +24,6 @@ struct ExpectedTable {
   const Operation* operation = nullptr;
   Against against = Against::nothing;
   const SectionRows* rows = nullptr;
-  bool full_keys = false;
 };
 
 /// What one table of lists must say: a line for each port mask, whole, or null for a table that is not compared.

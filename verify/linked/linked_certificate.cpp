@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "certificate/older_certificate.hpp"
-
 namespace restrip::verify {
 namespace {
 
@@ -39,8 +37,7 @@ List SectionLists::list(Mask ports) const {
 LinkedCertificate parse_linked_certificate(const std::string& file, std::string text, const LinkedFamily& family) {
   LinkedCertificate certificate;
   certificate.file = file;
-  const FormHead head = is_older_certificate(text) ? family_head(family.name) : head_of(family.name);
-  parse_form(file, std::move(text), head, [&](LineReader& reader) {
+  parse_form(file, std::move(text), head_of(family.name), [&](LineReader& reader) {
     for (const Section& section : family.local.sections) {
       certificate.sections.push_back(parse_lists(reader, section));
       certificate.rows += certificate.sections.back().rows.size();

@@ -19,7 +19,7 @@ class BesideCheck {
         table_(operation_.constraint, operation_.ports()),
         after_(operation_.after, most_solid(operation_.constraint), table_),
         check_(check) {
-    for (const Operation& operation : task.section->operations) judges_.emplace_back(operation, table_, task.full_keys);
+    for (const Operation& operation : task.section->operations) judges_.emplace_back(operation, table_);
   }
 
   void check(Mask ports, const std::vector<Recoloring>& recolorings, List list) {

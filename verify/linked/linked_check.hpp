@@ -29,7 +29,6 @@ struct LinkedTask {
   const SectionRows* local = nullptr;
   std::string file;
   std::string local_file;
-  bool full_keys = false;
 };
 
 LinkedCheck check_linked(const LinkedTask& task);

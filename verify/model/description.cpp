@@ -131,7 +131,7 @@ class DescriptionReader {
     if (const std::optional<JsonValue> take = value.member("take"))
       take->fail_found("no port can be taken, since a rule does not see the triangle behind a dashed port");
     value.expect_object({"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up",
-                         "cost", "certificate", "numbers", "where", "listed", "position", "section", "key", "linked",
+                         "cost", "certificate", "numbers", "where", "listed", "position", "section", "linked",
                          "at_most"});
     Description description;
     description.source_ = source_;
@@ -233,14 +233,12 @@ const std::string& Description::file() const { return source_->file; }
 std::vector<Description> parse_descriptions(const std::string& file, std::string_view text) {
   auto source = std::make_shared<DescriptionSource>(DescriptionSource{file, parse_json(file, text), {}});
   const JsonValue whole(source->file, source->json, {});
-  const std::string title = whole.member("restrip_families") ? "restrip_families" : "restrip_operation";
-  const std::string list_name = title == "restrip_families" ? "families" : "operations";
-  const JsonValue version = whole.required(title);
+  const JsonValue version = whole.required("restrip_operation");
   if (!version.is_integer(1)) version.fail("1, the version of the format");
-  const std::optional<JsonValue> list = whole.member(list_name);
+  const std::optional<JsonValue> list = whole.member("operations");
   if (!list) return {DescriptionReader(source).read(0)};
-  whole.expect_object({title, list_name});
-  source->list = list_name;
+  whole.expect_object({"restrip_operation", "operations"});
+  source->list = "operations";
   const std::size_t count = list->list("a list of operations", most_descriptions).size();
   if (count == 0) list->fail_found("expected a list of operations, found none");
   std::vector<Description> descriptions;

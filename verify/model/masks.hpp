@@ -35,7 +35,6 @@ struct PortPairs {
     const unsigned high = one < other ? other : one;
     return {std::uint64_t{1} << (high * (high - 1) / 2 + low)};
   }
-  static constexpr PortPairs all(unsigned ports) { return {(std::uint64_t{1} << ports * (ports - 1) / 2) - 1}; }
   constexpr void add(unsigned one, unsigned other) { bits |= of(one, other).bits; }
   constexpr bool has(unsigned one, unsigned other) const { return (bits & of(one, other).bits) != 0; }
   constexpr void add(PortPairs more) { bits |= more.bits; }
