@@ -8,13 +8,13 @@
 #include <optional>
 #include <set>
 
+#include "certificate_text.hpp"
 #include "number_lines.hpp"
 
 namespace restrip::generator {
 namespace {
 
 constexpr unsigned header_version = 1;
-constexpr unsigned certificate_version = 2;
 
 std::string banner(const std::string& what) {
   return fmt::format(
@@ -46,23 +46,13 @@ std::size_t configurations(const std::vector<unsigned>& flip_cells) {
 }
 
 std::string flip_header(const SolvedFamily& family) {
-  return banner(fmt::format("Rules of the {}: {} valid configurations.", family.name, family.rows())) +
+  return banner(fmt::format("Rules of the {}: {} valid configurations.", family.name,
+                            configurations(flip_cells(family.sections.at(0))))) +
          fmt::format("inline constexpr FlipTable {}{{\n", identifier(family.name)) +
          numbers(flip_cells(family.sections.at(0))) + "};\n" + footer;
 }
 
 }  // namespace
-
-std::string sealed(std::string text, std::size_t rows) {
-  std::uint64_t sum = 0;
-  std::uint64_t weighted = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    sum += byte;
-    weighted += (i + 1) * byte;
-  }
-  return text + fmt::format("end {} {} {}\n", rows, sum, weighted);
-}
 
 std::string identifier(std::string name) {
   std::replace(name.begin(), name.end(), '-', '_');
@@ -72,8 +62,6 @@ std::string identifier(std::string name) {
 std::size_t SolvedFamily::rows() const {
   std::size_t n = 0;
   for (const Section& section : sections) n += section.rows.size();
-  // The certificate of the flip has a row for each configuration.
-  if (sections.at(0).position.family->numbers.empty()) n = configurations(flip_cells(sections[0]));
   return n;
 }
 
@@ -137,17 +125,10 @@ RulesHeader linked_header(const std::vector<SolvedFamily>& families, unsigned ma
   return {text + footer, bytes};
 }
 
-std::string certificate(const std::string& name, const std::vector<std::string>& texts, std::size_t rows) {
-  std::string text = fmt::format("restrip-certificate {}\nfamily {}\n", certificate_version, name);
-  for (const std::string& section : texts) text += section;
-  return sealed(std::move(text), rows);
-}
-
 std::string certificate(const SolvedFamily& family) {
-  std::vector<std::string> texts;
-  texts.reserve(family.sections.size());
-  for (const Section& section : family.sections) texts.push_back(section.text);
-  return certificate(family.name, texts, family.rows());
+  std::string text = certificate_head(family.name);
+  for (const Section& section : family.sections) text += section.text;
+  return sealed(std::move(text), family.rows());
 }
 
 }  // namespace restrip::generator

@@ -9,10 +9,6 @@
 
 namespace restrip::generator {
 
-/// A certificate with its last line: how many rows, and two sums of its bytes from which a reader can tell which single
-/// byte was altered.
-[[nodiscard]] std::string sealed(std::string text, std::size_t rows);
-
 /// A certificate with its sections, solved, rules or linked ones.
 struct SolvedFamily {
   std::string name;

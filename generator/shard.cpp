@@ -3,18 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cstdint>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <tuple>
 
+#include "certificate_text.hpp"
 #include "digest.hpp"
 #include "files/reading.hpp"
-#include "old_text.hpp"
-#include "packing.hpp"
 
 namespace restrip::generator {
 
@@ -101,52 +100,31 @@ struct Reader {
   [[nodiscard]] bool starts(std::string_view word) const { return text.substr(at, word.size()) == word; }
 };
 
-/// The key of a row's first two masks.
-bool read_key(const Section& section, const Operation& operation, Mask ports, Mask joined, Key& key) {
-  key = {ports, {}};
-  if (section.position.family->numbers.empty()) {
-    for (const Coloring& coloring : legal_colorings(operation.patch.before))
-      if (coloring.inner == joined)
-        if (const auto outcome = with_ports(coloring, ports)) {
-          key.joined = outcome->joined;
-          key.joined &= section.relevant[ports];
-          return true;
-        }
-    return false;
-  }
-  for (Mask rest = joined; rest != 0; rest &= rest - 1) {
-    const Mask port = rest & (~rest + 1);
-    const Mask below = ports & (port - 1);
-    const Mask previous = std::bit_floor(below != 0 ? below : ports & ~port);
-    if ((ports & port) == 0 || previous == 0) return false;
-    const auto [low, high] = std::minmax({std::countr_zero(port), std::countr_zero(previous)});
-    key.joined.add(static_cast<unsigned>(low), static_cast<unsigned>(high));
-  }
-  return fan_key(key, section.position).joined == joined;
-}
-
 void read_rules(Section& section, Reader& reader) {
   const Operation operation = operation_of_rows(section.position, Sight::patch, section.goal);
   const Side& after = operation.patch.after;
-  const bool flip = section.position.family->numbers.empty();
   const Mask inner_end = Mask{1} << after.edges.size();
-  if (flip) section.relevant = relevant_pairs(operation);
+  std::tuple<Mask, std::size_t, std::string_view> last{};
   for (; reader.starts("rule ") || reader.starts("copy "); reader.skip()) {
     Words words(reader.peek());
     const bool rule = words.next() == "rule";
     Row row;
-    const Mask ports = words.number(16, after.all_ports() + 1);
-    const Mask joined = words.number(16, flip ? inner_end : after.all_ports() + 1);
-    row.kept = flip ? words.number(16, after.all_ports() + 1) : ports;
+    row.key.ports = words.number(16, after.all_ports() + 1);
+    const std::string_view joined = words.next();
+    const bool key_is_good = PortPairs::read(joined, after.ports(), row.key.joined);
     row.recoloring = words.number(16, inner_end);
+    row.kept = words.number(16, after.all_ports() + 1);
     words.expect(rule ? "because" : "by");
-    const bool key_is_good = words.good && read_key(section, operation, ports, joined, row.key);
-    const bool again = flip && !section.rows.empty() && section.rows.back().key == row.key;
-    if (!key_is_good || words.at_end() || (!again && !section.rows.empty() && !(section.rows.back().key < row.key)))
+    const std::tuple order{row.key.ports, joined.size(), joined};
+    if (!words.good || !key_is_good || words.at_end() || (!section.rows.empty() && order <= last))
       reader.refuse("the row of a greater key");
-    if (!again) section.rows.push_back(row);
+    section.rows.push_back(row);
+    last = order;
   }
   if (section.rows.empty()) reader.refuse("a row");
+  std::sort(section.rows.begin(), section.rows.end(), [](const Row& x, const Row& y) { return x.key < y.key; });
+  // What the flip's table is made with.
+  if (section.position.family->numbers.empty()) section.relevant = relevant_pairs(operation);
 }
 
 void read_alternatives(Section& section, Reader& reader) {
@@ -256,7 +234,7 @@ std::string generator_id(const std::string& version) {
   std::string rules;
   for (Section& section : sections_of(families(), 4)) {
     solve(section);
-    rules += old_section_text(section);
+    rules += section_text(section);
   }
   return version + " " + sha256(rules);
 }

@@ -17,11 +17,11 @@
 
 #include "automaton/automaton.hpp"
 #include "automaton/emit_automaton.hpp"
+#include "certificate_text.hpp"
 #include "digest.hpp"
 #include "emit.hpp"
 #include "files/output.hpp"
 #include "languages/languages.hpp"
-#include "old_text.hpp"
 #include "shard.hpp"
 #include "share.hpp"
 
@@ -44,7 +44,7 @@ void solve_sections(std::vector<Section>& all, std::vector<std::size_t> places, 
   share(places.size(), threads, [&](std::size_t i) {
     Section& section = all[places[i]];
     solve(section);
-    if (wanted == Wanted::rules_and_text) section.text = old_section_text(section);
+    if (wanted == Wanted::rules_and_text) section.text = section_text(section);
     if (!terminal) return;
     const std::lock_guard lock(mutex);
     fmt::print(stderr, "\rsolved {} of {} sections", ++done, places.size());

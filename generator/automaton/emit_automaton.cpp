@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "certificate_text.hpp"
 #include "number_lines.hpp"
 
 namespace restrip::generator {
@@ -187,10 +188,9 @@ AutomatonCertificate automaton_certificate(const Automaton& automaton) {
       meetings.add("meet {} {} {} {} {}", x, y, text_of(m.first), text_of(m.second), m.chord ? "chord" : "-");
     }
   const std::size_t rows = cost.count() + classes.count() + closings.count() + meetings.count();
-  return {certificate("automaton",
-                      {cost.section("cost"), classes.section("classes"), closings.section("closings"),
-                       meetings.section("meetings")},
-                      rows),
+  return {sealed("restrip-certificate 2\nfamily automaton\n" + cost.section("cost") + classes.section("classes") +
+                     closings.section("closings") + meetings.section("meetings"),
+                 rows),
           rows};
 }
 

@@ -236,8 +236,7 @@ Description description_from(const JsonValue& value) {
         "describe that triangle as part of the patch");
   // `at_most` is what the verifier holds the rules against.
   value.expect_members({"restrip_operation", "name", "about", "certificate", "constraint", "numbers", "where", "listed",
-                        "position", "section", "key", "before", "after", "boundary", "give_up", "cost", "linked",
-                        "at_most"});
+                        "position", "section", "before", "after", "boundary", "give_up", "cost", "linked", "at_most"});
   Description description;
   description.name = name_from(value["name"]);
   if (value.has("about")) description.about = value["about"].text();
@@ -276,12 +275,11 @@ Description description_from(const JsonValue& value) {
 std::vector<Description> parse_descriptions(const std::string& file, const std::string& text) {
   const Json json = parse_json(file, text);
   const JsonValue top(file, text, json);
-  const bool old = top.has("restrip_families");
-  static_cast<void>(top[old ? "restrip_families" : "restrip_operation"].number(1, 1, "a version of the format"));
-  const std::string list = old ? "families" : "operations";
+  static_cast<void>(top["restrip_operation"].number(1, 1, "a version of the format"));
+  const std::string list = "operations";
   std::vector<Description> all;
   if (top.has(list)) {
-    top.expect_members({"restrip_operation", "restrip_families", list});
+    top.expect_members({"restrip_operation", list});
     for (const JsonValue& one : top[list].elements("descriptions")) {
       all.push_back(description_from(one));
       for (std::size_t i = 0; i + 1 < all.size(); ++i)

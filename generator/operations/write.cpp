@@ -8,8 +8,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "certificate_text.hpp"
 #include "files/output.hpp"
-#include "old_text.hpp"
 #include "operations/description_file.hpp"
 #include "operations/operation_text.hpp"
 
@@ -61,7 +61,8 @@ void make_rules(const RulesOptions& options) {
   for (Section& section : sections_of(descriptions, most_ports)) {
     solve(section);
     const OperationHeader header = operation_header(section);
-    texts.push_back({operation_certificate_path(section.certificate), old_operation_certificate(section)});
+    texts.push_back({operation_certificate_path(section.certificate),
+                     sealed(certificate_head(section.certificate) + section_text(section), section.rows.size())});
     texts.push_back({operation_header_path(section.certificate), header.text});
     json["operations"].push_back(figures(section, header.bytes));
     told += fmt::format("{:<24} {:>6} configurations  {:>5} rules  {:>6} bytes\n", section.certificate,

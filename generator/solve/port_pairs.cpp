@@ -8,7 +8,7 @@ namespace restrip::generator {
 const std::array<PortPairs::Pair, PortPairs::most*(PortPairs::most - 1) / 2> PortPairs::pair_at = [] {
   std::array<Pair, most*(most - 1) / 2> pairs{};
   for (std::uint8_t low = 0; low < most; ++low)
-    for (std::uint8_t high = low + 1; high < most; ++high) pairs[place_of(low, high, most)] = {low, high};
+    for (std::uint8_t high = low + 1; high < most; ++high) pairs[place_of(low, high)] = {low, high};
   return pairs;
 }();
 
@@ -27,10 +27,10 @@ PortPairs PortPairs::moved(const std::vector<unsigned>& to) const {
   return image;
 }
 
-std::string PortPairs::text(unsigned ports) const {
+std::string PortPairs::text() const {
   std::array<unsigned, most*(most - 1) / 8> digits{};
   visit([&](unsigned low, unsigned high) {
-    const unsigned place = place_of(low, high, ports);
+    const unsigned place = written_place_of(low, high);
     digits[place / 4] |= 1U << place % 4;
   });
   std::string text;
@@ -44,12 +44,12 @@ bool PortPairs::read(std::string_view text, unsigned ports, PortPairs& pairs) {
   pairs = {};
   for (unsigned low = 0; low < ports; ++low)
     for (unsigned high = low + 1; high < ports; ++high) {
-      const unsigned place = place_of(low, high, ports);
+      const unsigned place = written_place_of(low, high);
       if (place / 4 >= text.size()) continue;
       const std::size_t digit = hexadecimal.find(text[text.size() - 1 - place / 4]);
       if (digit != std::string_view::npos && (digit >> place % 4 & 1U) != 0) pairs.add(low, high);
     }
-  return pairs.text(ports) == text;
+  return pairs.text() == text;
 }
 
 }  // namespace restrip::generator

@@ -13,12 +13,13 @@
 
 namespace restrip::generator {
 
-/// Ordered as the masks are by which certificates write them (docs/certificate.md): by the pairs of the smaller port 0
-/// last, of those by the one with the largest other port last.
+/// Ordered by the last pair in which two sets differ; pairs come in ascending order of the smaller port, those with the
+/// same smaller port in descending order of the larger. In a closed fan, where pairs are of consecutive solid ports,
+/// this is the order of the keys of the tables.
 class PortPairs {
  public:
   void add(unsigned low, unsigned high) {
-    const unsigned place = place_of(low, high, most);
+    const unsigned place = place_of(low, high);
     words_[1 - place / 64] |= std::uint64_t{1} << place % 64;
   }
   [[nodiscard]] bool within(const PortPairs& others) const {
@@ -43,15 +44,16 @@ class PortPairs {
   /// Where the ports go.
   [[nodiscard]] PortPairs moved(const std::vector<unsigned>& to) const;
 
-  /// As certificates write it for an operation with so many ports; nothing but such text is read.
-  [[nodiscard]] std::string text(unsigned ports) const;
+  /// As certificates write it: bit j (j - 1) / 2 + i is the pair of ports i < j. Nothing but such text is read.
+  [[nodiscard]] std::string text() const;
   [[nodiscard]] static bool read(std::string_view text, unsigned ports, PortPairs& pairs);
 
  private:
   static constexpr unsigned most = 16;
-  static constexpr unsigned place_of(unsigned low, unsigned high, unsigned ports) {
-    return low * (2 * ports - low - 1) / 2 + ports - 1 - high;
+  static constexpr unsigned place_of(unsigned low, unsigned high) {
+    return low * (2 * most - low - 1) / 2 + most - 1 - high;
   }
+  static constexpr unsigned written_place_of(unsigned low, unsigned high) { return high * (high - 1) / 2 + low; }
   struct Pair {
     std::uint8_t low = 0;
     std::uint8_t high = 0;

@@ -1,8 +1,8 @@
 // The generator's shards.
 #include <set>
 
+#include "certificate_text.hpp"
 #include "digest.hpp"
-#include "old_text.hpp"
 #include "shard.hpp"
 #include "target.hpp"
 
@@ -39,7 +39,7 @@ std::vector<Target> shard_targets() {
   std::vector<const Section*> share;
   for (Section& section : all) {
     solve(section);
-    section.text = old_section_text(section);
+    section.text = section_text(section);
     share.push_back(&section);
   }
   return {{"shard", {shard_text({1, 1}, 3, id, share)}, read, 500}};

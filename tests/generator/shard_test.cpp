@@ -8,8 +8,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "certificate_text.hpp"
 #include "digest.hpp"
-#include "old_text.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -27,7 +27,7 @@ class Shards : public testing::Test {
     all_ = sections_of(families(), 3);
     for (Section& section : all_) {
       solve(section);
-      section.text = old_section_text(section);
+      section.text = section_text(section);
     }
     for (const unsigned index : {1U, 2U}) {
       std::vector<const Section*> share;
