@@ -1,13 +1,16 @@
 // `restrip convert`: any mesh in, any format out, as it is.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/bad_input.hpp"
 #include "common/report_output.hpp"
@@ -15,11 +18,23 @@
 #include "files/reading.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/baked_gltf.hpp"
+#include "meshes/mend.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/strip_file.hpp"
 
 namespace restrip::tools {
 namespace {
+
+/// A mesh in another format. Strips of the file stay where the new format has strips; a baked mesh stays one.
+struct ConvertCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path out;
+  GltfPrimitives gltf = GltfPrimitives::restart;  ///< of a baked mesh, if not given: strips
+  bool gltf_given = false;
+  ReadAttributes attributes = ReadAttributes::yes;
+  MendingOptions mending;
+  std::string json;
+};
 
 /// What is written of a mesh, and what of it the format left out.
 struct Converted {
@@ -48,8 +63,6 @@ Converted converted(const Soup& soup, const ConvertCommand& command) {
           soup.triangles.size() - drawn.size()};
 }
 
-}  // namespace
-
 std::vector<std::string> converted_extensions() {
   std::vector<std::string> all = written_mesh_extensions();
   for (const auto& more : {written_strip_extensions(), baked_extensions()})
@@ -57,8 +70,6 @@ std::vector<std::string> converted_extensions() {
       if (std::find(all.begin(), all.end(), extension) == all.end()) all.push_back(extension);
   return all;
 }
-
-namespace {
 
 /// A baked mesh as it is, byte by byte, from one kind of file into the other.
 int convert_baked(const ConvertCommand& command, const files::Output& out, const ReportOutput& report) {
@@ -82,8 +93,6 @@ int convert_baked(const ConvertCommand& command, const files::Output& out, const
                json.dump(2) + "\n");
   return 0;
 }
-
-}  // namespace
 
 int run(const ConvertCommand& command) {
   const files::Output out(command.out, {converted_extensions(), {command.mesh}});
@@ -115,6 +124,30 @@ int run(const ConvertCommand& command) {
   if (made.left_out != 0) text += fmt::format("; {} degenerate triangles left out", made.left_out);
   report.print(text + "\n", json.dump(2) + "\n");
   return 0;
+}
+
+}  // namespace
+
+Subcommand add_convert(CLI::App& app) {
+  const auto kept = std::make_shared<ConvertCommand>();
+  ConvertCommand& command = *kept;
+  CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format; strips of the file stay strips");
+  sub->add_option("mesh", command.mesh, mesh_formats() + "; or a baked mesh (.baked, .glb)")->required();
+  sub->add_option("-o,--output", command.out,
+                  list_in_words(converted_extensions(), "or") +
+                      "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none; "
+                      ".baked and .glb from a baked mesh, with all its levels")
+      ->required();
+  const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  add_attributes_option(*sub, command.attributes);
+  add_mending_options(*sub, command.mending);
+  add_json_option(*sub, command.json);
+  sub->callback([gltf, &command] {
+    refuse_gltf_elsewhere(*gltf, command.out);
+    command.gltf_given = !gltf->empty();
+  });
+  sub->footer("Example: restrip convert scan.ply --weld -o scan.glb");
+  return {sub, [kept] { return run(*kept); }};
 }
 
 }  // namespace restrip::tools

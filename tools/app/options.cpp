@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
-#include <optional>
-#include <string_view>
 
 #include "files/reading.hpp"
 #include "meshes/mesh_file.hpp"
@@ -54,17 +51,6 @@ std::string values_in_words(const std::string& type) {
                        type.substr(dash + 3, type.find(']', dash) - dash - 3));
   }
   return type.starts_with("TEXT") ? "FILE" : number;
-}
-
-/// "a,b"
-template <class Number>
-std::optional<std::array<Number, 2>> two_numbers(const std::string& word) {
-  const std::size_t comma = word.find(',');
-  if (comma == std::string::npos) return std::nullopt;
-  const auto first = parse<Number>(std::string_view(word).substr(0, comma));
-  const auto second = parse<Number>(std::string_view(word).substr(comma + 1));
-  if (!first || !second) return std::nullopt;
-  return std::array<Number, 2>{*first, *second};
 }
 
 std::string names_of(const std::set<CLI::Option*>& options) {
@@ -165,40 +151,6 @@ void refuse_cost_elsewhere(const Cost& cost, const std::string& way) {
   if (!(cost == Cost::strips()) && !way.empty() && !way_named(way).weighs())
     throw CLI::ValidationError("--cost", fmt::format("--policy {} keeps the strips few; only {} know another cost", way,
                                                      fmt::join(names_of_ways(&Way::weighs), ", ")));
-}
-
-std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& command) {
-  const Camera camera;
-  const PictureSize size;
-  return {app.add_option_function<std::string>(
-                 "--camera",
-                 [&command](const std::string& word) {
-                   const auto angles = two_numbers<double>(word);
-                   if (!angles || !(std::abs((*angles)[0]) <= 360) || !(std::abs((*angles)[1]) <= 90))
-                     throw CLI::ValidationError(
-                         "--camera", fmt::format("{} is no azimuth from -360 to 360 and elevation from -90 to 90, in "
-                                                 "degrees, with a comma between",
-                                                 word));
-                   command.camera = {(*angles)[0], (*angles)[1]};
-                 },
-                 "in degrees: from 0,0 one looks along -z, from 90,0 along -x, from 0,90 down along -y")
-              ->option_text(fmt::format("AZIMUTH,ELEVATION (default: {},{})", camera.azimuth, camera.elevation)),
-          app.add_option_function<std::string>(
-                 "--size",
-                 [&command](const std::string& word) {
-                   const auto sides = two_numbers<std::uint32_t>(word);
-                   if (!sides || std::min((*sides)[0], (*sides)[1]) < least_picture_side ||
-                       std::max((*sides)[0], (*sides)[1]) > most_picture_side)
-                     throw CLI::ValidationError(
-                         "--size", fmt::format("{} is no width and height from {} to {}, with a comma between", word,
-                                               least_picture_side, most_picture_side));
-                   command.size = {(*sides)[0], (*sides)[1]};
-                 },
-                 "of the picture, in pixels")
-              ->option_text(fmt::format("WIDTH,HEIGHT (default: {},{})", size.width, size.height)),
-          app.add_flag_callback(
-              "--lines", [&command] { command.style = StripStyle::lines; },
-              "draw strips as lines through the centres of their triangles, in place of coloured triangles")};
 }
 
 CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf) {

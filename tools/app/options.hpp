@@ -2,10 +2,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "app/commands.hpp"
+#include "lod/simplify.hpp"
+#include "meshes/mend.hpp"
+#include "meshes/strip_file.hpp"
 #include "replay/ways.hpp"
 
 namespace restrip::tools {
@@ -33,8 +36,6 @@ void add_policy_option(CLI::App& app, std::string& way);
 [[nodiscard]] std::vector<std::string> names_of_ways(bool (Way::*holds)() const noexcept);
 /// Throws CLI::ValidationError where the way, if one is named, knows no such cost.
 void refuse_cost_elsewhere(const Cost& cost, const std::string& way);
-/// --camera, --size and --lines, which are returned.
-std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& command);
 /// --gltf, which only an output that ends in .glb has: `refuse_gltf_elsewhere` says so.
 CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf);
 void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out);

@@ -24,6 +24,15 @@ void refuse_simplifying(const std::filesystem::path& file, bool given) {
 
 }  // namespace
 
+BakedCosts costs_of(const BakedMesh& baked, double seconds) {
+  if (baked.mesh.splits.empty()) return {};
+  BakedMesh base{baked.mesh, baked.base, {}, {}};
+  base.mesh.splits.clear();
+  const auto records = static_cast<double>(baked.mesh.splits.size());
+  return {static_cast<double>(baked.records.flips.size()) / records,
+          static_cast<double>(baked_bytes(baked).size() - baked_bytes(base).size()) / records, seconds};
+}
+
 bool is_progressive(const std::filesystem::path& file) { return files::extension_of(file) == ".pm"; }
 
 bool is_baked(const std::filesystem::path& file) {

@@ -27,6 +27,9 @@ struct Source {
   std::optional<BakedMesh> baked;  ///< when the file has its strips
 };
 
+/// What the strips of a baked mesh cost.
+[[nodiscard]] BakedCosts costs_of(const BakedMesh& baked, double seconds);
+
 [[nodiscard]] Source simplified(std::string name, Soup soup, const SimplifyOptions& options);
 /// Throws BadInput where the file cannot be read, and where a progressive mesh is to be simplified (`options_given`) or
 /// mended.
