@@ -12,11 +12,9 @@
 #include "app/source.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
-#include "files/reading.hpp"
 #include "lod/bake.hpp"
 #include "lod/baked_file.hpp"
-#include "lod/baked_gltf.hpp"
-#include "meshes/mend.hpp"
+#include "lod/mesh_files.hpp"
 #include "meshes/strip_file.hpp"
 #include "replay/replay_text.hpp"
 
@@ -35,14 +33,14 @@ struct BakeCommand {
 };
 
 int run(const BakeCommand& command) {
-  const files::Output out(command.out, {baked_extensions(), {command.mesh}});
+  const files::Output out(command.out, {extensions_of(writes_baked), {command.mesh}});
   const ReportOutput told(command.json, {command.mesh, command.out});
+  const MeshFormat& format = format_to_write(command.out, writes_baked, ".baked");
   Source source = source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
   BakeReport report;
   BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
   if (source.baked) baked.payload = std::move(source.baked->payload);  // the records are the same
-  std::string file = baked_bytes(baked);
-  if (files::extension_of(command.out) == ".glb") file = baked_glb_bytes(file, command.gltf);
+  const std::string file = format.write_baked(baked_bytes(baked), command.gltf);
   const std::size_t bytes = file.size();
   out.write(file);
   const std::size_t records = baked.records.size();
@@ -86,15 +84,13 @@ Subcommand add_bake(CLI::App& app) {
   BakeCommand& command = *kept;
   CLI::App* sub =
       app.add_subcommand("bake", "Decide the strips of every level of detail and write them beside the mesh");
-  sub->add_option("mesh", command.mesh, mesh_formats() + "; or a progressive mesh (.pm)")->required();
+  sub->add_option("mesh", command.mesh, help_of_mesh(levels_kept))->required();
   sub->add_option("-o,--output", command.out,
                   ".baked; or .glb, whose mesh is the base, with all levels in an extension (RESTRIP_baked_strips)")
       ->required();
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--effort", command.bake.effort,
-                  "edges walked to save one strip, before search goes further away; with --cost indices 500 of them "
-                  "are one look "
-                  "at a strip end, of which each record has so many")
+                  "search budget per record, in edges; with --cost indices one look at a strip end costs 500")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
       ->capture_default_str();
   add_cost_option(*sub, command.bake.cost);
@@ -108,7 +104,5 @@ Subcommand add_bake(CLI::App& app) {
   sub->footer("Example: restrip bake bunny.obj -o bunny.baked");
   return {sub, [kept] { return run(*kept); }};
 }
-
-std::vector<std::string> baked_extensions() { return {std::string(baked_extension), ".glb"}; }
 
 }  // namespace restrip::tools

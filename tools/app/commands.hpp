@@ -3,8 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
-#include <string>
-#include <vector>
 
 namespace restrip::tools {
 
@@ -24,8 +22,5 @@ Subcommand add_draw(CLI::App& app);
 Subcommand add_paper(CLI::App& app);
 Subcommand add_bake(CLI::App& app);
 Subcommand add_make_mesh(CLI::App& app);
-
-/// In which baked meshes are written.
-[[nodiscard]] std::vector<std::string> baked_extensions();
 
 }  // namespace restrip::tools

@@ -197,8 +197,7 @@ Subcommand add_draw(CLI::App& app) {
   DrawCommand& command = *kept;
   CLI::App* sub =
       app.add_subcommand("draw", "Draw a mesh at a level of detail, with its strips kept as replay keeps them");
-  sub->add_option("mesh", command.mesh,
-                  mesh_formats() + "; a progressive mesh (.pm) or a baked one (.baked, .glb); else a torus");
+  sub->add_option("mesh", command.mesh, help_of_mesh(levels_kept) + "; without one a torus");
   sub->add_option("-o,--output", command.out,
                   ".svg, .png, or .json: the mesh, its strips and a rule, from which scripts/pictures.py draws")
       ->required();

@@ -8,12 +8,10 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
-#include "common/bad_input.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
-#include "files/reading.hpp"
+#include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
-#include "meshes/mesh_file.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -26,14 +24,11 @@ struct MakeMeshCommand {
 };
 
 int run(const MakeMeshCommand& command) {
-  const files::Output out(command.out, {written_mesh_extensions(), {}});
+  const files::Output out(command.out, {extensions_of(writes_mesh), {}});
   const ReportOutput report(command.json, {command.out});
-  const std::string format = files::extension_of(command.out);
-  if (format.empty())  // a device
-    throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}",
-                               command.out.string(), fmt::join(written_mesh_extensions(), ", ")));
+  const MeshFormat& format = format_to_write(command.out, writes_mesh);
   const Soup soup = make_mesh(command.triangles, command.seed);
-  out.write(mesh_bytes(soup, format));
+  out.write(format.write_mesh(soup));
   const nlohmann::ordered_json json{{"vertices", soup.points.size()}, {"triangles", soup.triangles.size()}};
   report.print(
       fmt::format("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size()),
@@ -48,7 +43,7 @@ Subcommand add_make_mesh(CLI::App& app) {
   MakeMeshCommand& command = *kept;
   CLI::App* sub =
       app.add_subcommand("make-mesh", "Make a closed mesh of irregular valences, the same on every machine");
-  sub->add_option("-o,--output", command.out, "a file that ends in " + list_in_words(written_mesh_extensions(), "or"))
+  sub->add_option("-o,--output", command.out, "a file that ends in " + list_in_words(extensions_of(writes_mesh), "or"))
       ->required();
   sub->add_option("--triangles", command.triangles, "about how many")
       ->check(CLI::Range(least_made_triangles, most_made_triangles))

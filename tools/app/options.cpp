@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "files/reading.hpp"
-#include "meshes/mesh_file.hpp"
+#include "lod/mesh_formats.hpp"
 #include "meshes/text_cursor.hpp"
 
 namespace restrip::tools {
@@ -80,11 +80,17 @@ std::string list_in_words(const std::vector<std::string>& words, const std::stri
   return text;
 }
 
-std::string mesh_formats() { return list_in_words(read_mesh_extensions(), "or"); }
+std::string help_of_mesh(const std::string& of_levels) {
+  return fmt::format("{}; of a progressive or a baked mesh {}", list_in_words(extensions_of(reads), "or"), of_levels);
+}
 
 std::string strip_formats() {
-  return ".ply (tristrips), .glb, .obj (triangles in their order) or .bin (indices of 32 bits, 0xFFFFFFFF between "
-         "strips)";
+  std::vector<std::string> words;
+  for (const MeshFormat& format : mesh_formats())
+    if (writes_strips(format))
+      words.push_back(std::string(format.extension) +
+                      (format.strips_as.empty() ? "" : fmt::format(" ({})", format.strips_as)));
+  return list_in_words(words, "or");
 }
 
 void add_attributes_option(CLI::App& app, ReadAttributes& attributes) {
@@ -169,7 +175,8 @@ CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf) {
 }
 
 void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out) {
-  if (!gltf.empty() && files::extension_of(out) != ".glb")
+  const MeshFormat* format = format_named(files::extension_of(out));
+  if (!gltf.empty() && (format == nullptr || !format->primitives))
     throw CLI::ValidationError("--gltf", "only an output that ends in .glb has primitives");
 }
 

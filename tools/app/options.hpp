@@ -8,6 +8,7 @@
 
 #include "lod/simplify.hpp"
 #include "meshes/mend.hpp"
+#include "meshes/mesh_file.hpp"
 #include "meshes/strip_file.hpp"
 #include "replay/ways.hpp"
 
@@ -18,9 +19,10 @@ namespace restrip::tools {
 
 /// ".obj, .off and .ply"; `last_word` is "and" or "or".
 [[nodiscard]] std::string list_in_words(const std::vector<std::string>& words, const std::string& last_word);
-/// The formats of meshes, as the help of an input says them.
-[[nodiscard]] std::string mesh_formats();
-/// Those in which strips are written (strip_file.hpp).
+/// Help of a mesh that is read: its formats (mesh_formats.hpp), and what becomes of one that has levels.
+[[nodiscard]] std::string help_of_mesh(const std::string& of_levels = "the finest level");
+inline const std::string levels_kept = "all levels as they are";
+/// The formats in which strips are written.
 [[nodiscard]] std::string strip_formats();
 
 /// For outputs that may carry them.

@@ -62,7 +62,7 @@ Subcommand add_paper(CLI::App& app) {
   CLI::App* sub =
       app.add_subcommand("paper", "Do the paper's figures and experiments again, as CSV files and a report");
   sub->add_option("-o,--out", command.out, "the folder for report.json and CSV files")->required();
-  sub->add_option("meshes", command.meshes, mesh_formats() + "; or progressive meshes (.pm)")->required();
+  sub->add_option("meshes", command.meshes, help_of_mesh(levels_kept))->required();
   add_simplify_options(*sub, command.options.simplify);
   sub->add_option("--levels", command.options.levels, "levels of detail to count strips at")
       ->check(CLI::Range(2, 1000))

@@ -12,7 +12,7 @@
 #include "app/source.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
-#include "files/reading.hpp"
+#include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
 #include "meshes/strip_file.hpp"
 #include "replay/replay_text.hpp"
@@ -60,8 +60,10 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Pl
 
 int run(const ReplayCommand& command) {
   std::optional<files::Output> level;
-  if (!command.out.empty()) level.emplace(command.out, files::OutputRules{written_strip_extensions(), {command.mesh}});
+  if (!command.out.empty())
+    level.emplace(command.out, files::OutputRules{extensions_of(writes_strips), {command.mesh}});
   const ReportOutput out(command.json, {command.mesh, command.out});
+  const MeshFormat* format = level ? &format_to_write(command.out, writes_strips) : nullptr;
   Source source = command.built_in
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
                       : source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
@@ -83,7 +85,7 @@ int run(const ReplayCommand& command) {
   std::string text = as_text(report, source.subject) + (walk ? as_text(*walk) : "");
   if (level && report.valid()) {
     const std::size_t triangles = command.out_triangles == 0 ? report.triangles : command.out_triangles;
-    const LevelFile file = level_file(plan, triangles, files::extension_of(command.out), command.gltf);
+    const LevelFile file = level_file(plan, triangles, *format, command.gltf);
     level->write(file.bytes);
     text += fmt::format("\n  {}: {} triangles in {} strips\n", command.out.string(), file.triangles, file.strips);
   }
@@ -97,8 +99,7 @@ Subcommand add_replay(CLI::App& app) {
   const auto kept = std::make_shared<ReplayCommand>();
   ReplayCommand& command = *kept;
   CLI::App* sub = app.add_subcommand("replay", "Simplify a mesh, then replay every vertex split with its strips kept");
-  CLI::Option* mesh = sub->add_option("mesh", command.mesh,
-                                      mesh_formats() + "; a progressive mesh (.pm) or a baked one (.baked, .glb)");
+  CLI::Option* mesh = sub->add_option("mesh", command.mesh, help_of_mesh(levels_kept));
   CLI::Option* built_in =
       sub->add_flag("--built-in", command.built_in, "a torus made by the program, instead of a file");
   mesh->excludes(built_in);
@@ -130,7 +131,7 @@ Subcommand add_replay(CLI::App& app) {
   sub->add_option_function<std::string>(
          "--handles", [&command](const std::string& word) { command.handles_along_strips = word == "strips"; },
          "how triangles lie in memory: in the order of the splits, or along the strips of the finest level to compare "
-         "with; baked strips know the former alone")
+         "with; baked meshes support only splits")
       ->check(CLI::IsMember({"splits", "strips"}))
       ->default_str("splits");
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
@@ -139,10 +140,8 @@ Subcommand add_replay(CLI::App& app) {
   add_policy_option(*sub, command.way);
   sub->add_option(
          "--states", command.states,
-         "of each search of the policies quick and full: always so many; more keep fewer strips and take "
-         "longer (default: "
-         "the policy's own, fewer where strips are long enough); with --cost indices: strip ends looked at after each "
-         "operation")
+         "states per search for quick and full, fixed; more keep fewer strips and take longer (default: the policy's "
+         "own, fewer where strips are long enough); with --cost indices: strip ends looked at after each operation")
       ->check(CLI::Range(1, 1'000'000));
   add_cost_option(*sub, command.cost);
   CLI::Option* walk =

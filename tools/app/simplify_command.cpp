@@ -5,17 +5,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "app/commands.hpp"
 #include "app/level_file.hpp"
 #include "app/options.hpp"
-#include "app/source.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
-#include "files/reading.hpp"
-#include "lod/pm_file.hpp"
-#include "meshes/mend.hpp"
+#include "lod/mesh_files.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {
@@ -31,10 +27,9 @@ struct SimplifyCommand {
 };
 
 int run(const SimplifyCommand& command) {
-  std::vector<std::string> extensions = written_strip_extensions();
-  extensions.emplace_back(".pm");
-  const files::Output out(command.out, {extensions, {command.mesh}});
+  const files::Output out(command.out, {extensions_of(writes_strips_or_progressive), {command.mesh}});
   const ReportOutput report(command.json, {command.mesh, command.out});
+  const MeshFormat& format = format_to_write(command.out, writes_strips_or_progressive, ".pm");
   Mended mended;
   const Simplification result = simplify(read_mesh(command.mesh, command.mending, mended), command.simplify);
   const ProgressiveMesh& made = result.mesh;
@@ -43,15 +38,14 @@ int run(const SimplifyCommand& command) {
                               {"splits", made.splits.size()},
                               {"triangles", made.fine_triangles()}};
   std::string text = as_text(mended);
-  const std::string extension = files::extension_of(command.out);
-  if (is_progressive(command.out) || extension.empty()) {
-    out.write(pm_bytes(made));
+  if (format.write_progressive != nullptr) {
+    out.write(format.write_progressive(made));
     text += fmt::format("{}: {} triangles and {} splits to {}\n", command.out.string(), made.base.size(),
                         made.splits.size(), made.fine_triangles());
   } else {
     StripMesh base = StripMesh::build(made.base, made.points.size());
     stripify(base);
-    const LevelFile file = level_file(base, made.points, extension, command.gltf);
+    const LevelFile file = level_file(base, made.points, format, command.gltf);
     out.write(file.bytes);
     json["strips"] = file.strips;
     text += fmt::format("{}: {} of {} triangles, in {} strips\n", command.out.string(), file.triangles,
@@ -71,7 +65,7 @@ Subcommand add_simplify(CLI::App& app) {
   const auto kept = std::make_shared<SimplifyCommand>();
   SimplifyCommand& command = *kept;
   CLI::App* sub = app.add_subcommand("simplify", "Simplify a mesh and write it, or the way back as a progressive mesh");
-  sub->add_option("mesh", command.mesh, mesh_formats())->required();
+  sub->add_option("mesh", command.mesh, help_of_mesh())->required();
   sub->add_option(
          "-o,--output", command.out,
          ".pm: a progressive mesh as OpenMesh writes it; or the coarsest level with strips: " + strip_formats())

@@ -15,10 +15,6 @@
 
 namespace restrip::tools {
 
-[[nodiscard]] bool is_progressive(const std::filesystem::path& file);
-/// A .baked file, or a glTF file with a baked mesh in it.
-[[nodiscard]] bool is_baked(const std::filesystem::path& file);
-
 /// A mesh ready to be replayed, with the triangles that must come out (none for a file that has only the splits).
 struct Source {
   Subject subject;

@@ -13,11 +13,9 @@
 #include "common/report_output.hpp"
 #include "common/stopwatch.hpp"
 #include "files/output.hpp"
-#include "files/reading.hpp"
 #include "lod/coloring_check.hpp"
+#include "lod/mesh_files.hpp"
 #include "meshes/file_strips.hpp"
-#include "meshes/mend.hpp"
-#include "meshes/strip_file.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/strip_order.hpp"
@@ -47,11 +45,12 @@ struct StripifyCommand {
 int run(const StripifyCommand& command) {
   std::optional<files::Output> strip_file;
   if (!command.out.empty())
-    strip_file.emplace(command.out, files::OutputRules{written_strip_extensions(), {command.mesh}});
+    strip_file.emplace(command.out, files::OutputRules{extensions_of(writes_strips), {command.mesh}});
   const ReportOutput out(command.json, {command.mesh, command.out});
+  const MeshFormat* format = strip_file ? &format_to_write(command.out, writes_strips) : nullptr;
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
-  if (strip_file) leave_out_attributes(soup, files::extension_of(command.out), mended);
+  if (format != nullptr) leave_out_attributes(soup, *format, mended);
   if (command.as_in_file && soup.strips.empty())
     throw BadInput(
         fmt::format("{}: has no strips (PLY `tristrips`, or strips of glTF); leave out --effort file to make "
@@ -83,8 +82,7 @@ int run(const StripifyCommand& command) {
   });
   if (strip_file) {
     const std::vector<Corners> drawn = decode_strips(indices);
-    strip_file->write(
-        strip_bytes({soup.points, indices, drawn, soup.attributes}, files::extension_of(command.out), command.gltf));
+    strip_file->write(format->write_strips({soup.points, indices, drawn, soup.attributes}, command.gltf));
   }
   const std::size_t bound = strip_index_lower_bound(mesh);
   const std::vector<std::string> faults = find_faults(mesh);
@@ -120,7 +118,8 @@ int run(const StripifyCommand& command) {
       command.mesh.string(), triangles, left_out, strips.size(), connected_components(mesh),
       per_triangle(indices.size()), per_triangle(bound), swaps, cache_misses, seconds);
   if (in_file.cut != 0)
-    text += fmt::format("cut {} times, where a strip of the file goes on and no dual edge is\n", in_file.cut);
+    text += fmt::format("strips of the file cut at {} place{}: consecutive triangles share no edge\n", in_file.cut,
+                        in_file.cut == 1 ? "" : "s");
   // A closed mesh has no seams.
   const bool has_seams = report.boundary_edges != 0;
   text += hints(has_seams ? coincident_vertices(soup) : 0, has_seams ? vertices_at_seams(soup) : 0,
@@ -136,7 +135,7 @@ Subcommand add_stripify(CLI::App& app) {
   const auto kept = std::make_shared<StripifyCommand>();
   StripifyCommand& command = *kept;
   CLI::App* sub = app.add_subcommand("stripify", "Make the strips of a mesh from scratch, and write them");
-  sub->add_option("mesh", command.mesh, mesh_formats())->required();
+  sub->add_option("mesh", command.mesh, help_of_mesh())->required();
   sub->add_option("-o,--output", command.out, strip_formats());
   const auto* gltf = add_gltf_option(*sub, command.gltf);
   const auto* effort = sub->add_option_function<std::string>(
