@@ -61,7 +61,7 @@ std::string obj_in_order(const StripFile& file, GltfPrimitives /*primitives*/) {
   return obj_bytes(soup);
 }
 
-const std::array all_formats{
+constexpr std::array all_formats{
     MeshFormat{.extension = ".obj",
                .read = with_attributes<read_obj>,
                .write_mesh = obj_bytes,

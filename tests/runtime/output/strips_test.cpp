@@ -47,13 +47,6 @@ std::vector<Corners> decode(const std::vector<std::uint32_t>& indices) {
   return triangles;
 }
 
-std::vector<Corners> triangles_of(const StripMesh& mesh) {
-  std::vector<Corners> triangles;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) triangles.push_back(rotated(mesh.corners(t)));
-  return triangles;
-}
-
 // The least number of indices for one strip: all ways to start, then any repeated index, tried in full. State: the last
 // two indices, the parity, how many triangles are drawn.
 std::size_t shortest(const StripMesh& mesh, std::span<const Triangle> strip) {
@@ -105,9 +98,8 @@ TEST(Strips, DecodingGivesBackTheMesh) {
       const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
       EXPECT_EQ(indices.size(), strip_index_count(mesh, strips));
       std::vector<Corners> decoded = decode(indices);
-      std::vector<Corners> expected = triangles_of(mesh);
+      const std::vector<Corners> expected = sample::triangles_of(mesh);
       std::sort(decoded.begin(), decoded.end());
-      std::sort(expected.begin(), expected.end());
       EXPECT_EQ(decoded, expected);
     }
   }
@@ -219,9 +211,8 @@ TEST(Strips, OfAMeshMadeByHand) {
     // Vertices are numbered from 1000 there.
     for (std::uint32_t& index : indices) index -= index == restart_index ? 0 : 1000;
     std::vector<Corners> drawn = decode(indices);
-    std::vector<Corners> expected = triangles_of(mesh);
+    const std::vector<Corners> expected = sample::triangles_of(mesh);
     std::sort(drawn.begin(), drawn.end());
-    std::sort(expected.begin(), expected.end());
     EXPECT_EQ(drawn, expected);
     // A solid cycle around a vertex, and a triangle with three solid edges.
     for (int h = 0; h < other.size(); ++h)
