@@ -106,7 +106,9 @@ Subcommand add_convert(CLI::App& app) {
   const auto kept = std::make_shared<ConvertCommand>();
   ConvertCommand& command = *kept;
   CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format; strips of the file stay strips");
-  sub->add_option("mesh", command.mesh, help_of_mesh("the finest level, but where baked becomes baked"))->required();
+  sub->add_option("mesh", command.mesh,
+                  help_of_mesh("the finest level, unless a baked one is written as .baked or .glb"))
+      ->required();
   sub->add_option("-o,--output", command.out,
                   list_in_words(extensions_of(writes_any), "or") +
                       "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none; "

@@ -75,7 +75,7 @@ TEST(Walks, VisitWhatALookThroughAllTrianglesFinds) {
 }
 
 TEST(Walks, RingsAndComponentsAreThoseOfThePairsOfNeighbors) {
-  for (const StripMesh& mesh : sample::meshes()) {
+  for (const StripMesh& mesh : sample::manifold_meshes()) {
     const auto pairs = neighbors(mesh);
     naive::UnionFind components(mesh.triangle_bound());
     std::size_t count = mesh.triangle_count();
