@@ -31,12 +31,12 @@ while read -r file; do
     tests/*_test.py) scripts+=("${name%_test}") ;;
     tools/app/*_command.cpp)  # the tests that call the subcommand
       word=${name%_command}
-      while read -r test; do scripts+=("$(basename "${test%_test.py}")"); done < <(grep -lE "[\"' ]${word//_/-}[\"' ]" tests/tools/*_test.py)
+      while read -r test; do scripts+=("$(basename "${test%_test.py}")"); done < <(grep -lE "[\"' ]${word//_/-}[\"' ]" tests/tools/*_test.py || true)
       ;;
     *.cpp | *.hpp)
       while read -r test; do sources[$test]=1; done < <(git ls-files -co --exclude-standard "tests/*/${name}_test.cpp" "tests/${name}_test.cpp")
       [[ $file != *.hpp ]] ||
-        while read -r test; do sources[$test]=1; done < <(grep -rlE "^#include \"(.*/)?$name\.hpp\"" tests --include='*_test.cpp')
+        while read -r test; do sources[$test]=1; done < <(grep -rlE "^#include \"(.*/)?$name\.hpp\"" tests --include='*_test.cpp' || true)
       ;;
   esac
 done < <(printf '%s\n' "${changed[@]}")

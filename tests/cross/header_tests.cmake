@@ -1,7 +1,6 @@
 # Each public header of the runtime has a test of its name: tests/runtime has the folders of runtime/include/restrip, and
-# tests/adapters has the adapters to other libraries. The test includes its header and has tests in it.
-
-cmake_policy(SET CMP0057 NEW)  # IN_LIST
+# tests/adapters has the adapters to other libraries. The test includes it before the others of ours, so that where the test
+# is compiled alone (every preset without shared units) the header is seen to stand by itself.
 
 # judge(HEADER TEST OUT): what is wrong with TEST, a file, as the test of HEADER, a path from runtime/include; empty: nothing.
 function(judge header test out)
@@ -12,8 +11,12 @@ function(judge header test out)
   endif()
   file(STRINGS ${test} includes REGEX "^#include \"restrip/")
   file(STRINGS ${test} tests REGEX "^(TYPED_)?TEST(_F|_P)?\\(")
-  if(NOT "#include \"${header}\"" IN_LIST includes)
-    set(${out} "${test} does not include it" PARENT_SCOPE)
+  set(first "")
+  if(includes)
+    list(GET includes 0 first)
+  endif()
+  if(NOT first STREQUAL "#include \"${header}\"")
+    set(${out} "${test} does not include it before all others" PARENT_SCOPE)
   elseif(NOT tests)
     set(${out} "${test} tests nothing" PARENT_SCOPE)
   endif()

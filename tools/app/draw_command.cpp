@@ -23,6 +23,7 @@
 #include "files/reading.hpp"
 #include "lod/coloring_check.hpp"
 #include "meshes/made_mesh.hpp"
+#include "meshes/soup_builder.hpp"
 #include "meshes/text_cursor.hpp"
 #include "pictures/picture_file.hpp"
 #include "pictures/scene.hpp"

@@ -14,6 +14,7 @@
 #include "files/output.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
+#include "meshes/soup_builder.hpp"
 #include "meshes/strip_file.hpp"
 #include "replay/replay_text.hpp"
 #include "replay/walk.hpp"

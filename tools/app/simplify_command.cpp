@@ -12,6 +12,7 @@
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "lod/mesh_files.hpp"
+#include "meshes/soup_builder.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {
