@@ -20,6 +20,7 @@
 #include "naive_patch.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/adopt.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
 
@@ -439,24 +440,6 @@ TEST(Operations, LargeFansGetTheBestColors) {
   EXPECT_GT(splits, 50U);
 }
 
-// All triangles are isolated, and each finds an isolated neighbour. So no triangle around the vertex stays isolated,
-// whichever spoke it begins at.
-TEST(Operations, AdoptionGoesAroundTheWholeFan) {
-  for (const StripMesh& mesh : {sample::rectangle(4, 3), sample::tube(5, 2), sample::octahedron()})
-    for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
-      std::vector<Halfedge> spokes;
-      for_each_spoke(mesh, v, [&](Halfedge h) { spokes.push_back(h); });
-      for (const Halfedge start : spokes) {
-        StripMesh copy = mesh;
-        const Mending done = adopt_around(copy, start);
-        EXPECT_EQ(static_cast<long>(check_coloring(copy).isolated),
-                  static_cast<long>(mesh.triangle_count()) + done.isolated);
-        for (const Halfedge h : spokes)
-          EXPECT_TRUE(StripMesh::on_boundary(h) || copy.solid_degree(StripMesh::triangle(h)) > 0) << "vertex " << v;
-      }
-    }
-}
-
 // Four triangles, the one in the middle in a strip with two of the others: whoever adopts the third isolates another,
 // however often it is passed on. So nothing changes.
 TEST(Operations, AdoptionThatFailsChangesNothing) {
@@ -487,8 +470,8 @@ TEST(Operations, AdoptionLeavesFewAlone) {
       if (walk.mesh.solid(side)) walk.mesh.set_solid(side, false);
     const ColoringReport before = check_coloring(walk.mesh);
     const Mending done = n % 3 == 0   ? adopt(walk.mesh, h)
-                         : n % 3 == 1 ? adopt_around(walk.mesh, h)
-                                      : adopt_after_flip(walk.mesh, h);
+                         : n % 3 == 1 ? join_around(walk.mesh, h)
+                                      : join_beside(walk.mesh, h);
     const ColoringReport after = check_coloring(walk.mesh);
     ASSERT_TRUE(after.valid);
     ASSERT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + done.strips);
