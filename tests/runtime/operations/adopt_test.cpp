@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <random>
-#include <vector>
 
 #include "random_operation.hpp"
-#include "restrip/mesh/walks.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
@@ -16,24 +15,6 @@ namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-
-// All triangles are isolated, and each finds an isolated neighbour. So no triangle around the vertex stays isolated,
-// whichever spoke it begins at.
-TEST(Adopt, GoesAroundTheWholeFan) {
-  for (const StripMesh& mesh : {sample::rectangle(4, 3), sample::tube(5, 2), sample::octahedron()})
-    for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
-      std::vector<Halfedge> spokes;
-      for_each_spoke(mesh, v, [&](Halfedge h) { spokes.push_back(h); });
-      for (const Halfedge start : spokes) {
-        StripMesh copy = mesh;
-        const Mending done = adopt_around(copy, start);
-        EXPECT_EQ(static_cast<long>(check_coloring(copy).isolated),
-                  static_cast<long>(mesh.triangle_count()) + done.isolated);
-        for (const Halfedge h : spokes)
-          EXPECT_TRUE(StripMesh::on_boundary(h) || copy.solid_degree(StripMesh::triangle(h)) > 0) << "vertex " << v;
-      }
-    }
-}
 
 // Four triangles, the one in the middle in a strip with two of the others: whoever adopts the third isolates another,
 // however often it is passed on. So nothing changes.
@@ -64,7 +45,7 @@ TEST(Adopt, LeavesFewAlone) {
     for (const Halfedge side : {h, StripMesh::next(h), StripMesh::next(StripMesh::next(h))})
       if (mesh.solid(side)) mesh.set_solid(side, false);
     const ColoringReport before = check_coloring(mesh);
-    const Mending done = n % 3 == 0 ? adopt(mesh, h) : n % 3 == 1 ? adopt_around(mesh, h) : adopt_after_flip(mesh, h);
+    const Mending done = n % 3 == 0 ? adopt(mesh, h) : n % 3 == 1 ? join_around(mesh, h) : join_beside(mesh, h);
     const ColoringReport after = check_coloring(mesh);
     ASSERT_TRUE(after.valid);
     ASSERT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + done.strips);

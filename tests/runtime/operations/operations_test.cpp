@@ -20,6 +20,7 @@
 #include "naive_patch.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/adopt.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
 
