@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "keepers.hpp"
 #include "restrip.h"
 #include "restrip/restrip.hpp"
 
@@ -62,8 +61,7 @@ class Live {
 }  // namespace restrip::c
 
 struct restrip_mesh {
-  using Keeper =
-      std::variant<restrip::c::BareKeeper, restrip::StripKeeper, restrip::IndexKeeper, restrip::c::LevelKeeper>;
+  using Keeper = restrip::Keeper<restrip::StripMesh>;
 
   // In this order: a keeper points to the mesh and the file, so a restrip_mesh stays where it is.
   const std::unique_ptr<const restrip::BakedFile> file;  // of a baked mesh
@@ -73,14 +71,9 @@ struct restrip_mesh {
   Keeper keeper;
 
   explicit restrip_mesh(restrip::StripMesh built)
-      : mesh(std::move(built)),
-        policy(RESTRIP_POLICY_LOCAL),
-        keeper(restrip::StripKeeper(mesh, restrip::Policy::local)) {}
+      : mesh(std::move(built)), policy(RESTRIP_POLICY_LOCAL), keeper(mesh, restrip::Policy::local) {}
   explicit restrip_mesh(std::unique_ptr<const restrip::BakedFile> baked)
-      : file(std::move(baked)),
-        mesh(base_of(*file)),
-        policy(RESTRIP_POLICY_BAKED),
-        keeper(restrip::c::LevelKeeper(mesh, *file)) {}
+      : file(std::move(baked)), mesh(base_of(*file)), policy(RESTRIP_POLICY_BAKED), keeper(mesh, file->records) {}
   /// With room for all levels.
   static restrip::StripMesh base_of(const restrip::BakedFile& file) {
     restrip::StripMesh base = file.mesh;
@@ -91,20 +84,21 @@ struct restrip_mesh {
   restrip_mesh& operator=(const restrip_mesh&) = delete;
   ~restrip_mesh() = default;
 
-  /// An operation, by the keeper.
-  template <class Operation>
-  auto kept(Operation&& operation) {
-    return std::visit(std::forward<Operation>(operation), keeper);
-  }
-  template <class Question>
-  [[nodiscard]] auto asked(Question&& question) const {
-    return std::visit(std::forward<Question>(question), keeper);
-  }
+  /// At a level that is baked; false for meshes that are not baked, and under another policy.
+  [[nodiscard]] bool in_step() const noexcept { return keeper.baked() != nullptr && keeper.baked()->in_step(); }
 
-  /// Null for meshes that are not baked, and under another policy.
-  [[nodiscard]] restrip::c::LevelKeeper* levels() noexcept { return std::get_if<restrip::c::LevelKeeper>(&keeper); }
-  [[nodiscard]] const restrip::c::LevelKeeper* levels() const noexcept {
-    return std::get_if<restrip::c::LevelKeeper>(&keeper);
+  /// Plays at most `most` records towards a level that there is, in step. Returns how many were played.
+  std::size_t move(std::size_t level, std::size_t most) {
+    std::size_t done = 0;
+    for (std::size_t at = keeper.baked()->level(); at != level && done < most; at = keeper.baked()->level(), ++done) {
+      const bool up = at < level;
+      const restrip::BakedSplit& split = file->splits[up ? at : at - 1];
+      if (up)
+        keeper.split_record(at, restrip::spokes_of(mesh, split), split.v_t);
+      else
+        keeper.collapse_record(at - 1, mesh.spoke(split.v_s, split.v_t));
+    }
+    return done;
   }
 
   /// Changes colours or the whole mesh, not through the keeper; whatever happens, keeper and live buffer know it.
@@ -116,7 +110,7 @@ struct restrip_mesh {
         if (self->live) self->mesh.watch(self->live->changed());
         // Without memory the keeper reads the mesh before its next operation.
         try {
-          self->kept([](auto& own) { own.rebuild(); });
+          self->keeper.rebuild();
         } catch (...) {
         }
       }
@@ -124,7 +118,7 @@ struct restrip_mesh {
     const Afterwards afterwards{this};
     mesh.watch(nullptr);
     if (live) live->forget();
-    if (levels() != nullptr) levels()->leave_step();
+    if (keeper.baked() != nullptr) keeper.baked()->leave_step();
     work(mesh);
   }
 };

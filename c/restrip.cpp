@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "keepers.hpp"
 #include "mesh.hpp"
 #include "restrip/operations/batch.hpp"
 #include "restrip/restrip.hpp"
@@ -76,7 +75,7 @@ template <class Operation>
 restrip_status done(restrip_mesh* mesh, Refusal refusal, restrip_change* change, Operation&& operation) noexcept {
   if (refusal != Refusal::granted) return status_of(refusal);
   return guarded([&] {
-    const auto rewrite = mesh->kept(operation);
+    const auto rewrite = operation(mesh->keeper);
     if (change != nullptr) *change = {rewrite.halfedge.id, rewrite.valence, rewrite.strips, rewrite.isolated};
     return RESTRIP_OK;
   });
@@ -145,6 +144,12 @@ restrip_status indices_of(const restrip_mesh* mesh, Index* out, std::size_t capa
 }
 
 static_assert(RESTRIP_NONE == none);
+static_assert(RESTRIP_POLICY_BARE == static_cast<int>(Policy::bare) &&
+              RESTRIP_POLICY_RULES == static_cast<int>(Policy::rules) &&
+              RESTRIP_POLICY_LOCAL == static_cast<int>(Policy::local) &&
+              RESTRIP_POLICY_LINKED == static_cast<int>(Policy::linked) &&
+              RESTRIP_POLICY_QUICK == static_cast<int>(Policy::quick) &&
+              RESTRIP_POLICY_FULL == static_cast<int>(Policy::full) && RESTRIP_POLICY_BAKED == policies.size());
 
 }  // namespace
 
@@ -252,8 +257,7 @@ restrip_status restrip_mesh_check(const restrip_mesh* mesh, restrip_coloring* co
 restrip_status restrip_mesh_strip_count(const restrip_mesh* mesh, std::size_t* strips) {
   if (any_null(mesh, strips)) return RESTRIP_NULL_ARGUMENT;
   return guarded([&] {
-    *strips = mesh->asked(
-        [&](const auto& keeper) { return keeper.up_to_date() ? keeper.strips() : count_strips(mesh->mesh); });
+    *strips = mesh->keeper.up_to_date() ? mesh->keeper.strips() : count_strips(mesh->mesh);
     return RESTRIP_OK;
   });
 }
@@ -277,16 +281,9 @@ restrip_status restrip_mesh_keep(restrip_mesh* mesh, std::int32_t policy, const 
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   Policy how{};
   Cost what;
-  const bool bare = policy == RESTRIP_POLICY_BARE;
-  if (!bare && (policy < 1 || !restrip::c::named(policy - 1, Policy::full, how))) return RESTRIP_BAD_ARGUMENT;
-  if (!restrip::c::cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
+  if (!restrip::c::named(policy, Policy::full, how) || !restrip::c::cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    if (bare)
-      mesh->keeper = restrip::c::BareKeeper(mesh->mesh);
-    else if (what == Cost::strips())
-      mesh->keeper = StripKeeper(mesh->mesh, how);
-    else
-      mesh->keeper = IndexKeeper(mesh->mesh, how, what);
+    mesh->keeper = restrip_mesh::Keeper(mesh->mesh, how, what);
     mesh->policy = policy;
     return RESTRIP_OK;
   });
@@ -313,23 +310,21 @@ restrip_status restrip_mesh_flip(restrip_mesh* mesh, restrip_halfedge h, restrip
 }
 restrip_status restrip_mesh_split_face(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return done(mesh, check_split_face(mesh->mesh, {h}), change,
-              [&](auto& keeper) { return restrip::c::split_face(keeper, {h}); });
+  return done(mesh, check_split_face(mesh->mesh, {h}), change, [&](auto& keeper) { return keeper.split_face({h}); });
 }
 restrip_status restrip_mesh_join_faces(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   const restrip_status status = restrip_mesh_check_join_faces(mesh, h);
   if (status != RESTRIP_OK) return status;
-  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return restrip::c::join_faces(keeper, {h}); });
+  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.join_faces({h}); });
 }
 restrip_status restrip_mesh_bisect(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
-  return done(mesh, check_bisect(mesh->mesh, {h}), change,
-              [&](auto& keeper) { return restrip::c::bisect(keeper, {h}); });
+  return done(mesh, check_bisect(mesh->mesh, {h}), change, [&](auto& keeper) { return keeper.bisect({h}); });
 }
 restrip_status restrip_mesh_merge(restrip_mesh* mesh, restrip_halfedge h, restrip_change* change) {
   const restrip_status status = restrip_mesh_check_merge(mesh, h);
   if (status != RESTRIP_OK) return status;
-  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return restrip::c::merge(keeper, {h}); });
+  return done(mesh, Refusal::granted, change, [&](auto& keeper) { return keeper.merge({h}); });
 }
 restrip_status restrip_mesh_check_split(const restrip_mesh* mesh, restrip_halfedge left, restrip_halfedge right,
                                         std::uint32_t v_t) {
@@ -381,16 +376,11 @@ restrip_status restrip_mesh_collapse_batch(restrip_mesh* mesh, const restrip_hal
 
 restrip_status restrip_mesh_improve(restrip_mesh* mesh, std::size_t budget, std::size_t* saved) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  if (mesh->in_step()) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    return mesh->kept([&](auto& keeper) -> restrip_status {
-      if constexpr (requires { keeper.improve(budget); }) {
-        const std::size_t less = keeper.improve(budget);
-        if (saved != nullptr) *saved = less;
-        return RESTRIP_OK;
-      } else {
-        return RESTRIP_BAD_ARGUMENT;
-      }
-    });
+    const std::size_t less = mesh->keeper.improve(budget);
+    if (saved != nullptr) *saved = less;
+    return RESTRIP_OK;
   });
 }
 
@@ -486,17 +476,17 @@ std::size_t restrip_baked_levels(const restrip_mesh* mesh) {
 restrip_status restrip_baked_level(const restrip_mesh* mesh, std::size_t* level) {
   if (any_null(mesh, level)) return RESTRIP_NULL_ARGUMENT;
   if (!mesh->file) return RESTRIP_NOT_BAKED;
-  if (mesh->levels() == nullptr || !mesh->levels()->in_step()) return RESTRIP_OUT_OF_STEP;
-  *level = mesh->levels()->level();
+  if (!mesh->in_step()) return RESTRIP_OUT_OF_STEP;
+  *level = mesh->keeper.baked()->level();
   return RESTRIP_OK;
 }
 restrip_status restrip_baked_move(restrip_mesh* mesh, std::size_t level, std::size_t most, std::size_t* done) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   if (!mesh->file) return RESTRIP_NOT_BAKED;
   if (level > mesh->file->splits.size()) return RESTRIP_BAD_ARGUMENT;
-  if (mesh->levels() == nullptr || !mesh->levels()->in_step()) return RESTRIP_OUT_OF_STEP;
+  if (!mesh->in_step()) return RESTRIP_OUT_OF_STEP;
   return guarded([&] {
-    const std::size_t played = mesh->levels()->move(level, most);
+    const std::size_t played = mesh->move(level, most);
     if (done != nullptr) *done = played;
     return RESTRIP_OK;
   });
@@ -507,7 +497,7 @@ restrip_status restrip_baked_restart(restrip_mesh* mesh) {
   return guarded([&] {
     StripMesh base = restrip_mesh::base_of(*mesh->file);
     mesh->recolor([&](StripMesh& own) { own = std::move(base); });
-    mesh->keeper = restrip::c::LevelKeeper(mesh->mesh, *mesh->file);
+    mesh->keeper = restrip_mesh::Keeper(mesh->mesh, mesh->file->records);
     mesh->policy = RESTRIP_POLICY_BAKED;
     return RESTRIP_OK;
   });

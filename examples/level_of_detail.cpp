@@ -31,7 +31,7 @@ struct Record {
 int main() {
   StripMesh mesh = sheet(60);
   restrip::stripify(mesh, restrip::Effort::full);
-  restrip::StripKeeper keeper(mesh, restrip::Policy::quick);
+  restrip::Keeper keeper(mesh, restrip::Policy::quick);
 
   std::vector<restrip::Triangle> changed;
   mesh.watch(&changed);

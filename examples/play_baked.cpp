@@ -49,7 +49,7 @@ restrip::BakedRecords<StripMesh::Halfedge> bake(const StripMesh& base, const std
   restrip::BakedRecords<StripMesh::Halfedge> baked;
   StripMesh wanted = base;
   StripMesh plain = base;
-  restrip::StripKeeper keeper(wanted, restrip::Policy::full);
+  restrip::Keeper keeper(wanted, restrip::Policy::full);
   for (const SplitRecord& record : records) {
     keeper.split(record.where(wanted), record.v_t);
     restrip::split_baked(plain, record.where(plain), {}, record.v_t);

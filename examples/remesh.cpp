@@ -253,7 +253,7 @@ void run(const Surface& start, bool timed) {
                                     {restrip::Policy::quick, "kept, quick"},
                                     {restrip::Policy::full, "kept, full"}}) {
     Surface kept = striped;
-    restrip::StripKeeper keeper(kept.mesh, policy);
+    restrip::Keeper keeper(kept.mesh, policy);
     Row& row = rows.emplace_back(Row{way});
     const bool same = remesh(keeper, kept.points, length, row) == operations;
     const restrip::ColoringReport counted = restrip::check_coloring(kept.mesh);

@@ -48,7 +48,7 @@ extern "C" {
 /* The number of this interface. It is part of the name of the shared library (librestrip_c.so.1) and goes up when a
  * program that was compiled with an older header can no longer use the library. New functions and new codes do not
  * change it. */
-#define RESTRIP_ABI_VERSION 1
+#define RESTRIP_ABI_VERSION 2
 
 /* RESTRIP_ABI_VERSION as the library was compiled: for programs that load it at run time. */
 RESTRIP_API uint32_t restrip_abi_version(void);
@@ -210,11 +210,12 @@ RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t eff
 /* Policies: how far an operation looks to keep strips long, and what it costs against the mesh update alone. */
 enum {
   RESTRIP_POLICY_BARE = 0,   /* strips are not kept: dual edges of triangles that change become dashed */
-  RESTRIP_POLICY_LOCAL = 1,  /* the proven rules, at the patch alone; about twice */
-  RESTRIP_POLICY_LINKED = 2, /* along the strips that touch the patch; some four times */
-  RESTRIP_POLICY_QUICK = 3,  /* small searches; some twenty times */
-  RESTRIP_POLICY_FULL = 4,   /* large searches; some hundred times */
-  RESTRIP_POLICY_BAKED = 5   /* of restrip_baked_read: what was stored is played; restrip_mesh_keep refuses it */
+  RESTRIP_POLICY_RULES = 1,  /* the proven rules, at the patch alone; about twice */
+  RESTRIP_POLICY_LOCAL = 2,  /* the same, and ends of strips that meet are joined; some three times */
+  RESTRIP_POLICY_LINKED = 3, /* along the strips that touch the patch; some four times */
+  RESTRIP_POLICY_QUICK = 4,  /* small searches; some twenty times */
+  RESTRIP_POLICY_FULL = 5,   /* large searches; some hundred times */
+  RESTRIP_POLICY_BAKED = 6   /* of restrip_baked_read: what was stored is played; restrip_mesh_keep refuses it */
 };
 /* From now on operations keep the strips by this policy, for this cost (docs/strips.md has figures). O(T). A baked mesh
  * leaves its levels by it. After an error the policy is what it was. */
@@ -298,8 +299,8 @@ RESTRIP_API restrip_status restrip_mesh_collapse_batch(restrip_mesh* mesh, const
                                                        uint32_t threads, restrip_change* changes, size_t fault[2]);
 
 /* Background work between operations: looks at about `budget` states of searches, a few hundred nanoseconds each.
- * `saved` may be null, or receives by how much the cost is lower. RESTRIP_BAD_ARGUMENT under RESTRIP_POLICY_BARE and
- * RESTRIP_POLICY_BAKED, which have no search. */
+ * `saved` may be null, or receives by how much the cost is lower. RESTRIP_BAD_ARGUMENT while a baked level is
+ * played, which it would leave. */
 RESTRIP_API restrip_status restrip_mesh_improve(restrip_mesh* mesh, size_t budget, size_t* saved);
 
 /* ---- Strips and index buffers out -------------------------------------------------------------- */

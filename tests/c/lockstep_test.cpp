@@ -15,7 +15,6 @@
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/rules/rules.hpp"
-#include "restrip/search/index_keeper.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "runtime/sample_meshes.hpp"
@@ -247,7 +246,7 @@ TEST(CInterface, IsInStepWithTheLibrary) {
   std::mt19937 random(16);
   Told told;
   for (const StripMesh& start : sample::meshes())
-    for (int policy = RESTRIP_POLICY_LOCAL; policy <= RESTRIP_POLICY_FULL; ++policy)
+    for (int policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_FULL; ++policy)
       for (const bool by_indices : {false, true}) {
         StripMesh mine = start;
         const Handle mesh = handle_of(start);
@@ -259,14 +258,8 @@ TEST(CInterface, IsInStepWithTheLibrary) {
         ASSERT_EQ(colors_of(mesh.get()), colors_of(mine));
         ASSERT_EQ(restrip_mesh_keep(mesh.get(), policy, cost), RESTRIP_OK);
         ASSERT_EQ(restrip_mesh_policy(mesh.get()), policy);
-        const auto how = static_cast<Policy>(policy - 1);
-        if (by_indices) {
-          IndexKeeper keeper(mine, how);
-          play_beside(mesh.get(), keeper, random, told);
-        } else {
-          StripKeeper keeper(mine, how);
-          play_beside(mesh.get(), keeper, random, told);
-        }
+        Keeper keeper(mine, static_cast<Policy>(policy), by_indices ? Cost::indices() : Cost::strips());
+        play_beside(mesh.get(), keeper, random, told);
         if (HasFatalFailure()) FAIL() << "policy " << policy;
       }
   EXPECT_GT(told.done, 2000U);
@@ -283,7 +276,7 @@ TEST(CInterface, BareOperationsTellWhatCountingFinds) {
       const Handle mesh = handle_of(start);
       ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_BARE, nullptr), RESTRIP_OK);
       ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, nullptr, 0, nullptr), RESTRIP_OK);
-      StripKeeper keeper(mine, Policy::local);
+      Keeper keeper(mine, Policy::local);
       play(mesh.get(), random, 120, told, [&](const Move& move, restrip_status status, const restrip_change& change) {
         const auto [refusal, rewrite] = apply(keeper, move);
         ASSERT_EQ(status, static_cast<restrip_status>(refusal));

@@ -116,7 +116,7 @@ void by_keeper(restrip::Policy policy, const char* what) {
   std::vector<Triangle> changed;
   mesh.watch(&changed);
   restrip::StripBuffer buffer(mesh);
-  restrip::StripKeeper keeper(mesh, policy);
+  restrip::Keeper keeper(mesh, policy);
   down_and_up(
       mesh, [&](Halfedge h) { restrip::checked_collapse(keeper, h); },
       [&](const restrip::VertexSplit<Halfedge>& where) { restrip::checked_split(keeper, where); });

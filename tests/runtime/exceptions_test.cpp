@@ -277,7 +277,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
         if (!possible) continue;
         for (std::size_t allocation = 0;; ++allocation) {
           StripMesh mesh = colored;
-          StripKeeper keeper(mesh, policy);
+          Keeper keeper(mesh, policy);
           const auto operate = [&] {
             if (round % 3 == 0) keeper.split(where);
             if (round % 3 == 1) keeper.collapse(h);

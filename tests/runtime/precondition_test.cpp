@@ -124,11 +124,11 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   EXPECT_REFUSED(flip_and_link(mesh, {}), "flip_and_link", no_such_edge);
   EXPECT_REFUSED(mesh.turn_edge({}), "StripMesh::turn_edge", no_such_edge);
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
-    StripKeeper keeper(mesh, policy);
-    EXPECT_REFUSED(keeper.split(same), "StripKeeper::split", same_spoke);
-    EXPECT_REFUSED(keeper.split({mesh.spoke(4, 0), mesh.spoke(4, 1)}, 2), "StripKeeper::split", vertex_in_use);
-    EXPECT_REFUSED(keeper.collapse({}), "StripKeeper::collapse", no_such_edge);
-    EXPECT_REFUSED(keeper.flip({}), "StripKeeper::flip", no_such_edge);
+    Keeper keeper(mesh, policy);
+    EXPECT_REFUSED(keeper.split(same), "Keeper::split", same_spoke);
+    EXPECT_REFUSED(keeper.split({mesh.spoke(4, 0), mesh.spoke(4, 1)}, 2), "Keeper::split", vertex_in_use);
+    EXPECT_REFUSED(keeper.collapse({}), "Keeper::collapse", no_such_edge);
+    EXPECT_REFUSED(keeper.flip({}), "Keeper::flip", no_such_edge);
   }
   const BakedRecords<Halfedge> records;
   BakedPlayer player(mesh, records);

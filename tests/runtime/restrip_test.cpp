@@ -14,7 +14,7 @@ TEST(OneInclude, IsEnough) {
   std::vector<Triangle> changed;
   mesh.watch(&changed);
   StripBuffer buffer(mesh);
-  StripKeeper keeper(mesh, Policy::quick);
+  Keeper keeper(mesh, Policy::quick);
   const StripMesh::Halfedge spoke = mesh.spoke(4);
   const Checked up = checked_split(keeper, {spoke, turn_ccw(mesh, turn_ccw(mesh, spoke))});
   ASSERT_TRUE(up);

@@ -69,7 +69,7 @@ TEST(Complexity, OperationsAreLinearInTheValenceUnderEveryPolicy) {
       }
       for (std::size_t p = 0; p < std::size(policies); ++p) {
         StripMesh mesh = start;
-        StripKeeper keeper(mesh, policies[p]);
+        Keeper keeper(mesh, policies[p]);
         Halfedge chord;
         split[p][size] = work_of([&] { chord = keeper.split(middle_of_the_fan(mesh, k)).halfedge; });
         collapse[p][size] = work_of([&] { keeper.collapse(chord); });
@@ -263,7 +263,7 @@ TEST(Complexity, OperationsAllocateNothing) {
     StripMesh mesh = sample::double_cone(40);
     stripify(mesh);
     mesh.reserve(200, 200);
-    StripKeeper keeper(mesh, policy);
+    Keeper keeper(mesh, policy);
     keeper.reserve(200);
     std::uint64_t allocations = 0;
     for (int round = 0; round < 40; ++round) {

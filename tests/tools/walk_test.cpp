@@ -87,8 +87,8 @@ TEST(Walk, FindsWhatIsKeptWrongBesideTheMesh) {
 
 TEST(Walk, FindsCountersThatAreWrong) {
   struct Meddles : Operations {
-    IndexKeeper keeper;
-    explicit Meddles(StripMesh& on) : Operations(on), keeper(on, Policy::local) {}
+    Keeper<StripMesh> keeper;
+    explicit Meddles(StripMesh& on) : Operations(on), keeper(on, Policy::local, Cost::indices()) {}
     [[nodiscard]] std::string fault() const { return find_fault(keeper); }
   };
   StripMesh mesh = stripified(make_mesh(500));

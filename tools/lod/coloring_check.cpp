@@ -152,7 +152,7 @@ std::size_t count_swaps(const StripMesh& mesh, std::span<const Triangle> strip) 
 
 }  // namespace
 
-std::string find_fault(const IndexKeeper& keeper) {
+std::string find_fault(const Keeper<StripMesh>& keeper) {
   const Strips strips = extract_strips(keeper.mesh());
   std::size_t swaps = 0;
   std::size_t isolated = 0;

@@ -9,7 +9,7 @@
 
 #include "meshes/soup.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/search/index_keeper.hpp"
+#include "restrip/search/keeper.hpp"
 #include "restrip/search/strip_locator.hpp"
 
 namespace restrip::tools {
@@ -37,6 +37,6 @@ inline constexpr std::size_t farthest_cycle = 4096;
 [[nodiscard]] std::string find_fault(const StripMesh& mesh, const StripLocator& locator);
 
 /// Are the strips, swaps and isolated triangles of the mesh as many as its keeper says? Empty when they are.
-[[nodiscard]] std::string find_fault(const IndexKeeper& keeper);
+[[nodiscard]] std::string find_fault(const Keeper<StripMesh>& keeper);
 
 }  // namespace restrip::tools

@@ -6,9 +6,7 @@
 #include "lod/coloring_check.hpp"
 #include "lod/handle_order.hpp"
 #include "replay/paper_ways.hpp"
-#include "restrip/operations/baked.hpp"
-#include "restrip/operations/operations.hpp"
-#include "restrip/search/index_keeper.hpp"
+#include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {
@@ -26,85 +24,58 @@ struct Bare {
   Halfedge flip(Halfedge h) { return mesh.turn_edge(h); }
 };
 
-struct Rules {
-  StripMesh& mesh;
-  explicit Rules(StripMesh& on) : mesh(on) {}
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) { return restrip::split(mesh, where, v_t); }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) { return restrip::collapse(mesh, chord); }
-  Rewrite<Halfedge> flip(Halfedge h) { return restrip::flip(mesh, h); }
-};
-
+/// By the library, under a policy or by baked strips.
 struct Kept {
-  StripKeeper keeper;
-  Kept(StripMesh& mesh, Policy policy, Search search) : keeper(mesh, policy) { keeper.set_search(search); }
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) { return keeper.split(where, v_t); }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) { return keeper.collapse(chord); }
-  Rewrite<Halfedge> flip(Halfedge h) { return keeper.flip(h); }
-  void restart(std::size_t) { keeper.rebuild(); }
-  [[nodiscard]] std::string fault() const {
-    return keeper.locator() != nullptr ? find_fault(keeper.mesh(), *keeper.locator()) : std::string();
-  }
-};
+  Keeper<StripMesh> keeper;
+  const BakedRecords<Halfedge>* records = nullptr;
+  Witness witness;
 
-/// The same under another cost than strips.
-struct KeptLow {
-  IndexKeeper keeper;
-  KeptLow(StripMesh& mesh, Policy policy, const Beginning& with) : keeper(mesh, policy, with.cost) {
-    IndexPlan plan = plan_of(policy);
+  Kept(StripMesh& mesh, Policy policy, const Beginning& with) : keeper(mesh, policy, with.cost) {
+    keeper.set_search(with.search);
+    IndexPlan plan = row_of(policy).plan;
     plan.limits.looks = with.search.states;
     keeper.set_plan(plan);
   }
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) { return keeper.split(where, v_t); }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) { return keeper.collapse(chord); }
-  Rewrite<Halfedge> flip(Halfedge h) { return keeper.flip(h); }
-  void restart(std::size_t) { keeper.rebuild(); }
-  [[nodiscard]] std::string fault() const { return find_fault(keeper); }
-};
+  Kept(StripMesh& mesh, const BakedRecords<Halfedge>& of) : keeper(mesh, of), records(&of) {}
 
-struct Baked {
-  StripMesh& mesh;
-  const BakedRecords<Halfedge>& records;
-  BakedPlayer<StripMesh> player;
-  Witness witness;
-  Baked(StripMesh& on, const BakedRecords<Halfedge>& of) : mesh(on), records(of), player(on, of) {}
   Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t record) {
-    return player.split(record, where, v_t);
+    return records != nullptr ? keeper.split_record(record, where, v_t) : keeper.split(where, v_t);
   }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) { return player.collapse(record, chord); }
-  Rewrite<Halfedge> flip(Halfedge h) {
-    player.leave_step();
-    return flip_and_join(mesh, h);
+  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) {
+    return records != nullptr ? keeper.collapse_record(record, chord) : keeper.collapse(chord);
   }
-  // In step a player counts strips alone; a record may flip colours anywhere.
+  Rewrite<Halfedge> flip(Halfedge h) { return keeper.flip(h); }
+  // In step strips alone are counted; a record may flip colours anywhere.
   Rewrite<Halfedge> split_and_tell(const Where& where, Vertex v_t, std::size_t record) {
-    if (!player.can_split(record)) return split(where, v_t, record);
-    witness.before_split(mesh, where, records[record]);
-    return witness.after_split(mesh, split(where, v_t, record).halfedge, records[record]);
+    if (records == nullptr || !keeper.baked()->can_split(record)) return split(where, v_t, record);
+    witness.before_split(keeper.mesh(), where, (*records)[record]);
+    return witness.after_split(keeper.mesh(), split(where, v_t, record).halfedge, (*records)[record]);
   }
   Rewrite<Halfedge> collapse_and_tell(Halfedge chord, std::size_t record) {
-    if (!player.can_collapse(record)) return collapse(chord, record);
-    witness.before_collapse(mesh, chord, records[record]);
-    return witness.after_collapse(mesh, collapse(chord, record).halfedge, records[record]);
+    if (records == nullptr || !keeper.baked()->can_collapse(record)) return collapse(chord, record);
+    witness.before_collapse(keeper.mesh(), chord, (*records)[record]);
+    return witness.after_collapse(keeper.mesh(), collapse(chord, record).halfedge, (*records)[record]);
   }
-  void restart(std::size_t level) { player.restart(level); }
+  void restart(std::size_t level) {
+    if (records != nullptr) keeper.baked()->restart(level);
+    keeper.rebuild();
+  }
+  [[nodiscard]] std::string fault() const {
+    if (!(keeper.weights() == Cost::strips())) return find_fault(keeper);
+    return keeper.locator() != nullptr ? find_fault(keeper.mesh(), *keeper.locator()) : std::string();
+  }
 };
 
 template <class Operations, class... Arguments>
 std::unique_ptr<Upkeep> begin_by(StripMesh& mesh, Arguments&&... arguments) {
   return std::make_unique<UpkeepBy<Operations>>(mesh, std::forward<Arguments>(arguments)...);
 }
-template <class Operations>
-std::unique_ptr<Upkeep> begin_plainly(StripMesh& mesh, const Beginning&) {
-  return begin_by<Operations>(mesh);
-}
-
-Way kept(const char* name, const char* says, Policy policy) {
-  Way way{name, says, Way::Kind::ours, [policy](StripMesh& mesh, const Beginning& with) {
-            if (with.cost == Cost::strips()) return begin_by<Kept>(mesh, policy, with.search);
-            return begin_by<KeptLow>(mesh, policy, with);
-          }};
-  way.search = search_of(policy);
-  way.weighed = {plan_of(policy).limits.looks, 0};
+Way kept(const PolicyRow& row) {
+  const Policy policy = row.policy;
+  Way way{row.name, row.says, policy == Policy::rules ? Way::Kind::rules : Way::Kind::ours,
+          [policy](StripMesh& mesh, const Beginning& with) { return begin_by<Kept>(mesh, policy, with); }};
+  way.search = row.search;
+  way.weighed = {row.plan.limits.looks, 0};
   way.local = policy == Policy::local;
   if (way.searches()) way.says += ": up to " + std::to_string(way.search.states) + " states from each strip end";
   return way;
@@ -114,20 +85,21 @@ Way baked() {
   Way way{"baked", "strips decided beforehand for every level, and played back", Way::Kind::ours,
           [](StripMesh& mesh, const Beginning& with) {
             if (with.baked == nullptr) throw std::invalid_argument("baked strips want a baked mesh");
-            return std::make_unique<UpkeepBy<Baked>>(mesh, with.baked->records);
+            return begin_by<Kept>(mesh, with.baked->records);
           }};
   way.bakes = true;
   return way;
 }
 
 std::vector<Way> all_ways() {
-  std::vector<Way> all{{"bare", "the mesh update alone; strips fall apart", Way::Kind::mesh, begin_plainly<Bare>},
-                       {"rules", "the rules of the tables, and nothing else", Way::Kind::rules, begin_plainly<Rules>},
-                       kept("local", "the rules of the tables, one patch at a time", Policy::local),
-                       kept("linked", "rules that follow the strips around the patch", Policy::linked),
-                       kept("quick", "the rules, then tunnelling", Policy::quick),
-                       kept("full", "the rules, then tunnelling", Policy::full),
-                       baked()};
+  std::vector<Way> all;
+  for (const PolicyRow& row : policies)
+    if (row.policy == Policy::bare)
+      all.push_back({row.name, row.says, Way::Kind::mesh,
+                     [](StripMesh& mesh, const Beginning&) { return begin_by<Bare>(mesh); }});
+    else
+      all.push_back(kept(row));
+  all.push_back(baked());
   for (Way& way : paper_ways()) all.push_back(std::move(way));
   return all;
 }

@@ -40,7 +40,7 @@ struct Way {
   std::function<std::unique_ptr<Upkeep>(StripMesh&, const Beginning&)> begin;
   Search search{};     ///< its own; one without states does not search, and takes no other
   Search weighed{};    ///< the same under other costs than strips, where `states` counts the strip ends looked at after
-                       ///< each operation (index_keeper.hpp); one without states: the way knows no other cost
+                       ///< each operation (policy.hpp); one without states: the way knows no other cost
   bool bakes = false;  ///< decides the strips of all levels beforehand, so that a level always has the same
   bool local = false;  ///< sees the patch and what it isolates, no more (what that gives away: bolder.hpp)
 

@@ -35,8 +35,6 @@ const List* give(std::span<const Element> elements) {
   return &list;
 }
 
-constexpr Policy policies[] = {Policy::local, Policy::linked, Policy::quick, Policy::full};
-
 // Of the last operation: kind, closed, k, a of the patch before, four masks as two numbers each, strips, isolated.
 std::array<std::uint32_t, 14> told;
 
@@ -115,11 +113,16 @@ RESTRIP_EXPORT(restrip_has_baked_strips)
 std::uint32_t restrip_has_baked_strips(const Page* page) { return page->session->has_baked_strips() ? 1 : 0; }
 
 // ---- strips kept
+/// Null when there are not so many.
+RESTRIP_EXPORT(restrip_policy_name)
+const char* restrip_policy_name(std::uint32_t policy) {
+  return policy < policies.size() ? policies[policy].name : nullptr;
+}
 RESTRIP_EXPORT(restrip_begin)
 void restrip_begin(Page* page, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap,
                    std::uint32_t isolated) {
   const auto weight = [](std::uint32_t w) { return static_cast<std::uint16_t>(std::min(w, 1000U)); };
-  page->session->begin(policies[policy & 3U], {weight(restart), weight(swap), weight(isolated)});
+  page->session->begin(policies[policy % policies.size()].policy, {weight(restart), weight(swap), weight(isolated)});
 }
 RESTRIP_EXPORT(restrip_begin_baked)
 void restrip_begin_baked(Page* page) { page->session->begin_baked(); }

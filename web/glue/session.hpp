@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 
-#include "baked_strips.hpp"
 #include "last_operation.hpp"
 #include "progressive.hpp"
 
@@ -29,13 +28,6 @@ struct Figures {
 };
 
 class Session {
-  /// The result of `use` with the keeper of this session.
-  template <class Use>
-  auto with_keeper(Use&& use) {
-    if (by_bake_) return use(*by_bake_);
-    return by_strips_ ? use(*by_strips_) : use(*by_cost_);
-  }
-
  public:
   /// `points`: three coordinates a vertex. refused() tells whether the records can be played.
   Session(Progressive source, std::vector<float> points) : source_(std::move(source)), points_(std::move(points)) {
@@ -63,17 +55,14 @@ class Session {
   void begin(Policy policy, Cost cost) {
     begin_with(StripMesh::build(source_.base, source_.points));
     stripify(mesh_, Effort::full, cost);
-    if (cost == Cost::strips())
-      by_strips_.emplace(mesh_, policy);
-    else
-      by_cost_.emplace(mesh_, policy, cost);
+    keeper_.emplace(mesh_, policy, cost);
     begin_buffer();
   }
   /// The same with the baked strips of the base, if there are any.
   void begin_baked() {
     if (!file_) return;
     begin_with(file_->mesh);
-    by_bake_.emplace(mesh_, *file_);
+    keeper_.emplace(mesh_, file_->records);
     begin_buffer();
   }
 
@@ -133,7 +122,7 @@ class Session {
     last_.kind = LastOperation::Kind::flip;
     last_.before = last_.after = {};
     quad(h, last_.triangles_before);
-    const auto done = with_keeper([&](auto& keeper) { return keeper.flip(h); });
+    const auto done = keeper_->flip(h);
     quad(done.halfedge, last_.triangles_after);
     count(done);
     return refusal;
@@ -159,14 +148,14 @@ class Session {
 
   [[nodiscard]] const Figures& figures() {
     figures_.triangles = static_cast<std::uint32_t>(mesh_.triangle_count());
-    figures_.strips = static_cast<std::uint32_t>(with_keeper([](auto& keeper) { return keeper.strips(); }));
+    figures_.strips = static_cast<std::uint32_t>(keeper_->strips());
     std::size_t played = 0;
     std::size_t beyond = 0;
     for (std::size_t i = 0; i < played_.size(); ++i)
       if (played_[i] != 0) ++played, beyond = i + 1;
     figures_.played = static_cast<std::uint32_t>(played);
     figures_.in_order = played == beyond ? 1 : 0;
-    figures_.baked = by_bake_ && by_bake_->in_step() ? 1 : 0;
+    figures_.baked = keeper_->baked() != nullptr && keeper_->baked()->in_step() ? 1 : 0;
     figures_.buffer_indices = static_cast<std::uint32_t>(buffer_.indices().size());
     return figures_;
   }
@@ -185,9 +174,7 @@ class Session {
     return out;
   }
   void begin_with(StripMesh base) {
-    by_strips_.reset();
-    by_cost_.reset();
-    by_bake_.reset();
+    keeper_.reset();
     mesh_ = std::move(base);
     mesh_.reserve(source_.fine_triangles(), source_.points);
     mesh_.watch(nullptr);
@@ -207,7 +194,7 @@ class Session {
   /// From now on the mesh is not what the records expect.
   void leave_records() {
     checked_ = true;
-    if (by_bake_) by_bake_->leave_step();
+    if (keeper_->baked() != nullptr) keeper_->baked()->leave_step();
   }
   bool play(std::size_t i) {
     const Record& r = source_.splits[i];
@@ -244,6 +231,10 @@ class Session {
     return done;
   }
 
+  /// Of a baked mesh: the record that adds this vertex; no record for the vertices of the base.
+  [[nodiscard]] std::size_t record_of(Vertex v_t) const noexcept {
+    return std::size_t{v_t} - (file_->points.size() - file_->splits.size());
+  }
   void corners_of(std::vector<Corners>& out) const {
     out.clear();
     for (const Triangle t : patch_) out.push_back(mesh_.corners(t));
@@ -255,7 +246,8 @@ class Session {
       fan_triangles(mesh_, where.spokes == Where::Spokes::right_only ? where.right : where.left, patch_);
       corners_of(last_.triangles_before);
     }
-    const auto done = with_keeper([&](auto& keeper) { return keeper.split(where, v_t); });
+    const auto done =
+        keeper_->baked() != nullptr ? keeper_->split_record(record_of(v_t), where, v_t) : keeper_->split(where, v_t);
     count(done);
     if (!tell_) return;
     last_.after = last_.before.closed ? ring_colors(mesh_, done.halfedge) : PatchColors{};
@@ -273,7 +265,8 @@ class Session {
       edge_triangles(mesh_, chord, patch_);
       corners_of(last_.triangles_before);
     }
-    const auto done = with_keeper([&](auto& keeper) { return keeper.collapse(chord); });
+    const auto done = keeper_->baked() != nullptr ? keeper_->collapse_record(record_of(mesh_.to(chord)), chord)
+                                                  : keeper_->collapse(chord);
     count(done);
     if (!tell_) return;
     last_.after = last_.before.closed ? fan_colors(mesh_, done.halfedge, mesh_.spoke(mesh_.from(done.halfedge), v_r))
@@ -300,9 +293,7 @@ class Session {
   std::vector<std::uint32_t> stack_;
 
   StripMesh mesh_;
-  std::optional<StripKeeper> by_strips_;
-  std::optional<IndexKeeper> by_cost_;
-  std::optional<BakedStrips> by_bake_;
+  std::optional<Keeper<StripMesh>> keeper_;
   std::vector<Triangle> changed_;
   StripBuffer buffer_;
   std::vector<IndexRange> whole_;  // not empty: the next update writes everything

@@ -3,7 +3,6 @@
 // The library is one WebAssembly module without imports. Arguments that are lists are copied in; the index buffer is
 // looked at where it lies.
 
-const policies = ['local', 'linked', 'quick', 'full'];
 const families = ['split', 'collapse', 'open-split', 'open-collapse', 'boundary-split', 'boundary-collapse', 'flip'];
 const costs = { strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart: 3, swap: 1, isolated: 0 } };
 export const restartIndex = 0xffffffff;
@@ -108,6 +107,13 @@ function listAt(wasm, address, Type, width) {
   return size === 0 ? new Type(0) : new Type(wasm.memory.buffer, data, size * width);
 }
 
+/// The names of the library's policies, in its order.
+function policiesOf(wasm) {
+  const names = [];
+  for (let at = wasm.restrip_policy_name(0); at !== 0; at = wasm.restrip_policy_name(names.length)) names.push(textAt(wasm, at));
+  return names;
+}
+
 function textAt(wasm, address) {
   const memory = new Uint8Array(wasm.memory.buffer);
   return new TextDecoder().decode(memory.slice(address, memory.indexOf(0, address)));
@@ -148,6 +154,7 @@ export class StripMesh {
       this.#wasm.restrip_begin_baked(this.#page);
       return this;
     }
+    const policies = policiesOf(this.#wasm);
     const number = policies.indexOf(policy);
     if (number < 0) throw new RangeError(`there is no policy ${policy}; there are ${policies.join(', ')}, and baked for baked meshes`);
     const { restart, swap, isolated = 0 } = typeof cost === 'string' ? costs[cost] : cost;

@@ -108,7 +108,7 @@ TEST(Join, NoEndsMeetAfterAnyOperation) {
       std::mt19937 random(seed);
       if (seed == 1) stripify(mesh, Effort::full);  // few strips, whose own ends often meet
       join_all(mesh);
-      StripKeeper keeper(mesh, Policy::local);
+      Keeper keeper(mesh, Policy::local);
       int done = 0;
       for (int n = 0; n < 1500 && done < 600; ++n) {
         done += random_operation(keeper, random, n / 100 % 2 == 0) ? 1 : 0;
@@ -123,7 +123,7 @@ TEST(Join, NoEndsMeetAfterRefinement) {
   for (StripMesh mesh : meshes()) {
     std::mt19937 random(4);
     join_all(mesh);
-    StripKeeper keeper(mesh, Policy::local);
+    Keeper keeper(mesh, Policy::local);
     int done = 0;
     for (int n = 0; n < 1500; ++n) {
       const Halfedge h = random_halfedge(mesh, random);

@@ -56,7 +56,7 @@ TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
     for (const int most : {1, 5, 40}) {
       for (StripMesh& mesh : sample::meshes()) {
-        StripKeeper keeper(mesh, policy);
+        Keeper keeper(mesh, policy);
         std::vector<Triangle> changed;
         mesh.watch(&changed);
         StripBuffer buffer(mesh);
@@ -85,7 +85,7 @@ TEST(StripBuffer, IsNeverMuchLongerThanTheStrips) {
     std::mt19937 random(12);
     StripMesh mesh = sample::torus(24, 24);
     stripify(mesh);
-    StripKeeper keeper(mesh, policy);
+    Keeper keeper(mesh, policy);
     std::vector<Triangle> changed;
     mesh.watch(&changed);
     StripBuffer buffer(mesh);
@@ -154,7 +154,7 @@ TEST(StripBuffer, SixteenBitIndices) {
   std::mt19937 random(13);
   StripMesh mesh = sample::torus(20, 20);
   stripify(mesh);
-  StripKeeper keeper(mesh, Policy::linked);
+  Keeper keeper(mesh, Policy::linked);
   std::vector<Triangle> changed;
   mesh.watch(&changed);
   StripBuffer16 buffer(mesh);

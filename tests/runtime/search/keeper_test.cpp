@@ -1,10 +1,16 @@
-// A keeper's strips, counts and locator are right after any mixture of operations, and they stay few.
+// A keeper leaves a valid colouring after every operation and tells exactly what each changed; its counts and its
+// locator are right after any mixture of operations; and strips, or the cost, stay few however long it is used. What it
+// tells is compared with counts of the whole mesh.
 #include "restrip/search/keeper.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
+#include <stdexcept>
+#include <vector>
 
+#include "coloring_cost.hpp"
 #include "locator_agrees.hpp"
 #include "random_operation.hpp"
 #include "restrip/output/strips.hpp"
@@ -14,21 +20,20 @@
 namespace restrip {
 namespace {
 
-void expect_right(const StripKeeper& keeper) {
+void expect_right(const Keeper<StripMesh>& keeper) {
   if (keeper.locator() != nullptr) {
-    ASSERT_TRUE(check_coloring(keeper.mesh()).valid);
     ASSERT_TRUE(agrees(*keeper.locator(), keeper.mesh()));
-    return;
   }
   const ColoringReport report = check_coloring(keeper.mesh());
   ASSERT_TRUE(report.valid);
   ASSERT_EQ(report.strips, keeper.strips());
+  ASSERT_EQ(report.isolated, keeper.isolated());
 }
 
-TEST(StripKeeper, ChangesItsPolicyOnTheWay) {
+TEST(Keeper, ChangesItsPolicyOnTheWay) {
   std::mt19937 random(8);
   StripMesh mesh = sample::torus(12, 12);
-  StripKeeper keeper(mesh, Policy::linked);
+  Keeper keeper(mesh, Policy::linked);
   EXPECT_EQ(keeper.strips(), mesh.triangle_count());
   for (const Policy policy : {Policy::quick, Policy::local, Policy::full, Policy::linked, Policy::quick}) {
     keeper.set_policy(policy);
@@ -39,11 +44,11 @@ TEST(StripKeeper, ChangesItsPolicyOnTheWay) {
   }
 }
 
-TEST(StripKeeper, IsRightAfterEveryOperation) {
+TEST(Keeper, IsRightAfterEveryOperation) {
   std::mt19937 random(6);
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+  for (const PolicyRow& row : policies) {
     for (StripMesh& mesh : sample::meshes()) {
-      StripKeeper keeper(mesh, policy);
+      Keeper keeper(mesh, row.policy);
       for (int i = 0; i < 400; ++i) {
         random_operation(keeper, random, mesh.triangle_count() < 60 || (i / 80) % 2 == 0);
         if (i % 97 == 0) keeper.improve(200);
@@ -57,11 +62,11 @@ TEST(StripKeeper, IsRightAfterEveryOperation) {
 std::size_t strips_from_scratch(StripMesh mesh) { return stripify(mesh, Effort::full, mesh.triangle_count() * 10); }
 
 // Random operations make meshes on which no stripification is perfect: strips from scratch are the measure.
-TEST(StripKeeper, StripsDoNotAge) {
+TEST(Keeper, StripsDoNotAge) {
   std::mt19937 random(7);
   StripMesh mesh = sample::torus(60, 60);
   stripify(mesh, Effort::full);
-  StripKeeper keeper(mesh, Policy::quick);
+  Keeper keeper(mesh, Policy::quick);
   const auto allowed = [&](std::size_t triangles_per_strip) {
     return strips_from_scratch(mesh) + mesh.triangle_count() / triangles_per_strip;
   };
@@ -78,6 +83,127 @@ TEST(StripKeeper, StripsDoNotAge) {
   keeper.improve(mesh.triangle_count() * 10);
   EXPECT_LE(keeper.strips(), allowed(1000));
   expect_right(keeper);
+}
+
+// Those that weigh more than strips.
+constexpr std::array weighing_policies{Policy::local, Policy::linked, Policy::quick, Policy::full};
+
+void expect_counted(const Keeper<StripMesh>& keeper) {
+  ASSERT_TRUE(check_coloring(keeper.mesh()).valid);
+  const ColoringChange cost = cost_of(keeper.mesh());
+  ASSERT_EQ(keeper.strips(), static_cast<std::size_t>(cost.strips));
+  ASSERT_EQ(keeper.swaps(), static_cast<std::size_t>(cost.swaps));
+  ASSERT_EQ(keeper.isolated(), static_cast<std::size_t>(cost.isolated));
+}
+
+TEST(KeeperByCost, TellsWhatEveryOperationChanged) {
+  std::mt19937 random(21);
+  for (const Cost& weights : {Cost::indices(), Cost{5, 0, 2}, Cost{3, 1, 2}})
+    for (const Policy policy : weighing_policies)
+      for (StripMesh& mesh : sample::meshes()) {
+        Keeper keeper(mesh, policy, weights);
+        expect_counted(keeper);
+        for (int i = 0; i < 200; ++i) {
+          const ColoringChange before = cost_of(mesh);
+          const bool done = random_operation(keeper, random, mesh.triangle_count() < 60 || (i / 40) % 2 == 0);
+          const ColoringChange change = cost_of(mesh) - before;
+          if (done) {
+            ASSERT_EQ(keeper.last_change(), change);
+          }
+          if (i % 50 == 49) {
+            const std::size_t cost = keeper.cost();
+            const std::size_t saved = keeper.improve(200);
+            ASSERT_EQ(saved, cost - keeper.cost());
+          }
+          expect_counted(keeper);
+          if (HasFatalFailure()) return;
+        }
+        EXPECT_EQ(keeper.cost(), weights.restart * keeper.strips() + weights.swap * keeper.swaps() +
+                                     weights.isolated * keeper.isolated());
+      }
+}
+
+// Random operations make rough meshes; a local minimum of the whole mesh, by chains, is the measure.
+TEST(KeeperByCost, IndicesDoNotAge) {
+  std::mt19937 random(22);
+  const std::array<double, 4> allowed{1.25, 1.20, 1.15, 1.10};
+  for (const Policy policy : weighing_policies) {
+    StripMesh mesh = sample::torus(40, 40);
+    stripify(mesh, Effort::full, Cost::indices());
+    Keeper keeper(mesh, policy, Cost::indices());
+    for (int round = 0; round < 6; ++round) {
+      for (int done = 0; done < 1500;) done += random_operation(keeper, random, round % 2 == 0) ? 1 : 0;
+      expect_counted(keeper);
+      const auto indices = [](const StripMesh& of) {
+        return static_cast<double>(strip_index_count(of, extract_strips(of)));
+      };
+      StripMesh measure = mesh;
+      stripify(measure, Effort::full, Cost::indices());
+      EXPECT_LE(indices(mesh),
+                allowed[static_cast<std::size_t>(policy) - static_cast<std::size_t>(Policy::local)] * indices(measure))
+          << static_cast<int>(policy) << ", round " << round;
+    }
+  }
+}
+
+TEST(KeeperByCost, GoesOnInTheBackground) {
+  StripMesh mesh = sample::torus(30, 30);
+  stripify_fast(mesh);
+  Keeper keeper(mesh, Policy::quick, Cost::indices());
+  std::size_t saved = 0;
+  const std::size_t before = keeper.cost();
+  const auto priced = [&] { return keeper.counts_of_improve().priced; };
+  for (int i = 0; i < 50; ++i) {
+    const std::uint64_t start = priced();
+    saved += keeper.improve(1000);
+    EXPECT_LE(priced() - start, 1100U);
+  }
+  EXPECT_EQ(before - keeper.cost(), saved);
+  EXPECT_LT(keeper.cost(), before * 4 / 5);
+  expect_counted(keeper);
+}
+
+TEST(KeeperByCost, SameOperationsSameColours) {
+  const auto outcome = [](Policy policy) {
+    std::mt19937 random(23);
+    StripMesh mesh = sample::torus(20, 20);
+    stripify_fast(mesh);
+    Keeper keeper(mesh, policy, Cost::indices());
+    for (int done = 0; done < 500;) done += random_operation(keeper, random, done % 2 == 0) ? 1 : 0;
+    return strip_indices(mesh, extract_strips(mesh));
+  };
+  for (const Policy policy : weighing_policies) EXPECT_EQ(outcome(policy), outcome(policy));
+  EXPECT_NE(outcome(Policy::local), outcome(Policy::full));
+}
+
+// Steps are edges priced and triangles walked past; with sixteen times the triangles an operation takes as many.
+TEST(KeeperByCost, OperationsTakeAsLongOnALargerMesh) {
+  for (const Policy policy : weighing_policies) {
+    const auto steps = [&](Vertex size) {
+      std::mt19937 random(24);
+      StripMesh mesh = sample::torus(size, size);
+      stripify(mesh, Effort::full, Cost::indices());
+      Keeper keeper(mesh, policy, Cost::indices());
+      for (int done = 0; done < 1000;) done += random_operation(keeper, random, done % 2 == 0) ? 1 : 0;
+      return static_cast<double>(keeper.end_search().counts().priced + keeper.end_search().walked());
+    };
+    EXPECT_LT(steps(100), 1.3 * steps(25)) << static_cast<int>(policy);
+  }
+}
+
+// After a change that is not the keeper's, its counters are right again once it has counted anew.
+TEST(KeeperByCost, CountsAnewWhereItIsTold) {
+  StripMesh mesh = sample::torus(12, 9);
+  Keeper keeper(mesh, Policy::quick, Cost::indices());
+  EXPECT_EQ(keeper.strips(), mesh.triangle_count());
+  EXPECT_EQ(keeper.isolated(), mesh.triangle_count());
+  stripify_fast(mesh);
+  keeper.rebuild();
+  expect_counted(keeper);
+  for (const StripMesh::Halfedge h : {StripMesh::halfedge(0, 0), StripMesh::halfedge(0, 1), StripMesh::halfedge(0, 2)})
+    mesh.set_solid(h, true);
+  EXPECT_THROW(keeper.rebuild(), std::invalid_argument);
+  EXPECT_FALSE(keeper.up_to_date());
 }
 
 }  // namespace

@@ -96,6 +96,8 @@ class StripMesh {
   [[nodiscard]] static constexpr unsigned side(Halfedge h) noexcept { return h.id & 3U; }
   [[nodiscard]] static constexpr bool on_boundary(Halfedge h) noexcept { return (h.id & outside) != 0; }
   [[nodiscard]] static constexpr Halfedge next(Halfedge h) noexcept { return {(h.id & ~3U) | side_after(side(h))}; }
+  /// The other halfedge of a mesh edge on the boundary.
+  [[nodiscard]] static constexpr Halfedge across_boundary(Halfedge h) noexcept { return {h.id ^ outside}; }
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept {
     RESTRIP_ASSERT(is_side(h), "StripMesh::opposite", describe(Refusal::no_such_edge));
     if (on_boundary(h)) return {h.id & ~outside};

@@ -1,11 +1,12 @@
-// Walks around the vertices of a StripMesh, for programs that keep more than colours: which halfedges leave a vertex,
-// and which triangles an operation touches. The single steps (turn_ccw, turn_cw, fan_step, strip_step) are in mesh.hpp
-// and work on every mesh.
+// Walks over a mesh, for programs that keep more than colours: which triangles an operation touches and which lie
+// beside them, on any mesh that numbers its triangles; which halfedges leave a vertex, on a StripMesh. The single steps
+// (turn_ccw, turn_cw, fan_step, strip_step) are in mesh.hpp and work on every mesh.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
+#include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip {
@@ -23,20 +24,22 @@ void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit) {
 }
 
 /// Calls visit(neighbour) for every triangle that shares an edge with t; twice where it shares two edges.
-template <class Visit>
-void for_each_neighbor(const StripMesh& mesh, Triangle t, Visit&& visit) {
-  for (unsigned s = 0; s < 3; ++s)
-    if (const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s)); !StripMesh::on_boundary(there))
-      visit(StripMesh::triangle(there));
+template <NumberedMesh Mesh, class Visit>
+void for_each_neighbor(const Mesh& mesh, Triangle t, Visit&& visit) {
+  auto h = mesh.halfedge(t);
+  for (int side = 0; side < 3; ++side, h = mesh.next(h))
+    if (const auto there = mesh.opposite(h); !mesh.on_boundary(there))
+      visit(static_cast<Triangle>(mesh.triangle(there)));
 }
 
 /// Number of connected components of the dual graph: no colouring has fewer strips. Linear time.
-[[nodiscard]] inline std::size_t connected_components(const StripMesh& mesh) {
+template <NumberedMesh Mesh>
+[[nodiscard]] std::size_t connected_components(const Mesh& mesh) {
   std::vector<bool> met(mesh.triangle_bound(), false);
   std::vector<Triangle> open;
   std::size_t components = 0;
   for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {
-    if (!mesh.alive(start) || met[start]) continue;
+    if (!mesh.has_triangle(start) || met[start]) continue;
     ++components;
     met[start] = true;
     open.push_back(start);
@@ -62,19 +65,20 @@ void for_each_neighbor(const StripMesh& mesh, Triangle t, Visit&& visit) {
 namespace detail {
 
 /// Adds the triangles of the vertex that h leaves, except `skip` and `skip_too`.
-inline void add_fan(const StripMesh& mesh, StripMesh::Halfedge h, std::vector<Triangle>& patch, Triangle skip = none,
-                    Triangle skip_too = none) {
-  const auto add = [&](StripMesh::Halfedge g) {
-    const Triangle t = StripMesh::triangle(g);
+template <NumberedMesh Mesh>
+void add_fan(const Mesh& mesh, typename Mesh::Halfedge h, std::vector<Triangle>& patch, Triangle skip = none,
+             Triangle skip_too = none) {
+  const auto add = [&](typename Mesh::Halfedge g) {
+    const auto t = static_cast<Triangle>(mesh.triangle(g));
     if (t != skip && t != skip_too) patch.push_back(t);
   };
-  StripMesh::Halfedge g = h;
-  while (!StripMesh::on_boundary(g)) {
+  auto g = h;
+  while (!mesh.on_boundary(g)) {
     add(g);
-    g = mesh.fan_step(g).spoke;
+    g = fan_step(mesh, g).spoke;
     if (g == h) return;
   }
-  for (g = h; !StripMesh::on_boundary(mesh.opposite(g));) {
+  for (g = h; !mesh.on_boundary(mesh.opposite(g));) {
     g = turn_cw(mesh, g);
     add(g);
   }
@@ -84,17 +88,19 @@ inline void add_fan(const StripMesh& mesh, StripMesh::Halfedge h, std::vector<Tr
 
 /// Sets `patch` to the triangles around the vertex that h leaves, each once: the patch before a split and after a
 /// collapse. Linear in them; may throw what the vector throws.
-inline void fan_triangles(const StripMesh& mesh, StripMesh::Halfedge h, std::vector<Triangle>& patch) {
+template <NumberedMesh Mesh>
+void fan_triangles(const Mesh& mesh, typename Mesh::Halfedge h, std::vector<Triangle>& patch) {
   patch.clear();
   detail::add_fan(mesh, h, patch);
 }
 
 /// Sets `patch` to the triangles around both ends of an edge, each once: the patch after a split and before a collapse.
 /// Linear in them; may throw what the vector throws.
-inline void edge_triangles(const StripMesh& mesh, StripMesh::Halfedge chord, std::vector<Triangle>& patch) {
-  const StripMesh::Halfedge back = mesh.opposite(chord);
-  const Triangle left = StripMesh::on_boundary(chord) ? none : StripMesh::triangle(chord);
-  const Triangle right = StripMesh::on_boundary(back) ? none : StripMesh::triangle(back);
+template <NumberedMesh Mesh>
+void edge_triangles(const Mesh& mesh, typename Mesh::Halfedge chord, std::vector<Triangle>& patch) {
+  const auto back = mesh.opposite(chord);
+  const Triangle left = mesh.on_boundary(chord) ? none : static_cast<Triangle>(mesh.triangle(chord));
+  const Triangle right = mesh.on_boundary(back) ? none : static_cast<Triangle>(mesh.triangle(back));
   patch.clear();
   detail::add_fan(mesh, chord, patch);
   detail::add_fan(mesh, back, patch, left, right);
@@ -102,7 +108,8 @@ inline void edge_triangles(const StripMesh& mesh, StripMesh::Halfedge chord, std
 
 /// Appends the neighbours of the triangles in `patch`, then theirs, and so on: `rings` times. Many triangles come more
 /// than once. May throw what the vector throws.
-inline void add_rings(const StripMesh& mesh, std::vector<Triangle>& patch, unsigned rings) {
+template <NumberedMesh Mesh>
+void add_rings(const Mesh& mesh, std::vector<Triangle>& patch, unsigned rings) {
   for (std::size_t i = 0; rings > 0; --rings)
     for (const std::size_t end = patch.size(); i < end; ++i)
       for_each_neighbor(mesh, patch[i], [&](Triangle t) { patch.push_back(t); });

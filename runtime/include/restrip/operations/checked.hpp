@@ -6,7 +6,7 @@
 //     report(describe(done.refusal));
 //
 // Each asks its check (mesh/checks.hpp) and does the operation if it is granted; a refused operation changes nothing.
-// Pass a StripMesh for the local rules (operations.hpp), or a StripKeeper for those of its policy.
+// Pass a StripMesh for the local rules (operations.hpp), or a Keeper for those of its policy.
 #pragma once
 
 #include <concepts>
@@ -50,7 +50,7 @@ inline Checked checked_flip(StripMesh& mesh, StripMesh::Halfedge h) {
   return detail::done_if_granted(check_flip(mesh, h), [&] { return flip(mesh, h); });
 }
 
-/// Something that keeps the strips of a StripMesh in its own way: StripKeeper (search/keeper.hpp), or a class of yours.
+/// Something that keeps the strips of a StripMesh in its own way: Keeper (search/keeper.hpp), or a class of yours.
 template <class Keeper>
 concept KeepsStrips = requires(Keeper& keeper, const VertexSplit<StripMesh::Halfedge>& where, StripMesh::Halfedge h) {
   { std::as_const(keeper).mesh() } -> std::convertible_to<const StripMesh&>;

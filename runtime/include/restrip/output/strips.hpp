@@ -42,6 +42,10 @@ template <NumberedMesh Mesh>
 template <NumberedMesh Mesh>
 [[nodiscard]] std::size_t count_strips(const Mesh& mesh);
 
+/// The number of swaps (cost.hpp) of a valid colouring. Linear time.
+template <NumberedMesh Mesh>
+[[nodiscard]] std::size_t count_swaps(const Mesh& mesh);
+
 /// The strips of a mesh: strip s is order[start[s]] … order[start[s + 1] - 1], each triangle next to the following one.
 struct Strips {
   std::vector<Triangle> order;

@@ -28,7 +28,7 @@
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/search/sided_mesh.hpp"
 
 namespace restrip {
 
@@ -100,15 +100,19 @@ class Descent {
   /// for those refused because a walk is too long (max_walk).
   ///
   /// Throws std::bad_alloc; the colouring is valid then, and what has changed is lost.
-  ColoringChange run(StripMesh& mesh, std::span<const Triangle> from, const DescentLimits& limits = {});
+  template <SidedMesh Mesh>
+  ColoringChange run(Mesh& mesh, std::span<const Triangle> from, const DescentLimits& limits = {});
 
   /// The moves at the edges of t whose price is at most `highest`, cycles not looked for, in a fixed order. At most
   /// six. Constant time.
-  [[nodiscard]] std::span<const StripMove> moves_at(const StripMesh& mesh, Triangle t, std::int32_t highest);
+  template <SidedMesh Mesh>
+  [[nodiscard]] std::span<const StripMove> moves_at(const Mesh& mesh, Triangle t, std::int32_t highest);
   /// True when the move closes no solid cycle. Walks along the strip; false as well when neither walk comes to an end.
-  [[nodiscard]] bool keeps_strips(const StripMesh& mesh, const StripMove& move);
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool keeps_strips(const Mesh& mesh, const StripMove& move);
   /// Makes the move, which must keep strips.
-  void make(StripMesh& mesh, const StripMove& move);
+  template <SidedMesh Mesh>
+  void make(Mesh& mesh, const StripMove& move);
 
   [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
   void set_cost(Cost cost) noexcept { cost_ = cost; }
@@ -121,15 +125,23 @@ class Descent {
   struct End;
   struct Way;
 
-  void look_at_end(const StripMesh& mesh, Halfedge h, End& end) const;
-  void add_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest);
-  void cut_move(const StripMesh& mesh, Halfedge h, std::int32_t highest);
-  void find_moves(const StripMesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked);
+  template <SidedMesh Mesh>
+  void look_at_end(const Mesh& mesh, Halfedge h, End& end) const;
+  template <SidedMesh Mesh>
+  void add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_t highest);
+  template <SidedMesh Mesh>
+  void cut_move(const Mesh& mesh, Halfedge h, std::int32_t highest);
+  template <SidedMesh Mesh>
+  void find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked);
   void consider(const StripMove& move, std::int32_t highest);
-  [[nodiscard]] bool step(StripMesh& mesh, Triangle t);
-  [[nodiscard]] bool chain(StripMesh& mesh, Triangle t, const DescentLimits& limits);
-  void take_back(StripMesh& mesh, const StripMove& move);
-  void touch(const StripMesh& mesh, const StripMove& move);
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool step(Mesh& mesh, Triangle t);
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool chain(Mesh& mesh, Triangle t, const DescentLimits& limits);
+  template <SidedMesh Mesh>
+  void take_back(Mesh& mesh, const StripMove& move);
+  template <SidedMesh Mesh>
+  void touch(const Mesh& mesh, const StripMove& move);
 
   Cost cost_;
   DescentCounts counts_;

@@ -29,8 +29,8 @@
 #include <span>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/search/descent.hpp"
+#include "restrip/search/sided_mesh.hpp"
 
 namespace restrip {
 
@@ -63,11 +63,13 @@ class EndSearch {
   /// never rises.
   ///
   /// Throws std::bad_alloc only while the mesh is watched; the colouring is valid then, and what has changed is lost.
-  ColoringChange run(StripMesh& mesh, std::span<const Triangle> from, const EndLimits& limits = {});
+  template <SidedMesh Mesh>
+  ColoringChange run(Mesh& mesh, std::span<const Triangle> from, const EndLimits& limits = {});
 
   /// The moves that begin at an end and whose price is at most `highest`, cycles not looked for, in a fixed order. At
   /// most six. Constant time. `given_up` is {none} and the edge that the triangle behind gives up, if it does.
-  [[nodiscard]] std::span<const StripMove> moves_at(const StripMesh& mesh, Triangle end, std::int32_t highest);
+  template <SidedMesh Mesh>
+  [[nodiscard]] std::span<const StripMove> moves_at(const Mesh& mesh, Triangle end, std::int32_t highest);
 
   [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
   [[nodiscard]] const EndCounts& counts() const noexcept { return counts_; }
@@ -86,17 +88,26 @@ class EndSearch {
   /// The end of a strip, as its neighbours see it.
   struct Tip;
 
-  void find_moves(const StripMesh& mesh, Triangle end, std::int32_t highest, Found& found);
-  void find_joint(const StripMesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest, Found& found) const;
-  void find_exchanges(const StripMesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest, Found& found) const;
+  template <SidedMesh Mesh>
+  void find_moves(const Mesh& mesh, Triangle end, std::int32_t highest, Found& found);
+  template <SidedMesh Mesh>
+  void find_joint(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest, Found& found) const;
+  template <SidedMesh Mesh>
+  void find_exchanges(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest, Found& found) const;
   void look_later(Triangle end) noexcept;
-  void consider(const StripMesh& mesh, Triangle t) noexcept;
-  [[nodiscard]] bool pass(StripMesh& mesh, std::uint32_t length, const EndLimits& limits);
-  void step(StripMesh& mesh, Triangle end);
-  [[nodiscard]] bool chain(StripMesh& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
+  template <SidedMesh Mesh>
+  void consider(const Mesh& mesh, Triangle t) noexcept;
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool pass(Mesh& mesh, std::uint32_t length, const EndLimits& limits);
+  template <SidedMesh Mesh>
+  void step(Mesh& mesh, Triangle end);
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool chain(Mesh& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
                            const EndLimits& limits);
-  [[nodiscard]] bool make_chain(StripMesh& mesh, std::size_t length);
-  void make(StripMesh& mesh, const StripMove& move);
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool make_chain(Mesh& mesh, std::size_t length);
+  template <SidedMesh Mesh>
+  void make(Mesh& mesh, const StripMove& move);
 
   Cost cost_;
   EndCounts counts_;

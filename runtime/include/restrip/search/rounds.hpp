@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/search/sided_mesh.hpp"
 #include "restrip/search/strip_locator.hpp"
 #include "restrip/search/tunnel.hpp"
 
@@ -24,7 +24,8 @@ class TunnelRounds {
   /// there are no more than `enough` strips. Returns the number of states looked at. One state of the largest searches
   /// costs a few hundred nanoseconds; walking past triangles inside strips counts as one state for every 64.
   /// Deterministic: the same calls on the same mesh do the same.
-  std::size_t run(StripMesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget, std::size_t enough = 1) {
+  template <SidedMesh Mesh>
+  std::size_t run(Mesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget, std::size_t enough = 1) {
     const std::size_t before = tunnel.counts().states;
     std::size_t passed = 0;
     const auto spent = [&] { return tunnel.counts().states - before + passed / 64; };

@@ -26,8 +26,8 @@
 #include <utility>
 #include <vector>
 
-#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/search/impl/chunk_lists.hpp"
+#include "restrip/search/sided_mesh.hpp"
 
 namespace restrip {
 
@@ -51,12 +51,13 @@ class StripLocator {
   explicit StripLocator(std::uint32_t chunk_limit = default_chunk_limit)
       : chunk_limit_(std::clamp(chunk_limit, 8U, room_for_labels)) {}
   /// Reads a valid colouring; throws std::invalid_argument when it is not. Linear time.
-  explicit StripLocator(const StripMesh& mesh, std::uint32_t chunk_limit = default_chunk_limit)
-      : StripLocator(chunk_limit) {
+  template <SidedMesh Mesh>
+  explicit StripLocator(const Mesh& mesh, std::uint32_t chunk_limit = default_chunk_limit) : StripLocator(chunk_limit) {
     rebuild(mesh);
   }
   /// The same. After an exception the locator must not be used until rebuild() succeeds.
-  void rebuild(const StripMesh& mesh);
+  template <SidedMesh Mesh>
+  void rebuild(const Mesh& mesh);
 
   /// False if the locator does not know a triangle, because the mesh was changed without it.
   [[nodiscard]] bool knows(Triangle t) const noexcept { return t < addresses_.size() && addresses_[t].chunk != none; }
@@ -68,16 +69,20 @@ class StripLocator {
   // Preconditions are checked in debug builds (precondition.hpp).
 
   /// Makes the solid dual edge of h dashed.
-  void cut(StripMesh& mesh, Halfedge h);
+  template <SidedMesh Mesh>
+  void cut(Mesh& mesh, Halfedge h);
   /// Makes the dashed dual edge of h solid. Both its triangles must be ends, of different strips.
-  void link(StripMesh& mesh, Halfedge h);
+  template <SidedMesh Mesh>
+  void link(Mesh& mesh, Halfedge h);
 
   /// A local rewrite, in three steps: before_patch with the triangles about to be rewritten, the rewrite, after_patch
   /// with the triangles that are there now. Colours outside, and of the dual edges between outside and patch, may
   /// only change from solid to dashed, and solid paths through the patch may only join dual edges into it that were
   /// joined before (docs/theory.md: P' is part of P; every rule of operations.hpp is of this kind).
-  void before_patch(const StripMesh& mesh, std::span<const Triangle> patch);
-  void after_patch(const StripMesh& mesh, std::span<const Triangle> patch);
+  template <SidedMesh Mesh>
+  void before_patch(const Mesh& mesh, std::span<const Triangle> patch);
+  template <SidedMesh Mesh>
+  void after_patch(const Mesh& mesh, std::span<const Triangle> patch);
 
   /// Room for this many triangles, so that operations up to there do not allocate.
   void reserve(std::size_t triangles);
@@ -113,19 +118,28 @@ class StripLocator {
   };
 
   // ---- chunks and their labels (impl/strip_locator.hpp)
-  bool step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept;
-  [[nodiscard]] bool labels_grow(const StripMesh& mesh, Halfedge h) const noexcept;
-  [[nodiscard]] bool is_last(const StripMesh& mesh, Triangle end) const noexcept;
-  void renumber(const StripMesh& mesh, Halfedge h, bool up);
+  template <SidedMesh Mesh>
+  bool step(const Mesh& mesh, Triangle& t, unsigned& entry) const noexcept;
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool labels_grow(const Mesh& mesh, Halfedge h) const noexcept;
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool is_last(const Mesh& mesh, Triangle end) const noexcept;
+  template <SidedMesh Mesh>
+  void renumber(const Mesh& mesh, Halfedge h, bool up);
   [[nodiscard]] bool append(Halfedge h, bool up, std::span<const Triangle> nodes);
-  void separate(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b);
-  void split_chunk(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b);
+  template <SidedMesh Mesh>
+  void separate(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b);
+  template <SidedMesh Mesh>
+  void split_chunk(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b);
   void move_to(ChunkId to, ChunkId from, std::span<const Triangle> nodes) noexcept;
-  void divide(const StripMesh& mesh, Triangle member);
-  void join_chunks(const StripMesh& mesh, Halfedge h);
+  template <SidedMesh Mesh>
+  void divide(const Mesh& mesh, Triangle member);
+  template <SidedMesh Mesh>
+  void join_chunks(const Mesh& mesh, Halfedge h);
 
   // ---- patches (impl/strip_patch.hpp)
-  void find_strands(const StripMesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands);
+  template <SidedMesh Mesh>
+  void find_strands(const Mesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands);
   void add_end(Halfedge at, std::uint32_t strand);
   [[nodiscard]] Strand* strand_at(Halfedge h) noexcept;
   [[nodiscard]] bool grew(Halfedge h) noexcept;

@@ -18,7 +18,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/search/sided_mesh.hpp"
 #include "restrip/search/strip_locator.hpp"
 
 namespace restrip {
@@ -49,7 +49,8 @@ class Tunnel {
   ///
   /// Cost: O(max_states * length of the chains), with chains as long as a search of that size gets (about 5 moves at
   /// 100 states, 12 at 1,000, 25 at 10,000). Does nothing when `end` is inside a strip.
-  bool join(StripMesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
+  template <SidedMesh Mesh>
+  bool join(Mesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
             OnFailure on_failure = OnFailure::stay);
 
   [[nodiscard]] const TunnelCounts& counts() const noexcept { return counts_; }
@@ -97,21 +98,30 @@ class Tunnel {
     Halfedge towards_x;
     Order order = 0;
   };
-  static unsigned dashed_sides(const StripMesh& mesh, Triangle t) noexcept;
+  template <SidedMesh Mesh>
+  static unsigned dashed_sides(const Mesh& mesh, Triangle t) noexcept;
   static Halfedge lowest(Triangle t, unsigned sides) noexcept;
-  void start(const StripMesh& mesh, const StripLocator& locator, Triangle end);
-  bool expand(StripMesh& mesh, StripLocator& locator, std::uint32_t s);
-  bool move(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x);
-  bool reach(StripMesh& mesh, StripLocator& locator, const State& state);
+  template <SidedMesh Mesh>
+  void start(const Mesh& mesh, const StripLocator& locator, Triangle end);
+  template <SidedMesh Mesh>
+  bool expand(Mesh& mesh, StripLocator& locator, std::uint32_t s);
+  template <SidedMesh Mesh>
+  bool move(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x);
+  template <SidedMesh Mesh>
+  bool reach(Mesh& mesh, StripLocator& locator, const State& state);
   void lay_out(std::uint32_t s);
   Piece* room_for(State& state, std::uint32_t current, std::uint32_t total);
   void rotate(std::uint32_t s);
   void change_over_whole(std::uint32_t s);
   void change_over(std::uint32_t s);
-  void cut(StripMesh& mesh, StripLocator& locator, Halfedge h);
-  void link(StripMesh& mesh, StripLocator& locator, Halfedge h);
-  void commit(StripMesh& mesh, StripLocator& locator, std::uint32_t s);
-  void commit(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join);
+  template <SidedMesh Mesh>
+  void cut(Mesh& mesh, StripLocator& locator, Halfedge h);
+  template <SidedMesh Mesh>
+  void link(Mesh& mesh, StripLocator& locator, Halfedge h);
+  template <SidedMesh Mesh>
+  void commit(Mesh& mesh, StripLocator& locator, std::uint32_t s);
+  template <SidedMesh Mesh>
+  void commit(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join);
 
   std::vector<State> states_;
   std::vector<Piece> pieces_;  // as large as it ever had to be

@@ -185,6 +185,16 @@ bool head_has(const Mesh& mesh, Halfedge chord, std::size_t interior, std::size_
 }
 
 template <class Mesh, class Halfedge = typename Mesh::Halfedge>
+Refusal refusal_of_face_split(const Mesh& mesh, Halfedge h) {
+  if (!knows(mesh, h)) return Refusal::no_such_edge;
+  if (mesh.on_boundary(h)) return Refusal::boundary_edge;
+  return refusal_of_split(mesh, split_into_face(mesh, h));
+}
+template <class Mesh, class Halfedge = typename Mesh::Halfedge>
+Refusal refusal_of_bisection(const Mesh& mesh, Halfedge h) {
+  return knows(mesh, h) ? refusal_of_split(mesh, split_on_edge(mesh, h)) : Refusal::no_such_edge;
+}
+template <class Mesh, class Halfedge = typename Mesh::Halfedge>
 Refusal refusal_of_removal(const Mesh& mesh, Halfedge chord, std::size_t interior, std::size_t boundary) {
   const Refusal refusal = refusal_of_collapse(mesh, chord);
   if (refusal != Refusal::granted) return refusal;
@@ -254,9 +264,7 @@ Rewrite<typename Mesh::Halfedge> merge(Mesh& mesh, typename Mesh::Halfedge chord
 }
 
 inline Refusal check_split_face(const StripMesh& mesh, StripMesh::Halfedge h) {
-  if (!mesh.alive(h)) return Refusal::no_such_edge;
-  if (StripMesh::on_boundary(h)) return Refusal::boundary_edge;
-  return check_split(mesh, detail::split_into_face(mesh, h));
+  return detail::refusal_of_face_split(mesh, h);
 }
 
 inline Refusal check_join_faces(const StripMesh& mesh, StripMesh::Halfedge chord) {
@@ -264,7 +272,7 @@ inline Refusal check_join_faces(const StripMesh& mesh, StripMesh::Halfedge chord
 }
 
 inline Refusal check_bisect(const StripMesh& mesh, StripMesh::Halfedge h) {
-  return mesh.alive(h) ? check_split(mesh, detail::split_on_edge(mesh, h)) : Refusal::no_such_edge;
+  return detail::refusal_of_bisection(mesh, h);
 }
 
 inline Refusal check_merge(const StripMesh& mesh, StripMesh::Halfedge chord) {

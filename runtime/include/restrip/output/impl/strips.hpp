@@ -5,6 +5,7 @@
 #include <bit>
 #include <numeric>
 
+#include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/invalid_coloring.hpp"
 #include "restrip/output/strips.hpp"
 
@@ -280,6 +281,17 @@ std::size_t count_strips(const Mesh& mesh) {
   // Where no triangle has three solid edges, a strip without an end is a cycle.
   if (triangles != detail::count_triangles(mesh)) detail::throw_solid_cycle();
   return strips;
+}
+
+template <NumberedMesh Mesh>
+std::size_t count_swaps(const Mesh& mesh) {
+  std::size_t sides = 0;  // each swap has two
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.has_triangle(t)) continue;
+    auto h = mesh.halfedge(t);
+    for (int side = 0; side < 3; ++side, h = mesh.next(h)) sides += mesh.solid(h) && is_swap(mesh, h) ? 1U : 0U;
+  }
+  return sides / 2;
 }
 
 template <NumberedMesh Mesh>

@@ -24,22 +24,36 @@ constexpr unsigned turned_side(unsigned side, unsigned turn) noexcept {
 /// Is a solid edge a swap, by the turns on its two sides?
 constexpr int is_swap(unsigned turn, unsigned turn_back) noexcept { return int{(turn ^ turn_back) == 3}; }
 
+/// The solid sides of the triangle of h other than h: see StripMesh::solid_beside.
+template <ColoredMesh Mesh>
+unsigned solid_beside(const Mesh& mesh, typename Mesh::Halfedge h) {
+  if constexpr (requires { mesh.solid_beside(h); }) return mesh.solid_beside(h);
+  const auto right = mesh.next(h);
+  return unsigned{mesh.solid(right)} | unsigned{mesh.solid(mesh.next(right))} << 1;
+}
+
 /// The neighbour that lies `turn` sides after h in its triangle, seen from there.
-inline StripMesh::Halfedge neighbor_at(const StripMesh& mesh, StripMesh::Halfedge h, unsigned turn) noexcept {
-  return mesh.opposite(StripMesh::halfedge(StripMesh::triangle(h), turned_side(StripMesh::side(h), turn)));
+template <ColoredMesh Mesh>
+typename Mesh::Halfedge neighbor_at(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {
+  if constexpr (SidedMesh<Mesh>)
+    return mesh.opposite(StripMesh::halfedge(StripMesh::triangle(h), turned_side(StripMesh::side(h), turn)));
+  for (; turn > 0; --turn) h = mesh.next(h);
+  return mesh.opposite(h);
 }
 
 /// A strip enters the triangle of h over h and turns there by `turn`, not 0: 1 when the edge by which it leaves is a
 /// swap.
-inline int swap_behind(const StripMesh& mesh, StripMesh::Halfedge h, unsigned turn) noexcept {
-  return int{mesh.solid_beside(neighbor_at(mesh, h, turn)) == turn};
+template <ColoredMesh Mesh>
+int swap_behind(const Mesh& mesh, typename Mesh::Halfedge h, unsigned turn) {
+  return int{solid_beside(mesh, neighbor_at(mesh, h, turn)) == turn};
 }
 
 /// What cutting the solid edge of h changes.
-inline ColoringChange cut_change(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
-  const StripMesh::Halfedge back = mesh.opposite(h);
-  const unsigned turn = mesh.solid_beside(h);
-  const unsigned turn_back = mesh.solid_beside(back);
+template <ColoredMesh Mesh>
+ColoringChange cut_change(const Mesh& mesh, typename Mesh::Halfedge h) {
+  const auto back = mesh.opposite(h);
+  const unsigned turn = solid_beside(mesh, h);
+  const unsigned turn_back = solid_beside(mesh, back);
   ColoringChange change{1, -is_swap(turn, turn_back), int{turn == 0} + int{turn_back == 0}};
   if (turn != 0) change.swaps -= swap_behind(mesh, h, turn);
   if (turn_back != 0) change.swaps -= swap_behind(mesh, back, turn_back);
@@ -47,9 +61,10 @@ inline ColoringChange cut_change(const StripMesh& mesh, StripMesh::Halfedge h) n
 }
 
 /// The colours of a few triangles as a move leaves them, and of all others as the mesh has them.
+template <SidedMesh Mesh>
 class MoveOverlay {
  public:
-  explicit MoveOverlay(const StripMesh& mesh) noexcept : mesh_(&mesh) {}
+  explicit MoveOverlay(const Mesh& mesh) noexcept : mesh_(&mesh) {}
 
   void change(StripMesh::Halfedge h, bool solid) noexcept {
     for (const StripMesh::Halfedge side : {h, mesh_->opposite(h)}) {
@@ -99,7 +114,7 @@ class MoveOverlay {
     return entries_[i];
   }
 
-  const StripMesh* mesh_;
+  const Mesh* mesh_;
   std::size_t count_ = 0;
   std::array<Entry, 6> entries_{};
 };
@@ -132,7 +147,8 @@ struct Descent::End {
 
 // The swaps and isolated triangles that change on this side of a new edge, whatever happens on the other. The new edge
 // itself is not counted.
-inline void Descent::look_at_end(const StripMesh& mesh, Halfedge h, End& end) const {
+template <SidedMesh Mesh>
+void Descent::look_at_end(const Mesh& mesh, Halfedge h, End& end) const {
   const unsigned others = mesh.solid_beside(h);
   if (others == 0) {
     end.count = 1;
@@ -177,13 +193,15 @@ inline void Descent::consider(const StripMove& move, std::int32_t highest) {
   found_.offer(move, highest);
 }
 
-inline void Descent::cut_move(const StripMesh& mesh, Halfedge h, std::int32_t highest) {
+template <SidedMesh Mesh>
+void Descent::cut_move(const Mesh& mesh, Halfedge h, std::int32_t highest) {
   StripMove move{h, {}, detail::cut_change(mesh, h)};
   move.price = move.change.price(cost_);
   consider(move, highest);
 }
 
-inline void Descent::add_moves(const StripMesh& mesh, Halfedge h, Halfedge back, std::int32_t highest) {
+template <SidedMesh Mesh>
+void Descent::add_moves(const Mesh& mesh, Halfedge h, Halfedge back, std::int32_t highest) {
   const Triangle u = StripMesh::triangle(back);
   End here;
   look_at_end(mesh, h, here);
@@ -223,15 +241,16 @@ inline void Descent::add_moves(const StripMesh& mesh, Halfedge h, Halfedge back,
   }
 }
 
-inline std::span<const StripMove> Descent::moves_at(const StripMesh& mesh, Triangle t, std::int32_t highest) {
+template <SidedMesh Mesh>
+std::span<const StripMove> Descent::moves_at(const Mesh& mesh, Triangle t, std::int32_t highest) {
   RESTRIP_ASSERT(mesh.alive(t), "Descent::moves_at", "the triangle is not one of this mesh");
   find_moves(mesh, t, highest, {});
   return {found_.begin(), found_.end()};
 }
 
 // `looked`: triangles whose moves are known to be of no use.
-inline void Descent::find_moves(const StripMesh& mesh, Triangle t, std::int32_t highest,
-                                std::span<const Triangle> looked) {
+template <SidedMesh Mesh>
+void Descent::find_moves(const Mesh& mesh, Triangle t, std::int32_t highest, std::span<const Triangle> looked) {
   found_.count = 0;
   const unsigned solid = mesh.solid_sides(t);
   for (unsigned dashed = 7U & ~solid; dashed != 0; dashed &= dashed - 1) {
@@ -247,7 +266,8 @@ inline void Descent::find_moves(const StripMesh& mesh, Triangle t, std::int32_t 
     cut_move(mesh, StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(rest))), highest);
 }
 
-inline bool Descent::keeps_strips(const StripMesh& mesh, const StripMove& move) {
+template <SidedMesh Mesh>
+bool Descent::keeps_strips(const Mesh& mesh, const StripMove& move) {
   if (mesh.solid(move.edge)) return true;
   const Halfedge back = mesh.opposite(move.edge);
   const Triangle t = StripMesh::triangle(move.edge);
@@ -277,7 +297,8 @@ inline bool Descent::keeps_strips(const StripMesh& mesh, const StripMove& move) 
   return false;  // neither walk has come to an end
 }
 
-inline void Descent::make(StripMesh& mesh, const StripMove& move) {
+template <SidedMesh Mesh>
+void Descent::make(Mesh& mesh, const StripMove& move) {
   const bool adds = !mesh.solid(move.edge);
   for (const Halfedge h : move.given_up)
     if (h.id != none) mesh.set_solid(h, false);
@@ -287,7 +308,8 @@ inline void Descent::make(StripMesh& mesh, const StripMove& move) {
   done_ += move.change;
 }
 
-inline void Descent::take_back(StripMesh& mesh, const StripMove& move) {
+template <SidedMesh Mesh>
+void Descent::take_back(Mesh& mesh, const StripMove& move) {
   const bool added = mesh.solid(move.edge);
   mesh.set_solid(move.edge, !added);
   for (const Halfedge h : move.given_up)
@@ -296,7 +318,8 @@ inline void Descent::take_back(StripMesh& mesh, const StripMove& move) {
 }
 
 // The triangles of the edges that a move changes.
-inline void Descent::touch(const StripMesh& mesh, const StripMove& move) {
+template <SidedMesh Mesh>
+void Descent::touch(const Mesh& mesh, const StripMove& move) {
   const auto add = [&](Triangle t) {
     if (std::find(touched_.begin(), touched_.end(), t) == touched_.end()) touched_.push_back(t);
   };
@@ -307,7 +330,8 @@ inline void Descent::touch(const StripMesh& mesh, const StripMove& move) {
 }
 
 // The best move at t that lowers the cost, if there is one.
-inline bool Descent::step(StripMesh& mesh, Triangle t) {
+template <SidedMesh Mesh>
+bool Descent::step(Mesh& mesh, Triangle t) {
   const auto looked = std::span<const Triangle>(looked_).first(looked_count_);
   if (std::find(looked.begin(), looked.end(), t) != looked.end()) return false;
   find_moves(mesh, t, -1, looked);
@@ -324,7 +348,8 @@ inline bool Descent::step(StripMesh& mesh, Triangle t) {
 }
 
 // A move that costs a little, and the best one after it, if they pay together.
-inline bool Descent::chain(StripMesh& mesh, Triangle t, const DescentLimits& limits) {
+template <SidedMesh Mesh>
+bool Descent::chain(Mesh& mesh, Triangle t, const DescentLimits& limits) {
   find_moves(mesh, t, limits.worse, {});
   detail::FoundMoves first = found_;
   first.sort();
@@ -353,7 +378,8 @@ inline bool Descent::chain(StripMesh& mesh, Triangle t, const DescentLimits& lim
   return false;
 }
 
-inline ColoringChange Descent::run(StripMesh& mesh, std::span<const Triangle> from, const DescentLimits& limits) {
+template <SidedMesh Mesh>
+ColoringChange Descent::run(Mesh& mesh, std::span<const Triangle> from, const DescentLimits& limits) {
   done_ = {};
   looked_count_ = 0;
   queue_.assign(from.begin(), from.end());

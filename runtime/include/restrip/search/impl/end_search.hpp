@@ -13,16 +13,25 @@ namespace detail {
 /// A triangle with these solid sides is an end of a strip: it has one of them or none.
 constexpr bool is_strip_end(unsigned solid) noexcept { return (0b00010111U >> solid & 1U) != 0; }
 
-/// Moves that are made for trial and taken back before the search returns. A watched mesh does not report them.
+/// Moves that are made for trial and taken back before the search returns. A watched StripMesh does not report them.
 class TrialColors {
  public:
-  static void make(StripMesh& mesh, const StripMove& move) noexcept {
-    if (move.given_up[1].id != none) mesh.color(move.given_up[1], false);
-    mesh.color(move.edge, true);
+  template <SidedMesh Mesh>
+  static void make(Mesh& mesh, const StripMove& move) noexcept {
+    if (move.given_up[1].id != none) color(mesh, move.given_up[1], false);
+    color(mesh, move.edge, true);
   }
-  static void take_back(StripMesh& mesh, const StripMove& move) noexcept {
-    mesh.color(move.edge, false);
-    if (move.given_up[1].id != none) mesh.color(move.given_up[1], true);
+  template <SidedMesh Mesh>
+  static void take_back(Mesh& mesh, const StripMove& move) noexcept {
+    color(mesh, move.edge, false);
+    if (move.given_up[1].id != none) color(mesh, move.given_up[1], true);
+  }
+
+ private:
+  static void color(StripMesh& mesh, StripMesh::Halfedge h, bool solid) noexcept { mesh.color(h, solid); }
+  template <SidedMesh Mesh>
+  static void color(Mesh& mesh, StripMesh::Halfedge h, bool solid) noexcept {
+    mesh.set_solid(h, solid);
   }
 };
 
@@ -38,8 +47,8 @@ struct EndSearch::Tip {
 };
 
 // Behind the edge another strip ends.
-inline void EndSearch::find_joint(const StripMesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest,
-                                  Found& found) const {
+template <SidedMesh Mesh>
+void EndSearch::find_joint(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest, Found& found) const {
   const unsigned turn = mesh.solid_beside(back);
   StripMove move{tip.edge, {}, {-1, tip.swaps() + detail::is_swap(tip.turn, turn), tip.isolated}};
   if (turn != 0) {
@@ -55,8 +64,9 @@ inline void EndSearch::find_joint(const StripMesh& mesh, const Tip& tip, Halfedg
 }
 
 // Behind the edge a strip passes.
-inline void EndSearch::find_exchanges(const StripMesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest,
-                                      Found& found) const {
+template <SidedMesh Mesh>
+void EndSearch::find_exchanges(const Mesh& mesh, const Tip& tip, Halfedge back, std::int32_t highest,
+                               Found& found) const {
   const std::array<Halfedge, 2> towards{detail::neighbor_at(mesh, back, 1), detail::neighbor_at(mesh, back, 2)};
   const Triangle end = StripMesh::triangle(tip.edge);
   if (StripMesh::triangle(towards[0]) == end || StripMesh::triangle(towards[1]) == end) return;
@@ -84,7 +94,8 @@ inline void EndSearch::find_exchanges(const StripMesh& mesh, const Tip& tip, Hal
   }
 }
 
-inline void EndSearch::find_moves(const StripMesh& mesh, Triangle end, std::int32_t highest, Found& found) {
+template <SidedMesh Mesh>
+void EndSearch::find_moves(const Mesh& mesh, Triangle end, std::int32_t highest, Found& found) {
   ++counts_.looked;
   found.count = 0;
   const unsigned solid = mesh.solid_sides(end);
@@ -108,7 +119,8 @@ inline void EndSearch::find_moves(const StripMesh& mesh, Triangle end, std::int3
   }
 }
 
-inline std::span<const StripMove> EndSearch::moves_at(const StripMesh& mesh, Triangle end, std::int32_t highest) {
+template <SidedMesh Mesh>
+std::span<const StripMove> EndSearch::moves_at(const Mesh& mesh, Triangle end, std::int32_t highest) {
   RESTRIP_ASSERT(mesh.alive(end) && detail::is_strip_end(mesh.solid_sides(end)), "EndSearch::moves_at",
                  "no strip ends in the triangle");
   find_moves(mesh, end, highest, found_);
@@ -129,7 +141,8 @@ inline void EndSearch::look_later(Triangle end) noexcept {
 }
 
 // The triangle, or the end across its only dashed edge.
-inline void EndSearch::consider(const StripMesh& mesh, Triangle t) noexcept {
+template <SidedMesh Mesh>
+void EndSearch::consider(const Mesh& mesh, Triangle t) noexcept {
   const unsigned solid = mesh.solid_sides(t);
   const Halfedge back = mesh.opposite(StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(7U & ~solid))));
   // On the boundary this is t itself.
@@ -139,7 +152,8 @@ inline void EndSearch::consider(const StripMesh& mesh, Triangle t) noexcept {
 
 // ---- moves
 
-inline void EndSearch::make(StripMesh& mesh, const StripMove& move) {
+template <SidedMesh Mesh>
+void EndSearch::make(Mesh& mesh, const StripMove& move) {
   const bool joins = move.given_up[1].id == none;
   if (!joins) mesh.set_solid(move.given_up[1], false);
   mesh.set_solid(move.edge, true);
@@ -152,7 +166,8 @@ inline void EndSearch::make(StripMesh& mesh, const StripMove& move) {
 }
 
 // The best move at an end that lowers the cost, if there is one.
-inline void EndSearch::step(StripMesh& mesh, Triangle end) {
+template <SidedMesh Mesh>
+void EndSearch::step(Mesh& mesh, Triangle end) {
   find_moves(mesh, end, -1, found_);
   found_.sort();
   for (const StripMove& move : found_)
@@ -160,7 +175,8 @@ inline void EndSearch::step(StripMesh& mesh, Triangle end) {
 }
 
 // The first `length` moves of chain_, which are not made and pay together, if they close no cycle.
-inline bool EndSearch::make_chain(StripMesh& mesh, std::size_t length) {
+template <SidedMesh Mesh>
+bool EndSearch::make_chain(Mesh& mesh, std::size_t length) {
   std::size_t sound = 0;
   for (; sound < length && walks_.keeps_strips(mesh, chain_[sound]); ++sound)
     detail::TrialColors::make(mesh, chain_[sound]);
@@ -172,8 +188,9 @@ inline bool EndSearch::make_chain(StripMesh& mesh, std::size_t length) {
 
 // Goes on with a chain of `made` moves, made for trial, which cost `price` together. They stay as they are where it
 // does not end in a chain that pays.
-inline bool EndSearch::chain(StripMesh& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
-                             const EndLimits& limits) {
+template <SidedMesh Mesh>
+bool EndSearch::chain(Mesh& mesh, Triangle end, std::size_t made, std::int32_t price, std::size_t length,
+                      const EndLimits& limits) {
   const bool last = made + 1 == length;
   Found found;
   find_moves(mesh, end, (last ? -1 : limits.worse) - price, found);
@@ -195,7 +212,8 @@ inline bool EndSearch::chain(StripMesh& mesh, Triangle end, std::size_t made, st
 }
 
 // Tries chains of one length at all ends where they have not been tried. True when there may be shorter ones again.
-inline bool EndSearch::pass(StripMesh& mesh, std::uint32_t length, const EndLimits& limits) {
+template <SidedMesh Mesh>
+bool EndSearch::pass(Mesh& mesh, std::uint32_t length, const EndLimits& limits) {
   for (std::size_t i = 0; i < end_count_ && counts_.looked < last_look_; ++i) {
     if (ends_[i].tried >= length) continue;
     const Triangle end = ends_[i].triangle;
@@ -210,7 +228,8 @@ inline bool EndSearch::pass(StripMesh& mesh, std::uint32_t length, const EndLimi
   return false;
 }
 
-inline ColoringChange EndSearch::run(StripMesh& mesh, std::span<const Triangle> from, const EndLimits& limits) {
+template <SidedMesh Mesh>
+ColoringChange EndSearch::run(Mesh& mesh, std::span<const Triangle> from, const EndLimits& limits) {
   done_ = {};
   end_count_ = 0;
   for (const Triangle t : from) {

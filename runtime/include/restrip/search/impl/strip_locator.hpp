@@ -12,7 +12,8 @@ namespace restrip {
 
 // Goes on along the strip from t, which was entered over side `entry` (3: nowhere). While a patch is rewritten, its
 // strands that are not placed yet are jumped over.
-inline bool StripLocator::step(const StripMesh& mesh, Triangle& t, unsigned& entry) const noexcept {
+template <SidedMesh Mesh>
+bool StripLocator::step(const Mesh& mesh, Triangle& t, unsigned& entry) const noexcept {
   if (pending_ != 0 && marks_[t] - first_end_ < ends_.size()) {
     for (std::uint32_t e = marks_[t] - first_end_; e != none; e = ends_[e].other) {
       const Strand& strand = strands_before_[ends_[e].strand];
@@ -38,7 +39,8 @@ inline StripLocator::Position StripLocator::position(Triangle t) const noexcept 
 }
 
 // Do labels of the chunk of h's triangle grow across the solid edge of h?
-inline bool StripLocator::labels_grow(const StripMesh& mesh, Halfedge h) const noexcept {
+template <SidedMesh Mesh>
+bool StripLocator::labels_grow(const Mesh& mesh, Halfedge h) const noexcept {
   const Address here = addresses_[StripMesh::triangle(h)];
   const Address there = addresses_[StripMesh::triangle(mesh.opposite(h))];
   if (here.chunk == there.chunk) return there.label > here.label;
@@ -47,7 +49,8 @@ inline bool StripLocator::labels_grow(const StripMesh& mesh, Halfedge h) const n
 }
 
 // Is the end of a strip its last triangle? An isolated triangle is.
-inline bool StripLocator::is_last(const StripMesh& mesh, Triangle end) const noexcept {
+template <SidedMesh Mesh>
+bool StripLocator::is_last(const Mesh& mesh, Triangle end) const noexcept {
   const Address address = addresses_[end];
   const auto& chunk = lists_[address.chunk];
   if (chunk.after != chunk.before) return chunk.after == none;
@@ -58,7 +61,8 @@ inline bool StripLocator::is_last(const StripMesh& mesh, Triangle end) const noe
 }
 
 // Spreads the labels of a chunk evenly. Labels grow across h if `up`; h's triangle is a member.
-inline void StripLocator::renumber(const StripMesh& mesh, Halfedge h, bool up) {
+template <SidedMesh Mesh>
+void StripLocator::renumber(const Mesh& mesh, Halfedge h, bool up) {
   Triangle t = StripMesh::triangle(h);
   unsigned entry = StripMesh::side(h);
   const ChunkId c = addresses_[t].chunk;
@@ -100,7 +104,8 @@ inline bool StripLocator::append(Halfedge h, bool up, std::span<const Triangle> 
 
 // Cuts the strip between the triangles of a and b: b's follows a's across a, though triangles of a patch may have been
 // between them.
-inline void StripLocator::separate(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b) {
+template <SidedMesh Mesh>
+void StripLocator::separate(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b) {
   const ChunkId c = addresses_[StripMesh::triangle(a)].chunk;
   if (c == addresses_[StripMesh::triangle(b)].chunk)
     split_chunk(mesh, a, up_a, b);
@@ -109,7 +114,8 @@ inline void StripLocator::separate(const StripMesh& mesh, Halfedge a, bool up_a,
 }
 
 // The same inside one chunk: the smaller part, found by walking both ways at once, moves to a chunk of its own.
-inline void StripLocator::split_chunk(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b) {
+template <SidedMesh Mesh>
+void StripLocator::split_chunk(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b) {
   const ChunkId c = addresses_[StripMesh::triangle(a)].chunk;
   Triangle at[2] = {StripMesh::triangle(a), StripMesh::triangle(b)};
   unsigned entry[2] = {StripMesh::side(a), StripMesh::side(b)};
@@ -132,7 +138,8 @@ inline void StripLocator::move_to(ChunkId to, ChunkId from, std::span<const Tria
 }
 
 // Divides a chunk that has grown too large: goes once from one of its ends to the other and leaves pieces behind.
-inline void StripLocator::divide(const StripMesh& mesh, Triangle member) {
+template <SidedMesh Mesh>
+void StripLocator::divide(const Mesh& mesh, Triangle member) {
   const ChunkId c = addresses_[member].chunk;
   Triangle t = member;
   Triangle last = none;
@@ -163,7 +170,8 @@ inline void StripLocator::divide(const StripMesh& mesh, Triangle member) {
 }
 
 // Makes one chunk of the two beside the solid edge of h when they are small: h's triangle's takes in the other.
-inline void StripLocator::join_chunks(const StripMesh& mesh, Halfedge h) {
+template <SidedMesh Mesh>
+void StripLocator::join_chunks(const Mesh& mesh, Halfedge h) {
   const Halfedge back = mesh.opposite(h);
   const ChunkId keep = addresses_[StripMesh::triangle(h)].chunk;
   const ChunkId gone = addresses_[StripMesh::triangle(back)].chunk;
@@ -183,7 +191,8 @@ inline void StripLocator::join_chunks(const StripMesh& mesh, Halfedge h) {
   if (!append(h, up, moving_)) renumber(mesh, h, up);
 }
 
-inline void StripLocator::cut(StripMesh& mesh, Halfedge h) {
+template <SidedMesh Mesh>
+void StripLocator::cut(Mesh& mesh, Halfedge h) {
   RESTRIP_ASSERT(mesh.alive(h), "StripLocator::cut", describe(Refusal::no_such_edge));
   RESTRIP_ASSERT(mesh.solid(h), "StripLocator::cut", "the dual edge is dashed already");
   const bool up = labels_grow(mesh, h);
@@ -191,7 +200,8 @@ inline void StripLocator::cut(StripMesh& mesh, Halfedge h) {
   separate(mesh, h, up, mesh.opposite(h));
 }
 
-inline void StripLocator::link(StripMesh& mesh, Halfedge h) {
+template <SidedMesh Mesh>
+void StripLocator::link(Mesh& mesh, Halfedge h) {
   RESTRIP_ASSERT(mesh.alive(h), "StripLocator::link", describe(Refusal::no_such_edge));
   RESTRIP_ASSERT(!StripMesh::on_boundary(h) && !StripMesh::on_boundary(mesh.opposite(h)), "StripLocator::link",
                  describe(Refusal::boundary_edge));
@@ -219,7 +229,8 @@ inline void StripLocator::reserve(std::size_t triangles) {
   lists_.reserve(triangles / 16, triangles / 16);
 }
 
-inline void StripLocator::rebuild(const StripMesh& mesh) {
+template <SidedMesh Mesh>
+void StripLocator::rebuild(const Mesh& mesh) {
   addresses_.assign(mesh.triangle_bound(), {});
   marks_.assign(mesh.triangle_bound(), 0);
   mark_ = 0;

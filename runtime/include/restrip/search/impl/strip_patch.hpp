@@ -14,8 +14,8 @@
 namespace restrip {
 
 // Splits the solid edges of a patch into paths.
-inline void StripLocator::find_strands(const StripMesh& mesh, std::span<const Triangle> patch,
-                                       std::vector<Strand>& strands) {
+template <SidedMesh Mesh>
+void StripLocator::find_strands(const Mesh& mesh, std::span<const Triangle> patch, std::vector<Strand>& strands) {
   strands.clear();
   strand_nodes_.clear();
   if (marks_.size() < mesh.triangle_bound()) marks_.resize(mesh.triangle_bound(), 0);
@@ -66,7 +66,8 @@ inline void StripLocator::find_strands(const StripMesh& mesh, std::span<const Tr
   }
 }
 
-inline void StripLocator::before_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
+template <SidedMesh Mesh>
+void StripLocator::before_patch(const Mesh& mesh, std::span<const Triangle> patch) {
   // Marks that this rewrite needs: two for the patch before and two after it, two for the ends of each strand.
   if ((none - mark_) / 2 < patch.size() + 2) {
     std::fill(marks_.begin(), marks_.end(), 0U);
@@ -157,7 +158,8 @@ inline void StripLocator::place_strand(const Strand& strand) {
   if (gap == 0) renumber_later(strand.in, up);
 }
 
-inline void StripLocator::after_patch(const StripMesh& mesh, std::span<const Triangle> patch) {
+template <SidedMesh Mesh>
+void StripLocator::after_patch(const Mesh& mesh, std::span<const Triangle> patch) {
   if (addresses_.size() < mesh.triangle_bound()) addresses_.resize(mesh.triangle_bound());
   find_strands(mesh, patch, strands_after_);
   pending_ = 0;

@@ -8,8 +8,8 @@
 
 namespace restrip {
 
-inline bool Tunnel::join(StripMesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
-                         OnFailure on_failure) {
+template <SidedMesh Mesh>
+bool Tunnel::join(Mesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states, OnFailure on_failure) {
   RESTRIP_ASSERT(mesh.alive(end) && locator.knows(end), "Tunnel::join",
                  "the triangle is not one of this mesh, or the locator does not know it");
   if (max_states == 0 || locator.strips() < 2 || mesh.solid_degree(end) > 1) return false;
@@ -27,7 +27,8 @@ inline bool Tunnel::join(StripMesh& mesh, StripLocator& locator, Triangle end, s
   return false;
 }
 
-inline void Tunnel::start(const StripMesh& mesh, const StripLocator& locator, Triangle end) {
+template <SidedMesh Mesh>
+void Tunnel::start(const Mesh& mesh, const StripLocator& locator, Triangle end) {
   if (seen_.size() < mesh.triangle_bound()) seen_.resize(mesh.triangle_bound(), 0);
   if (++search_ == 0) {
     std::fill(seen_.begin(), seen_.end(), 0U);
@@ -49,14 +50,18 @@ inline void Tunnel::start(const StripMesh& mesh, const StripLocator& locator, Tr
 }
 
 // The sides over which a move may go. That of the cut is not among them: its colour is still solid.
-inline unsigned Tunnel::dashed_sides(const StripMesh& mesh, Triangle t) noexcept { return 7U & ~mesh.solid_sides(t); }
+template <SidedMesh Mesh>
+unsigned Tunnel::dashed_sides(const Mesh& mesh, Triangle t) noexcept {
+  return 7U & ~mesh.solid_sides(t);
+}
 inline StripMesh::Halfedge Tunnel::lowest(Triangle t, unsigned sides) noexcept {
   return StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(sides)));
 }
 
 // Adds a state, unless its end has been one before. True when the new end lies beside the end of another strip, and the
 // two have been joined: most searches end here, so looking ahead spares expanding half of all states.
-inline bool Tunnel::reach(StripMesh& mesh, StripLocator& locator, const State& state) {
+template <SidedMesh Mesh>
+bool Tunnel::reach(Mesh& mesh, StripLocator& locator, const State& state) {
   const Triangle y = StripMesh::triangle(state.cut);
   if (seen_[y] == search_ || states_.size() >= max_states_) return false;
   seen_[y] = search_;
@@ -75,7 +80,8 @@ inline bool Tunnel::reach(StripMesh& mesh, StripLocator& locator, const State& s
 }
 
 // All moves from a state. True when one of them has joined two strips.
-inline bool Tunnel::expand(StripMesh& mesh, StripLocator& locator, std::uint32_t s) {
+template <SidedMesh Mesh>
+bool Tunnel::expand(Mesh& mesh, StripLocator& locator, std::uint32_t s) {
   if (s != 0) lay_out(s);
   const Triangle end = s == 0 ? start_ : StripMesh::triangle(states_[s].cut);
   for (unsigned dashed = dashed_sides(mesh, end); dashed != 0; dashed &= dashed - 1) {
@@ -87,7 +93,8 @@ inline bool Tunnel::expand(StripMesh& mesh, StripLocator& locator, std::uint32_t
 }
 
 // The moves over one dashed edge, to x.
-inline bool Tunnel::move(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x) {
+template <SidedMesh Mesh>
+bool Tunnel::move(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge join, Triangle x) {
   Neighbor next[3];  // two, where the colouring is valid
   unsigned n = 0;
   bool seen_all = true;
@@ -236,13 +243,15 @@ inline void Tunnel::change_over(std::uint32_t s) {
   for (std::uint32_t i = last + 1; i < parent.total; ++i) *out++ = old[i];
 }
 
-inline void Tunnel::cut(StripMesh& mesh, StripLocator& locator, Halfedge h) {
+template <SidedMesh Mesh>
+void Tunnel::cut(Mesh& mesh, StripLocator& locator, Halfedge h) {
   locator.cut(mesh, h);
   for (const Halfedge side : {h, mesh.opposite(h)})
     counts_.isolated += mesh.solid_degree(StripMesh::triangle(side)) == 0 ? 1 : 0;
 }
 
-inline void Tunnel::link(StripMesh& mesh, StripLocator& locator, Halfedge h) {
+template <SidedMesh Mesh>
+void Tunnel::link(Mesh& mesh, StripLocator& locator, Halfedge h) {
   for (const Halfedge side : {h, mesh.opposite(h)})
     counts_.isolated -= mesh.solid_degree(StripMesh::triangle(side)) == 0 ? 1 : 0;
   locator.link(mesh, h);
@@ -250,7 +259,8 @@ inline void Tunnel::link(StripMesh& mesh, StripLocator& locator, Halfedge h) {
 }
 
 // Makes the moves that lead to a state; each leaves a valid colouring.
-inline void Tunnel::commit(StripMesh& mesh, StripLocator& locator, std::uint32_t s) {
+template <SidedMesh Mesh>
+void Tunnel::commit(Mesh& mesh, StripLocator& locator, std::uint32_t s) {
   chain_.clear();
   for (; states_[s].parent != none; s = states_[s].parent) chain_.push_back(s);
   for (auto step = chain_.rbegin(); step != chain_.rend(); ++step) {
@@ -259,7 +269,8 @@ inline void Tunnel::commit(StripMesh& mesh, StripLocator& locator, std::uint32_t
   }
 }
 
-inline void Tunnel::commit(StripMesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join) {
+template <SidedMesh Mesh>
+void Tunnel::commit(Mesh& mesh, StripLocator& locator, std::uint32_t s, Halfedge last_join) {
   commit(mesh, locator, s);
   link(mesh, locator, last_join);
 }

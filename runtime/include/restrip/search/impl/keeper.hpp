@@ -1,0 +1,259 @@
+// Keeper, member by member. Included by keeper.hpp.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "restrip/search/impl/keeper_steps.hpp"
+#include "restrip/search/keeper.hpp"
+
+namespace restrip {
+
+// ---- operations
+
+template <NumberedMesh Mesh>
+template <class... Name>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split(const VertexSplit<Halfedge>& where, Name... name) {
+  RESTRIP_ASSERT(detail::refusal_of_split(*mesh_, where, name...) == Refusal::granted, "Keeper::split",
+                 describe(detail::refusal_of_split(*mesh_, where, name...)));
+  return perform(detail::SplitStep<Mesh, Name...>{where, {name...}});
+}
+template <NumberedMesh Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::collapse(Halfedge chord) {
+  RESTRIP_ASSERT(detail::refusal_of_collapse(*mesh_, chord) == Refusal::granted, "Keeper::collapse",
+                 describe(detail::refusal_of_collapse(*mesh_, chord)));
+  return perform(detail::CollapseStep<Mesh>{chord});
+}
+template <NumberedMesh Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::flip(Halfedge h) {
+  RESTRIP_ASSERT(detail::refusal_of_flip(*mesh_, h) == Refusal::granted, "Keeper::flip",
+                 describe(detail::refusal_of_flip(*mesh_, h)));
+  return perform(detail::FlipStep<Mesh>{h});
+}
+template <NumberedMesh Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_face(Halfedge h) {
+  RESTRIP_ASSERT(detail::refusal_of_face_split(*mesh_, h) == Refusal::granted, "Keeper::split_face",
+                 describe(detail::refusal_of_face_split(*mesh_, h)));
+  return perform(detail::InsertStep<Mesh, false>(*mesh_, h));
+}
+template <NumberedMesh Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::bisect(Halfedge h) {
+  RESTRIP_ASSERT(detail::refusal_of_bisection(*mesh_, h) == Refusal::granted, "Keeper::bisect",
+                 describe(detail::refusal_of_bisection(*mesh_, h)));
+  return perform(detail::InsertStep<Mesh, true>(*mesh_, h));
+}
+template <NumberedMesh Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::join_faces(Halfedge chord) {
+  RESTRIP_ASSERT(detail::refusal_of_removal(*mesh_, chord, 3, 0) == Refusal::granted, "Keeper::join_faces",
+                 describe(detail::refusal_of_removal(*mesh_, chord, 3, 0)));
+  return perform(detail::RemoveStep<Mesh, false>{{chord}});
+}
+template <NumberedMesh Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::merge(Halfedge chord) {
+  RESTRIP_ASSERT(detail::refusal_of_removal(*mesh_, chord, 4, 2) == Refusal::granted, "Keeper::merge",
+                 describe(detail::refusal_of_removal(*mesh_, chord, 4, 2)));
+  return perform(detail::RemoveStep<Mesh, true>{{chord}});
+}
+
+template <NumberedMesh Mesh>
+template <class... Name>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_record(std::size_t record, const VertexSplit<Halfedge>& where,
+                                                            Name... name) {
+  RESTRIP_ASSERT(baked_.has_value(), "Keeper::split_record", "the keeper plays no baked strips");
+  if (!baked_->can_split(record)) return split(where, name...);
+  begin();
+  return counted(baked_->split(record, where, name...));
+}
+template <NumberedMesh Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::collapse_record(std::size_t record, Halfedge chord) {
+  RESTRIP_ASSERT(baked_.has_value(), "Keeper::collapse_record", "the keeper plays no baked strips");
+  if (!baked_->can_collapse(record)) return collapse(chord);
+  begin();
+  return counted(baked_->collapse(record, chord));
+}
+
+// One that ends by an exception leaves up_to_date_ false.
+template <NumberedMesh Mesh>
+void Keeper<Mesh>::begin() {
+  if (!up_to_date_) rebuild();
+  up_to_date_ = false;
+}
+
+template <NumberedMesh Mesh>
+template <class Step>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
+  begin();
+  if (baked_) baked_->leave_step();
+  if (passes_colors()) return search_from_ends(step);
+  if (tunnels()) return tunnel_from_patch(step);
+  if (weighs() || policy_ == Policy::bare) return count_around(step);
+  if (policy_ == Policy::rules) return counted(step.by_rules(*mesh_));
+  if (policy_ == Policy::linked) return counted(step.linked(*mesh_));
+  return counted(step.joined(*mesh_, Exchange::no));
+}
+
+template <NumberedMesh Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(const Rewrite<Halfedge>& done) {
+  strips_ += static_cast<std::size_t>(done.strips);
+  isolated_ += static_cast<std::size_t>(done.isolated);
+  up_to_date_ = true;
+  return done;
+}
+template <NumberedMesh Mesh>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(Rewrite<Halfedge> done, const ColoringChange& change) {
+  change_ = change;
+  swaps_ += static_cast<std::size_t>(change.swaps);
+  done.strips = change.strips;
+  done.isolated = change.isolated;
+  return counted(done);
+}
+
+/// The mesh update alone, or an operation whose swaps must be counted.
+template <NumberedMesh Mesh>
+template <class Step>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::count_around(const Step& step) {
+  around_.clear();
+  if (policy_ == Policy::bare) {
+    step.surround(*mesh_, around_);
+    around_.count_before(*mesh_);
+    const auto h = step.bare(*mesh_);
+    around_.add_beside(*mesh_, h);
+    return counted({h, 0, 0, 0}, around_.change(*mesh_));
+  }
+  step.find_patch(*mesh_, patch_);
+  around_.add(patch_);
+  around_.add_neighbors(*mesh_);
+  around_.count_before(*mesh_);
+  const auto done = step.by_rules(*mesh_);
+  step.find_new(*mesh_, done.halfedge, patch_);
+  around_.add(patch_);
+  return counted(done, around_.change(*mesh_));
+}
+
+template <NumberedMesh Mesh>
+template <class Step>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::search_from_ends(const Step& step) {
+  passed_.begin(plan_.from == IndexPlan::From::joints);
+  const auto done = step.passed(*mesh_, passed_);
+  auto&& sides = by_sides(*mesh_);
+  if (plan_.from == IndexPlan::From::ring) add_rings(*mesh_, passed_.start(), 1);
+  ColoringChange change = passed_.change();
+  change += ends_.run(sides, passed_.start(), plan_.limits);
+  return counted(done, change);
+}
+
+template <NumberedMesh Mesh>
+template <class Step>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& step) {
+  auto&& sides = by_sides(*mesh_);
+  step.find_patch(*mesh_, patch_);
+  triangles_ -= patch_.size();
+  locator_.before_patch(sides, patch_);
+  Rewrite<Halfedge> done = step.by_rules(*mesh_);
+  step.find_new(*mesh_, done.halfedge, patch_);
+  std::erase_if(patch_, [this](Triangle t) { return !mesh_->has_triangle(t); });
+  triangles_ += patch_.size();
+  locator_.after_patch(sides, patch_);
+  const std::uint32_t states = states_now();
+  const TunnelCounts before = tunnel_.counts();
+  for (const Triangle t : patch_)
+    if (sides.solid_degree(t) < 2) tunnel_.join(sides, locator_, t, states);
+  done.strips -= static_cast<int>(tunnel_.counts().joined - before.joined);
+  done.isolated += static_cast<int>(tunnel_.counts().isolated - before.isolated);
+  Mending mending;
+  if (done.isolated > 0 || Step::orphans == detail::Orphans::everywhere)
+    for (const Triangle t : patch_) mending += adopt(sides, StripMesh::halfedge(t, 0));
+  // An operation that gives ports up may isolate a triangle beside the patch.
+  if (Step::orphans != detail::Orphans::as_told)
+    for (const Triangle t : patch_)
+      for (unsigned side = 0; side < 3; ++side) mending += adopt(sides, sides.opposite(StripMesh::halfedge(t, side)));
+  return counted(detail::with(done, mending));
+}
+
+// The longer the strips, the more states it takes to find an end; a high power of the length keeps all levels of detail
+// close to `enough`.
+template <NumberedMesh Mesh>
+std::uint32_t Keeper<Mesh>::states_now() const noexcept {
+  const double short_of =
+      static_cast<double>(search_.enough) * static_cast<double>(locator_.strips()) / static_cast<double>(triangles_);
+  if (search_.enough == 0 || short_of >= 1) return search_.states;
+  const double square = short_of * short_of;
+  return static_cast<std::uint32_t>(square * square * search_.states);
+}
+
+/// The triangle of h, if it is isolated.
+template <NumberedMesh Mesh>
+template <class Sides>
+Mending Keeper<Mesh>::adopt(Sides&& sides, StripMesh::Halfedge h) {
+  const auto paint = [&](StripMesh::Halfedge g, bool solid) {
+    solid ? locator_.link(sides, g) : locator_.cut(sides, g);
+  };
+  return detail::adopt_with(sides, h, detail::default_adoptions, paint, [](StripMesh::Halfedge) {});
+}
+
+// ---- in the background
+
+template <NumberedMesh Mesh>
+std::size_t Keeper<Mesh>::improve(std::size_t budget) {
+  begin();
+  if (baked_) baked_->leave_step();
+  const std::size_t saved = weighs() ? improve_cost(budget) : improve_strips(budget);
+  up_to_date_ = true;
+  return saved;
+}
+
+template <NumberedMesh Mesh>
+std::size_t Keeper<Mesh>::improve_strips(std::size_t budget) {
+  auto&& sides = by_sides(*mesh_);
+  if (!tunnels()) locator_.rebuild(sides);
+  const std::size_t before = locator_.strips();
+  const auto isolated = tunnel_.counts().isolated;
+  rounds_.run(sides, locator_, tunnel_, budget);
+  strips_ = locator_.strips();
+  isolated_ += static_cast<std::size_t>(tunnel_.counts().isolated - isolated);
+  return (before - strips_) * descent_.cost().restart;
+}
+
+template <NumberedMesh Mesh>
+std::size_t Keeper<Mesh>::improve_cost(std::size_t budget) {
+  auto&& sides = by_sides(*mesh_);
+  const std::size_t before = cost();
+  const std::uint64_t stop = descent_.counts().priced + budget;
+  ColoringChange sum;
+  constexpr std::size_t at_once = 256;
+  std::size_t left = sides.triangle_bound();
+  while (left > 0 && descent_.counts().priced < stop) {
+    patch_.clear();
+    for (; left > 0 && patch_.size() < at_once; --left) {
+      if (next_ >= sides.triangle_bound()) next_ = 0;
+      if (sides.alive(next_)) patch_.push_back(next_);
+      ++next_;
+    }
+    const auto moves = static_cast<std::uint32_t>(std::min<std::uint64_t>(stop - descent_.counts().priced, 1U << 20));
+    sum += descent_.run(sides, patch_, {.moves = moves, .tries = 4, .worse = 1});
+  }
+  counted(Rewrite<Halfedge>{}, sum);
+  return before - cost();
+}
+
+template <NumberedMesh Mesh>
+void Keeper<Mesh>::rebuild() {
+  up_to_date_ = false;
+  rounds_.restart();
+  if (tunnels()) {
+    auto&& sides = by_sides(*mesh_);
+    locator_.rebuild(sides);
+    triangles_ = sides.triangle_count();
+    strips_ = locator_.strips();
+  } else {
+    strips_ = count_strips(*mesh_);
+  }
+  isolated_ = swaps_ = 0;
+  for (Triangle t = 0; t < mesh_->triangle_bound(); ++t)
+    if (mesh_->has_triangle(t)) isolated_ += detail::solid_degree(*mesh_, mesh_->halfedge(t)) == 0 ? 1U : 0U;
+  if (weighs()) swaps_ = count_swaps(*mesh_);
+  up_to_date_ = true;
+}
+
+}  // namespace restrip

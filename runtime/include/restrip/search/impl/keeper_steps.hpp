@@ -1,0 +1,193 @@
+// The operations as a Keeper asks for them. Included by keeper.hpp.
+//
+// Each step has
+//   find_patch(mesh, patch)         the triangles about to be rewritten
+//   by_rules(mesh)                  the operation with the rules of the tables
+//   joined(mesh, exchange)          the same, then ends that meet are joined
+//   linked(mesh)                    by linked rules
+//   passed(mesh, colors)            the colours passed on
+//   bare(mesh)                      the mesh update alone, what it returns as Rewrite::halfedge
+//   surround(mesh, around)          the triangles that bare() changes
+//   find_new(mesh, done, patch)     adds the triangles that are new
+// and says whether it may leave a triangle isolated, in its patch or beside it.
+#pragma once
+
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
+#include "restrip/operations/join.hpp"
+#include "restrip/operations/linked.hpp"
+#include "restrip/operations/refine.hpp"
+#include "restrip/search/impl/passed_colors.hpp"
+#include "restrip/search/impl/surroundings.hpp"
+
+namespace restrip::detail {
+
+template <class Mesh>
+void add_beside(const Mesh& mesh, typename Mesh::Halfedge h, std::vector<Triangle>& patch) {
+  for (const auto side : {h, mesh.opposite(h)})
+    if (!mesh.on_boundary(side)) patch.push_back(static_cast<Triangle>(mesh.triangle(side)));
+}
+
+/// Where a step may leave triangles isolated that can be adopted.
+enum class Orphans { as_told, beside_patch, everywhere };
+
+template <class Mesh, class... Name>
+struct SplitStep {
+  using Halfedge = typename Mesh::Halfedge;
+  using Spokes = typename VertexSplit<Halfedge>::Spokes;
+  static constexpr Orphans orphans = Orphans::as_told;
+  VertexSplit<Halfedge> where;
+  std::tuple<Name...> names;
+
+  void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
+    fan_triangles(mesh, where.spokes == Spokes::right_only ? where.right : where.left, patch);
+  }
+  Rewrite<Halfedge> by_rules(Mesh& mesh) const {
+    return named([&](auto... name) { return restrip::split(mesh, where, name...); });
+  }
+  Rewrite<Halfedge> joined(Mesh& mesh, Exchange /*exchange*/) const {
+    return named([&](auto... name) { return split_and_join(mesh, where, name...); });
+  }
+  Rewrite<Halfedge> linked(Mesh& mesh) const {
+    return named([&](auto... name) { return split_and_link(mesh, where, name...); });
+  }
+  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const {
+    return named([&](auto... name) { return colors.split(mesh, where, name...); });
+  }
+  Halfedge bare(Mesh& mesh) const {
+    return named([&](auto... name) { return mesh.insert_vertex(where, name...); });
+  }
+  void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
+    if (where.spokes != Spokes::right_only) around.add_beside(mesh, where.left);
+    if (where.spokes != Spokes::left_only) around.add_beside(mesh, where.right);
+  }
+  void find_new(const Mesh& mesh, Halfedge chord, std::vector<Triangle>& patch) const {
+    add_beside(mesh, chord, patch);
+  }
+
+ private:
+  template <class Do>
+  auto named(Do&& operation) const {
+    return std::apply(operation, names);
+  }
+};
+
+template <class Mesh>
+struct CollapseStep {
+  using Halfedge = typename Mesh::Halfedge;
+  static constexpr Orphans orphans = Orphans::as_told;
+  Halfedge chord;
+
+  void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const { edge_triangles(mesh, chord, patch); }
+  Rewrite<Halfedge> by_rules(Mesh& mesh) const { return restrip::collapse(mesh, chord); }
+  Rewrite<Halfedge> joined(Mesh& mesh, Exchange /*exchange*/) const { return collapse_and_join(mesh, chord); }
+  Rewrite<Halfedge> linked(Mesh& mesh) const { return collapse_and_link(mesh, chord); }
+  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const { return colors.collapse(mesh, chord); }
+  Halfedge bare(Mesh& mesh) const { return mesh.remove_vertex(chord); }
+  void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
+    around.add_beside(mesh, chord);
+    around.add_neighbors(mesh);
+  }
+  void find_new(const Mesh& /*mesh*/, Halfedge /*spoke*/, std::vector<Triangle>& /*patch*/) const {}
+};
+
+template <class Mesh>
+struct FlipStep {
+  using Halfedge = typename Mesh::Halfedge;
+  static constexpr Orphans orphans = Orphans::beside_patch;
+  Halfedge edge;
+
+  void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
+    patch.clear();
+    add_beside(mesh, edge, patch);
+  }
+  Rewrite<Halfedge> by_rules(Mesh& mesh) const { return restrip::flip(mesh, edge); }
+  Rewrite<Halfedge> joined(Mesh& mesh, Exchange /*exchange*/) const { return flip_and_join(mesh, edge); }
+  Rewrite<Halfedge> linked(Mesh& mesh) const { return flip_and_link(mesh, edge); }
+  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const { return colors.flip(mesh, edge); }
+  /// The colouring would not stay valid with the sides of the two triangles as they are: all of them are dashed.
+  Halfedge bare(Mesh& mesh) const {
+    for (auto h : {edge, mesh.opposite(edge)})
+      for (int side = 0; side < 3; ++side, h = mesh.next(h))
+        if (mesh.solid(h)) mesh.set_solid(h, false);
+    return mesh.turn_edge(edge);
+  }
+  void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
+    around.add_beside(mesh, edge);
+    around.add_neighbors(mesh);
+  }
+  void find_new(const Mesh& /*mesh*/, Halfedge /*turned*/, std::vector<Triangle>& /*patch*/) const {}
+};
+
+/// A new vertex in the triangle of h, or on its edge. Nothing is isolated by that.
+template <class Mesh, bool on_edge>
+struct InsertStep : SplitStep<Mesh> {
+  using Halfedge = typename Mesh::Halfedge;
+  Halfedge h;
+
+  InsertStep(const Mesh& mesh, Halfedge at)
+      : SplitStep<Mesh>{on_edge ? split_on_edge(mesh, at) : split_into_face(mesh, at), {}}, h(at) {}
+  void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
+    patch.clear();
+    if (on_edge)
+      add_beside(mesh, h, patch);
+    else
+      patch.push_back(static_cast<Triangle>(mesh.triangle(h)));
+  }
+  Rewrite<Halfedge> by_rules(Mesh& mesh) const {
+    if constexpr (on_edge) return bisect(mesh, h);
+    return split_face(mesh, h);
+  }
+  Rewrite<Halfedge> joined(Mesh& mesh, Exchange exchange) const {
+    const auto done = by_rules(mesh);
+    return with(done, join_around(mesh, mesh.opposite(done.halfedge), exchange));
+  }
+  Rewrite<Halfedge> linked(Mesh& mesh) const { return joined(mesh, Exchange::yes); }
+  void find_new(const Mesh& mesh, Halfedge chord, std::vector<Triangle>& patch) const {
+    fan_triangles(mesh, mesh.opposite(chord), patch);
+  }
+};
+
+/// The end of the chord is removed.
+template <class Mesh, bool from_edge>
+struct RemoveStep : CollapseStep<Mesh> {
+  using Halfedge = typename Mesh::Halfedge;
+  using CollapseStep<Mesh>::chord;
+  static constexpr Orphans orphans = Orphans::everywhere;
+
+  void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
+    fan_triangles(mesh, mesh.opposite(chord), patch);
+  }
+  Rewrite<Halfedge> by_rules(Mesh& mesh) const {
+    if constexpr (from_edge) return merge(mesh, chord);
+    return join_faces(mesh, chord);
+  }
+  Rewrite<Halfedge> joined(Mesh& mesh, Exchange exchange) const {
+    const auto done = by_rules(mesh);
+    return with(done, join_beside(mesh, done.halfedge, exchange));
+  }
+  Rewrite<Halfedge> linked(Mesh& mesh) const { return joined(mesh, Exchange::yes); }
+  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const {
+    const bool no_left = mesh.on_boundary(chord);
+    auto done = colors.collapse(mesh, chord);
+    done.halfedge = merged(mesh, no_left, done.halfedge);
+    return done;
+  }
+  Halfedge bare(Mesh& mesh) const {
+    const bool no_left = mesh.on_boundary(chord);
+    return merged(mesh, no_left, mesh.remove_vertex(chord));
+  }
+
+ private:
+  // From the spoke that a collapse returns to the mesh edge beside it that takes the place of two.
+  static Halfedge merged(const Mesh& mesh, bool no_left, Halfedge spoke) {
+    if constexpr (!from_edge) return spoke;
+    return no_left ? mesh.opposite(mesh.next(mesh.next(spoke))) : mesh.next(mesh.opposite(spoke));
+  }
+};
+
+}  // namespace restrip::detail

@@ -1,0 +1,145 @@
+// What the searches walk on: triangles whose three sides have numbers.
+//
+// A search looks at thousands of dual edges around an operation, and keeps them in tables. So it names one by a
+// triangle and one of its sides 0, 1, 2, counter-clockwise, with the handles that StripMesh has: StripMesh::Halfedge is
+// such a pair of numbers. A StripMesh is a sided mesh. SideView makes one of any other NumberedMesh: side 0 of triangle
+// t is that of mesh.halfedge(t).
+//
+// A handle of a view means the same as long as mesh.halfedge(t) does, for its triangle. Searches keep none for longer
+// than one call; StripLocator keeps some of triangles beside a patch while the patch is rewritten.
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+
+namespace restrip {
+
+/// The members that searches call, with the meaning that they have in StripMesh.
+template <class Mesh>
+concept SidedMesh = std::same_as<typename Mesh::Halfedge, StripMesh::Halfedge> &&
+    requires(const Mesh& mesh, StripMesh::Halfedge h, Triangle t) {
+  { mesh.opposite(h) } -> std::same_as<StripMesh::Halfedge>;
+  { mesh.solid(h) } -> std::same_as<bool>;
+  { mesh.solid_sides(t) } -> std::same_as<unsigned>;
+  { mesh.solid_degree(t) } -> std::same_as<unsigned>;
+  { mesh.solid_beside(h) } -> std::same_as<unsigned>;
+  { mesh.strip_step(h) } -> std::same_as<StripStep<StripMesh::Halfedge>>;
+  { mesh.alive(t) } -> std::same_as<bool>;
+  { mesh.triangle_bound() } -> std::same_as<std::size_t>;
+  { mesh.triangle_count() } -> std::same_as<std::size_t>;
+};
+
+/// A NumberedMesh by its sides. Refers to the mesh, which must outlive it; cheap to make and to copy. Each function
+/// takes a few steps of the mesh's own, but for triangle_count(), clear_colors() and set_colors(), which are linear.
+template <class Mesh>
+requires NumberedMesh<std::remove_const_t<Mesh>>
+class SideView {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+
+  explicit SideView(Mesh& mesh) noexcept : mesh_(&mesh) {}
+
+  [[nodiscard]] static constexpr Halfedge halfedge(Triangle t, unsigned side = 0) noexcept {
+    return StripMesh::halfedge(t, side);
+  }
+  [[nodiscard]] static constexpr Triangle triangle(Halfedge h) noexcept { return StripMesh::triangle(h); }
+  [[nodiscard]] static constexpr bool on_boundary(Halfedge h) noexcept { return StripMesh::on_boundary(h); }
+  [[nodiscard]] static constexpr Halfedge next(Halfedge h) noexcept { return StripMesh::next(h); }
+  [[nodiscard]] Halfedge opposite(Halfedge h) const {
+    if (on_boundary(h)) return StripMesh::across_boundary(h);
+    const auto across = mesh_->opposite(own(h));
+    return mesh_->on_boundary(across) ? StripMesh::across_boundary(h) : named(across);
+  }
+  [[nodiscard]] std::uint32_t from(Halfedge h) const {
+    return static_cast<std::uint32_t>(on_boundary(h) ? mesh_->from(mesh_->next(own(opposite(h))))
+                                                     : mesh_->from(own(h)));
+  }
+
+  /// The mesh's own handle of a side, and the side of the mesh's own handle, which has a triangle.
+  [[nodiscard]] typename Mesh::Halfedge own(Halfedge h) const {
+    auto side = mesh_->halfedge(triangle(h));
+    for (unsigned s = StripMesh::side(h); s > 0; --s) side = mesh_->next(side);
+    return side;
+  }
+  [[nodiscard]] Halfedge named(typename Mesh::Halfedge h) const {
+    const auto t = static_cast<Triangle>(mesh_->triangle(h));
+    auto side = mesh_->halfedge(t);
+    if (side == h) return halfedge(t, 0);
+    side = mesh_->next(side);
+    return halfedge(t, side == h ? 1 : 2);
+  }
+
+  [[nodiscard]] bool solid(Halfedge h) const { return !on_boundary(h) && bool{mesh_->solid(own(h))}; }
+  void set_solid(Halfedge h, bool solid) { mesh_->set_solid(own(h), solid); }
+  [[nodiscard]] unsigned solid_sides(Triangle t) const {
+    const auto first = mesh_->halfedge(t);
+    const auto second = mesh_->next(first);
+    return unsigned{mesh_->solid(first)} | unsigned{mesh_->solid(second)} << 1 |
+           unsigned{mesh_->solid(mesh_->next(second))} << 2;
+  }
+  [[nodiscard]] unsigned solid_degree(Triangle t) const { return static_cast<unsigned>(std::popcount(solid_sides(t))); }
+  [[nodiscard]] unsigned solid_beside(Halfedge h) const {
+    const auto side = mesh_->next(own(h));
+    return unsigned{mesh_->solid(side)} | unsigned{mesh_->solid(mesh_->next(side))} << 1;
+  }
+  /// From side 3, no side, over the lowest solid side.
+  [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const {
+    unsigned ways = solid_sides(triangle(in));
+    if (const unsigned entered = StripMesh::side(in); entered != 3) ways &= ~(1U << entered);
+    if (ways == 0) return {};
+    return {true, opposite(halfedge(triangle(in), static_cast<unsigned>(std::countr_zero(ways))))};
+  }
+
+  [[nodiscard]] bool has_triangle(Triangle t) const { return t < triangle_bound() && bool{mesh_->has_triangle(t)}; }
+  [[nodiscard]] bool alive(Triangle t) const { return has_triangle(t); }
+  [[nodiscard]] bool alive(Halfedge h) const { return StripMesh::side(h) < 3 && has_triangle(triangle(h)); }
+  [[nodiscard]] std::size_t triangle_bound() const { return std::size_t{mesh_->triangle_bound()}; }
+  [[nodiscard]] std::size_t triangle_count() const {
+    std::size_t count = 0;
+    for (Triangle t = 0; t < triangle_bound(); ++t) count += has_triangle(t) ? 1U : 0U;
+    return count;
+  }
+  void clear_colors() {
+    color([](Triangle) { return 0U; });
+  }
+  void set_colors(std::span<const std::uint8_t> solid_sides) {
+    color([&](Triangle t) { return unsigned{solid_sides[t]}; });
+  }
+
+ private:
+  // Dashed first, so that the colouring is valid all the time where the old and the new one are.
+  template <class Colors>
+  void color(Colors&& wanted) {
+    for (const bool solid : {false, true})
+      for (Triangle t = 0; t < triangle_bound(); ++t) {
+        if (!has_triangle(t)) continue;
+        const unsigned now = solid_sides(t);
+        for (unsigned s = 0; s < 3; ++s)
+          if ((now >> s & 1U) != (wanted(t) >> s & 1U) && ((now >> s & 1U) == 0) == solid)
+            set_solid(halfedge(t, s), solid);
+      }
+  }
+
+  Mesh* mesh_;
+};
+
+/// The mesh itself where it has sides, else a view of it.
+template <class Mesh>
+[[nodiscard]] decltype(auto) by_sides(Mesh& mesh) noexcept {
+  if constexpr (SidedMesh<std::remove_const_t<Mesh>>)
+    return (mesh);
+  else
+    return SideView<Mesh>(mesh);
+}
+
+static_assert(SidedMesh<StripMesh>);
+
+}  // namespace restrip
