@@ -20,7 +20,7 @@ namespace {
 /// and needs little of the library; then what searches, because a fault below a search may let it run for ever; last
 /// what takes a tenth of a second or more.
 constexpr const char* stages[] = {
-    "Operations.AnyValence:Adopt.Goes*:Adopt.That*:Operations.AFree*:"
+    "Operations.AnyValence:Join.*:Adopt.That*:Operations.AFree*:"
     "Refine.Inverses*:Refine.Refuses*:Refine.Refining*:Operations.Going*:Operations.Invalid*:Operations.Refused*:"
     "Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:"
     "Checked.*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:StripBuffer.RunsAre*:Strips.*:"
