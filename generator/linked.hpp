@@ -1,4 +1,4 @@
-// Linked rules: what to do when it is known which strips come back from outside the patch (docs/linked.md).
+// Linked rules: what to do when it is known which strips come back from outside the patch (docs/theory.md, section 7).
 //
 // Knowing more of the outside makes more recolourings sound, never fewer, and a recolouring that joins fewer ports is
 // sound wherever one that joins them and more is. So one list for each position and port mask serves every outside:

@@ -1,6 +1,6 @@
-// Arcs of a fan under a cost of strips, swaps and isolated triangles (docs/automaton.md, "The automaton of the cost
-// with swaps"). As in arc.hpp, but a case also says how the strand over a link turns in the arc's end triangle: whether
-// the link is a swap depends on it.
+// Arcs of a fan under a cost of strips, swaps and isolated triangles (docs/automaton.md, "The index automaton").
+// As in arc.hpp, but a case also says how the strand over a link turns in the arc's end triangle: whether the link is a
+// swap depends on it.
 #pragma once
 
 #include <array>
