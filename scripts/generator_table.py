@@ -2,6 +2,8 @@
 """Runs the generator and prints a table of one of the documents.
 
 counts:     configurations, orbits and rules that add a strip, for splits and for collapses (docs/theory.md)
+ports:      what splits and collapses would gain if their rules gave solid ports up (docs/theory.md)
+ports-met:  how often splits of real meshes (web/atlas/met.csv) would gain by that (docs/theory.md)
 families:   rules and bytes of each family of tables, k <= 8 (docs/tables.md)
 programs:   bytes of split and collapse of a StripMesh, compiled by g++ -Os -DNDEBUG against single headers with tables
             up to different k (docs/tables.md)
@@ -12,6 +14,7 @@ verified:   time of making tables up to different k and of verifying them with w
 shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
 """
 import argparse
+import csv
 import json
 import os
 import re
@@ -58,6 +61,66 @@ def print_counts(generate):
         for row in counts[operation]:
             line([operation, str(row["k"]), f"{row['configurations']:,}"] +
                  ["; ".join(f"{number:,}" for number in row[what]) for what in ("valid", "orbits", "valid_orbits", "costing")])
+
+
+class Positions:
+    """Rules of one position that count strips alone: the best that keep every port, and the best that may give ports up."""
+
+    def __init__(self, generate, family, k, a):
+        self.keeping, self.giving = {}, {}  # solid edges after the operation, ports included, by (P, J) of docs/operation-file.md
+        self.costing = []                   # valid configurations whose rule adds a strip: keeping, giving
+        told = subprocess.check_output([generate, "describe", "--family", family, "--k", str(k), "--at", str(a)])
+        operation = {**json.loads(told), "cost": [[{"count": "strips"}]]}
+        for give_up, solid in (("none", self.keeping), ("all", self.giving)):
+            with tempfile.TemporaryDirectory() as out:
+                file = os.path.join(out, "operation.json")
+                with open(file, "w", encoding="utf-8") as written:
+                    json.dump({**operation, "give_up": give_up}, written)
+                report = json.loads(subprocess.check_output([generate, "rules", "--operation", file, "--out", out, "--json", "-"]))
+                self.costing.append(report["operations"][0]["costing"])
+                with open(os.path.join(out, "certificates/operations", operation["name"] + ".cert"), encoding="ascii") as certificate:
+                    for word, *masks in (row.split()[:5] for row in certificate if row.startswith(("rule ", "copy "))):
+                        ports, joined, after, kept = (int(mask, 16) for mask in masks)
+                        solid[ports, joined] = bin(after).count("1") + bin(kept).count("1")
+        if not self.keeping or self.keeping.keys() != self.giving.keys():
+            raise ValueError(f"{operation['name']}: not the same keys")
+
+    def gains(self, key):
+        return self.giving[key] > self.keeping[key]
+
+
+def print_ports(generate):
+    header("operation", "k", "a", "keys", "keys for which a port given up saves a strip", "valid configurations whose best recolouring adds a strip, ports kept",
+           "ports given up")
+    for family in ("split", "collapse"):
+        for k in range(3, 7):
+            for a in range(1, k // 2 + 1):
+                rules = Positions(generate, family, k, a)
+                line([family, str(k), str(a), str(len(rules.keeping)), str(sum(map(rules.gains, rules.keeping))), *map(str, rules.costing)])
+
+
+def key_of_fan(k, ports, joined):
+    """(P, J) of docs/operation-file.md for the key of a closed fan (docs/notation.md)."""
+    solid = [i for i in range(k) if ports >> i & 1]
+    pairs = {tuple(sorted((solid[n - 1], i))) for n, i in enumerate(solid) if joined >> i & 1}
+    return ports, sum(1 << high * (high - 1) // 2 + low for low, high in pairs)
+
+
+def print_ports_met(generate):
+    header("mesh", "splits with k <= 7", "a port given up saves a strip in", "share")
+    rules = {(k, a): Positions(generate, "split", k, a) for k in range(3, 8) for a in range(1, k // 2 + 1)}
+    with open(os.path.join(HERE, "web/atlas/met.csv"), encoding="ascii") as file:
+        meshes, *rows = list(csv.reader(file))
+    for column, mesh in enumerate(meshes[1:], 1):
+        splits = gain = 0
+        for row in rows:
+            family, *words = row[0].split("-")
+            if family != "split" or int(words[0]) > 7:
+                continue
+            k, a, ports, joined = int(words[0]), int(words[1]), int(words[2], 16), int(words[3], 16)
+            splits += int(row[column])
+            gain += int(row[column]) if rules[k, a].gains(key_of_fan(k, ports, joined)) else 0
+        line([mesh, f"{splits:,}", f"{gain:,}", f"{100 * gain / splits:.1f} %"])
 
 
 def row_starts(k):
@@ -190,8 +253,9 @@ def print_shards(generate):
                   f"{bytes_below(tables) / 1e6:.1f} MB", f"{sum(size for _, size in families.values()) / 1e6:.1f} MB"])
 
 
-TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "operations": print_operations, "matchings": print_matchings,
-          "languages": print_languages, "shards": print_shards, "verified": print_verified}
+TABLES = {"counts": print_counts, "ports": print_ports, "ports-met": print_ports_met, "families": print_families,
+          "programs": print_programs, "operations": print_operations, "matchings": print_matchings, "languages": print_languages,
+          "shards": print_shards, "verified": print_verified}
 
 
 def main():
