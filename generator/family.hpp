@@ -62,7 +62,7 @@ struct Family {
 /// Throws std::runtime_error with what was expected.
 [[nodiscard]] std::vector<Family> parse_families(std::string_view text);
 
-/// Those of the shipped file, in its order.
+/// The families of the shipped file, in its order.
 [[nodiscard]] const std::vector<Family>& families();
 
 /// Throws std::invalid_argument.

@@ -19,7 +19,7 @@ struct PortPairs {
   }
 };
 
-/// The same of masks with two bits each.
+/// The set of these pairs, each a mask with two bits.
 [[nodiscard]] PortPairs port_pairs(const std::vector<Mask>& pairs);
 
 /// The colours after an operation.

@@ -61,7 +61,7 @@ struct FamilyDescription {
 /// InputError with the line and column, and with what was expected there.
 std::vector<FamilyDescription> parse_families(const std::string& file, std::string_view text);
 
-/// Those of the shipped file, in its order.
+/// The families of the shipped file, in its order.
 const std::vector<FamilyDescription>& family_descriptions();
 
 }  // namespace restrip::verify

@@ -19,7 +19,7 @@ Mask joined_to_predecessor(PortPairs joined, Mask ports, unsigned port_count, bo
 /// The pairs that a `joined` mask stands for; nullopt when it names a port that is dashed or has no predecessor.
 std::optional<PortPairs> pairs_of(Mask joined, Mask ports, unsigned port_count, bool closed);
 
-/// Of a valid configuration.
+/// The key of a valid configuration.
 Key key_of(const Operation& operation, Coloring before, const Survey& survey);
 
 }  // namespace restrip::verify

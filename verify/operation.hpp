@@ -59,7 +59,7 @@ struct LinkedFamily {
   Family local;
 };
 
-/// Those of the families that have linked rules.
+/// The families that have linked rules.
 std::vector<LinkedFamily> linked_families(unsigned max_k = largest_fan);
 
 /// The patch after an operation of this certificate, of which only numbers need to be given that it depends on.

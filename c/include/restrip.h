@@ -1,4 +1,4 @@
-/* restrip for C: triangle strips kept while the mesh changes, by local repairs proven optimal.
+/* restrip for C: triangle strips kept while the mesh changes, by proven local rules.
  *
  * This header is plain C99 and needs no other file of restrip. Link the shared or the static library restrip_c (CMake:
  * restrip::c, restrip::c_static; pkg-config: restrip-c). docs/c.md is the guide, examples/keep_strips.c a whole

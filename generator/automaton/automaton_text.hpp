@@ -30,7 +30,7 @@ class Rows {
     ++count_;
   }
   [[nodiscard]] std::size_t count() const { return count_; }
-  /// As a section of a certificate.
+  /// The rows as a section of a certificate.
   [[nodiscard]] std::string section(std::string_view name) const {
     return fmt::format("section {}\nclaim rows {}\n{}", name, count_, text_);
   }

@@ -20,16 +20,16 @@ struct Verdict {
   bool says(const std::string& expected) const { return text.find(expected) != std::string::npos; }
 };
 
-/// Of a certificate of this family.
+/// The verdict on a certificate of this family.
 Verdict verdict_of(const std::string& certificate, const Family& family, bool second_formulation);
 
-/// Of a certificate that holds this one section only.
+/// The verdict on a certificate that holds this one section only.
 Verdict verdict_of(const NaiveTable& table);
 
-/// Of a certificate of linked rules that holds this one section only, beside such a one of the local rules.
+/// The verdict on a certificate of linked rules with this one section only, beside such a one of the local rules.
 Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local);
 
-/// Of a folder with MANIFEST and certificates/.
+/// The verdict on a folder with MANIFEST and certificates/.
 Verdict verdict_of(const std::filesystem::path& tables_dir);
 
 }  // namespace restrip::verify::test

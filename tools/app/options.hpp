@@ -17,7 +17,7 @@ namespace restrip::tools {
 [[nodiscard]] std::string list_in_words(const std::vector<std::string>& words, const std::string& last_word);
 /// The formats of meshes, as the help of an input says them.
 [[nodiscard]] std::string mesh_formats();
-/// Those in which strips are written (strip_file.hpp).
+/// The formats in which strips are written (strip_file.hpp).
 [[nodiscard]] std::string strip_formats();
 
 /// For outputs that may carry them.

@@ -30,7 +30,7 @@ struct BakedBytes {
 /// when it cannot be read, and BadInput where it is damaged.
 [[nodiscard]] bool is_baked_gltf(const std::filesystem::path& file);
 
-/// Of a .baked file, or of a .glb or .gltf with the extension. Throws BadInput.
+/// Reads a .baked file, or a .glb or .gltf with the extension. Throws BadInput.
 [[nodiscard]] BakedBytes read_baked_bytes(const std::filesystem::path& file);
 
 }  // namespace restrip::tools

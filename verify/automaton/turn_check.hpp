@@ -39,7 +39,7 @@ class TurnCheck {
   void explore();
   std::size_t place_of(const std::string& word, const TurnCosts& absolute, std::size_t arc_class);
   void check_step(std::size_t at, std::size_t letter);
-  /// Of the cases that the class keeps, the costs that the certificate states.
+  /// The costs that the certificate states, of the cases that the class keeps.
   TurnCosts stated(const TurnArcKind& arc) const;
   void check_answers(unsigned every);
   void check_pair(const TurnArcKind& first, const TurnCosts& second, const TurnCosts& second_stated,

@@ -21,7 +21,7 @@ struct RuleRow {
   std::optional<Reason> reason;  ///< of a rule; all rules have one, or none has
   unsigned line = 0;
 
-  /// As the certificate writes it.
+  /// The row as the certificate writes it.
   std::string text() const;
 };
 

@@ -15,7 +15,7 @@ struct ReasonCheck {
   Failures wrong;
 };
 
-/// Of an operation that may have them.
+/// Checks the reasons of an operation that may have them.
 ReasonCheck check_rule_reasons(const RuleJudge& judge, const OperationCertificate& certificate);
 
 }  // namespace restrip::verify::operations

@@ -30,7 +30,7 @@ class RuleJudge {
   const FitClasses& before() const { return before_; }
   const FitClasses& after() const { return after_; }
 
-  /// Of a recolouring of a valid configuration. Each question is answered once and remembered.
+  /// Judges a recolouring of a valid configuration. Each question is answered once and remembered.
   Judged judged(Colors configuration, Colors recoloring);
   /// What is wrong, in full: colours drawn, the world in which they do not fit, the recolouring that is better.
   std::string explained(Colors configuration, Colors recoloring, const Judged& judged) const;

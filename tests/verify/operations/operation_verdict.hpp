@@ -21,7 +21,7 @@ extern const std::vector<std::string> corpus_operations;
 std::string corpus_path(const std::string& name, const std::string& extension);
 OperationFile corpus_operation(const std::string& name);
 
-/// Of a file on disk.
+/// The verdict on files on disk.
 OperationVerdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
                             const std::optional<std::string>& dump);
 

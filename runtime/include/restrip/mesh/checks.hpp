@@ -120,7 +120,7 @@ template <class Shared>
     if (mesh.non_manifold(*apex)) return Refusal::non_manifold_vertex;
     if (!keeps_enough(mesh, down, 1)) return Refusal::too_few_triangles;
   }
-  // Of a fan of three triangles or more, because in the one other case, a tetrahedron, the apexes have too few.
+  // The fan has three triangles or more: in the one other case, a tetrahedron, the apexes have too few.
   return shared(v_s, v_t, v_l, v_r) ? Refusal::link_condition : Refusal::granted;
 }
 

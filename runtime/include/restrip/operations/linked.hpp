@@ -7,9 +7,9 @@
 //
 //   split_and_link(mesh, where);  collapse_and_link(mesh, chord);  flip_and_link(mesh, h);
 //
-// do three things. First comes the operation, with the best recolouring that is sound for what was seen. Then strip
-// ends that lie side by side in the patch or around it are linked. Adoption (adopt.hpp) comes last. A walk that has not
-// ended after `reach` triangles counts as "may come back anywhere".
+// do three things. First comes the operation, with the best recolouring that keeps its ports and is sound for what was
+// seen. Then strip ends that lie side by side in the patch or around it are linked. Adoption (adopt.hpp) comes last. A
+// walk that has not ended after `reach` triangles counts as "may come back anywhere".
 //
 // The recolouring comes from the tables for closed fans of at most table_max_k triangles: a list for each position and
 // port mask, best first. For larger closed fans and for open ones it is searched for by the automaton of all valences

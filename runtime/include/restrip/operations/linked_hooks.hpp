@@ -56,7 +56,7 @@ Rewrite<typename Mesh::Halfedge> after_flip_and_link(Mesh& mesh, PendingFlip<typ
   return detail::linked_after_flip(mesh, after_flip(mesh, std::move(pending), h));
 }
 
-/// The same by the rules named.
+/// The hooks of an adapter, by the rules named.
 template <ColoredMesh Mesh>
 [[nodiscard]] PendingCollapse<typename Mesh::Halfedge> before_collapse(Mesh& mesh, typename Mesh::Halfedge chord,
                                                                        HookRules rules) {

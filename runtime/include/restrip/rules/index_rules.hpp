@@ -1,5 +1,6 @@
-// Rules of the index cost: the best recolouring of a fan of any valence when every index counts, looked up in the index
-// automaton (restrip/tables/index_automaton.hpp). Not part of restrip/restrip.hpp: include this header by itself.
+// Rules of the index cost: for a fan of any valence, the recolouring that keeps every port and takes the fewest
+// indices, looked up in the index automaton (restrip/tables/index_automaton.hpp). Not part of restrip/restrip.hpp:
+// include this header by itself.
 //
 // The cost of a colouring is restart * strips + swap * swaps + isolated * isolated triangles (restrip/mesh/cost.hpp),
 // with the weights of the automaton: 3, 1 and 0, so that it is the length of an index buffer up to a constant. For
@@ -8,7 +9,7 @@
 //
 // A rule recolours the inner edges of a patch and leaves every port as it is. Whether a port is a swap depends on how
 // its strip turns in the fan, which the rule decides, and on how it turns in the triangle behind the port, which the
-// caller tells; so swaps at ports are counted exactly. Of all recolourings that are sound whatever lies outside
+// caller tells; so swaps at ports are counted exactly. Of all such recolourings that are sound whatever lies outside
 // (docs/notation.md), these functions return one of the least cost. Between several it is the same on every machine.
 //
 // Input, for a fan in the numbering of docs/notation.md. Halfedges as in restrip/mesh/mesh.hpp; h is the halfedge of
@@ -22,10 +23,10 @@
 //    does not know sets neither, and then swaps at this port are not counted.
 // Any masks are safe. Positions are any, as for restrip/rules/exact.hpp. k is less than 2^26.
 //
-// Cost of a look-up. Four table reads for each triangle forwards and three backwards, and for a split some dozens of
-// pairs of cases, at most 200, whatever k is. On words, and on bit strings with k <= 64: no allocation, nothing thrown.
-// Longer bit strings: one allocation of two bytes for each triangle. The tables are 22 KB, and the compiler makes
-// another 5 KB of them.
+// Complexity of a look-up. Four table reads for each triangle forwards and three backwards, and for a split some dozens
+// of pairs of cases, at most 200, whatever k is. On words, and on bit strings with k <= 64: no allocation, nothing
+// thrown. Longer bit strings: one allocation of two bytes for each triangle. The tables are 22 KB, and the compiler
+// makes another 5 KB of them.
 //
 // Swaps: Evans, Skiena, Varshney, "Optimizing triangle strips for fast rendering", 1996.
 #pragma once
@@ -51,7 +52,7 @@ struct Key {
   friend constexpr bool operator==(const Key&, const Key&) noexcept = default;
 };
 
-/// The same for fans of any size; k bits each.
+/// The key of a fan of any size; k bits each.
 struct LongKey {
   BitSpan ports;
   BitSpan joined;

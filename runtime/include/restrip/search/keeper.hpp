@@ -13,7 +13,7 @@
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
 //   keeper.improve(10'000);                            // in idle time
 //
-// Cost. An operation costs its rule and, if the policy tunnels, time linear in the patch for the locator, and the
+// Complexity. An operation costs its rule and, if the policy tunnels, time linear in the patch for the locator, and the
 // searches. Their mean number of states depends on the policy, not on the size of the mesh. The same holds for the mean
 // length of the strips, on which the locator depends, once they have the length that the policy keeps. After warm-up
 // nothing is allocated beyond what the mesh itself allocates to grow.
@@ -125,7 +125,7 @@ class StripKeeper {
     return done;
   }
 
-  /// Those of refine.hpp, likewise. Linked rules have none of their own here: linked is as local.
+  /// The operations of refine.hpp. Linked rules have none of their own here: linked is as local.
   Rewrite<Halfedge> split_face(Halfedge h) {
     RESTRIP_ASSERT(check_split_face(*mesh_, h) == Refusal::granted, "StripKeeper::split_face",
                    describe(check_split_face(*mesh_, h)));

@@ -90,7 +90,7 @@ class IndexArc {
 
   [[nodiscard]] constexpr const ArcPorts& ports() const noexcept { return ports_; }
 
-  /// Of the cases of the class, from first_case() to one before last_case().
+  /// The cases of the class are first_case() to one before last_case().
   [[nodiscard]] constexpr std::size_t first_case() const noexcept { return tables::index_automaton.first[class_]; }
   [[nodiscard]] constexpr std::size_t last_case() const noexcept { return tables::index_automaton.first[class_ + 1]; }
   [[nodiscard]] constexpr int cost(std::size_t c) const noexcept { return cost_ + tables::index_automaton.costs[c]; }
