@@ -9,6 +9,8 @@ programs:   bytes of split and collapse of a StripMesh, compiled by g++ -Os -DND
             up to different k (docs/tables.md)
 operations: claims of the certificates of the shipped operation files, proved by the verifier (docs/toolkit.md)
 matchings:  claims of the splits, collapses and the flip of matchings, all positions of a fan together (docs/toolkit.md)
+speed:      time to make and to prove the tables of operation files, small and at the limits (docs/toolkit.md)
+compiling:  time and memory of compilers that read restrip.hpp (docs/tables.md)
 languages:  bytes of the rule tables in other languages than C++, k <= 8 (docs/languages.md)
 verified:   time of making tables up to different k and of verifying them with what they compile to (docs/cmake.md)
 shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
@@ -232,6 +234,45 @@ def print_verified(generate):
                   f"{bytes_below(made) / 1e6:.1f} MB"])
 
 
+def least(times, *command):
+    """The least processor seconds of so many runs, and the largest memory in MiB."""
+    runs = [watched(*command) for _ in range(times)]
+    return min(seconds for seconds, _, _ in runs), max(memory for _, memory, _ in runs)
+
+
+def print_speed(generate):
+    header("operation file", "bits before", "bits after", "generating, seconds", "proving, seconds")
+    verify = os.path.join(os.path.dirname(generate), "restrip-verify")
+    of_a_fan = json.loads(subprocess.check_output([generate, "describe", "--family", "split", "--k", "8", "--at", "4"]))
+    with open(os.path.join(HERE, "tables/operations/refine-face.json"), encoding="utf-8") as file:
+        red_green = json.load(file)
+    strips_alone = {"give_up": "all", "cost": [[{"count": "strips"}]]}
+    for name, operation in (("`refine-face.json`", red_green), ("split, k = 8, a = 4", of_a_fan),
+                            ("the same, ports may be given up, strips alone count", {**of_a_fan, **strips_alone})):
+        with tempfile.TemporaryDirectory() as out:
+            file = os.path.join(out, "operation.json")
+            with open(file, "w", encoding="utf-8") as written:
+                json.dump(operation, written)
+            made = least(5, generate, "rules", "--operation", file, "--out", out)
+            certificate = os.path.join(out, "certificates/operations", operation["name"] + ".cert")
+            proved = least(5, verify, "--operation", file, "--certificate", certificate)
+        line([name, *(str(len(operation[side]["edges"]) + len(operation[side]["ports"])) for side in ("before", "after")),
+              f"{made[0]:.2f}", f"{proved[0]:.2f}"])
+
+
+def print_compiling(_):
+    header("compiler", "seconds", "memory")
+    with tempfile.TemporaryDirectory() as folder:
+        source = os.path.join(folder, "a.cpp")
+        with open(source, "w", encoding="utf-8") as file:
+            file.write("#include <restrip/restrip.hpp>\n")
+        for compiler in ("g++", "clang++-14"):
+            seconds, memory = least(7, compiler, "-std=c++20", "-fsyntax-only", "-I", os.path.join(HERE, "runtime/include"), "-I",
+                                    os.path.join(HERE, "tables/include"), source)
+            name = subprocess.check_output([compiler, "--version"], text=True).split("\n", maxsplit=1)[0]
+            line([name, f"{seconds:.1f}", f"{memory:.0f} MiB"])
+
+
 def bytes_below(folder):
     return sum(os.path.getsize(os.path.join(path, name)) for path, _, names in os.walk(folder) for name in names)
 
@@ -254,7 +295,8 @@ def print_shards(generate):
 
 
 TABLES = {"counts": print_counts, "ports": print_ports, "ports-met": print_ports_met, "families": print_families,
-          "programs": print_programs, "operations": print_operations, "matchings": print_matchings, "languages": print_languages,
+          "programs": print_programs, "operations": print_operations, "matchings": print_matchings, "speed": print_speed,
+          "compiling": print_compiling, "languages": print_languages,
           "shards": print_shards, "verified": print_verified}
 
 
