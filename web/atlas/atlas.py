@@ -400,7 +400,7 @@ def index_page(families, picture, met, page):
             "<p>A strip is a path through triangles that share an edge. When a vertex is split, two triangles come into the mesh and "
             "cut the paths around it. A <em>rule</em> says how the edges of that patch are to be coloured afterwards, solid where a "
             "strip goes on and dashed where it does not, so that as few strips as possible remain, whatever the rest of the mesh looks "
-            "like. Each rule here is proved: no recolouring that keeps the <em>ports</em>, the solid edges that lead out of the patch, and "
+            "like. Each rule here is proved: no recolouring that keeps the <em>ports</em>, the edges that lead out of the patch, and "
             "is safe in every mesh leaves fewer strips. (Only the rules of flips may cut a strip at a port.)</p>" + picture +
             '<p><a class="button" href="paint.html">Paint a configuration and see its rule</a></p>')
     total = 0
