@@ -7,14 +7,14 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstddef>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "operations/describe.hpp"
-#include "operations/solve.hpp"
-#include "section.hpp"
+#include "operations/description_file.hpp"
+#include "solve/section.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -24,8 +24,6 @@ constexpr Mask ports = 0x15;  // 0, 2 and 4
 constexpr Mask rule = 0x2d;
 constexpr Mask bolder = 0xf6;
 constexpr Mask bolder_keeps = 0x5;
-
-const Position position{&family_named("split"), k, 2, 0};
 
 using Ends = std::pair<unsigned, unsigned>;
 constexpr unsigned nodes = k + 2;
@@ -114,24 +112,32 @@ TEST(PortsGivenUp, OneGivenUpSavesAStrip) {
 }
 
 TEST(PortsGivenUp, TheGeneratorFindsBoth) {
-  for (const Section& section : solve("split", k, 1)) {
+  const Position position{&family_named("split"), k, 2, 0};
+  PortPairs joined;
+  joined.add(0, 2);
+  std::size_t compared = 0;
+  for (const Section& section : solved("split", k, 1)) {
     if (section.position != position) continue;
-    EXPECT_EQ(row_of(section, {ports, joined_to_previous({Mask{0b101}}, ports, k, true)}).recoloring, rule);
+    EXPECT_EQ(row_of(section, ports, joined).recoloring, rule);
+    ++compared;
   }
-  NamedOperation named = described(position);
-  const auto row = [&named] {
-    for (const OperationRow& each : solve(named).rows)
-      if (each.key == OperationKey{ports, 0b10}) return each;  // bit 1 is the pair of ports 0 and 2
-    throw std::logic_error("no row");
-  };
-  EXPECT_EQ(row().choice.recoloring, rule);
-  EXPECT_EQ(row().choice.kept, ports);
+  EXPECT_EQ(compared, 1U);
 
-  named.operation.may_give_up = (1U << k) - 1;
-  named.operation.preference.resize(1);  // strips alone
-  const Choice choice = row().choice;
-  EXPECT_EQ(solid(choice.recoloring, choice.kept), 8);
-  EXPECT_TRUE(is_sound(choice.recoloring, choice.kept));
+  std::vector<Description> file = parse_descriptions("file.json", operation_file_text(position));
+  const auto row = [&] {
+    Section own = sections_of(file, k).at(0);
+    solve(own);
+    return row_of(own, ports, joined);
+  };
+  const Row keeping = row();
+  EXPECT_EQ(keeping.recoloring, rule);
+  EXPECT_EQ(keeping.kept, ports);
+
+  file.at(0).gives_all_up = true;
+  file.at(0).preference.resize(1);  // strips alone
+  const Row giving = row();
+  EXPECT_EQ(solid(giving.recoloring, giving.kept), 8);
+  EXPECT_TRUE(is_sound(giving.recoloring, giving.kept));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "lod/coloring_check.hpp"
+#include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
-#include "meshes/mesh_file.hpp"
 #include "real_meshes.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "shapes.hpp"

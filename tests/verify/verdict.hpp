@@ -1,11 +1,12 @@
 #pragma once
-// What the checker says of a table: asked in memory for one section, or through files for a whole folder.
+// What the checker says of tables: asked in memory for one section, or through files for a folder or an operation.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "model/family.hpp"
 #include "naive_lists.hpp"
-#include "operation.hpp"
 
 namespace restrip::verify::test {
 
@@ -31,5 +32,14 @@ Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local);
 
 /// The verdict on a folder with MANIFEST and certificates/.
 Verdict verdict_of(const std::filesystem::path& tables_dir);
+
+/// The operation files in tests/corpus/operations.
+extern const std::vector<std::string> corpus_operations;
+std::string corpus_path(const std::string& name);
+Operation corpus_operation(const std::string& name);
+
+/// Of an operation's file on disk, with certificates and a dump as texts.
+Verdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
+                   const std::optional<std::string>& dump, const std::optional<std::string>& linked = {});
 
 }  // namespace restrip::verify::test

@@ -11,7 +11,7 @@
 
 namespace restrip::tools {
 
-LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const std::string& extension,
+LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const MeshFormat& format,
                      GltfPrimitives primitives) {
   const Strips strips = extract_strips(mesh);
   std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
@@ -26,7 +26,7 @@ LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const
     index = number[index];
   }
   const std::vector<Corners> drawn = decode_strips(indices);
-  return {strip_bytes({used, indices, drawn}, extension, primitives), drawn.size(), strips.size()};
+  return {format.write_strips({used, indices, drawn}, primitives), drawn.size(), strips.size()};
 }
 
 StripMesh level_mesh(const Plan& plan, std::size_t triangles) {
@@ -44,8 +44,8 @@ StripMesh level_mesh(const Plan& plan, std::size_t triangles) {
   return mesh;
 }
 
-LevelFile level_file(const Plan& plan, std::size_t triangles, const std::string& extension, GltfPrimitives primitives) {
-  return level_file(level_mesh(plan, triangles), plan.mesh().points, extension, primitives);
+LevelFile level_file(const Plan& plan, std::size_t triangles, const MeshFormat& format, GltfPrimitives primitives) {
+  return level_file(level_mesh(plan, triangles), plan.mesh().points, format, primitives);
 }
 
 }  // namespace restrip::tools

@@ -15,10 +15,6 @@
 
 namespace restrip::tools {
 
-[[nodiscard]] bool is_progressive(const std::filesystem::path& file);
-/// A .baked file, or a glTF file with a baked mesh in it.
-[[nodiscard]] bool is_baked(const std::filesystem::path& file);
-
 /// A mesh ready to be replayed, with the triangles that must come out (none for a file that has only the splits).
 struct Source {
   Subject subject;
@@ -26,6 +22,9 @@ struct Source {
   std::vector<Corners> original;
   std::optional<BakedMesh> baked;  ///< when the file has its strips
 };
+
+/// What the strips of a baked mesh cost.
+[[nodiscard]] BakedCosts costs_of(const BakedMesh& baked, double seconds);
 
 [[nodiscard]] Source simplified(std::string name, Soup soup, const SimplifyOptions& options);
 /// Throws BadInput where the file cannot be read, and where a progressive mesh is to be simplified (`options_given`) or

@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "meshes/soup.hpp"
 
@@ -26,16 +25,11 @@ struct StripFile {
   std::span<const Point> points;
   std::span<const std::uint32_t> indices;  ///< restart_index between strips
   std::span<const Corners> triangles;      ///< the same, drawn, in order
-  /// Attributes of the points. A format holds those of which holds_attribute() (mesh_file.hpp) says so.
+  /// Attributes of the points. A format holds those of which MeshFormat::holds() (lod/mesh_formats.hpp) says so.
   std::span<const Attribute> attributes = {};
 };
 
-/// The extensions in which strips are written.
-[[nodiscard]] std::vector<std::string> written_strip_extensions();
-/// The bytes of a file with this extension, in lower case. Throws BadInput when it is none of those, and where the
-/// format cannot hold the mesh: glTF and the lists of PLY have less than 2^31 values, and glTF no mesh without
-/// triangles.
-[[nodiscard]] std::string strip_bytes(const StripFile& file, const std::string& extension,
-                                      GltfPrimitives primitives = GltfPrimitives::restart);
+/// The bare indices, as .bin has them.
+[[nodiscard]] std::string index_bytes(std::span<const std::uint32_t> indices);
 
 }  // namespace restrip::tools

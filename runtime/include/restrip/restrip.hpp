@@ -27,6 +27,7 @@
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/hooks.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/linked_hooks.hpp"
 #include "restrip/operations/operations.hpp"

@@ -7,9 +7,9 @@
 // beside the mesh but three counters, and a strip is some 20 triangles long, so that nothing depends on the size of the
 // mesh.
 //
-// The rules of the index cost (rules/index_rules.hpp) are not used. They recolour the patch as well as can be with its
-// ports as they are; alone they keep far more indices, because they can neither give ports up nor take others. Before
-// the search they would gain a little, for 1.5 to 2 times the time (docs/strips.md, "Fewest indices").
+// No rules of the index cost are used. They recolour a patch as well as can be with its ports as they are; alone they
+// keep far more indices, because they can neither give ports up nor take others. Before the search they would gain a
+// little, for 1.5 to 2 times the time (docs/strips.md, "Fewest indices").
 //
 //   StripMesh mesh = ...;
 //   IndexKeeper keeper(mesh, Policy::quick);
