@@ -25,9 +25,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "restrip/operations/join.hpp"
 #include "restrip/operations/impl/linked_search.hpp"
 #include "restrip/operations/impl/outlook.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/tables/linked.hpp"
 

@@ -264,9 +264,7 @@ class StripKeeper {
     up_to_date_ = true;
   }
   void adopt_isolated(Rewrite<Halfedge>& done, Halfedge h) {
-    const auto paint = [this](Halfedge g, bool solid) {
-      solid ? locator_.link(*mesh_, g) : locator_.cut(*mesh_, g);
-    };
+    const auto paint = [this](Halfedge g, bool solid) { solid ? locator_.link(*mesh_, g) : locator_.cut(*mesh_, g); };
     const Mending mending = detail::adopt_with(*mesh_, h, detail::default_adoptions, paint, [](Halfedge) {});
     done = detail::with(done, mending);
     strips_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(strips_) + mending.strips);

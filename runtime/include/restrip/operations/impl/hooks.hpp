@@ -160,9 +160,8 @@ PendingSplit<typename Mesh::Halfedge> before_split(Mesh& mesh, const VertexSplit
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_split(Mesh& mesh, PendingSplit<typename Mesh::Halfedge> pending,
                                              typename Mesh::Halfedge chord) {
-  return detail::after_split_by(mesh, std::move(pending), chord, [&](const auto& change) {
-    return detail::finish_split(mesh, change, chord);
-  });
+  return detail::after_split_by(mesh, std::move(pending), chord,
+                                [&](const auto& change) { return detail::finish_split(mesh, change, chord); });
 }
 
 template <ColoredMesh Mesh>
@@ -173,9 +172,8 @@ PendingCollapse<typename Mesh::Halfedge> before_collapse(Mesh& mesh, typename Me
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_collapse(Mesh& mesh, PendingCollapse<typename Mesh::Halfedge> pending,
                                                 typename Mesh::Halfedge spoke) {
-  return detail::after_collapse_by(mesh, std::move(pending), spoke, [&](const auto& change) {
-    return detail::finish_collapse(mesh, change, spoke);
-  });
+  return detail::after_collapse_by(mesh, std::move(pending), spoke,
+                                   [&](const auto& change) { return detail::finish_collapse(mesh, change, spoke); });
 }
 
 template <ColoredMesh Mesh>
