@@ -38,7 +38,7 @@ extern const std::vector<std::string> corpus_operations;
 std::string corpus_path(const std::string& name);
 Operation corpus_operation(const std::string& name);
 
-/// Of an operation's file on disk, with certificates and a dump as texts.
+/// The verdict on an operation's file on disk, with certificates and a dump as texts.
 Verdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
                    const std::optional<std::string>& dump, const std::optional<std::string>& linked = {});
 

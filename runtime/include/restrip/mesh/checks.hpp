@@ -23,8 +23,8 @@
 
 namespace restrip {
 
-// Of walks.hpp, which is not read yet where a program includes it first: it includes strip_mesh.hpp, and that these
-// checks.
+// Declared in walks.hpp, which is not read yet where a program includes it first: it includes strip_mesh.hpp, and that
+// includes these checks.
 template <class Visit>
 void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
 

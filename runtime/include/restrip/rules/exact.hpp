@@ -55,7 +55,7 @@ struct Recoloring {
 
 /// How strips go on behind the ports, for automata that tell turns apart (see above).
 using Turns = restrip::detail::PortTurns<Word>;
-/// The same for bit strings; where a view is empty no bit is set.
+/// Turns as bit strings; where a view is empty no bit is set.
 using LongTurns = restrip::detail::PortTurns<BitSpan>;
 
 namespace detail {

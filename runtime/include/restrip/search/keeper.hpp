@@ -1,11 +1,11 @@
 // StripKeeper: split, collapse and flip under a policy, with strips that stay long.
 //
 // The local rules (operations.hpp) see one patch, and under them strips get shorter over thousands of operations. A
-// policy says how much more an operation looks at: the strips around the patch (linked.hpp), or everything that
-// tunnelling (tunnel.hpp) reaches from every strip end in the patch, which needs a locator of the strips beside the
-// mesh (strip_locator.hpp). At the moment when a strip breaks, its ends are known, and ends of other strips are near.
-// (Porcu and Scateni tunnel when isolated triangles exceed a threshold. Tunnelling at once and locally keeps the strips
-// of every level of detail as long as those made from scratch.)
+// policy says how much more an operation looks at: the strip ends that meet (join.hpp), the strips around the patch
+// (linked.hpp), or everything that tunnelling (tunnel.hpp) reaches from every strip end in the patch, which needs a
+// locator of the strips beside the mesh (strip_locator.hpp). At the moment when a strip breaks, its ends are known, and
+// ends of other strips are near. (Porcu and Scateni tunnel when isolated triangles exceed a threshold. Tunnelling at
+// once and locally keeps the strips of every level of detail as long as those made from scratch.)
 //
 //   StripMesh mesh = ...;
 //   stripify(mesh, Effort::full);
