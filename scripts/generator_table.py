@@ -84,11 +84,19 @@ class Positions:
                     for word, *masks in (row.split()[:5] for row in certificate if row.startswith(("rule ", "copy "))):
                         ports, joined, after, kept = (int(mask, 16) for mask in masks)
                         solid[ports, joined] = bin(after).count("1") + bin(kept).count("1")
-        if not self.keeping or self.keeping.keys() != self.giving.keys():
+        self.joinable = {}                  # by P: pairs that some recolouring joins which keeps every port
+        for ports, joined in self.keeping:
+            self.joinable[ports] = self.joinable.get(ports, 0) | joined
+        if not self.keeping or self.keeping.keys() != {self.where_all_stay(key) for key in self.giving}:
             raise ValueError(f"{operation['name']}: not the same keys")
 
+    def where_all_stay(self, key):
+        """The key of the same configurations where no port may be given up: giving ports up lets more pairs be joined, so J has more."""
+        ports, joined = key
+        return ports, joined & self.joinable[ports]
+
     def gains(self, key):
-        return self.giving[key] > self.keeping[key]
+        return self.giving[key] > self.keeping[self.where_all_stay(key)]
 
 
 def print_ports(generate):
@@ -98,7 +106,7 @@ def print_ports(generate):
         for k in range(3, 7):
             for a in range(1, k // 2 + 1):
                 rules = Positions(generate, family, k, a)
-                line([family, str(k), str(a), str(len(rules.keeping)), str(sum(map(rules.gains, rules.keeping))), *map(str, rules.costing)])
+                line([family, str(k), str(a), str(len(rules.giving)), str(sum(map(rules.gains, rules.giving))), *map(str, rules.costing)])
 
 
 def key_of_fan(k, ports, joined):
