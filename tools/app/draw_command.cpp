@@ -18,6 +18,7 @@
 #include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/bad_input.hpp"
+#include "common/counted.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "files/reading.hpp"
@@ -124,8 +125,9 @@ int run(const DrawCommand& command) {
 
   nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", strips.size()}};
   const Mended& mended = source.subject.mended;
-  std::string text = as_text(mended) + fmt::format("{}: {} triangles in {} strips", command.out.string(),
-                                                   mesh.triangle_count(), strips.size());
+  std::string text =
+      as_text(mended) + fmt::format("{}: {} in {}", command.out.string(), counted(mesh.triangle_count(), "triangle"),
+                                    counted(strips.size(), "strip"));
   if (format == ".json") {
     out.write(facts_of(source.mesh.points, strips));
   } else {
@@ -137,8 +139,9 @@ int run(const DrawCommand& command) {
     json["height"] = command.size.height;
     json["triangles_drawn"] = scene.faces.size();
     json["strips_shown"] = picture.strips;
-    text +=
-        fmt::format("; {} triangles face the camera, {} strips are in the picture", scene.faces.size(), picture.strips);
+    text += fmt::format("; {} the camera, {} in the picture",
+                        counted(scene.faces.size(), "triangle faces", "triangles face"),
+                        counted(picture.strips, "strip is", "strips are"));
   }
   add_to(json, mended);
   report.print(text + "\n", json.dump(2) + "\n");

@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "app/level_file.hpp"
 #include "app/options.hpp"
+#include "common/counted.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "lod/mesh_files.hpp"
@@ -41,19 +42,19 @@ int run(const SimplifyCommand& command) {
   std::string text = as_text(mended);
   if (format.write_progressive != nullptr) {
     out.write(format.write_progressive(made));
-    text += fmt::format("{}: {} triangles and {} splits to {}\n", command.out.string(), made.base.size(),
-                        made.splits.size(), made.fine_triangles());
+    text += fmt::format("{}: {} and {} to {}\n", command.out.string(), counted(made.base.size(), "triangle"),
+                        counted(made.splits.size(), "split"), made.fine_triangles());
   } else {
     StripMesh base = StripMesh::build(made.base, made.points.size());
     stripify(base);
     const LevelFile file = level_file(base, made.points, format, command.gltf);
     out.write(file.bytes);
     json["strips"] = file.strips;
-    text += fmt::format("{}: {} of {} triangles, in {} strips\n", command.out.string(), file.triangles,
-                        made.fine_triangles(), file.strips);
+    text += fmt::format("{}: {} of {}, in {}\n", command.out.string(), file.triangles,
+                        counted(made.fine_triangles(), "triangle"), counted(file.strips, "strip"));
   }
   if (made.base.size() > result.wanted_triangles)
-    text += fmt::format("a base of {} triangles was wanted; {}\n", result.wanted_triangles,
+    text += fmt::format("a base of {} was wanted; {}\n", counted(result.wanted_triangles, "triangle"),
                         why_no_coarser(result.left_out));
   add_to(json, mended);
   report.print(text, json.dump(2) + "\n");

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "common/counted.hpp"
 #include "common/progress.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
@@ -271,7 +272,7 @@ class RecordedMesh : public KernelMesh {
     const std::array<HalfedgeHandle, 2> loops{is_boundary(h) ? HalfedgeHandle() : next_halfedge_handle(h),
                                               is_boundary(back) ? HalfedgeHandle() : next_halfedge_handle(back)};
     collapse_edge(h);
-    // Of the two edges between the head and each apex the one that KernelMesh::collapse keeps.
+    // One of the two edges between the head and each apex goes, and the one that KernelMesh::collapse keeps stays.
     if (loops[0].is_valid()) remove_loop(next_halfedge_handle(loops[0]));
     if (loops[1].is_valid()) remove_loop(loops[1]);
   }
@@ -315,8 +316,8 @@ class RecordedMesh : public KernelMesh {
 
 std::string why_no_coarser(const LeftOut& left_out) {
   if (left_out.large_vertices == 0) return "no further collapse is legal";
-  return fmt::format("what is left is not legal, or at one of {} vertices with more than {} neighbours",
-                     left_out.large_vertices, most_neighbors);
+  return fmt::format("what is left is not legal, or at {} with more than {} neighbours",
+                     counted(left_out.large_vertices, "vertex", "vertices"), most_neighbors);
 }
 
 Simplification simplify(const Soup& soup, const SimplifyOptions& options) {

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "common/counted.hpp"
 #include "meshes/mesh_report.hpp"
 
 namespace restrip::tools {
@@ -21,7 +22,7 @@ std::string as_text(const MeshReport& report, const std::string& name, const Men
   row("vertices", report.vertices, fmt::format("{} used", report.used_vertices));
   row("triangles", report.triangles);
   row("edges", report.edges);
-  row("boundary edges", report.boundary_edges, fmt::format("in {} loops", report.boundary_loops));
+  row("boundary edges", report.boundary_edges, "in " + counted(report.boundary_loops, "loop"));
   row("components", report.components);
   row("Euler characteristic", report.euler_characteristic);
   if (report.genus) row("genus", *report.genus, report.components > 1 ? "all components together" : "");

@@ -35,7 +35,8 @@ const List* give(std::span<const Element> elements) {
   return &list;
 }
 
-// Of the last operation: kind, closed, k, a of the patch before, four masks as two numbers each, strips, isolated.
+// What the last operation was: kind, closed, k, a of the patch before, four masks as two numbers each, strips,
+// isolated.
 std::array<std::uint32_t, 14> told;
 
 }  // namespace

@@ -18,7 +18,7 @@
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
 //   keeper.improve(10'000);                            // in idle time
 //
-// Cost. An operation costs its rule and, if the policy tunnels, time linear in the patch for the locator, and the
+// Complexity. An operation costs its rule and, if the policy tunnels, time linear in the patch for the locator, and the
 // searches. Their mean number of states depends on the policy, not on the size of the mesh. The same holds for the mean
 // length of the strips, on which the locator depends, once they have the length that the policy keeps. After warm-up
 // nothing is allocated beyond what the mesh itself allocates to grow.
@@ -153,7 +153,6 @@ class Keeper {
   [[nodiscard]] bool weighs() const noexcept { return descent_.cost().swap != 0 || descent_.cost().isolated != 0; }
   [[nodiscard]] bool passes_colors() const noexcept { return weighs() && plan_.limits.looks != 0; }
   [[nodiscard]] bool tunnels() const noexcept { return !weighs() && search_.states != 0; }
-  [[nodiscard]] Exchange exchange() const noexcept { return policy_ == Policy::linked ? Exchange::yes : Exchange::no; }
 
   void begin();
   template <class Step>

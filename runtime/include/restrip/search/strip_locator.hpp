@@ -55,7 +55,8 @@ class StripLocator {
   explicit StripLocator(const Mesh& mesh, std::uint32_t chunk_limit = default_chunk_limit) : StripLocator(chunk_limit) {
     rebuild(mesh);
   }
-  /// The same. After an exception the locator must not be used until rebuild() succeeds.
+  /// Reads the whole colouring anew, as the constructor does. After an exception the locator must not be used until
+  /// rebuild() succeeds.
   template <SidedMesh Mesh>
   void rebuild(const Mesh& mesh);
 

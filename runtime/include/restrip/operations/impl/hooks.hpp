@@ -123,7 +123,7 @@ PendingCollapse<typename Mesh::Halfedge> before_collapse_by(const Rules& rules, 
                  describe(refusal_of_collapse(mesh, chord)));
   auto pending = with_collapse_begun(rules, mesh, chord,
                                      [](auto& change) { return PendingCollapse<Halfedge>(std::move(change)); });
-  // Of the two edges that merge one goes, and which one is the library's choice.
+  // Two edges merge, and the library chooses which of them goes.
   for (const Halfedge inward : {chord, mesh.opposite(chord)}) {
     if (mesh.on_boundary(inward)) continue;
     const Halfedge up = mesh.next(inward);
@@ -133,8 +133,9 @@ PendingCollapse<typename Mesh::Halfedge> before_collapse_by(const Rules& rules, 
 }
 
 template <class Mesh, class Finish>
-Rewrite<typename Mesh::Halfedge> after_split_by(const Mesh& mesh, PendingSplit<typename Mesh::Halfedge> pending,
-                                                typename Mesh::Halfedge chord, Finish&& finish) {
+Rewrite<typename Mesh::Halfedge> after_split_by([[maybe_unused]] const Mesh& mesh,
+                                                PendingSplit<typename Mesh::Halfedge> pending,
+                                                [[maybe_unused]] typename Mesh::Halfedge chord, Finish&& finish) {
   RESTRIP_ASSERT(pending.waits(), "after_split", nothing_pending);
   RESTRIP_ASSERT(knows(mesh, chord), "after_split", describe(Refusal::no_such_edge));
   RESTRIP_ASSERT(is_split_of(mesh, pending.valence(), chord), "after_split", other_patch);
@@ -142,8 +143,9 @@ Rewrite<typename Mesh::Halfedge> after_split_by(const Mesh& mesh, PendingSplit<t
 }
 
 template <class Mesh, class Finish>
-Rewrite<typename Mesh::Halfedge> after_collapse_by(const Mesh& mesh, PendingCollapse<typename Mesh::Halfedge> pending,
-                                                   typename Mesh::Halfedge spoke, Finish&& finish) {
+Rewrite<typename Mesh::Halfedge> after_collapse_by([[maybe_unused]] const Mesh& mesh,
+                                                   PendingCollapse<typename Mesh::Halfedge> pending,
+                                                   [[maybe_unused]] typename Mesh::Halfedge spoke, Finish&& finish) {
   RESTRIP_ASSERT(pending.waits(), "after_collapse", nothing_pending);
   RESTRIP_ASSERT(knows(mesh, spoke), "after_collapse", describe(Refusal::no_such_edge));
   RESTRIP_ASSERT(fan_size(mesh, spoke, spoke).triangles == pending.valence(), "after_collapse", other_patch);

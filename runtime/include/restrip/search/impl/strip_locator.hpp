@@ -113,7 +113,7 @@ void StripLocator::separate(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b)
     lists_.cut(c, up_a != lists_[c].backwards);
 }
 
-// The same inside one chunk: the smaller part, found by walking both ways at once, moves to a chunk of its own.
+// Cuts a strip inside one chunk: the smaller part, found by walking both ways at once, moves to a chunk of its own.
 template <SidedMesh Mesh>
 void StripLocator::split_chunk(const Mesh& mesh, Halfedge a, bool up_a, Halfedge b) {
   const ChunkId c = addresses_[StripMesh::triangle(a)].chunk;
