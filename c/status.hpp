@@ -42,6 +42,9 @@ constexpr restrip_status status_of(Refusal refusal) noexcept {
       return RESTRIP_OTHER_VALENCE;
     case Refusal::colors_not_valid:
       return RESTRIP_BAD_COLORING;
+    case Refusal::other_patch:  // of operations that C has not
+    case Refusal::same_vertex:
+      break;
   }
   return RESTRIP_UNEXPECTED;
 }

@@ -24,6 +24,7 @@
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/adopt.hpp"
+#include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/hooks.hpp"

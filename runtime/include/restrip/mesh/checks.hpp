@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -153,4 +154,12 @@ template <class Shared>
   return l == r || mesh.spoke(l, r).id != none ? Refusal::edge_exists : Refusal::granted;
 }
 
+/// May the triangles `in` take the place of `out` (StripMesh::replace)? As the rule above, with these differences: all
+/// vertices must be different, and no mesh edge may be made that there is already. Quadratic in the triangles, and
+/// linear in the valence of the vertices between which there are new edges.
+[[nodiscard]] inline Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
+                                           std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);
+
 }  // namespace restrip
+
+#include "restrip/mesh/impl/check_replace.hpp"

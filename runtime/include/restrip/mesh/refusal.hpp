@@ -22,6 +22,8 @@ enum class Refusal {
   edge_exists,        ///< the flipped edge is in the mesh already
   vertex_in_use,      ///< the vertex named for a split has triangles already
   other_valence,      ///< the vertex to be removed does not have as many triangles as this operation takes away
+  other_patch,        ///< the triangles there are not those that the operation takes away, or not those that it makes
+  same_vertex,        ///< two vertices of the operation are one vertex of the mesh
   colors_not_valid    ///< debug builds, on meshes other than StripMesh: a triangle at the operation has three solid
                       ///< edges, or a boundary edge is solid
 };
@@ -57,6 +59,10 @@ enum class Refusal {
       return "the vertex named for the split is in use already";
     case Refusal::other_valence:
       return "the vertex to be removed has another number of triangles than this operation needs";
+    case Refusal::other_patch:
+      return "the triangles there are not those that the operation names";
+    case Refusal::same_vertex:
+      return "two vertices of the operation are one vertex of the mesh";
     case Refusal::colors_not_valid:
       return "the colours here are those of no valid colouring: was the mesh changed without restrip? "
              "(operations/hooks.hpp)";

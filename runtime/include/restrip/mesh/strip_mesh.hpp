@@ -211,6 +211,17 @@ class StripMesh {
   Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved);
   /// See FlippableMesh. Precondition: check_flip() grants it.
   Halfedge turn_edge(Halfedge h);
+  /// A triangle by its corners, counter-clockwise, each a place in a list of vertices.
+  using Places = std::array<std::uint8_t, 3>;
+  static constexpr std::size_t most_replaced = 16;
+  /// Puts the triangles `in` in the place of `out`: two discs of at most `most_replaced` triangles each, with the same
+  /// rim, where it is not on the boundary of the mesh. `vertices` lists the vertices of both, and `none` for each that
+  /// is new, which is made and written there; those that have no triangle afterwards are removed. The dual edges inside
+  /// are dashed, those of the rim keep their colours. `made` receives the new triangles: as far as there are any to
+  /// take over, they have the handles of `out` in its order. Precondition: check_replace() grants it. Time quadratic in
+  /// the triangles.
+  void replace(std::span<const Triangle> out, std::span<const Places> in, std::span<Vertex> vertices,
+               std::span<Triangle> made);
 
   // ---- what has changed
   /// From now on every triangle whose corners, neighbours or colours change, or that is inserted or removed, is
@@ -366,8 +377,11 @@ class StripMesh {
                                          Vertex new_vertex);
 [[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
 [[nodiscard]] inline Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
+[[nodiscard]] inline Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
+                                           std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);
 
 }  // namespace restrip
 
 #include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/impl/replace.hpp"
 #include "restrip/mesh/impl/strip_mesh.hpp"

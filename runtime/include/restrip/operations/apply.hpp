@@ -1,0 +1,94 @@
+// apply: an operation of your own, with strips kept.
+//
+// `restrip-generate rules` makes a header from a file that names the triangles before and after the operation
+// (docs/operation-file.md, "Triangles"). With the header, the operation can be done at any place of a mesh:
+//
+//   #include "restrip/tables/operations/refine_face.hpp"
+//   const auto done = restrip::apply(mesh, restrip::tables::refine_face, h);
+//
+// h is a side of the first triangle that the file names under `before`: the one from its first vertex to its second,
+// with the triangle to the left of it. All other triangles are found from there.
+//
+// A StripMesh is changed as the file says. Any other mesh changes itself, by a function of yours:
+//
+//   apply(mesh, table, h, [&](const auto& patch) {
+//     mesh.my_operation(patch.side[1][0], ...);  // side s of triangle t of the file, both counted from 0
+//     return my_first_side;                      // the side of the first triangle under `after`, likewise
+//   });
+//
+// What holds of insert_vertex and its like (mesh.hpp) must hold of that function: it does its work, or throws and
+// leaves the mesh as it was; the dual edges of new triangles, and of mesh edges that it merges, are dashed; all others
+// keep their colours. When it is called all dual edges inside the patch are dashed. The two halves do the same for code
+// that cannot be called in between (hooks.hpp has those of split, collapse and flip).
+//
+// Nothing outside the patch is read or written, except that a rule may give a port up, which dashes an edge of the
+// triangle behind it. There is no state beside the colours, and no allocation but that of the mesh. Linear in the
+// triangles of the patch, quadratic where a StripMesh changes itself.
+//
+// Preconditions are checked in debug builds: that the triangles are there, and are different ones; on a StripMesh what
+// check_apply() says. Exceptions of the mesh leave the colouring valid, as mesh.hpp says.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+#include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/mesh.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/checked.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/tables/operation_format.hpp"
+
+namespace restrip {
+
+/// A table of rules that comes with the triangles of its operation, tables::SurfaceOperation. (One of an operation that
+/// is given as a graph has none, and cannot be done on a mesh.)
+template <class Table>
+concept SurfaceTable = requires(const Table& table, std::uint32_t colors) {
+  { tables::rule_of(table, colors, colors) } -> std::same_as<tables::OperationRule>;
+  { table.triangles_before[0] } -> std::convertible_to<tables::PatchTriangle>;
+  { table.triangles_after[0] } -> std::convertible_to<tables::PatchTriangle>;
+  { table.vertices } -> std::convertible_to<unsigned>;
+};
+
+/// The triangles of a patch where it is in a mesh: side[t][s] is side s of triangle t, each as the file names them.
+template <class Halfedge, std::size_t Triangles>
+struct PatchSides {
+  std::array<std::array<Halfedge, 3>, Triangles> side;
+};
+template <class Halfedge, SurfaceTable Table>
+using SidesBefore = PatchSides<Halfedge, std::tuple_size_v<decltype(Table::triangles_before)>>;
+
+/// Does the operation, with the best rule for the colours that it finds. Rewrite::halfedge is the side of the first
+/// triangle under `after`, from its first vertex to its second; Rewrite::valence the number of ports.
+template <SurfaceTable Table>
+Rewrite<StripMesh::Halfedge> apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge where);
+/// The same where `change`(patch) changes the mesh, see above.
+template <ColoredMesh Mesh, SurfaceTable Table, class Change>
+Rewrite<typename Mesh::Halfedge> apply(Mesh& mesh, const Table& table, typename Mesh::Halfedge where, Change&& change);
+
+/// May it be done on a StripMesh? Grants it when the triangles are there, all their vertices are different, and the
+/// mesh stays as good as it was (check_replace() in checks.hpp); colours that have no rule are refused as well.
+template <SurfaceTable Table>
+[[nodiscard]] Refusal check_apply(const StripMesh& mesh, const Table& table, StripMesh::Halfedge where);
+/// For operations from an untrusted source, see checked.hpp.
+template <SurfaceTable Table>
+Checked checked_apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge where);
+
+/// An operation whose mesh has not changed yet. Made by before_apply(), used up by after_apply(). Refers to the table.
+template <class Halfedge, SurfaceTable Table>
+class PendingApply;
+
+template <ColoredMesh Mesh, SurfaceTable Table>
+[[nodiscard]] PendingApply<typename Mesh::Halfedge, Table> before_apply(Mesh& mesh, const Table& table,
+                                                                        typename Mesh::Halfedge where);
+/// `first`: what the function above returns.
+template <ColoredMesh Mesh, SurfaceTable Table>
+Rewrite<typename Mesh::Halfedge> after_apply(Mesh& mesh, const PendingApply<typename Mesh::Halfedge, Table>& pending,
+                                             typename Mesh::Halfedge first);
+
+}  // namespace restrip
+
+#include "restrip/operations/impl/apply.hpp"

@@ -1,0 +1,263 @@
+// Included by apply.hpp.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+
+#include "restrip/operations/apply.hpp"
+#include "restrip/operations/impl/halves.hpp"
+#include "restrip/operations/impl/patch_checks.hpp"
+#include "restrip/precondition.hpp"
+
+namespace restrip {
+namespace detail {
+
+template <std::size_t Triangles>
+using PatchTriangles = std::array<tables::PatchTriangle, Triangles>;
+
+template <class Mesh, std::size_t Triangles, class Halfedge = typename Mesh::Halfedge>
+PatchSides<Halfedge, Triangles> read_sides(const Mesh& mesh, const PatchTriangles<Triangles>& triangles,
+                                           Halfedge where) {
+  PatchSides<Halfedge, Triangles> patch;
+  for (std::size_t t = 0; t < Triangles; ++t) {
+    auto& side = patch.side[t];
+    side[0] = t == 0 ? where : mesh.opposite(patch.side[triangles[t].from][triangles[t].from_side]);
+    side[1] = mesh.next(side[0]);
+    side[2] = mesh.next(side[1]);
+  }
+  return patch;
+}
+
+/// Which inner edges and ports are solid.
+struct PatchColors {
+  std::uint32_t edges = 0;
+  std::uint32_t ports = 0;
+
+  /// `side`: as in tables::PatchTriangle.
+  [[nodiscard]] constexpr bool solid(std::uint8_t side) const noexcept {
+    if (side == tables::PatchTriangle::boundary_side) return false;
+    return side < tables::PatchTriangle::port_side ? (edges >> side & 1U) != 0
+                                                   : (ports >> (side - tables::PatchTriangle::port_side) & 1U) != 0;
+  }
+  constexpr void light(std::uint8_t side) noexcept {
+    if (side < tables::PatchTriangle::port_side)
+      edges |= std::uint32_t{1} << side;
+    else
+      ports |= std::uint32_t{1} << (side - tables::PatchTriangle::port_side);
+  }
+};
+
+/// Calls visit(side, halfedge) once for each inner edge and each port.
+template <std::size_t Triangles, class Halfedge, class Visit>
+void for_each_edge(const PatchTriangles<Triangles>& triangles, const PatchSides<Halfedge, Triangles>& patch,
+                   Visit&& visit) {
+  PatchColors seen;
+  for (std::size_t t = 0; t < Triangles; ++t)
+    for (std::size_t s = 0; s < 3; ++s) {
+      const std::uint8_t side = triangles[t].side[s];
+      if (side == tables::PatchTriangle::boundary_side || seen.solid(side)) continue;
+      seen.light(side);
+      visit(side, patch.side[t][s]);
+    }
+}
+
+template <std::size_t Triangles>
+constexpr int isolated_among(const PatchTriangles<Triangles>& triangles, const PatchColors& colors) noexcept {
+  int isolated = 0;
+  for (const tables::PatchTriangle& t : triangles)
+    isolated += colors.solid(t.side[0]) || colors.solid(t.side[1]) || colors.solid(t.side[2]) ? 0 : 1;
+  return isolated;
+}
+
+}  // namespace detail
+
+template <class Halfedge, SurfaceTable Table>
+class PendingApply {
+ public:
+  [[nodiscard]] const SidesBefore<Halfedge, Table>& patch() const noexcept { return patch_; }
+
+  /// Reads the patch, asks the table, and dashes what is inside and the ports that are given up.
+  template <class Mesh>
+  PendingApply(Mesh& mesh, const Table& table, Halfedge where)
+      : table_(&table), patch_(detail::read_sides(mesh, table.triangles_before, where)) {
+    detail::PatchColors before;
+    detail::for_each_edge(table.triangles_before, patch_, [&](std::uint8_t side, Halfedge h) {
+      if (mesh.solid(h)) before.light(side);
+    });
+    const tables::OperationRule rule = tables::rule_of(table, before.edges, before.ports);
+    after_ = {rule.colors, rule.ports};
+    strips_ = rule.strips;
+    isolated_ =
+        detail::isolated_among(table.triangles_after, after_) - detail::isolated_among(table.triangles_before, before);
+    std::array<Halfedge, most_ports> behind;  // not {}: a handle's default constructor may be explicit
+    std::size_t given_up = 0;
+    detail::for_each_edge(table.triangles_before, patch_, [&](std::uint8_t side, Halfedge h) {
+      if (side >= tables::PatchTriangle::port_side && before.solid(side) && !after_.solid(side))
+        behind[given_up++] = mesh.opposite(h);
+    });
+    isolated_ += detail::isolated_behind(mesh, std::span<const Halfedge>(behind.data(), given_up));
+    detail::for_each_edge(table.triangles_before, patch_, [&](std::uint8_t side, Halfedge h) {
+      const bool stays = side >= tables::PatchTriangle::port_side && after_.solid(side);
+      if (before.solid(side) && !stays) mesh.set_solid(h, false);
+    });
+  }
+  /// Makes solid what is to be so.
+  template <class Mesh>
+  Rewrite<Halfedge> finish(Mesh& mesh, Halfedge first) const {
+    const auto patch = detail::read_sides(mesh, table_->triangles_after, first);
+    detail::for_each_edge(table_->triangles_after, patch, [&](std::uint8_t side, Halfedge h) {
+      if (after_.solid(side) && !mesh.solid(h)) mesh.set_solid(h, true);
+    });
+    return {first, table_->ports, strips_, isolated_};
+  }
+  [[nodiscard]] const Table& table() const noexcept { return *table_; }
+
+ private:
+  static constexpr std::size_t most_ports = 8;
+  const Table* table_;
+  SidesBefore<Halfedge, Table> patch_;
+  detail::PatchColors after_;
+  int strips_ = 0;
+  int isolated_ = 0;
+};
+
+namespace detail {
+
+/// apply() by code that has checked what it asks for.
+template <class Mesh, class Table, class Change>
+Rewrite<typename Mesh::Halfedge> apply_unchecked(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
+                                                 Change&& change) {
+  const PendingApply<typename Mesh::Halfedge, Table> pending(mesh, table, where);
+  return pending.finish(mesh, change(pending.patch()));
+}
+
+/// Are the triangles there, each once, joined as they should be and along nothing else?
+template <ColoredMesh Mesh, std::size_t Triangles>
+Refusal refusal_of_patch(const Mesh& mesh, const PatchTriangles<Triangles>& triangles, typename Mesh::Halfedge where) {
+  if (!knows(mesh, where)) return Refusal::no_such_edge;
+  if (mesh.on_boundary(where)) return Refusal::boundary_edge;
+  PatchSides<typename Mesh::Halfedge, Triangles> patch;
+  for (std::size_t t = 0; t < Triangles; ++t) {
+    auto& side = patch.side[t];
+    side[0] = t == 0 ? where : mesh.opposite(patch.side[triangles[t].from][triangles[t].from_side]);
+    if (mesh.on_boundary(side[0])) return Refusal::other_patch;
+    side[1] = mesh.next(side[0]);
+    side[2] = mesh.next(side[1]);
+  }
+  for (std::size_t i = 0; i < 3 * Triangles; ++i) {
+    const auto h = patch.side[i / 3][i % 3];
+    const std::uint8_t side = triangles[i / 3].side[i % 3];
+    const auto across = mesh.opposite(h);
+    if (side == tables::PatchTriangle::boundary_side && !mesh.on_boundary(across)) return Refusal::other_patch;
+    bool met = false;
+    for (std::size_t j = 0; j < 3 * Triangles; ++j) {
+      if (j < i && patch.side[j / 3][j % 3] == h) return Refusal::other_patch;
+      if (!(patch.side[j / 3][j % 3] == across)) continue;
+      if (triangles[j / 3].side[j % 3] != side) return Refusal::other_patch;
+      met = true;
+    }
+    if (met != (side < tables::PatchTriangle::port_side)) return Refusal::other_patch;
+  }
+  return Refusal::granted;
+}
+
+/// And have the colours there a rule?
+template <ColoredMesh Mesh, SurfaceTable Table>
+Refusal refusal_of_apply(const Mesh& mesh, const Table& table, typename Mesh::Halfedge where) {
+  const Refusal refusal = refusal_of_patch(mesh, table.triangles_before, where);
+  if (refusal != Refusal::granted) return refusal;
+  PatchColors colors;
+  for_each_edge(table.triangles_before, read_sides(mesh, table.triangles_before, where),
+                [&](std::uint8_t side, typename Mesh::Halfedge h) {
+                  if (mesh.solid(h)) colors.light(side);
+                });
+  return tables::rule_of(table, colors.edges, colors.ports).valid ? Refusal::granted : Refusal::colors_not_valid;
+}
+
+/// What StripMesh::replace() is asked for.
+template <class Table>
+class Replacement {
+ public:
+  static constexpr std::size_t before = std::tuple_size_v<decltype(Table::triangles_before)>;
+  static constexpr std::size_t after = std::tuple_size_v<decltype(Table::triangles_after)>;
+
+  Replacement(const StripMesh& mesh, const Table& table, const PatchSides<StripMesh::Halfedge, before>& patch)
+      : count_(table.vertices) {
+    vertices_.fill(none);
+    for (std::size_t t = 0; t < before; ++t) {
+      out_[t] = StripMesh::triangle(patch.side[t][0]);
+      for (std::size_t s = 0; s < 3; ++s) vertices_[table.triangles_before[t].vertex[s]] = mesh.from(patch.side[t][s]);
+    }
+    for (std::size_t t = 0; t < after; ++t) in_[t] = table.triangles_after[t].vertex;
+  }
+  [[nodiscard]] Refusal refusal(const StripMesh& mesh) const {
+    return check_replace(mesh, out_, in_, std::span(vertices_).first(count_));
+  }
+  StripMesh::Halfedge replace(StripMesh& mesh) {
+    std::array<Triangle, after> made;
+    mesh.replace(out_, in_, std::span(vertices_).first(count_), made);
+    return StripMesh::halfedge(made[0]);
+  }
+
+ private:
+  std::array<Triangle, before> out_;
+  std::array<StripMesh::Places, after> in_;
+  std::array<Vertex, 3 * (before + after)> vertices_;
+  std::size_t count_;
+};
+
+/// Changes a StripMesh as the table says.
+template <class Table>
+auto replacing(StripMesh& mesh, const Table& table) {
+  return [&mesh, &table](const SidesBefore<StripMesh::Halfedge, Table>& patch) {
+    return Replacement<Table>(mesh, table, patch).replace(mesh);
+  };
+}
+
+}  // namespace detail
+
+template <SurfaceTable Table>
+Refusal check_apply(const StripMesh& mesh, const Table& table, StripMesh::Halfedge where) {
+  const Refusal refusal = detail::refusal_of_apply(mesh, table, where);
+  if (refusal != Refusal::granted) return refusal;
+  return detail::Replacement<Table>(mesh, table, detail::read_sides(mesh, table.triangles_before, where)).refusal(mesh);
+}
+
+template <SurfaceTable Table>
+Checked checked_apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge where) {
+  return detail::done_if_granted(check_apply(mesh, table, where), [&] { return apply(mesh, table, where); });
+}
+
+template <SurfaceTable Table>
+Rewrite<StripMesh::Halfedge> apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge where) {
+  RESTRIP_ASSERT(check_apply(mesh, table, where) == Refusal::granted, "apply",
+                 describe(check_apply(mesh, table, where)));
+  return detail::apply_unchecked(mesh, table, where, detail::replacing(mesh, table));
+}
+
+template <ColoredMesh Mesh, SurfaceTable Table, class Change>
+Rewrite<typename Mesh::Halfedge> apply(Mesh& mesh, const Table& table, typename Mesh::Halfedge where, Change&& change) {
+  const auto pending = before_apply(mesh, table, where);
+  return after_apply(mesh, pending, change(pending.patch()));
+}
+
+template <ColoredMesh Mesh, SurfaceTable Table>
+PendingApply<typename Mesh::Halfedge, Table> before_apply(Mesh& mesh, const Table& table,
+                                                          typename Mesh::Halfedge where) {
+  RESTRIP_ASSERT(detail::refusal_of_apply(mesh, table, where) == Refusal::granted, "apply",
+                 describe(detail::refusal_of_apply(mesh, table, where)));
+  return {mesh, table, where};
+}
+
+template <ColoredMesh Mesh, SurfaceTable Table>
+Rewrite<typename Mesh::Halfedge> after_apply(Mesh& mesh, const PendingApply<typename Mesh::Halfedge, Table>& pending,
+                                             typename Mesh::Halfedge first) {
+  RESTRIP_ASSERT(detail::refusal_of_patch(mesh, pending.table().triangles_after, first) == Refusal::granted, "apply",
+                 "the mesh does not have the triangles that the operation makes");
+  return pending.finish(mesh, first);
+}
+
+}  // namespace restrip
