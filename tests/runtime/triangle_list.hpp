@@ -117,12 +117,13 @@ inline Shape shape_of(const List& list) {
 
 // Is the mesh after an operation as good as the one before? `named` are the vertices of the operation that are still
 // there, `gone` and `made` the vertices that it removes and adds.
-inline bool as_good(const Shape& before, const List& list, const std::vector<Name>& named, std::optional<Name> gone,
-                    std::optional<Name> made) {
+inline bool as_good(const Shape& before, const List& list, const std::vector<Name>& named,
+                    const std::vector<Name>& gone, const std::vector<Name>& made) {
   const Shape after = shape_of(list);
   std::set<Name> vertices = before.vertices;
-  if (gone) vertices.erase(*gone);
-  if (made && !vertices.insert(*made).second) return false;
+  for (const Name v : gone) vertices.erase(v);
+  for (const Name v : made)
+    if (!vertices.insert(v).second) return false;
   if (after.degenerate || after.vertices != vertices || after.non_manifold != before.non_manifold) return false;
   if (after.euler != before.euler || after.components != before.components || after.boundaries != before.boundaries)
     return false;
@@ -189,7 +190,7 @@ inline std::optional<List> split(const List& list, const Shape& shape, Name v_h,
   if (v_l) after.push_back({v_h, v_t, *v_l});
   if (v_r) after.push_back({v_t, v_h, *v_r});
   named.push_back(v_t);
-  if (!as_good(shape, after, named, std::nullopt, v_t)) return std::nullopt;
+  if (!as_good(shape, after, named, {}, {v_t})) return std::nullopt;
   return after;
 }
 
@@ -206,7 +207,7 @@ inline std::optional<List> collapse(const List& list, const Shape& shape, Name v
     std::replace(c.begin(), c.end(), v_t, v_s);
     after.push_back(c);
   }
-  if (!as_good(shape, after, named, v_t, std::nullopt)) return std::nullopt;
+  if (!as_good(shape, after, named, {v_t}, {})) return std::nullopt;
   return after;
 }
 
@@ -219,7 +220,7 @@ inline std::optional<List> flip(const List& list, const Shape& shape, Name u, Na
     if (std::count(c.begin(), c.end(), u) == 0 || std::count(c.begin(), c.end(), v) == 0) after.push_back(c);
   after.push_back({*r, *l, u});
   after.push_back({*l, *r, v});
-  if (!as_good(shape, after, {u, v, *l, *r}, std::nullopt, std::nullopt)) return std::nullopt;
+  if (!as_good(shape, after, {u, v, *l, *r}, {}, {})) return std::nullopt;
   return after;
 }
 

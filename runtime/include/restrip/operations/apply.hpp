@@ -12,8 +12,8 @@
 // A StripMesh is changed as the file says. Any other mesh changes itself, by a function of yours:
 //
 //   apply(mesh, table, h, [&](const auto& patch) {
-//     mesh.my_operation(patch.side[1][0], ...);  // side s of triangle t of the file, both counted from 0
-//     return my_first_side;                      // the side of the first triangle under `after`, likewise
+//     mesh.my_operation(patch.between(3, 2), ...);  // a side, from vertex to vertex in the order of the file
+//     return my_first_side;                         // of the first triangle under `after`, likewise
 //   });
 //
 // What holds of insert_vertex and its like (mesh.hpp) must hold of that function: it does its work, or throws and
@@ -53,10 +53,15 @@ concept SurfaceTable = requires(const Table& table, std::uint32_t colors) {
   { table.vertices } -> std::convertible_to<unsigned>;
 };
 
-/// The triangles of a patch where it is in a mesh: side[t][s] is side s of triangle t, each as the file names them.
+/// The triangles of a patch where it is in a mesh.
 template <class Halfedge, std::size_t Triangles>
 struct PatchSides {
-  std::array<std::array<Halfedge, 3>, Triangles> side;
+  const std::array<tables::PatchTriangle, Triangles>* triangles = nullptr;  ///< of the table
+  std::array<std::array<Halfedge, 3>, Triangles> side;                      ///< of each triangle, as the table has them
+
+  /// The side from one vertex to another, which are numbered from 0 in the order in which the file names them, both
+  /// sides of the operation together. One of the triangles must have it.
+  [[nodiscard]] Halfedge between(unsigned from, unsigned to) const;
 };
 template <class Halfedge, SurfaceTable Table>
 using SidesBefore = PatchSides<Halfedge, std::tuple_size_v<decltype(Table::triangles_before)>>;

@@ -24,6 +24,7 @@
 #include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/operations/adopt.hpp"
+#include "restrip/operations/apply.hpp"
 #include "restrip/operations/operations.hpp"
 
 namespace restrip {
@@ -69,6 +70,11 @@ Rewrite<typename Mesh::Halfedge> collapse_and_join(Mesh& mesh, typename Mesh::Ha
 /// flip(), likewise.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_join(Mesh& mesh, typename Mesh::Halfedge h);
+
+/// apply(), likewise.
+template <ColoredMesh Mesh, SurfaceTable Table, class Change>
+Rewrite<typename Mesh::Halfedge> apply_and_join(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
+                                                Change&& change, Exchange exchange = Exchange::no);
 
 }  // namespace restrip
 

@@ -16,6 +16,7 @@
 //
 //   Keeper keeper(mesh, Policy::quick);                // mesh: any NumberedMesh, such as a StripMesh
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
+//   keeper.apply(table, h);                            // an operation of your own
 //   keeper.improve(10'000);                            // in idle time
 //
 // Complexity. An operation costs its rule and, if the policy tunnels, time linear in the patch for the locator, and the
@@ -30,6 +31,7 @@
 // not throw: searches try colours and take them back.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -38,6 +40,7 @@
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
+#include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/join.hpp"
 #include "restrip/operations/linked.hpp"
@@ -105,6 +108,14 @@ class Keeper {
   Rewrite<Halfedge> bisect(Halfedge h);
   Rewrite<Halfedge> join_faces(Halfedge chord);
   Rewrite<Halfedge> merge(Halfedge chord);
+
+  /// Operations of your own, see apply.hpp: on a StripMesh, or by a function that changes the mesh. Under a cost that
+  /// weighs swaps or isolated triangles, their rules come first all the same; under `bare` all edges of the patch are
+  /// dashed.
+  template <SurfaceTable Table>
+  Rewrite<Halfedge> apply(const Table& table, Halfedge where) requires std::same_as<Mesh, StripMesh>;
+  template <SurfaceTable Table, class Change>
+  Rewrite<Halfedge> apply(const Table& table, Halfedge where, Change&& change);
 
   /// Split and collapse of a record of baked strips; by the rules where the keeper is not in step with it.
   template <class... Name>

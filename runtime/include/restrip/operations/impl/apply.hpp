@@ -13,6 +13,16 @@
 #include "restrip/precondition.hpp"
 
 namespace restrip {
+
+template <class Halfedge, std::size_t Triangles>
+Halfedge PatchSides<Halfedge, Triangles>::between(unsigned from, unsigned to) const {
+  for (std::size_t t = 0; t < Triangles; ++t)
+    for (std::size_t s = 0; s < 3; ++s)
+      if ((*triangles)[t].vertex[s] == from && (*triangles)[t].vertex[(s + 1) % 3] == to) return side[t][s];
+  RESTRIP_ASSERT(false, "PatchSides::between", "no triangle of the patch has this side");
+  return side[0][0];
+}
+
 namespace detail {
 
 template <std::size_t Triangles>
@@ -22,6 +32,7 @@ template <class Mesh, std::size_t Triangles, class Halfedge = typename Mesh::Hal
 PatchSides<Halfedge, Triangles> read_sides(const Mesh& mesh, const PatchTriangles<Triangles>& triangles,
                                            Halfedge where) {
   PatchSides<Halfedge, Triangles> patch;
+  patch.triangles = &triangles;
   for (std::size_t t = 0; t < Triangles; ++t) {
     auto& side = patch.side[t];
     side[0] = t == 0 ? where : mesh.opposite(patch.side[triangles[t].from][triangles[t].from_side]);
@@ -31,45 +42,51 @@ PatchSides<Halfedge, Triangles> read_sides(const Mesh& mesh, const PatchTriangle
   return patch;
 }
 
-/// Which inner edges and ports are solid.
-struct PatchColors {
-  std::uint32_t edges = 0;
-  std::uint32_t ports = 0;
+/// Some of the inner edges and the ports of a patch, such as the solid ones: edge i is bit i, port i is bit 32 + i.
+using PatchEdges = std::uint64_t;
+inline constexpr PatchEdges all_ports = ~PatchEdges{0} << 32;
 
-  /// `side`: as in tables::PatchTriangle.
-  [[nodiscard]] constexpr bool solid(std::uint8_t side) const noexcept {
-    if (side == tables::PatchTriangle::boundary_side) return false;
-    return side < tables::PatchTriangle::port_side ? (edges >> side & 1U) != 0
-                                                   : (ports >> (side - tables::PatchTriangle::port_side) & 1U) != 0;
-  }
-  constexpr void light(std::uint8_t side) noexcept {
-    if (side < tables::PatchTriangle::port_side)
-      edges |= std::uint32_t{1} << side;
-    else
-      ports |= std::uint32_t{1} << (side - tables::PatchTriangle::port_side);
-  }
-};
+constexpr PatchEdges patch_edges(std::uint32_t edges, std::uint32_t ports) noexcept {
+  return PatchEdges{ports} << 32 | edges;
+}
+/// That of a side, which is numbered as in tables::PatchTriangle; for the boundary, which is dashed, a bit of no port.
+constexpr PatchEdges edge_of(std::uint8_t side) noexcept {
+  static_assert(tables::PatchTriangle::port_side == 64 && tables::PatchTriangle::boundary_side == 255);
+  return PatchEdges{1} << ((side & 31U) | (side >> 1 & 32U));
+}
 
-/// Calls visit(side, halfedge) once for each inner edge and each port.
+template <class Mesh, std::size_t Triangles, class Halfedge = typename Mesh::Halfedge>
+PatchEdges solid_edges(const Mesh& mesh, const PatchTriangles<Triangles>& triangles,
+                       const PatchSides<Halfedge, Triangles>& patch) {
+  PatchEdges solid = 0;
+  for (std::size_t t = 0; t < Triangles; ++t)
+    for (std::size_t s = 0; s < 3; ++s) solid |= mesh.solid(patch.side[t][s]) ? edge_of(triangles[t].side[s]) : 0;
+  return solid & ~edge_of(tables::PatchTriangle::boundary_side);
+}
+
+/// Calls visit(halfedge) once for each of the edges.
 template <std::size_t Triangles, class Halfedge, class Visit>
 void for_each_edge(const PatchTriangles<Triangles>& triangles, const PatchSides<Halfedge, Triangles>& patch,
-                   Visit&& visit) {
-  PatchColors seen;
-  for (std::size_t t = 0; t < Triangles; ++t)
+                   PatchEdges edges, Visit&& visit) {
+  for (std::size_t t = 0; t < Triangles && edges != 0; ++t)
     for (std::size_t s = 0; s < 3; ++s) {
-      const std::uint8_t side = triangles[t].side[s];
-      if (side == tables::PatchTriangle::boundary_side || seen.solid(side)) continue;
-      seen.light(side);
-      visit(side, patch.side[t][s]);
+      const PatchEdges edge = edge_of(triangles[t].side[s]);
+      if ((edges & edge) != 0) visit(patch.side[t][s]);
+      edges &= ~edge;
     }
 }
 
 template <std::size_t Triangles>
-constexpr int isolated_among(const PatchTriangles<Triangles>& triangles, const PatchColors& colors) noexcept {
+constexpr int isolated_among(const PatchTriangles<Triangles>& triangles, PatchEdges solid) noexcept {
   int isolated = 0;
-  for (const tables::PatchTriangle& t : triangles)
-    isolated += colors.solid(t.side[0]) || colors.solid(t.side[1]) || colors.solid(t.side[2]) ? 0 : 1;
+  for (const auto& [from, from_side, vertex, side] : triangles)
+    isolated += (solid & (edge_of(side[0]) | edge_of(side[1]) | edge_of(side[2]))) == 0 ? 1 : 0;
   return isolated;
+}
+
+template <SurfaceTable Table>
+constexpr tables::OperationRule rule_for(const Table& table, PatchEdges solid) noexcept {
+  return tables::rule_of(table, static_cast<std::uint32_t>(solid), static_cast<std::uint32_t>(solid >> 32));
 }
 
 }  // namespace detail
@@ -83,34 +100,29 @@ class PendingApply {
   template <class Mesh>
   PendingApply(Mesh& mesh, const Table& table, Halfedge where)
       : table_(&table), patch_(detail::read_sides(mesh, table.triangles_before, where)) {
-    detail::PatchColors before;
-    detail::for_each_edge(table.triangles_before, patch_, [&](std::uint8_t side, Halfedge h) {
-      if (mesh.solid(h)) before.light(side);
-    });
-    const tables::OperationRule rule = tables::rule_of(table, before.edges, before.ports);
-    after_ = {rule.colors, rule.ports};
+    const detail::PatchEdges before = detail::solid_edges(mesh, table.triangles_before, patch_);
+    const tables::OperationRule rule = detail::rule_for(table, before);
+    solid_ = detail::patch_edges(rule.colors, rule.ports);
     strips_ = rule.strips;
     isolated_ =
-        detail::isolated_among(table.triangles_after, after_) - detail::isolated_among(table.triangles_before, before);
-    std::array<Halfedge, most_ports> behind;  // not {}: a handle's default constructor may be explicit
-    std::size_t given_up = 0;
-    detail::for_each_edge(table.triangles_before, patch_, [&](std::uint8_t side, Halfedge h) {
-      if (side >= tables::PatchTriangle::port_side && before.solid(side) && !after_.solid(side))
-        behind[given_up++] = mesh.opposite(h);
-    });
-    isolated_ += detail::isolated_behind(mesh, std::span<const Halfedge>(behind.data(), given_up));
-    detail::for_each_edge(table.triangles_before, patch_, [&](std::uint8_t side, Halfedge h) {
-      const bool stays = side >= tables::PatchTriangle::port_side && after_.solid(side);
-      if (before.solid(side) && !stays) mesh.set_solid(h, false);
-    });
+        detail::isolated_among(table.triangles_after, solid_) - detail::isolated_among(table.triangles_before, before);
+    if (const detail::PatchEdges given_up = before & ~solid_ & detail::all_ports; given_up != 0) {
+      std::array<Halfedge, most_ports> behind;  // not {}: a handle's default constructor may be explicit
+      std::size_t count = 0;
+      detail::for_each_edge(table.triangles_before, patch_, given_up,
+                            [&](Halfedge h) { behind[count++] = mesh.opposite(h); });
+      isolated_ += detail::isolated_behind(mesh, std::span<const Halfedge>(behind.data(), count));
+    }
+    detail::for_each_edge(table.triangles_before, patch_, before & ~(solid_ & detail::all_ports),
+                          [&](Halfedge h) { mesh.set_solid(h, false); });
   }
   /// Makes solid what is to be so.
   template <class Mesh>
   Rewrite<Halfedge> finish(Mesh& mesh, Halfedge first) const {
-    const auto patch = detail::read_sides(mesh, table_->triangles_after, first);
-    detail::for_each_edge(table_->triangles_after, patch, [&](std::uint8_t side, Halfedge h) {
-      if (after_.solid(side) && !mesh.solid(h)) mesh.set_solid(h, true);
-    });
+    detail::for_each_edge(table_->triangles_after, detail::read_sides(mesh, table_->triangles_after, first), solid_,
+                          [&](Halfedge h) {
+                            if (!mesh.solid(h)) mesh.set_solid(h, true);
+                          });
     return {first, table_->ports, strips_, isolated_};
   }
   [[nodiscard]] const Table& table() const noexcept { return *table_; }
@@ -119,7 +131,7 @@ class PendingApply {
   static constexpr std::size_t most_ports = 8;
   const Table* table_;
   SidesBefore<Halfedge, Table> patch_;
-  detail::PatchColors after_;
+  detail::PatchEdges solid_ = 0;  // after the operation
   int strips_ = 0;
   int isolated_ = 0;
 };
@@ -169,12 +181,8 @@ template <ColoredMesh Mesh, SurfaceTable Table>
 Refusal refusal_of_apply(const Mesh& mesh, const Table& table, typename Mesh::Halfedge where) {
   const Refusal refusal = refusal_of_patch(mesh, table.triangles_before, where);
   if (refusal != Refusal::granted) return refusal;
-  PatchColors colors;
-  for_each_edge(table.triangles_before, read_sides(mesh, table.triangles_before, where),
-                [&](std::uint8_t side, typename Mesh::Halfedge h) {
-                  if (mesh.solid(h)) colors.light(side);
-                });
-  return tables::rule_of(table, colors.edges, colors.ports).valid ? Refusal::granted : Refusal::colors_not_valid;
+  const PatchEdges solid = solid_edges(mesh, table.triangles_before, read_sides(mesh, table.triangles_before, where));
+  return rule_for(table, solid).valid ? Refusal::granted : Refusal::colors_not_valid;
 }
 
 /// What StripMesh::replace() is asked for.

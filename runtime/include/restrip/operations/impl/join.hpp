@@ -1,9 +1,11 @@
 // Strip ends found, followed and joined. Included by join.hpp.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <span>
 
 #include "restrip/operations/impl/operations.hpp"
 #include "restrip/operations/impl/patch_checks.hpp"
@@ -207,6 +209,22 @@ Mending join_and_adopt(Mesh& mesh, Exchange exchange, Each&& each) {
   return sum;
 }
 
+/// The same for the triangles to the left of some halfedges, each once; those on the boundary have none.
+template <class Mesh, class Halfedge>
+Mending join_in(Mesh& mesh, Exchange exchange, std::span<Halfedge> near) {
+  std::size_t count = 0;
+  for (const Halfedge h : near) {
+    const auto met = near.first(count);
+    if (mesh.on_boundary(h) ||
+        std::any_of(met.begin(), met.end(), [&](Halfedge g) { return in_same_triangle(mesh, h, g); }))
+      continue;
+    near[count++] = h;
+  }
+  return join_and_adopt(mesh, exchange, [&](auto&& visit) {
+    for (const Halfedge h : near.first(count)) visit(h);
+  });
+}
+
 // ---- Around an interior vertex bits tell which triangles are strip ends, and which ports were joined and are no
 // longer.
 
@@ -382,22 +400,14 @@ Mending join_around(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
 template <ColoredMesh Mesh>
 Mending join_beside(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "join_beside", describe(Refusal::no_such_edge));
-  return detail::join_and_adopt(mesh, exchange, [&](auto&& visit) {
-    std::array<typename Mesh::Halfedge, 6> seen;
-    std::size_t count = 0;
-    const auto once = [&](auto g) {
-      if (mesh.on_boundary(g)) return;
-      for (std::size_t i = 0; i < count; ++i)
-        if (detail::in_same_triangle(mesh, g, seen[i])) return;
-      seen[count++] = g;
-      visit(g);
-    };
-    for (const auto inner : {h, mesh.opposite(h)}) {
-      if (mesh.on_boundary(inner)) continue;
-      const auto second = mesh.next(inner);
-      for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) once(g);
-    }
-  });
+  std::array<typename Mesh::Halfedge, 6> near;
+  std::size_t count = 0;
+  for (const auto inner : {h, mesh.opposite(h)}) {
+    if (mesh.on_boundary(inner)) continue;
+    const auto second = mesh.next(inner);
+    for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) near[count++] = g;
+  }
+  return detail::join_in(mesh, exchange, std::span(near).first(count));
 }
 
 template <NumberedMesh Mesh>
@@ -430,6 +440,23 @@ Rewrite<typename Mesh::Halfedge> flip_and_join(Mesh& mesh, typename Mesh::Halfed
                  describe(detail::refusal_of_flip(mesh, h)));
   const auto done = flip(mesh, h);
   return detail::with(done, join_beside(mesh, done.halfedge));
+}
+
+template <ColoredMesh Mesh, SurfaceTable Table, class Change>
+Rewrite<typename Mesh::Halfedge> apply_and_join(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
+                                                Change&& change, Exchange exchange) {
+  using Halfedge = typename Mesh::Halfedge;
+  const auto done = apply(mesh, table, where, change);
+  const auto patch = detail::read_sides(mesh, table.triangles_after, done.halfedge);
+  std::array<Halfedge, 4 * std::tuple_size_v<decltype(Table::triangles_after)>> near;
+  std::size_t count = 0;
+  for (const auto& triangle : patch.side) near[count++] = triangle[0];
+  // A triangle beside the patch may have lost a port.
+  for (std::size_t t = 0; t < patch.side.size(); ++t)
+    for (std::size_t s = 0; s < 3; ++s)
+      if (table.triangles_after[t].side[s] >= tables::PatchTriangle::port_side)
+        near[count++] = mesh.opposite(patch.side[t][s]);
+  return detail::with(done, detail::join_in(mesh, exchange, std::span(near).first(count)));
 }
 
 }  // namespace restrip

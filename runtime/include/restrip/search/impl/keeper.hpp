@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "restrip/search/impl/keeper_steps.hpp"
 #include "restrip/search/keeper.hpp"
@@ -54,6 +56,22 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::merge(Halfedge chord) {
   RESTRIP_ASSERT(detail::refusal_of_removal(*mesh_, chord, 4, 2) == Refusal::granted, "Keeper::merge",
                  describe(detail::refusal_of_removal(*mesh_, chord, 4, 2)));
   return perform(detail::RemoveStep<Mesh, true>{{chord}});
+}
+
+template <NumberedMesh Mesh>
+template <SurfaceTable Table, class Change>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::apply(const Table& table, Halfedge where, Change&& change) {
+  RESTRIP_ASSERT(detail::refusal_of_apply(*mesh_, table, where) == Refusal::granted, "Keeper::apply",
+                 describe(detail::refusal_of_apply(*mesh_, table, where)));
+  return perform(detail::ApplyStep<Mesh, Table, std::remove_reference_t<Change>>{table, where, change});
+}
+template <NumberedMesh Mesh>
+template <SurfaceTable Table>
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::apply(const Table& table,
+                                                     Halfedge where) requires std::same_as<Mesh, StripMesh> {
+  RESTRIP_ASSERT(check_apply(*mesh_, table, where) == Refusal::granted, "Keeper::apply",
+                 describe(check_apply(*mesh_, table, where)));
+  return apply(table, where, detail::replacing(*mesh_, table));
 }
 
 template <NumberedMesh Mesh>
@@ -113,22 +131,19 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(Rewrite<Halfedge> done, c
 template <NumberedMesh Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::count_around(const Step& step) {
-  around_.clear();
-  if (policy_ == Policy::bare) {
-    step.surround(*mesh_, around_);
-    around_.count_before(*mesh_);
-    const auto h = step.bare(*mesh_);
-    around_.add_beside(*mesh_, h);
-    return counted({h, 0, 0, 0}, around_.change(*mesh_));
+  if (policy_ != Policy::bare) {
+    passed_.begin(false);
+    const auto done = passed_.by_rules(*mesh_, step);
+    return counted(done, passed_.change());
   }
-  step.find_patch(*mesh_, patch_);
-  around_.add(patch_);
-  around_.add_neighbors(*mesh_);
+  around_.clear();
+  step.surround(*mesh_, around_);
   around_.count_before(*mesh_);
-  const auto done = step.by_rules(*mesh_);
-  step.find_new(*mesh_, done.halfedge, patch_);
+  const auto h = step.bare(*mesh_);
+  patch_.clear();
+  step.find_new(*mesh_, h, patch_);
   around_.add(patch_);
-  return counted(done, around_.change(*mesh_));
+  return counted({h, 0, 0, 0}, around_.change(*mesh_));
 }
 
 template <NumberedMesh Mesh>

@@ -18,6 +18,7 @@
 
 #include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
+#include "restrip/operations/apply.hpp"
 #include "restrip/operations/join.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/refine.hpp"
@@ -108,7 +109,7 @@ struct FlipStep {
   Rewrite<Halfedge> by_rules(Mesh& mesh) const { return restrip::flip(mesh, edge); }
   Rewrite<Halfedge> joined(Mesh& mesh, Exchange /*exchange*/) const { return flip_and_join(mesh, edge); }
   Rewrite<Halfedge> linked(Mesh& mesh) const { return flip_and_link(mesh, edge); }
-  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const { return colors.flip(mesh, edge); }
+  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const { return colors.by_rules(mesh, *this); }
   /// The colouring would not stay valid with the sides of the two triangles as they are: all of them are dashed.
   Halfedge bare(Mesh& mesh) const {
     for (auto h : {edge, mesh.opposite(edge)})
@@ -187,6 +188,48 @@ struct RemoveStep : CollapseStep<Mesh> {
   static Halfedge merged(const Mesh& mesh, bool no_left, Halfedge spoke) {
     if constexpr (!from_edge) return spoke;
     return no_left ? mesh.opposite(mesh.next(mesh.next(spoke))) : mesh.next(mesh.opposite(spoke));
+  }
+};
+
+/// An operation of one's own; change(patch) changes the mesh and returns the first side after it.
+template <class Mesh, class Table, class Change>
+struct ApplyStep {
+  using Halfedge = typename Mesh::Halfedge;
+  static constexpr Orphans orphans = Orphans::everywhere;
+  const Table& table;
+  Halfedge where;
+  Change& change;
+
+  void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
+    add_triangles(mesh, read_sides(mesh, table.triangles_before, where), patch);
+  }
+  Rewrite<Halfedge> by_rules(Mesh& mesh) const { return apply_unchecked(mesh, table, where, change); }
+  Rewrite<Halfedge> joined(Mesh& mesh, Exchange exchange) const {
+    return apply_and_join(mesh, table, where, change, exchange);
+  }
+  Rewrite<Halfedge> linked(Mesh& mesh) const { return joined(mesh, Exchange::yes); }
+  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const { return colors.by_rules(mesh, *this); }
+  /// Without a rule no side of the patch can stay solid.
+  Halfedge bare(Mesh& mesh) const {
+    const auto patch = read_sides(mesh, table.triangles_before, where);
+    for (const auto& triangle : patch.side)
+      for (const Halfedge h : triangle)
+        if (mesh.solid(h)) mesh.set_solid(h, false);
+    return change(patch);
+  }
+  void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
+    for (const auto& triangle : read_sides(mesh, table.triangles_before, where).side)
+      for (const Halfedge h : triangle) around.add_beside(mesh, h);
+  }
+  void find_new(const Mesh& mesh, Halfedge first, std::vector<Triangle>& patch) const {
+    add_triangles(mesh, read_sides(mesh, table.triangles_after, first), patch);
+  }
+
+ private:
+  template <class Sides>
+  static void add_triangles(const Mesh& mesh, const Sides& sides, std::vector<Triangle>& patch) {
+    patch.clear();
+    for (const auto& triangle : sides.side) patch.push_back(static_cast<Triangle>(mesh.triangle(triangle[0])));
   }
 };
 

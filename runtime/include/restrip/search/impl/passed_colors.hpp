@@ -1,7 +1,7 @@
 // Operations that pass the colours on as they are. Included by keeper.hpp.
 //
 // A new triangle on a solid dual edge lengthens the strip that it cuts; a strip that passes through a triangle that
-// goes closes up; a flip follows its rule. What that changes is told, and where a search should begin.
+// goes closes up; other operations follow their rules. What that changes is told, and where a search should begin.
 #pragma once
 
 #include <algorithm>
@@ -65,7 +65,9 @@ class PassedColors {
   template <class... Name>
   Rewrite<Halfedge> split(Mesh& mesh, const VertexSplit<Halfedge>& where, Name... name);
   Rewrite<Halfedge> collapse(Mesh& mesh, Halfedge chord);
-  Rewrite<Halfedge> flip(Mesh& mesh, Halfedge h);
+  /// An operation that recolours its patch by its rule instead: a step of keeper_steps.hpp.
+  template <class Step>
+  Rewrite<Halfedge> by_rules(Mesh& mesh, const Step& step);
 
   /// Since begin().
   [[nodiscard]] const ColoringChange& change() const noexcept { return change_; }
@@ -79,7 +81,7 @@ class PassedColors {
     mesh.set_solid(mesh.next(first), true);
   }
   // A swap, if the edge is solid.
-  static int swap_at(const Mesh& mesh, Halfedge h) { return mesh.solid(h) && is_swap(mesh, h) ? 1 : 0; }
+  static int swap_at(const Mesh& mesh, Halfedge h) { return mesh.solid(h) && restrip::is_swap(mesh, h) ? 1 : 0; }
   void start_at(const Mesh& mesh, Halfedge h) { start_.push_back(static_cast<Triangle>(mesh.triangle(h))); }
   template <class... Name>
   Rewrite<Halfedge> split_any(Mesh& mesh, const VertexSplit<Halfedge>& where, Name... name);
@@ -246,14 +248,17 @@ Rewrite<typename Mesh::Halfedge> PassedColors<Mesh>::collapse_any(Mesh& mesh, Ha
 }
 
 template <NumberedMesh Mesh>
-Rewrite<typename Mesh::Halfedge> PassedColors<Mesh>::flip(Mesh& mesh, Halfedge h) {
-  start_at(mesh, h);
-  start_at(mesh, mesh.opposite(h));
+template <class Step>
+Rewrite<typename Mesh::Halfedge> PassedColors<Mesh>::by_rules(Mesh& mesh, const Step& step) {
+  start_.clear();
+  step.find_patch(mesh, start_);
   around_.clear();
-  around_.add_beside(mesh, h);
+  around_.add(start_);
   around_.add_neighbors(mesh);
   around_.count_before(mesh);
-  const Rewrite<Halfedge> done = restrip::flip(mesh, h);
+  const Rewrite<Halfedge> done = step.by_rules(mesh);
+  step.find_new(mesh, done.halfedge, start_);
+  around_.add(start_);
   change_ = around_.change(mesh);
   return told(done.halfedge, done.valence);
 }

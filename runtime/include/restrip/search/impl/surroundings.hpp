@@ -23,7 +23,7 @@ class Surroundings {
   /// Room for one operation, so that nothing is allocated between the two counts.
   void clear() {
     triangles_.clear();
-    triangles_.reserve(32);
+    triangles_.reserve(48);
   }
   void add(const std::vector<Triangle>& triangles) {
     for (const Triangle t : triangles) add(t);
@@ -64,7 +64,7 @@ class Surroundings {
         isolated = false;
         if (std::find(triangles_.begin(), t, static_cast<Triangle>(mesh.triangle(mesh.opposite(h)))) != t) continue;
         --count.strips;
-        count.swaps += int{is_swap(mesh, h)};
+        count.swaps += int{restrip::is_swap(mesh, h)};
       }
       count.isolated += int{isolated};
     }
