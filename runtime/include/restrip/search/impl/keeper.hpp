@@ -174,6 +174,12 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   const TunnelCounts before = tunnel_.counts();
   for (const Triangle t : patch_)
     if (sides.solid_degree(t) < 2) tunnel_.join(sides, locator_, t, states);
+  // Ports that were given up end strips beside the patch.
+  if (Step::orphans == detail::Orphans::everywhere)
+    for (const Triangle t : patch_)
+      for_each_neighbor(sides, t, [&](Triangle beside) {
+        if (sides.solid_degree(beside) < 2) tunnel_.join(sides, locator_, beside, states);
+      });
   done.strips -= static_cast<int>(tunnel_.counts().joined - before.joined);
   done.isolated += static_cast<int>(tunnel_.counts().isolated - before.isolated);
   Mending mending;
