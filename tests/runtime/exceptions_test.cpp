@@ -21,10 +21,14 @@
 #include "locator_agrees.hpp"
 #include "naive_patch.hpp"
 #include "restrip/mesh/checks.hpp"
+#include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
+#include "restrip/tables/operations/merge.hpp"
+#include "restrip/tables/operations/refine_face.hpp"
+#include "restrip/tables/operations/split_face.hpp"
 #include "sample_meshes.hpp"
 
 namespace {
@@ -129,6 +133,11 @@ std::size_t fail_everywhere(const StripMesh& start, const Operation& operation, 
   }
 }
 
+/// The edge a -> m that tables::merge collapses.
+StripMesh::Halfedge merged(const StripMesh& mesh, StripMesh::Halfedge b_c) {
+  return detail::read_sides(mesh, tables::merge.triangles_before, b_c).between(3, 2);
+}
+
 /// Everything that may be done at a halfedge.
 std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge h, std::mt19937& random) {
   std::vector<Operation> all;
@@ -143,6 +152,19 @@ std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge 
   if (check_flip(mesh, h) == Refusal::granted)
     add([h](Throwing& m) { flip(m, h); }, [h](Throwing& m) { flip_and_join(m, h); },
         [h](Throwing& m) { flip_and_link(m, h); });
+  if (check_split_face(mesh, h) == Refusal::granted)
+    all.emplace_back([h](Throwing& m) {
+      apply(m, tables::split_face, h, [&](const auto& patch) {
+        const auto a_b = patch.between(0, 1);
+        return m.next(m.opposite(m.insert_vertex({m.opposite(m.next(m.next(a_b))), a_b})));
+      });
+    });
+  if (check_apply(mesh, tables::merge, h) == Refusal::granted &&
+      check_collapse(mesh, merged(mesh, h)) == Refusal::granted)
+    all.emplace_back([h](Throwing& m) {
+      apply(m, tables::merge, h,
+            [&](const auto& patch) { return m.next(m.opposite(m.remove_vertex(patch.between(3, 2)))); });
+    });
   std::vector<StripMesh::Halfedge> spokes;
   for_each_spoke(mesh, mesh.from(h), [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
   const Where::Spokes kinds[] = {Where::Spokes::both, Where::Spokes::left_only, Where::Spokes::right_only};
@@ -262,29 +284,32 @@ bool names_all_changes(const std::vector<Triangle>& list, const StripMesh& befor
 TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
   std::mt19937 random(5);
   std::size_t failed = 0;
+  std::array<std::size_t, 4> begun{};
   std::vector<StripMesh> starts = sample::meshes();
   starts.push_back(sample::double_cone(70));
   for (const StripMesh& start : starts) {
     for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
-      for (int round = 0; round < 6; ++round) {
+      for (int round = 0; round < 8; ++round) {
         StripMesh colored = start;
         color_at_random(colored, random, 70);
         const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % colored.triangle_bound()), 1);
         const Where where{h, turn_ccw(colored, h), Where::Spokes::both};
-        const bool possible = round % 3 == 0   ? check_split(colored, where) == Refusal::granted
-                              : round % 3 == 1 ? check_collapse(colored, h) == Refusal::granted
-                                               : check_flip(colored, h) == Refusal::granted;
-        if (!possible) continue;
+        const std::array<Refusal, 4> refusals{check_split(colored, where), check_collapse(colored, h),
+                                              check_flip(colored, h), check_apply(colored, tables::refine_face, h)};
+        const auto kind = static_cast<std::size_t>(round % 4);
+        if (refusals[kind] != Refusal::granted) continue;
+        ++begun[kind];
         for (std::size_t allocation = 0;; ++allocation) {
           StripMesh mesh = colored;
           Keeper keeper(mesh, policy);
           const auto operate = [&] {
-            if (round % 3 == 0) keeper.split(where);
-            if (round % 3 == 1) keeper.collapse(h);
-            if (round % 3 == 2) keeper.flip(h);
+            if (kind == 0) keeper.split(where);
+            if (kind == 1) keeper.collapse(h);
+            if (kind == 2) keeper.flip(h);
+            if (kind == 3) keeper.apply(tables::refine_face, h);
           };
           std::vector<Triangle> changed;
-          if (round >= 3) mesh.watch(&changed);
+          if (round >= 4) mesh.watch(&changed);
           allocations_left = allocation;
           bool threw = false;
           try {
@@ -294,7 +319,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
           }
           allocations_left = never;
           mesh.watch(nullptr);
-          ASSERT_TRUE(round < 3 || names_all_changes(changed, colored, mesh)) << "allocation " << allocation;
+          ASSERT_TRUE(round < 4 || names_all_changes(changed, colored, mesh)) << "allocation " << allocation;
           const ColoringReport report = check_coloring(mesh);
           ASSERT_TRUE(report.valid) << "allocation " << allocation;
           ASSERT_EQ(keeper.up_to_date(), !threw);
@@ -319,6 +344,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
     }
   }
   EXPECT_GT(failed, 200U);
+  for (const std::size_t times : begun) EXPECT_GT(times, 5U);
 }
 
 }  // namespace

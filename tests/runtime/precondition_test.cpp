@@ -19,6 +19,9 @@
 #include "restrip/operations/batch.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/restrip.hpp"
+#include "restrip/tables/operations/bisect.hpp"
+#include "restrip/tables/operations/join_faces.hpp"
+#include "restrip/tables/operations/split_face.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
@@ -126,7 +129,7 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
     Keeper keeper(mesh, policy);
     EXPECT_REFUSED(keeper.split(same), "Keeper::split", same_spoke);
-    EXPECT_REFUSED(keeper.split({mesh.spoke(4, 0), mesh.spoke(4, 1)}, 2), "Keeper::split", vertex_in_use);
+    EXPECT_REFUSED(keeper.split({mesh.spoke(4, 0), mesh.spoke(4, 1)}, Vertex{2}), "Keeper::split", vertex_in_use);
     EXPECT_REFUSED(keeper.collapse({}), "Keeper::collapse", no_such_edge);
     EXPECT_REFUSED(keeper.flip({}), "Keeper::flip", no_such_edge);
   }
@@ -140,6 +143,36 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   const std::array<SplitRequest, 1> requests{SplitRequest{same}};
   EXPECT_FAILED(split_batch(mesh, requests, {1, true}), "split_batch: an operation of the batch is not possible");
   EXPECT_FAILED(collapse_batch(mesh, dead, {1, true}), "collapse_batch: an operation of the batch is not possible");
+}
+
+TEST(PreconditionDeathTest, OperationsOfOnesOwn) {
+  StripMesh mesh = sample::rectangle(3, 3);
+  Halfedge inside = StripMesh::halfedge(0);
+  while (!StripMesh::on_boundary(mesh.opposite(inside))) inside = StripMesh::next(inside);
+  const Halfedge rim = mesh.opposite(inside);
+  EXPECT_REFUSED(apply(mesh, tables::split_face, {none}), "apply", no_such_edge);
+  EXPECT_REFUSED(apply(mesh, tables::split_face, rim), "apply", boundary_edge);
+  EXPECT_REFUSED(apply(mesh, tables::bisect, inside), "apply", other_patch);
+  StripMesh pointed = tetrahedron();
+  EXPECT_REFUSED(apply(pointed, tables::join_faces, StripMesh::halfedge(0)), "apply", too_few_triangles);
+  Keeper keeper(mesh);
+  EXPECT_REFUSED(keeper.apply(tables::bisect, inside), "Keeper::apply", other_patch);
+  const auto stay = [](const auto& patch) { return patch.side[0][0]; };
+  EXPECT_REFUSED(keeper.apply(tables::bisect, inside, stay), "Keeper::apply", other_patch);
+  EXPECT_REFUSED(apply_and_join(mesh, tables::bisect, inside, stay), "apply", other_patch);
+  EXPECT_REFUSED((void)before_apply(mesh, tables::bisect, inside), "apply", other_patch);
+  EXPECT_FAILED(apply(mesh, tables::split_face, inside, [&](const auto&) { return rim; }),
+                "apply: the mesh does not have the triangles that the operation makes");
+  EXPECT_FAILED(apply(mesh, tables::split_face, inside, [](const auto& patch) { return patch.between(0, 3); }),
+                "PatchSides::between: no triangle of the patch has this side");
+  // A triangle put in the place of two others.
+  std::array<Vertex, 3> vertices = mesh.corners(0);
+  std::array<Triangle, 1> made{};
+  const std::array<Triangle, 2> out{0, 1};
+  const std::array<StripMesh::Places, 1> in{{{0, 1, 2}}};
+  EXPECT_REFUSED(mesh.replace(out, in, vertices, made), "StripMesh::replace", other_patch);
+  EXPECT_FAILED(mesh.replace(std::span(out).first(1), in, vertices, std::span<Triangle>()),
+                "StripMesh::replace: there is not one place for each new triangle");
 }
 
 TEST(PreconditionDeathTest, EveryLookAtAMesh) {
@@ -323,6 +356,7 @@ TEST(StripMeshLimit, AFullMeshSaysSoAndStaysAsItIs) {
   EXPECT_THROW(split(mesh, where), std::length_error);
   const Where beside{mesh.spoke(0), {}, Where::Spokes::left_only};
   EXPECT_THROW(split(mesh, beside), std::length_error);
+  EXPECT_THROW(apply(mesh, tables::split_face, mesh.spoke(7)), std::length_error);
   EXPECT_EQ(mesh.triangle_count(), 40U);
   EXPECT_EQ(state(), before);
   // What a collapse gives back can be taken again; one triangle free is not enough for two.

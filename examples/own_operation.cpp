@@ -1,0 +1,59 @@
+// An operation of your own with strips kept: own_operation.json says that a vertex of six triangles goes, and how its
+// hole is closed; the build makes a table of best rules from that (docs/toolkit.md). Here it is applied all over a
+// mesh, under each policy in turn: a torus, or an OBJ file that is named.
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <restrip/restrip.hpp>
+#include <restrip/tables/operations/remove_six.hpp>
+#include <string>
+#include <vector>
+
+int main(int argc, char** argv) {
+  // Three indices for each triangle, counter-clockwise.
+  std::vector<std::uint32_t> indices;
+  std::size_t vertices = 0;
+  if (argc > 1) {
+    std::ifstream file(argv[1]);
+    for (std::string word; file >> word;) {
+      if (word == "v") ++vertices;
+      for (int corner = 0; word == "f" && corner < 3; ++corner) {
+        std::string index;
+        file >> index;
+        indices.push_back(static_cast<std::uint32_t>(std::stoul(index)) - 1);
+        if (corner == 2) word.clear();
+      }
+      file.ignore(4096, '\n');
+    }
+  } else {
+    constexpr std::uint32_t columns = 80, rows = 30;
+    vertices = columns * rows;
+    for (std::uint32_t y = 0; y < rows; ++y)
+      for (std::uint32_t x = 0; x < columns; ++x) {
+        const auto at = [](std::uint32_t u, std::uint32_t v) { return v % rows * columns + u % columns; };
+        for (const auto v : {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y), at(x + 1, y + 1), at(x, y + 1)})
+          indices.push_back(v);
+      }
+  }
+
+  const auto& operation = restrip::tables::remove_six;
+  std::printf("| policy | operations | triangles | strips | triangles a strip |\n| --- | --- | --- | --- | --- |\n");
+  for (const restrip::PolicyRow& row : restrip::policies) {
+    restrip::StripMesh mesh = restrip::StripMesh::build(indices, vertices);
+    restrip::stripify(mesh);
+    restrip::Keeper keeper(mesh, row.policy);
+    const std::size_t wanted = std::min<std::size_t>(10'000, indices.size() / 3 / 8);
+    std::size_t done = 0;
+    std::mt19937 random(1);
+    for (int tries = 0; tries < 1'000'000 && done < wanted; ++tries) {
+      const auto h = restrip::StripMesh::halfedge(static_cast<std::uint32_t>(random() % mesh.triangle_bound()), 0);
+      if (!mesh.alive(h) || check_apply(mesh, operation, h) != restrip::Refusal::granted) continue;
+      keeper.apply(operation, h);
+      ++done;
+    }
+    if (!restrip::check_coloring(mesh).valid || restrip::count_strips(mesh) != keeper.strips()) return 1;
+    std::printf("| %s | %zu | %zu | %zu | %zu |\n", row.name, done, mesh.triangle_count(), keeper.strips(),
+                mesh.triangle_count() / keeper.strips());
+  }
+}
