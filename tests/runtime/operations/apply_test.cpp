@@ -363,6 +363,7 @@ TEST(Apply, KeepersFollow) {
         if (row.policy == Policy::local && cost == Cost::strips()) join_all(mesh), keeper.rebuild();
         std::size_t done = 0;
         for (std::size_t n = 0; n < test::large(1500); ++n) {
+          if (row.policy == Policy::bare && n % 8 == 0) stripify(mesh, Effort::fast), keeper.rebuild();
           ColoringChange change = cost_of(mesh);
           Rewrite<Halfedge> told = stir(keeper, mesh, random, 2 * start.triangle_count()).rewrite;
           random_application(mesh, random, 3 * start.triangle_count(), [&](const auto& table, Halfedge h) {
