@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
     restrip::StripMesh mesh = restrip::StripMesh::build(indices, vertices);
     restrip::stripify(mesh);
     restrip::Keeper keeper(mesh, row.policy);
-    const std::size_t wanted = std::min<std::size_t>(10'000, indices.size() / 3 / 8);
+    const std::size_t wanted = std::min<std::size_t>(10'000, indices.size() / 3 / 6);
     std::size_t done = 0;
     std::mt19937 random(1);
     for (int tries = 0; tries < 1'000'000 && done < wanted; ++tries) {
