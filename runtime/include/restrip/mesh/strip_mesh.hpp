@@ -263,6 +263,7 @@ class StripMesh {
  private:
   friend class detail::TwoSteps;
   friend class detail::TrialColors;
+  friend class History;
 
   // Insertions and removals have two steps: handles are taken and given back in a fixed order by one thread, the rest
   // may be done on disjoint patches at the same time (TwoSteps of batch.hpp).
