@@ -102,7 +102,8 @@ int run(const ReplayCommand& command) {
     const std::size_t triangles = command.out_triangles == 0 ? report.triangles : command.out_triangles;
     const LevelFile file = level_file(plan, triangles, files::extension_of(command.out), command.gltf);
     level->write(file.bytes);
-    text += fmt::format("\n  {}: {} triangles in {} strips\n", command.out.string(), file.triangles, file.strips);
+    text += fmt::format("\n  {}: {} triangles in {} strips\n", command.out.string(), file.triangles, file.strips) +
+            as_text(file.required_extensions, command.out.string());
   }
   out.print(text, as_json(report, source.subject, walk));
   return report.valid() && (!walk || walk->report.fault.empty()) ? 0 : 1;
@@ -114,14 +115,21 @@ int run(const SimplifyCommand& command) {
   const files::Output out(command.out, {extensions, {command.mesh}});
   const ReportOutput report(command.json, {command.mesh, command.out});
   Mended mended;
-  const Simplification result = simplify(read_mesh(command.mesh, command.mending, mended), command.simplify);
+  const std::string extension = files::extension_of(command.out);
+  const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
+  leave_out_attributes(soup, extension, mended);
+  if (!mended.left_out_attributes.empty())  // before the work begins
+    fmt::print(
+        stderr, "restrip: {}: leaves out {}{}\n", command.out.string(), attributes_in_words(mended.left_out_attributes),
+        command.attributes == ReadAttributes::no ? "; with --attributes .glb, .ply and .obj keep what they hold" : "");
+  const Simplification result = simplify(soup, command.simplify);
   const ProgressiveMesh& made = result.mesh;
   nlohmann::ordered_json json{{"base_triangles", made.base.size()},
                               {"wanted_base_triangles", result.wanted_triangles},
+                              {"stopped_short", result.stopped_short()},
                               {"splits", made.splits.size()},
                               {"triangles", made.fine_triangles()}};
   std::string text = as_text(mended);
-  const std::string extension = files::extension_of(command.out);
   if (is_progressive(command.out) || extension.empty()) {
     out.write(pm_bytes(made));
     text += fmt::format("{}: {} triangles and {} splits to {}\n", command.out.string(), made.base.size(),
@@ -129,18 +137,22 @@ int run(const SimplifyCommand& command) {
   } else {
     StripMesh base = StripMesh::build(made.base, made.points.size());
     stripify(base);
-    const LevelFile file = level_file(base, made.points, extension, command.gltf);
+    const LevelFile file = level_file(base, made.points, extension, command.gltf, soup.attributes);
     out.write(file.bytes);
     json["strips"] = file.strips;
     text += fmt::format("{}: {} of {} triangles, in {} strips\n", command.out.string(), file.triangles,
                         made.fine_triangles(), file.strips);
+    if (!file.required_extensions.empty()) json["required_extensions"] = file.required_extensions;
+    text += as_text(file.required_extensions, command.out.string());
   }
-  if (made.base.size() > result.wanted_triangles)
-    text += fmt::format("a base of {} triangles was wanted; {}\n", result.wanted_triangles,
-                        why_no_coarser(result.left_out));
+  for (const Obstacle& obstacle : result.left_out.obstacles)
+    json["obstacles"].push_back({{"why", obstacle.why}, {"edges", obstacle.edges}});
   add_to(json, mended);
   report.print(text, json.dump(2) + "\n");
-  return 0;
+  if (!result.stopped_short()) return 0;
+  fmt::print(stderr, "restrip: {}: stopped at {} triangles, where {} were asked for: {}\n", command.out.string(),
+             made.base.size(), result.wanted_triangles, why_no_coarser(result.left_out));
+  return command.size_given ? 1 : 0;
 }
 
 int run(const BakeCommand& command) {
@@ -173,8 +185,10 @@ int run(const BakeCommand& command) {
                               {"states", report.states},
                               {"seconds", report.seconds}};
   add_to(json, source.subject.mended);
+  const auto required = required_extensions(files::extension_of(command.out), command.gltf, report.base_strips);
+  if (!required.empty()) json["required_extensions"] = required;
   const std::string text =
-      as_text(source.subject.mended) +
+      as_text(source.subject.mended) + as_text(required, command.out.string()) +
       fmt::format(
           "{}: {} triangles and {} records to {}\n"
           "{} strips at the base, {} at the finest level (where {} are needed at least), {} at most; {} connected "

@@ -42,7 +42,7 @@ struct ReplayCommand {
   std::uint64_t seed = 1;
   std::filesystem::path out;      ///< where a level is written, with its strips; empty: nowhere
   std::size_t out_triangles = 0;  ///< of that level, at least; 0: the finest one
-  GltfPrimitives gltf = GltfPrimitives::restart;
+  GltfPrimitives gltf = GltfPrimitives::strips;
   MendingOptions mending;
   std::string json;
 };
@@ -51,8 +51,10 @@ int run(const ReplayCommand& command);
 struct SimplifyCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;  ///< .pm: a progressive mesh; else its base, with strips from scratch
-  GltfPrimitives gltf = GltfPrimitives::restart;
+  GltfPrimitives gltf = GltfPrimitives::strips;
   SimplifyOptions simplify;
+  bool size_given = false;  ///< by the caller, not by default: then it is a failure to stop short of it
+  ReadAttributes attributes = ReadAttributes::no;  ///< kept: vertices that differ in them are several
   MendingOptions mending;
   std::string json;
 };
@@ -62,8 +64,8 @@ int run(const SimplifyCommand& command);
 struct ConvertCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;
-  GltfPrimitives gltf = GltfPrimitives::restart;  ///< of a baked mesh, if not given: strips
-  bool gltf_given = false;
+  GltfPrimitives gltf = GltfPrimitives::strips;
+  bool gltf_given = false;  ///< then a mesh without strips is refused but for a list
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;
@@ -96,7 +98,7 @@ int run(const MakeMeshCommand& command);
 struct StripifyCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;  ///< empty: the strips are counted and not written
-  GltfPrimitives gltf = GltfPrimitives::restart;
+  GltfPrimitives gltf = GltfPrimitives::strips;
   bool as_in_file = false;  ///< the strips that the file has, in place of the next four
   Effort effort = Effort::fast;
   Cost cost = Cost::strips();
@@ -110,7 +112,8 @@ struct StripifyCommand {
 int run(const StripifyCommand& command);
 
 /// A mesh and its strips at one level as a picture (.svg, .png); or what scripts/pictures.py needs to draw the picture
-/// of the README (.json): the same, and the rule of one split.
+/// of the README (.json): the same, and the rule of one split. A file that has strips is drawn with them, unless the
+/// level, the policy, the cost or the base is named.
 struct DrawCommand {
   std::filesystem::path mesh;  ///< may be a progressive mesh; empty: the built-in mesh
   std::filesystem::path out;

@@ -17,6 +17,7 @@
 #include "lod/baked_gltf.hpp"
 #include "meshes/mesh_file.hpp"
 #include "meshes/strip_file.hpp"
+#include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -26,6 +27,7 @@ struct Converted {
   std::string bytes;
   std::size_t strips = 0;
   std::size_t left_out = 0;
+  std::vector<std::string> required_extensions = {};
 };
 
 Converted converted(const Soup& soup, const ConvertCommand& command) {
@@ -43,9 +45,10 @@ Converted converted(const Soup& soup, const ConvertCommand& command) {
   std::copy_if(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(drawn),
                [](const Corners& t) { return !degenerate(t); });
   const auto ends = std::count(soup.strips.begin(), soup.strips.end(), strip_end);
-  return {strip_bytes({soup.points, soup.strips, drawn, soup.attributes}, extension, primitives),
-          soup.strips.empty() || primitives == GltfPrimitives::list ? 0 : static_cast<std::size_t>(ends) + 1,
-          soup.triangles.size() - drawn.size()};
+  const std::size_t strips =
+      soup.strips.empty() || primitives == GltfPrimitives::list ? 0 : static_cast<std::size_t>(ends) + 1;
+  return {strip_bytes({soup.points, soup.strips, drawn, soup.attributes}, extension, primitives), strips,
+          soup.triangles.size() - drawn.size(), required_extensions(extension, primitives, strips)};
 }
 
 }  // namespace
@@ -71,14 +74,15 @@ int convert_baked(const ConvertCommand& command, const files::Output& out, const
                     "level of it",
                     command.mesh.string(), fmt::join(extensions, " or ")));
   const BakedBytes found = read_baked_bytes(command.mesh);
-  out.write(extension == ".glb"
-                ? baked_glb_bytes(found.bytes, command.gltf_given ? command.gltf : GltfPrimitives::strips)
-                : found.bytes);
+  out.write(extension == ".glb" ? baked_glb_bytes(found.bytes, command.gltf) : found.bytes);
   const ProgressiveMesh& mesh = found.baked.mesh;
-  const nlohmann::ordered_json json{
+  const auto required = required_extensions(extension, command.gltf, count_strips(found.baked.base));
+  nlohmann::ordered_json json{
       {"base_triangles", mesh.base.size()}, {"records", mesh.splits.size()}, {"triangles", mesh.fine_triangles()}};
+  if (!required.empty()) json["required_extensions"] = required;
   report.print(fmt::format("{}: {} triangles and {} records to {}\n", command.out.string(), mesh.base.size(),
-                           mesh.splits.size(), mesh.fine_triangles()),
+                           mesh.splits.size(), mesh.fine_triangles()) +
+                   as_text(required, command.out.string()),
                json.dump(2) + "\n");
   return 0;
 }
@@ -113,7 +117,8 @@ int run(const ConvertCommand& command) {
                       soup.triangles.size() - made.left_out);
   if (made.strips != 0) text += fmt::format(" in {} strips", made.strips);
   if (made.left_out != 0) text += fmt::format("; {} degenerate triangles left out", made.left_out);
-  report.print(text + "\n", json.dump(2) + "\n");
+  if (!made.required_extensions.empty()) json["required_extensions"] = made.required_extensions;
+  report.print(text + "\n" + as_text(made.required_extensions, command.out.string()), json.dump(2) + "\n");
   return 0;
 }
 

@@ -125,14 +125,25 @@ CLI::App* add_simplify(CLI::App& app, SimplifyCommand& command) {
           ->check(CLI::Range(std::size_t{1}, max_triangles));
   add_simplify_options(*sub, command.simplify);
   const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  sub->add_flag_callback(
+      "--attributes", [&command] { command.attributes = ReadAttributes::yes; },
+      "keep normals, texture coordinates and colours: where they differ one place is several vertices, and such seams "
+      "are boundaries, which stay unless --boundary move is given");
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, triangles, gltf, &command] {
+    // Both sides of a seam would move on their own.
+    if (command.attributes == ReadAttributes::yes && sub->count("--boundary") == 0)
+      command.simplify.boundary = BoundaryPolicy::lock;
     refuse_gltf_elsewhere(*gltf, command.out);
+    command.size_given = triangles->count() + sub->count("--base") != 0;
     if (!triangles->empty() && sub->count("--base") != 0)
       throw CLI::ValidationError("--triangles", "and --base say the same thing twice; leave one out");
   });
-  sub->footer("Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
+  sub->footer(
+      "Where no edge that is left may collapse, the mesh is written as coarse as it got, and standard error and\n"
+      "--json say why. The exit code is 1 then, if --base or --triangles asked for a coarser one.\n"
+      "Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
   return sub;
 }
 
@@ -267,7 +278,8 @@ CLI::App* add_draw(CLI::App& app, DrawCommand& command) {
         throw CLI::ValidationError(option->get_name(), "only pictures have one: .svg and .png");
   });
   sub->footer(
-      "Triangles that face away from the camera are not drawn. --base 1 draws strips from scratch.\n"
+      "Triangles that face away from the camera are not drawn. A file that has strips is drawn with them, unless\n"
+      "--triangles, --policy, --cost, --base or --boundary asks for others. --base 1 draws strips from scratch.\n"
       "Example: restrip draw bunny.obj --policy linked --triangles 5000 --camera 20,10 -o bunny.png");
   return sub;
 }
@@ -293,13 +305,14 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   app.formatter(std::make_shared<PlainFormatter>());
   constexpr restrip::files::ReadLimits limits;
-  app.footer(
-      fmt::format("Exit codes: 0 all is well, 1 a check failed, 2 the input or the command line is at fault.\n"
-                  "Limits: files of {}, pipes and devices of {}, lines of text of {}.\n"
-                  "Outputs appear whole or not at all; they must not be inputs and must end as their format does.\n"
-                  "Example: restrip replay --built-in",
-                  restrip::files::size_in_words(limits.regular), restrip::files::size_in_words(limits.endless),
-                  restrip::files::size_in_words(longest_line)));
+  app.footer(fmt::format(
+      "Exit codes: 0 all is well, 1 a check failed or simplify stopped short, 2 the input or the command line is at "
+      "fault.\n"
+      "Limits: files of {}, pipes and devices of {}, lines of text of {}.\n"
+      "Outputs appear whole or not at all; they must not be inputs and must end as their format does.\n"
+      "Example: restrip replay --built-in",
+      restrip::files::size_in_words(limits.regular), restrip::files::size_in_words(limits.endless),
+      restrip::files::size_in_words(longest_line)));
   StatsCommand stats;
   ReplayCommand replay;
   SimplifyCommand simplify;

@@ -86,6 +86,8 @@ int run(const StripifyCommand& command) {
                               {"seconds_to_write", writing.nanoseconds() * 1e-9},
                               {"valid", faults.empty()}};
   if (command.as_in_file) json["cut_strips"] = in_file.cut;
+  const auto required = required_extensions(files::extension_of(command.out), command.gltf, strips.size());
+  if (!required.empty()) json["required_extensions"] = required;
   add_to(json, mended);
   const auto per_triangle = [triangles](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(triangles, 1));
@@ -99,6 +101,7 @@ int run(const StripifyCommand& command) {
       per_triangle(indices.size()), per_triangle(bound), swaps, cache_misses, seconds);
   if (in_file.cut != 0)
     text += fmt::format("cut {} times, where a strip of the file goes on and no dual edge is\n", in_file.cut);
+  text += as_text(required, command.out.string());
   // A closed mesh has no seams.
   const bool has_seams = report.boundary_edges != 0;
   text += hints(has_seams ? coincident_vertices(soup) : 0, has_seams ? vertices_at_seams(soup) : 0,

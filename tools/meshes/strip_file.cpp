@@ -39,4 +39,16 @@ std::string strip_bytes(const StripFile& file, const std::string& extension, Glt
                              fmt::join(written_strip_extensions(), ", ")));
 }
 
+std::vector<std::string> required_extensions(const std::string& extension, GltfPrimitives primitives,
+                                             std::size_t strips) {
+  if (extension != ".glb" || primitives != GltfPrimitives::restart || strips < 2) return {};
+  return {std::string(restart_extension)};
+}
+
+std::string as_text(const std::vector<std::string>& required_extensions, const std::string& name) {
+  if (required_extensions.empty()) return {};
+  return fmt::format("{}: requires {}, a proposal that few viewers know; the others refuse the file\n", name,
+                     fmt::join(required_extensions, ", "));
+}
+
 }  // namespace restrip::tools

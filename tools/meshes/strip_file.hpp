@@ -6,6 +6,7 @@
 //   .bin  the indices alone, 32 bits each, little-endian, 0xFFFFFFFF between strips
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -16,9 +17,9 @@
 namespace restrip::tools {
 
 enum class GltfPrimitives {
+  strips,   ///< a primitive for each strip: plain glTF 2.0; each takes some 140 bytes of JSON
+  list,     ///< one list of triangles: plain glTF 2.0
   restart,  ///< one primitive for all strips; needs a viewer that knows KHR_mesh_primitive_restart (a draft of 2026)
-  strips,   ///< a primitive for each strip: plain glTF 2.0, but each takes about 200 bytes of JSON
-  list      ///< one list of triangles: plain glTF 2.0
 };
 
 /// An index buffer of strips and what it draws.
@@ -36,6 +37,12 @@ struct StripFile {
 /// format cannot hold the mesh: glTF and the lists of PLY have less than 2^31 values, and glTF no mesh without
 /// triangles.
 [[nodiscard]] std::string strip_bytes(const StripFile& file, const std::string& extension,
-                                      GltfPrimitives primitives = GltfPrimitives::restart);
+                                      GltfPrimitives primitives = GltfPrimitives::strips);
+
+/// The extensions that a viewer must know to open a file of so many strips. Where there is one, a report should say so.
+[[nodiscard]] std::vector<std::string> required_extensions(const std::string& extension, GltfPrimitives primitives,
+                                                           std::size_t strips);
+/// A sentence about them with a line feed; empty when there are none. `name` is that of the file.
+[[nodiscard]] std::string as_text(const std::vector<std::string>& required_extensions, const std::string& name);
 
 }  // namespace restrip::tools
