@@ -4,9 +4,9 @@
 #include <tuple>
 #include <utility>
 
+#include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
-#include "meshes/mesh_file.hpp"
 #include "restrip/search/stripify.hpp"
 #include "settings.hpp"
 

@@ -153,31 +153,36 @@ class LevelKeeper : public CountingKeeper {
   }
 
   Change split(const Where& where, Vertex v_t) {
-    return by_rules([&](StripMesh& own) { return split_and_adopt(own, where, v_t); });
+    return by_rules([&](StripMesh& own) { return split_and_join(own, where, v_t); });
   }
   Change collapse(Halfedge chord) {
-    return by_rules([&](StripMesh& own) { return collapse_and_adopt(own, chord); });
+    return by_rules([&](StripMesh& own) { return collapse_and_join(own, chord); });
   }
   Change flip(Halfedge h) {
-    return by_rules([&](StripMesh& own) { return flip_and_adopt(own, h); });
+    return by_rules([&](StripMesh& own) { return flip_and_join(own, h); });
   }
   Change split_face(Halfedge h) {
-    return by_rules([&](StripMesh& own) { return restrip::split_face(own, h); });
+    return by_rules([&](StripMesh& own) {
+      const Change done = restrip::split_face(own, h);
+      return with(done, join_around(own, own.opposite(done.halfedge)));
+    });
   }
   Change bisect(Halfedge h) {
-    return by_rules([&](StripMesh& own) { return restrip::bisect(own, h); });
+    return by_rules([&](StripMesh& own) {
+      const Change done = restrip::bisect(own, h);
+      return with(done, join_around(own, own.opposite(done.halfedge)));
+    });
   }
-  // These two may give ports up, as a flip may.
   Change join_faces(Halfedge chord) {
     return by_rules([&](StripMesh& own) {
       const Change done = restrip::join_faces(own, chord);
-      return with_adopted(own, done, own.opposite(done.halfedge));
+      return with(done, join_beside(own, done.halfedge));
     });
   }
   Change merge(Halfedge chord) {
     return by_rules([&](StripMesh& own) {
       const Change done = restrip::merge(own, chord);
-      return with_adopted(own, done, done.halfedge);
+      return with(done, join_beside(own, done.halfedge));
     });
   }
 
@@ -188,9 +193,7 @@ class LevelKeeper : public CountingKeeper {
     leave_step();
     return finish(operation(changing()));
   }
-  /// What adoption beside the triangles of h finds, which are all that changed.
-  static Change with_adopted(StripMesh& own, Change done, Halfedge h) {
-    const Mending mending = adopt_after_flip(own, h);
+  static Change with(Change done, Mending mending) {
     done.strips += mending.strips;
     done.isolated += mending.isolated;
     return done;

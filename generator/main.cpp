@@ -26,7 +26,7 @@ using namespace restrip::generator;
 namespace {
 
 /// The position that the options --k, --at and --to say.
-Position position_of(const Family& family, PositionNumbers numbers) {
+Position position_of(const Description& family, PositionNumbers numbers) {
   if (family.numbers.empty()) return positions(family, 0).at(0);
   if (!hold(family.where, numbers)) {
     constexpr std::array<const char*, 3> options{"--k", "--at", "--to"};
@@ -70,13 +70,6 @@ int main(int argc, char** argv) {
                    "Between equally good rules: strips that stay long, or fewer indices in a plain strip")
       ->transform(CLI::CheckedTransformer(goals))
       ->default_str("strips")
-      ->excludes(shard_option);
-  tables_command
-      ->add_option(
-          "--cost", tables.cost,
-          "Of the index rules: indices (3 for a strip, 1 for a swap), or R,S,I, the weights of a strip, a swap "
-          "and an isolated triangle")
-      ->capture_default_str()
       ->excludes(shard_option);
   std::vector<std::string> tables_languages;
   tables_command
@@ -137,7 +130,7 @@ int main(int argc, char** argv) {
   auto* dump_command = app.add_subcommand("dump", "Print every rule as CSV, one row for each valid configuration");
   dump_command->footer("Columns:\n" + dump_columns() + "\nExample:\n  restrip-generate dump --family split --k 4\n");
   std::vector<std::string> names;
-  for (const Family& one : families()) names.push_back(one.name);
+  for (const Description& one : families()) names.push_back(one.name);
   dump_command->add_option("--family", family, fmt::format("One of {}", fmt::join(names, ", ")))
       ->check(CLI::IsMember(names))
       ->capture_default_str();
@@ -186,7 +179,7 @@ int main(int argc, char** argv) {
     if (*merge_command) merge_shards(merge_in, merge_out);
     if (*rules_command) make_rules(rules);
     if (*dump_command) {
-      const Family& chosen = family_named(family);
+      const Description& chosen = family_named(family);
       if (!chosen.numbers.empty() && (k_option->empty() || k < smallest_valence(chosen)))
         throw std::invalid_argument(fmt::format("--family {} needs --k {} or more", family, smallest_valence(chosen)));
       dump(chosen, k, stdout);
@@ -194,8 +187,7 @@ int main(int argc, char** argv) {
     if (*describe_command) {
       const auto* const word = std::find(constraint_words.begin(), constraint_words.end(), described_constraint);
       const Constraint constraint{static_cast<unsigned>(word - constraint_words.begin()) + 1};
-      fmt::print("{}",
-                 operation_file_text(described(position_of(family_named(described_family), numbers), constraint)));
+      fmt::print("{}", operation_file_text(position_of(family_named(described_family), numbers), constraint));
     }
     if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");

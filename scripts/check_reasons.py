@@ -13,7 +13,7 @@ linked rules. Which rows a collapse must have, and the other claims, are not che
 """
 import sys
 
-CLAIMS = ("configurations", "valid", "orbits", "valid-orbits", "costing", "worst-strips", "worst-isolated")
+CLAIMS = ("configurations", "valid", "orbits", "valid-orbits", "keys", "costing", "worst-strips", "worst-isolated")
 LINKED_CLAIMS = ("lists", "alternatives", "longest")
 
 
@@ -114,8 +114,20 @@ def configurations(family, position):
     return 1 << (2 * k if family == "split" else 2 * k - 1)
 
 
+def mask_of(pairs):
+    """Bit j (j - 1) / 2 + i is the pair of ports i < j."""
+    return sum(1 << max(p) * (max(p) - 1) // 2 + min(p) for p in pairs if len(p) == 2)
+
+
+def pairs_of(mask, ports):
+    pairs = {frozenset((i, j)) for j in range(ports) for i in range(j) if mask >> j * (j - 1) // 2 + i & 1}
+    if mask_of(pairs) != mask:
+        raise Wrong("a pair of ports that are not there")
+    return pairs
+
+
 def valid_keys(family, position, known={}):
-    """How many valid configurations a split or the flip has, and their keys."""
+    """How many valid configurations a split or the flip has, and their keys. All pairs that these join some recolouring joins."""
     k = None if family == "flip" else int(position.split()[1])
     ring = family == "split"
     if (ring, k) not in known:
@@ -127,14 +139,7 @@ def valid_keys(family, position, known={}):
             if strips is None:
                 continue
             count += 1
-            ports = edges >> inner
-            joined = edges & 1
-            if k:
-                solid = [p for p in range(k) if ports >> p & 1]
-                # The solid port before the first one is the last one, in a ring only, and never the port itself.
-                joined = sum(1 << p for i, p in enumerate(solid)
-                             if (i or ring) and len(solid) > 1 and frozenset((p, solid[i - 1])) in strips)
-            keys.add((ports, joined))
+            keys.add((edges >> inner, mask_of(strips)))
         known[ring, k] = count, keys
     return known[ring, k]
 
@@ -147,11 +152,14 @@ class Section:
         self.lists, self.rows, self.longest, self.here, self.last = 0, 0, 0, 0, None
 
     def claim(self, word, number):
-        if word not in (LINKED_CLAIMS if self.family.startswith("linked-") else CLAIMS) or word in self.claims:
+        words = LINKED_CLAIMS if self.family.startswith("linked-") else CLAIMS
+        if word not in words or word in self.claims:
             raise Wrong("unknown claim, or made twice")
         if self.keys or self.rows:
             raise Wrong("a claim after the rows")
         self.claims[word] = int(number)
+        if list(self.claims) != list(words[:len(self.claims)]):
+            raise Wrong("a claim out of order, or the one before it is missing")
 
     def row(self, key):
         if self.keys and self.keys[-1] >= key:
@@ -173,6 +181,7 @@ class Section:
             missing = set(CLAIMS) - set(self.claims)
             if not self.family.endswith("collapse"):
                 counted["valid"], keys = valid_keys(self.family, self.position)
+                counted["keys"] = len(keys)
                 for key in sorted(keys.symmetric_difference(self.keys)):
                     raise Wrong("section %s above: the key %x %x %s" % (
                         (self.position,) + key + ("has no row" if key in keys else "is of no valid configuration",)))
@@ -189,17 +198,14 @@ class Row:
     """The question that a row answers, and its answer: what may be dashed, what may be joined, what is solid."""
 
     def __init__(self, family, patch, words):
-        masks = [int(word, 16) for word in words[1:5 if family == "flip" else 4]]
-        self.patch, self.ports = patch, masks[0]
+        self.patch, (self.ports, joined, colors, kept) = patch, (int(word, 16) for word in words[1:5])
         inner, all_inner = len(patch.inner), (1 << len(patch.inner)) - 1
-        if family == "flip":
-            before = Patch(["L", "R"], False, False, ["L", "L", "R", "R"])
-            self.joined = {s for s in before.strips(masks[1] | masks[0] << 1) if len(s) == 2}
-            self.fixed, self.edges, self.own = 0, all_inner | masks[0] << inner, masks[3] | masks[2] << inner
-        else:
-            solid = [p for p in range(len(patch.owners)) if masks[0] >> p & 1]
-            self.joined = {frozenset((p, solid[i - 1])) for i, p in enumerate(solid) if masks[1] >> p & 1}
-            self.fixed, self.edges, self.own = masks[0] << inner, all_inner, masks[2]
+        self.joined = pairs_of(joined, len(patch.owners))
+        may_go = self.ports if family == "flip" else 0
+        self.fixed, self.edges = (self.ports & ~may_go) << inner, all_inner | may_go << inner
+        self.own = colors | (kept & may_go) << inner
+        if kept & ~self.ports or self.ports & ~kept & ~may_go or colors & ~all_inner:
+            raise Wrong("a port is taken, or one given up that must stay")
 
     def sound(self, edges):
         strips = self.patch.strips(edges | self.fixed)
@@ -239,10 +245,11 @@ class Row:
         if (shown,) + self.loss(surely_dashed)[1:] < self.own_loss():
             raise Wrong("a case shows too little")
 
-    def image(self, kind, n):
+    def image(self, to):
         """Ports and joined pairs where the symmetry takes them, when it is one of the patch."""
         count = len(self.patch.owners)
-        to = [((n - p) if kind == "mirror" else (n + p)) % count for p in range(count)]
+        if sorted(to) != list(range(count)):
+            raise Wrong("no permutation of the ports")
         for new in ({"A": "A", "D": "D"}, {"A": "D", "D": "A"}):
             moved = dict(new, **{o: self.patch.owners[to[p]] for p, o in enumerate(self.patch.owners)})
             if {frozenset(map(moved.get, e)) for e in self.patch.inner} == set(map(frozenset, self.patch.inner)) and all(
@@ -302,11 +309,11 @@ def check(path, max_k=8):
     for number, line in enumerate(lines, 1):
         words = line.decode("ascii", "replace").split(" ")
         try:
-            if number == 1 and words != ["restrip-certificate", "2"]:
-                raise Wrong("not a certificate of version 2")
-            if number == 2 and words in (["family", "automaton"], ["family", "index-automaton"]):
+            if number == 1 and words != ["restrip-certificate", "3"] and lines[1] != b"family automaton":
+                raise Wrong("not a certificate of version 3")
+            if number == 2 and words[1:] == ["automaton"]:
                 return "%s: not looked at, an automaton has no reasons; restrip-verify-automaton checks it" % path
-            if words[0] == "family":
+            if number == 2 and words[0] == "operation":
                 family, waiting = words[1], positions(words[1], max_k)
             elif words[0] == "section":
                 if lists:
@@ -319,15 +326,16 @@ def check(path, max_k=8):
                 patch, proved = patch_of(family.replace("linked-", ""), words[1:]), {}
                 lists = Lists(patch) if family.startswith("linked-") else None
             elif words[0] in ("rule", "copy") and not lists:
-                row = Row(family, patch, words)
-                section.row((int(words[1], 16), int(words[2], 16)))
-                rest = words[5 if family == "flip" else 4:]
+                row, key = Row(family, patch, words), (int(words[1], 16), int(words[2], 16))
+                section.row(key)
+                rest = words[5:]
                 if words[0] == "rule" and rest.pop(0) == "because":
                     row.prove(rest)
                     proved[row.ports, frozenset(row.joined)] = row.own_loss()
                     rules += 1
                 elif words[0] == "copy" and rest.pop(0) == "by":
-                    if proved.get(row.image(rest.pop(0), int(rest.pop(0)))) != row.own_loss():
+                    to, rest = [int(word) for word in rest], []
+                    if proved.get(row.image(to)) != row.own_loss():
                         raise Wrong("no rule that it is a copy of")
                     copies += 1
                 if rest:

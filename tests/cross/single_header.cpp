@@ -95,7 +95,7 @@ void by_rules(const char* what, StripMesh& mesh, Mesh& seen) {
       [&](const Where& where) { restrip::split_and_link(seen, where); });
   for (Triangle t = 0; t < mesh.triangle_bound(); t += 7)
     if (const Halfedge h = StripMesh::halfedge(t, 0); restrip::check_flip(mesh, h) == restrip::Refusal::granted)
-      restrip::flip_and_adopt(seen, h);
+      restrip::flip_and_join(seen, h);
   print(what, mesh);
 }
 

@@ -138,10 +138,10 @@ std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge 
     all.emplace_back(linking);
   };
   if (check_collapse(mesh, h) == Refusal::granted)
-    add([h](Throwing& m) { collapse(m, h); }, [h](Throwing& m) { collapse_and_adopt(m, h); },
+    add([h](Throwing& m) { collapse(m, h); }, [h](Throwing& m) { collapse_and_join(m, h); },
         [h](Throwing& m) { collapse_and_link(m, h); });
   if (check_flip(mesh, h) == Refusal::granted)
-    add([h](Throwing& m) { flip(m, h); }, [h](Throwing& m) { flip_and_adopt(m, h); },
+    add([h](Throwing& m) { flip(m, h); }, [h](Throwing& m) { flip_and_join(m, h); },
         [h](Throwing& m) { flip_and_link(m, h); });
   std::vector<StripMesh::Halfedge> spokes;
   for_each_spoke(mesh, mesh.from(h), [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
@@ -149,7 +149,7 @@ std::vector<Operation> operations_at(const StripMesh& mesh, StripMesh::Halfedge 
   for (const Where::Spokes kind : kinds) {
     const Where where{h, spokes[random() % spokes.size()], kind};
     if (check_split(mesh, where) != Refusal::granted) continue;
-    add([where](Throwing& m) { split(m, where); }, [where](Throwing& m) { split_and_adopt(m, where); },
+    add([where](Throwing& m) { split(m, where); }, [where](Throwing& m) { split_and_join(m, where); },
         [where](Throwing& m) { split_and_link(m, where); });
   }
   return all;

@@ -30,7 +30,8 @@ inline HubMesh shuffled_double_cone(std::uint32_t n) {
     mesh.triangles.push_back({1, 2 + (i + 1) % n, 2 + i});
   }
   std::mt19937 random(7);
-  for (std::size_t i = mesh.triangles.size(); i > 1; --i) std::swap(mesh.triangles[i - 1], mesh.triangles[random() % i]);
+  for (std::size_t i = mesh.triangles.size(); i > 1; --i)
+    std::swap(mesh.triangles[i - 1], mesh.triangles[random() % i]);
   return mesh;
 }
 

@@ -1,5 +1,5 @@
-// What the headers promise about whole meshes holds however many triangles share one vertex and however long strips get:
-// building, strips from scratch for both costs, annealing, and the order for a vertex cache take linear time.
+// What the headers promise about whole meshes holds however many triangles share one vertex and however long strips
+// get: building, strips from scratch for both costs, annealing, and the order for a vertex cache take linear time.
 //
 // Steps are counted (step_counter.hpp) at two sizes, one twice the other.
 #include <gtest/gtest.h>
@@ -19,10 +19,10 @@
 namespace restrip {
 namespace {
 
-using counter::Work;
-using counter::work_of;
 using counter::grows_at_most;
 using counter::linear;
+using counter::Work;
+using counter::work_of;
 
 constexpr std::size_t kinds = 3;
 

@@ -20,13 +20,13 @@ namespace {
 /// and needs little of the library; then what searches, because a fault below a search may let it run for ever; last
 /// what takes a tenth of a second or more.
 constexpr const char* stages[] = {
-    "Operations.AnyValence:Operations.AdoptionGoes*:Operations.AdoptionThat*:Operations.AFree*:"
+    "Operations.AnyValence:Adopt.Goes*:Adopt.That*:Operations.AFree*:"
     "Refine.Inverses*:Refine.Refuses*:Refine.Refining*:Operations.Going*:Operations.Invalid*:Operations.Refused*:"
     "Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:"
-    "Checks.Checked*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:StripBuffer.RunsAre*:Strips.*:"
+    "Checked.*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:StripBuffer.RunsAre*:Strips.*:"
     "ChunkLists.*:*StripLocatorOf.AgreesAfterCuts*",
-    "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesWhere*:Operations.AdoptionLeaves*:"
-    "Operations.LargeFans*:LinkedRules.*ForAll*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
+    "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesWhere*:Adopt.Leaves*:Operations.LargeFans*:"
+    "LinkedRules.*ForAll*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
     "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:StripKeeper.Changes*:"
     "Refine.Keepers*:InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:IndexKeeper.Tells*",
 };

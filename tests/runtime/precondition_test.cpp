@@ -64,9 +64,9 @@ TEST(PreconditionDeathTest, ADeadHandle) {
   EXPECT_REFUSED((void)mesh.fan_step(dead), "StripMesh::fan_step", no_such_edge);
   EXPECT_REFUSED(mesh.set_solid(dead, true), "StripMesh::set_solid", no_such_edge);
   EXPECT_REFUSED(adopt(mesh, dead), "adopt", no_such_edge);
-  EXPECT_REFUSED(adopt_around(mesh, dead), "adopt_around", no_such_edge);
-  EXPECT_REFUSED(adopt_after_flip(mesh, dead), "adopt_after_flip", no_such_edge);
-  EXPECT_REFUSED(link_end(mesh, dead), "link_end", no_such_edge);
+  EXPECT_REFUSED(join_end(mesh, dead), "join_end", no_such_edge);
+  EXPECT_REFUSED(join_around(mesh, dead), "join_around", no_such_edge);
+  EXPECT_REFUSED(join_beside(mesh, dead), "join_beside", no_such_edge);
 }
 
 TEST(PreconditionDeathTest, EveryRefusalOfASplit) {
@@ -111,16 +111,16 @@ TEST(PreconditionDeathTest, EveryRefusalOfAFlip) {
 TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   StripMesh mesh = sample::octahedron();
   const Where same{mesh.spoke(4), mesh.spoke(4)};
-  EXPECT_REFUSED(split_and_adopt(mesh, same), "split_and_adopt", same_spoke);
+  EXPECT_REFUSED(split_and_join(mesh, same), "split_and_join", same_spoke);
   EXPECT_REFUSED(split_and_link(mesh, same), "split_and_link", same_spoke);
   EXPECT_REFUSED(split_baked(mesh, same, {}), "split_baked", same_spoke);
   EXPECT_REFUSED(mesh.insert_vertex(same), "StripMesh::insert_vertex", same_spoke);
   EXPECT_REFUSED((void)detail::TwoSteps::take(mesh, Where::Spokes::both, 3), "StripMesh::take_room", vertex_in_use);
-  EXPECT_REFUSED(collapse_and_adopt(mesh, {}), "collapse_and_adopt", no_such_edge);
+  EXPECT_REFUSED(collapse_and_join(mesh, {}), "collapse_and_join", no_such_edge);
   EXPECT_REFUSED(collapse_and_link(mesh, {}), "collapse_and_link", no_such_edge);
   EXPECT_REFUSED(collapse_baked(mesh, {}, {}), "collapse_baked", no_such_edge);
   EXPECT_REFUSED(mesh.remove_vertex({}), "StripMesh::remove_vertex", no_such_edge);
-  EXPECT_REFUSED(flip_and_adopt(mesh, {}), "flip_and_adopt", no_such_edge);
+  EXPECT_REFUSED(flip_and_join(mesh, {}), "flip_and_join", no_such_edge);
   EXPECT_REFUSED(flip_and_link(mesh, {}), "flip_and_link", no_such_edge);
   EXPECT_REFUSED(mesh.turn_edge({}), "StripMesh::turn_edge", no_such_edge);
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {

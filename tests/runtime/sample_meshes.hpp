@@ -2,6 +2,7 @@
 // two.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <random>
@@ -12,6 +13,19 @@
 namespace restrip::sample {
 
 using Corners = std::array<Vertex, 3>;
+
+// The triangles of the mesh, each from its smallest corner, in order: equal meshes are equal lists.
+inline std::vector<Corners> triangles_of(const StripMesh& mesh) {
+  std::vector<Corners> triangles;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t)) continue;
+    Corners c = mesh.corners(t);
+    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+    triangles.push_back(c);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
 
 inline StripMesh octahedron() {
   const std::vector<Corners> t{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
@@ -113,6 +127,13 @@ inline std::vector<StripMesh> meshes() {
   // Two triangles that share two edges (a vertex of valence two), and a mesh in two pieces.
   all.push_back(StripMesh::build(std::vector<Corners>{{0, 1, 2}, {1, 0, 2}, {3, 4, 5}, {4, 3, 6}}, 7));
   all.push_back(StripMesh::build(std::vector<Corners>{{0, 1, 3}, {1, 0, 3}, {0, 2, 1}, {2, 0, 4}, {1, 2, 4}}, 5));
+  return all;
+}
+
+// The same without the last, of which two vertices have two fans each.
+inline std::vector<StripMesh> manifold_meshes() {
+  std::vector<StripMesh> all = meshes();
+  all.pop_back();
   return all;
 }
 

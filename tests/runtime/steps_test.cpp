@@ -17,7 +17,6 @@
 #include "restrip/operations/linked.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/rules/index_rules.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -167,17 +166,19 @@ TEST(Complexity, CuttingAndLinkingALongStripRewritesChunksNotTriangles) {
   EXPECT_TRUE(grows_at_most(linear, link[0], link[1]));
 }
 
-TEST(Complexity, LooksAlongAStripEndAfterReach) {
-  Work looking[2];
+// The ladder is cut after 100 rungs, and the other strip is twice as long in the second mesh.
+TEST(Complexity, JoiningTwoEndsWalksTheShorterStrip) {
+  Work joining[2];
   for (const unsigned size : {0U, 1U}) {
     const Vertex n = 10'000U << size;
     StripMesh mesh = ladder(n);
-    mesh.set_solid(mesh.spoke(n, n + 1).id != none ? mesh.spoke(n, n + 1) : mesh.spoke(n + 1, n), false);
-    const Halfedge end = mesh.spoke(n, n + 1).id != none ? mesh.spoke(n, n + 1) : mesh.spoke(n + 1, n);
-    looking[size] = work_of([&] { link_end(mesh, end); });
-    EXPECT_EQ(looking[size].allocations, 0U);
+    const Halfedge end = mesh.spoke(100, 101).id != none ? mesh.spoke(100, 101) : mesh.spoke(101, 100);
+    mesh.set_solid(end, false);
+    joining[size] = work_of([&] { join_end(mesh, end); });
+    ASSERT_TRUE(mesh.solid(end));
+    EXPECT_EQ(joining[size].allocations, 0U);
   }
-  EXPECT_TRUE(grows_at_most(1.0, looking[0], looking[1]));
+  EXPECT_TRUE(grows_at_most(1.0, joining[0], joining[1]));
 }
 
 TEST(Complexity, ABufferRewritesTheRunsAroundAChange) {
@@ -329,35 +330,6 @@ TEST(Complexity, LinkedRulesStopAtTheirLimit) {
   }
   EXPECT_GT(most, 20 * local) << "no hard case was among them";
   EXPECT_LT(most, 4 * std::uint64_t{detail::max_answers} * local);
-}
-
-TEST(Complexity, IndexRulesAreLinearInTheValence) {
-  Work split[2];
-  Work collapse[2];
-  for (const unsigned size : {0U, 1U}) {
-    const std::size_t k = 2000U << size;
-    // Every third port is solid, and its strip goes on one way, the other way, or not at all.
-    const std::vector<Word> ports(words_for(k), 0x9249249249249249U);
-    const std::vector<Word> left(words_for(k), 0x8040201008040201U);
-    const std::vector<Word> right(words_for(k), 0x1008040201008040U);
-    std::vector<Word> colors(words_for(k + 3));
-    const index_rules::LongKey key{{ports.data()}, {ports.data()}, {left.data()}, {right.data()}};
-    split[size] = work_of([&] { index_rules::best_split(k, k / 2, key, {colors.data()}); });
-    collapse[size] = work_of([&] { index_rules::best_collapse(k, key, {colors.data()}); });
-  }
-  EXPECT_TRUE(grows_at_most(linear, split[0], split[1]));
-  EXPECT_TRUE(grows_at_most(linear, collapse[0], collapse[1]));
-}
-
-TEST(Complexity, IndexRulesAllocateNothingUpToSixtyFour) {
-  const Word ports = 0x9249249249249249U;
-  Word colors[2]{};
-  const index_rules::LongKey key{{&ports}, {&ports}, {&ports}, {&ports}};
-  EXPECT_EQ(work_of([&] { index_rules::best_split(64, 20, key, {colors}); }).allocations, 0U);
-  EXPECT_EQ(work_of([&] { index_rules::best_open_split(64, 0, 64, key, {colors}); }).allocations, 0U);
-  const std::vector<Word> longer(2, ports);
-  const index_rules::LongKey beyond{{longer.data()}, {longer.data()}, {longer.data()}, {longer.data()}};
-  EXPECT_EQ(work_of([&] { index_rules::best_collapse(65, beyond, {colors}); }).allocations, 1U);
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "common/bad_input.hpp"
+#include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
-#include "meshes/mesh_file.hpp"
 #include "real_meshes.hpp"
 #include "replay/replay.hpp"
 #include "restrip/output/strips.hpp"

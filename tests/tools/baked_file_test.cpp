@@ -15,7 +15,6 @@
 #include "meshes/made_mesh.hpp"
 #include "replay/replay.hpp"
 #include "restrip/formats/baked_file.hpp"
-#include "restrip/formats/dual_order.hpp"
 #include "shapes.hpp"
 
 namespace restrip::tools {
@@ -223,27 +222,6 @@ TEST(BakedFile, ADeceiverIsRefusedOrAtLeastAMesh) {
   }
   EXPECT_GT(said[""], 0U);      // a point moved
   EXPECT_GT(said.size(), 10U);  // and many ways to be wrong
-}
-
-TEST(DualOrder, NumbersEveryDualEdgeOnce) {
-  for (const Soup& soup : {make_mesh(500), sheet(9), tetrahedron()}) {
-    const StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
-    std::size_t edges = 0;
-    for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-      for (unsigned side = 0; side < 3; ++side)
-        if (!StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, side)))) ++edges;
-    edges /= 2;
-    DualOrder order;
-    for (const Triangle from : {Triangle{0}, static_cast<Triangle>(mesh.triangle_bound() - 1)}) {
-      order.start(mesh, StripMesh::halfedge(from, 1));
-      std::vector<std::uint32_t> met;
-      for (std::size_t n = 0; order.edge(n).id != none; ++n)
-        met.push_back(std::min(order.edge(n).id, mesh.opposite(order.edge(n)).id));
-      EXPECT_EQ(met.size(), edges);
-      std::sort(met.begin(), met.end());
-      EXPECT_EQ(std::unique(met.begin(), met.end()), met.end());
-    }
-  }
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Claims: a baked mesh in a GLB is the baked file, byte by byte, behind a mesh that draws the base as its strips; every
 command that reads baked meshes reads it; a player written in Python after docs/baked.md alone comes from it to the triangles
-and strips that `restrip replay` writes; other commands take the base and say so; and a file that is damaged, or draws another
-base, is refused with a sentence that names it.
+and strips that `restrip replay` writes; other commands take the finest level, with its strips; and a file that is damaged, or
+draws another base, is refused with a sentence that names it.
 
     baked_gltf_test.py restrip SCRATCH
 """
@@ -115,16 +115,28 @@ assert in_glb(scratch / "payload.glb") == (scratch / "payload.baked").read_bytes
 run("bake", scratch / "payload.glb", "-o", scratch / "payload-again.glb")
 assert struct.unpack_from("<I", in_glb(scratch / "payload-again.glb"), 8) == (2,)
 
-# The others take the base.
-for command, out in (("stripify", "base.obj"), ("simplify", "base.pm")):
-    told = run(command, glb, "-o", scratch / out).stdout
-    assert "left out: baked strips\n" in told, told
-assert len(obj(scratch / "base.obj")[1]) == len(Player(in_glb(glb)).triangles)
+# The others take the finest level, with its strips.
+finest = Player(in_glb(glb))
+for record in range(finest.records):
+    finest.split()
+all_triangles = at_points(finest.points, finest.triangles)
+strips = {at_points(finest.points, [finest.triangles[f] for f in strip]) for strip in finest.strips()}
+for mesh in (glb, plain):
+    run("stripify", mesh, "-o", scratch / "finest.obj")
+    points, triangles = obj(scratch / "finest.obj")
+    assert at_points(points, triangles) == all_triangles
+    told = json.loads(run("stripify", mesh, "--effort", "file", "--json", "-").stdout)
+    assert (told["strips"], told["cut_strips"]) == (len(strips), 0), told
+    run("convert", mesh, "-o", scratch / "finest.ply")
+    points, indices = ply(scratch / "finest.ply")
+    assert {at_points(points, triangles_of_strip(strip)) for strip in indices} == strips
+    run("simplify", mesh, "--base", 0.5, "-o", scratch / "again.pm")
+    assert json.loads(run("stats", scratch / "again.pm", "--json", "-").stdout)["triangles"] == len(finest.triangles)
+told = run("convert", scratch / "payload.baked", "-o", scratch / "finest.ply").stdout
+assert "left out: payload" in told, told
 
 # What cannot be done is said.
-for arguments, words in (((glb, "-o", scratch / "never.obj"), "is a baked mesh, which .baked or .glb holds; restrip replay"),
-                         ((plain, "-o", scratch / "never.ply"), "is a baked mesh, which .baked or .glb holds; restrip replay"),
-                         ((glb, "-o", scratch / "never.baked", "--weld"), "is taken as it is"),
+for arguments, words in (((glb, "-o", scratch / "never.baked", "--weld"), "is taken as it is"),
                          ((torus, "-o", scratch / "never.baked"), "is no baked mesh; restrip bake makes one")):
     assert words in run("convert", *arguments, code=2).stderr, words
     assert not arguments[2].exists()

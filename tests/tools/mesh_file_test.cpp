@@ -12,6 +12,7 @@
 #include "common/bad_input.hpp"
 #include "files/output.hpp"
 #include "files/reading.hpp"
+#include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
 #include "scratch_folder.hpp"
 #include "shapes.hpp"

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
-#include "meshes/mesh_file.hpp"
 #include "real_meshes.hpp"
 #include "shapes.hpp"
 

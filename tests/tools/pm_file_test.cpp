@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "common/bad_input.hpp"
+#include "files/reading.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
 #include "real_meshes.hpp"
@@ -67,7 +68,7 @@ TEST(PmFile, NothingToReplayIsNoSuccess) {
 
 TEST(PmFile, RealOne) {
   const auto file = REAL_MESH("om_bunny.pm");
-  const ProgressiveMesh mesh = read_pm(file);
+  const ProgressiveMesh mesh = parse_pm(files::read_whole(file), file.string());
   EXPECT_EQ(mesh.base.size(), 694U);
   EXPECT_EQ(mesh.splits.size(), 34486U);
   const ReplayReport report = replay(Plan("local", mesh), {}, {2, 0, 1});
@@ -93,7 +94,7 @@ TEST(PmFile, RealOne) {
 
 TEST(PmFile, TheOtherOrientationDoesNotFit) {
   const auto file = REAL_MESH("om_bunny.pm");
-  ProgressiveMesh mesh = read_pm(file);
+  ProgressiveMesh mesh = parse_pm(files::read_whole(file), file.string());
   for (Record& record : mesh.splits) std::swap(record.v_l, record.v_r);
   EXPECT_GT(replay(Plan("local", mesh), {}, {2, 0, 0}).operations_without_rule, 0U);
 }
@@ -101,7 +102,7 @@ TEST(PmFile, TheOtherOrientationDoesNotFit) {
 // The counts are those of the file's own header.
 TEST(PmFile, HoppesIsReadAndReplayed) {
   const auto file = REAL_MESH("hoppe_standingblob.pm");
-  const ProgressiveMesh mesh = read_pm(file);
+  const ProgressiveMesh mesh = parse_pm(files::read_whole(file), file.string());
   EXPECT_EQ(mesh.points.size(), 11'676U);
   EXPECT_EQ(mesh.splits.size(), 11'672U);
   EXPECT_EQ(mesh.fine_triangles(), 23'348U);

@@ -218,6 +218,26 @@ TEST_F(Program, SimplifyingWhatIsProgressiveIsRefused) {
     }
 }
 
+// Where a mesh is wanted, a progressive or a baked one is its finest level.
+TEST_F(Program, LevelsAreReadWhereverAMeshIs) {
+  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 500 -o '{}'", file("a.ply"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("simplify '{}' -o '{}'", file("a.ply"), file("a.pm"))).code, 0);
+  ASSERT_EQ(run_program(fmt::format("bake '{}' -o '{}'", file("a.pm"), file("a.baked"))).code, 0);
+  const auto triangles = [&](const char* arguments, const char* name) {
+    const Outcome run = run_program(fmt::format(fmt::runtime(arguments), file(name), file("out.ply")));
+    EXPECT_EQ(run.code, 0) << arguments << ": " << run.out;
+    return nlohmann::json::parse(run.out).at("triangles").get<std::size_t>();
+  };
+  for (const char* arguments :
+       {"stats '{0}' --json -", "stripify '{0}' -o '{1}' --json -", "convert '{0}' -o '{1}' --json -",
+        "simplify '{0}' --base 0.5 -o '{1}' --json -", "stats '{0}' --weld --json -"}) {
+    const std::size_t wanted = triangles(arguments, "a.ply");
+    for (const char* name : {"a.pm", "a.baked"}) EXPECT_EQ(triangles(arguments, name), wanted) << arguments << name;
+  }
+  EXPECT_NE(run_program(fmt::format("stats '{}'", file("a.pm"))).out.find("a.pm (its finest level)"),
+            std::string::npos);
+}
+
 TEST_F(Program, AnOutputThatIsNoFileIsWrittenTo) {
   std::ofstream(file("target")) << "old";
   std::filesystem::create_symlink(file("target"), file("link.json"));

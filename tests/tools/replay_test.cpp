@@ -7,9 +7,9 @@
 #include <array>
 #include <numeric>
 
+#include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
-#include "meshes/mesh_file.hpp"
 #include "real_meshes.hpp"
 #include "shapes.hpp"
 #include "support/sanitizers.hpp"

@@ -11,8 +11,8 @@
 
 #include "common/random.hpp"
 #include "lod/coloring_check.hpp"
+#include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
-#include "meshes/mesh_file.hpp"
 #include "real_meshes.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "shapes.hpp"

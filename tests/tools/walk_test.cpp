@@ -35,9 +35,9 @@ BeginUpkeep by(const std::string& way) {
 struct Operations {
   StripMesh& mesh;
   explicit Operations(StripMesh& on) : mesh(on) {}
-  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) { return split_and_adopt(mesh, where, v_t); }
-  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) { return collapse_and_adopt(mesh, chord); }
-  Rewrite<Halfedge> flip(Halfedge h) { return flip_and_adopt(mesh, h); }
+  Rewrite<Halfedge> split(const Where& where, Vertex v_t, std::size_t) { return split_and_join(mesh, where, v_t); }
+  Rewrite<Halfedge> collapse(Halfedge chord, std::size_t) { return collapse_and_join(mesh, chord); }
+  Rewrite<Halfedge> flip(Halfedge h) { return flip_and_join(mesh, h); }
 };
 template <class Faulty>
 std::unique_ptr<Upkeep> begin(StripMesh& mesh) {
@@ -154,7 +154,7 @@ TEST(Walk, FindsAnOperationThatMiscountsItsIsolatedTriangles) {
   struct Miscounting : Operations {
     using Operations::Operations;
     Rewrite<Halfedge> flip(Halfedge h) {
-      auto done = restrip::flip_and_adopt(mesh, h);
+      auto done = restrip::flip_and_join(mesh, h);
       if (done.valence == 4 && mesh.solid(h)) --done.isolated;
       return done;
     }

@@ -1,26 +1,37 @@
 // `restrip convert`: any mesh in, any format out, as it is.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/source.hpp"
+#include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
-#include "files/reading.hpp"
-#include "lod/baked_file.hpp"
-#include "lod/baked_gltf.hpp"
-#include "meshes/mesh_file.hpp"
-#include "meshes/strip_file.hpp"
+#include "lod/mesh_files.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
 namespace {
+
+/// A mesh in another format. Strips of the file stay where the new format has strips; a baked mesh stays one.
+struct ConvertCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path out;
+  GltfPrimitives gltf = GltfPrimitives::strips;
+  bool gltf_given = false;  ///< then a mesh without strips is refused but for a list
+  ReadAttributes attributes = ReadAttributes::yes;
+  MendingOptions mending;
+  std::string json;
+};
 
 /// What is written of a mesh, and what of it the format left out.
 struct Converted {
@@ -30,13 +41,12 @@ struct Converted {
   std::vector<std::string> required_extensions = {};
 };
 
-Converted converted(const Soup& soup, const ConvertCommand& command) {
-  const std::string extension = files::extension_of(command.out);
-  const bool holds_strips = extension == ".glb" || extension == ".bin" || (extension == ".ply" && !soup.strips.empty());
-  if (!holds_strips) return {mesh_bytes(soup, extension), 0, 0};
+Converted converted(const Soup& soup, const ConvertCommand& command, const MeshFormat& format) {
+  if (format.write_mesh != nullptr && (!format.holds_strips || soup.strips.empty()))
+    return {format.write_mesh(soup), 0, 0};
   GltfPrimitives primitives = command.gltf;
   if (soup.strips.empty()) {
-    if (extension == ".bin" || (command.gltf_given && primitives != GltfPrimitives::list))
+    if (!format.primitives || (command.gltf_given && primitives != GltfPrimitives::list))
       throw BadInput(
           fmt::format("{}: has no strips; restrip stripify makes some and writes them", command.mesh.string()));
     primitives = GltfPrimitives::list;
@@ -47,36 +57,17 @@ Converted converted(const Soup& soup, const ConvertCommand& command) {
   const auto ends = std::count(soup.strips.begin(), soup.strips.end(), strip_end);
   const std::size_t strips =
       soup.strips.empty() || primitives == GltfPrimitives::list ? 0 : static_cast<std::size_t>(ends) + 1;
-  return {strip_bytes({soup.points, soup.strips, drawn, soup.attributes}, extension, primitives), strips,
-          soup.triangles.size() - drawn.size(), required_extensions(extension, primitives, strips)};
+  return {format.write_strips({soup.points, soup.strips, drawn, soup.attributes}, primitives), strips,
+          soup.triangles.size() - drawn.size(), format.required_extensions(primitives, strips)};
 }
-
-}  // namespace
-
-std::vector<std::string> converted_extensions() {
-  std::vector<std::string> all = written_mesh_extensions();
-  for (const auto& more : {written_strip_extensions(), baked_extensions()})
-    for (const std::string& extension : more)
-      if (std::find(all.begin(), all.end(), extension) == all.end()) all.push_back(extension);
-  return all;
-}
-
-namespace {
 
 /// A baked mesh as it is, byte by byte, from one kind of file into the other.
-int convert_baked(const ConvertCommand& command, const files::Output& out, const ReportOutput& report) {
+int convert_baked(const BakedBytes& found, const ConvertCommand& command, const MeshFormat& format,
+                  const files::Output& out, const ReportOutput& report) {
   refuse_mending(command.mesh, command.mending);
-  const std::string extension = files::extension_of(command.out);
-  const auto extensions = baked_extensions();
-  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
-    throw BadInput(
-        fmt::format("{}: is a baked mesh, which {} holds; restrip replay with -o and --triangles writes one "
-                    "level of it",
-                    command.mesh.string(), fmt::join(extensions, " or ")));
-  const BakedBytes found = read_baked_bytes(command.mesh);
-  out.write(extension == ".glb" ? baked_glb_bytes(found.bytes, command.gltf) : found.bytes);
+  out.write(format.write_baked(found.bytes, command.gltf));
   const ProgressiveMesh& mesh = found.baked.mesh;
-  const auto required = required_extensions(extension, command.gltf, count_strips(found.baked.base));
+  const auto required = format.required_extensions(command.gltf, count_strips(found.baked.base));
   nlohmann::ordered_json json{
       {"base_triangles", mesh.base.size()}, {"records", mesh.splits.size()}, {"triangles", mesh.fine_triangles()}};
   if (!required.empty()) json["required_extensions"] = required;
@@ -87,25 +78,19 @@ int convert_baked(const ConvertCommand& command, const files::Output& out, const
   return 0;
 }
 
-}  // namespace
-
 int run(const ConvertCommand& command) {
-  const files::Output out(command.out, {converted_extensions(), {command.mesh}});
+  const files::Output out(command.out, {extensions_of(writes_any), {command.mesh}});
   const ReportOutput report(command.json, {command.mesh, command.out});
-  if (files::extension_of(command.out).empty())  // a device
-    throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}",
-                               command.out.string(), fmt::join(converted_extensions(), ", ")));
-  if (is_baked(command.mesh)) return convert_baked(command, out, report);
-  if (is_progressive(command.mesh))
-    throw BadInput(
-        fmt::format("{}: is a progressive mesh; restrip replay with -o and --triangles writes one level of it",
-                    command.mesh.string()));
-  if (files::extension_of(command.out) == baked_extension)
+  const MeshFormat& format = format_to_write(command.out, writes_any);
+  ReadMesh read = read_mesh_file(command.mesh, command.attributes);
+  const auto* baked = std::get_if<BakedBytes>(&read);
+  if (baked != nullptr && writes_baked(format)) return convert_baked(*baked, command, format, out, report);
+  if (!writes_mesh(format) && !writes_strips(format))
     throw BadInput(fmt::format("{}: is no baked mesh; restrip bake makes one", command.mesh.string()));
-  Mended mended;
-  const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
-  leave_out_attributes(soup, files::extension_of(command.out), mended);
-  const Converted made = converted(soup, command);
+  Soup soup = finest_level(std::move(read), command.mesh.string());
+  Mended mended = mend(soup, command.mesh.string(), command.mending);
+  leave_out_attributes(soup, format, mended);
+  const Converted made = converted(soup, command, format);
   out.write(made.bytes);
   nlohmann::ordered_json json{{"vertices", soup.points.size()},
                               {"triangles", soup.triangles.size() - made.left_out},
@@ -120,6 +105,32 @@ int run(const ConvertCommand& command) {
   if (!made.required_extensions.empty()) json["required_extensions"] = made.required_extensions;
   report.print(text + "\n" + as_text(made.required_extensions, command.out.string()), json.dump(2) + "\n");
   return 0;
+}
+
+}  // namespace
+
+Subcommand add_convert(CLI::App& app) {
+  const auto kept = std::make_shared<ConvertCommand>();
+  ConvertCommand& command = *kept;
+  CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format; strips of the file stay strips");
+  sub->add_option("mesh", command.mesh,
+                  help_of_mesh("the finest level, unless a baked one is written as .baked or .glb"))
+      ->required();
+  sub->add_option("-o,--output", command.out,
+                  list_in_words(extensions_of(writes_any), "or") +
+                      "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none; "
+                      ".baked and .glb from a baked mesh, with all its levels")
+      ->required();
+  const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  add_attributes_option(*sub, command.attributes);
+  add_mending_options(*sub, command.mending);
+  add_json_option(*sub, command.json);
+  sub->callback([gltf, &command] {
+    refuse_gltf_elsewhere(*gltf, command.out);
+    command.gltf_given = !gltf->empty();
+  });
+  sub->footer("Example: restrip convert scan.ply --weld -o scan.glb");
+  return {sub, [kept] { return run(*kept); }};
 }
 
 }  // namespace restrip::tools

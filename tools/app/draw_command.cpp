@@ -1,27 +1,60 @@
 // `restrip draw`: a mesh and its strips as a picture, or as the facts from which scripts/pictures.py draws one.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "app/level_file.hpp"
+#include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/bad_input.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "files/reading.hpp"
 #include "lod/coloring_check.hpp"
+#include "lod/mesh_files.hpp"
 #include "meshes/file_strips.hpp"
+#include "meshes/made_mesh.hpp"
+#include "meshes/soup_builder.hpp"
+#include "meshes/text_cursor.hpp"
 #include "pictures/picture_file.hpp"
+#include "pictures/scene.hpp"
+#include "replay/ways.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/rules/rules.hpp"
 
 namespace restrip::tools {
 namespace {
+
+/// A mesh and its strips at one level as a picture (.svg, .png); or what scripts/pictures.py needs to draw the picture
+/// of the README (.json): the same, and the rule of one split. A file that has strips is drawn with them, unless the
+/// level, the policy, the cost or the base is named.
+struct DrawCommand {
+  std::filesystem::path mesh;  ///< may be a progressive mesh; empty: the built-in mesh
+  std::filesystem::path out;
+  SimplifyOptions simplify;
+  bool simplify_given = false;
+  std::string way;             ///< its name; empty: the usual one (ways.hpp)
+  Cost cost = Cost::strips();  ///< what is kept low
+  std::size_t triangles = 0;   ///< of the level, at least; 0: the finest one
+  Camera camera;
+  PictureSize size;
+  StripStyle style = StripStyle::faces;
+  MendingOptions mending;
+  std::string json;
+};
 
 /// Moves each vertex to the mean of its neighbours, so that the made mesh's jitter does not hide it in a picture.
 void smooth(Soup& soup, int rounds) {
@@ -56,7 +89,8 @@ struct Colored {
   std::string policy;  ///< how the strips were kept; file: they are those of the file
 };
 
-Colored colored_as_in_file(Soup soup, const Mended& mended) {
+Colored colored_as_in_file(Soup soup, const DrawCommand& command) {
+  const Mended mended = mend(soup, command.mesh.string(), command.mending);
   std::vector<std::uint32_t> origin;
   StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size(), nullptr, &origin);
   color_as_in_file(mesh, soup, origin);
@@ -78,15 +112,11 @@ Colored colored(const DrawCommand& command) {
   if (command.mesh.empty()) return colored_by_policy(built_in_source(command), command);
   const bool others =
       command.triangles != 0 || command.simplify_given || !command.way.empty() || !(command.cost == Cost::strips());
-  if (others || is_baked(command.mesh) || is_progressive(command.mesh))
-    return colored_by_policy(source_of(command.mesh, command.mending, command.simplify, command.simplify_given),
-                             command);
-  Mended mended;
-  Soup soup = read_mesh(command.mesh, command.mending, mended);
-  if (!soup.strips.empty()) return colored_as_in_file(std::move(soup), mended);
-  Source source = simplified(command.mesh.string(), std::move(soup), command.simplify);
-  source.subject.mended = mended;
-  return colored_by_policy(source, command);
+  ReadMesh read = read_mesh_file(command.mesh);
+  if (auto* soup = std::get_if<Soup>(&read); soup != nullptr && !others && !soup->strips.empty())
+    return colored_as_in_file(std::move(*soup), command);
+  return colored_by_policy(
+      source_of(std::move(read), command.mesh, command.mending, command.simplify, command.simplify_given), command);
 }
 
 /// What scripts/pictures.py draws: the mesh, its strips, and the rule of one split.
@@ -103,8 +133,6 @@ std::string facts_of(std::span<const Point> points, const std::vector<StripCorne
   for (const Point& p : points) picture["points"].push_back({p.x, p.y, p.z});
   return picture.dump() + "\n";
 }
-
-}  // namespace
 
 std::vector<std::string> drawn_extensions() {
   std::vector<std::string> all = picture_extensions();
@@ -149,6 +177,85 @@ int run(const DrawCommand& command) {
   add_to(json, mended);
   report.print(text + "\n", json.dump(2) + "\n");
   return 0;
+}
+
+/// "a,b"
+template <class Number>
+std::optional<std::array<Number, 2>> two_numbers(const std::string& word) {
+  const std::size_t comma = word.find(',');
+  if (comma == std::string::npos) return std::nullopt;
+  const auto first = parse<Number>(std::string_view(word).substr(0, comma));
+  const auto second = parse<Number>(std::string_view(word).substr(comma + 1));
+  if (!first || !second) return std::nullopt;
+  return std::array<Number, 2>{*first, *second};
+}
+
+/// --camera, --size and --lines, which are returned.
+std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& command) {
+  const Camera camera;
+  const PictureSize size;
+  return {app.add_option_function<std::string>(
+                 "--camera",
+                 [&command](const std::string& word) {
+                   const auto angles = two_numbers<double>(word);
+                   if (!angles || !(std::abs((*angles)[0]) <= 360) || !(std::abs((*angles)[1]) <= 90))
+                     throw CLI::ValidationError(
+                         "--camera", fmt::format("{} is no azimuth from -360 to 360 and elevation from -90 to 90, in "
+                                                 "degrees, with a comma between",
+                                                 word));
+                   command.camera = {(*angles)[0], (*angles)[1]};
+                 },
+                 "in degrees: from 0,0 one looks along -z, from 90,0 along -x, from 0,90 down along -y")
+              ->option_text(fmt::format("AZIMUTH,ELEVATION (default: {},{})", camera.azimuth, camera.elevation)),
+          app.add_option_function<std::string>(
+                 "--size",
+                 [&command](const std::string& word) {
+                   const auto sides = two_numbers<std::uint32_t>(word);
+                   if (!sides || std::min((*sides)[0], (*sides)[1]) < least_picture_side ||
+                       std::max((*sides)[0], (*sides)[1]) > most_picture_side)
+                     throw CLI::ValidationError(
+                         "--size", fmt::format("{} is no width and height from {} to {}, with a comma between", word,
+                                               least_picture_side, most_picture_side));
+                   command.size = {(*sides)[0], (*sides)[1]};
+                 },
+                 "of the picture, in pixels")
+              ->option_text(fmt::format("WIDTH,HEIGHT (default: {},{})", size.width, size.height)),
+          app.add_flag_callback(
+              "--lines", [&command] { command.style = StripStyle::lines; },
+              "draw strips as lines through the centres of their triangles, in place of coloured triangles")};
+}
+
+}  // namespace
+
+Subcommand add_draw(CLI::App& app) {
+  const auto kept = std::make_shared<DrawCommand>();
+  DrawCommand& command = *kept;
+  CLI::App* sub =
+      app.add_subcommand("draw", "Draw a mesh at a level of detail, with its strips kept as replay keeps them");
+  sub->add_option("mesh", command.mesh, help_of_mesh(levels_kept) + "; without one a torus");
+  sub->add_option("-o,--output", command.out,
+                  ".svg, .png, or .json: the mesh, its strips and a rule, from which scripts/pictures.py draws")
+      ->required();
+  sub->add_option("--triangles", command.triangles, "the least size of the level (default: the finest)")
+      ->check(CLI::Range(std::size_t{1}, max_triangles));
+  add_simplify_options(*sub, command.simplify);
+  add_policy_option(*sub, command.way);
+  add_cost_option(*sub, command.cost);
+  const std::vector<const CLI::Option*> only_pictures = add_picture_options(*sub, command);
+  add_mending_options(*sub, command.mending);
+  add_json_option(*sub, command.json);
+  sub->callback([sub, only_pictures, &command] {
+    command.simplify_given = simplify_options_given(*sub);
+    refuse_cost_elsewhere(command.cost, command.way);
+    for (const CLI::Option* option : only_pictures)
+      if (!option->empty() && restrip::files::extension_of(command.out) == ".json")
+        throw CLI::ValidationError(option->get_name(), "only pictures have one: .svg and .png");
+  });
+  sub->footer(
+      "Triangles that face away from the camera are not drawn. A file that has strips is drawn with them, unless\n"
+      "--triangles, --policy, --cost, --base or --boundary asks for others. --base 1 draws strips from scratch.\n"
+      "Example: restrip draw bunny.obj --policy linked --triangles 5000 --camera 20,10 -o bunny.png");
+  return {sub, [kept] { return run(*kept); }};
 }
 
 }  // namespace restrip::tools

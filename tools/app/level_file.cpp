@@ -11,7 +11,7 @@
 
 namespace restrip::tools {
 
-LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const std::string& extension,
+LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const MeshFormat& format,
                      GltfPrimitives primitives, std::span<const Attribute> attributes) {
   const Strips strips = extract_strips(mesh);
   std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
@@ -30,8 +30,8 @@ LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const
   for (const std::uint32_t v : used) used_points.push_back(points[v]);
   std::vector<Attribute> used_attributes;
   for (const Attribute& attribute : attributes) used_attributes.push_back(selected(attribute, used));
-  return {strip_bytes({used_points, indices, drawn, used_attributes}, extension, primitives), drawn.size(),
-          strips.size(), required_extensions(extension, primitives, strips.size())};
+  return {format.write_strips({used_points, indices, drawn, used_attributes}, primitives), drawn.size(), strips.size(),
+          format.required_extensions(primitives, strips.size())};
 }
 
 StripMesh level_mesh(const Plan& plan, std::size_t triangles) {
@@ -49,8 +49,8 @@ StripMesh level_mesh(const Plan& plan, std::size_t triangles) {
   return mesh;
 }
 
-LevelFile level_file(const Plan& plan, std::size_t triangles, const std::string& extension, GltfPrimitives primitives) {
-  return level_file(level_mesh(plan, triangles), plan.mesh().points, extension, primitives);
+LevelFile level_file(const Plan& plan, std::size_t triangles, const MeshFormat& format, GltfPrimitives primitives) {
+  return level_file(level_mesh(plan, triangles), plan.mesh().points, format, primitives);
 }
 
 }  // namespace restrip::tools

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "meshes/strip_file.hpp"
+#include "lod/mesh_formats.hpp"
 #include "replay/ways.hpp"
 
 namespace restrip::tools {
@@ -18,15 +18,15 @@ struct LevelFile {
   std::vector<std::string> required_extensions;
 };
 
-/// The mesh and its strips in the format of the extension (strip_file.hpp). Vertices are numbered as the strips come to
-/// them; the others are left out. Throws what strip_bytes() throws.
-[[nodiscard]] LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const std::string& extension,
+/// The mesh and its strips in a format that has strips. Vertices are numbered as the strips come to
+/// them; the others are left out. Throws what the format throws.
+[[nodiscard]] LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const MeshFormat& format,
                                    GltfPrimitives primitives, std::span<const Attribute> attributes = {});
 /// The level of at least so many triangles, its strips kept from the base up in the way of the plan; the finest level
 /// where there are not so many. Throws BadInput at a split that is not possible.
 [[nodiscard]] StripMesh level_mesh(const Plan& plan, std::size_t triangles);
 /// The same as a file.
-[[nodiscard]] LevelFile level_file(const Plan& plan, std::size_t triangles, const std::string& extension,
+[[nodiscard]] LevelFile level_file(const Plan& plan, std::size_t triangles, const MeshFormat& format,
                                    GltfPrimitives primitives);
 
 }  // namespace restrip::tools

@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
-#include <optional>
-#include <string_view>
 
 #include "files/reading.hpp"
-#include "meshes/mesh_file.hpp"
+#include "lod/mesh_formats.hpp"
 #include "meshes/text_cursor.hpp"
 
 namespace restrip::tools {
@@ -56,17 +53,6 @@ std::string values_in_words(const std::string& type) {
   return type.starts_with("TEXT") ? "FILE" : number;
 }
 
-/// "a,b"
-template <class Number>
-std::optional<std::array<Number, 2>> two_numbers(const std::string& word) {
-  const std::size_t comma = word.find(',');
-  if (comma == std::string::npos) return std::nullopt;
-  const auto first = parse<Number>(std::string_view(word).substr(0, comma));
-  const auto second = parse<Number>(std::string_view(word).substr(comma + 1));
-  if (!first || !second) return std::nullopt;
-  return std::array<Number, 2>{*first, *second};
-}
-
 std::string names_of(const std::set<CLI::Option*>& options) {
   std::vector<std::string> names;
   names.reserve(options.size());
@@ -94,11 +80,17 @@ std::string list_in_words(const std::vector<std::string>& words, const std::stri
   return text;
 }
 
-std::string mesh_formats() { return list_in_words(read_mesh_extensions(), "or"); }
+std::string help_of_mesh(const std::string& of_levels) {
+  return fmt::format("{}; of a progressive or a baked mesh {}", list_in_words(extensions_of(reads), "or"), of_levels);
+}
 
 std::string strip_formats() {
-  return ".ply (tristrips), .glb, .obj (triangles in their order) or .bin (indices of 32 bits, 0xFFFFFFFF between "
-         "strips)";
+  std::vector<std::string> words;
+  for (const MeshFormat& format : mesh_formats())
+    if (writes_strips(format))
+      words.push_back(std::string(format.extension) +
+                      (format.strips_as.empty() ? "" : fmt::format(" ({})", format.strips_as)));
+  return list_in_words(words, "or");
 }
 
 void add_attributes_option(CLI::App& app, ReadAttributes& attributes) {
@@ -167,40 +159,6 @@ void refuse_cost_elsewhere(const Cost& cost, const std::string& way) {
                                                      fmt::join(names_of_ways(&Way::weighs), ", ")));
 }
 
-std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& command) {
-  const Camera camera;
-  const PictureSize size;
-  return {app.add_option_function<std::string>(
-                 "--camera",
-                 [&command](const std::string& word) {
-                   const auto angles = two_numbers<double>(word);
-                   if (!angles || !(std::abs((*angles)[0]) <= 360) || !(std::abs((*angles)[1]) <= 90))
-                     throw CLI::ValidationError(
-                         "--camera", fmt::format("{} is no azimuth from -360 to 360 and elevation from -90 to 90, in "
-                                                 "degrees, with a comma between",
-                                                 word));
-                   command.camera = {(*angles)[0], (*angles)[1]};
-                 },
-                 "in degrees: from 0,0 one looks along -z, from 90,0 along -x, from 0,90 down along -y")
-              ->option_text(fmt::format("AZIMUTH,ELEVATION (default: {},{})", camera.azimuth, camera.elevation)),
-          app.add_option_function<std::string>(
-                 "--size",
-                 [&command](const std::string& word) {
-                   const auto sides = two_numbers<std::uint32_t>(word);
-                   if (!sides || std::min((*sides)[0], (*sides)[1]) < least_picture_side ||
-                       std::max((*sides)[0], (*sides)[1]) > most_picture_side)
-                     throw CLI::ValidationError(
-                         "--size", fmt::format("{} is no width and height from {} to {}, with a comma between", word,
-                                               least_picture_side, most_picture_side));
-                   command.size = {(*sides)[0], (*sides)[1]};
-                 },
-                 "of the picture, in pixels")
-              ->option_text(fmt::format("WIDTH,HEIGHT (default: {},{})", size.width, size.height)),
-          app.add_flag_callback(
-              "--lines", [&command] { command.style = StripStyle::lines; },
-              "draw strips as lines through the centres of their triangles, in place of coloured triangles")};
-}
-
 CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf) {
   return app
       .add_option_function<std::string>(
@@ -217,7 +175,8 @@ CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf) {
 }
 
 void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out) {
-  if (!gltf.empty() && files::extension_of(out) != ".glb")
+  const MeshFormat* format = format_named(files::extension_of(out));
+  if (!gltf.empty() && (format == nullptr || !format->primitives))
     throw CLI::ValidationError("--gltf", "only an output that ends in .glb has primitives");
 }
 

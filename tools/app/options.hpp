@@ -2,10 +2,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "app/commands.hpp"
+#include "lod/simplify.hpp"
+#include "meshes/mend.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/strip_file.hpp"
 #include "replay/ways.hpp"
 
 namespace restrip::tools {
@@ -15,9 +19,10 @@ namespace restrip::tools {
 
 /// ".obj, .off and .ply"; `last_word` is "and" or "or".
 [[nodiscard]] std::string list_in_words(const std::vector<std::string>& words, const std::string& last_word);
-/// The formats of meshes, as the help of an input says them.
-[[nodiscard]] std::string mesh_formats();
-/// Those in which strips are written (strip_file.hpp).
+/// Help of a mesh that is read: its formats (mesh_formats.hpp), and what becomes of one that has levels.
+[[nodiscard]] std::string help_of_mesh(const std::string& of_levels = "the finest level");
+inline const std::string levels_kept = "all levels as they are";
+/// The formats in which strips are written.
 [[nodiscard]] std::string strip_formats();
 
 /// For outputs that may carry them.
@@ -33,8 +38,6 @@ void add_policy_option(CLI::App& app, std::string& way);
 [[nodiscard]] std::vector<std::string> names_of_ways(bool (Way::*holds)() const noexcept);
 /// Throws CLI::ValidationError where the way, if one is named, knows no such cost.
 void refuse_cost_elsewhere(const Cost& cost, const std::string& way);
-/// --camera, --size and --lines, which are returned.
-std::vector<const CLI::Option*> add_picture_options(CLI::App& app, DrawCommand& command);
 /// --gltf, which only an output that ends in .glb has: `refuse_gltf_elsewhere` says so.
 CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf);
 void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out);

@@ -1,13 +1,31 @@
+// `restrip paper`: the figures and experiments of the paper.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iterator>
+#include <memory>
 
 #include "app/commands.hpp"
+#include "app/options.hpp"
 #include "common/report_output.hpp"
+#include "files/output.hpp"
+#include "lod/simplify.hpp"
 #include "paper/paper_report.hpp"
 
 namespace restrip::tools {
+
+namespace {
+
+/// The paper's figures and experiments, as CSV files and a report in JSON (paper_report.hpp). Files are written whole,
+/// the report last.
+struct PaperCommand {
+  std::filesystem::path out;  ///< a folder; made when it is not there
+  std::vector<std::filesystem::path> meshes;
+  MendingOptions mending;
+  PaperOptions options;
+  std::string json;
+};
 
 int run(const PaperCommand& command) {
   // The report comes last: it vouches for the figures.
@@ -34,6 +52,25 @@ int run(const PaperCommand& command) {
   out.write(with_report(csv_files(figures), csv_files(meshes), json));
   report.print(as_text(meshes), json);
   return std::all_of(meshes.begin(), meshes.end(), [](const PaperMesh& mesh) { return mesh.faults.empty(); }) ? 0 : 1;
+}
+
+}  // namespace
+
+Subcommand add_paper(CLI::App& app) {
+  const auto kept = std::make_shared<PaperCommand>();
+  PaperCommand& command = *kept;
+  CLI::App* sub =
+      app.add_subcommand("paper", "Do the paper's figures and experiments again, as CSV files and a report");
+  sub->add_option("-o,--out", command.out, "the folder for report.json and CSV files")->required();
+  sub->add_option("meshes", command.meshes, help_of_mesh(levels_kept))->required();
+  add_simplify_options(*sub, command.options.simplify);
+  sub->add_option("--levels", command.options.levels, "levels of detail to count strips at")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  add_mending_options(*sub, command.mending);
+  add_json_option(*sub, command.json);
+  sub->footer("Example: restrip paper --out report bunny.obj\nscripts/paper_page.py makes a page of the folder.");
+  return {sub, [kept] { return run(*kept); }};
 }
 
 }  // namespace restrip::tools

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <variant>
 
 #include "common/bad_input.hpp"
-#include "files/reading.hpp"
 #include "lod/baked_file.hpp"
-#include "lod/baked_gltf.hpp"
-#include "lod/pm_file.hpp"
+#include "lod/mesh_files.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 
 namespace restrip::tools {
@@ -24,10 +23,13 @@ void refuse_simplifying(const std::filesystem::path& file, bool given) {
 
 }  // namespace
 
-bool is_progressive(const std::filesystem::path& file) { return files::extension_of(file) == ".pm"; }
-
-bool is_baked(const std::filesystem::path& file) {
-  return files::extension_of(file) == baked_extension || is_baked_gltf(file);
+BakedCosts costs_of(const BakedMesh& baked, double seconds) {
+  if (baked.mesh.splits.empty()) return {};
+  BakedMesh base{baked.mesh, baked.base, {}, {}};
+  base.mesh.splits.clear();
+  const auto records = static_cast<double>(baked.mesh.splits.size());
+  return {static_cast<double>(baked.records.flips.size()) / records,
+          static_cast<double>(baked_bytes(baked).size() - baked_bytes(base).size()) / records, seconds};
 }
 
 Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
@@ -43,10 +45,14 @@ Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
 
 Source source_of(const std::filesystem::path& file, const MendingOptions& mending, const SimplifyOptions& options,
                  bool options_given) {
-  const bool baked = is_baked(file);
-  if (!baked && !is_progressive(file)) {
-    Mended mended;
-    Source source = simplified(file.string(), read_mesh(file, mending, mended), options);
+  return source_of(read_mesh_file(file), file, mending, options, options_given);
+}
+
+Source source_of(ReadMesh read, const std::filesystem::path& file, const MendingOptions& mending,
+                 const SimplifyOptions& options, bool options_given) {
+  if (auto* soup = std::get_if<Soup>(&read)) {
+    const Mended mended = mend(*soup, file.string(), mending);
+    Source source = simplified(file.string(), std::move(*soup), options);
     source.subject.mended = mended;
     return source;
   }
@@ -54,12 +60,12 @@ Source source_of(const std::filesystem::path& file, const MendingOptions& mendin
   refuse_mending(file, mending);
   Source source;
   source.subject.name = file.string();
-  if (baked) {
-    source.baked = read_baked_bytes(file).baked;
+  if (auto* baked = std::get_if<BakedBytes>(&read)) {
+    source.baked = std::move(baked->baked);
     source.mesh = source.baked->mesh;
     return source;
   }
-  source.mesh = read_pm(file);
+  source.mesh = std::move(std::get<ProgressiveMesh>(read));
   BuildReport report;
   const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
   source.subject.left_out = {report.degenerate_triangles, report.non_manifold_vertices, 0, 0};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lod/bake.hpp"
+#include "lod/mesh_formats.hpp"
 #include "lod/progressive_mesh.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/mend.hpp"
@@ -14,10 +15,6 @@
 #include "replay/replay_text.hpp"
 
 namespace restrip::tools {
-
-[[nodiscard]] bool is_progressive(const std::filesystem::path& file);
-/// A .baked file, or a glTF file with a baked mesh in it.
-[[nodiscard]] bool is_baked(const std::filesystem::path& file);
 
 /// A mesh ready to be replayed, with the triangles that must come out (none for a file that has only the splits).
 struct Source {
@@ -27,10 +24,16 @@ struct Source {
   std::optional<BakedMesh> baked;  ///< when the file has its strips
 };
 
+/// What the strips of a baked mesh cost.
+[[nodiscard]] BakedCosts costs_of(const BakedMesh& baked, double seconds);
+
 [[nodiscard]] Source simplified(std::string name, Soup soup, const SimplifyOptions& options);
 /// Throws BadInput where the file cannot be read, and where a progressive mesh is to be simplified (`options_given`) or
 /// mended.
 [[nodiscard]] Source source_of(const std::filesystem::path& file, const MendingOptions& mending,
+                               const SimplifyOptions& options, bool options_given);
+/// The same of what was read from the file.
+[[nodiscard]] Source source_of(ReadMesh read, const std::filesystem::path& file, const MendingOptions& mending,
                                const SimplifyOptions& options, bool options_given);
 
 }  // namespace restrip::tools

@@ -1,35 +1,56 @@
 // `restrip stripify`: a mesh's strips from scratch, told and written.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "common/report_output.hpp"
 #include "common/stopwatch.hpp"
 #include "files/output.hpp"
-#include "files/reading.hpp"
 #include "lod/coloring_check.hpp"
+#include "lod/mesh_files.hpp"
 #include "meshes/file_strips.hpp"
-#include "meshes/mend.hpp"
-#include "meshes/strip_file.hpp"
+#include "restrip/mesh/walks.hpp"
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/output/vertex_cache.hpp"
+#include "restrip/search/stripify.hpp"
 
 namespace restrip::tools {
+
+namespace {
+
+struct StripifyCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path out;  ///< empty: the strips are counted and not written
+  GltfPrimitives gltf = GltfPrimitives::strips;
+  bool as_in_file = false;  ///< the strips that the file has, in place of the next four
+  Effort effort = Effort::fast;
+  Cost cost = Cost::strips();
+  std::uint64_t limit = 0;  ///< of stripify(), for each triangle; 0: its own
+  std::uint64_t seed = 1;
+  bool order_for_cache = false;  ///< strips are written in an order for a vertex cache, not in that of the triangles
+  ReadAttributes attributes = ReadAttributes::yes;
+  MendingOptions mending;
+  std::string json;
+};
 
 int run(const StripifyCommand& command) {
   std::optional<files::Output> strip_file;
   if (!command.out.empty())
-    strip_file.emplace(command.out, files::OutputRules{written_strip_extensions(), {command.mesh}});
+    strip_file.emplace(command.out, files::OutputRules{extensions_of(writes_strips), {command.mesh}});
   const ReportOutput out(command.json, {command.mesh, command.out});
+  const MeshFormat* format = strip_file ? &format_to_write(command.out, writes_strips) : nullptr;
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
-  if (strip_file) leave_out_attributes(soup, files::extension_of(command.out), mended);
+  if (format != nullptr) leave_out_attributes(soup, *format, mended);
   if (command.as_in_file && soup.strips.empty())
     throw BadInput(
         fmt::format("{}: has no strips (PLY `tristrips`, or strips of glTF); leave out --effort file to make "
@@ -61,8 +82,7 @@ int run(const StripifyCommand& command) {
   });
   if (strip_file) {
     const std::vector<Corners> drawn = decode_strips(indices);
-    strip_file->write(
-        strip_bytes({soup.points, indices, drawn, soup.attributes}, files::extension_of(command.out), command.gltf));
+    strip_file->write(format->write_strips({soup.points, indices, drawn, soup.attributes}, command.gltf));
   }
   const std::size_t bound = strip_index_lower_bound(mesh);
   const std::vector<std::string> faults = find_faults(mesh);
@@ -86,7 +106,8 @@ int run(const StripifyCommand& command) {
                               {"seconds_to_write", writing.nanoseconds() * 1e-9},
                               {"valid", faults.empty()}};
   if (command.as_in_file) json["cut_strips"] = in_file.cut;
-  const auto required = required_extensions(files::extension_of(command.out), command.gltf, strips.size());
+  std::vector<std::string> required;
+  if (format != nullptr) required = format->required_extensions(command.gltf, strips.size());
   if (!required.empty()) json["required_extensions"] = required;
   add_to(json, mended);
   const auto per_triangle = [triangles](std::size_t count) {
@@ -100,7 +121,8 @@ int run(const StripifyCommand& command) {
       command.mesh.string(), triangles, left_out, strips.size(), connected_components(mesh),
       per_triangle(indices.size()), per_triangle(bound), swaps, cache_misses, seconds);
   if (in_file.cut != 0)
-    text += fmt::format("cut {} times, where a strip of the file goes on and no dual edge is\n", in_file.cut);
+    text += fmt::format("strips of the file cut at {} place{}: consecutive triangles share no edge\n", in_file.cut,
+                        in_file.cut == 1 ? "" : "s");
   text += as_text(required, command.out.string());
   // A closed mesh has no seams.
   const bool has_seams = report.boundary_edges != 0;
@@ -109,6 +131,57 @@ int run(const StripifyCommand& command) {
   out.print(text, json.dump(2) + "\n");
   for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
   return faults.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+Subcommand add_stripify(CLI::App& app) {
+  const auto kept = std::make_shared<StripifyCommand>();
+  StripifyCommand& command = *kept;
+  CLI::App* sub = app.add_subcommand("stripify", "Make the strips of a mesh from scratch, and write them");
+  sub->add_option("mesh", command.mesh, help_of_mesh())->required();
+  sub->add_option("-o,--output", command.out, strip_formats());
+  const auto* gltf = add_gltf_option(*sub, command.gltf);
+  const auto* effort = sub->add_option_function<std::string>(
+                              "--effort",
+                              [&command](const std::string& word) {
+                                command.as_in_file = word == "file";
+                                command.effort = word == "full"   ? restrip::Effort::full
+                                                 : word == "best" ? restrip::Effort::best
+                                                                  : restrip::Effort::fast;
+                              },
+                              "fast: one pass; full: a search or annealing; best: ten times longer; file: the strips "
+                              "that the file has")
+                           ->check(CLI::IsMember({"fast", "full", "best", "file"}))
+                           ->default_str("fast");
+  add_cost_option(*sub, command.cost);
+  const auto* limit =
+      sub->add_option("--limit", command.limit,
+                      "of --effort full and best, for each triangle: states of searches with --cost strips (default: "
+                      "40, 1000), moves of annealing with --cost indices (100, 1000)")
+          ->check(CLI::Range(1, 1'000'000));
+  const auto* seed =
+      sub->add_option("--seed", command.seed, "of annealing")->check(whole_number())->capture_default_str();
+  sub->add_option_function<std::string>(
+         "--order", [&command](const std::string& word) { command.order_for_cache = word == "cache"; },
+         "of the strips: that of the triangles, or one that a vertex cache of 16 misses less often; as many indices")
+      ->check(CLI::IsMember({"triangles", "cache"}))
+      ->default_str("triangles");
+  add_attributes_option(*sub, command.attributes);
+  add_mending_options(*sub, command.mending);
+  add_json_option(*sub, command.json);
+  sub->callback([sub, gltf, effort, limit, seed, &command] {
+    refuse_gltf_elsewhere(*gltf, command.out);
+    if (command.as_in_file && sub->count("--cost") != 0)
+      throw CLI::ValidationError("--cost", "--effort file takes the strips as they are");
+    const bool anneals = command.effort != restrip::Effort::fast && !(command.cost == restrip::Cost::strips());
+    if (*limit && command.effort == restrip::Effort::fast)
+      throw CLI::ValidationError("--limit", fmt::format("only {} full and best have one", effort->get_name()));
+    if (*seed && !anneals)
+      throw CLI::ValidationError("--seed", "only --effort full and best with --cost indices draw at random");
+  });
+  sub->footer("Example: restrip stripify bunny.obj --effort full --cost indices -o bunny.glb");
+  return {sub, [kept] { return run(*kept); }};
 }
 
 }  // namespace restrip::tools

@@ -9,9 +9,6 @@
 
 namespace restrip::tools {
 
-/// The extension of baked meshes on the command line.
-inline constexpr std::string_view baked_extension = ".baked";
-
 /// Throws BadInput when the bytes are not of this format, or of another version, truncated, altered, or describe splits
 /// or colours that no mesh can have. Plays all records once.
 [[nodiscard]] BakedMesh parse_baked(std::string_view bytes, const std::string& name);

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <optional>
 #include <span>
-#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "common/bad_input.hpp"
-#include "files/reading.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
 #include "meshes/gltf_file.hpp"
@@ -44,10 +43,6 @@ std::optional<JsonPlace> extension_in(const GltfFile& file) {
   return found;
 }
 
-ReadBeside files_beside(const std::filesystem::path& file) {
-  return [&file](const std::string& buffer) { return files::read_whole(file.parent_path() / buffer); };
-}
-
 }  // namespace
 
 std::string baked_glb_bytes(std::string_view baked, GltfPrimitives primitives) {
@@ -62,35 +57,23 @@ BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, con
   GltfFile file(bytes, name, beside);
   const auto extension = extension_in(file);
   if (!extension) throw BadInput(fmt::format("{}: no mesh in it has {}", name, baked_strips_extension));
-  BakedBytes found{std::string(file.view((*extension)["bufferView"].whole())), {}};
+  BakedBytes found{std::string(file.view((*extension)["bufferView"].whole())), {}, {}};
   found.baked = parse_baked(found.bytes, fmt::format("{}: the {} in it", name, baked_strips_extension));
-  const Soup drawn = read_gltf(bytes, name, beside);
+  Soup drawn = read_gltf(bytes, name, beside);
   const ProgressiveMesh& mesh = found.baked.mesh;
   if (!std::ranges::equal(drawn.points, points_of_base(mesh)) || in_order(drawn.triangles) != in_order(mesh.base))
     throw BadInput(
         fmt::format("{}: draws something else than the base of its {}, so the levels do not fit; remove the extension, "
                     "or write the file anew (restrip bake)",
                     name, baked_strips_extension));
+  found.left_out_attributes = std::move(drawn.left_out_attributes);
   return found;
 }
 
-bool is_baked_gltf(const std::filesystem::path& file) {
-  const std::string extension = files::extension_of(file);
-  std::error_code error;
-  if ((extension != ".glb" && extension != ".gltf") || !std::filesystem::is_regular_file(file, error)) return false;
-  const std::string bytes = files::read_whole(file);
+bool is_baked_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {
   // Without its name there is no extension, and no need to take the file apart.
-  if (bytes.find(baked_strips_extension) == std::string::npos) return false;
-  const std::string name = file.string();
-  const ReadBeside buffers = files_beside(file);
-  return extension_in(GltfFile(bytes, name, buffers)).has_value();
-}
-
-BakedBytes read_baked_bytes(const std::filesystem::path& file) {
-  std::string bytes = files::read_whole(file);
-  if (files::extension_of(file) != baked_extension) return parse_baked_gltf(bytes, file.string(), files_beside(file));
-  BakedMesh baked = parse_baked(bytes, file.string());
-  return {std::move(bytes), std::move(baked)};
+  return bytes.find(baked_strips_extension) != std::string_view::npos &&
+         extension_in(GltfFile(bytes, name, beside)).has_value();
 }
 
 }  // namespace restrip::tools

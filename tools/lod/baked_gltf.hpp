@@ -2,9 +2,9 @@
 // leave unknown. docs/baked.md has the extension.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lod/bake.hpp"
 #include "meshes/mesh_file.hpp"
@@ -16,6 +16,7 @@ namespace restrip::tools {
 struct BakedBytes {
   std::string bytes;
   BakedMesh baked;
+  std::vector<std::string> left_out_attributes = {};  ///< what the vertices of its base have besides, in glTF
 };
 
 /// A .glb that draws the base as its strips and has `baked`, the bytes of a baked mesh, in the extension. The vertices
@@ -26,11 +27,7 @@ struct BakedBytes {
 /// extension, and where what the file draws is not the base. `name` is for messages.
 [[nodiscard]] BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside);
 
-/// Whether the file is a .glb or .gltf of which a mesh has the extension. Only regular files are looked into. Throws
-/// when it cannot be read, and BadInput where it is damaged.
-[[nodiscard]] bool is_baked_gltf(const std::filesystem::path& file);
-
-/// Of a .baked file, or of a .glb or .gltf with the extension. Throws BadInput.
-[[nodiscard]] BakedBytes read_baked_bytes(const std::filesystem::path& file);
+/// Whether the bytes are a glTF file of which a mesh has the extension. Throws BadInput where it is damaged.
+[[nodiscard]] bool is_baked_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside);
 
 }  // namespace restrip::tools

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "common/bad_input.hpp"
-#include "files/reading.hpp"
 #include "lod/hoppe_pm_file.hpp"
 
 namespace restrip::tools {
@@ -101,8 +100,6 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
   }
   return mesh;
 }
-
-ProgressiveMesh read_pm(const std::filesystem::path& file) { return parse_pm(files::read_whole(file), file.string()); }
 
 ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh) {
   ProgressiveMesh out;

@@ -4,7 +4,6 @@
 // as we look along v_s -> v_t = v1 -> v0, its vl is our v_r. -1 stands for an apex that is not there.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -14,7 +13,6 @@ namespace restrip::tools {
 
 /// Throws BadInput when the bytes are not of this format, or truncated, or name vertices that do not exist yet. Hoppe's
 /// own format is read as well (hoppe_pm_file.hpp).
-[[nodiscard]] ProgressiveMesh read_pm(const std::filesystem::path& file);
 [[nodiscard]] ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name);
 
 /// The same mesh with its vertices in order of appearance: first those of the base's triangles, as these name them,

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "meshes/gltf_file.hpp"
 #include "meshes/little_endian.hpp"
 
 namespace restrip::tools {
@@ -16,7 +15,6 @@ namespace {
 std::string attribute_in_words(std::string_view name) {
   if (name == "NORMAL") return "normals";
   if (name == "TANGENT") return "tangents";
-  if (name == baked_strips_extension) return "baked strips";
   if (name.starts_with("TEXCOORD_")) return "texture coordinates";
   if (name.starts_with("COLOR_")) return "colours";
   if (name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_")) return "skin weights";

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "common/bad_input.hpp"
-#include "meshes/mesh_file.hpp"
 #include "meshes/vertex_lookup.hpp"
 
 namespace restrip::tools {
@@ -164,15 +163,13 @@ std::size_t repeated(const Soup& soup, std::span<const Attribute> attributes) {
 
 }  // namespace
 
-Soup read_mesh(const std::filesystem::path& file, const MendingOptions& options, Mended& mended,
-               ReadAttributes attributes) {
-  Soup soup = read_mesh(file, attributes);
-  mended = {options, 0, 0, 0, soup.left_out_attributes};
+Mended mend(Soup& soup, const std::string& name, const MendingOptions& options) {
+  Mended mended{options, 0, 0, 0, soup.left_out_attributes};
   if (options.weld) weld(soup, mended);
   if (soup.triangles.empty())
-    throw BadInput(fmt::format("{}: --weld leaves no triangle: each has two corners at one place", file.string()));
-  if (options.orient) orient(soup, file.string(), mended);
-  return soup;
+    throw BadInput(fmt::format("{}: --weld leaves no triangle: each has two corners at one place", name));
+  if (options.orient) orient(soup, name, mended);
+  return mended;
 }
 
 void refuse_mending(const std::filesystem::path& file, const MendingOptions& options) {
@@ -243,11 +240,6 @@ nlohmann::ordered_json json_of(const Mended& mended) {
 void add_to(nlohmann::ordered_json& report, const Mended& mended) {
   if (mended.any_asked()) report["mended"] = json_of(mended);
   if (!mended.left_out_attributes.empty()) report["left_out_attributes"] = mended.left_out_attributes;
-}
-
-void leave_out_attributes(const Soup& soup, const std::string& extension, Mended& mended) {
-  for (const Attribute& attribute : soup.attributes)
-    if (!holds_attribute(extension, attribute)) note(mended.left_out_attributes, attribute.name);
 }
 
 std::string hints(std::size_t coincident, std::size_t at_seams, std::size_t inconsistent_edges) {

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "meshes/mesh_file.hpp"
 #include "meshes/soup.hpp"
 
 namespace restrip::tools {
@@ -30,9 +29,8 @@ struct Mended {
   std::vector<std::string> left_out_attributes = {};
 };
 
-/// Reads a mesh (mesh_file.hpp), and mends it. Every program that takes a mesh reads it here. Throws BadInput.
-[[nodiscard]] Soup read_mesh(const std::filesystem::path& file, const MendingOptions& options, Mended& mended,
-                             ReadAttributes attributes = ReadAttributes::no);
+/// What is asked for is done. Throws BadInput where that leaves no triangle, and as orient() does. `name` is the file.
+[[nodiscard]] Mended mend(Soup& soup, const std::string& name, const MendingOptions& options);
 
 /// Throws BadInput when anything is asked for: a progressive mesh is taken as it is.
 void refuse_mending(const std::filesystem::path& file, const MendingOptions& options);
@@ -57,8 +55,6 @@ void orient(Soup& soup, const std::string& name, Mended& mended);
 [[nodiscard]] nlohmann::ordered_json json_of(const Mended& mended);
 /// Adds `mended`, when it was asked for, and `left_out_attributes`, when there are some, to a report.
 void add_to(nlohmann::ordered_json& report, const Mended& mended);
-/// The attributes of the soup that a file with this extension does not hold are left out as well.
-void leave_out_attributes(const Soup& soup, const std::string& extension, Mended& mended);
 /// Sentences that say that mending would help, each with a line feed.
 [[nodiscard]] std::string hints(std::size_t coincident_vertices, std::size_t vertices_at_seams,
                                 std::size_t inconsistent_edges);

@@ -1,4 +1,5 @@
-// Mesh files: OBJ, OFF, PLY, STL and glTF in, OBJ, OFF, PLY and STL out (with strips, and as glTF: strip_file.hpp).
+// The readers of meshes, OBJ, OFF, PLY, STL and glTF, and the writers of the two simplest formats. Which format a file
+// has, and what is written in which, is one table: lod/mesh_formats.hpp.
 //
 // The readers are our own. OpenMesh's (version 9) lose faces without a word: its OBJ reader drops repeated corners and
 // vertices that it cannot parse, so that all later indices shift, its mesh refuses faces at non-manifold places, its
@@ -6,11 +7,9 @@
 // arrives as it is or is refused.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "meshes/soup.hpp"
 
@@ -23,18 +22,6 @@ using ReadBeside = std::function<std::string(const std::string& file_name)>;
 /// colours of OBJ and PLY. Of what is not carried Soup::left_out_attributes says that there was some.
 enum class ReadAttributes { no, yes };
 
-/// The extensions of the formats that are read.
-[[nodiscard]] std::vector<std::string> read_mesh_extensions();
-/// Reads a mesh; the format is that of the file's extension, in any case. Throws BadInput.
-[[nodiscard]] Soup read_mesh(const std::filesystem::path& file, ReadAttributes attributes = ReadAttributes::no);
-
-/// The extensions of the formats in which meshes are written; PLY is binary.
-[[nodiscard]] std::vector<std::string> written_mesh_extensions();
-/// The bytes of a mesh file with this extension, in lower case. Throws BadInput when it is none of those.
-[[nodiscard]] std::string mesh_bytes(const Soup& soup, const std::string& extension);
-/// Whether a file with this extension, of a mesh or of strips (strip_file.hpp), has such an attribute.
-[[nodiscard]] bool holds_attribute(const std::string& extension, const Attribute& attribute);
-
 /// The readers, one a format, on the bytes of a file. `name` is for messages.
 [[nodiscard]] Soup read_obj(std::string_view bytes, const std::string& name,
                             ReadAttributes attributes = ReadAttributes::no);
@@ -46,5 +33,10 @@ enum class ReadAttributes { no, yes };
 /// Buffers in files of their own are asked of `beside`.
 [[nodiscard]] Soup read_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside,
                              ReadAttributes attributes = ReadAttributes::no);
+
+/// OFF, as text.
+[[nodiscard]] std::string off_bytes(const Soup& soup);
+/// STL, binary.
+[[nodiscard]] std::string stl_bytes(const Soup& soup);
 
 }  // namespace restrip::tools

@@ -158,7 +158,6 @@ class GltfReader {
 
   void read_mesh_at(std::uint64_t number, const Affine& map) {
     const JsonPlace mesh = file_.root()["meshes"].at(number);
-    if (mesh["extensions"][baked_strips_extension].there()) soup_.leave_out(std::string(baked_strips_extension));
     const JsonPlace primitives = mesh["primitives"];
     std::map<Accessors, First> placed;  // where their points begin
     const bool mirrored = mirrors(map);

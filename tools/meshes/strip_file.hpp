@@ -6,7 +6,6 @@
 //   .bin  the indices alone, 32 bits each, little-endian, 0xFFFFFFFF between strips
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -27,22 +26,15 @@ struct StripFile {
   std::span<const Point> points;
   std::span<const std::uint32_t> indices;  ///< restart_index between strips
   std::span<const Corners> triangles;      ///< the same, drawn, in order
-  /// Of the points. The formats have those of which holds_attribute() (mesh_file.hpp) says so.
+  /// Of the points. The formats have those of which MeshFormat::holds() (lod/mesh_formats.hpp) says so.
   std::span<const Attribute> attributes = {};
 };
 
-/// The extensions in which strips are written.
-[[nodiscard]] std::vector<std::string> written_strip_extensions();
-/// The bytes of a file with this extension, in lower case. Throws BadInput when it is none of those, and where the
-/// format cannot hold the mesh: glTF and the lists of PLY have less than 2^31 values, and glTF no mesh without
-/// triangles.
-[[nodiscard]] std::string strip_bytes(const StripFile& file, const std::string& extension,
-                                      GltfPrimitives primitives = GltfPrimitives::strips);
+/// The bare indices, as .bin has them.
+[[nodiscard]] std::string index_bytes(std::span<const std::uint32_t> indices);
 
-/// The extensions that a viewer must know to open a file of so many strips. Where there is one, a report should say so.
-[[nodiscard]] std::vector<std::string> required_extensions(const std::string& extension, GltfPrimitives primitives,
-                                                           std::size_t strips);
-/// A sentence about them with a line feed; empty when there are none. `name` is that of the file.
+/// A sentence with a line feed about the extensions that a viewer must know to open the file of this name; empty when
+/// there are none.
 [[nodiscard]] std::string as_text(const std::vector<std::string>& required_extensions, const std::string& name);
 
 }  // namespace restrip::tools

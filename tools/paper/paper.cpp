@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "common/bad_input.hpp"
 #include "common/progress.hpp"
-#include "files/reading.hpp"
 #include "lod/coloring_check.hpp"
-#include "lod/pm_file.hpp"
-#include "meshes/mesh_file.hpp"
+#include "lod/mesh_files.hpp"
 #include "replay/ways.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
@@ -127,25 +127,6 @@ class Measurement {
   std::vector<Corners> fine_;
 };
 
-/// The finest mesh of a progressive one.
-Soup top_of(const ProgressiveMesh& source, const std::string& name) {
-  StripMesh mesh = StripMesh::build(source.base, source.points.size());
-  for (std::size_t i = 0; i < source.splits.size(); ++i) {
-    const Record& record = source.splits[i];
-    const auto where = spokes_of(mesh, record);
-    const Refusal refusal = check_split(mesh, where, record.v_t);
-    if (refusal != Refusal::granted)
-      throw BadInput(
-          fmt::format("{}: split {} ({} -> {}) is not possible: {}; make the file anew with restrip simplify", name, i,
-                      record.v_s, record.v_t, describe(refusal)));
-    mesh.insert_vertex(where, record.v_t);
-  }
-  Soup soup;
-  soup.points = source.points;
-  soup.triangles = triangles_of(mesh);
-  return soup;
-}
-
 }  // namespace
 
 std::optional<PaperRow> paper_row(std::size_t triangles) {
@@ -176,13 +157,16 @@ std::vector<ValenceRow> valence_rows(const PaperMesh& mesh) {
 PaperSubject read_subject(const std::filesystem::path& file, const MendingOptions& mending) {
   PaperSubject subject;
   subject.name = file.filename().string();
-  if (files::extension_of(file) == ".pm") {
-    refuse_mending(file, mending);
-    subject.progressive = read_pm(file);
-    subject.soup = top_of(*subject.progressive, file.string());
-  } else {
-    subject.soup = read_mesh(file, mending, subject.mended);
+  ReadMesh read = read_mesh_file(file);
+  if (auto* soup = std::get_if<Soup>(&read)) {
+    subject.mended = mend(*soup, file.string(), mending);
+    subject.soup = std::move(*soup);
+    return subject;
   }
+  refuse_mending(file, mending);
+  auto* baked = std::get_if<BakedBytes>(&read);
+  subject.progressive = std::move(baked != nullptr ? baked->baked.mesh : std::get<ProgressiveMesh>(read));
+  subject.soup = finest_level(*subject.progressive, file.string());
   return subject;
 }
 

@@ -73,7 +73,7 @@ struct Baked {
   Rewrite<Halfedge> collapse(Halfedge chord, std::size_t record) { return player.collapse(record, chord); }
   Rewrite<Halfedge> flip(Halfedge h) {
     player.leave_step();
-    return flip_and_adopt(mesh, h);
+    return flip_and_join(mesh, h);
   }
   // In step a player counts strips alone; a record may flip colours anywhere.
   Rewrite<Halfedge> split_and_tell(const Where& where, Vertex v_t, std::size_t record) {

@@ -18,7 +18,7 @@ class BakedStrips {
   Rewrite<Halfedge> collapse(Halfedge chord) { return counted(player_.collapse(record(mesh_->to(chord)), chord)); }
   Rewrite<Halfedge> flip(Halfedge h) {
     leave_step();
-    return counted(flip_and_adopt(*mesh_, h));
+    return counted(flip_and_join(*mesh_, h));
   }
   /// Call before an operation that is none of the file's records.
   void leave_step() noexcept { player_.leave_step(); }

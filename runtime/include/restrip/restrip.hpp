@@ -1,4 +1,4 @@
-// restrip: triangle strips kept while the mesh changes, by local repairs proven optimal. Header-only, C++20, standard
+// restrip: triangle strips kept while the mesh changes, by proven local rules. Header-only, C++20, standard
 // library only.
 //
 // Start with operations/operations.hpp (split, collapse, flip), mesh/mesh.hpp (what your mesh must offer) and
@@ -27,6 +27,7 @@
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/hooks.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/linked_hooks.hpp"
 #include "restrip/operations/operations.hpp"

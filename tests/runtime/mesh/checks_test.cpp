@@ -8,19 +8,16 @@
 #include "restrip/mesh/checks.hpp"
 
 #include <gtest/gtest.h>
-#include <sys/mman.h>
 
 #include <array>
 #include <cstddef>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "restrip/operations/checked.hpp"
 #include "restrip/operations/operations.hpp"
-#include "restrip/search/keeper.hpp"
 #include "sample_meshes.hpp"
 #include "triangle_list.hpp"
 
@@ -29,13 +26,6 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
-
-bare::List list_of(const StripMesh& mesh) {
-  bare::List list;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) list.push_back(mesh.corners(t));
-  return bare::sorted(list);
-}
 
 // All that the mesh has, those on the boundary included.
 std::vector<Halfedge> halfedges_of(const StripMesh& mesh) {
@@ -65,7 +55,7 @@ class Comparison {
 
   void all_operations(const StripMesh& mesh) {
     mesh_ = &mesh;
-    list_ = list_of(mesh);
+    list_ = sample::triangles_of(mesh);
     shape_ = bare::shape_of(list_);
     for (Vertex v = 0; v < mesh.vertex_bound(); ++v)
       ASSERT_EQ(mesh.non_manifold(v), shape_.non_manifold.contains(v)) << "vertex " << v << " of" << text(list_);
@@ -86,7 +76,7 @@ class Comparison {
 
   void all_collapses(const StripMesh& mesh) {
     mesh_ = &mesh;
-    list_ = list_of(mesh);
+    list_ = sample::triangles_of(mesh);
     shape_ = bare::shape_of(list_);
     for (const Halfedge h : halfedges_of(mesh))
       compare("collapse", h, h, check_collapse(mesh, h), bare::collapse(list_, shape_, mesh.from(h), mesh.to(h)),
@@ -96,7 +86,7 @@ class Comparison {
   // Every split of the vertex of h that is not one-sided, under every name that is in use and some that are free.
   void all_names(const StripMesh& mesh) {
     mesh_ = &mesh;
-    list_ = list_of(mesh);
+    list_ = sample::triangles_of(mesh);
     shape_ = bare::shape_of(list_);
     const std::vector<Halfedge> all = halfedges_of(mesh);
     for (const Halfedge h : all)
@@ -133,9 +123,9 @@ class Comparison {
     if (!expected) return;
     StripMesh copy = *mesh_;
     operation(copy);
-    if (list_of(copy) != bare::sorted(*expected))
+    if (sample::triangles_of(copy) != bare::sorted(*expected))
       ADD_FAILURE() << name << " at " << g.id << ", " << h.id << " of" << text(list_) << " makes"
-                    << text(list_of(copy));
+                    << text(sample::triangles_of(copy));
   }
 
   const StripMesh* mesh_ = nullptr;
@@ -289,7 +279,8 @@ TEST(Checks, AgreeBetweenVerticesOfHighValence) {
   EXPECT_EQ(check_collapse(mesh, mesh.spoke(v_s, v_t)), Refusal::granted);
   ASSERT_TRUE(checked_flip(mesh, mesh.spoke(2 + 3 * k / 4, 3 + 3 * k / 4)));
   comparison.all_collapses(mesh);
-  for (const Vertex v : {v_s, v_t, Vertex{1}}) ASSERT_GT(bare::link_of(list_of(mesh), v)->triangles(), 32U);
+  for (const Vertex v : {v_s, v_t, Vertex{1}})
+    ASSERT_GT(bare::link_of(sample::triangles_of(mesh), v)->triangles(), 32U);
   EXPECT_EQ(check_collapse(mesh, mesh.spoke(v_s, v_t)), Refusal::link_condition);
   EXPECT_EQ(check_collapse(mesh, mesh.spoke(v_t, v_s)), Refusal::link_condition);
 }
@@ -331,76 +322,9 @@ TEST(Checks, BoundarySplitsInEitherOrderAreUndone) {
         inside_stays += copy.leaves_boundary(chord) ? 0U : 1U;
         ASSERT_EQ(check_collapse(copy, chord), Refusal::granted);
         collapse(copy, chord);
-        ASSERT_EQ(list_of(copy), list_of(mesh));
+        ASSERT_EQ(sample::triangles_of(copy), sample::triangles_of(mesh));
       }
   EXPECT_GT(inside_stays, 50U);
-}
-
-TEST(Checks, CheckedOperationsDoAllOrNothing) {
-  StripMesh mesh = sample::rectangle(4, 4);
-  StripKeeper keeper(mesh, Policy::linked);
-  const bare::List before = list_of(mesh);
-  const Halfedge edge = mesh.spoke(0);
-  EXPECT_EQ(checked_flip(mesh, edge).refusal, Refusal::boundary_edge);
-  EXPECT_EQ(checked_flip(keeper, edge).refusal, Refusal::boundary_edge);
-  EXPECT_EQ(checked_collapse(mesh, {}).refusal, Refusal::no_such_edge);
-  EXPECT_EQ(checked_collapse(keeper, {}).refusal, Refusal::no_such_edge);
-  const Halfedge inside = mesh.spoke(6);
-  EXPECT_EQ(checked_split(mesh, {inside, inside}).refusal, Refusal::same_spoke);
-  EXPECT_EQ(checked_split(mesh, {inside, turn_ccw(mesh, inside)}, 3).refusal, Refusal::vertex_in_use);
-  EXPECT_EQ(checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 3).refusal, Refusal::vertex_in_use);
-  EXPECT_EQ(list_of(mesh), before);
-  const Checked up = checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 30);
-  ASSERT_TRUE(up);
-  EXPECT_EQ(mesh.to(up.rewrite.halfedge), 30U);
-  EXPECT_TRUE(checked_collapse(keeper, up.rewrite.halfedge));
-  EXPECT_EQ(list_of(mesh), before);
-}
-
-// A corner twice, whichever two they are, and a corner that is no vertex: left out and counted, and the others keep
-// their order.
-TEST(StripMesh, BuildCountsWhatItLeavesOut) {
-  const std::vector<bare::Corners> triangles{{0, 0, 1}, {0, 1, 2}, {1, 2, 2}, {2, 1, 2},
-                                             {0, 1, 4}, {1, 0, 3}, {3, 3, 3}};
-  BuildReport report;
-  std::vector<std::uint32_t> origin;
-  const StripMesh mesh = StripMesh::build(triangles, 4, &report, &origin);
-  EXPECT_EQ(report.degenerate_triangles, 4U);
-  EXPECT_EQ(report.out_of_range_triangles, 1U);
-  EXPECT_EQ(report.boundary_edges, 4U);
-  EXPECT_EQ(report.non_manifold_edges + report.inconsistent_edges + report.non_manifold_vertices, 0U);
-  EXPECT_EQ(origin, (std::vector<std::uint32_t>{1, 5}));
-  ASSERT_EQ(mesh.triangle_count(), 2U);
-  EXPECT_EQ(mesh.corners(0), triangles[1]);
-  EXPECT_EQ(mesh.corners(1), triangles[5]);
-}
-
-TEST(StripMesh, IsBuiltFromIndexBuffers) {
-  const std::vector<std::uint32_t> indices{0, 1, 2, 2, 1, 3, 3, 3, 0};
-  const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
-  BuildReport report;
-  const StripMesh wide_mesh = StripMesh::build(indices, 4, &report);
-  EXPECT_EQ(report.degenerate_triangles, 1U);
-  const StripMesh mesh = StripMesh::build(narrow, 4);
-  for (const StripMesh& built : {wide_mesh, mesh}) {
-    ASSERT_EQ(built.triangle_count(), 2U);
-    EXPECT_EQ(built.corners(0), (bare::Corners{0, 1, 2}));
-    EXPECT_EQ(built.corners(1), (bare::Corners{2, 1, 3}));
-  }
-  EXPECT_THROW((void)StripMesh::build(std::span(indices).first(8), 4), std::invalid_argument);
-}
-
-// A range of addresses that may not be read: a look at a triangle before its count would end the program there.
-TEST(StripMesh, MoreTrianglesThanItHoldsAreRefusedUnread) {
-  const std::size_t count = StripMesh::max_triangles + 1;
-  EXPECT_EQ(count, std::size_t{1} << 29);
-  void* const range =
-      mmap(nullptr, count * sizeof(bare::Corners), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  ASSERT_NE(range, MAP_FAILED);
-  const std::span<const bare::Corners> triangles(static_cast<const bare::Corners*>(range), count);
-  EXPECT_THROW((void)StripMesh::build(triangles, 3), std::length_error);
-  munmap(range, count * sizeof(bare::Corners));
-  EXPECT_THROW((void)StripMesh::build({}, std::size_t{1} << 32), std::length_error);
 }
 
 #ifdef NDEBUG

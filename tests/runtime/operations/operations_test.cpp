@@ -20,6 +20,7 @@
 #include "naive_patch.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/adopt.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
 
@@ -437,65 +438,6 @@ TEST(Operations, LargeFansGetTheBestColors) {
     if (HasFailure()) return;
   }
   EXPECT_GT(splits, 50U);
-}
-
-// All triangles are isolated, and each finds an isolated neighbour. So no triangle around the vertex stays isolated,
-// whichever spoke it begins at.
-TEST(Operations, AdoptionGoesAroundTheWholeFan) {
-  for (const StripMesh& mesh : {sample::rectangle(4, 3), sample::tube(5, 2), sample::octahedron()})
-    for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
-      std::vector<Halfedge> spokes;
-      for_each_spoke(mesh, v, [&](Halfedge h) { spokes.push_back(h); });
-      for (const Halfedge start : spokes) {
-        StripMesh copy = mesh;
-        const Mending done = adopt_around(copy, start);
-        EXPECT_EQ(static_cast<long>(check_coloring(copy).isolated),
-                  static_cast<long>(mesh.triangle_count()) + done.isolated);
-        for (const Halfedge h : spokes)
-          EXPECT_TRUE(StripMesh::on_boundary(h) || copy.solid_degree(StripMesh::triangle(h)) > 0) << "vertex " << v;
-      }
-    }
-}
-
-// Four triangles, the one in the middle in a strip with two of the others: whoever adopts the third isolates another,
-// however often it is passed on. So nothing changes.
-TEST(Operations, AdoptionThatFailsChangesNothing) {
-  StripMesh mesh = StripMesh::build(std::vector<std::array<Vertex, 3>>{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}}, 6);
-  for (unsigned alone = 0; alone < 3; ++alone) {
-    for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(0, side), side != alone);
-    for (const int depth : {0, 1, 2, 3, 4}) {
-      const Mending done = adopt(mesh, mesh.opposite(StripMesh::halfedge(0, alone)), depth);
-      EXPECT_EQ(done.strips, 0);
-      EXPECT_EQ(done.isolated, 0);
-      for (unsigned side = 0; side < 3; ++side) EXPECT_EQ(mesh.solid(StripMesh::halfedge(0, side)), side != alone);
-    }
-  }
-}
-
-TEST(Operations, AdoptionLeavesFewAlone) {
-  StripMesh mesh = sample::rectangle(20, 20);
-  Walk walk(mesh, 3, 1000000);
-  walk.run(4000);
-  // Isolate triangles by hand, then adopt them: what is reported is what a count from scratch finds.
-  std::mt19937 random(5);
-  std::size_t adopted = 0;
-  for (int n = 0; n < 3000; ++n) {
-    const auto t = static_cast<Triangle>(random() % walk.mesh.triangle_bound());
-    if (!walk.mesh.alive(t)) continue;
-    const Halfedge h = StripMesh::halfedge(t, 0);
-    for (const Halfedge side : {h, StripMesh::next(h), StripMesh::next(StripMesh::next(h))})
-      if (walk.mesh.solid(side)) walk.mesh.set_solid(side, false);
-    const ColoringReport before = check_coloring(walk.mesh);
-    const Mending done = n % 3 == 0   ? adopt(walk.mesh, h)
-                         : n % 3 == 1 ? adopt_around(walk.mesh, h)
-                                      : adopt_after_flip(walk.mesh, h);
-    const ColoringReport after = check_coloring(walk.mesh);
-    ASSERT_TRUE(after.valid);
-    ASSERT_EQ(static_cast<long>(after.strips), static_cast<long>(before.strips) + done.strips);
-    ASSERT_EQ(static_cast<long>(after.isolated), static_cast<long>(before.isolated) + done.isolated);
-    adopted += done.isolated < 0 ? 1U : 0U;
-  }
-  EXPECT_GT(adopted, 1500U);
 }
 
 TEST(Operations, GoingDownAndUpGivesTheSameHandles) {

@@ -27,13 +27,6 @@ namespace {
 
 using Halfedge = StripMesh::Halfedge;
 
-bare::List bare_list_of(const StripMesh& mesh) {
-  bare::List list;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) list.push_back(mesh.corners(t));
-  return bare::sorted(std::move(list));
-}
-
 enum class Refining { split_face, join_faces, bisect, merge };
 
 Checked checked_refining(StripMesh& mesh, Refining kind, Halfedge h) {
@@ -124,13 +117,13 @@ class RefineWalk {
     const Refining kind = grow ? (random_() % 2 == 0 ? Refining::split_face : Refining::bisect)
                                : (random_() % 2 == 0 ? Refining::join_faces : Refining::merge);
     const bool look = random_() % 16 == 0;
-    const bare::List before = look ? bare_list_of(mesh_) : bare::List{};
+    const bare::List before = look ? sample::triangles_of(mesh_) : bare::List{};
     const Vertex from = mesh_.from(h);
     const Vertex to = mesh_.to(h);
     const Vertex apex = StripMesh::on_boundary(h) ? none : mesh_.to(StripMesh::next(h));
     const Checked done = checked_refining(mesh_, kind, h);
     if (look && !done) {
-      EXPECT_EQ(bare_list_of(mesh_), before);
+      EXPECT_EQ(sample::triangles_of(mesh_), before);
     }
     if (!done) return false;
     ++granted[static_cast<std::size_t>(kind)];
@@ -139,13 +132,13 @@ class RefineWalk {
     EXPECT_EQ(mesh_.from(made), from);
     if (!look) return true;
     if (grow) {
-      EXPECT_EQ(bare_list_of(mesh_), refined_list(before, kind, from, to, apex, mesh_.to(made)));
+      EXPECT_EQ(sample::triangles_of(mesh_), refined_list(before, kind, from, to, apex, mesh_.to(made)));
     } else if (kind == Refining::merge) {
-      EXPECT_EQ(before, refined_list(bare_list_of(mesh_), Refining::bisect, from, mesh_.to(made), none, to));
+      EXPECT_EQ(before, refined_list(sample::triangles_of(mesh_), Refining::bisect, from, mesh_.to(made), none, to));
     } else {
       const Halfedge inside = StripMesh::next(mesh_.opposite(made));
-      EXPECT_EQ(before,
-                refined_list(bare_list_of(mesh_), Refining::split_face, from, mesh_.to(made), mesh_.to(inside), to));
+      EXPECT_EQ(before, refined_list(sample::triangles_of(mesh_), Refining::split_face, from, mesh_.to(made),
+                                     mesh_.to(inside), to));
     }
     return true;
   }
@@ -203,7 +196,7 @@ TEST(Refine, InversesUndoEachOther) {
                                               : 4U);
           const Checked undone = checked_refining(mesh, back, done.rewrite.halfedge);
           ASSERT_TRUE(undone) << describe(undone.refusal);
-          EXPECT_EQ(bare_list_of(mesh), bare_list_of(start));
+          EXPECT_EQ(sample::triangles_of(mesh), sample::triangles_of(start));
           EXPECT_TRUE(check_coloring(mesh).valid);
           if (forth == Refining::bisect) {
             EXPECT_EQ(mesh.from(undone.rewrite.halfedge), start.from(h));

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "buffer_changes.hpp"
 #include "hand_made_mesh.hpp"
 #include "random_operation.hpp"
-#include "restrip/output/triangle_list_buffer.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -46,30 +46,6 @@ std::vector<Corners> drawn(std::span<const Index> indices) {
   return triangles;
 }
 
-std::vector<Corners> sorted_triangles(const StripMesh& mesh) {
-  std::vector<Corners> triangles;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) triangles.push_back(smallest_first(mesh.corners(t)));
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
-
-void expect_only_reported_changes(const std::vector<std::uint32_t>& before, std::span<const std::uint32_t> after,
-                                  std::span<const StripBuffer::Range> ranges) {
-  std::vector<bool> reported(after.size(), false);
-  std::size_t end = 0;
-  for (const auto& range : ranges) {
-    ASSERT_TRUE(end == 0 || range.first > end);
-    end = range.first + range.count;
-    ASSERT_LE(end, after.size());
-    std::fill_n(reported.begin() + static_cast<std::ptrdiff_t>(range.first), range.count, true);
-  }
-  for (std::size_t i = 0; i < after.size(); ++i)
-    if (!reported[i]) {
-      ASSERT_TRUE(i < before.size() && before[i] == after[i]) << "index " << i;
-    }
-}
-
 // The promise of the header.
 std::size_t most_indices(const StripMesh& mesh) {
   return strip_indices(mesh, extract_strips(mesh)).size() * 110 / 100 + 128;
@@ -84,7 +60,7 @@ TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
         std::vector<Triangle> changed;
         mesh.watch(&changed);
         StripBuffer buffer(mesh);
-        ASSERT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
+        ASSERT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
         for (int round = 0; round < 60; ++round) {
           const std::vector<std::uint32_t> before(buffer.indices().begin(), buffer.indices().end());
           for (int n = most == 1 ? 1 : static_cast<int>(random() % static_cast<unsigned>(most)); n > 0; --n)
@@ -92,7 +68,7 @@ TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
           const auto ranges = buffer.update(mesh, changed);
           expect_only_reported_changes(before, buffer.indices(), ranges);
           changed.clear();
-          ASSERT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
+          ASSERT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
           ASSERT_LE(buffer.indices().size(), most_indices(mesh));
           ASSERT_LE(buffer.used(), buffer.indices().size());
           if (HasFatalFailure()) return;
@@ -121,7 +97,7 @@ TEST(StripBuffer, IsNeverMuchLongerThanTheStrips) {
       buffer.update(mesh, changed);
       changed.clear();
       if (i % 50 == 0) {
-        ASSERT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
+        ASSERT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
       }
       ASSERT_LE(buffer.indices().size(), most_indices(mesh)) << mesh.triangle_count() << " triangles";
       least_runs = std::min(least_runs, buffer.runs());
@@ -168,7 +144,7 @@ TEST(StripBuffer, AStripThatGetsShorterStaysWhereItIs) {
     for (const auto& range : buffer.update(mesh, changed)) written += range.count;
     changed.clear();
     ++collapses;
-    EXPECT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
+    EXPECT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
   }
   ASSERT_GT(collapses, 3U);
   EXPECT_LT(written, collapses * 36);
@@ -187,14 +163,14 @@ TEST(StripBuffer, SixteenBitIndices) {
     random_operation(keeper, random, (i / 150) % 2 == 0);
     buffer.update(mesh, changed);
     changed.clear();
-    ASSERT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
+    ASSERT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
   }
   // Vertex 65,534 is the last that fits.
   const std::vector<Corners> last{{0, 1, 65'534}};
   const std::vector<Corners> beyond{{0, 1, 65'535}};
   const StripMesh fits = StripMesh::build(last, 65'536);
   StripMesh does_not = StripMesh::build(beyond, 65'536);
-  EXPECT_EQ(drawn(StripBuffer16(fits).indices()), sorted_triangles(fits));
+  EXPECT_EQ(drawn(StripBuffer16(fits).indices()), sample::triangles_of(fits));
   EXPECT_THROW(StripBuffer16{does_not}, std::length_error);
   // An update that throws leaves the buffer as it was; the next one writes everything anew.
   StripMesh grown = StripMesh::build(std::vector<Corners>{{0, 1, 2}, {0, 2, 3}}, 65'536);
@@ -209,7 +185,7 @@ TEST(StripBuffer, SixteenBitIndices) {
   grown.remove_vertex(chord);
   changed.clear();
   EXPECT_EQ(kept.update(grown, changed).size(), 1U);
-  EXPECT_EQ(drawn(kept.indices()), sorted_triangles(grown));
+  EXPECT_EQ(drawn(kept.indices()), sample::triangles_of(grown));
 }
 
 static_assert(NumberedMesh<sample::HandMade> && NumberedMesh<StripMesh> && FlippableMesh<sample::HandMade>);
@@ -244,58 +220,6 @@ TEST(StripBuffer, NothingChangedNothingWritten) {
   EXPECT_TRUE(buffer.update(mesh, {}).empty());
 }
 
-TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
-  std::mt19937 random(15);
-  for (const unsigned most : {1U, 40U}) {
-    for (StripMesh& mesh : sample::meshes()) {
-      StripKeeper keeper(mesh, Policy::linked);
-      std::vector<Triangle> changed;
-      mesh.watch(&changed);
-      TriangleListBuffer buffer(mesh);
-      TriangleListBuffer16 narrow(mesh);
-      for (int round = 0; round < 100; ++round) {
-        const std::vector<std::uint32_t> before(buffer.indices().begin(), buffer.indices().end());
-        for (unsigned n = most == 1 ? 1 : static_cast<unsigned>(random() % most); n > 0; --n)
-          random_operation(keeper, random, mesh.triangle_count() < 60 || (round / 25) % 2 == 0);
-        const auto ranges = buffer.update(mesh, changed);
-        expect_only_reported_changes(before, buffer.indices(), ranges);
-        narrow.update(mesh, changed);
-        changed.clear();
-        ASSERT_EQ(buffer.indices().size(), 3 * mesh.triangle_count());
-        std::vector<Corners> listed;
-        for (std::size_t i = 0; i < buffer.indices().size(); i += 3)
-          listed.push_back(smallest_first({buffer.indices()[i], buffer.indices()[i + 1], buffer.indices()[i + 2]}));
-        std::sort(listed.begin(), listed.end());
-        ASSERT_EQ(listed, sorted_triangles(mesh));
-        ASSERT_TRUE(std::equal(narrow.indices().begin(), narrow.indices().end(), buffer.indices().begin(),
-                               buffer.indices().end()));
-        if (HasFatalFailure()) return;
-      }
-      mesh.watch(nullptr);
-    }
-  }
-}
-
-// A flip changes two corners, a split one of each triangle that goes to the new vertex and two triangles.
-TEST(TriangleListBuffer, WritesTheCornersThatChanged) {
-  StripMesh mesh = sample::torus(30, 30);
-  std::vector<Triangle> changed;
-  mesh.watch(&changed);
-  TriangleListBuffer buffer(mesh);
-  const auto written = [&] {
-    std::size_t sum = 0;
-    for (const auto& range : buffer.update(mesh, changed)) sum += range.count;
-    changed.clear();
-    return sum;
-  };
-  const StripMesh::Halfedge h = mesh.spoke(100);
-  split(mesh, {h, turn_cw(mesh, turn_cw(mesh, h))});
-  EXPECT_EQ(written(), 2U + 6U);
-  EXPECT_EQ(written(), 0U);
-  const StripMesh beyond = StripMesh::build(std::vector<Corners>{{0, 1, 65'535}}, 65'536);
-  EXPECT_THROW(TriangleListBuffer16{beyond}, std::length_error);
-}
-
 // A cycle of solid edges is not drawn right, but an update ends; and when the cycle is open again, all is drawn.
 TEST(StripBuffer, AnUpdateEndsWhereColorsAreNotValid) {
   StripMesh mesh = sample::double_cone(8);
@@ -308,95 +232,7 @@ TEST(StripBuffer, AnUpdateEndsWhereColorsAreNotValid) {
   changed.clear();
   mesh.set_solid(mesh.spoke(0, 2), false);
   buffer.update(mesh, changed);
-  EXPECT_EQ(drawn(buffer.indices()), sorted_triangles(mesh));
-}
-
-// What a watched mesh names is compared with all of the mesh before and after.
-TEST(StripMesh, AWatchNamesEveryTriangleThatChanges) {
-  struct Known {
-    Corners corners{};
-    std::array<std::uint32_t, 3> neighbors{};
-    unsigned solid = 0;
-    bool operator==(const Known&) const = default;
-  };
-  const auto all_of = [](const StripMesh& mesh) {
-    std::map<Triangle, Known> all;
-    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-      if (!mesh.alive(t)) continue;
-      Known known{mesh.corners(t), {}, mesh.solid_sides(t)};
-      for (unsigned s = 0; s < 3; ++s) known.neighbors[s] = mesh.opposite(StripMesh::halfedge(t, s)).id;
-      all.emplace(t, known);
-    }
-    return all;
-  };
-  std::mt19937 random(17);
-  for (StripMesh& mesh : sample::meshes()) {
-    StripKeeper keeper(mesh, Policy::local);
-    std::vector<Triangle> changed;
-    mesh.watch(&changed);
-    for (int round = 0; round < 60; ++round) {
-      const std::map<Triangle, Known> before = all_of(mesh);
-      changed.clear();
-      random_operation(keeper, random, round % 20 < 10);
-      const std::map<Triangle, Known> after = all_of(mesh);
-      const std::set<Triangle> named(changed.begin(), changed.end());
-      for (const auto& [t, known] : before) {
-        const auto now = after.find(t);
-        EXPECT_TRUE(named.contains(t) || (now != after.end() && now->second == known)) << "triangle " << t;
-      }
-      for (const auto& [t, known] : after) EXPECT_TRUE(named.contains(t) || before.contains(t)) << "triangle " << t;
-    }
-    mesh.watch(nullptr);
-  }
-}
-
-// A watch goes where its mesh is moved, and nowhere else.
-TEST(StripMesh, AWatchMovesWithItsMesh) {
-  const auto changes = [](StripMesh& mesh, const std::vector<Triangle>& list) {
-    const std::size_t before = list.size();
-    const StripMesh::Halfedge h = mesh.spoke(0);
-    mesh.set_solid(h, !mesh.solid(h));
-    return list.size() - before;
-  };
-  std::vector<Triangle> list;
-  std::vector<Triangle> other_list;
-  StripMesh mesh = sample::torus(4, 3);
-  mesh.watch(&list);
-  EXPECT_EQ(changes(mesh, list), 2U);
-
-  StripMesh moved = std::move(mesh);
-  EXPECT_EQ(changes(moved, list), 2U);
-  mesh = sample::octahedron();  // no longer watched, and a new mesh is not either
-  EXPECT_EQ(changes(mesh, list), 0U);
-
-  moved = sample::octahedron();  // a mesh without a watch is assigned: moved keeps its own
-  EXPECT_EQ(changes(moved, list), 2U);
-  const StripMesh original = sample::octahedron();
-  moved = original;
-  EXPECT_EQ(changes(moved, list), 2U);
-
-  mesh.watch(&other_list);
-  std::swap(mesh, moved);
-  EXPECT_EQ(changes(mesh, list), 2U);
-  EXPECT_EQ(changes(moved, other_list), 2U);
-
-  moved = std::move(mesh);  // two watches, one mesh: the one that comes along stays
-  EXPECT_EQ(changes(moved, list), 2U);
-  EXPECT_EQ(changes(moved, other_list), 0U);
-
-  StripMesh copy = moved;
-  EXPECT_EQ(changes(copy, list), 0U);
-}
-
-TEST(StripMesh, ACopyIsNotWatched) {
-  StripMesh mesh = sample::torus(5, 5);
-  std::vector<Triangle> changed;
-  mesh.watch(&changed);
-  StripMesh copy = mesh;
-  copy.set_solid(copy.spoke(0), true);
-  EXPECT_TRUE(changed.empty());
-  mesh.set_solid(mesh.spoke(0), true);
-  EXPECT_EQ(changed.size(), 2U);
+  EXPECT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
 }
 
 }  // namespace

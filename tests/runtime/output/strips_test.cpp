@@ -8,14 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <random>
 #include <vector>
 
 #include "hand_made_mesh.hpp"
+#include "random_colors.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
-#include "restrip/output/vertex_cache.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
@@ -46,35 +45,6 @@ std::vector<Corners> decode(const std::vector<std::uint32_t>& indices) {
     if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) triangles.push_back(rotated(c));
   }
   return triangles;
-}
-
-std::vector<Corners> triangles_of(const StripMesh& mesh) {
-  std::vector<Corners> triangles;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    if (mesh.alive(t)) triangles.push_back(rotated(mesh.corners(t)));
-  return triangles;
-}
-
-// Colours dual edges solid in random order wherever that keeps the colouring valid, with the given probability.
-void color_at_random(StripMesh& mesh, double share, std::mt19937& random) {
-  std::vector<StripMesh::Halfedge> edges;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned s = 0; s < 3; ++s)
-      if (mesh.alive(t) && !StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, s))))
-        edges.push_back(StripMesh::halfedge(t, s));
-  std::shuffle(edges.begin(), edges.end(), random);
-  std::vector<Triangle> component(mesh.triangle_bound());
-  for (Triangle t = 0; t < component.size(); ++t) component[t] = t;
-  for (const StripMesh::Halfedge h : edges) {
-    const Triangle a = StripMesh::triangle(h);
-    const Triangle b = StripMesh::triangle(mesh.opposite(h));
-    if (mesh.solid_degree(a) > 1 || mesh.solid_degree(b) > 1 || component[a] == component[b]) continue;
-    if (std::uniform_real_distribution<>()(random) > share) continue;
-    mesh.set_solid(h, true);
-    const Triangle from = component[a];
-    for (Triangle& c : component)
-      if (c == from) c = component[b];
-  }
 }
 
 // The least number of indices for one strip: all ways to start, then any repeated index, tried in full. State: the last
@@ -128,9 +98,8 @@ TEST(Strips, DecodingGivesBackTheMesh) {
       const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
       EXPECT_EQ(indices.size(), strip_index_count(mesh, strips));
       std::vector<Corners> decoded = decode(indices);
-      std::vector<Corners> expected = triangles_of(mesh);
+      const std::vector<Corners> expected = sample::triangles_of(mesh);
       std::sort(decoded.begin(), decoded.end());
-      std::sort(expected.begin(), expected.end());
       EXPECT_EQ(decoded, expected);
     }
   }
@@ -218,37 +187,6 @@ TEST(CheckColoring, FindsWhatIsWrong) {
   EXPECT_EQ(report.isolated, 3U);
 }
 
-// The cache as a queue, vertex by vertex.
-std::size_t misses_of_a_queue(const std::vector<std::uint32_t>& indices, std::size_t cache_size) {
-  std::deque<std::uint32_t> cache;
-  std::size_t misses = 0;
-  for (const std::uint32_t v : indices) {
-    if (v == 0xFFFFFFFFU || std::find(cache.begin(), cache.end(), v) != cache.end()) continue;
-    ++misses;
-    cache.push_back(v);
-    if (cache.size() > cache_size) cache.pop_front();
-  }
-  return misses;
-}
-
-TEST(VertexCache, MissesAreThoseOfAQueue) {
-  std::mt19937 random(3);
-  for (const std::uint32_t vertices : {1U, 3U, 15U, 16U, 17U, 40U}) {
-    std::vector<std::uint32_t> indices(500);
-    for (std::uint32_t& v : indices) {
-      v = static_cast<std::uint32_t>(random()) % vertices;
-      if (random() % 9 == 0) v = 0xFFFFFFFFU;
-    }
-    for (const std::size_t cache_size : {0U, 1U, 2U, 3U, 16U, 32U}) {
-      const std::size_t misses = misses_of_a_queue(indices, cache_size);
-      EXPECT_EQ(vertex_cache_misses(indices, cache_size), misses) << vertices << ", " << cache_size;
-      EXPECT_DOUBLE_EQ(acmr(indices, cache_size, 250), static_cast<double>(misses) / 250);
-    }
-  }
-  EXPECT_EQ(vertex_cache_misses({}, 16), 0U);
-  EXPECT_EQ(acmr({}, 16, 0), 0);
-}
-
 // What a mesh of another structure gets is what a StripMesh of the same triangles gets.
 TEST(Strips, OfAMeshMadeByHand) {
   for (const StripMesh& shape : {sample::rectangle(7, 4), sample::torus(6, 5), sample::octahedron()}) {
@@ -273,9 +211,8 @@ TEST(Strips, OfAMeshMadeByHand) {
     // Vertices are numbered from 1000 there.
     for (std::uint32_t& index : indices) index -= index == restart_index ? 0 : 1000;
     std::vector<Corners> drawn = decode(indices);
-    std::vector<Corners> expected = triangles_of(mesh);
+    const std::vector<Corners> expected = sample::triangles_of(mesh);
     std::sort(drawn.begin(), drawn.end());
-    std::sort(expected.begin(), expected.end());
     EXPECT_EQ(drawn, expected);
     // A solid cycle around a vertex, and a triangle with three solid edges.
     for (int h = 0; h < other.size(); ++h)

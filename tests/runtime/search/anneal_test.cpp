@@ -147,24 +147,5 @@ TEST(Anneal, AnEmptyMeshCostsNothing) {
   EXPECT_EQ(strip_index_lower_bound(mesh), 0U);
 }
 
-// A digest of the colours that no change of the searches may alter while strips alone have a weight.
-std::uint64_t digest(const StripMesh& mesh) {
-  std::uint64_t sum = 14'695'981'039'346'656'037U;  // FNV-1a
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) sum = (sum ^ mesh.solid_sides(t)) * 1'099'511'628'211U;
-  return sum;
-}
-
-TEST(Stripify, FewestStripsAreWhatTheyWere) {
-  StripMesh mesh = sample::torus(60, 50);
-  stripify(mesh, Effort::fast);
-  EXPECT_EQ(digest(mesh), 3739437743101561692U);
-  stripify(mesh, Effort::fast, Cost::strips());
-  EXPECT_EQ(digest(mesh), 3739437743101561692U);
-  stripify(mesh, Effort::full);
-  EXPECT_EQ(digest(mesh), 3166561605149442275U);
-  stripify(mesh, Effort::full, Cost::strips());
-  EXPECT_EQ(digest(mesh), 3166561605149442275U);
-}
-
 }  // namespace
 }  // namespace restrip

@@ -1,5 +1,7 @@
-// The trees of an annealing know the ends of strips as lists of triangles do that are cut and joined beside them, however
-// often strips turn around; and a set of marked words gives its numbers as a std::set does.
+// The trees of an annealing know the ends of strips as lists of triangles do that are cut and joined beside them,
+// however often strips turn around; and a set of marked words gives its numbers as a std::set does.
+#include "restrip/search/impl/strip_trees.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +13,6 @@
 #include <vector>
 
 #include "restrip/search/impl/marked_words.hpp"
-#include "restrip/search/impl/strip_trees.hpp"
 
 namespace restrip {
 namespace {

@@ -23,6 +23,11 @@
 
 namespace restrip {
 
+// Of walks.hpp, which is not read yet where a program includes it first: it includes strip_mesh.hpp, and that these
+// checks.
+template <class Visit>
+void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
+
 namespace detail {
 
 /// The number of spokes of v, or `most` if there are more: O(most), so that a fan of any size can be asked.

@@ -42,9 +42,12 @@ int solid_degree(const Mesh& mesh, typename Mesh::Halfedge h) {
 
 namespace detail {
 
-/// adopt() for callers that keep more than colours: paint(h, solid) colours dual edges.
-template <class Mesh, class Paint>
-Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint&& paint) {
+inline constexpr int default_adoptions = 4;
+
+/// adopt() for callers that keep more than colours: paint(h, solid) colours dual edges, and end(h) is told of each
+/// triangle that has become a strip end, by a halfedge of it.
+template <class Mesh, class Paint, class End>
+Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint&& paint, End&& end) {
   if (mesh.on_boundary(h) || solid_degree(mesh, h) != 0) return {};
   for (const bool pass_on : {false, true}) {
     if (pass_on && depth == 0) break;
@@ -54,6 +57,7 @@ Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
       const int degree = solid_degree(mesh, across);
       if (degree < 2) {  // the end of a strip, or isolated as well
         paint(h, true);
+        end(h);
         return {-1, degree == 0 ? -2 : -1};
       }
       for (auto other = mesh.next(across); !(other == across); other = mesh.next(other)) {
@@ -63,8 +67,15 @@ Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
         if (!spares_one && !pass_on) continue;
         paint(other, false);
         paint(h, true);
-        if (spares_one) return {0, -1};
-        if (const Mending next = adopt_with(mesh, beyond, depth - 1, paint); next.isolated < 0) return next;
+        Mending done{0, -1};
+        if (spares_one)
+          end(beyond);
+        else
+          done = adopt_with(mesh, beyond, depth - 1, paint, end);
+        if (done.isolated < 0) {
+          end(h);
+          return done;
+        }
         paint(h, false);
         paint(other, true);
       }
@@ -79,51 +90,10 @@ Mending adopt_with(const Mesh& mesh, typename Mesh::Halfedge h, int depth, Paint
 /// isolate another triangle, one of them does, and that triangle is adopted in turn, `depth` times at most. If that
 /// fails as well, nothing has changed.
 template <ColoredMesh Mesh>
-Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = 4) {
+Mending adopt(Mesh& mesh, typename Mesh::Halfedge h, int depth = detail::default_adoptions) {
   RESTRIP_ASSERT(detail::knows(mesh, h), "adopt", describe(Refusal::no_such_edge));
-  return detail::adopt_with(mesh, h, depth, [&mesh](auto g, bool solid) { mesh.set_solid(g, solid); });
-}
-
-namespace detail {
-
-/// Calls `mend` with a halfedge of each triangle around the vertex that h leaves, and adds up its results.
-template <class Mesh, class Mend>
-Mending mend_around(const Mesh& mesh, typename Mesh::Halfedge h, Mend&& mend) {
-  Mending sum;
-  auto g = h;
-  while (!mesh.on_boundary(g)) {
-    sum += mend(g);
-    g = turn_ccw(mesh, g);
-    if (g == h) return sum;
-  }
-  for (g = h; !mesh.on_boundary(mesh.opposite(g));) {
-    g = turn_cw(mesh, g);
-    sum += mend(g);
-  }
-  return sum;
-}
-
-}  // namespace detail
-
-/// Adopts the isolated triangles around the vertex that h leaves: after a split (h the chord) or a collapse (h the
-/// spoke).
-template <ColoredMesh Mesh>
-Mending adopt_around(Mesh& mesh, typename Mesh::Halfedge h) {
-  RESTRIP_ASSERT(detail::knows(mesh, h), "adopt_around", describe(Refusal::no_such_edge));
-  return detail::mend_around(mesh, h, [&](typename Mesh::Halfedge g) { return adopt(mesh, g); });
-}
-
-/// Adopts what a flip isolated: its two triangles and the four around them. h is the turned edge.
-template <ColoredMesh Mesh>
-Mending adopt_after_flip(Mesh& mesh, typename Mesh::Halfedge h) {
-  RESTRIP_ASSERT(detail::knows(mesh, h), "adopt_after_flip", describe(Refusal::no_such_edge));
-  Mending sum;
-  for (const auto inner : {h, mesh.opposite(h)}) {
-    if (mesh.on_boundary(inner)) continue;
-    const auto second = mesh.next(inner);
-    for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) sum += adopt(mesh, g);
-  }
-  return sum;
+  return detail::adopt_with(
+      mesh, h, depth, [&mesh](auto g, bool solid) { mesh.set_solid(g, solid); }, [](auto) {});
 }
 
 namespace detail {
@@ -136,33 +106,5 @@ Rewrite<Halfedge> with(Rewrite<Halfedge> rewrite, Mending mending) {
 }
 
 }  // namespace detail
-
-/// split(), then adoption if the rule isolated a triangle. The Rewrite counts both.
-template <SplittableMesh Mesh, class... Name>
-Rewrite<typename Mesh::Halfedge> split_and_adopt(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                                                 Name... name) {
-  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_and_adopt",
-                 describe(detail::refusal_of_split(mesh, where, name...)));
-  const auto done = split(mesh, where, name...);
-  return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
-}
-
-/// collapse(), then adoption if the rule isolated a triangle.
-template <CollapsibleMesh Mesh>
-Rewrite<typename Mesh::Halfedge> collapse_and_adopt(Mesh& mesh, typename Mesh::Halfedge chord) {
-  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_and_adopt",
-                 describe(detail::refusal_of_collapse(mesh, chord)));
-  const auto done = collapse(mesh, chord);
-  return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
-}
-
-/// flip(), then adoption. The Rewrite counts both.
-template <FlippableMesh Mesh>
-Rewrite<typename Mesh::Halfedge> flip_and_adopt(Mesh& mesh, typename Mesh::Halfedge h) {
-  RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_adopt",
-                 describe(detail::refusal_of_flip(mesh, h)));
-  const auto done = flip(mesh, h);
-  return detail::with(done, adopt_after_flip(mesh, done.halfedge));
-}
 
 }  // namespace restrip

@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "restrip/mesh/mesh.hpp"
-#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/rules/bits.hpp"
 
@@ -143,7 +143,7 @@ Rewrite<typename Mesh::Halfedge> collapse_baked(Mesh& mesh, typename Mesh::Halfe
 /// Plays the records of one baked mesh, and knows whether their flips still hold.
 ///
 /// In step, record `level()` may be split and record `level() - 1` collapsed, by their flips. Any other operation is
-/// out of order. It is done by the rules (split_and_adopt, collapse_and_adopt), and so is every later one, because
+/// out of order. It is done by the rules (split_and_join, collapse_and_join), and so is every later one, because
 /// colours and names are then no longer those that were baked. The colouring stays valid, its strips get shorter as
 /// they do under the rules, and the Rewrite is complete. To get back into step, restore the mesh and its colours to a
 /// baked level (most easily the base) and call restart().
@@ -178,7 +178,7 @@ class BakedPlayer {
       return done;
     }
     leave_step();
-    return split_and_adopt(*mesh_, where, name...);
+    return split_and_join(*mesh_, where, name...);
   }
   Rewrite<Halfedge> collapse(std::size_t record, Halfedge chord) {
     RESTRIP_ASSERT(detail::refusal_of_collapse(*mesh_, chord) == Refusal::granted, "BakedPlayer::collapse",
@@ -190,7 +190,7 @@ class BakedPlayer {
       return done;
     }
     leave_step();
-    return collapse_and_adopt(*mesh_, chord);
+    return collapse_and_join(*mesh_, chord);
   }
 
   /// Call before changing the mesh or its colours in any other way.

@@ -25,7 +25,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/operations/impl/linked_search.hpp"
 #include "restrip/operations/impl/outlook.hpp"
 #include "restrip/operations/operations.hpp"
@@ -199,82 +199,6 @@ struct LinkedRules {
   }
 };
 
-enum class Side { same, different, unknown };
-
-/// Do the strips that end in the triangles of g and h, different ones, have the same other end?
-template <class Mesh>
-Side same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Halfedge h, std::size_t reach) {
-  for (const auto& [from, to] : {std::pair{g, h}, {h, g}}) {
-    auto at = from;
-    // The solid edge out of the end; then always out on the other side.
-    for (int side = 0; side < 3 && !mesh.solid(at); ++side) at = mesh.next(at);
-    if (!mesh.solid(at)) return Side::different;  // isolated
-    auto in = mesh.opposite(at);
-    for (std::size_t steps = 0; steps < reach; ++steps) {
-      const auto step = strip_step(mesh, in);
-      if (!step.goes_on) {
-        const auto second = mesh.next(in);
-        return in == to || second == to || mesh.next(second) == to ? Side::same : Side::different;
-      }
-      in = step.in;
-    }
-  }
-  return Side::unknown;
-}
-
-}  // namespace detail
-
-/// If a strip ends in the triangle to the left of h, links it with ends of other strips beside it. Looks at no more
-/// than 2 * reach triangles for each.
-template <ColoredMesh Mesh>
-Mending link_end(Mesh& mesh, typename Mesh::Halfedge h, std::size_t reach = default_reach) {
-  RESTRIP_ASSERT(detail::knows(mesh, h), "link_end", describe(Refusal::no_such_edge));
-  int degree = detail::solid_degree(mesh, h);
-  Mending done;
-  for (int side = 0; side < 3 && degree < 2; ++side, h = mesh.next(h)) {
-    if (mesh.solid(h)) continue;
-    const auto across = mesh.opposite(h);
-    if (mesh.on_boundary(across)) continue;
-    const int there = detail::solid_degree(mesh, across);
-    if (there > 1 || detail::same_strip(mesh, h, across, reach) != detail::Side::different) continue;
-    mesh.set_solid(h, true);
-    done += {-1, -int{degree == 0} - int{there == 0}};
-    ++degree;
-  }
-  return done;
-}
-
-namespace detail {
-
-template <class Mesh>
-Mending link_ends_around(Mesh& mesh, typename Mesh::Halfedge h) {
-  return mend_around(
-      mesh, h, [&](typename Mesh::Halfedge g) { return solid_degree(mesh, g) < 2 ? link_end(mesh, g) : Mending{}; });
-}
-
-// What follows an operation by linked rules.
-template <class Mesh>
-Rewrite<typename Mesh::Halfedge> linked_after_split(Mesh& mesh, Rewrite<typename Mesh::Halfedge> done) {
-  done = detail::with(done, detail::link_ends_around(mesh, done.halfedge));
-  done = detail::with(done, detail::link_ends_around(mesh, mesh.opposite(done.halfedge)));
-  return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
-}
-template <class Mesh>
-Rewrite<typename Mesh::Halfedge> linked_after_collapse(Mesh& mesh, Rewrite<typename Mesh::Halfedge> done) {
-  done = detail::with(done, detail::link_ends_around(mesh, done.halfedge));
-  return done.isolated > 0 ? detail::with(done, adopt_around(mesh, done.halfedge)) : done;
-}
-template <class Mesh>
-Rewrite<typename Mesh::Halfedge> linked_after_flip(Mesh& mesh, Rewrite<typename Mesh::Halfedge> done) {
-  for (const auto inner : {done.halfedge, mesh.opposite(done.halfedge)}) {
-    done = detail::with(done, link_end(mesh, inner));
-    for (const auto outer : {mesh.next(inner), mesh.next(mesh.next(inner))})
-      if (const auto across = mesh.opposite(outer); !mesh.on_boundary(across))
-        done = detail::with(done, link_end(mesh, across));
-  }
-  return detail::with(done, adopt_after_flip(mesh, done.halfedge));
-}
-
 }  // namespace detail
 
 /// split() by linked rules. `name`: the new vertex, for meshes that let the caller name it.
@@ -283,7 +207,7 @@ Rewrite<typename Mesh::Halfedge> split_and_link(Mesh& mesh, const VertexSplit<ty
                                                 Name... name) {
   RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_and_link",
                  describe(detail::refusal_of_split(mesh, where, name...)));
-  return detail::linked_after_split(mesh, detail::split_with(detail::LinkedRules{default_reach}, mesh, where, name...));
+  return detail::split_and_join_with(detail::LinkedRules{default_reach}, Exchange::yes, mesh, where, name...);
 }
 
 /// collapse() by linked rules.
@@ -291,15 +215,16 @@ template <CollapsibleMesh Mesh>
 Rewrite<typename Mesh::Halfedge> collapse_and_link(Mesh& mesh, typename Mesh::Halfedge chord) {
   RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_and_link",
                  describe(detail::refusal_of_collapse(mesh, chord)));
-  return detail::linked_after_collapse(mesh, detail::collapse_with(detail::LinkedRules{default_reach}, mesh, chord));
+  return detail::collapse_and_join_with(detail::LinkedRules{default_reach}, Exchange::yes, mesh, chord);
 }
 
-/// flip(), then links, which restore a port that the local rule gave up without need.
+/// flip(), then joins and exchanges, which restore a port that the local rule gave up without need.
 template <FlippableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> flip_and_link(Mesh& mesh, typename Mesh::Halfedge h) {
   RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_link",
                  describe(detail::refusal_of_flip(mesh, h)));
-  return detail::linked_after_flip(mesh, flip(mesh, h));
+  const auto done = flip(mesh, h);
+  return detail::with(done, join_beside(mesh, done.halfedge, Exchange::yes));
 }
 
 }  // namespace restrip

@@ -34,7 +34,9 @@ template <ColoredMesh Mesh>
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_split_and_link(Mesh& mesh, PendingSplit<typename Mesh::Halfedge> pending,
                                                       typename Mesh::Halfedge chord) {
-  return detail::linked_after_split(mesh, after_split(mesh, std::move(pending), chord));
+  return detail::after_split_by(mesh, std::move(pending), chord, [&](const auto& change) {
+    return detail::finish_split_and_join(mesh, change, chord, Exchange::yes);
+  });
 }
 
 /// See before_collapse().
@@ -46,14 +48,17 @@ template <ColoredMesh Mesh>
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_collapse_and_link(Mesh& mesh, PendingCollapse<typename Mesh::Halfedge> pending,
                                                          typename Mesh::Halfedge spoke) {
-  return detail::linked_after_collapse(mesh, after_collapse(mesh, std::move(pending), spoke));
+  return detail::after_collapse_by(mesh, std::move(pending), spoke, [&](const auto& change) {
+    return detail::finish_collapse_and_join(mesh, change, spoke, Exchange::yes);
+  });
 }
 
 /// After before_flip(): flips have no linked rule, and are linked afterwards.
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_flip_and_link(Mesh& mesh, PendingFlip<typename Mesh::Halfedge> pending,
                                                      typename Mesh::Halfedge h) {
-  return detail::linked_after_flip(mesh, after_flip(mesh, std::move(pending), h));
+  const auto done = after_flip(mesh, std::move(pending), h);
+  return detail::with(done, join_beside(mesh, done.halfedge, Exchange::yes));
 }
 
 /// The same by the rules named.

@@ -96,6 +96,20 @@ constexpr Word isolated_ring(std::size_t k, std::size_t a, Word inner, Word port
   return all & ~(edges | edges << 1 | edges >> (k + 1) | ring_ports(a, ports) | chord | chord << (a + 1));
 }
 
+/// Likewise the triangles with at most one solid edge: strip ends and isolated ones.
+constexpr Word ends_closed(std::size_t k, Word loop, Word ports) noexcept {
+  const Word below = loop << 1 | loop >> (k - 1);
+  return low_bits(k) & ~((loop & below) | (loop & ports) | (below & ports));
+}
+
+constexpr Word ends_ring(std::size_t k, std::size_t a, Word inner, Word ports) noexcept {
+  const Word edges = inner & low_bits(k + 2);
+  const Word below = edges << 1 | edges >> (k + 1);
+  const Word chord = inner >> (k + 2) & 1;
+  const Word third = ring_ports(a, ports) | chord | chord << (a + 1);
+  return low_bits(k + 2) & ~((edges & below) | (edges & third) | (below & third));
+}
+
 template <class Table>
 constexpr Word cell(const Table& table, const RowStarts<table_max_k>& rows, std::size_t k, std::size_t place,
                     Word ports, Word joined) noexcept {

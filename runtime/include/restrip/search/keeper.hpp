@@ -30,7 +30,7 @@
 
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/operations/adopt.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/operations/refine.hpp"
@@ -95,7 +95,7 @@ class StripKeeper {
                    describe(check_split(*mesh_, where, new_vertex)));
     begin();
     if (!tunnels())
-      return counted(linked_ ? split_and_link(*mesh_, where, new_vertex) : split_and_adopt(*mesh_, where, new_vertex));
+      return counted(linked_ ? split_and_link(*mesh_, where, new_vertex) : split_and_join(*mesh_, where, new_vertex));
     fan_triangles(*mesh_, where.spokes == Spokes::right_only ? where.right : where.left, patch_);
     locator_.before_patch(*mesh_, patch_);
     const Rewrite<Halfedge> done = restrip::split(*mesh_, where, new_vertex);
@@ -107,7 +107,7 @@ class StripKeeper {
     RESTRIP_ASSERT(check_collapse(*mesh_, chord) == Refusal::granted, "StripKeeper::collapse",
                    describe(check_collapse(*mesh_, chord)));
     begin();
-    if (!tunnels()) return counted(linked_ ? collapse_and_link(*mesh_, chord) : collapse_and_adopt(*mesh_, chord));
+    if (!tunnels()) return counted(linked_ ? collapse_and_link(*mesh_, chord) : collapse_and_join(*mesh_, chord));
     edge_triangles(*mesh_, chord, patch_);
     locator_.before_patch(*mesh_, patch_);
     const Rewrite<Halfedge> done = restrip::collapse(*mesh_, chord);
@@ -117,7 +117,7 @@ class StripKeeper {
   Rewrite<Halfedge> flip(Halfedge h) {
     RESTRIP_ASSERT(check_flip(*mesh_, h) == Refusal::granted, "StripKeeper::flip", describe(check_flip(*mesh_, h)));
     begin();
-    if (!tunnels()) return counted(linked_ ? flip_and_link(*mesh_, h) : flip_and_adopt(*mesh_, h));
+    if (!tunnels()) return counted(linked_ ? flip_and_link(*mesh_, h) : flip_and_join(*mesh_, h));
     patch_.assign({StripMesh::triangle(h), StripMesh::triangle(mesh_->opposite(h))});
     locator_.before_patch(*mesh_, patch_);
     Rewrite<Halfedge> done = finish(restrip::flip(*mesh_, h));
@@ -188,6 +188,7 @@ class StripKeeper {
     if (!up_to_date_) rebuild();
     up_to_date_ = false;
   }
+  [[nodiscard]] Exchange exchange() const noexcept { return linked_ ? Exchange::yes : Exchange::no; }
   [[nodiscard]] bool tunnels() const noexcept { return search_.states != 0; }
   // For the next operation. The longer the strips, the more states it takes to find an end; a high power of the length
   // keeps all levels of detail close to `enough`.
@@ -221,7 +222,10 @@ class StripKeeper {
   template <class Do>
   Rewrite<Halfedge> insert(Halfedge h, bool on_edge, Do&& operation) {
     begin();
-    if (!tunnels()) return counted(operation());
+    if (!tunnels()) {
+      const Rewrite<Halfedge> done = operation();
+      return counted(detail::with(done, join_around(*mesh_, mesh_->opposite(done.halfedge), exchange())));
+    }
     patch_.clear();
     for (const Halfedge side : {h, mesh_->opposite(h)})
       if (!StripMesh::on_boundary(side) && (on_edge || side == h)) patch_.push_back(StripMesh::triangle(side));
@@ -234,11 +238,15 @@ class StripKeeper {
   template <class Do>
   Rewrite<Halfedge> remove(Halfedge chord, Do&& operation) {
     begin();
+    if (!tunnels()) {
+      const Rewrite<Halfedge> done = operation();
+      return counted(detail::with(done, join_beside(*mesh_, done.halfedge, exchange())));
+    }
     fan_triangles(*mesh_, mesh_->opposite(chord), patch_);
-    if (tunnels()) locator_.before_patch(*mesh_, patch_);
+    locator_.before_patch(*mesh_, patch_);
     Rewrite<Halfedge> done = operation();
     forget_removed();
-    done = tunnels() ? finish(done) : counted(done);
+    done = finish(done);
     for (const Triangle t : patch_) adopt_isolated(done, StripMesh::halfedge(t, 0));
     adopt_beside_patch(done);
     return done;
@@ -256,12 +264,10 @@ class StripKeeper {
     up_to_date_ = true;
   }
   void adopt_isolated(Rewrite<Halfedge>& done, Halfedge h) {
-    const Mending mending = detail::adopt_with(*mesh_, h, 4, [this](Halfedge g, bool solid) {
-      if (!tunnels())
-        mesh_->set_solid(g, solid);
-      else
-        solid ? locator_.link(*mesh_, g) : locator_.cut(*mesh_, g);
-    });
+    const auto paint = [this](Halfedge g, bool solid) {
+      solid ? locator_.link(*mesh_, g) : locator_.cut(*mesh_, g);
+    };
+    const Mending mending = detail::adopt_with(*mesh_, h, detail::default_adoptions, paint, [](Halfedge) {});
     done = detail::with(done, mending);
     strips_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(strips_) + mending.strips);
   }

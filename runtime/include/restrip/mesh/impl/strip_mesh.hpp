@@ -480,8 +480,8 @@ inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangl
 }
 
 /// Joins the halfedges of each mesh edge. They are found at its smaller vertex: the halfedges of each vertex come one
-/// after the other, in the order of their triangles, and each of its edges is known by its larger vertex. So no vertex is
-/// too large: O(triangles + vertices).
+/// after the other, in the order of their triangles, and each of its edges is known by its larger vertex. So no vertex
+/// is too large: O(triangles + vertices).
 inline void StripMesh::join_edges(BuildReport& report) {
   const auto low_of = [this](Halfedge h) { return std::min(from(h), to(h)); };
   // A counting sort: first_at[v] counts the halfedges of v, then says where they end, and then where they begin.

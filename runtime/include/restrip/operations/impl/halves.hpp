@@ -42,6 +42,7 @@ struct LocalRules {
 template <class Halfedge>
 struct InteriorChange {
   InteriorFan<Halfedge> fan;
+  Word before = 0;  ///< colours of the loop before a split, of the inner edges before a collapse
   Word colors = 0;  ///< of the inner edges after a split, of the loop after a collapse
   int strips = 0;
   int isolated = 0;
@@ -101,6 +102,7 @@ auto with_split_begun(const Rules& rules, Mesh& mesh, const VertexSplit<typename
       read_interior_fan(mesh, where.left, where.right, interior)) {
     const auto [k, a] = std::pair{interior.k, interior.a};
     const Rule rule = rules.split(mesh, where.left, interior);
+    change.before = interior.loop;
     change.colors = rule.colors;
     change.strips = rule.strips;
     change.isolated = count_difference(isolated_ring(k, a, rule.colors, interior.ports),
@@ -181,6 +183,7 @@ auto with_collapse_begun(const Rules& rules, Mesh& mesh, typename Mesh::Halfedge
   if (Word ring = 0; read_ring(mesh, chord, interior, ring)) {
     const auto [k, a] = std::pair{interior.k, interior.a};
     const Rule rule = rules.collapse(mesh, chord, interior, ring);
+    change.before = ring;
     change.colors = rule.colors;
     change.strips = rule.strips;
     change.isolated =

@@ -132,6 +132,26 @@ PendingCollapse<typename Mesh::Halfedge> before_collapse_by(const Rules& rules, 
   return pending;
 }
 
+template <class Mesh, class Finish>
+Rewrite<typename Mesh::Halfedge> after_split_by([[maybe_unused]] const Mesh& mesh,
+                                                PendingSplit<typename Mesh::Halfedge> pending,
+                                                [[maybe_unused]] typename Mesh::Halfedge chord, Finish&& finish) {
+  RESTRIP_ASSERT(pending.waits(), "after_split", nothing_pending);
+  RESTRIP_ASSERT(knows(mesh, chord), "after_split", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(is_split_of(mesh, pending.valence(), chord), "after_split", other_patch);
+  return pending.finish(finish);
+}
+
+template <class Mesh, class Finish>
+Rewrite<typename Mesh::Halfedge> after_collapse_by([[maybe_unused]] const Mesh& mesh,
+                                                   PendingCollapse<typename Mesh::Halfedge> pending,
+                                                   [[maybe_unused]] typename Mesh::Halfedge spoke, Finish&& finish) {
+  RESTRIP_ASSERT(pending.waits(), "after_collapse", nothing_pending);
+  RESTRIP_ASSERT(knows(mesh, spoke), "after_collapse", describe(Refusal::no_such_edge));
+  RESTRIP_ASSERT(fan_size(mesh, spoke, spoke).triangles == pending.valence(), "after_collapse", other_patch);
+  return pending.finish(finish);
+}
+
 }  // namespace detail
 
 template <ColoredMesh Mesh>
@@ -142,10 +162,8 @@ PendingSplit<typename Mesh::Halfedge> before_split(Mesh& mesh, const VertexSplit
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_split(Mesh& mesh, PendingSplit<typename Mesh::Halfedge> pending,
                                              typename Mesh::Halfedge chord) {
-  RESTRIP_ASSERT(pending.waits(), "after_split", detail::nothing_pending);
-  RESTRIP_ASSERT(detail::knows(mesh, chord), "after_split", describe(Refusal::no_such_edge));
-  RESTRIP_ASSERT(detail::is_split_of(mesh, pending.valence(), chord), "after_split", detail::other_patch);
-  return pending.finish([&](const auto& change) { return detail::finish_split(mesh, change, chord); });
+  return detail::after_split_by(mesh, std::move(pending), chord,
+                                [&](const auto& change) { return detail::finish_split(mesh, change, chord); });
 }
 
 template <ColoredMesh Mesh>
@@ -156,11 +174,8 @@ PendingCollapse<typename Mesh::Halfedge> before_collapse(Mesh& mesh, typename Me
 template <ColoredMesh Mesh>
 Rewrite<typename Mesh::Halfedge> after_collapse(Mesh& mesh, PendingCollapse<typename Mesh::Halfedge> pending,
                                                 typename Mesh::Halfedge spoke) {
-  RESTRIP_ASSERT(pending.waits(), "after_collapse", detail::nothing_pending);
-  RESTRIP_ASSERT(detail::knows(mesh, spoke), "after_collapse", describe(Refusal::no_such_edge));
-  RESTRIP_ASSERT(detail::fan_size(mesh, spoke, spoke).triangles == pending.valence(), "after_collapse",
-                 detail::other_patch);
-  return pending.finish([&](const auto& change) { return detail::finish_collapse(mesh, change, spoke); });
+  return detail::after_collapse_by(mesh, std::move(pending), spoke,
+                                   [&](const auto& change) { return detail::finish_collapse(mesh, change, spoke); });
 }
 
 template <ColoredMesh Mesh>

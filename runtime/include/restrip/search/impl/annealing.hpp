@@ -399,8 +399,8 @@ class Annealing {
   std::vector<std::uint8_t> solid_;                   // bit s: side s
   std::vector<std::uint8_t> kept_;
   std::uint64_t least_ = 0;
-  MarkedWords flaws_;                 // the flawed triangles, and some that were
-  std::uint64_t temperature_ = 0;     // of the cost, in units of 2^-16 / ln 2
+  MarkedWords flaws_;              // the flawed triangles, and some that were
+  std::uint64_t temperature_ = 0;  // of the cost, in units of 2^-16 / ln 2
   std::uint64_t tried_ = 0;
   StripTrees trees_;
   bool trees_kept_ = false;

@@ -9,8 +9,8 @@
 
 namespace restrip::detail {
 
-/// Numbers below a bound as bits, 64 to a word, and above the words a bit for each that is not empty, and so on: the next
-/// word with a number in it is found in O(log(bound)) steps, however many are empty in between.
+/// Numbers below a bound as bits, 64 to a word, and above the words a bit for each that is not empty, and so on: the
+/// next word with a number in it is found in O(log(bound)) steps, however many are empty in between.
 class MarkedWords {
  public:
   static constexpr std::size_t no_word = std::numeric_limits<std::size_t>::max();

@@ -1,0 +1,435 @@
+// Strip ends found, followed and joined. Included by join.hpp.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+
+#include "restrip/operations/impl/operations.hpp"
+#include "restrip/operations/impl/patch_checks.hpp"
+#include "restrip/operations/join.hpp"
+#include "restrip/precondition.hpp"
+
+namespace restrip {
+namespace detail {
+
+/// One of the three halfedges of the triangle to the left of g is h.
+template <class Mesh>
+bool in_same_triangle(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Halfedge h) {
+  const auto second = mesh.next(g);
+  return g == h || second == h || mesh.next(second) == h;
+}
+
+/// A walk along a strip, in one direction.
+template <class Mesh>
+class StripWalker {
+ public:
+  using Halfedge = typename Mesh::Halfedge;
+
+  StripWalker() = default;
+  /// Goes on from the triangle to the left of `in`, which it has entered over that edge.
+  explicit StripWalker(Halfedge in) : in_(in) {}
+  /// From the strip end to the left of h. An isolated triangle is its own other end.
+  static StripWalker from_end(const Mesh& mesh, Halfedge h) {
+    for (int side = 0; side < 3; ++side, h = mesh.next(h))
+      if (mesh.solid(h)) return StripWalker(mesh.opposite(h));
+    StripWalker walker(h);
+    walker.ended_ = true;
+    return walker;
+  }
+  /// One triangle on.
+  void step(const Mesh& mesh) {
+    const auto step = strip_step(mesh, in_);
+    ended_ = !step.goes_on;
+    if (step.goes_on) in_ = step.in;
+  }
+  [[nodiscard]] bool ended() const noexcept { return ended_; }
+  /// A halfedge of the triangle that the walk has come to.
+  [[nodiscard]] Halfedge at() const noexcept { return in_; }
+
+ private:
+  Halfedge in_{};
+  bool ended_ = false;
+};
+
+/// Step 1 of join.hpp: the far ends of strips that have been cut. Of two ends that a cut has parted it is enough to find
+/// one, so all strips are followed at once until at most one goes on. There are few of them; of more than `most` the
+/// others are followed one by one.
+template <class Mesh>
+class FarEnds {
+ public:
+  static constexpr std::size_t most = 16;
+
+  void add(Mesh& mesh, StripWalker<Mesh> walker, Mending& sum) {
+    if (count_ < most) {
+      walkers_[count_++] = walker;
+      return;
+    }
+    while (!walker.ended()) walker.step(mesh);
+    sum += join_end(mesh, walker.at());
+  }
+  void join(Mesh& mesh, Mending& sum) {
+    std::array<typename Mesh::Halfedge, most> found;
+    std::size_t ended = 0;
+    while (count_ > 1) {
+      std::size_t left = 0;
+      for (std::size_t i = 0; i < count_; ++i) {
+        if (!walkers_[i].ended()) walkers_[i].step(mesh);
+        if (walkers_[i].ended())
+          found[ended++] = walkers_[i].at();
+        else
+          walkers_[left++] = walkers_[i];
+      }
+      count_ = left;
+    }
+    for (std::size_t i = 0; i < ended; ++i) sum += join_end(mesh, found[i]);
+  }
+
+ private:
+  std::array<StripWalker<Mesh>, most> walkers_;
+  std::size_t count_ = 0;
+};
+
+/// If a strip ends in u, the triangle to the left of h, and an edge x - y beside it can be given up for u - x and y - w,
+/// where w is an end of another strip: does that.
+template <class Mesh>
+Mending exchange_end(Mesh& mesh, typename Mesh::Halfedge u) {
+  using Halfedge = typename Mesh::Halfedge;
+  const int degree = solid_degree(mesh, u);
+  if (degree > 1) return {};
+  for (int side = 0; side < 3; ++side, u = mesh.next(u)) {
+    const Halfedge x = mesh.opposite(u);
+    if (mesh.solid(u) || mesh.on_boundary(x)) continue;
+    for (Halfedge given = mesh.next(x); !(given == x); given = mesh.next(given)) {
+      if (!mesh.solid(given)) continue;
+      const Halfedge y = mesh.opposite(given);
+      for (Halfedge taken = mesh.next(y); !(taken == y); taken = mesh.next(taken)) {
+        const Halfedge w = mesh.opposite(taken);
+        if (mesh.solid(taken) || mesh.on_boundary(w)) continue;
+        const int there = solid_degree(mesh, w);
+        if (there > 1 || in_same_triangle(mesh, w, u)) continue;
+        mesh.set_solid(given, false);
+        if (!same_strip(mesh, u, x)) {
+          mesh.set_solid(u, true);
+          if (!same_strip(mesh, y, w)) {
+            mesh.set_solid(taken, true);
+            return {-1, -int{degree == 0} - int{there == 0}};
+          }
+          mesh.set_solid(u, false);
+        }
+        mesh.set_solid(given, true);
+      }
+    }
+  }
+  return {};
+}
+
+/// Step 2 of join.hpp: the strip ends around an operation. Each is dealt with at once, except that exchanges come last.
+template <class Mesh>
+class NearEnds {
+ public:
+  using Halfedge = typename Mesh::Halfedge;
+  static constexpr std::size_t most = 16;
+
+  explicit NearEnds(Exchange exchange) : exchange_(exchange) {}
+
+  /// The triangle to the left of h, if it is one and a strip ends there.
+  void add(Mesh& mesh, Halfedge h, Mending& sum) {
+    if (mesh.on_boundary(h) || solid_degree(mesh, h) > 1) return;
+    sum += join_end(mesh, h);
+    if (exchange_ == Exchange::yes && count_ < most) ends_[count_++] = h;
+  }
+  void exchange(Mesh& mesh, Mending& sum) {
+    for (std::size_t i = 0; i < count_; ++i) sum += exchange_end(mesh, ends_[i]);
+  }
+
+ private:
+  Exchange exchange_;
+  std::array<Halfedge, most> ends_;
+  std::size_t count_ = 0;
+};
+
+/// Calls visit with a halfedge of each triangle around the vertex that h leaves.
+template <class Mesh, class Visit>
+void visit_around(const Mesh& mesh, typename Mesh::Halfedge h, Visit&& visit) {
+  auto g = h;
+  while (!mesh.on_boundary(g)) {
+    visit(g);
+    g = turn_ccw(mesh, g);
+    if (g == h) return;
+  }
+  for (g = h; !mesh.on_boundary(mesh.opposite(g));) {
+    g = turn_cw(mesh, g);
+    visit(g);
+  }
+}
+
+/// Step 3 of join.hpp, for the triangles that each(visit) names.
+template <class Mesh, class Each>
+void adopt_and_join(Mesh& mesh, Exchange exchange, Mending& sum, Each&& each) {
+  using Halfedge = typename Mesh::Halfedge;
+  each([&](Halfedge h) {
+    std::array<Halfedge, default_adoptions + 2> ends;
+    std::size_t count = 0;
+    const Mending adopted = adopt_with(
+        mesh, h, default_adoptions, [&](Halfedge g, bool solid) { mesh.set_solid(g, solid); },
+        [&](Halfedge end) { ends[count++] = end; });
+    if (adopted.isolated == 0) return;
+    sum += adopted;
+    join_at_ends(mesh, exchange, sum, [&](auto&& visit) {
+      for (std::size_t i = 0; i < count; ++i) visit(ends[i]);
+    });
+  });
+}
+
+/// Steps 1 and 2 where it is not known which strips were cut: those that end in the triangles that each(visit) names.
+template <class Mesh, class Each>
+void join_at_ends(Mesh& mesh, Exchange exchange, Mending& sum, Each&& each) {
+  using Halfedge = typename Mesh::Halfedge;
+  if (exchange == Exchange::no) {
+    FarEnds<Mesh> far;
+    each([&](Halfedge h) {
+      if (!mesh.on_boundary(h) && solid_degree(mesh, h) == 1) far.add(mesh, StripWalker<Mesh>::from_end(mesh, h), sum);
+    });
+    far.join(mesh, sum);
+  }
+  NearEnds<Mesh> near(exchange);
+  each([&](Halfedge h) { near.add(mesh, h, sum); });
+  near.exchange(mesh, sum);
+}
+
+/// Steps 1 to 3, likewise.
+template <class Mesh, class Each>
+Mending join_and_adopt(Mesh& mesh, Exchange exchange, Each&& each) {
+  Mending sum;
+  join_at_ends(mesh, exchange, sum, each);
+  adopt_and_join(mesh, exchange, sum, each);
+  return sum;
+}
+
+// ---- Around an interior vertex bits tell which triangles are strip ends, and which ports were joined and are no longer.
+
+/// The triangles of a ring with chord that `elements` names, each by its halfedge that leaves the vertex of the fan, for
+/// A and D by the chord.
+template <class Mesh, class Visit>
+void visit_ring(const Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
+                Word elements, Visit&& visit) {
+  for (; elements != 0; elements &= elements - 1) {
+    const auto element = static_cast<std::size_t>(std::countr_zero(elements));
+    const bool second = element > fan.a;  // D, and the triangles of the second arc
+    const auto beside = second ? mesh.opposite(chord) : chord;
+    const std::size_t after = second ? element - (fan.a + 1) : element;
+    if (after == 0)
+      visit(beside);
+    else if (after == 1)
+      visit(mesh.opposite(mesh.next(mesh.next(beside))));
+    else
+      visit(fan.spokes[(second ? fan.a : 0) + after - 2]);
+  }
+}
+/// And of the fan that a collapse leaves; `left` is its spoke to v_l.
+template <class Mesh, class Visit>
+void visit_fan(const Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge left,
+               Word triangles, Visit&& visit) {
+  for (; triangles != 0; triangles &= triangles - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(triangles));
+    if (i == 0)
+      visit(left);
+    else if (i == fan.a)
+      visit(turn_ccw(mesh, i > 1 ? fan.spokes[i - 2] : left));
+    else
+      visit(fan.spokes[i - 1]);
+  }
+}
+
+/// The ports of pairs that were joined inside a closed fan and are no longer.
+constexpr Word parted_ports(std::size_t k, Word ports, const InnerPairs& before, const InnerPairs& after) noexcept {
+  Word parted = 0;
+  if ((before.joined & before.over_chord) == 0) parted = before.over_chord & ~after.over_chord;
+  if (count_bits(ports) == 2) return before.joined != 0 && after.joined == 0 ? ports : parted;
+  for (Word rest = before.joined & ~after.joined; rest != 0; rest &= rest - 1) {
+    const Word port = rest & -rest;
+    const Word below = ports & (port - 1);
+    parted |= port | std::bit_floor(below != 0 ? below : ports & low_bits(k));
+  }
+  return parted;
+}
+
+/// Steps 1 to 3 for those triangles: visit_ends(visit), visit_parted(visit), and if need be visit_all(visit).
+template <class Mesh, class Ends, class Parted, class All>
+Mending join_in_fan(Mesh& mesh, Exchange exchange, bool isolated, Ends&& visit_ends, Parted&& visit_parted,
+                    All&& visit_all) {
+  using Halfedge = typename Mesh::Halfedge;
+  Mending sum;
+  if (exchange == Exchange::no) {
+    FarEnds<Mesh> far;
+    visit_parted([&](Halfedge h) { far.add(mesh, StripWalker<Mesh>(mesh.opposite(mesh.next(h))), sum); });
+    far.join(mesh, sum);
+  }
+  NearEnds<Mesh> near(exchange);
+  visit_ends([&](Halfedge h) { near.add(mesh, h, sum); });
+  near.exchange(mesh, sum);
+  if (isolated) adopt_and_join(mesh, exchange, sum, visit_all);
+  return sum;
+}
+
+template <class Mesh>
+Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh,
+                                                       const InteriorChange<typename Mesh::Halfedge>& change,
+                                                       typename Mesh::Halfedge chord, Exchange exchange) {
+  const auto& fan = change.fan;
+  const Word parted = parted_ports(fan.k, fan.ports, {joined_closed(fan.k, change.before, fan.ports), 0},
+                                   ring_pairs(fan.k, fan.a, change.colors, fan.ports));
+  const auto done = finish_split(mesh, change, chord);
+  const auto visit = [&](Word elements) {
+    return [&, elements](auto&& each) { visit_ring(mesh, fan, chord, elements, each); };
+  };
+  return with(done, join_in_fan(mesh, exchange, done.isolated > 0,
+                                visit(ends_ring(fan.k, fan.a, change.colors, fan.ports)),
+                                visit(ring_ports(fan.a, parted)), visit(low_bits(fan.k + 2))));
+}
+template <class Mesh>
+Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh,
+                                                          const InteriorChange<typename Mesh::Halfedge>& change,
+                                                          typename Mesh::Halfedge left, Exchange exchange) {
+  const auto& fan = change.fan;
+  const Word parted = parted_ports(fan.k, fan.ports, ring_pairs(fan.k, fan.a, change.before, fan.ports),
+                                   {joined_closed(fan.k, change.colors, fan.ports), 0});
+  const auto done = finish_collapse(mesh, change, left);
+  const auto visit = [&](Word triangles) {
+    return [&, triangles](auto&& each) { visit_fan(mesh, fan, left, triangles, each); };
+  };
+  return with(done, join_in_fan(mesh, exchange, done.isolated > 0,
+                                visit(ends_closed(fan.k, change.colors, fan.ports)), visit(parted),
+                                visit(low_bits(fan.k))));
+}
+
+// ---- Elsewhere a turn around the vertices tells.
+
+template <class Mesh, class Change>
+Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const Change& change,
+                                                       typename Mesh::Halfedge chord, Exchange exchange) {
+  const auto done = finish_split(mesh, change, chord);
+  return with(done, join_and_adopt(mesh, exchange, [&](auto&& visit) {
+                visit_around(mesh, chord, visit);
+                // A and D have been visited.
+                visit_around(mesh, mesh.opposite(chord), [&](auto h) {
+                  if (!(h == mesh.opposite(chord)) && (mesh.on_boundary(chord) || !(h == mesh.next(chord)))) visit(h);
+                });
+              }));
+}
+template <class Mesh, class Change>
+Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh, const Change& change,
+                                                          typename Mesh::Halfedge spoke, Exchange exchange) {
+  const auto done = finish_collapse(mesh, change, spoke);
+  return with(done, join_and_adopt(mesh, exchange, [&](auto&& visit) { visit_around(mesh, spoke, visit); }));
+}
+
+template <class Rules, class Mesh, class... Name>
+Rewrite<typename Mesh::Halfedge> split_and_join_with(const Rules& rules, Exchange exchange, Mesh& mesh,
+                                                     const VertexSplit<typename Mesh::Halfedge>& where, Name... name) {
+  return with_split_begun(rules, mesh, where, [&](const auto& change) {
+    return finish_split_and_join(mesh, change, change_by_split(mesh, where, change, name...), exchange);
+  });
+}
+template <class Rules, class Mesh>
+Rewrite<typename Mesh::Halfedge> collapse_and_join_with(const Rules& rules, Exchange exchange, Mesh& mesh,
+                                                        typename Mesh::Halfedge chord) {
+  return with_collapse_begun(rules, mesh, chord, [&](const auto& change) {
+    return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change), exchange);
+  });
+}
+
+}  // namespace detail
+
+template <ColoredMesh Mesh>
+bool same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Halfedge h) {
+  auto from_g = detail::StripWalker<Mesh>::from_end(mesh, g);
+  auto from_h = detail::StripWalker<Mesh>::from_end(mesh, h);
+  if (from_g.ended() || from_h.ended()) return detail::in_same_triangle(mesh, g, h);
+  while (true) {
+    from_g.step(mesh);
+    if (from_g.ended()) return detail::in_same_triangle(mesh, from_g.at(), h);
+    from_h.step(mesh);
+    if (from_h.ended()) return detail::in_same_triangle(mesh, from_h.at(), g);
+  }
+}
+
+template <ColoredMesh Mesh>
+Mending join_end(Mesh& mesh, typename Mesh::Halfedge h) {
+  RESTRIP_ASSERT(detail::knows(mesh, h), "join_end", describe(Refusal::no_such_edge));
+  int degree = detail::solid_degree(mesh, h);
+  Mending done;
+  for (int side = 0; side < 3 && degree < 2; ++side, h = mesh.next(h)) {
+    if (mesh.solid(h)) continue;
+    const auto across = mesh.opposite(h);
+    if (mesh.on_boundary(across)) continue;
+    const int there = detail::solid_degree(mesh, across);
+    if (there > 1 || same_strip(mesh, h, across)) continue;
+    mesh.set_solid(h, true);
+    done += {-1, -int{degree == 0} - int{there == 0}};
+    ++degree;
+  }
+  return done;
+}
+
+template <ColoredMesh Mesh>
+Mending join_around(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
+  RESTRIP_ASSERT(detail::knows(mesh, h), "join_around", describe(Refusal::no_such_edge));
+  return detail::join_and_adopt(mesh, exchange, [&](auto&& visit) { detail::visit_around(mesh, h, visit); });
+}
+
+template <ColoredMesh Mesh>
+Mending join_beside(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange) {
+  RESTRIP_ASSERT(detail::knows(mesh, h), "join_beside", describe(Refusal::no_such_edge));
+  return detail::join_and_adopt(mesh, exchange, [&](auto&& visit) {
+    std::array<typename Mesh::Halfedge, 6> seen;
+    std::size_t count = 0;
+    const auto once = [&](auto g) {
+      if (mesh.on_boundary(g)) return;
+      for (std::size_t i = 0; i < count; ++i)
+        if (detail::in_same_triangle(mesh, g, seen[i])) return;
+      seen[count++] = g;
+      visit(g);
+    };
+    for (const auto inner : {h, mesh.opposite(h)}) {
+      if (mesh.on_boundary(inner)) continue;
+      const auto second = mesh.next(inner);
+      for (const auto g : {inner, mesh.opposite(second), mesh.opposite(mesh.next(second))}) once(g);
+    }
+  });
+}
+
+template <NumberedMesh Mesh>
+Mending join_all(Mesh& mesh) {
+  Mending sum;
+  const auto bound = static_cast<std::uint32_t>(mesh.triangle_bound());
+  for (std::uint32_t t = 0; t < bound; ++t)
+    if (mesh.has_triangle(t)) sum += join_end(mesh, mesh.halfedge(t));
+  return sum;
+}
+
+template <SplittableMesh Mesh, class... Name>
+Rewrite<typename Mesh::Halfedge> split_and_join(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+                                                Name... name) {
+  RESTRIP_ASSERT(detail::refusal_of_split(mesh, where, name...) == Refusal::granted, "split_and_join",
+                 describe(detail::refusal_of_split(mesh, where, name...)));
+  return detail::split_and_join_with(detail::LocalRules{}, Exchange::no, mesh, where, name...);
+}
+
+template <CollapsibleMesh Mesh>
+Rewrite<typename Mesh::Halfedge> collapse_and_join(Mesh& mesh, typename Mesh::Halfedge chord) {
+  RESTRIP_ASSERT(detail::refusal_of_collapse(mesh, chord) == Refusal::granted, "collapse_and_join",
+                 describe(detail::refusal_of_collapse(mesh, chord)));
+  return detail::collapse_and_join_with(detail::LocalRules{}, Exchange::no, mesh, chord);
+}
+
+template <FlippableMesh Mesh>
+Rewrite<typename Mesh::Halfedge> flip_and_join(Mesh& mesh, typename Mesh::Halfedge h) {
+  RESTRIP_ASSERT(detail::refusal_of_flip(mesh, h) == Refusal::granted, "flip_and_join",
+                 describe(detail::refusal_of_flip(mesh, h)));
+  const auto done = flip(mesh, h);
+  return detail::with(done, join_beside(mesh, done.halfedge));
+}
+
+}  // namespace restrip

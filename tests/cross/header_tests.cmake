@@ -1,0 +1,59 @@
+# Each public header of the runtime has a test of its name: tests/runtime has the folders of runtime/include/restrip, and
+# tests/adapters has the adapters to other libraries. The test includes it before the others of ours, so that where the test
+# is compiled alone (every preset without shared units) the header is seen to stand by itself.
+
+# judge(HEADER TEST OUT): what is wrong with TEST, a file, as the test of HEADER, a path from runtime/include; empty: nothing.
+function(judge header test out)
+  set(${out} "" PARENT_SCOPE)
+  if(NOT EXISTS ${test})
+    set(${out} "there is no ${test}" PARENT_SCOPE)
+    return()
+  endif()
+  file(STRINGS ${test} includes REGEX "^#include \"restrip/")
+  file(STRINGS ${test} tests REGEX "^(TYPED_)?TEST(_F|_P)?\\(")
+  set(first "")
+  if(includes)
+    list(GET includes 0 first)
+  endif()
+  if(NOT first STREQUAL "#include \"${header}\"")
+    set(${out} "${test} does not include it before all others" PARENT_SCOPE)
+  elseif(NOT tests)
+    set(${out} "${test} tests nothing" PARENT_SCOPE)
+  endif()
+endfunction()
+
+# test_of(HEADER OUT)
+function(test_of header out)
+  string(REGEX REPLACE "^restrip/(.*).hpp$" "\\1" name "${header}")
+  set(${out} ${ROOT}/tests/runtime/${name}_test.cpp PARENT_SCOPE)
+  if(name MATCHES "/adapters/(.*)$")
+    set(${out} ${ROOT}/tests/adapters/${CMAKE_MATCH_1}_test.cpp PARENT_SCOPE)
+  endif()
+endfunction()
+
+file(GLOB_RECURSE headers RELATIVE ${ROOT}/runtime/include ${ROOT}/runtime/include/*.hpp)
+list(FILTER headers EXCLUDE REGEX "/impl/")
+foreach(header IN LISTS headers)
+  test_of(${header} test)
+  judge(${header} ${test} fault)
+  if(fault)
+    message(SEND_ERROR "${header} has no test of its name: ${fault} (CONTRIBUTING.md, \"The rooms\")")
+  endif()
+endforeach()
+list(LENGTH headers seen)
+if(seen LESS 40)
+  message(FATAL_ERROR "only ${seen} public headers were found; has the folder moved?")
+endif()
+
+# The check itself must be able to fail: header | the file that is to be its test.
+foreach(wrong IN ITEMS "restrip/search/any.hpp|tests/runtime/search/any_test.cpp"
+                       "restrip/search/keeper.hpp|tests/runtime/search/tunnel_test.cpp"
+                       "restrip/mesh/checks.hpp|runtime/include/restrip/operations/checked.hpp")
+  string(REPLACE "|" ";" wrong "${wrong}")
+  list(GET wrong 0 header)
+  list(GET wrong 1 test)
+  judge(${header} ${ROOT}/${test} fault)
+  if(NOT fault)
+    message(SEND_ERROR "${test} was taken for the test of ${header}")
+  endif()
+endforeach()

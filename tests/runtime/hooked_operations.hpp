@@ -1,0 +1,129 @@
+// Operations done in two halves around a change of the mesh, on one of two equal meshes; the other one has them done by
+// the library's functions.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "restrip/mesh/checks.hpp"
+#include "restrip/operations/linked_hooks.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip::hooked {
+
+using Spoke = StripMesh::Halfedge;
+using Spokes = VertexSplit<Spoke>::Spokes;
+
+inline void expect_same_colors(const StripMesh& one, const StripMesh& two) {
+  ASSERT_EQ(one.triangle_bound(), two.triangle_bound());
+  for (Triangle t = 0; t < one.triangle_bound(); ++t) {
+    ASSERT_EQ(one.alive(t), two.alive(t));
+    for (unsigned s = 0; s < 3 && one.alive(t); ++s)
+      ASSERT_EQ(one.solid(StripMesh::halfedge(t, s)), two.solid(StripMesh::halfedge(t, s)));
+  }
+}
+
+inline void expect_same(const Rewrite<Spoke>& one, const Rewrite<Spoke>& two) {
+  EXPECT_EQ(one.halfedge, two.halfedge);
+  EXPECT_EQ(one.valence, two.valence);
+  EXPECT_EQ(one.strips, two.strips);
+  EXPECT_EQ(one.isolated, two.isolated);
+}
+
+inline Rewrite<Spoke> hooked_collapse(StripMesh& mesh, Spoke chord, HookRules rules = HookRules::local) {
+  const Spoke back = mesh.opposite(chord);
+  const Vertex v_s = mesh.from(chord);
+  std::vector<Vertex> apexes;
+  for (const Spoke h : {chord, back})
+    if (!StripMesh::on_boundary(h)) apexes.push_back(mesh.to(StripMesh::next(h)));
+  auto pending = before_collapse(mesh, chord, rules);
+  EXPECT_TRUE(check_coloring(mesh).valid);
+  const Spoke spoke = mesh.remove_vertex(chord);
+  for (const Vertex apex : apexes)  // a colour that only after_collapse() can take away
+    if (const Spoke merged = mesh.spoke(v_s, apex);
+        !StripMesh::on_boundary(merged) && !StripMesh::on_boundary(mesh.opposite(merged)))
+      mesh.set_solid(merged, true);
+  return after_collapse(mesh, std::move(pending), spoke, rules);
+}
+
+inline Rewrite<Spoke> hooked_split(StripMesh& mesh, const VertexSplit<Spoke>& where,
+                                   HookRules rules = HookRules::local) {
+  const bool linked = rules == HookRules::linked;
+  auto pending = linked ? before_split_and_link(mesh, where) : before_split(mesh, where);
+  EXPECT_TRUE(check_coloring(mesh).valid);
+  auto moved = std::move(pending);
+  EXPECT_TRUE(moved.waits());
+  const Spoke chord = mesh.insert_vertex(where);
+  return linked ? after_split_and_link(mesh, std::move(moved), chord) : after_split(mesh, std::move(moved), chord);
+}
+
+inline Rewrite<Spoke> hooked_flip(StripMesh& mesh, Spoke h, HookRules rules = HookRules::local) {
+  auto pending = before_flip(mesh, h);
+  EXPECT_TRUE(check_coloring(mesh).valid);
+  EXPECT_FALSE(mesh.solid(h));
+  const Spoke turned = mesh.turn_edge(h);
+  return rules == HookRules::linked ? after_flip_and_link(mesh, std::move(pending), turned)
+                                    : after_flip(mesh, std::move(pending), turned);
+}
+
+inline Spoke any_halfedge(const StripMesh& mesh, std::mt19937& random) {
+  for (;;) {
+    const auto t = static_cast<Triangle>(random() % mesh.triangle_bound());
+    if (!mesh.alive(t)) continue;
+    const Spoke h = StripMesh::halfedge(t, static_cast<unsigned>(random() % 3));
+    return random() % 3 == 0 ? mesh.opposite(h) : h;
+  }
+}
+
+/// Draws a split; the spokes that do not count are not to be looked at.
+inline VertexSplit<Spoke> any_split(const StripMesh& mesh, std::mt19937& random) {
+  VertexSplit<Spoke> where;
+  where.left = where.right = any_halfedge(mesh, random);
+  for (auto turns = 1 + random() % 5; turns > 0 && !StripMesh::on_boundary(where.right); --turns)
+    where.right = turn_ccw(mesh, where.right);
+  if (mesh.leaves_boundary(where.left) && random() % 2 == 0) {
+    where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
+    (where.spokes == Spokes::left_only ? where.right : where.left) = {};
+  }
+  return where;
+}
+
+inline void expect_what_operations_give(HookRules rules) {
+  const bool linked = rules == HookRules::linked;
+  unsigned seed = 0;
+  for (StripMesh& start : sample::meshes()) {
+    stripify(start);
+    StripMesh one = start;
+    StripMesh two = start;
+    std::mt19937 random(++seed);
+    std::size_t done = 0;
+    for (int n = 0; n < 1500; ++n) {
+      const bool grow = one.triangle_count() < start.triangle_count() + random() % 40;
+      if (random() % 3 == 0) {
+        const Spoke h = any_halfedge(one, random);
+        if (check_flip(one, h) != Refusal::granted) continue;
+        expect_same(hooked_flip(two, h, rules), linked ? flip_and_link(one, h) : flip(one, h));
+      } else if (grow) {
+        const auto where = any_split(one, random);
+        if (check_split(one, where) != Refusal::granted) continue;
+        expect_same(hooked_split(two, where, rules), linked ? split_and_link(one, where) : split(one, where));
+      } else {
+        const Spoke h = any_halfedge(one, random);
+        if (check_collapse(one, h) != Refusal::granted) continue;
+        expect_same(hooked_collapse(two, h, rules), linked ? collapse_and_link(one, h) : collapse(one, h));
+      }
+      ++done;
+      expect_same_colors(one, two);
+      if (testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(done, 300U) << "mesh " << seed;
+    EXPECT_TRUE(check_coloring(one).valid);
+  }
+}
+
+}  // namespace restrip::hooked

@@ -1,0 +1,51 @@
+// A mesh that numbers its triangles and vertices is one for buffers; one that lacks any of the five functions is not.
+// Numbers and halfedges name the same triangles, whatever the numbers begin at.
+#include "restrip/mesh/numbered_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hand_made_mesh.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+struct NoBound : sample::HandMade {
+  using HandMade::HandMade;
+  void triangle_bound() const {}
+};
+struct NoFrom : sample::HandMade {
+  using HandMade::HandMade;
+  void from(int h) const = delete;
+};
+static_assert(NumberedMesh<StripMesh> && NumberedMesh<sample::HandMade>);
+static_assert(!NumberedMesh<NoBound> && !NumberedMesh<NoFrom>);
+
+template <NumberedMesh Mesh>
+std::size_t triangles_numbered(const Mesh& mesh) {
+  std::size_t count = 0;
+  for (std::uint32_t t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.has_triangle(t)) continue;
+    ++count;
+    auto h = mesh.halfedge(t);
+    for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
+      EXPECT_FALSE(mesh.on_boundary(h));
+      EXPECT_EQ(mesh.triangle(h), t);
+    }
+    EXPECT_EQ(h, mesh.halfedge(t));
+  }
+  return count;
+}
+
+TEST(NumberedMeshes, NumbersNameTriangles) {
+  for (const StripMesh& mesh : sample::meshes()) {
+    EXPECT_EQ(triangles_numbered(mesh), mesh.triangle_count());
+    EXPECT_EQ(triangles_numbered(sample::HandMade(mesh)), mesh.triangle_count());
+  }
+}
+
+}  // namespace
+}  // namespace restrip

@@ -1,0 +1,160 @@
+// A StripMesh is built from triangles as they come, refuses more than it holds before it reads them, and a list that
+// watches it names every triangle that changes.
+#include "restrip/mesh/strip_mesh.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <random>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "random_operation.hpp"
+#include "restrip/search/keeper.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+// A corner twice, whichever two they are, and a corner that is no vertex: left out and counted, and the others keep
+// their order.
+TEST(StripMesh, BuildCountsWhatItLeavesOut) {
+  const std::vector<sample::Corners> triangles{{0, 0, 1}, {0, 1, 2}, {1, 2, 2}, {2, 1, 2},
+                                               {0, 1, 4}, {1, 0, 3}, {3, 3, 3}};
+  BuildReport report;
+  std::vector<std::uint32_t> origin;
+  const StripMesh mesh = StripMesh::build(triangles, 4, &report, &origin);
+  EXPECT_EQ(report.degenerate_triangles, 4U);
+  EXPECT_EQ(report.out_of_range_triangles, 1U);
+  EXPECT_EQ(report.boundary_edges, 4U);
+  EXPECT_EQ(report.non_manifold_edges + report.inconsistent_edges + report.non_manifold_vertices, 0U);
+  EXPECT_EQ(origin, (std::vector<std::uint32_t>{1, 5}));
+  ASSERT_EQ(mesh.triangle_count(), 2U);
+  EXPECT_EQ(mesh.corners(0), triangles[1]);
+  EXPECT_EQ(mesh.corners(1), triangles[5]);
+}
+
+TEST(StripMesh, IsBuiltFromIndexBuffers) {
+  const std::vector<std::uint32_t> indices{0, 1, 2, 2, 1, 3, 3, 3, 0};
+  const std::vector<std::uint16_t> narrow(indices.begin(), indices.end());
+  BuildReport report;
+  const StripMesh wide_mesh = StripMesh::build(indices, 4, &report);
+  EXPECT_EQ(report.degenerate_triangles, 1U);
+  const StripMesh mesh = StripMesh::build(narrow, 4);
+  for (const StripMesh& built : {wide_mesh, mesh}) {
+    ASSERT_EQ(built.triangle_count(), 2U);
+    EXPECT_EQ(built.corners(0), (sample::Corners{0, 1, 2}));
+    EXPECT_EQ(built.corners(1), (sample::Corners{2, 1, 3}));
+  }
+  EXPECT_THROW((void)StripMesh::build(std::span(indices).first(8), 4), std::invalid_argument);
+}
+
+// A range of addresses that may not be read: a look at a triangle before its count would end the program there.
+TEST(StripMesh, MoreTrianglesThanItHoldsAreRefusedUnread) {
+  const std::size_t count = StripMesh::max_triangles + 1;
+  EXPECT_EQ(count, std::size_t{1} << 29);
+  void* const range =
+      mmap(nullptr, count * sizeof(sample::Corners), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  ASSERT_NE(range, MAP_FAILED);
+  const std::span<const sample::Corners> triangles(static_cast<const sample::Corners*>(range), count);
+  EXPECT_THROW((void)StripMesh::build(triangles, 3), std::length_error);
+  munmap(range, count * sizeof(sample::Corners));
+  EXPECT_THROW((void)StripMesh::build({}, std::size_t{1} << 32), std::length_error);
+}
+
+// What a watched mesh names is compared with all of the mesh before and after.
+TEST(StripMesh, AWatchNamesEveryTriangleThatChanges) {
+  struct Known {
+    sample::Corners corners{};
+    std::array<std::uint32_t, 3> neighbors{};
+    unsigned solid = 0;
+    bool operator==(const Known&) const = default;
+  };
+  const auto all_of = [](const StripMesh& mesh) {
+    std::map<Triangle, Known> all;
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+      if (!mesh.alive(t)) continue;
+      Known known{mesh.corners(t), {}, mesh.solid_sides(t)};
+      for (unsigned s = 0; s < 3; ++s) known.neighbors[s] = mesh.opposite(StripMesh::halfedge(t, s)).id;
+      all.emplace(t, known);
+    }
+    return all;
+  };
+  std::mt19937 random(17);
+  for (StripMesh& mesh : sample::meshes()) {
+    StripKeeper keeper(mesh, Policy::local);
+    std::vector<Triangle> changed;
+    mesh.watch(&changed);
+    for (int round = 0; round < 60; ++round) {
+      const std::map<Triangle, Known> before = all_of(mesh);
+      changed.clear();
+      random_operation(keeper, random, round % 20 < 10);
+      const std::map<Triangle, Known> after = all_of(mesh);
+      const std::set<Triangle> named(changed.begin(), changed.end());
+      for (const auto& [t, known] : before) {
+        const auto now = after.find(t);
+        EXPECT_TRUE(named.contains(t) || (now != after.end() && now->second == known)) << "triangle " << t;
+      }
+      for (const auto& [t, known] : after) EXPECT_TRUE(named.contains(t) || before.contains(t)) << "triangle " << t;
+    }
+    mesh.watch(nullptr);
+  }
+}
+
+// A watch goes where its mesh is moved, and nowhere else.
+TEST(StripMesh, AWatchMovesWithItsMesh) {
+  const auto changes = [](StripMesh& mesh, const std::vector<Triangle>& list) {
+    const std::size_t before = list.size();
+    const StripMesh::Halfedge h = mesh.spoke(0);
+    mesh.set_solid(h, !mesh.solid(h));
+    return list.size() - before;
+  };
+  std::vector<Triangle> list;
+  std::vector<Triangle> other_list;
+  StripMesh mesh = sample::torus(4, 3);
+  mesh.watch(&list);
+  EXPECT_EQ(changes(mesh, list), 2U);
+
+  StripMesh moved = std::move(mesh);
+  EXPECT_EQ(changes(moved, list), 2U);
+  mesh = sample::octahedron();  // no longer watched, and a new mesh is not either
+  EXPECT_EQ(changes(mesh, list), 0U);
+
+  moved = sample::octahedron();  // a mesh without a watch is assigned: moved keeps its own
+  EXPECT_EQ(changes(moved, list), 2U);
+  const StripMesh original = sample::octahedron();
+  moved = original;
+  EXPECT_EQ(changes(moved, list), 2U);
+
+  mesh.watch(&other_list);
+  std::swap(mesh, moved);
+  EXPECT_EQ(changes(mesh, list), 2U);
+  EXPECT_EQ(changes(moved, other_list), 2U);
+
+  moved = std::move(mesh);  // two watches, one mesh: the one that comes along stays
+  EXPECT_EQ(changes(moved, list), 2U);
+  EXPECT_EQ(changes(moved, other_list), 0U);
+
+  StripMesh copy = moved;
+  EXPECT_EQ(changes(copy, list), 0U);
+}
+
+TEST(StripMesh, ACopyIsNotWatched) {
+  StripMesh mesh = sample::torus(5, 5);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  StripMesh copy = mesh;
+  copy.set_solid(copy.spoke(0), true);
+  EXPECT_TRUE(changed.empty());
+  mesh.set_solid(mesh.spoke(0), true);
+  EXPECT_EQ(changed.size(), 2U);
+}
+
+}  // namespace
+}  // namespace restrip

@@ -1,0 +1,37 @@
+// Checked operations do all or nothing: what they refuse leaves the mesh as it is, and says why; what they grant is
+// done.
+#include "restrip/operations/checked.hpp"
+
+#include <gtest/gtest.h>
+
+#include "restrip/search/keeper.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+
+TEST(Checked, OperationsDoAllOrNothing) {
+  StripMesh mesh = sample::rectangle(4, 4);
+  StripKeeper keeper(mesh, Policy::linked);
+  const std::vector<sample::Corners> before = sample::triangles_of(mesh);
+  const Halfedge edge = mesh.spoke(0);
+  EXPECT_EQ(checked_flip(mesh, edge).refusal, Refusal::boundary_edge);
+  EXPECT_EQ(checked_flip(keeper, edge).refusal, Refusal::boundary_edge);
+  EXPECT_EQ(checked_collapse(mesh, {}).refusal, Refusal::no_such_edge);
+  EXPECT_EQ(checked_collapse(keeper, {}).refusal, Refusal::no_such_edge);
+  const Halfedge inside = mesh.spoke(6);
+  EXPECT_EQ(checked_split(mesh, {inside, inside}).refusal, Refusal::same_spoke);
+  EXPECT_EQ(checked_split(mesh, {inside, turn_ccw(mesh, inside)}, 3).refusal, Refusal::vertex_in_use);
+  EXPECT_EQ(checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 3).refusal, Refusal::vertex_in_use);
+  EXPECT_EQ(sample::triangles_of(mesh), before);
+  const Checked up = checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 30);
+  ASSERT_TRUE(up);
+  EXPECT_EQ(mesh.to(up.rewrite.halfedge), 30U);
+  EXPECT_TRUE(checked_collapse(keeper, up.rewrite.halfedge));
+  EXPECT_EQ(sample::triangles_of(mesh), before);
+}
+
+}  // namespace
+}  // namespace restrip

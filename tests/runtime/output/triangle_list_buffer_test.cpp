@@ -1,0 +1,77 @@
+// The list draws the mesh after every update, what is not reported has not changed, and no more is written than the
+// corners that changed.
+#include "restrip/output/triangle_list_buffer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "buffer_changes.hpp"
+#include "random_operation.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/search/keeper.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+TEST(TriangleListBuffer, FollowsAnyOperationsWithThreeIndicesATriangle) {
+  std::mt19937 random(15);
+  for (const unsigned most : {1U, 40U}) {
+    for (StripMesh& mesh : sample::meshes()) {
+      StripKeeper keeper(mesh, Policy::linked);
+      std::vector<Triangle> changed;
+      mesh.watch(&changed);
+      TriangleListBuffer buffer(mesh);
+      TriangleListBuffer16 narrow(mesh);
+      for (int round = 0; round < 100; ++round) {
+        const std::vector<std::uint32_t> before(buffer.indices().begin(), buffer.indices().end());
+        for (unsigned n = most == 1 ? 1 : static_cast<unsigned>(random() % most); n > 0; --n)
+          random_operation(keeper, random, mesh.triangle_count() < 60 || (round / 25) % 2 == 0);
+        const auto ranges = buffer.update(mesh, changed);
+        expect_only_reported_changes(before, buffer.indices(), ranges);
+        narrow.update(mesh, changed);
+        changed.clear();
+        ASSERT_EQ(buffer.indices().size(), 3 * mesh.triangle_count());
+        std::vector<sample::Corners> listed;
+        for (std::size_t i = 0; i < buffer.indices().size(); i += 3) {
+          sample::Corners& c = listed.emplace_back();
+          std::copy_n(buffer.indices().begin() + static_cast<std::ptrdiff_t>(i), 3, c.begin());
+          std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+        }
+        std::sort(listed.begin(), listed.end());
+        ASSERT_EQ(listed, sample::triangles_of(mesh));
+        ASSERT_TRUE(std::equal(narrow.indices().begin(), narrow.indices().end(), buffer.indices().begin(),
+                               buffer.indices().end()));
+        if (HasFatalFailure()) return;
+      }
+      mesh.watch(nullptr);
+    }
+  }
+}
+
+// A flip changes two corners, a split one of each triangle that goes to the new vertex and two triangles.
+TEST(TriangleListBuffer, WritesTheCornersThatChanged) {
+  StripMesh mesh = sample::torus(30, 30);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  TriangleListBuffer buffer(mesh);
+  const auto written = [&] {
+    std::size_t sum = 0;
+    for (const auto& range : buffer.update(mesh, changed)) sum += range.count;
+    changed.clear();
+    return sum;
+  };
+  const StripMesh::Halfedge h = mesh.spoke(100);
+  split(mesh, {h, turn_cw(mesh, turn_cw(mesh, h))});
+  EXPECT_EQ(written(), 2U + 6U);
+  EXPECT_EQ(written(), 0U);
+  const StripMesh beyond = StripMesh::build(std::vector<sample::Corners>{{0, 1, 65'535}}, 65'536);
+  EXPECT_THROW(TriangleListBuffer16{beyond}, std::length_error);
+}
+
+}  // namespace
+}  // namespace restrip

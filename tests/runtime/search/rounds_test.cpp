@@ -1,0 +1,68 @@
+// Rounds of tunnelling leave few strips, go on where they stopped, keep to their budget, end where there are few enough
+// strips, and do the same every time.
+#include "restrip/search/rounds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+#include "locator_agrees.hpp"
+#include "restrip/mesh/walks.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/greedy.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+TEST(TunnelRounds, LeaveAsFewStripsAsComponentsOfClosedMeshes) {
+  for (StripMesh& mesh : sample::meshes()) {
+    stripify_fast(mesh);
+    StripLocator locator(mesh);
+    Tunnel tunnel;
+    TunnelRounds rounds;
+    const std::size_t before = locator.strips();
+    rounds.run(mesh, locator, tunnel, 100'000, connected_components(mesh));
+    EXPECT_LE(locator.strips(), before);
+    EXPECT_GE(locator.strips(), connected_components(mesh));
+    EXPECT_TRUE(check_coloring(mesh).valid);
+    EXPECT_TRUE(agrees(locator, mesh));
+  }
+  StripMesh torus = sample::torus(30, 30);  // every triangle its own strip to begin with
+  StripLocator locator(torus);
+  Tunnel tunnel;
+  TunnelRounds rounds;
+  rounds.run(torus, locator, tunnel, 1'000'000);
+  EXPECT_EQ(locator.strips(), 1U);
+  EXPECT_EQ(rounds.run(torus, locator, tunnel, 1'000), 0U) << "enough already";
+}
+
+TEST(TunnelRounds, KeepToTheirBudgetAndGoOnWhereTheyStopped) {
+  constexpr std::uint32_t largest = 256;
+  const auto run = [](std::size_t budget, std::size_t calls) {
+    StripMesh mesh = sample::rectangle(40, 30);
+    stripify_fast(mesh);
+    StripLocator locator(mesh);
+    Tunnel tunnel;
+    TunnelRounds rounds(16, largest);
+    for (; calls > 0; --calls) {
+      EXPECT_LE(rounds.run(mesh, locator, tunnel, budget), budget + largest) << "one search may go beyond";
+    }
+    return extract_strips(mesh).order;
+  };
+  EXPECT_EQ(run(50, 300), run(50, 300));
+  // Single steps go through the ends as one long run does.
+  EXPECT_EQ(run(1, 100).size(), run(100, 1).size());
+  EXPECT_NE(run(1, 2000), run(1, 1));
+}
+
+TEST(TunnelRounds, EndOnAMeshWithoutTriangles) {
+  StripMesh mesh;
+  StripLocator locator(mesh);
+  Tunnel tunnel;
+  TunnelRounds rounds;
+  EXPECT_EQ(rounds.run(mesh, locator, tunnel, 1'000'000, 0), 0U);
+}
+
+}  // namespace
+}  // namespace restrip

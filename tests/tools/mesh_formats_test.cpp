@@ -1,0 +1,209 @@
+// Claims: what a format writes it reads, and what a viewer must know for it is known; a progressive or baked mesh is at
+// its finest level the mesh that it was made from, with the strips that were baked; a file is opened once, so pipes
+// serve as well as files; and README's table of formats says what the program's table does.
+#include "lod/mesh_formats.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <fstream>
+#include <future>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "common/bad_input.hpp"
+#include "files/output.hpp"
+#include "lod/bake.hpp"
+#include "lod/baked_file.hpp"
+#include "lod/coloring_check.hpp"
+#include "lod/mesh_files.hpp"
+#include "lod/pm_file.hpp"
+#include "lod/simplify.hpp"
+#include "meshes/file_strips.hpp"
+#include "meshes/made_mesh.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
+#include "scratch_folder.hpp"
+#include "shapes.hpp"
+
+namespace restrip::tools {
+namespace {
+
+std::string no_file_beside(const std::string& /*file*/) { throw BadInput("no file beside"); }
+
+ReadMesh parsed(const MeshFormat& format, const std::string& bytes) {
+  return parse_mesh(bytes, format.extension, "some file", no_file_beside);
+}
+
+/// The triangles by their points, so that the numbers of vertices do not matter.
+std::vector<std::array<std::array<float, 3>, 3>> by_points(const Soup& soup) {
+  std::vector<std::array<std::array<float, 3>, 3>> all;
+  for (const Corners& t : soup.triangles) {
+    auto& c = all.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) c[i] = {soup.points[t[i]].x, soup.points[t[i]].y, soup.points[t[i]].z};
+    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// A mesh in all that is written.
+struct Everything {
+  Soup mesh;
+  std::vector<std::uint32_t> indices;
+  std::vector<Corners> drawn;
+  ProgressiveMesh progressive;
+  BakeReport report;
+  std::string baked;
+
+  explicit Everything(Soup soup) : mesh(std::move(soup)) {
+    StripMesh strips = StripMesh::build(mesh.triangles, mesh.points.size());
+    stripify(strips);
+    indices = strip_indices(strips);
+    drawn = decode_strips(indices);
+    progressive = simplify(mesh, {0.2, BoundaryPolicy::move}).mesh;
+    baked = baked_bytes(bake(progressive, {20'000}, &report));
+  }
+};
+
+TEST(MeshFormats, WhatIsWrittenIsRead) {
+  std::size_t ways = 0;
+  std::size_t requirements = 0;
+  for (const Soup& soup : {make_mesh(600), sheet(9)}) {
+    const Everything all(soup);
+    for (const MeshFormat& format : mesh_formats()) {
+      if (!reads(format)) continue;
+      const std::string in(format.extension);
+      if (writes_mesh(format)) {
+        ++ways;
+        EXPECT_EQ(by_points(std::get<Soup>(parsed(format, format.write_mesh(all.mesh)))), by_points(soup)) << in;
+      }
+      if (writes_strips(format))
+        for (const GltfPrimitives primitives :
+             {GltfPrimitives::restart, GltfPrimitives::strips, GltfPrimitives::list}) {
+          ++ways;
+          const StripFile strips{all.mesh.points, all.indices, all.drawn};
+          const std::string bytes = format.write_strips(strips, primitives);
+          const auto ends = std::count(all.indices.begin(), all.indices.end(), restart_index);
+          const auto required = format.required_extensions(primitives, static_cast<std::size_t>(ends) + 1);
+          EXPECT_EQ(bytes.find("extensionsRequired") != std::string::npos, !required.empty()) << in;
+          for (const std::string& name : required) {
+            ++requirements;
+            EXPECT_NE(bytes.find(name), std::string::npos) << in;
+          }
+          const Soup read = std::get<Soup>(parsed(format, bytes));
+          EXPECT_EQ(read.triangles, all.drawn) << in;
+          const bool as_strips = format.holds_strips && !(format.primitives && primitives == GltfPrimitives::list);
+          if (as_strips) {
+            EXPECT_EQ(read.strips, all.indices) << in;
+          } else {
+            EXPECT_TRUE(read.strips.empty()) << in;
+          }
+        }
+      if (format.write_progressive != nullptr) {
+        ++ways;
+        const auto read = std::get<ProgressiveMesh>(parsed(format, format.write_progressive(all.progressive)));
+        EXPECT_EQ(read.splits.size(), all.progressive.splits.size());
+      }
+      if (writes_baked(format)) {
+        ++ways;
+        const auto read = std::get<BakedBytes>(parsed(format, format.write_baked(all.baked, GltfPrimitives::strips)));
+        EXPECT_EQ(read.bytes, all.baked) << in;
+      }
+    }
+  }
+  EXPECT_EQ(ways, 2U * (4 + 3 * 3 + 1 + 2));
+  EXPECT_GT(requirements, 0U);
+}
+
+TEST(MeshFormats, TheFinestLevelIsTheMeshThatWasSimplified) {
+  for (const Soup& soup : {make_mesh(600), sheet(9)}) {
+    const Everything all(soup);
+    const Soup progressive = finest_level(all.progressive, "some file");
+    EXPECT_EQ(by_points(progressive), by_points(soup));
+    EXPECT_TRUE(progressive.strips.empty());
+    for (const char* extension : {".baked", ".glb"}) {
+      const MeshFormat& format = *format_named(extension);
+      const Soup baked = finest_level(parsed(format, format.write_baked(all.baked, GltfPrimitives::list)), "some file");
+      EXPECT_EQ(by_points(baked), by_points(soup));
+      std::vector<std::uint32_t> origin;
+      StripMesh mesh = StripMesh::build(baked.triangles, baked.points.size(), nullptr, &origin);
+      EXPECT_EQ(color_as_in_file(mesh, baked, origin).cut, 0U);
+      EXPECT_TRUE(find_faults(mesh).empty());
+      EXPECT_EQ(count_strips(mesh), all.report.top_strips);
+    }
+  }
+}
+
+using FormatsInFolder = ScratchFolder;
+
+// A pipe can be read once: whoever opens it again waits for ever.
+TEST_F(FormatsInFolder, AFileIsOpenedOnce) {
+  const Everything all(sheet(6));
+  std::map<std::string, std::string> written{{".pm", pm_bytes(all.progressive)}};
+  for (const MeshFormat& format : mesh_formats()) {
+    const std::string extension(format.extension);
+    if (reads(format) && writes_mesh(format)) written[extension] = format.write_mesh(all.mesh);
+    if (reads(format) && writes_baked(format)) written[extension] = format.write_baked(all.baked, GltfPrimitives::list);
+  }
+  EXPECT_EQ(written.size(), 7U);
+  for (const auto& [extension, bytes] : written) {
+    const std::filesystem::path pipe = folder_ / ("pipe" + extension);
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const auto writer = std::async(std::launch::async, [&, &to_write = bytes] {
+      std::ofstream(pipe, std::ios::binary).write(to_write.data(), static_cast<std::streamsize>(to_write.size()));
+    });
+    EXPECT_EQ(by_points(read_mesh(pipe)), by_points(all.mesh)) << extension;
+  }
+}
+
+/// README's rows of formats: what is read and what is written, by extension; several rows of one are joined.
+std::map<std::string, std::array<std::string, 2>> table_of_readme() {
+  std::ifstream readme(RESTRIP_README);
+  std::map<std::string, std::array<std::string, 2>> rows;
+  bool inside = false;
+  for (std::string line; std::getline(readme, line);) {
+    if (line == "| file | read | written |") inside = true;
+    if (!inside || line.starts_with("| file") || line.starts_with("| ---")) continue;
+    if (line.empty()) break;
+    std::vector<std::string> cells;
+    std::istringstream in(line);
+    for (std::string cell; std::getline(in, cell, '|');) cells.push_back(cell);
+    if (cells.size() != 4) {
+      ADD_FAILURE() << "a row of three cells: " << line;
+      break;
+    }
+    for (std::size_t at = 0; (at = cells[1].find("`.", at)) != std::string::npos;) {
+      const std::size_t end = cells[1].find('`', at + 1);
+      auto& row = rows[cells[1].substr(at + 1, end - at - 1)];
+      for (std::size_t i = 0; i < 2; ++i) row[i] += cells[i + 2];
+      at = end + 1;
+    }
+  }
+  return rows;
+}
+
+TEST(MeshFormats, AreThoseOfReadme) {
+  const auto rows = table_of_readme();
+  EXPECT_EQ(rows.size(), mesh_formats().size());
+  const auto says = [](const std::string& cell, const char* word) { return cell.find(word) != std::string::npos; };
+  for (const MeshFormat& format : mesh_formats()) {
+    const std::string extension(format.extension);
+    ASSERT_TRUE(rows.contains(extension)) << extension;
+    const auto& [read, written] = rows.at(extension);
+    EXPECT_EQ(says(read, "–"), !reads(format)) << extension;
+    const bool writes = writes_any(format) || format.write_progressive != nullptr;
+    EXPECT_EQ(says(written, "–"), !writes) << extension;
+    EXPECT_EQ(says(written, "attributes"), format.attributes != MeshFormat::Attributes::none) << extension;
+    EXPECT_EQ(says(written, "strips"), writes_strips(format)) << extension;
+    EXPECT_EQ(says(written, "progressive"), format.write_progressive != nullptr) << extension;
+    EXPECT_EQ(says(written, "baked"), writes_baked(format)) << extension;
+    EXPECT_EQ(says(written, "--gltf"), format.primitives) << extension;
+  }
+}
+
+}  // namespace
+}  // namespace restrip::tools

@@ -1,0 +1,110 @@
+// `restrip bake`: the strips of every level of detail, decided and written beside the mesh.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/commands.hpp"
+#include "app/options.hpp"
+#include "app/source.hpp"
+#include "common/report_output.hpp"
+#include "files/output.hpp"
+#include "lod/bake.hpp"
+#include "lod/baked_file.hpp"
+#include "lod/mesh_files.hpp"
+#include "meshes/strip_file.hpp"
+#include "replay/replay_text.hpp"
+
+namespace restrip::tools {
+namespace {
+
+struct BakeCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path out;
+  SimplifyOptions simplify;
+  bool simplify_given = false;
+  BakeOptions bake;
+  GltfPrimitives gltf = GltfPrimitives::strips;
+  MendingOptions mending;
+  std::string json;
+};
+
+int run(const BakeCommand& command) {
+  const files::Output out(command.out, {extensions_of(writes_baked), {command.mesh}});
+  const ReportOutput told(command.json, {command.mesh, command.out});
+  const MeshFormat& format = format_to_write(command.out, writes_baked, ".baked");
+  Source source = source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
+  BakeReport report;
+  BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
+  if (source.baked) baked.payload = std::move(source.baked->payload);  // the records are the same
+  const std::string file = format.write_baked(baked_bytes(baked), command.gltf);
+  const std::size_t bytes = file.size();
+  out.write(file);
+  const std::size_t records = baked.records.size();
+  const auto each = static_cast<double>(std::max<std::size_t>(records, 1));
+  const BakedCosts costs = costs_of(baked, report.seconds);
+  nlohmann::ordered_json json{{"base_triangles", baked.base.triangle_count()},
+                              {"triangles", baked.mesh.fine_triangles()},
+                              {"records", records},
+                              {"components", report.components},
+                              {"base_strips", report.base_strips},
+                              {"top_strips", report.top_strips},
+                              {"top_indices", report.top_indices},
+                              {"top_at_least", report.top_at_least},
+                              {"most_strips", report.most_strips},
+                              {"levels_with_fewest", report.fewest_levels},
+                              {"flips_per_record", costs.flips_per_record},
+                              {"bytes_per_record", costs.bytes_per_record},
+                              {"bytes", bytes},
+                              {"states", report.states},
+                              {"seconds", report.seconds}};
+  add_to(json, source.subject.mended);
+  const auto required = format.required_extensions(command.gltf, report.base_strips);
+  if (!required.empty()) json["required_extensions"] = required;
+  const std::string text =
+      as_text(source.subject.mended) + as_text(required, command.out.string()) +
+      fmt::format(
+          "{}: {} triangles and {} records to {}\n"
+          "{} strips at the base, {} at the finest level (where {} are needed at least), {} at most; {} connected "
+          "components, {:.2f} % of the levels in as many strips\n"
+          "{:.2f} flips and {:.1f} bytes a record, {} bytes in all; {:.1f} seconds\n",
+          command.out.string(), baked.base.triangle_count(), records, baked.mesh.fine_triangles(), report.base_strips,
+          report.top_strips, report.top_at_least, report.most_strips, report.components,
+          100.0 * static_cast<double>(report.fewest_levels) / (each + 1), costs.flips_per_record,
+          costs.bytes_per_record, bytes, report.seconds);
+  told.print(text, json.dump(2) + "\n");
+  return 0;
+}
+
+}  // namespace
+
+Subcommand add_bake(CLI::App& app) {
+  const auto kept = std::make_shared<BakeCommand>();
+  BakeCommand& command = *kept;
+  CLI::App* sub =
+      app.add_subcommand("bake", "Decide the strips of every level of detail and write them beside the mesh");
+  sub->add_option("mesh", command.mesh, help_of_mesh(levels_kept))->required();
+  sub->add_option("-o,--output", command.out,
+                  ".baked; or .glb, whose mesh is the base, with all levels in an extension (RESTRIP_baked_strips)")
+      ->required();
+  add_simplify_options(*sub, command.simplify);
+  sub->add_option("--effort", command.bake.effort,
+                  "search budget per record, in edges; with --cost indices one look at a strip end costs 500")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
+      ->capture_default_str();
+  add_cost_option(*sub, command.bake.cost);
+  add_mending_options(*sub, command.mending);
+  add_json_option(*sub, command.json);
+  const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  sub->callback([sub, gltf, &command] {
+    refuse_gltf_elsewhere(*gltf, command.out);
+    command.simplify_given = simplify_options_given(*sub);
+  });
+  sub->footer("Example: restrip bake bunny.obj -o bunny.baked");
+  return {sub, [kept] { return run(*kept); }};
+}
+
+}  // namespace restrip::tools

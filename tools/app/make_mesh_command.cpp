@@ -1,0 +1,57 @@
+// `restrip make-mesh`: a mesh to try things with.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/commands.hpp"
+#include "app/options.hpp"
+#include "common/report_output.hpp"
+#include "files/output.hpp"
+#include "lod/mesh_files.hpp"
+#include "meshes/made_mesh.hpp"
+
+namespace restrip::tools {
+namespace {
+
+struct MakeMeshCommand {
+  std::filesystem::path out;
+  std::size_t triangles = default_made_triangles;
+  std::uint64_t seed = 1;
+  std::string json;
+};
+
+int run(const MakeMeshCommand& command) {
+  const files::Output out(command.out, {extensions_of(writes_mesh), {}});
+  const ReportOutput report(command.json, {command.out});
+  const MeshFormat& format = format_to_write(command.out, writes_mesh);
+  const Soup soup = make_mesh(command.triangles, command.seed);
+  out.write(format.write_mesh(soup));
+  const nlohmann::ordered_json json{{"vertices", soup.points.size()}, {"triangles", soup.triangles.size()}};
+  report.print(
+      fmt::format("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size()),
+      json.dump(2) + "\n");
+  return 0;
+}
+
+}  // namespace
+
+Subcommand add_make_mesh(CLI::App& app) {
+  const auto kept = std::make_shared<MakeMeshCommand>();
+  MakeMeshCommand& command = *kept;
+  CLI::App* sub =
+      app.add_subcommand("make-mesh", "Make a closed mesh of irregular valences, the same on every machine");
+  sub->add_option("-o,--output", command.out, "a file that ends in " + list_in_words(extensions_of(writes_mesh), "or"))
+      ->required();
+  sub->add_option("--triangles", command.triangles, "about how many")
+      ->check(CLI::Range(least_made_triangles, most_made_triangles))
+      ->capture_default_str();
+  sub->add_option("--seed", command.seed, "of its irregularities")->check(whole_number())->capture_default_str();
+  add_json_option(*sub, command.json);
+  sub->footer("Example: restrip make-mesh --triangles 1000000 -o torus.ply");
+  return {sub, [kept] { return run(*kept); }};
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,177 @@
+// `restrip replay`: a mesh simplified, and every vertex split played again with its strips kept.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/commands.hpp"
+#include "app/level_file.hpp"
+#include "app/options.hpp"
+#include "app/source.hpp"
+#include "common/report_output.hpp"
+#include "files/output.hpp"
+#include "lod/mesh_files.hpp"
+#include "meshes/made_mesh.hpp"
+#include "meshes/soup_builder.hpp"
+#include "meshes/strip_file.hpp"
+#include "replay/replay_text.hpp"
+#include "replay/walk.hpp"
+#include "replay/ways.hpp"
+#include "restrip/search/stripify.hpp"
+
+namespace restrip::tools {
+namespace {
+
+struct ReplayCommand {
+  std::filesystem::path mesh;  ///< may be a progressive mesh (.pm, .baked): then it is replayed as it is
+  bool built_in = false;       ///< make a mesh instead
+  std::size_t built_in_triangles = default_made_triangles;
+  SimplifyOptions simplify;
+  bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
+  ReplayOptions replay;
+  std::string way;                    ///< its name; empty: the usual one (ways.hpp)
+  std::uint32_t states = 0;           ///< of each search of a way that searches; 0: its own
+  Cost cost = Cost::strips();         ///< what is kept low
+  bool handles_along_strips = false;  ///< else in the order of the splits (Plan::Given)
+  std::uint64_t walk_steps = 0;
+  std::uint64_t seed = 1;
+  std::filesystem::path out;      ///< where a level is written, with its strips; empty: nowhere
+  std::size_t out_triangles = 0;  ///< of that level, at least; 0: the finest one
+  GltfPrimitives gltf = GltfPrimitives::strips;
+  MendingOptions mending;
+  std::string json;
+};
+
+/// In the way of the plan; baked strips go on by the rules where a mesh goes its own ways.
+WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Plan& plan) {
+  StripMesh mesh;
+  if (source.original.empty()) {
+    mesh = StripMesh::build(source.mesh.base, source.mesh.points.size());
+    for (const Record& record : source.mesh.splits) mesh.insert_vertex(spokes_of(mesh, record), record.v_t);
+  } else {
+    mesh = StripMesh::build(source.original, source.mesh.points.size());
+  }
+  stripify(mesh);
+  WalkTaken taken{{command.walk_steps, command.seed}, {}};
+  taken.report = walk(mesh, taken.options, [&](StripMesh& on) { return plan.begin(on); });
+  return taken;
+}
+
+int run(const ReplayCommand& command) {
+  std::optional<files::Output> level;
+  if (!command.out.empty())
+    level.emplace(command.out, files::OutputRules{extensions_of(writes_strips), {command.mesh}});
+  const ReportOutput out(command.json, {command.mesh, command.out});
+  const MeshFormat* format = level ? &format_to_write(command.out, writes_strips) : nullptr;
+  Source source = command.built_in
+                      ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
+                      : source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
+  const Way& way = command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way);
+  Plan::Given given;
+  given.cost = command.cost;
+  given.handles_along_strips = command.handles_along_strips;
+  if (command.states != 0) given.search = {command.states, 0};
+  if (source.baked) given.baked = &*source.baked;
+  const Plan plan(way, source.mesh, given);
+  source.subject.policy = way.name;
+  source.subject.search = plan.search();
+  source.subject.cost = plan.cost();
+  if (plan.baked() != nullptr) source.subject.baked = costs_of(*plan.baked(), plan.seconds_to_bake());
+  const ReplayReport report = replay(plan, source.original, command.replay);
+  std::optional<WalkTaken> walk;
+  if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command, plan);
+
+  std::string text = as_text(report, source.subject) + (walk ? as_text(*walk) : "");
+  if (level && report.valid()) {
+    const std::size_t triangles = command.out_triangles == 0 ? report.triangles : command.out_triangles;
+    const LevelFile file = level_file(plan, triangles, *format, command.gltf);
+    level->write(file.bytes);
+    text += fmt::format("\n  {}: {} triangles in {} strips\n", command.out.string(), file.triangles, file.strips) +
+            as_text(file.required_extensions, command.out.string());
+  }
+  out.print(text, as_json(report, source.subject, walk));
+  return report.valid() && (!walk || walk->report.fault.empty()) ? 0 : 1;
+}
+
+}  // namespace
+
+Subcommand add_replay(CLI::App& app) {
+  const auto kept = std::make_shared<ReplayCommand>();
+  ReplayCommand& command = *kept;
+  CLI::App* sub = app.add_subcommand("replay", "Simplify a mesh, then replay every vertex split with its strips kept");
+  CLI::Option* mesh = sub->add_option("mesh", command.mesh, help_of_mesh(levels_kept));
+  CLI::Option* built_in =
+      sub->add_flag("--built-in", command.built_in, "a torus made by the program, instead of a file");
+  mesh->excludes(built_in);
+  CLI::Option* triangles =
+      sub->add_option(
+             "--triangles", command.out_triangles,
+             "with --built-in the size of that mesh (default: 100000); with -o the least size of the level that "
+             "is written (default: the finest)")
+          ->check(CLI::Range(std::size_t{1}, max_triangles));
+  CLI::Option* output = sub->add_option("-o,--output", command.out,
+                                        "writes a level with its strips, kept under the policy: " + strip_formats())
+                            ->excludes(built_in);
+  CLI::Option* gltf = add_gltf_option(*sub, command.gltf)->needs(output);
+  add_simplify_options(*sub, command.simplify);
+  sub->add_option("--levels", command.replay.levels, "levels of detail to report")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  sub->add_option("--repeats", command.replay.repeats, "timed runs, of which the median counts; 0: no timing")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  sub->add_option_function<std::string>(
+         "--buffer",
+         [&command](const std::string& word) {
+           command.replay.buffer = word == "list" ? ReplayOptions::Buffer::list : ReplayOptions::Buffer::strips;
+         },
+         "the index buffer that is kept in step: strips, or a plain list of triangles to compare with")
+      ->check(CLI::IsMember({"strips", "list"}))
+      ->default_str("strips");
+  sub->add_option_function<std::string>(
+         "--handles", [&command](const std::string& word) { command.handles_along_strips = word == "strips"; },
+         "how triangles lie in memory: in the order of the splits, or along the strips of the finest level to compare "
+         "with; baked meshes support only splits")
+      ->check(CLI::IsMember({"splits", "strips"}))
+      ->default_str("splits");
+  sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
+      ->check(whole_number())
+      ->capture_default_str();
+  add_policy_option(*sub, command.way);
+  sub->add_option(
+         "--states", command.states,
+         "states per search for quick and full, fixed; more keep fewer strips and take longer (default: the policy's "
+         "own, fewer where strips are long enough); with --cost indices: strip ends looked at after each operation")
+      ->check(CLI::Range(1, 1'000'000));
+  add_cost_option(*sub, command.cost);
+  CLI::Option* walk =
+      sub->add_option("--walk", command.walk_steps,
+                      "then that many random splits, collapses and flips on the full mesh, under the policy")
+          ->check(whole_number());
+  sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->check(whole_number())->capture_default_str();
+  add_mending_options(*sub, command.mending);
+  add_json_option(*sub, command.json);
+  sub->callback([=, &command] {
+    if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
+    command.simplify_given = simplify_options_given(*sub);
+    refuse_gltf_elsewhere(*gltf, command.out);
+    if (!triangles->empty() && built_in->empty() && output->empty())
+      throw CLI::ValidationError("--triangles", "wants --built-in or -o");
+    if (!triangles->empty() && !built_in->empty()) {
+      if (command.out_triangles < least_made_triangles || command.out_triangles > most_made_triangles)
+        throw CLI::ValidationError(
+            "--triangles", fmt::format("of a built-in mesh are {} to {}", least_made_triangles, most_made_triangles));
+      command.built_in_triangles = command.out_triangles;
+    }
+    if (sub->count("--states") != 0 && (command.way.empty() || !way_named(command.way).searches()))
+      throw CLI::ValidationError("--states", fmt::format("only --policy {} search",
+                                                         fmt::join(names_of_ways(&Way::searches), " and --policy ")));
+    refuse_cost_elsewhere(command.cost, command.way);
+  });
+  sub->footer("Example: restrip replay bunny.obj --base 0.02 --cycles 10 --json bunny.json");
+  return {sub, [kept] { return run(*kept); }};
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,114 @@
+// `restrip simplify`: a coarser mesh, or the way back as a progressive mesh.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/commands.hpp"
+#include "app/level_file.hpp"
+#include "app/options.hpp"
+#include "common/report_output.hpp"
+#include "files/output.hpp"
+#include "lod/mesh_files.hpp"
+#include "meshes/soup_builder.hpp"
+#include "restrip/search/stripify.hpp"
+
+namespace restrip::tools {
+namespace {
+
+struct SimplifyCommand {
+  std::filesystem::path mesh;
+  std::filesystem::path out;  ///< .pm: a progressive mesh; else its base, with strips from scratch
+  GltfPrimitives gltf = GltfPrimitives::strips;
+  SimplifyOptions simplify;
+  bool size_given = false;  ///< by the caller, not by default: then it is a failure to stop short of it
+  ReadAttributes attributes = ReadAttributes::no;  ///< kept: vertices that differ in them are several
+  MendingOptions mending;
+  std::string json;
+};
+
+int run(const SimplifyCommand& command) {
+  const files::Output out(command.out, {extensions_of(writes_strips_or_progressive), {command.mesh}});
+  const ReportOutput report(command.json, {command.mesh, command.out});
+  const MeshFormat& format = format_to_write(command.out, writes_strips_or_progressive, ".pm");
+  Mended mended;
+  const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
+  leave_out_attributes(soup, format, mended);
+  if (!mended.left_out_attributes.empty())  // before the work begins
+    fmt::print(
+        stderr, "restrip: {}: leaves out {}{}\n", command.out.string(), attributes_in_words(mended.left_out_attributes),
+        command.attributes == ReadAttributes::no ? "; with --attributes .glb, .ply and .obj keep what they hold" : "");
+  const Simplification result = simplify(soup, command.simplify);
+  const ProgressiveMesh& made = result.mesh;
+  nlohmann::ordered_json json{{"base_triangles", made.base.size()},
+                              {"wanted_base_triangles", result.wanted_triangles},
+                              {"stopped_short", result.stopped_short()},
+                              {"splits", made.splits.size()},
+                              {"triangles", made.fine_triangles()}};
+  std::string text = as_text(mended);
+  if (format.write_progressive != nullptr) {
+    out.write(format.write_progressive(made));
+    text += fmt::format("{}: {} triangles and {} splits to {}\n", command.out.string(), made.base.size(),
+                        made.splits.size(), made.fine_triangles());
+  } else {
+    StripMesh base = StripMesh::build(made.base, made.points.size());
+    stripify(base);
+    const LevelFile file = level_file(base, made.points, format, command.gltf, soup.attributes);
+    out.write(file.bytes);
+    json["strips"] = file.strips;
+    text += fmt::format("{}: {} of {} triangles, in {} strips\n", command.out.string(), file.triangles,
+                        made.fine_triangles(), file.strips);
+    if (!file.required_extensions.empty()) json["required_extensions"] = file.required_extensions;
+    text += as_text(file.required_extensions, command.out.string());
+  }
+  for (const Obstacle& obstacle : result.left_out.obstacles)
+    json["obstacles"].push_back({{"why", obstacle.why}, {"edges", obstacle.edges}});
+  add_to(json, mended);
+  report.print(text, json.dump(2) + "\n");
+  if (!result.stopped_short()) return 0;
+  fmt::print(stderr, "restrip: {}: stopped at {} triangles, where {} were asked for: {}\n", command.out.string(),
+             made.base.size(), result.wanted_triangles, why_no_coarser(result.left_out));
+  return command.size_given ? 1 : 0;
+}
+
+}  // namespace
+
+Subcommand add_simplify(CLI::App& app) {
+  const auto kept = std::make_shared<SimplifyCommand>();
+  SimplifyCommand& command = *kept;
+  CLI::App* sub = app.add_subcommand("simplify", "Simplify a mesh and write it, or the way back as a progressive mesh");
+  sub->add_option("mesh", command.mesh, help_of_mesh())->required();
+  sub->add_option(
+         "-o,--output", command.out,
+         ".pm: a progressive mesh as OpenMesh writes it; or the coarsest level with strips: " + strip_formats())
+      ->required();
+  CLI::Option* triangles =
+      sub->add_option("--triangles", command.simplify.triangles, "of the coarsest level, in place of --base")
+          ->check(CLI::Range(std::size_t{1}, max_triangles));
+  add_simplify_options(*sub, command.simplify);
+  const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  sub->add_flag_callback(
+      "--attributes", [&command] { command.attributes = ReadAttributes::yes; },
+      "keep normals, texture coordinates and colours: where they differ one place is several vertices, and such seams "
+      "are boundaries, which stay unless --boundary move is given");
+  add_mending_options(*sub, command.mending);
+  add_json_option(*sub, command.json);
+  sub->callback([sub, triangles, gltf, &command] {
+    // Both sides of a seam would move on their own.
+    if (command.attributes == ReadAttributes::yes && sub->count("--boundary") == 0)
+      command.simplify.boundary = BoundaryPolicy::lock;
+    refuse_gltf_elsewhere(*gltf, command.out);
+    command.size_given = triangles->count() + sub->count("--base") != 0;
+    if (!triangles->empty() && sub->count("--base") != 0)
+      throw CLI::ValidationError("--triangles", "and --base say the same thing twice; leave one out");
+  });
+  sub->footer(
+      "Where no edge that is left may collapse, the mesh is written as coarse as it got, and standard error and\n"
+      "--json say why. The exit code is 1 then, if --base or --triangles asked for a coarser one.\n"
+      "Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
+  return {sub, [kept] { return run(*kept); }};
+}
+
+}  // namespace restrip::tools

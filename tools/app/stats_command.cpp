@@ -1,0 +1,50 @@
+// `restrip stats`: what a mesh has, and what is wrong with it.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "app/commands.hpp"
+#include "app/options.hpp"
+#include "common/report_output.hpp"
+#include "lod/mesh_files.hpp"
+#include "meshes/mesh_report.hpp"
+
+namespace restrip::tools {
+namespace {
+
+struct StatsCommand {
+  std::filesystem::path mesh;
+  MendingOptions mending;
+  std::string json;
+};
+
+int run(const StatsCommand& command) {
+  const ReportOutput out(command.json, {command.mesh});
+  ReadMesh read = read_mesh_file(command.mesh);
+  const std::string level = std::holds_alternative<Soup>(read) ? "" : " (its finest level)";
+  Soup soup = finest_level(std::move(read), command.mesh.string());
+  Mended mended = mend(soup, command.mesh.string(), command.mending);
+  const MeshReport report = report_on(soup);
+  mended.left_out_attributes.clear();  // nothing is written that could have them
+  out.print(as_text(report, command.mesh.string() + level, mended), as_json(report, mended));
+  return 0;
+}
+
+}  // namespace
+
+Subcommand add_stats(CLI::App& app) {
+  const auto kept = std::make_shared<StatsCommand>();
+  StatsCommand& command = *kept;
+  CLI::App* sub = app.add_subcommand("stats", "Count what a mesh has: triangles per vertex, boundary, faults");
+  sub->add_option("mesh", command.mesh, help_of_mesh())->required();
+  add_mending_options(*sub, command.mending);
+  add_json_option(*sub, command.json);
+  sub->footer("Example: restrip stats bunny.obj");
+  return {sub, [kept] { return run(*kept); }};
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,190 @@
+#include "lod/mesh_formats.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "common/bad_input.hpp"
+#include "lod/baked_file.hpp"
+#include "lod/coloring_check.hpp"
+#include "lod/pm_file.hpp"
+#include "meshes/write_glb.hpp"
+#include "meshes/write_obj.hpp"
+#include "meshes/write_ply.hpp"
+#include "restrip/mesh/checks.hpp"
+#include "restrip/output/strips.hpp"
+
+namespace restrip::tools {
+namespace {
+
+template <auto read>
+ReadMesh with_attributes(std::string_view bytes, const std::string& name, const ReadBeside& /*beside*/,
+                         ReadAttributes attributes) {
+  return read(bytes, name, attributes);
+}
+
+template <auto read>
+ReadMesh without_attributes(std::string_view bytes, const std::string& name, const ReadBeside& /*beside*/,
+                            ReadAttributes /*attributes*/) {
+  return read(bytes, name);
+}
+
+ReadMesh read_any_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside,
+                       ReadAttributes attributes) {
+  if (is_baked_gltf(bytes, name, beside)) return parse_baked_gltf(bytes, name, beside);
+  return read_gltf(bytes, name, beside, attributes);
+}
+
+BakedBytes read_baked_mesh(std::string_view bytes, const std::string& name) {
+  return {std::string(bytes), parse_baked(bytes, name), {}};
+}
+
+std::string baked_as_it_is(std::string_view baked, GltfPrimitives /*primitives*/) { return std::string(baked); }
+
+std::string ply_of_mesh(const Soup& mesh) { return ply_bytes(mesh); }
+
+std::string ply_of_strips(const StripFile& strips, GltfPrimitives /*primitives*/) {
+  return ply_bytes(strips.points, strips.attributes, strips.indices);
+}
+
+std::string glb_of_strips(const StripFile& strips, GltfPrimitives primitives) { return glb_bytes(strips, primitives); }
+
+std::string bare_indices(const StripFile& strips, GltfPrimitives /*primitives*/) { return index_bytes(strips.indices); }
+
+std::string obj_in_order(const StripFile& file, GltfPrimitives /*primitives*/) {
+  Soup soup;
+  soup.points.assign(file.points.begin(), file.points.end());
+  soup.triangles.assign(file.triangles.begin(), file.triangles.end());
+  soup.attributes.assign(file.attributes.begin(), file.attributes.end());
+  return obj_bytes(soup);
+}
+
+constexpr std::array all_formats{
+    MeshFormat{.extension = ".obj",
+               .read = with_attributes<read_obj>,
+               .write_mesh = obj_bytes,
+               .write_strips = obj_in_order,
+               .attributes = MeshFormat::Attributes::usual,
+               .strips_as = "triangles in their order"},
+    MeshFormat{.extension = ".off", .read = without_attributes<read_off>, .write_mesh = off_bytes},
+    MeshFormat{.extension = ".ply",
+               .read = with_attributes<read_ply>,
+               .write_mesh = ply_of_mesh,
+               .write_strips = ply_of_strips,
+               .attributes = MeshFormat::Attributes::usual,
+               .strips_as = "tristrips",
+               .holds_strips = true},
+    MeshFormat{.extension = ".stl", .read = without_attributes<read_stl>, .write_mesh = stl_bytes},
+    MeshFormat{.extension = ".gltf", .read = read_any_gltf},
+    MeshFormat{.extension = ".glb",
+               .read = read_any_gltf,
+               .write_strips = glb_of_strips,
+               .write_baked = baked_glb_bytes,
+               .attributes = MeshFormat::Attributes::all,
+               .holds_strips = true,
+               .primitives = true},
+    MeshFormat{.extension = ".pm", .read = without_attributes<parse_pm>, .write_progressive = pm_bytes},
+    MeshFormat{.extension = ".baked", .read = without_attributes<read_baked_mesh>, .write_baked = baked_as_it_is},
+    MeshFormat{.extension = ".bin",
+               .write_strips = bare_indices,
+               .strips_as = "indices of 32 bits, 0xFFFFFFFF between strips",
+               .holds_strips = true},
+};
+
+const MeshFormat& format_that(FormatCan can, std::string_view extension, std::string_view what) {
+  const MeshFormat* format = format_named(extension);
+  if (format == nullptr || !can(*format))
+    throw BadInput(fmt::format("unknown extension '{}'; {} {}", extension, what, fmt::join(extensions_of(can), ", ")));
+  return *format;
+}
+
+/// At its finest level, with its strips: the triangles are in the order of these.
+Soup finest_level(const BakedBytes& found) {
+  const BakedMesh& baked = found.baked;
+  StripMesh mesh = baked.base;
+  BakedPlayer player(mesh, baked.records);
+  // Reading has played all of it once.
+  for (std::size_t i = 0; i < baked.mesh.splits.size(); ++i)
+    player.split(i, spokes_of(mesh, baked.mesh.splits[i]), baked.mesh.splits[i].v_t);
+  Soup soup;
+  soup.points = baked.mesh.points;
+  soup.strips = strip_indices(mesh);
+  soup.triangles = decode_strips(soup.strips);
+  soup.left_out_attributes = found.left_out_attributes;
+  if (baked.payload.bytes != 0) soup.left_out_attributes.emplace_back("payload");
+  return soup;
+}
+
+}  // namespace
+
+bool MeshFormat::holds(const Attribute& attribute) const {
+  const std::string& name = attribute.name;
+  return attributes == Attributes::all ||
+         (attributes == Attributes::usual && (name == "NORMAL" || name == "TEXCOORD_0" || name == "COLOR_0"));
+}
+
+std::vector<std::string> MeshFormat::required_extensions(GltfPrimitives with, std::size_t strips) const {
+  if (!primitives || with != GltfPrimitives::restart || strips < 2) return {};
+  return {std::string(restart_extension)};
+}
+
+std::span<const MeshFormat> mesh_formats() { return all_formats; }
+
+const MeshFormat* format_named(std::string_view extension) {
+  const auto* found = std::find_if(all_formats.begin(), all_formats.end(),
+                                   [&](const MeshFormat& format) { return format.extension == extension; });
+  return found == all_formats.end() ? nullptr : found;
+}
+
+std::vector<std::string> extensions_of(FormatCan can) {
+  std::vector<std::string> extensions;
+  for (const MeshFormat& format : all_formats)
+    if (can(format)) extensions.emplace_back(format.extension);
+  return extensions;
+}
+
+ReadMesh parse_mesh(std::string_view bytes, std::string_view extension, const std::string& name,
+                    const ReadBeside& beside, ReadAttributes attributes) {
+  const MeshFormat* format = format_named(extension);
+  if (format == nullptr || !reads(*format))
+    throw BadInput(fmt::format("{}: unknown extension '{}'; meshes are read from {}", name, extension,
+                               fmt::join(extensions_of(reads), ", ")));
+  if (bytes.empty()) throw BadInput(fmt::format("{}: the file is empty", name));
+  return format->read(bytes, name, beside, attributes);
+}
+
+Soup finest_level(const ProgressiveMesh& source, const std::string& name) {
+  StripMesh mesh = StripMesh::build(source.base, source.points.size());
+  for (std::size_t i = 0; i < source.splits.size(); ++i) {
+    const Record& record = source.splits[i];
+    const auto where = spokes_of(mesh, record);
+    const Refusal refusal = check_split(mesh, where, record.v_t);
+    if (refusal != Refusal::granted)
+      throw BadInput(
+          fmt::format("{}: split {} ({} -> {}) is not possible: {}; make the file anew with restrip simplify", name, i,
+                      record.v_s, record.v_t, describe(refusal)));
+    mesh.insert_vertex(where, record.v_t);
+  }
+  Soup soup;
+  soup.points = source.points;
+  soup.triangles = triangles_of(mesh);
+  return soup;
+}
+
+Soup finest_level(ReadMesh mesh, const std::string& name) {
+  if (auto* soup = std::get_if<Soup>(&mesh)) return std::move(*soup);
+  if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) return finest_level(*progressive, name);
+  return finest_level(std::get<BakedBytes>(mesh));
+}
+
+std::string mesh_bytes(const Soup& soup, std::string_view extension) {
+  return format_that(writes_mesh, extension, "meshes are written as").write_mesh(soup);
+}
+
+std::string strip_bytes(const StripFile& file, std::string_view extension, GltfPrimitives primitives) {
+  return format_that(writes_strips, extension, "strips are written as").write_strips(file, primitives);
+}
+
+}  // namespace restrip::tools

@@ -1,0 +1,80 @@
+// The formats of mesh files: one table of what is read from each and what is written in it. README has the same table
+// for people, and a test compares the two. Everything here works on bytes; mesh_files.hpp opens files.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "lod/baked_gltf.hpp"
+#include "lod/progressive_mesh.hpp"
+#include "meshes/mesh_file.hpp"
+#include "meshes/soup.hpp"
+#include "meshes/strip_file.hpp"
+
+namespace restrip::tools {
+
+/// What the bytes of a mesh file turned out to be.
+using ReadMesh = std::variant<Soup, ProgressiveMesh, BakedBytes>;
+
+/// Functions that are null do what the format does not.
+struct MeshFormat {
+  std::string_view extension;  ///< in lower case, with its point
+  ReadMesh (*read)(std::string_view bytes, const std::string& name, const ReadBeside& beside,
+                   ReadAttributes attributes) = nullptr;
+  std::string (*write_mesh)(const Soup& mesh) = nullptr;
+  /// Throws BadInput where the format cannot hold the mesh: glTF and the lists of PLY have less than 2^31 values, and
+  /// glTF no mesh without triangles.
+  std::string (*write_strips)(const StripFile& strips, GltfPrimitives primitives) = nullptr;
+  std::string (*write_progressive)(const ProgressiveMesh& mesh) = nullptr;
+  /// Of the bytes of a baked mesh.
+  std::string (*write_baked)(std::string_view baked, GltfPrimitives primitives) = nullptr;
+  enum class Attributes { none, usual, all } attributes = Attributes::none;  ///< usual: those of OBJ and PLY
+  std::string_view strips_as = {};  ///< how strips are written, where the extension alone does not say so
+  bool holds_strips = false;        ///< else their triangles are written
+  bool primitives = false;          ///< there is a choice of GltfPrimitives
+
+  /// Whether a file has such an attribute.
+  [[nodiscard]] bool holds(const Attribute& attribute) const;
+  /// The extensions that a viewer must know to open a file of so many strips. A report should tell of them.
+  [[nodiscard]] std::vector<std::string> required_extensions(GltfPrimitives with, std::size_t strips) const;
+};
+
+[[nodiscard]] std::span<const MeshFormat> mesh_formats();
+/// Or nullptr. `extension` is in lower case.
+[[nodiscard]] const MeshFormat* format_named(std::string_view extension);
+
+/// What a format may be asked for.
+using FormatCan = bool (*)(const MeshFormat&);
+inline constexpr FormatCan reads = [](const MeshFormat& format) { return format.read != nullptr; };
+inline constexpr FormatCan writes_mesh = [](const MeshFormat& format) { return format.write_mesh != nullptr; };
+inline constexpr FormatCan writes_strips = [](const MeshFormat& format) { return format.write_strips != nullptr; };
+inline constexpr FormatCan writes_baked = [](const MeshFormat& format) { return format.write_baked != nullptr; };
+/// A mesh alone, its strips or all its levels.
+inline constexpr FormatCan writes_any = [](const MeshFormat& format) {
+  return writes_mesh(format) || writes_strips(format) || writes_baked(format);
+};
+inline constexpr FormatCan writes_strips_or_progressive = [](const MeshFormat& format) {
+  return writes_strips(format) || format.write_progressive != nullptr;
+};
+/// In the order of the table.
+[[nodiscard]] std::vector<std::string> extensions_of(FormatCan can);
+
+/// Throws BadInput when no format with this extension is read, and as its reader does. `name` is for messages.
+[[nodiscard]] ReadMesh parse_mesh(std::string_view bytes, std::string_view extension, const std::string& name,
+                                  const ReadBeside& beside, ReadAttributes attributes = ReadAttributes::no);
+
+/// The mesh, or the finest level of a progressive or baked one; the latter with its strips. Throws BadInput at a split
+/// that is not possible. Linear in the triangles, and in the valences of the vertices that are split.
+[[nodiscard]] Soup finest_level(ReadMesh mesh, const std::string& name);
+[[nodiscard]] Soup finest_level(const ProgressiveMesh& mesh, const std::string& name);
+
+/// The bytes of a mesh, or of strips, in the format with this extension. Throws BadInput when there is none.
+[[nodiscard]] std::string mesh_bytes(const Soup& soup, std::string_view extension);
+[[nodiscard]] std::string strip_bytes(const StripFile& file, std::string_view extension,
+                                      GltfPrimitives primitives = GltfPrimitives::strips);
+
+}  // namespace restrip::tools
