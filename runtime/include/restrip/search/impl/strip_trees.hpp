@@ -12,9 +12,9 @@
 
 namespace restrip::detail {
 
-/// The strips of a colouring, each as a splay tree whose order is that of its triangles; a bit turns a whole tree around
-/// (Sleator, Tarjan, "Self-adjusting binary search trees", 1985). Each function takes amortised O(log n) steps, but for
-/// the rebuilding. 13 bytes a triangle.
+/// The strips of a colouring, each as a splay tree whose order is that of its triangles; a bit turns a whole tree
+/// around (Sleator, Tarjan, "Self-adjusting binary search trees", 1985). Each function takes amortised O(log n) steps,
+/// but for the rebuilding. 13 bytes a triangle.
 class StripTrees {
  public:
   /// Begins anew with a tree for each of so many triangles.
@@ -89,7 +89,7 @@ class StripTrees {
     nodes_[parent].parent = t;
     nodes_[t].parent = above;
   }
-  // Makes t the root of its tree.
+  // Makes t the root of its tree. A root is never turned.
   void splay(Triangle t) noexcept {
     while (nodes_[t].parent != none) {
       const Triangle parent = nodes_[t].parent;
@@ -100,7 +100,6 @@ class StripTrees {
       if (above != none) rotate(side_of(t) == side_of(parent) ? parent : t);
       rotate(t);
     }
-    push_down(t);
   }
 
   std::vector<Node> nodes_;
