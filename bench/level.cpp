@@ -64,7 +64,7 @@ void move(benchmark::State& state, const std::string& name, const Way& way, int 
     if (keeps_strips && !state.counters.contains("strips")) count_strips(state, player.mesh());
     down.time([&] { player.down_to(start.from); });
     if (!keeps_strips) continue;
-    // The same with an index buffer, which has to grow at first as well.
+    // The same moves with an index buffer, which has to grow at first as well.
     player.restart(start.mesh, start.from);
     StripBuffer buffer(player.mesh());
     changed.clear();

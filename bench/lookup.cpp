@@ -1,5 +1,5 @@
 // The lookup of a rule, for fans of eight triangles unless a name says otherwise: every family in the shipped layout;
-// for splits against a direct index over all 4^k configurations, and against the automaton of all valences.
+// for splits against a direct table of all 4^k configurations, and against the automaton of all valences.
 //
 //   hot     the same 64 configurations again and again, tables in the first-level cache
 //   random  4,096 valid configurations of all positions in random order
@@ -172,7 +172,7 @@ void register_benchmarks() {
   family<Split>("split");
   family<MixedSplit>("split, four to eight triangles");
   family<LongSplit>("split, ten triangles");
-  family<DirectSplit>("split, direct index");
+  family<DirectSplit>("split, direct table");
   family<ExactSplit>("split, automaton");
   family<Collapse>("collapse");
   family<OpenSplit>("open-split");

@@ -116,17 +116,17 @@ class Page:
         met = [way for way in WAYS if self.upkeep(way, "split") and max(self.upkeep(way, "split")) <= UPKEEP_GOAL]
         down = [way for way in WAYS if self.upkeep(way, "collapse") and max(self.upkeep(way, "collapse")) <= UPKEEP_GOAL]
         hot = times(self.r.ratio("operation/local", "split_ns", "split_bare_ns"))
-        return (f"for splits met on every mesh by {self.listed(met)}; for collapses by {self.listed(down)}. In the best case, all in cache "
-                f"and the spokes known before, a `local` split is {hot} bare (below)")
+        return (f"Met on every mesh for splits by {self.listed(met)}, for collapses by {self.listed(down)}. In the best case, all in cache "
+                f"and the spokes known before, a `local` split takes {hot} the bare update (below)")
 
     def goal_move(self):
         def met(other):
             return [way for way in WAYS if self.all_cheaper(way, other) and min(self.all_cheaper(way, other)) >= MOVE_GOAL
                     and min(self.fewer(way)) > 1]
         buffered = [way for way in met("meshopt_ordered") if min(self.with_buffer(way)) >= MOVE_GOAL]
-        return (f"with the order that its manual asks for counted, met on every mesh and level by "
-                f"{self.listed(met('meshopt_ordered'))}; with that order not counted, by {self.listed(met('meshopt_order_given'))}; "
-                f"with the order counted and an index buffer kept in step on our side, by {self.listed(buffered)}")
+        return (f"Met on every mesh and level by {self.listed(met('meshopt_ordered'))} if the time for the triangle order that its manual "
+                f"asks for is included; by {self.listed(met('meshopt_order_given'))} if that order is given; by {self.listed(buffered)} if the "
+                "order is included and we keep an index buffer in step")
 
     def goal_strips(self):
         met = [way for way in WAYS if self.fewer(way) and min(self.fewer(way)) > 1]

@@ -107,8 +107,8 @@ class BareKeeper : public CountingKeeper {
     for (std::size_t i = 0; i < inner; ++i)
       for (unsigned side = 0; side < 3; ++side) add(mesh().opposite(StripMesh::halfedge(patch_[i], side)));
   }
-  /// Of the triangles of the patch that there are now. Both triangles of every dual edge whose colour changes are among
-  /// them, before and after.
+  /// Counts the triangles of the patch that there are now. Both triangles of every dual edge whose colour changes are
+  /// among them, before and after.
   [[nodiscard]] Count count() const {
     Count sum;
     for (const Triangle t : patch_) {

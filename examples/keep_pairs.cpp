@@ -27,7 +27,7 @@ Patch<1> two_beside(const StripMesh& mesh, Halfedge h) {
   const Halfedge right = StripMesh::next(mesh.opposite(h));
   return {{h}, {left, StripMesh::next(left), right, StripMesh::next(right)}};
 }
-/// The same after a flip: the file's triangle 0 is then the one with ports 1 and 2.
+/// The patch after a flip: the file's triangle 0 is then the one with ports 1 and 2.
 Patch<1> two_beside_turned(const StripMesh& mesh, Halfedge h) {
   const auto [edges, ports] = two_beside(mesh, h);
   return {edges, {ports[3], ports[0], ports[1], ports[2]}};

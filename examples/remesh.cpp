@@ -58,7 +58,7 @@ class Bare {
   StripMesh& mesh_;
 };
 
-/// Of the boundary no edge collapses and no vertex moves.
+/// Makes edges as long as is asked for. No edge of the boundary collapses and none of its vertices moves.
 template <class Keeper>
 class Remesher {
  public:

@@ -8,7 +8,7 @@ namespace restrip::generator {
 /// A table in plain text with a line on what each count means.
 [[nodiscard]] std::string count_report(unsigned max_k);
 
-/// The same as one JSON object.
+/// The counts as one JSON object.
 [[nodiscard]] std::string count_json(unsigned max_k);
 
 }  // namespace restrip::generator

@@ -19,7 +19,7 @@ struct Reason {
   std::vector<EdgeSet> sets;  ///< of a leaf: smallest sets, in ascending order of (size, set)
 
   [[nodiscard]] std::size_t leaves() const;
-  /// As certificates write it.
+  /// The reason as certificates write it.
   [[nodiscard]] std::string text() const;
 };
 

@@ -45,11 +45,12 @@ struct Merged {
 /// missing, there twice, truncated or altered, or does not fit to the others or to this generator.
 [[nodiscard]] Merged read_shards(const std::filesystem::path& directory, const std::string& id);
 
-/// The same of files that have been read, one at least; `directory` is for the remedies.
+/// A shard-*.txt that has been read.
 struct ShardBytes {
   std::filesystem::path path;
   std::string text;
 };
+/// Puts shards together, one at least. Throws as read_shards() does; `directory` is for the remedies.
 [[nodiscard]] Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id,
                                   const std::filesystem::path& directory);
 

@@ -2,17 +2,22 @@
 """Runs the generator and prints a table of one of the documents.
 
 counts:     configurations, orbits and rules that add a strip, for splits and for collapses (docs/theory.md)
+ports:      what splits and collapses would gain if their rules gave solid ports up (docs/theory.md)
+ports-met:  how often splits of real meshes (web/atlas/met.csv) would gain by that (docs/theory.md)
 families:   rules and bytes of each family of tables, k <= 8 (docs/tables.md)
 programs:   bytes of split and collapse of a StripMesh, compiled by g++ -Os -DNDEBUG against single headers with tables
             up to different k (docs/tables.md)
 operations: claims of the certificates of the shipped operation files, proved by the verifier (docs/toolkit.md)
 matchings:  claims of the splits, collapses and the flip of matchings, all positions of a fan together (docs/toolkit.md)
+speed:      time to make and to prove the tables of operation files, small and at the limits (docs/toolkit.md)
+compiling:  time and memory of compilers that read restrip.hpp (docs/tables.md)
 languages:  bytes of the rule tables in other languages than C++, k <= 8 (docs/languages.md)
 verified:   time of making tables up to different k and of verifying them with what they compile to (docs/cmake.md)
 costs:      the automaton of different costs (docs/automaton.md)
 shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
 """
 import argparse
+import csv
 import json
 import os
 import re
@@ -58,6 +63,74 @@ def print_counts(generate):
         for row in counts[operation]:
             line([operation, str(row["k"]), f"{row['configurations']:,}"] +
                  ["; ".join(f"{number:,}" for number in row[what]) for what in ("valid", "orbits", "valid_orbits", "costing")])
+
+
+class Positions:
+    """Rules of one position that count strips alone: the best that keep every port, and the best that may give ports up."""
+
+    def __init__(self, generate, family, k, a):
+        self.keeping, self.giving = {}, {}  # solid edges after the operation, ports included, by (P, J) of docs/operation-file.md
+        self.costing = []                   # valid configurations whose rule adds a strip: keeping, giving
+        told = subprocess.check_output([generate, "describe", "--family", family, "--k", str(k), "--at", str(a)])
+        operation = {**json.loads(told), "cost": [[{"count": "strips"}]]}
+        for give_up, solid in (("none", self.keeping), ("all", self.giving)):
+            with tempfile.TemporaryDirectory() as out:
+                file = os.path.join(out, "operation.json")
+                with open(file, "w", encoding="utf-8") as written:
+                    json.dump({**operation, "give_up": give_up}, written)
+                report = json.loads(subprocess.check_output([generate, "rules", "--operation", file, "--out", out, "--json", "-"]))
+                self.costing.append(report["operations"][0]["costing"])
+                with open(os.path.join(out, "certificates/operations", operation["name"] + ".cert"), encoding="ascii") as certificate:
+                    for word, *masks in (row.split()[:5] for row in certificate if row.startswith(("rule ", "copy "))):
+                        ports, joined, after, kept = (int(mask, 16) for mask in masks)
+                        solid[ports, joined] = bin(after).count("1") + bin(kept).count("1")
+        self.joinable = {}                  # by P: pairs that some recolouring joins which keeps every port
+        for ports, joined in self.keeping:
+            self.joinable[ports] = self.joinable.get(ports, 0) | joined
+        if not self.keeping or self.keeping.keys() != {self.where_all_stay(key) for key in self.giving}:
+            raise ValueError(f"{operation['name']}: not the same keys")
+
+    def where_all_stay(self, key):
+        """The key of the same configurations where no port may be given up: giving ports up lets more pairs be joined, so J has more."""
+        ports, joined = key
+        return ports, joined & self.joinable[ports]
+
+    def gains(self, key):
+        return self.giving[key] > self.keeping[self.where_all_stay(key)]
+
+
+def print_ports(generate):
+    header("operation", "k", "a", "keys", "keys for which a port given up saves a strip", "valid configurations whose best recolouring adds a strip, ports kept",
+           "ports given up")
+    for family in ("split", "collapse"):
+        for k in range(3, 7):
+            for a in range(1, k // 2 + 1):
+                rules = Positions(generate, family, k, a)
+                line([family, str(k), str(a), str(len(rules.giving)), str(sum(map(rules.gains, rules.giving))), *map(str, rules.costing)])
+
+
+def key_of_fan(k, ports, joined):
+    """(P, J) of docs/operation-file.md for the key of a closed fan (docs/notation.md)."""
+    solid = [i for i in range(k) if ports >> i & 1]
+    pairs = {tuple(sorted((solid[n - 1], i))) for n, i in enumerate(solid) if joined >> i & 1}
+    return ports, sum(1 << high * (high - 1) // 2 + low for low, high in pairs)
+
+
+def print_ports_met(generate):
+    header("mesh", "splits with k <= 7", "a port given up saves a strip in", "share")
+    rules = {(k, a): Positions(generate, "split", k, a) for k in range(3, 8) for a in range(1, k // 2 + 1)}
+    with open(os.path.join(HERE, "web/atlas/met.csv"), encoding="ascii") as file:
+        meshes, *rows = list(csv.reader(file))
+    for column, mesh in enumerate(meshes[1:], 1):
+        splits = gain = 0
+        for row in rows:
+            family, *words = row[0].split("-")
+            if family != "split" or int(words[0]) > 7:
+                continue
+            k, a, ports, joined = int(words[0]), int(words[1]), int(words[2], 16), int(words[3], 16)
+            splits += int(row[column])
+            gain += int(row[column]) if rules[k, a].gains(key_of_fan(k, ports, joined)) else 0
+        line([mesh, f"{splits:,}", f"{gain:,}", f"{100 * gain / splits:.1f} %"])
 
 
 def row_starts(k):
@@ -169,6 +242,52 @@ def print_verified(generate):
                   f"{bytes_below(made) / 1e6:.1f} MB"])
 
 
+def least(times, *command):
+    """The least processor seconds of so many runs, and the largest memory in MiB."""
+    runs = [watched(*command) for _ in range(times)]
+    return min(seconds for seconds, _, _ in runs), max(memory for _, memory, _ in runs)
+
+
+def edges_and_ports(side):
+    """How many a side without boundary has: a graph, or triangles with named vertices, all edges of which are inner ones or ports."""
+    if isinstance(side, dict):
+        return len(side["edges"]) + len(side["ports"])
+    return len({frozenset(edge) for a, b, c in side for edge in ((a, b), (b, c), (c, a))})
+
+
+def print_speed(generate):
+    header("operation file", "bits before", "bits after", "generating, seconds", "proving, seconds")
+    verify = os.path.join(os.path.dirname(generate), "restrip-verify")
+    of_a_fan = json.loads(subprocess.check_output([generate, "describe", "--family", "split", "--k", "8", "--at", "4"]))
+    with open(os.path.join(HERE, "tables/operations/refine-face.json"), encoding="utf-8") as file:
+        red_green = json.load(file)
+    strips_alone = {"give_up": "all", "cost": [[{"count": "strips"}]]}
+    for name, operation in (("`refine-face.json`", red_green), ("split, k = 8, a = 4", of_a_fan),
+                            ("the same, ports may be given up, strips alone count", {**of_a_fan, **strips_alone})):
+        with tempfile.TemporaryDirectory() as out:
+            file = os.path.join(out, "operation.json")
+            with open(file, "w", encoding="utf-8") as written:
+                json.dump(operation, written)
+            made = least(5, generate, "rules", "--operation", file, "--out", out)
+            certificate = os.path.join(out, "certificates/operations", operation["name"] + ".cert")
+            proved = least(5, verify, "--operation", file, "--certificate", certificate)
+        line([name, *(str(edges_and_ports(operation[side])) for side in ("before", "after")),
+              f"{made[0]:.2f}", f"{proved[0]:.2f}"])
+
+
+def print_compiling(_):
+    header("compiler", "seconds", "memory")
+    with tempfile.TemporaryDirectory() as folder:
+        source = os.path.join(folder, "a.cpp")
+        with open(source, "w", encoding="utf-8") as file:
+            file.write("#include <restrip/restrip.hpp>\n")
+        for compiler in ("g++", "clang++-14"):
+            seconds, memory = least(7, compiler, "-std=c++20", "-fsyntax-only", "-I", os.path.join(HERE, "runtime/include"), "-I",
+                                    os.path.join(HERE, "tables/include"), source)
+            name = subprocess.check_output([compiler, "--version"], text=True).split("\n", maxsplit=1)[0]
+            line([name, f"{seconds:.1f}", f"{memory:.0f} MiB"])
+
+
 def bytes_below(folder):
     return sum(os.path.getsize(os.path.join(path, name)) for path, _, names in os.walk(folder) for name in names)
 
@@ -202,8 +321,10 @@ def print_costs(generate):
                   f"{meetings['rows']:,} by {meetings['columns']:,}", f"{made['bytes']:,}"])
 
 
-TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "operations": print_operations, "matchings": print_matchings,
-          "languages": print_languages, "shards": print_shards, "verified": print_verified, "costs": print_costs}
+TABLES = {"counts": print_counts, "ports": print_ports, "ports-met": print_ports_met, "families": print_families,
+          "programs": print_programs, "operations": print_operations, "matchings": print_matchings, "speed": print_speed,
+          "compiling": print_compiling, "languages": print_languages, "shards": print_shards, "verified": print_verified,
+          "costs": print_costs}
 
 
 def main():

@@ -37,8 +37,9 @@ struct OperationOptions {
   unsigned max_k = largest_fan;  ///< of a family
 };
 
-/// The same of the one family that the file describes. InputError when the description or the certificate is not well
-/// formed. Memory grows with 2 to the number of inner edges and ports of a side: docs/operation-file.md has figures.
+/// Verifies the one family, or operation, that the file describes. InputError when the description or the certificate
+/// is not well formed. Memory grows with 2 to the number of inner edges and ports of a side: docs/operation-file.md has
+/// figures.
 Totals verify_operation(const OperationOptions& options, const ClaimListener& listener);
 
 /// "verified: split-face.json: 20 rules, …", or "NOT verified: …".

@@ -1,4 +1,4 @@
-/* restrip for C: triangle strips kept while the mesh changes, by local repairs proven optimal.
+/* restrip for C: triangle strips kept while the mesh changes, by proven local rules.
  *
  * This header is plain C99 and needs no other file of restrip. Link the shared or the static library restrip_c (CMake:
  * restrip::c, restrip::c_static; pkg-config: restrip-c). docs/c.md is the guide, examples/keep_strips.c a whole
@@ -24,7 +24,7 @@
  * Threads. Different meshes may be used by different threads at once. One mesh may be read by several threads
  * (functions that take a const restrip_mesh *), or be changed by one. There is no other state.
  *
- * Costs are given for T triangles. Memory: 24 bytes a triangle and 5 a vertex; 13 more a triangle under
+ * Complexities are given for T triangles. Memory: 24 bytes a triangle and 5 a vertex; 13 more a triangle under
  * RESTRIP_POLICY_QUICK and RESTRIP_POLICY_FULL for fewest strips; and what a live buffer or a baked mesh holds.
  */
 #ifndef RESTRIP_H
@@ -232,7 +232,7 @@ typedef struct restrip_change {
 } restrip_change;
 
 /* The operations of a dynamic mesh. Each is checked: an operation that would spoil the mesh is refused by one of
- * the codes 1 to 13 and changes nothing. `change` may be null. Cost: O(valence), and that of the policy. After
+ * the codes 1 to 13 and changes nothing. `change` may be null. Complexity: O(valence), and that of the policy. After
  * RESTRIP_OUT_OF_MEMORY the operation may be done or not (compare restrip_mesh_triangle_count); mesh and colours are
  * valid.
  *
@@ -340,8 +340,9 @@ typedef struct restrip_range {
 RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, int32_t form);
 /* Brings the buffer in step with the mesh. *ranges receives the places that may have changed, ascending and apart, to
  * be copied to the device, and *range_count their number; the buffer may have become longer or shorter
- * (restrip_live_indices). The ranges are valid until the next call for this mesh that is not const. Cost: linear in
- * what changed, O(T) the first time and after restrip_mesh_stripify, restrip_mesh_set_colors and restrip_baked_restart.
+ * (restrip_live_indices). The ranges are valid until the next call for this mesh that is not const. Complexity: linear
+ * in what changed, O(T) the first time and after restrip_mesh_stripify, restrip_mesh_set_colors and
+ * restrip_baked_restart.
  * RESTRIP_TOO_LARGE when 16 bits cannot name a vertex; after that and after RESTRIP_OUT_OF_MEMORY the next update
  * writes the whole buffer. */
 RESTRIP_API restrip_status restrip_live_update(restrip_mesh* mesh, const restrip_range** ranges, size_t* range_count);

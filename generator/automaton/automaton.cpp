@@ -277,7 +277,7 @@ Automaton make_automaton(const Weights& weights) {
       kept = ArcStep{class_of[step->to], 0, {}};
       for (const Case c : needed[step->to]) kept->before[c] = step->before[c];
       const Case any = *needed[step->to].begin();
-      // Of the same case, from the best case of the one class to that of the other.
+      // The cost of one case, relative to the best case of the one class and to that of the other.
       const Appended longer = all.appended(x, letters_of(weights)[letter]);
       const Case from = step->before[any];
       kept->cost = *longer.costs[any] - *all.arcs[x].costs[from] + *costs[x][from] - *costs[step->to][any];

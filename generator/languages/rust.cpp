@@ -15,6 +15,7 @@ constexpr const char* rust_declarations = R"(//!
 //! Bad input: the answer is `None` for colours that no valid stripification has (three solid edges at a triangle, a solid
 //! cycle, bits outside the patch), and for positions that the tables do not hold (`k > MAX_K`, a or gaps out of range).
 #![cfg_attr(rustfmt, rustfmt_skip)]
+#![allow(dead_code)] // a program need not use every operation
 #![allow(clippy::unreadable_literal)]
 
 /// The inner edges after an operation, and the change in the number of strips.

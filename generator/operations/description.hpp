@@ -50,7 +50,7 @@ struct Description {
   [[nodiscard]] bool is_pattern() const { return std::holds_alternative<SidePattern>(after); }
 };
 
-/// Those of the shipped file, in its order.
+/// The families of the shipped file, in its order.
 [[nodiscard]] const std::vector<Description>& families();
 
 /// Throws std::invalid_argument.

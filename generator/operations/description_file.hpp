@@ -19,7 +19,7 @@ inline constexpr std::size_t most_terms = 64;  ///< of a criterion
 /// Reads the file; std::runtime_error says file, line, and what was expected.
 [[nodiscard]] std::vector<Description> read_descriptions(const std::string& file);
 
-/// The same of text; `file` is only named.
+/// Reads the text of a file; `file` is only named in errors.
 [[nodiscard]] std::vector<Description> parse_descriptions(const std::string& file, const std::string& text);
 
 }  // namespace restrip::generator

@@ -12,7 +12,7 @@ struct OperationHeader {
   std::string text;
   std::size_t bytes = 0;
 };
-/// Of a solved section that serves one position.
+/// The header of a solved section that serves one position.
 [[nodiscard]] OperationHeader operation_header(const Section& section);
 
 /// Where the files of an operation lie in a folder of tables.

@@ -19,8 +19,7 @@ struct NamedPatch {
   std::vector<std::array<std::string, 2>> boundary;
 };
 
-/// A triangle as apply() of the runtime meets it: the first where the caller says, every other one across a side of one
-/// before it, which is its own side 0.
+/// A triangle as one meets it from the first: every other one across a side of one before it, which is its own side 0.
 struct SurfaceTriangle {
   unsigned from = 0;                   ///< the triangle that it is entered from, by its place in the list
   unsigned from_side = 0;              ///< and over which side of that

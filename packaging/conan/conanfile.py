@@ -13,7 +13,7 @@ class Restrip(ConanFile):
     name = "restrip"
     version = "0.2.0"
     license = "MIT"
-    description = "Triangle strips kept while the mesh changes, by local repairs proven optimal"
+    description = "Triangle strips kept while the mesh changes, by proven local rules"
     topics = ("triangle-strip", "mesh", "level-of-detail")
     package_type = "header-library"
     settings = "os", "arch", "compiler", "build_type"

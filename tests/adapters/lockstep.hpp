@@ -1,5 +1,5 @@
-// The same random operations on a StripMesh and on a foreign mesh through its adapter: afterwards both have the
-// same triangles and the same colours, edge by edge, and an index buffer of theirs draws the same.
+// Lockstep: random operations are done on a StripMesh and on a foreign mesh through its adapter. Afterwards both have
+// the same triangles and the same colours, edge by edge, and an index buffer of theirs draws the same.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -109,7 +109,7 @@ class Render(unittest.TestCase):
                     if run["run_name"].startswith("replay/made/local"):
                         run["split_ns"] = factor * run["split_bare_ns"]
             return edit
-        verdict = r"for splits met on every mesh by ([^;]*);"
+        verdict = r"Met on every mesh for splits by ([^.]*?), for collapses"
         self.change("replay", upkeep(1.99))
         self.assertIn("`local`", re.search(verdict, one_line(self.page())).group(1))
         self.change("replay", upkeep(2.01))

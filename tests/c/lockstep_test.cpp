@@ -157,7 +157,7 @@ Rewrite<Halfedge> refine(Keeper& keeper, const Move& move) {
   }
 }
 
-/// The same by the library. The codes 1 to 13 are the refusals in their order.
+/// Does the move by the library. The codes 1 to 13 are the refusals in their order.
 template <class Keeper>
 std::pair<Refusal, Rewrite<Halfedge>> apply(Keeper& keeper, const Move& move) {
   using Spokes = VertexSplit<Halfedge>::Spokes;

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The steps of docs/toolkit.md, done as they stand there: file, commands and program; each must print what the page says.
+"""The steps of docs/toolkit.md, done as they stand there: files, commands and program; each must print what the page says. Then the
+table is altered: the command that proves it must refuse it.
 
   toolkit_page_test.py PROGRAMS COMPILER
 """
@@ -10,42 +11,52 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+TABLE = "rules/include/restrip/tables/operations/pair_flip.hpp"
 
 
 def blocks(page):
-    """(language, text) of every fenced block, in order."""
-    return re.findall(r"^```(\w+)\n(.*?)^```$", page, re.M | re.S)
+    """(language, text, name) of every fenced block in order; `name` is the file that it is to be saved as, or empty."""
+    return [(language, text, name) for name, language, text in
+            re.findall(r"^(?:[^\n]*Save this as `([\w.-]+)`:\n\n)?```(\w+)\n(.*?)^```$", page, re.M | re.S)]
 
 
-def run(command, folder):
-    done = subprocess.run(command, cwd=folder, shell=isinstance(command, str), text=True, capture_output=True, check=False)
-    if done.returncode != 0:
+def run(command, folder, may_fail=False):
+    done = subprocess.run(command, cwd=folder, shell=True, text=True, capture_output=True, check=False)
+    if (done.returncode != 0) != may_fail:
         raise SystemExit(f"{command}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
     return done.stdout
 
 
 def main():
     programs, compiler = sys.argv[1:]
-    printed = None
+    building = f"{compiler} -std=c++20 -Wall -Wextra -Werror -Irules/include -I{ROOT}/tables/include"
+    printed = proof = None
     compared = 0
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for language, text in blocks((ROOT / "docs/toolkit.md").read_text(encoding="utf-8")):
-            if language == "json":
-                (folder / "pair-flip.json").write_text(text, encoding="utf-8")
+        for language, text, saved_as in blocks((ROOT / "docs/toolkit.md").read_text(encoding="utf-8")):
+            if saved_as:
+                (folder / saved_as).write_text(text, encoding="utf-8")
+            if saved_as == "use.cpp":
+                printed = run(f"{building} use.cpp -o use && ./use", folder)
             elif language == "sh":
-                printed = run(text.replace("build/demo/bin/", programs + "/"), folder)
-            elif language == "cpp":
-                (folder / "use.cpp").write_text(text, encoding="utf-8")
-                run([compiler, "-std=c++20", "-Wall", "-Wextra", "-Werror", "-Irules/include", f"-I{ROOT}/tables/include",
-                     "use.cpp", "-o", "use"], folder)
-                printed = run(["./use"], folder)
+                command = text.replace("build/demo/bin/", programs + "/")
+                command = "set -e\n" + command.replace("g++ -std=c++20 -Irules/include -Itables/include", building)
+                printed = run(command, folder)
+                proof = command if "--dump-command" in command else proof
             elif language == "text":
                 if printed is None or not printed.endswith(text):
                     raise SystemExit(f"docs/toolkit.md says\n{text}but this was printed:\n{printed}")
                 compared += 1
-    if compared != 3:
-        raise SystemExit(f"docs/toolkit.md: {compared} printed results were compared, not 3")
+        if compared != 3 or proof is None:
+            raise SystemExit(f"docs/toolkit.md: {compared} printed results were compared, not 3, or nothing judges the table")
+        table = (folder / TABLE).read_text(encoding="utf-8")
+        altered, count = re.subn(r"(\{\n +)(\d+)", lambda number: number[1] + str(int(number[2]) ^ 1), table, count=1)
+        if count != 1:
+            raise SystemExit(f"{TABLE} has no list of numbers")
+        (folder / TABLE).write_text(altered, encoding="utf-8")
+        if "pair-flip" not in run(proof, folder, may_fail=True):
+            raise SystemExit("the altered table was refused without a word on it")
 
 
 main()

@@ -130,7 +130,7 @@ inline std::vector<StripMesh> meshes() {
   return all;
 }
 
-// The same without the last, of which two vertices have two fans each.
+// All but the last, of which two vertices have two fans each.
 inline std::vector<StripMesh> manifold_meshes() {
   std::vector<StripMesh> all = meshes();
   all.pop_back();

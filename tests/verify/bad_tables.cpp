@@ -181,7 +181,7 @@ class DamagedSection {
     return identity;
   }
 
-  /// Of the example that has the key.
+  /// The sound recolourings of the example that has the key.
   const std::vector<NaiveCandidate>& sound_for(NaiveKey key) {
     const auto [place, is_new] = sound_.try_emplace(key);
     if (is_new) place->second = examples_.at(key).first->sound(examples_.at(key).second);

@@ -18,7 +18,7 @@ std::string shipped(const std::string& path) {
 
 class ForgedReason : public ::testing::Test {
  protected:
-  /// Of the certificate with one row written otherwise, and right sums.
+  /// The verdict on the certificate with one row written otherwise, and right sums.
   static Verdict verdict(const std::string& row, const std::string& forged) {
     std::istringstream lines(shipped("certificates/operations/merge.cert"));
     std::string above;

@@ -21,13 +21,16 @@ struct Verdict {
   bool says(const std::string& expected) const { return text.find(expected) != std::string::npos; }
 };
 
-/// Of a certificate of this family.
+/// The verdict on a certificate of this family.
 Verdict verdict_of(const std::string& certificate, const Family& family, bool second_formulation);
-/// Of a certificate that holds this one section only.
+
+/// The verdict on a certificate that holds this one section only.
 Verdict verdict_of(const NaiveTable& table);
-/// Of a certificate of linked rules that holds this one section only, beside such a one of the local rules.
+
+/// The verdict on a certificate of linked rules with this one section only, beside such a one of the local rules.
 Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local);
-/// Of a folder with MANIFEST and certificates/.
+
+/// The verdict on a folder with MANIFEST and certificates/.
 Verdict verdict_of(const std::filesystem::path& tables_dir);
 
 /// The operation files in tests/corpus/operations.
@@ -35,7 +38,7 @@ extern const std::vector<std::string> corpus_operations;
 std::string corpus_path(const std::string& name);
 Operation corpus_operation(const std::string& name);
 
-/// Of an operation's file on disk, with certificates and a dump as texts.
+/// The verdict on an operation's file on disk, with certificates and a dump as texts.
 Verdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
                    const std::optional<std::string>& dump, const std::optional<std::string>& linked = {});
 

@@ -10,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "app/source.hpp"
+#include "common/counted.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "lod/bake.hpp"
@@ -67,14 +68,15 @@ int run(const BakeCommand& command) {
   const std::string text =
       as_text(source.subject.mended) + as_text(required, command.out.string()) +
       fmt::format(
-          "{}: {} triangles and {} records to {}\n"
-          "{} strips at the base, {} at the finest level (where {} are needed at least), {} at most; {} connected "
-          "components, {:.2f} % of the levels in as many strips\n"
-          "{:.2f} flips and {:.1f} bytes a record, {} bytes in all; {:.1f} seconds\n",
-          command.out.string(), baked.base.triangle_count(), records, baked.mesh.fine_triangles(), report.base_strips,
-          report.top_strips, report.top_at_least, report.most_strips, report.components,
+          "{}: {} and {} to {}\n"
+          "{} at the base, {} at the finest level (at least {} needed), {} at most; {}, {:.2f} % of the levels in as "
+          "many strips\n"
+          "{:.2f} flips and {:.1f} bytes a record, {} in all; {:.1f} seconds\n",
+          command.out.string(), counted(baked.base.triangle_count(), "triangle"), counted(records, "record"),
+          baked.mesh.fine_triangles(), counted(report.base_strips, "strip"), report.top_strips, report.top_at_least,
+          report.most_strips, counted(report.components, "connected component"),
           100.0 * static_cast<double>(report.fewest_levels) / (each + 1), costs.flips_per_record,
-          costs.bytes_per_record, bytes, report.seconds);
+          costs.bytes_per_record, counted(bytes, "byte"), report.seconds);
   told.print(text, json.dump(2) + "\n");
   return 0;
 }

@@ -14,6 +14,7 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
+#include "common/counted.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "lod/mesh_files.hpp"
@@ -71,8 +72,8 @@ int convert_baked(const BakedBytes& found, const ConvertCommand& command, const 
   nlohmann::ordered_json json{
       {"base_triangles", mesh.base.size()}, {"records", mesh.splits.size()}, {"triangles", mesh.fine_triangles()}};
   if (!required.empty()) json["required_extensions"] = required;
-  report.print(fmt::format("{}: {} triangles and {} records to {}\n", command.out.string(), mesh.base.size(),
-                           mesh.splits.size(), mesh.fine_triangles()) +
+  report.print(fmt::format("{}: {} and {} to {}\n", command.out.string(), counted(mesh.base.size(), "triangle"),
+                           counted(mesh.splits.size(), "record"), mesh.fine_triangles()) +
                    as_text(required, command.out.string()),
                json.dump(2) + "\n");
   return 0;
@@ -98,10 +99,10 @@ int run(const ConvertCommand& command) {
                               {"left_out", made.left_out}};
   add_to(json, mended);
   std::string text = as_text(mended);
-  text += fmt::format("{}: {} vertices, {} triangles", command.out.string(), soup.points.size(),
-                      soup.triangles.size() - made.left_out);
-  if (made.strips != 0) text += fmt::format(" in {} strips", made.strips);
-  if (made.left_out != 0) text += fmt::format("; {} degenerate triangles left out", made.left_out);
+  text += fmt::format("{}: {}, {}", command.out.string(), counted(soup.points.size(), "vertex", "vertices"),
+                      counted(soup.triangles.size() - made.left_out, "triangle"));
+  if (made.strips != 0) text += fmt::format(" in {}", counted(made.strips, "strip"));
+  if (made.left_out != 0) text += fmt::format("; {} left out", counted(made.left_out, "degenerate triangle"));
   if (!made.required_extensions.empty()) json["required_extensions"] = made.required_extensions;
   report.print(text + "\n" + as_text(made.required_extensions, command.out.string()), json.dump(2) + "\n");
   return 0;

@@ -20,6 +20,7 @@
 #include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/bad_input.hpp"
+#include "common/counted.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "files/reading.hpp"
@@ -158,8 +159,9 @@ int run(const DrawCommand& command) {
     for (const Triangle t : order[s]) strips[s].push_back(mesh.corners(t));
 
   nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", strips.size()}};
-  std::string text = as_text(mended) + fmt::format("{}: {} triangles in {} strips", command.out.string(),
-                                                   mesh.triangle_count(), strips.size());
+  std::string text =
+      as_text(mended) + fmt::format("{}: {} in {}", command.out.string(), counted(mesh.triangle_count(), "triangle"),
+                                    counted(strips.size(), "strip"));
   if (format == ".json") {
     out.write(facts_of(points, strips));
   } else {
@@ -171,8 +173,9 @@ int run(const DrawCommand& command) {
     json["height"] = command.size.height;
     json["triangles_drawn"] = scene.faces.size();
     json["strips_shown"] = picture.strips;
-    text +=
-        fmt::format("; {} triangles face the camera, {} strips are in the picture", scene.faces.size(), picture.strips);
+    text += fmt::format("; {} the camera, {} in the picture",
+                        counted(scene.faces.size(), "triangle faces", "triangles face"),
+                        counted(picture.strips, "strip is", "strips are"));
   }
   add_to(json, mended);
   report.print(text + "\n", json.dump(2) + "\n");

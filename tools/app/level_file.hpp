@@ -25,7 +25,7 @@ struct LevelFile {
 /// The level of at least so many triangles, its strips kept from the base up in the way of the plan; the finest level
 /// where there are not so many. Throws BadInput at a split that is not possible.
 [[nodiscard]] StripMesh level_mesh(const Plan& plan, std::size_t triangles);
-/// The same as a file.
+/// The level as a file.
 [[nodiscard]] LevelFile level_file(const Plan& plan, std::size_t triangles, const MeshFormat& format,
                                    GltfPrimitives primitives);
 

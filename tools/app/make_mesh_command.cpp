@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
+#include "common/counted.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "lod/mesh_files.hpp"
@@ -30,9 +31,9 @@ int run(const MakeMeshCommand& command) {
   const Soup soup = make_mesh(command.triangles, command.seed);
   out.write(format.write_mesh(soup));
   const nlohmann::ordered_json json{{"vertices", soup.points.size()}, {"triangles", soup.triangles.size()}};
-  report.print(
-      fmt::format("{}: {} vertices, {} triangles\n", command.out.string(), soup.points.size(), soup.triangles.size()),
-      json.dump(2) + "\n");
+  report.print(fmt::format("{}: {}, {}\n", command.out.string(), counted(soup.points.size(), "vertex", "vertices"),
+                           counted(soup.triangles.size(), "triangle")),
+               json.dump(2) + "\n");
   return 0;
 }
 

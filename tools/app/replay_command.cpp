@@ -10,6 +10,7 @@
 #include "app/level_file.hpp"
 #include "app/options.hpp"
 #include "app/source.hpp"
+#include "common/counted.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "lod/mesh_files.hpp"
@@ -88,7 +89,8 @@ int run(const ReplayCommand& command) {
     const std::size_t triangles = command.out_triangles == 0 ? report.triangles : command.out_triangles;
     const LevelFile file = level_file(plan, triangles, *format, command.gltf);
     level->write(file.bytes);
-    text += fmt::format("\n  {}: {} triangles in {} strips\n", command.out.string(), file.triangles, file.strips) +
+    text += fmt::format("\n  {}: {} in {}\n", command.out.string(), counted(file.triangles, "triangle"),
+                        counted(file.strips, "strip")) +
             as_text(file.required_extensions, command.out.string());
   }
   out.print(text, as_json(report, source.subject, walk));

@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "app/level_file.hpp"
 #include "app/options.hpp"
+#include "common/counted.hpp"
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "lod/mesh_files.hpp"
@@ -50,16 +51,16 @@ int run(const SimplifyCommand& command) {
   std::string text = as_text(mended);
   if (format.write_progressive != nullptr) {
     out.write(format.write_progressive(made));
-    text += fmt::format("{}: {} triangles and {} splits to {}\n", command.out.string(), made.base.size(),
-                        made.splits.size(), made.fine_triangles());
+    text += fmt::format("{}: {} and {} to {}\n", command.out.string(), counted(made.base.size(), "triangle"),
+                        counted(made.splits.size(), "split"), made.fine_triangles());
   } else {
     StripMesh base = StripMesh::build(made.base, made.points.size());
     stripify(base);
     const LevelFile file = level_file(base, made.points, format, command.gltf, soup.attributes);
     out.write(file.bytes);
     json["strips"] = file.strips;
-    text += fmt::format("{}: {} of {} triangles, in {} strips\n", command.out.string(), file.triangles,
-                        made.fine_triangles(), file.strips);
+    text += fmt::format("{}: {} of {}, in {}\n", command.out.string(), file.triangles,
+                        counted(made.fine_triangles(), "triangle"), counted(file.strips, "strip"));
     if (!file.required_extensions.empty()) json["required_extensions"] = file.required_extensions;
     text += as_text(file.required_extensions, command.out.string());
   }
@@ -68,8 +69,9 @@ int run(const SimplifyCommand& command) {
   add_to(json, mended);
   report.print(text, json.dump(2) + "\n");
   if (!result.stopped_short()) return 0;
-  fmt::print(stderr, "restrip: {}: stopped at {} triangles, where {} were asked for: {}\n", command.out.string(),
-             made.base.size(), result.wanted_triangles, why_no_coarser(result.left_out));
+  fmt::print(stderr, "restrip: {}: stopped at {}, where {}: {}\n", command.out.string(),
+             counted(made.base.size(), "triangle"), counted(result.wanted_triangles, "was asked for", "were asked for"),
+             why_no_coarser(result.left_out));
   return command.size_given ? 1 : 0;
 }
 

@@ -10,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
+#include "common/counted.hpp"
 #include "common/report_output.hpp"
 #include "common/stopwatch.hpp"
 #include "files/output.hpp"
@@ -115,14 +116,15 @@ int run(const StripifyCommand& command) {
   };
   std::string text = as_text(mended);
   text += fmt::format(
-      "{}: {} triangles ({} degenerate ones left out) in {} strips, {} connected components\n"
-      "{:.3f} indices per triangle (at least {:.3f} in any strips), {} swaps, {:.3f} vertex cache misses "
-      "per triangle (FIFO 16), {:.3f} seconds\n",
-      command.mesh.string(), triangles, left_out, strips.size(), connected_components(mesh),
-      per_triangle(indices.size()), per_triangle(bound), swaps, cache_misses, seconds);
+      "{}: {} ({} left out) in {}, {}\n"
+      "{:.3f} indices per triangle (at least {:.3f} in any strips), {}, {:.3f} vertex cache misses per triangle "
+      "(FIFO 16), {:.3f} seconds\n",
+      command.mesh.string(), counted(triangles, "triangle"), counted(left_out, "degenerate one"),
+      counted(strips.size(), "strip"), counted(connected_components(mesh), "connected component"),
+      per_triangle(indices.size()), per_triangle(bound), counted(swaps, "swap"), cache_misses, seconds);
   if (in_file.cut != 0)
-    text += fmt::format("strips of the file cut at {} place{}: consecutive triangles share no edge\n", in_file.cut,
-                        in_file.cut == 1 ? "" : "s");
+    text += fmt::format("strips of the file cut at {}: consecutive triangles share no edge\n",
+                        counted(in_file.cut, "place"));
   text += as_text(required, command.out.string());
   // A closed mesh has no seams.
   const bool has_seams = report.boundary_edges != 0;

@@ -1,6 +1,6 @@
-// How much is lost by not looking outside the patch. A local rule is the best of the recolourings that are safe
-// whatever the rest of the mesh looks like; in a given mesh a bolder recolouring of the same patch, with the same
-// ports, is often safe as well. This counts how often.
+// How much is lost by not looking outside the patch. A local rule is the best of the recolourings that keep the ports
+// and are safe whatever the rest of the mesh looks like; in a given mesh a bolder recolouring of the same patch, with
+// the same ports, is often safe as well. This counts how often.
 #pragma once
 
 #include <cstddef>

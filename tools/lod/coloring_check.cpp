@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "common/counted.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
@@ -95,10 +96,11 @@ std::vector<std::string> find_faults(const StripMesh& mesh) {
   }
   if (!faults.empty()) return faults;
   const ColoringReport coloring = check_coloring(mesh);
-  if (coloring.one_sided != 0) faults.push_back(fmt::format("{} edges are solid on one side only", coloring.one_sided));
+  if (coloring.one_sided != 0)
+    faults.push_back(counted(coloring.one_sided, "edge is", "edges are") + " solid on one side only");
   if (coloring.over_degree != 0)
-    faults.push_back(fmt::format("{} triangles have three solid edges", coloring.over_degree));
-  if (coloring.solid_cycles != 0) faults.push_back(fmt::format("{} solid cycles", coloring.solid_cycles));
+    faults.push_back(counted(coloring.over_degree, "triangle has", "triangles have") + " three solid edges");
+  if (coloring.solid_cycles != 0) faults.push_back(counted(coloring.solid_cycles, "solid cycle"));
   if (!coloring.valid && faults.empty()) faults.emplace_back("the colouring is not valid");
   return faults;
 }
@@ -106,7 +108,7 @@ std::vector<std::string> find_faults(const StripMesh& mesh) {
 std::string find_fault(const StripMesh& mesh, const StripLocator& locator) {
   const Strips strips = extract_strips(mesh);
   if (strips.size() != locator.strips())
-    return fmt::format("{} strips, but the locator has {}", strips.size(), locator.strips());
+    return fmt::format("{}, but the locator has {}", counted(strips.size(), "strip"), locator.strips());
   for (const Triangle t : strips.order)
     if (!locator.knows(t)) return fmt::format("the locator does not know triangle {}", t);
   std::set<std::uint32_t> names;

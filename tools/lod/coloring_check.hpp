@@ -17,7 +17,7 @@ namespace restrip::tools {
 /// The triangles of a mesh, in the order of their handles.
 [[nodiscard]] std::vector<Corners> triangles_of(const StripMesh& mesh);
 
-/// The same triangles as a set: each begun at its smallest corner, all sorted, degenerate ones left out.
+/// Triangles as a set: each begun at its smallest corner, all sorted, degenerate ones left out.
 [[nodiscard]] std::vector<Corners> sorted_triangles(std::vector<Corners> triangles);
 
 /// What a graphics card draws: the triangles of an index buffer of strips with primitive restart, without the
@@ -28,7 +28,7 @@ namespace restrip::tools {
 /// the colouring is valid. One sentence for each kind of fault; empty when there is none. Linear time.
 [[nodiscard]] std::vector<std::string> find_faults(const StripMesh& mesh);
 
-/// The same for the triangles around one vertex; cycles are looked for along the strips that pass it, as far as
+/// Looks for faults in the triangles around one vertex; cycles are looked for along the strips that pass it, as far as
 /// `farthest_cycle` triangles. Empty when there is no fault.
 [[nodiscard]] std::string find_fault_around(const StripMesh& mesh, Vertex v);
 inline constexpr std::size_t farthest_cycle = 4096;

@@ -2,8 +2,8 @@
 // big-endian records. A face has wedges (a vertex with a normal, a colour, a texture coordinate) for corners; a split
 // names a face, a vertex in it, and how far to turn from the left apex to the right one.
 //
-// Of all that, points and connectivity are read. Hoppe's vertices may move when they are split. Ours do not: each has
-// the place that it has in the finest mesh.
+// Points and connectivity are read, and nothing else. Hoppe's vertices may move when they are split. Ours do not: each
+// has the coordinates that it has in the finest mesh.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ namespace restrip::tools {
 /// What is in the file, in the format of its extension, in any case. Throws BadInput.
 [[nodiscard]] ReadMesh read_mesh_file(const std::filesystem::path& file,
                                       ReadAttributes attributes = ReadAttributes::no);
-/// The same as a mesh: of a progressive or a baked one the finest level.
+/// The mesh in the file: of a progressive or a baked one the finest level.
 [[nodiscard]] Soup read_mesh(const std::filesystem::path& file, ReadAttributes attributes = ReadAttributes::no);
 /// Reads a mesh, and mends it. Every program that takes a mesh reads it here.
 [[nodiscard]] Soup read_mesh(const std::filesystem::path& file, const MendingOptions& options, Mended& mended,

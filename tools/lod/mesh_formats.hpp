@@ -30,7 +30,7 @@ struct MeshFormat {
   /// glTF no mesh without triangles.
   std::string (*write_strips)(const StripFile& strips, GltfPrimitives primitives) = nullptr;
   std::string (*write_progressive)(const ProgressiveMesh& mesh) = nullptr;
-  /// Of the bytes of a baked mesh.
+  /// Writes a baked mesh, given by its bytes.
   std::string (*write_baked)(std::string_view baked, GltfPrimitives primitives) = nullptr;
   enum class Attributes { none, usual, all } attributes = Attributes::none;  ///< usual: those of OBJ and PLY
   std::string_view strips_as = {};  ///< how strips are written, where the extension alone does not say so

@@ -15,7 +15,7 @@ namespace restrip::tools {
 /// own format is read as well (hoppe_pm_file.hpp).
 [[nodiscard]] ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name);
 
-/// The same mesh with its vertices in order of appearance: first those of the base's triangles, as these name them,
+/// The mesh with its vertices in order of appearance: first those of the base's triangles, as these name them,
 /// then the one that each split adds. Vertices that nothing uses are left out.
 [[nodiscard]] ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh);
 

@@ -370,7 +370,7 @@ class RecordedMesh : public KernelMesh {
     const std::array<HalfedgeHandle, 2> loops{is_boundary(h) ? HalfedgeHandle() : next_halfedge_handle(h),
                                               is_boundary(back) ? HalfedgeHandle() : next_halfedge_handle(back)};
     collapse_edge(h);
-    // Of the two edges between the head and each apex the one that KernelMesh::collapse keeps.
+    // One of the two edges between the head and each apex goes, and the one that KernelMesh::collapse keeps stays.
     if (loops[0].is_valid()) remove_loop(next_halfedge_handle(loops[0]));
     if (loops[1].is_valid()) remove_loop(loops[1]);
   }

@@ -45,13 +45,13 @@ struct Attribute {
   [[nodiscard]] Value meant(std::size_t vertex) const;
   /// The value of the next vertex. Every component must be one of the type.
   void append(const Value& value);
-  /// The same name and encoding: the values of one may follow those of the other.
+  /// Have both the same name and encoding? Then the values of one may follow those of the other.
   [[nodiscard]] bool alike(const Attribute& other) const noexcept {
     return name == other.name && type == other.type && components == other.components && normalized == other.normalized;
   }
 };
 
-/// Of these vertices, in this order.
+/// The attribute of these vertices alone, in this order.
 [[nodiscard]] Attribute selected(const Attribute& attribute, std::span<const std::uint32_t> vertices);
 
 /// The attribute of this name, or null.
@@ -60,7 +60,7 @@ struct Attribute {
 /// glTF's normals have length one, those of other formats nearly: others are made so. What has no length stays.
 [[nodiscard]] Attribute::Value unit_normal(const Attribute::Value& normal);
 
-/// The same names each once, as a reader knows them: "normals, texture coordinates". Others as they are.
+/// The names, each once, as a reader knows them: "normals, texture coordinates". Others as they are.
 [[nodiscard]] std::string attributes_in_words(std::span<const std::string> names);
 
 /// Puts a name at the end of a list that does not have it.

@@ -14,7 +14,7 @@
 
 namespace restrip::tools {
 
-/// Of a mesh, whose levels of detail it has with their strips (lod/baked_gltf.hpp).
+/// The extension of a mesh that holds its levels of detail with their strips (lod/baked_gltf.hpp).
 inline constexpr std::string_view baked_strips_extension = "RESTRIP_baked_strips";
 
 class GltfFile {
@@ -43,7 +43,7 @@ class GltfFile {
     std::size_t stride = 0;
     unsigned type = 0;  // as glTF numbers the types of components
 
-    /// As it is, not normalised.
+    /// The number as it is stored, not normalised.
     [[nodiscard]] double value(std::size_t element, std::size_t component) const;
   };
 

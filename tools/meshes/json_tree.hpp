@@ -30,8 +30,8 @@ inline constexpr std::size_t deepest_json = 64;
 /// Throws BadInput where the text is no JSON or beyond the bounds; `name` is the file.
 [[nodiscard]] JsonValue parse_json(std::string_view text, const std::string& name);
 
-/// A value of a tree, or the place where one might stand. The tree and the name of the file must outlive it. Everything
-/// throws BadInput where the value is there and of another kind.
+/// A value of a tree, or the place where one might stand. The tree and the name of the file must outlive it. Every
+/// function throws BadInput if the value has the wrong type.
 class JsonPlace {
  public:
   JsonPlace(const JsonValue& root, const std::string& file) : file_(&file), value_(&root) {}

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/bad_input.hpp"
+#include "common/counted.hpp"
 #include "meshes/vertex_lookup.hpp"
 
 namespace restrip::tools {
@@ -223,9 +224,10 @@ std::size_t vertices_at_seams(const Soup& soup) { return repeated(soup, {}) - re
 std::string as_text(const Mended& mended) {
   std::string text;
   if (mended.asked.weld)
-    text += fmt::format("welded: {} vertices with others at the same place; {} triangles vanished\n",
-                        mended.welded_vertices, mended.vanished_triangles);
-  if (mended.asked.orient) text += fmt::format("oriented: {} triangles turned\n", mended.turned_triangles);
+    text += fmt::format("welded: {} with others at the same place; {} vanished\n",
+                        counted(mended.welded_vertices, "vertex", "vertices"),
+                        counted(mended.vanished_triangles, "triangle"));
+  if (mended.asked.orient) text += fmt::format("oriented: {} turned\n", counted(mended.turned_triangles, "triangle"));
   if (!mended.left_out_attributes.empty())
     text += fmt::format("left out: {}\n", attributes_in_words(mended.left_out_attributes));
   return text;
@@ -245,17 +247,14 @@ void add_to(nlohmann::ordered_json& report, const Mended& mended) {
 std::string hints(std::size_t coincident, std::size_t at_seams, std::size_t inconsistent_edges) {
   std::string text;
   if (coincident != 0)
-    text +=
-        fmt::format("{} vertices lie where others do; strips end at such seams: --weld makes them one\n", coincident);
+    text += counted(coincident, "vertex lies", "vertices lie") +
+            " where others do; strips end at such seams: --weld makes them one\n";
   if (at_seams != 0)
-    text += fmt::format(
-        "{} vertices lie where others do and have other attributes; strips end at such seams: --no-attributes --weld "
-        "makes them one\n",
-        at_seams);
+    text += counted(at_seams, "vertex lies where others do and has", "vertices lie where others do and have") +
+            " other attributes; strips end at such seams: --no-attributes --weld makes them one\n";
   if (inconsistent_edges != 0)
-    text +=
-        fmt::format("{} edges lie between triangles of opposite orientation, where strips end: --orient turns some\n",
-                    inconsistent_edges);
+    text += counted(inconsistent_edges, "edge lies", "edges lie") +
+            " between triangles of opposite orientation, where strips end: --orient turns some\n";
   return text;
 }
 

@@ -37,7 +37,7 @@ struct MeshReport {
   std::size_t coincident_vertices = 0;  ///< used vertices at the place of an earlier one
   std::size_t components = 0;           ///< pieces that share no vertex
   std::int64_t euler_characteristic = 0;  ///< used vertices - edges + triangles
-  /// Of all components together; only where it makes sense: an oriented manifold (no count above from
+  /// Genus of all components together; only where it makes sense: an oriented manifold (no count above from
   /// `degenerate_faces` to `bow_tie_vertices`, the boundary apart, is positive).
   std::optional<std::int64_t> genus;
   std::vector<std::size_t> triangles_per_vertex;  ///< [n]: used vertices of n triangles

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "common/counted.hpp"
 #include "meshes/mesh_report.hpp"
 
 namespace restrip::tools {
@@ -21,7 +22,7 @@ std::string as_text(const MeshReport& report, const std::string& name, const Men
   row("vertices", report.vertices, fmt::format("{} used", report.used_vertices));
   row("triangles", report.triangles);
   row("edges", report.edges);
-  row("boundary edges", report.boundary_edges, fmt::format("in {} loops", report.boundary_loops));
+  row("boundary edges", report.boundary_edges, "in " + counted(report.boundary_loops, "loop"));
   row("components", report.components);
   row("Euler characteristic", report.euler_characteristic);
   if (report.genus) row("genus", *report.genus, report.components > 1 ? "all components together" : "");
@@ -37,10 +38,10 @@ std::string as_text(const MeshReport& report, const std::string& name, const Men
         "at the place of another; strips end at seams; --weld joins");
   if (report.strips)
     row("strips of the file", report.strips->strips,
-        fmt::format("{} indices{}", report.strips->indices,
-                    report.strips->cut == 0
-                        ? ""
-                        : fmt::format("; cut {} times: consecutive triangles share no edge", report.strips->cut)));
+        fmt::format("{}{}", counted(report.strips->indices, "index", "indices"),
+                    report.strips->cut == 0 ? ""
+                                            : fmt::format("; cut at {}: consecutive triangles share no edge",
+                                                          counted(report.strips->cut, "place"))));
   if (report.manifold()) text += "  an oriented manifold: every operation has its rule everywhere\n";
   text += "\n  triangles per vertex    vertices\n";
   for (std::size_t n = 1; n < report.triangles_per_vertex.size(); ++n)

@@ -61,7 +61,7 @@ class ObjReader {
     if (!found) refuse(fmt::format("a {}, found '{}'", what, word.substr(0, 40)));
     return *found;
   }
-  /// Of a value other than a coordinate.
+  /// Reads a value other than a coordinate.
   double finite_number(std::string_view word) const {
     const auto found = parse<double>(word);
     if (!found || !std::isfinite(static_cast<float>(*found)))

@@ -263,7 +263,7 @@ class PlyReader {
   };
   static constexpr std::size_t no_attribute = ~std::size_t{0};
 
-  /// Of each property of the vertices; makes the attributes, or leaves them out.
+  /// The component that each property of the vertices is; makes the attributes, or leaves them out.
   std::vector<Component> components_of(const Element& element) {
     std::vector<Component> components(element.properties.size());
     std::vector<Attribute>& made = soup_.attributes();

@@ -21,7 +21,7 @@ struct Point {
 /// Three vertices, counter-clockwise.
 using Corners = std::array<std::uint32_t, 3>;
 
-/// The same triangle, begun at its smallest corner: equal for equal triangles of equal orientation.
+/// A triangle begun at its smallest corner: equal for equal triangles of equal orientation.
 [[nodiscard]] constexpr Corners rotated(const Corners& t) noexcept {
   if (t[0] <= t[1] && t[0] <= t[2]) return t;
   if (t[1] <= t[2]) return {t[1], t[2], t[0]};

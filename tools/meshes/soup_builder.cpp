@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "common/bad_input.hpp"
+#include "common/counted.hpp"
 #include "files/reading.hpp"
 
 namespace restrip::tools {
@@ -77,8 +78,8 @@ Soup SoupBuilder::finish() && {
   if (soup_.points.empty())
     throw BadInput(fmt::format("{}: no vertices; is the file empty, or of another format than its name says?", name_));
   if (soup_.triangles.empty())
-    throw BadInput(fmt::format("{}: {} vertices but no triangles; strips need faces, not points or lines", name_,
-                               soup_.points.size()));
+    throw BadInput(fmt::format("{}: {} but no triangles; strips need faces, not points or lines", name_,
+                               counted(soup_.points.size(), "vertex", "vertices")));
   const auto check = [this](std::uint32_t corner) {
     if (corner >= soup_.points.size())
       throw BadInput(

@@ -26,7 +26,7 @@ struct StripFile {
   std::span<const Point> points;
   std::span<const std::uint32_t> indices;  ///< restart_index between strips
   std::span<const Corners> triangles;      ///< the same, drawn, in order
-  /// Of the points. The formats have those of which MeshFormat::holds() (lod/mesh_formats.hpp) says so.
+  /// Attributes of the points. A format holds those of which MeshFormat::holds() (lod/mesh_formats.hpp) says so.
   std::span<const Attribute> attributes = {};
 };
 

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "common/counted.hpp"
+
 namespace restrip::tools {
 namespace {
 
@@ -74,7 +76,7 @@ std::string as_text(const std::vector<PaperMesh>& meshes) {
   std::string text;
   auto out = std::back_inserter(text);
   for (const PaperMesh& mesh : meshes) {
-    fmt::format_to(out, "{}: {} triangles, base {}\n", mesh.name, mesh.triangles, mesh.base_triangles);
+    fmt::format_to(out, "{}: {}, base {}\n", mesh.name, counted(mesh.triangles, "triangle"), mesh.base_triangles);
     text += as_text(mesh.mended);
     if (mesh.paper)
       fmt::format_to(out, "  triangles per vertex: {} the paper's {}\n",

@@ -15,7 +15,7 @@ Spot middle(const Spot& p, const Spot& q) noexcept {
   return {(p.x + q.x) / 2, (p.y + q.y) / 2, (p.depth + q.depth) / 2};
 }
 
-/// Of strips by number: hues a golden ratio apart, in three lightnesses.
+/// Colours of strips by number: hues a golden ratio apart, in three lightnesses.
 Color usual_color(std::size_t strip) {
   const double turns = std::numbers::phi * static_cast<double>(strip + 1);
   const double hue = 12 * (turns - std::floor(turns));  // in twelfths of the circle

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "common/counted.hpp"
+
 namespace restrip::tools {
 namespace {
 
@@ -51,17 +53,17 @@ double percent(std::size_t part, std::size_t whole) { return 100.0 * ratio(part,
 std::string as_text(const ReplayReport& report, const Subject& subject) {
   std::string text = subject.name + "\n" + as_text(subject.mended);
   auto out = std::back_inserter(text);
-  fmt::format_to(out, "  {} triangles, {} splits, {} triangles\n", report.base_triangles, report.operations,
-                 report.triangles);
+  fmt::format_to(out, "  {}, {}, {}\n", counted(report.base_triangles, "triangle"), counted(report.operations, "split"),
+                 counted(report.triangles, "triangle"));
   if (subject.wanted_triangles != 0 && report.base_triangles > subject.wanted_triangles)
-    fmt::format_to(out, "  (a base of {} triangles was wanted; {})\n", subject.wanted_triangles,
+    fmt::format_to(out, "  (a base of {} was wanted; {})\n", counted(subject.wanted_triangles, "triangle"),
                    why_no_coarser(subject.left_out));
   const LeftOut& left = subject.left_out;
   if (left.degenerate_triangles != 0)
-    fmt::format_to(out, "  left out: {} degenerate triangles\n", left.degenerate_triangles);
+    fmt::format_to(out, "  left out: {}\n", counted(left.degenerate_triangles, "degenerate triangle"));
   if (left.non_manifold_vertices + left.frozen_vertices != 0)
-    fmt::format_to(out, "  left alone: {} vertices where the mesh is no manifold, {} beside them\n",
-                   left.non_manifold_vertices, left.frozen_vertices);
+    fmt::format_to(out, "  left alone: {} where the mesh is no manifold, {} beside them\n",
+                   counted(left.non_manifold_vertices, "vertex", "vertices"), left.frozen_vertices);
 
   fmt::format_to(out, "\n  {:>10} {:>10} {:>14} {:>10} {:>17} {:>12} {:>6}   {}\n", "triangles", "strips", "per strip",
                  "isolated", "indices per tri.", "live buffer", "ACMR",
@@ -136,13 +138,14 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
 std::string as_text(const WalkTaken& walk) {
   const WalkReport& report = walk.report;
   std::string text = fmt::format(
-      "\n  walk of {} steps, seed {}: {} splits, {} collapses, {} flips, {} refused\n"
+      "\n  walk of {}, seed {}: {}, {}, {}, {} refused\n"
       "  isolated ones introduced: {} by splits and collapses, {} by flips\n",
-      walk.options.steps, walk.options.seed, report.splits, report.collapses, report.flips, report.refused,
-      report.isolating, report.flips_isolating);
+      counted(walk.options.steps, "step"), walk.options.seed, counted(report.splits, "split"),
+      counted(report.collapses, "collapse"), counted(report.flips, "flip"), report.refused, report.isolating,
+      report.flips_isolating);
   if (report.fault.empty())
-    return text + fmt::format("  checked: no fault; {} triangles in {} strips at the end, {} isolated\n",
-                              report.triangles, report.strips, report.isolated);
+    return text + fmt::format("  checked: no fault; {} in {} at the end, {} isolated\n",
+                              counted(report.triangles, "triangle"), counted(report.strips, "strip"), report.isolated);
   text += fmt::format("  FAULT at step {}: {}\n  the shortest way there that was found:\n", report.fault_step,
                       report.fault);
   for (const std::string& line : report.trace) text += "    " + line + "\n";

@@ -1,8 +1,8 @@
 // Upkeep: the strips of one mesh, kept while it changes. Every way of keeping strips is one of these (ways.hpp has the
 // list), and replays, walks, benchmarks and the paper's report know nothing else.
 //
-// Single operations are virtual and say what they did. The loops are for whoever holds a clock: they choose the way
-// once and have no virtual call inside, and what an operation did is left unsaid.
+// Single operations are virtual and say what they did. The loops exist for timing: one dispatch for all operations, and
+// nothing reported.
 #pragma once
 
 #include <concepts>

@@ -46,7 +46,7 @@ struct Kept {
   }
 };
 
-/// The same under another cost than strips.
+/// Operations of a keeper under another cost than strips.
 struct KeptLow {
   IndexKeeper keeper;
   KeptLow(StripMesh& mesh, Policy policy, const Beginning& with) : keeper(mesh, policy, with.cost) {

@@ -73,7 +73,7 @@ class TurningArc {
     }
   }
 
-  /// Of the strand that enters triangle `at` over a link, from the left or from the right.
+  /// The reach of the strand that enters triangle `at` over a link, from the left or from the right.
   char reach(std::size_t at, bool rightwards) const {
     if (has_port(word_[at])) return 'p';
     if (!solid(rightwards ? at + 1 : at)) return 'e';

@@ -56,7 +56,7 @@ struct AutomatonCertificate {
     const auto& found = classes[c].steps[letters_of(weights).find(letter)];
     return found ? &*found : nullptr;
   }
-  /// Of classes that can be the first and the second arc.
+  /// The meeting of two classes, which must be able to be the first and the second arc.
   const AutomatonMeeting& meeting(std::size_t first, std::size_t second) const {
     return meetings[classes[first].as_first.value()][classes[second].as_second.value()];
   }

@@ -26,7 +26,7 @@ struct Facts {
 /// Throws std::logic_error should there be no end of new kinds of arcs.
 Facts facts_of_every_fan();
 
-/// As a table for documents.
+/// The facts as a table for documents.
 std::string table_of(const Facts& facts);
 
 }  // namespace restrip::verify

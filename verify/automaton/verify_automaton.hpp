@@ -13,8 +13,8 @@ struct AutomatonOptions {
   unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, which are compared
   /// The largest fans that are searched; 0: 10, or 6 where swaps have a price, which makes many more keys.
   unsigned max_k = 0;
-  /// Of the fans with k > 8 only every n-th place; where swaps have a price, of those with k > 5 and of the kinds of
-  /// first arcs that are paired with all others.
+  /// Only every n-th place of the fans with k > 8 is checked; where swaps have a price, of those with k > 5 and of the
+  /// kinds of first arcs that are paired with all others.
   unsigned every = 1;
 };
 

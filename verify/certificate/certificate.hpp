@@ -22,7 +22,7 @@ struct Row {
   std::optional<Reason> reason;  ///< of a rule; all rules of a certificate have one, or none has
   unsigned line = 0;
 
-  /// As the certificate writes it.
+  /// The row as the certificate writes it.
   std::string text() const;
 };
 

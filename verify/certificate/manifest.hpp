@@ -17,7 +17,7 @@ struct ManifestLine {
 
 /// The lines of a manifest; `file` is named in errors. InputError when it is not well formed.
 std::vector<ManifestLine> parse_manifest(const std::string& file, const std::string& text);
-/// Those of the folder's MANIFEST. InputError as well when it cannot be read.
+/// The lines of the folder's MANIFEST. InputError as well when it cannot be read.
 std::vector<ManifestLine> read_manifest(const std::string& tables_dir);
 
 std::string sha256_of(const std::string& bytes);

@@ -16,7 +16,7 @@ struct Reason {
   std::vector<Reason> cases;  ///< solid, dashed; empty for a leaf
   std::vector<Mask> sets;     ///< of a leaf
 
-  /// As the certificate writes it.
+  /// The reason as the certificate writes it.
   std::string text() const;
 };
 

@@ -8,7 +8,7 @@
 
 namespace restrip::verify {
 
-/// Of bytes taken as numbers 0 … 255.
+/// Sums of bytes taken as numbers 0 … 255.
 struct ByteSums {
   std::uint64_t plain = 0;
   std::uint64_t weighted = 0;  ///< each byte times its number; the first byte has number 1

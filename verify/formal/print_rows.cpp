@@ -2,7 +2,7 @@
 //
 //   print_rows DIRECTORY < FAMILY.cert
 //
-// Of a copy the recolouring is left out: Rows.v works it out again from the symmetry. Reasons and sums are left out,
+// The recolouring of a copy is left out: Rows.v works it out again from the symmetry. Reasons and sums are left out,
 // too: the proof searches. At the end of the file stands the function from positions, lists of numbers such as [8; 3],
 // to the rows of their sections.
 // Anything unexpected ends the program with a message and exit code 1.

@@ -2,10 +2,11 @@
 //
 //   print_tables DIRECTORY < dump
 //
-// The dump is text: `restrip-table-dump 2`, then for each table its header and one line `before ports after` for each
-// configuration, ascending by (before, ports), hexadecimal, `-` for no answer; at last `end N`, N the number of
-// configuration lines. A flip's line is `inner ports inner ports` (or `inner ports -`), and its answer's mask
-// is inner | ports << 1. A table of linked rules has a line `ports (recolouring partners)+` for each port mask.
+// The dump is text (docs/certificate.md, "Table dump"): `restrip-table-dump 3`, then for each table its header and one
+// line `before ports after kept` for each configuration, ascending by (before, ports), hexadecimal, `before ports -`
+// for no answer; at last `end N`, N the number of configuration lines. Only the flip keeps other ports than there were;
+// the mask of its answer is after | kept << 1. A table of linked rules has a line `ports (recolouring partners)+` for
+// each port mask.
 //
 // A table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read, and
 // Linked.v how the lists of linked rules are. At the end of a file stands the function from positions, lists of numbers

@@ -12,7 +12,7 @@ namespace restrip::verify {
 /// The criteria in turn; compared as a whole, smaller is better. Those that the operation does not have are 0.
 using CostValues = std::array<std::int64_t, most_criteria>;
 
-/// Of colours after the operation, where so many ports were given up.
+/// The cost of colours after the operation, where so many ports were given up.
 CostValues cost_of(const Operation& operation, Colors after, unsigned given_up);
 
 /// "strips", "isolated + given_up", "-2 solid(1,3)".

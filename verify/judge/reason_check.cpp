@@ -13,7 +13,8 @@ struct Loss {
   friend constexpr auto operator<=>(const Loss&, const Loss&) = default;
 };
 
-/// Of one rule. Sets of edges are masks: inner edges first, then ports, of which those that may be given up are edges.
+/// The reason of one rule. Sets of edges are masks: inner edges first, then ports, of which those that may be given up
+/// are edges.
 class RuleReason {
  public:
   RuleReason(const RuleJudge& judge, Colors configuration, Colors recoloring)
@@ -59,7 +60,7 @@ class RuleReason {
                        least.isolated, least.given_up, row_loss_.dashed, row_loss_.isolated, row_loss_.given_up);
   }
 
-  /// Of a recolouring that leaves these edges dashed and no other.
+  /// The loss of a recolouring that leaves these edges dashed and no other.
   Loss loss(Mask dashed) const {
     const auto given_up = static_cast<int>(solid_count(high_part(dashed, operation_.after.inner_edges())));
     const auto isolated = static_cast<int>(isolated_of(operation_.after, colors_of(edges_ & ~dashed)));

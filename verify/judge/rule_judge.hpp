@@ -32,18 +32,18 @@ class RuleJudge {
   const Colorings& before() const { return before_; }
   const Colorings& after() const { return after_; }
 
-  /// Of a class of configurations.
+  /// The key of a class of configurations.
   Key key_of_class(std::uint32_t number) const {
     const FitClass& own = table_.classes()[before_.classes()[number].fit_class];
     return {own.ports, own.joined.both(joinable_[own.ports])};
   }
-  /// Of a valid configuration.
+  /// The key of a valid configuration.
   Key key_of(Colors configuration) const { return key_of_class(before_.class_of(configuration)); }
 
   /// All pairs of ports that a valid configuration joins.
   PortPairs joined_by(Colors configuration) const { return table_.classes()[class_before(configuration)].joined; }
 
-  /// Of a recolouring of a valid configuration. Each question is answered once and remembered.
+  /// Judges a recolouring of a valid configuration. Each question is answered once and remembered.
   Judged judged(Colors configuration, Colors recoloring);
   /// What is wrong, in full: colours drawn, the world in which they do not fit, the recolouring that is better.
   std::string explained(Colors configuration, Colors recoloring, const Judged& judged) const;

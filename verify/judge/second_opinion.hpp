@@ -20,7 +20,7 @@ inline bool has_second_formulation(const Operation& operation) {
   return operation.constraint == Constraint::strips && may_have_reasons(operation);
 }
 
-/// Of an operation that is searched.
+/// Compares the judge of an operation that is searched with the second formulation.
 Agreement second_opinion_on(const RuleJudge& judge);
 
 }  // namespace restrip::verify

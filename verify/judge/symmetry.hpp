@@ -20,7 +20,7 @@ struct Symmetry {
 
 class Symmetries {
  public:
-  /// Those that keep the patches before and after; or the patch after alone, where one rule serves every position.
+  /// Symmetries that keep the patches before and after; or the patch after alone, where one rule serves every position.
   enum class Keep { both_sides, after };
   Symmetries(const Operation& operation, Keep keep);
 

@@ -17,7 +17,7 @@ struct Alternative {
   Mask inner = 0;
   unsigned line = 0;
 
-  /// As the certificate writes it.
+  /// The alternative as the certificate writes it.
   std::string text() const;
 };
 

@@ -5,7 +5,7 @@
 
 namespace restrip::verify {
 
-/// Of a world of strips.
+/// The pairs that a world of strips joins.
 PortPairs pairs_of(const World& world);
 
 /// Whether two pairings close a cycle when they are laid together: found by following them in turn, without a graph.

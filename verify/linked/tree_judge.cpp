@@ -21,7 +21,7 @@ TreeJudge::TreeJudge(const Side& after, Mask ports)
     }
     matchings_.push_back(matching);
   }
-  // Of the recolourings with the same pairing only the best can matter; and none that joins more than one as good.
+  // Only the best of the recolourings with the same pairing can matter; and none that joins more than one as good.
   std::map<PortPairs, Merit> best;
   for (const Recoloring& recoloring : recolorings_) {
     if (!recoloring.survey.valid) continue;

@@ -47,9 +47,9 @@ class Description {
 
 /// InputError "file:line:column: member: expected …" when anything is not as docs/operation-file.md says.
 std::vector<Description> parse_descriptions(const std::string& file, std::string_view text);
-/// Of a file with one operation at one position.
+/// Reads a file with one operation at one position.
 Operation parse_operation(const std::string& file, std::string_view text);
-/// Those of the shipped file, in its order.
+/// The descriptions of the shipped file, in its order.
 const std::vector<Description>& shipped_descriptions();
 
 }  // namespace restrip::verify

@@ -31,7 +31,7 @@ inline constexpr unsigned largest_judged_fan = 10;
 /// One for each certificate that the descriptions name, where the last of its descriptions stands; positions whose
 /// first number is at most `max_k`. InputError when a description has none of them.
 std::vector<Family> families_of(const std::vector<Description>& descriptions, unsigned max_k);
-/// Those of the shipped descriptions, 3 <= max_k <= 10.
+/// The families of the shipped descriptions, 3 <= max_k <= 10.
 std::vector<Family> all_families(unsigned max_k = largest_fan);
 
 /// Linked rules: the sections, patches and positions of another family, with lists instead of rules.
@@ -40,7 +40,7 @@ struct LinkedFamily {
   Family local;
 };
 
-/// Those of the shipped descriptions that have linked rules.
+/// The families of the shipped descriptions that have linked rules.
 std::vector<LinkedFamily> linked_families(unsigned max_k = largest_fan);
 
 /// The patch after an operation of this shipped certificate, of which only numbers need to be given that it depends on.

@@ -20,7 +20,7 @@ class Sum {
   std::int64_t of(const Numbers& numbers) const;
 
  private:
-  /// Of the sum `text`.
+  /// Adds a term of the sum `text`.
   void add_term(std::string_view term, std::int64_t sign, std::string_view text, const std::vector<std::string>& names);
 
   std::int64_t constant_ = 0;

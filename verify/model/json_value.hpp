@@ -75,7 +75,7 @@ class JsonValue {
     return values;
   }
 
-  /// Of a list that has it.
+  /// An element of a list, which must have it.
   JsonValue item(std::size_t place) const {
     return JsonValue(file_, json_.items.at(place), fmt::format("{}[{}]", path_, place));
   }

@@ -38,7 +38,7 @@ struct PortPairs {
   constexpr void add(unsigned one, unsigned other) { bits |= of(one, other).bits; }
   constexpr bool has(unsigned one, unsigned other) const { return (bits & of(one, other).bits) != 0; }
   constexpr void add(PortPairs more) { bits |= more.bits; }
-  /// Those of both sets.
+  /// The pairs that are in both sets.
   constexpr PortPairs both(PortPairs other) const { return {bits & other.bits}; }
   constexpr unsigned count() const { return static_cast<unsigned>(std::popcount(bits)); }
   constexpr bool within(PortPairs whole) const { return (bits & ~whole.bits) == 0; }

@@ -19,7 +19,7 @@ struct Sides {
   bool on_a_mesh = false;
 };
 
-/// Those of a description, at one position.
+/// The sides of a description, at one position.
 Sides read_sides(const JsonValue& description, const NamedNumbers& numbers);
 
 /// A graph, or triangles around rings and along paths. InputError, also when it is larger than the limits.

@@ -112,7 +112,8 @@ std::vector<Literal> isolated_terms(Circuit& circuit, const Colors& after, const
   return terms;
 }
 
-/// Of every configuration that has the key of a bound: the recolouring beats the bound, in lexicographic order.
+/// Requires that the recolouring of every configuration that has the key of a bound beats the bound, in lexicographic
+/// order.
 void require_better(Circuit& circuit, const Position& position, const Encoding& names, const std::vector<Bound>& bounds,
                     Fault fault) {
   const int off = fault == Fault::count_one_short ? 1 : (fault == Fault::count_one_long ? -1 : 0);

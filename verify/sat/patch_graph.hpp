@@ -27,7 +27,7 @@ struct Position {
   bool gives_ports_up = false;  ///< the flip
 };
 
-/// Of a family and a position as docs/notation.md and certificates name them, such as "open-split", "k 5 gaps 1 3".
+/// The position of a family, named as in docs/notation.md and in certificates, such as "open-split", "k 5 gaps 1 3".
 /// InputError when there is no such family.
 Position position_of(const std::string& family, const std::string& position);
 

@@ -5,7 +5,7 @@
 namespace restrip::verify::sat {
 namespace {
 
-/// The same for any order of the literals.
+/// A hash that does not depend on the order of the literals.
 std::uint64_t hash_of(const Clause& clause) {
   std::uint64_t sum = 0;
   for (const Literal literal : clause) {

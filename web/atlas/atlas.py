@@ -373,7 +373,7 @@ def section_page(section, known, met, page):
     if section.family == "split":
         facts += (f" Of the splits of four real meshes, from 2 % of their triangles up, {100 * met_at(met, section) / sum(met.values()):.1f} % are at this "
                   f"position; they meet {grouped(rows.count(' data-met='))} of these rules.")
-    body = (f'<h1>{escaped(section.title())}</h1><div id="names"></div><p>{facts}</p><p>{note}</p>{WHY}'
+    body = (f'<h1>{escaped(section.title())}</h1><div id="names"></div><p>{facts}</p><p>{note} The ports keep their colours, in the rule and in all that it is compared with.</p>{WHY}'
             '<p>A solid port is a strip that leaves the patch. A rule may join two of them only if they were joined before. '
             'The theorem <code>all_correct</code> (verify/formal/Answers.v, checked by Coq) says that what the library answers here is '
             'sound and that nothing sound is preferred to it.</p>'
@@ -414,7 +414,8 @@ def index_page(families, picture, met, page):
             "<p>A strip is a path through triangles that share an edge. When a vertex is split, two triangles come into the mesh and "
             "cut the paths around it. A <em>rule</em> says how the edges of that patch are to be coloured afterwards, solid where a "
             "strip goes on and dashed where it does not, so that as few strips as possible remain, whatever the rest of the mesh looks "
-            "like. Each rule here is proved: none could leave fewer strips.</p>" + picture +
+            "like. Each rule here is proved: no recolouring that keeps the <em>ports</em>, the edges that lead out of the patch, and "
+            "is safe in every mesh leaves fewer strips. (Only the rules of flips may cut a strip at a port.)</p>" + picture +
             '<p><a class="button" href="paint.html">Paint a configuration and see its rule</a></p>')
     total = 0
     for family, (title, _) in FAMILIES.items():

@@ -37,7 +37,8 @@ const List* give(std::span<const Element> elements) {
 
 constexpr Policy policies[] = {Policy::local, Policy::linked, Policy::quick, Policy::full};
 
-// Of the last operation: kind, closed, k, a of the patch before, four masks as two numbers each, strips, isolated.
+// What the last operation was: kind, closed, k, a of the patch before, four masks as two numbers each, strips,
+// isolated.
 std::array<std::uint32_t, 14> told;
 
 }  // namespace

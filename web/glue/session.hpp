@@ -69,7 +69,7 @@ class Session {
       by_cost_.emplace(mesh_, policy, cost);
     begin_buffer();
   }
-  /// The same with the baked strips of the base, if there are any.
+  /// Begins with the baked strips of the base, if there are any.
   void begin_baked() {
     if (!file_) return;
     begin_with(file_->mesh);
@@ -170,7 +170,7 @@ class Session {
     figures_.buffer_indices = static_cast<std::uint32_t>(buffer_.indices().size());
     return figures_;
   }
-  /// Of an index buffer written from scratch. Linear time.
+  /// Indices of a buffer written from scratch. Linear time.
   [[nodiscard]] std::size_t plain_indices() const { return strip_index_count(mesh_, extract_strips(mesh_)); }
 
  private:

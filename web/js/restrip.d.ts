@@ -1,5 +1,5 @@
 // Triangle strips kept while the mesh changes. A mesh is a progressive mesh: a base and vertex splits, the *records*,
-// that lead from it to the fine mesh. Strips are kept by rules proven optimal, and further by the policy.
+// that lead from it to the fine mesh. Strips are kept by proven local rules, and further by the policy.
 //
 //   import { load } from 'restrip';
 //   const restrip = await load();

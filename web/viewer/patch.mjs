@@ -126,8 +126,8 @@ function maskOf(k, ports, pairs) {
   return joined;
 }
 
-/// Of the keys in the orbit of a closed fan that is split at (k, a), the smallest, which has a row in the atlas; or the
-/// key of the fan itself.
+/// The smallest key in the orbit of a closed fan that is split at (k, a), which has a row in the atlas; or the key of the
+/// fan itself.
 export function representative(k, a, loop, ports, itself = false) {
   const pairs = joinedPairs(k, loop, ports);
   const maps = itself ? [(i) => i] : [(i) => i, (i) => (((a - 1 - i) % k) + k) % k];

@@ -14,7 +14,7 @@ class Viewer {
   camera = new Camera();
   cursor = null;
   level = 0;
-  // Of recent operations: how many, and how long.
+  // How many recent operations there were, and how long they took.
   timed = { operations: 0, milliseconds: 0 };
   lastFrame = { operations: 0, bytes: 0, whole: 0 };
   #asked = false;

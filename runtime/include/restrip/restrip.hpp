@@ -1,5 +1,5 @@
-// restrip: triangle strips kept while the mesh changes, by proven local rules. Header-only, C++20, standard
-// library only.
+// restrip: triangle strips kept while the mesh changes, by proven local rules. Header-only, C++20, standard library
+// only.
 //
 // Start with operations/operations.hpp (split, collapse, flip), mesh/mesh.hpp (what your mesh must offer) and
 // mesh/strip_mesh.hpp (the mesh that comes with restrip). The folders are floors: each includes only those named before

@@ -184,7 +184,7 @@ class Rust(Text):
         return altered_number(text, re.search(rf"const {family.upper()}_RULES: .* = &", text)[0])
 
     def example(self, text, folder, scratch):
-        return run(self.compiled(folder, scratch, text, "-A", "dead_code"))
+        return run(self.compiled(folder, scratch, text))
 
     def more(self, folder, scratch, expected):
         """The module does without the standard library and without unsafe code."""

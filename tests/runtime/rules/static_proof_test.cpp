@@ -212,7 +212,7 @@ static_assert(collapse_tally<5, 1> == Tally{3562, 4630, 7, 0});
 static_assert(collapse_tally<5, 2> == Tally{3640, 4552, 28, 0});
 #endif
 
-// The same search at run time: it must find fault with rules that are wrong, or it has proved nothing.
+// The search at run time: it must find fault with rules that are wrong, or it has proved nothing.
 TEST(StaticProof, WrongRulesAreFound) {
   const Patch before = closed_fan(4);
   const Patch after = ring_with_chord(4, 2);

@@ -25,7 +25,7 @@ using moves::dual_edges;
 
 constexpr std::array<Cost, 5> annealed_costs{Cost::indices(), {3, 1, 2}, {1, 0, 1}, {100, 70, 1}, {0, 1, 0}};
 
-// Of the written strips: a swap is an index that is written more than once.
+// In the written strips a swap is an index that is written more than once.
 std::uint64_t recounted(const StripMesh& mesh, Cost cost) {
   const Strips strips = extract_strips(mesh);
   const std::size_t indices = strip_indices(mesh, strips).size();

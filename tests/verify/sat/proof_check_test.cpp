@@ -16,7 +16,7 @@ namespace {
 const std::string all_of_three =
     "c every clause over three variables\np cnf 3 8\n"
     "1 2 3 0\n1 2 -3 0\n1 -2 3 0\n1 -2 -3 0\n-1 2 3 0\n-1 2 -3 0\n-1 -2 3 0\n-1 -2 -3 0\n";
-/// The same without the last.
+/// All of them but the last.
 const std::string satisfiable = "p cnf 3 7\n1 2 3 0\n1 2 -3 0\n1 -2 3 0\n1 -2 -3 0\n-1 2 3 0\n-1 2 -3 0\n-1 -2 3 0\n";
 
 ProofVerdict verdict_of(const std::string& formula, const std::string& proof) {

@@ -23,8 +23,8 @@
 
 namespace restrip {
 
-// Of walks.hpp, which is not read yet where a program includes it first: it includes strip_mesh.hpp, and that these
-// checks.
+// Declared in walks.hpp, which is not read yet where a program includes it first: it includes strip_mesh.hpp, and that
+// includes these checks.
 template <class Visit>
 void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
 
@@ -125,7 +125,7 @@ template <class Shared>
     if (mesh.non_manifold(*apex)) return Refusal::non_manifold_vertex;
     if (!keeps_enough(mesh, down, 1)) return Refusal::too_few_triangles;
   }
-  // Of a fan of three triangles or more, because in the one other case, a tetrahedron, the apexes have too few.
+  // The fan has three triangles or more: in the one other case, a tetrahedron, the apexes have too few.
   return shared(v_s, v_t, v_l, v_r) ? Refusal::link_condition : Refusal::granted;
 }
 

@@ -81,9 +81,9 @@ class StripMesh {
   /// read, when there are more than `max_triangles` triangles or more than 2^32 - 1 vertices.
   [[nodiscard]] static StripMesh build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
                                        BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr);
-  /// The same from an index buffer, anything that a std::span of 16-bit or 32-bit unsigned integers can be made of:
-  /// three corners for each triangle. Throws std::invalid_argument too, when the number of indices is not a multiple of
-  /// three. Takes 12 bytes a triangle for the time of the call.
+  /// Builds the mesh from an index buffer, anything that a std::span of 16-bit or 32-bit unsigned integers can be made
+  /// of: three corners for each triangle. Throws std::invalid_argument too, when the number of indices is not a
+  /// multiple of three. Takes 12 bytes a triangle for the time of the call.
   template <class Indices>
   requires detail::IndexList<Indices>
   [[nodiscard]] static StripMesh build(const Indices& indices, std::size_t vertex_count, BuildReport* report = nullptr,
@@ -199,13 +199,13 @@ class StripMesh {
   /// allocated. Precondition: check_split() grants it. Throws std::length_error when the mesh has no room for another
   /// triangle or vertex, or std::bad_alloc; nothing has changed then. The same holds for the other operations.
   Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Vertex new_vertex = none);
-  /// The same for an interior vertex whose fan has been walked already: `moved` are the spokes whose left triangles go
-  /// to the new vertex, counter-clockwise from `right`.
+  /// Splits an interior vertex whose fan has been walked already: `moved` are the spokes whose left triangles go to the
+  /// new vertex, counter-clockwise from `right`.
   Halfedge insert_vertex(Halfedge left, Halfedge right, std::span<const Halfedge> moved, Vertex new_vertex = none);
   /// See CollapsibleMesh. Precondition: check_collapse() grants it.
   Halfedge remove_vertex(Halfedge chord);
-  /// The same for a mesh edge with interior ends whose fans have been walked already: `moved` are the spokes of v_t
-  /// whose left triangles stay, counter-clockwise.
+  /// Collapses a mesh edge with interior ends whose fans have been walked already: `moved` are the spokes of v_t whose
+  /// left triangles stay, counter-clockwise.
   Halfedge remove_vertex(Halfedge chord, std::span<const Halfedge> moved);
   /// See FlippableMesh. Precondition: check_flip() grants it.
   Halfedge turn_edge(Halfedge h);
@@ -228,7 +228,7 @@ class StripMesh {
   [[nodiscard]] bool alive(Triangle t) const noexcept {
     return t < triangles_.size() && triangles_[t].corner[0] != none;
   }
-  /// The same by the name that NumberedMesh has for it.
+  /// alive() by the name that NumberedMesh has for it.
   [[nodiscard]] bool has_triangle(Triangle t) const noexcept { return alive(t); }
   /// Vertices are below this bound.
   [[nodiscard]] std::size_t vertex_bound() const noexcept { return spoke_.size(); }
@@ -319,7 +319,7 @@ class StripMesh {
   /// A flip moves six corners, joins five edges and colours five; insertions and removals do less, but for the corners
   /// at a vertex.
   static constexpr std::size_t most_other_touches = 6 + 2 * 5 + 2 * 5;
-  /// The same for an operation on the triangles around v.
+  /// Makes room for the touches of an operation on the triangles around v.
   void expect_touches_around(Vertex v);
   void touch(Triangle t) noexcept {
     if (watch_.changed != nullptr) watch_.changed->push_back(t);

@@ -82,7 +82,7 @@ struct BatchReport {
 /// triangles allocate) leaves the mesh unusable.
 BatchReport split_batch(StripMesh& mesh, std::span<const SplitRequest> requests, const BatchOptions& options = {});
 
-/// Does the collapses, each given by its chord v_s -> v_t. Cost and exceptions as for split_batch.
+/// Does the collapses, each given by its chord v_s -> v_t. Complexity and exceptions as for split_batch.
 BatchReport collapse_batch(StripMesh& mesh, std::span<const StripMesh::Halfedge> chords,
                            const BatchOptions& options = {});
 

@@ -38,8 +38,8 @@ Checked done_if_granted(Refusal refusal, Operation&& operation) {
 
 }  // namespace detail
 
-/// `new_vertex`: see check_split. Cost: that of the check and of the operation. May throw what the mesh throws to grow
-/// (std::bad_alloc, std::length_error); nothing has changed then.
+/// `new_vertex`: see check_split. Complexity: that of the check and of the operation. May throw what the mesh throws to
+/// grow (std::bad_alloc, std::length_error); nothing has changed then.
 inline Checked checked_split(StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where, Vertex new_vertex = none) {
   return detail::done_if_granted(check_split(mesh, where, new_vertex), [&] { return split(mesh, where, new_vertex); });
 }
@@ -59,7 +59,7 @@ concept KeepsStrips = requires(Keeper& keeper, const VertexSplit<StripMesh::Half
   { keeper.flip(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
 };
 
-/// The same by a keeper.
+/// The operations of a keeper, checked in the same way.
 template <KeepsStrips Keeper>
 Checked checked_split(Keeper& keeper, const VertexSplit<StripMesh::Halfedge>& where, Vertex new_vertex = none) {
   return detail::done_if_granted(check_split(keeper.mesh(), where, new_vertex),

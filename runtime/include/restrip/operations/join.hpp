@@ -7,14 +7,15 @@
 //     the strips that end around the operation, all at once and until at most one has not come to its other end, and
 //     joined there.
 //  2. Ends in the patch, and behind ports that were given up, are joined with the ends beside them.
-//  3. Triangles that are still isolated are adopted (adopt.hpp), and the ends that this leaves are treated as in 1 and 2.
+//  3. Triangles that are still isolated are adopted (adopt.hpp), and the ends that this leaves are treated as in 1
+//  and 2.
 //
 // What follows. A mesh in which no dashed edge joins ends of two different strips keeps this property under
-// split_and_join(), collapse_and_join() and flip_and_join(). Then the number of strips is bounded for the whole mesh, at
-// every moment: docs/theory.md, "What holds for the whole mesh". join_all() establishes the property.
+// split_and_join(), collapse_and_join() and flip_and_join(). Then the number of strips is bounded for the whole mesh,
+// at every moment: docs/theory.md, "What holds for the whole mesh". join_all() establishes the property.
 //
-// No state is kept beside the colours, and nothing is allocated. Colours outside the patch are read and written, so these
-// operations do not commute with their neighbours as those of operations.hpp do.
+// No state is kept beside the colours, and nothing is allocated. Colours outside the patch are read and written, so
+// these operations do not commute with their neighbours as those of operations.hpp do.
 #pragma once
 
 #include <array>
@@ -27,9 +28,9 @@
 
 namespace restrip {
 
-/// Whether a strip end that no other end meets may give up an edge x - y beside it for two others: u - x, where u is the
-/// end, and y - w, where w is an end of another strip. One strip less for each; strips get two to three times as long.
-/// Step 1 is left out then, so a few ends that meet may stay apart. The operations of linked.hpp exchange.
+/// Whether a strip end that no other end meets may give up an edge x - y beside it for two others: u - x, where u is
+/// the end, and y - w, where w is an end of another strip. One strip less for each; strips get two to three times as
+/// long. Step 1 is left out then, so a few ends that meet may stay apart. The operations of linked.hpp exchange.
 enum class Exchange { no, yes };
 
 /// Are the triangles to the left of g and h, which must be two strip ends or isolated triangles, ends of one strip?
@@ -42,8 +43,8 @@ template <ColoredMesh Mesh>
 template <ColoredMesh Mesh>
 Mending join_end(Mesh& mesh, typename Mesh::Halfedge h);
 
-/// Joins all ends that meet in the whole mesh. Linear in the number of triangles times the mean length of the strips that
-/// end beside each other.
+/// Joins all ends that meet in the whole mesh. Linear in the number of triangles times the mean length of the strips
+/// that end beside each other.
 template <NumberedMesh Mesh>
 Mending join_all(Mesh& mesh);
 
@@ -55,8 +56,8 @@ Mending join_around(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange = E
 template <ColoredMesh Mesh>
 Mending join_beside(Mesh& mesh, typename Mesh::Halfedge h, Exchange exchange = Exchange::no);
 
-/// split(), then joins and adoption. The Rewrite counts all of it. `name`: the new vertex, for meshes that let the caller
-/// name it.
+/// split(), then joins and adoption. The Rewrite counts all of it. `name`: the new vertex, for meshes that let the
+/// caller name it.
 template <SplittableMesh Mesh, class... Name>
 Rewrite<typename Mesh::Halfedge> split_and_join(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                                                 Name... name);

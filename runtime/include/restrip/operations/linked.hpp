@@ -2,14 +2,14 @@
 //
 // A local rule must be sound whatever lies outside the patch, so it may only join ports that were joined before.
 // A rule that follows the strips outward for a few triangles finds that most ports are not joined outside, and may join
-// them inside. On real meshes this keeps strips twice as long, at two to three times the time of a local
-// rule.
+// them inside. On real meshes this keeps strips twice as long, at two to three times the time of a local rule.
 //
 //   split_and_link(mesh, where);  collapse_and_link(mesh, chord);  flip_and_link(mesh, h);
 //
-// do three things. First comes the operation, with the best recolouring that is sound for what was seen. Then strip
-// ends that lie side by side in the patch or around it are linked. Adoption (adopt.hpp) comes last. A walk that has not
-// ended after `reach` triangles counts as "may come back anywhere".
+// do three things. First comes the operation, with the best recolouring that keeps its ports and is sound for what was
+// seen. Then strip ends that lie side by side in the patch or around it are joined, and exchanges made (join.hpp).
+// Adoption (adopt.hpp) comes last. A walk that has not ended after `reach` triangles counts as "may come back
+// anywhere".
 //
 // The recolouring comes from the tables for closed fans of at most table_max_k triangles: a list for each position and
 // port mask, best first. For larger closed fans and for open ones it is searched for by the automaton of all valences
@@ -25,9 +25,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "restrip/operations/join.hpp"
 #include "restrip/operations/impl/linked_search.hpp"
 #include "restrip/operations/impl/outlook.hpp"
+#include "restrip/operations/join.hpp"
 #include "restrip/operations/operations.hpp"
 #include "restrip/tables/linked.hpp"
 
@@ -53,10 +53,11 @@ constexpr Word first_sound(const Table& table, std::size_t k, std::size_t place,
 
 /// split_rule() for a fan whose outside can be asked: `look_out(i)` says where the strip goes that leaves through solid
 /// port i: the port it comes back through, strip_ends or out_of_sight. It is asked once for a port at most, and only
-/// for those that matter. The answer is optimal among all recolourings that are sound for everything that look_out
-/// might say. Beyond table_max_k it is searched for, as impl/linked_search.hpp says: in time linear in k, a table read
-/// or two for each triangle and each of at most detail::max_answers attempts, few of which are made in practice. Where
-/// they are used up, the answer is sound and no worse than the local rule, but others may be better.
+/// for those that matter. The answer is optimal among all recolourings that keep every port and are sound for
+/// everything that look_out might say. Beyond table_max_k it is searched for, as impl/linked_search.hpp says: in time
+/// linear in k, a table read or two for each triangle and each of at most detail::max_answers attempts, few of which
+/// are made in practice. Where they are used up, the answer is sound and no worse than the local rule, but others may
+/// be better.
 template <class LookOut>
 [[nodiscard]] constexpr Rule linked_split_rule(SplitPosition at, Word loop, Word ports, LookOut&& look_out) {
   const auto [k, a] = at;

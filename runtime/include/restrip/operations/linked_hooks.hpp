@@ -61,7 +61,7 @@ Rewrite<typename Mesh::Halfedge> after_flip_and_link(Mesh& mesh, PendingFlip<typ
   return detail::with(done, join_beside(mesh, done.halfedge, Exchange::yes));
 }
 
-/// The same by the rules named.
+/// The hooks of an adapter, by the rules named.
 template <ColoredMesh Mesh>
 [[nodiscard]] PendingCollapse<typename Mesh::Halfedge> before_collapse(Mesh& mesh, typename Mesh::Halfedge chord,
                                                                        HookRules rules) {

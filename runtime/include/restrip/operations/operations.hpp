@@ -30,7 +30,7 @@ struct Rewrite {
 template <SplittableMesh Mesh>
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where);
 
-/// The same, for meshes that let the caller name the new vertex.
+/// Splits a vertex of a mesh that lets the caller name the new one.
 template <SplittableMesh Mesh, class Vertex>
 requires requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where, Vertex v) { mesh.insert_vertex(where, v); }
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,

@@ -10,9 +10,9 @@
 //     bisect       the triangles beside an edge       merge        and back
 //                  become two each
 //
-// As in operations.hpp: nothing outside the patch is read or written, except that a port given up, which only the
-// inverses may do, dashes an edge of the triangle behind it; preconditions are those of the mesh operation, checked in
-// debug builds; exceptions of the mesh leave the colouring valid.
+// Nothing outside the patch is read or written, except that the inverses may give a port up, which dashes an edge of
+// the triangle behind it. Preconditions and exceptions are as in operations.hpp: preconditions are those of the mesh
+// operation, checked in debug builds; exceptions of the mesh leave the colouring valid.
 #pragma once
 
 #include "restrip/mesh/checks.hpp"

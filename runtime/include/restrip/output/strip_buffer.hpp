@@ -182,7 +182,7 @@ class BasicStripBuffer {
   bool stale_ = true;         // an update was interrupted: the next one writes everything anew
   std::vector<Range> written_;
   std::size_t marked_ = 0;  // indices written so far
-  // Of the current update.
+  // What the current update works on.
   std::vector<std::uint32_t> touched_;
   std::vector<Piece> pieces_;
   std::vector<Fresh> fresh_;

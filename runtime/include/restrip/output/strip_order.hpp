@@ -23,11 +23,12 @@ struct StripOrderCounts {
   std::size_t indices_read = 0;  ///< of these
 };
 
-/// The same strips in another order, some of them from their other end, so that strip_indices(mesh, …) has as many
-/// indices and draws the same triangles, and a cache of `cache_size` vertices, first in, first out, misses less often
-/// (vertex_cache.hpp counts that). A strip is turned only where that takes no index more. `strips` must be those of the
-/// mesh as it is now. Linear time: at most 64 beginnings of at most 2 * cache_size indices are compared for each strip.
-/// Deterministic. About 60 bytes a triangle for the time of the call. A `cache_size` of 0 is no cache: nothing changes.
+/// The strips in an order for a vertex cache, some of them from their other end, so that strip_indices(mesh, …) has as
+/// many indices and draws the same triangles, and a cache of `cache_size` vertices, first in, first out, misses less
+/// often (vertex_cache.hpp counts that). A strip is turned only where that takes no index more. `strips` must be those
+/// of the mesh as it is now. Linear time: at most 64 beginnings of at most 2 * cache_size indices are compared for each
+/// strip. Deterministic. About 60 bytes a triangle for the time of the call. A `cache_size` of 0 is no cache: nothing
+/// changes.
 template <NumberedMesh Mesh>
 [[nodiscard]] Strips order_for_vertex_cache(const Mesh& mesh, const Strips& strips, std::size_t cache_size = 16,
                                             StripOrderCounts* counts = nullptr);

@@ -1,11 +1,13 @@
-// The best recolouring of a fan of any valence, looked up by its key in the automaton of all valences
-// (restrip/tables/automaton.hpp). Its cost is that of the tables for small k; docs/automaton.md says how it is checked.
+// Rules for fans of any valence, looked up by their key in the automaton of all valences
+// (restrip/tables/automaton.hpp). They are as good as those of the tables for small k; docs/automaton.md says how they
+// are checked.
 //
-// A recolouring is sound when every triangle keeps at most two solid edges, nothing inside is a solid cycle, and it
-// joins only ports that were joined before. Among the sound ones these functions return one with the most solid edges,
-// and of those one with the fewest isolated triangles; docs/notation.md has the order of preference, the numbering of
-// all bits, and the proof that (ports, joined) is all that matters. Remaining ties are broken in the same way on every
-// machine, but not by the tie-break of the tables: compare costs with them, not colours.
+// A recolouring keeps every port. It is sound when every triangle keeps at most two solid edges, nothing inside is a
+// solid cycle, and it joins only ports that were joined before. Among the sound ones these functions return one with
+// the most solid edges, and of those one with the fewest isolated triangles; docs/notation.md has the order of
+// preference, the numbering of all bits, and the proof that (ports, joined) is all that matters. Remaining ties are
+// broken in the same way on every machine, but not by the tie-break of the tables: compare counts with them, not
+// colours.
 //
 // Input. `ports` has k bits. `joined` has k bits as restrip/rules/key.hpp computes them; with exactly two solid ports
 // in a closed fan either bit stands for the pair. Bits of `joined` without a solid port are ignored. Any pair of masks
@@ -22,8 +24,8 @@
 // counted. Where swaps have no price `turns` is ignored. restrip/rules/rules.hpp reads the automaton, too, so such an
 // include path is for programs that want these functions and no others.
 //
-// Time. Two table reads for each triangle: time linear in k. On words, and on bit strings with k <= 64: no allocation,
-// nothing thrown. Longer bit strings: one allocation of two bytes for each triangle.
+// Complexity. Two table reads for each triangle: time linear in k. On words, and on bit strings with k <= 64: no
+// allocation, nothing thrown. Longer bit strings: one allocation of two bytes for each triangle.
 #pragma once
 
 #include <cstddef>
@@ -53,7 +55,7 @@ struct Recoloring {
 
 /// How strips go on behind the ports, for automata that tell turns apart (see above).
 using Turns = restrip::detail::PortTurns<Word>;
-/// The same for bit strings; where a view is empty no bit is set.
+/// Turns as bit strings; where a view is empty no bit is set.
 using LongTurns = restrip::detail::PortTurns<BitSpan>;
 
 namespace detail {

@@ -3,9 +3,11 @@
 // For fans of up to table_max_k triangles the answer is read from the generated tables: constant time, no branch on
 // the colours, no allocation, constexpr. For larger fans it is read from the automaton of all valences (exact.hpp), two
 // table reads for each triangle. In both cases the answer is sound whatever lies outside the patch, has the most solid
-// edges of all sound recolourings, and of those the fewest isolated triangles in the patch (docs/trust.md says what is
-// proved for which k). Source of the idea: Porcu, Sanna, Scateni, "Rewriting rules for the dual graph of a stripified
-// CLOD mesh". Bits are numbered in docs/notation.md.
+// edges of all sound recolourings, and of those the fewest isolated triangles in the patch. Recolourings of splits and
+// collapses keep every port; those of flips may give ports up, and that would sometimes save a strip in the others as
+// well (docs/theory.md, "Ports given up"). docs/trust.md says what is proved for which k. Source of the idea: Porcu,
+// Sanna, Scateni, "Rewriting rules for the dual graph of a stripified CLOD mesh". Bits are numbered in
+// docs/notation.md.
 //
 // Positions: those of SplitPosition, GapPair and Gap, k <= max_word_valence; others are a programming error, found in
 // debug builds (precondition.hpp). Colours that no valid stripification has (a triangle with three solid edges, a solid

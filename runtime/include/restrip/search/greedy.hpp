@@ -85,7 +85,7 @@ class GreedyStrips {
     return StripMesh::triangle(mesh_.opposite(StripMesh::halfedge(t, s)));
   }
 
-  // Of the open sides, the first towards the end of a strip, or else the first.
+  // The first open side towards the end of a strip, or else the first open side.
   [[nodiscard]] unsigned preferred(Triangle t) const noexcept {
     const unsigned open = nodes_[t].open;
     for (unsigned s = 0; s < 3; ++s)

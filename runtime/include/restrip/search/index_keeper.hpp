@@ -7,9 +7,9 @@
 // beside the mesh but three counters, and a strip is some 20 triangles long, so that nothing depends on the size of the
 // mesh.
 //
-// No rules of the index cost are used. Rules recolour a patch as well as can be with its ports as they are. Alone they
-// keep far more indices, because they can neither give ports up nor take others; before the search they would gain a
-// little, for half the time again to twice (docs/strips.md, "Fewest indices").
+// No rules of the index cost are used. They recolour a patch as well as can be with its ports as they are; alone they
+// keep far more indices, because they can neither give ports up nor take others. Before the search they would gain a
+// little, for 1.5 to 2 times the time (docs/strips.md, "Fewest indices").
 //
 //   StripMesh mesh = ...;
 //   IndexKeeper keeper(mesh, Policy::quick);
@@ -100,7 +100,7 @@ class IndexKeeper {
   [[nodiscard]] std::size_t strips() const noexcept { return strips_; }
   [[nodiscard]] std::size_t swaps() const noexcept { return swaps_; }
   [[nodiscard]] std::size_t isolated() const noexcept { return isolated_; }
-  /// Of the whole colouring, in the weights of the cost.
+  /// Cost of the whole colouring.
   [[nodiscard]] std::size_t cost() const noexcept {
     const Cost& weights = descent_.cost();
     return weights.restart * strips_ + weights.swap * swaps_ + weights.isolated * isolated_;
@@ -110,7 +110,7 @@ class IndexKeeper {
   [[nodiscard]] const StripMesh& mesh() const noexcept { return *mesh_; }
   /// False after an exception, until rebuild() or the next operation.
   [[nodiscard]] bool up_to_date() const noexcept { return up_to_date_; }
-  /// Of the searches that follow operations, and of improve().
+  /// Counts of the searches that follow operations; below, those of improve().
   [[nodiscard]] const EndCounts& counts() const noexcept { return search_.counts(); }
   [[nodiscard]] std::uint64_t walked() const noexcept { return search_.walked(); }
   [[nodiscard]] const DescentCounts& counts_of_improve() const noexcept { return descent_.counts(); }

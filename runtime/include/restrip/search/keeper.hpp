@@ -1,11 +1,11 @@
 // StripKeeper: split, collapse and flip under a policy, with strips that stay long.
 //
 // The local rules (operations.hpp) see one patch, and under them strips get shorter over thousands of operations. A
-// policy says how much more an operation looks at: the strips around the patch (linked.hpp), or everything that
-// tunnelling (tunnel.hpp) reaches from every strip end in the patch, which needs a locator of the strips beside the
-// mesh (strip_locator.hpp). At the moment when a strip breaks, its ends are known, and ends of other strips are near.
-// (Porcu and Scateni tunnel when isolated triangles exceed a threshold. Tunnelling at once and locally keeps the strips
-// of every level of detail as long as those made from scratch.)
+// policy says how much more an operation looks at: the strip ends that meet (join.hpp), the strips around the patch
+// (linked.hpp), or everything that tunnelling (tunnel.hpp) reaches from every strip end in the patch, which needs a
+// locator of the strips beside the mesh (strip_locator.hpp). At the moment when a strip breaks, its ends are known, and
+// ends of other strips are near. (Porcu and Scateni tunnel when isolated triangles exceed a threshold. Tunnelling at
+// once and locally keeps the strips of every level of detail as long as those made from scratch.)
 //
 //   StripMesh mesh = ...;
 //   stripify(mesh, Effort::full);
@@ -13,7 +13,7 @@
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
 //   keeper.improve(10'000);                            // in idle time
 //
-// Cost. An operation costs its rule and, if the policy tunnels, time linear in the patch for the locator, and the
+// Complexity. An operation costs its rule and, if the policy tunnels, time linear in the patch for the locator, and the
 // searches. Their mean number of states depends on the policy, not on the size of the mesh. The same holds for the mean
 // length of the strips, on which the locator depends, once they have the length that the policy keeps. After warm-up
 // nothing is allocated beyond what the mesh itself allocates to grow.
@@ -125,7 +125,7 @@ class StripKeeper {
     return done;
   }
 
-  /// Those of refine.hpp, likewise. Linked rules have none of their own here: linked is as local.
+  /// The operations of refine.hpp. Linked rules have none of their own here: linked is as local.
   Rewrite<Halfedge> split_face(Halfedge h) {
     RESTRIP_ASSERT(check_split_face(*mesh_, h) == Refusal::granted, "StripKeeper::split_face",
                    describe(check_split_face(*mesh_, h)));
@@ -264,9 +264,7 @@ class StripKeeper {
     up_to_date_ = true;
   }
   void adopt_isolated(Rewrite<Halfedge>& done, Halfedge h) {
-    const auto paint = [this](Halfedge g, bool solid) {
-      solid ? locator_.link(*mesh_, g) : locator_.cut(*mesh_, g);
-    };
+    const auto paint = [this](Halfedge g, bool solid) { solid ? locator_.link(*mesh_, g) : locator_.cut(*mesh_, g); };
     const Mending mending = detail::adopt_with(*mesh_, h, detail::default_adoptions, paint, [](Halfedge) {});
     done = detail::with(done, mending);
     strips_ = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(strips_) + mending.strips);

@@ -55,7 +55,8 @@ class StripLocator {
       : StripLocator(chunk_limit) {
     rebuild(mesh);
   }
-  /// The same. After an exception the locator must not be used until rebuild() succeeds.
+  /// Reads the whole colouring anew, as the constructor does. After an exception the locator must not be used until
+  /// rebuild() succeeds.
   void rebuild(const StripMesh& mesh);
 
   /// False if the locator does not know a triangle, because the mesh was changed without it.

@@ -43,7 +43,7 @@ enum class Effort {
 /// fewest strips do not ask for it.
 inline std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint64_t limit = 0, std::uint64_t seed = 1);
 
-/// The same for fewest strips.
+/// Makes the fewest strips.
 inline std::size_t stripify(StripMesh& mesh, Effort effort = Effort::fast, std::size_t limit = 0) {
   return stripify(mesh, effort, Cost::strips(), limit);
 }

@@ -47,8 +47,8 @@ class Tunnel {
   /// A search that fails leaves the number of strips as it is. After `wander` the next search starts from a place that
   /// this one could only just reach.
   ///
-  /// Cost: O(max_states * length of the chains), with chains as long as a search of that size gets (about 5 moves at
-  /// 100 states, 12 at 1,000, 25 at 10,000). Does nothing when `end` is inside a strip.
+  /// Complexity: O(max_states * length of the chains), with chains as long as a search of that size gets (about 5 moves
+  /// at 100 states, 12 at 1,000, 25 at 10,000). Does nothing when `end` is inside a strip.
   bool join(StripMesh& mesh, StripLocator& locator, Triangle end, std::uint32_t max_states,
             OnFailure on_failure = OnFailure::stay);
 
@@ -72,7 +72,7 @@ class Tunnel {
     [[nodiscard]] bool has(Order order) const noexcept { return low <= order && order <= high; }
     [[nodiscard]] Order front() const noexcept { return down() ? high : low; }
     [[nodiscard]] Order back() const noexcept { return down() ? low : high; }
-    // The same stretch the other way round, in the middle of a path.
+    // This stretch the other way round, in the middle of a path.
     [[nodiscard]] Piece turned() const noexcept { return {low, high, strip, (flags & down_flag) ^ down_flag}; }
     [[nodiscard]] Piece from(Order x, bool upwards) const noexcept {
       return {upwards ? x : low, upwards ? high : x, strip, flags};

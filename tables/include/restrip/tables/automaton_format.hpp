@@ -70,9 +70,9 @@
 // **Example.** Split at k = 4, a = 2, ports 0000: both arcs are the letters 0, 0. Their class says that everything
 // may be solid, the meeting that it is, but for one edge: all but one edge of the ring of six.
 //
-// **Cost.** One table access for each triangle forwards, and one backwards; the accesses backwards do not wait for
-// each other, because the classes are known by then. Steps of two or more triangles can be composed from these tables
-// at compile time.
+// **Complexity.** One table access for each triangle forwards, and one backwards; the accesses backwards do not wait
+// for each other, because the classes are known by then. Steps of two or more triangles can be composed from these
+// tables at compile time.
 #pragma once
 
 #include <array>

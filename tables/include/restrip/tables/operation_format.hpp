@@ -7,8 +7,8 @@
 //
 // and all ones where the configuration is not valid. In a matching the rule depends on the ports alone: entry P.
 //
-// Where the file gives the triangles with their vertices, the header has them too (SurfaceOperation), and
-// operations/apply.hpp does the operation on a mesh.
+// Where the file gives the triangles with their vertices, the header has them too (SurfaceOperation), for programs that
+// change a mesh.
 #pragma once
 
 #include <array>

@@ -161,7 +161,7 @@ void find_fault(const StripMesh& mesh, std::span<const Request> requests, unsign
   }
 }
 
-/// The same for debug builds, in this thread.
+/// Looks for a fault in this thread, for debug builds.
 template <class Request>
 BatchFault fault_in(const StripMesh& mesh, std::span<const Request> requests) {
   BatchReport report;

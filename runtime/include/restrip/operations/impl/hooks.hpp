@@ -123,7 +123,7 @@ PendingCollapse<typename Mesh::Halfedge> before_collapse_by(const Rules& rules, 
                  describe(refusal_of_collapse(mesh, chord)));
   auto pending = with_collapse_begun(rules, mesh, chord,
                                      [](auto& change) { return PendingCollapse<Halfedge>(std::move(change)); });
-  // Of the two edges that merge one goes, and which one is the library's choice.
+  // Two edges merge, and the library chooses which of them goes.
   for (const Halfedge inward : {chord, mesh.opposite(chord)}) {
     if (mesh.on_boundary(inward)) continue;
     const Halfedge up = mesh.next(inward);

@@ -52,9 +52,9 @@ class StripWalker {
   bool ended_ = false;
 };
 
-/// Step 1 of join.hpp: the far ends of strips that have been cut. Of two ends that a cut has parted it is enough to find
-/// one, so all strips are followed at once until at most one goes on. There are few of them; of more than `most` the
-/// others are followed one by one.
+/// Step 1 of join.hpp: the far ends of strips that have been cut. Of two ends that a cut has parted it is enough to
+/// find one, so all strips are followed at once until at most one goes on. There are few of them; of more than `most`
+/// the others are followed one by one.
 template <class Mesh>
 class FarEnds {
  public:
@@ -90,8 +90,8 @@ class FarEnds {
   std::size_t count_ = 0;
 };
 
-/// If a strip ends in u, the triangle to the left of h, and an edge x - y beside it can be given up for u - x and y - w,
-/// where w is an end of another strip: does that.
+/// If a strip ends in u, the triangle to the left of h, and an edge x - y beside it can be given up for u - x and y -
+/// w, where w is an end of another strip: does that.
 template <class Mesh>
 Mending exchange_end(Mesh& mesh, typename Mesh::Halfedge u) {
   using Halfedge = typename Mesh::Halfedge;
@@ -207,10 +207,11 @@ Mending join_and_adopt(Mesh& mesh, Exchange exchange, Each&& each) {
   return sum;
 }
 
-// ---- Around an interior vertex bits tell which triangles are strip ends, and which ports were joined and are no longer.
+// ---- Around an interior vertex bits tell which triangles are strip ends, and which ports were joined and are no
+// longer.
 
-/// The triangles of a ring with chord that `elements` names, each by its halfedge that leaves the vertex of the fan, for
-/// A and D by the chord.
+/// The triangles of a ring with chord that `elements` names, each by its halfedge that leaves the vertex of the fan,
+/// for A and D by the chord.
 template <class Mesh, class Visit>
 void visit_ring(const Mesh& mesh, const InteriorFan<typename Mesh::Halfedge>& fan, typename Mesh::Halfedge chord,
                 Word elements, Visit&& visit) {
@@ -284,9 +285,9 @@ Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh,
   const auto visit = [&](Word elements) {
     return [&, elements](auto&& each) { visit_ring(mesh, fan, chord, elements, each); };
   };
-  return with(done, join_in_fan(mesh, exchange, done.isolated > 0,
-                                visit(ends_ring(fan.k, fan.a, change.colors, fan.ports)),
-                                visit(ring_ports(fan.a, parted)), visit(low_bits(fan.k + 2))));
+  return with(done,
+              join_in_fan(mesh, exchange, done.isolated > 0, visit(ends_ring(fan.k, fan.a, change.colors, fan.ports)),
+                          visit(ring_ports(fan.a, parted)), visit(low_bits(fan.k + 2))));
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh,
@@ -299,16 +300,15 @@ Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh,
   const auto visit = [&](Word triangles) {
     return [&, triangles](auto&& each) { visit_fan(mesh, fan, left, triangles, each); };
   };
-  return with(done, join_in_fan(mesh, exchange, done.isolated > 0,
-                                visit(ends_closed(fan.k, change.colors, fan.ports)), visit(parted),
-                                visit(low_bits(fan.k))));
+  return with(done, join_in_fan(mesh, exchange, done.isolated > 0, visit(ends_closed(fan.k, change.colors, fan.ports)),
+                                visit(parted), visit(low_bits(fan.k))));
 }
 
 // ---- Elsewhere a turn around the vertices tells.
 
 template <class Mesh, class Change>
-Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const Change& change,
-                                                       typename Mesh::Halfedge chord, Exchange exchange) {
+Rewrite<typename Mesh::Halfedge> finish_split_and_join(Mesh& mesh, const Change& change, typename Mesh::Halfedge chord,
+                                                       Exchange exchange) {
   const auto done = finish_split(mesh, change, chord);
   return with(done, join_and_adopt(mesh, exchange, [&](auto&& visit) {
                 visit_around(mesh, chord, visit);

@@ -22,7 +22,7 @@ inline constexpr int out_of_sight = -2;  ///< it was followed as far as allowed
 
 namespace detail {
 
-/// As in the tables: four bits for each port, its partner, or itself when it has none.
+/// A pairing as the tables have it: four bits for each port, its partner, or itself when it has none.
 using PackedPairing = std::remove_cv_t<decltype(tables::pairings)>::value_type;
 static_assert(tables::linked_split.first.size() == table_max_k + 1 &&
               std::size_t{4} * table_max_k <= 8 * sizeof(PackedPairing));
@@ -41,7 +41,7 @@ struct TablePairs {
   friend constexpr bool operator==(TablePairs, TablePairs) noexcept = default;
 };
 
-/// The same for fans whose colours fit one word.
+/// Pairs of ports of fans whose colours fit one word.
 struct WordPairs {
   static constexpr std::size_t max_ports = max_word_valence;
   std::int8_t partners[max_ports] = {};  ///< how much further the partner is, so that ports without one have zero

@@ -224,7 +224,7 @@ Rewrite<typename Mesh::Halfedge> bisect(Mesh& mesh, typename Mesh::Halfedge h) {
       const auto chord = mesh.insert_vertex(where);
       return std::pair{chord, detail::four_around_vertex(mesh, chord)};
     });
-  // Of two_on_boundary(), port 0 is that of the triangle away from v_s.
+  // Port 0 of two_on_boundary() is that of the triangle away from v_s.
   auto before = detail::one_on_boundary(mesh, mesh.on_boundary(h) ? mesh.opposite(h) : h);
   if (mesh.on_boundary(h)) std::swap(before.ports[0], before.ports[1]);
   return detail::rewrite_patch(mesh, tables::bisect_boundary, before, [&] {

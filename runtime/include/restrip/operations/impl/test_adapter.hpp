@@ -362,7 +362,7 @@ class AdapterDrive {
     const Halfedge turned = mesh_.turn_edge(old_.halfedges[h]);
     if (look_at(turned, old_.size())) return true;
     if (now_.triangles != old_.triangles) return fail(Contract::triangle_count);
-    // Of (r, l, u) the sides l u and u r, of (l, r, v) the sides r v and v l. What lies across is known.
+    // The sides l u and u r of (r, l, u), and r v and v l of (l, r, v). What lies across is known.
     const Halfedge back = mesh_.opposite(turned);
     if (mesh_.on_boundary(turned) || mesh_.on_boundary(back)) return fail(Contract::edge_turned);
     const Halfedge sides[4] = {mesh_.next(turned), mesh_.next(mesh_.next(turned)), mesh_.next(back),

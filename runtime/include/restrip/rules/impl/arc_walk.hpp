@@ -52,7 +52,7 @@ struct WordLetters {
   }
 };
 
-/// The same for fans of any size.
+/// The letters of fans of any size.
 struct LongLetters {
   BitSpan ports;
   BitSpan joined;

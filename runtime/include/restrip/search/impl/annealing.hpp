@@ -172,7 +172,7 @@ class Annealing {
   [[nodiscard]] unsigned turn(std::uint32_t h) const noexcept {
     return solid_[h >> 2] * 0b1001U >> ((h & 3U) + 1) & 3U;
   }
-  // As restrip::is_swap; false where a strip ends.
+  // Is it a swap (restrip::is_swap)? False where a strip ends.
   [[nodiscard]] bool is_swap(std::uint32_t h) const noexcept { return (turn(h) ^ turn(across(h))) == 3; }
   [[nodiscard]] bool flawed(Triangle t) const noexcept {
     if (!full(t)) return true;

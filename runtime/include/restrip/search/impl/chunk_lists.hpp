@@ -121,7 +121,7 @@ class ChunkLists {
     const std::uint32_t list = new_list(smaller);
     for (Id at = upwards ? high : low; at != no_chunk; at = towards(chunks_[at], upwards)) chunks_[at].list = list;
   }
-  /// The same with a new chunk at the cut, which goes with the other part and reads as c does.
+  /// Cuts, with a new chunk at the cut, which goes with the other part and reads as c does.
   Id cut_off(Id c, bool after) {
     const Id next = towards(chunks_[c], after);
     cut(c, after);

@@ -133,7 +133,7 @@ inline Rewrite<StripMesh::Halfedge> IndexKeeper::split(const VertexSplit<Halfedg
   return finish(chord, static_cast<std::uint32_t>(k));
 }
 
-// The same for open and large fans.
+// split() in open and in large fans.
 inline Rewrite<StripMesh::Halfedge> IndexKeeper::split_any(const VertexSplit<Halfedge>& where, Vertex new_vertex) {
   using Spokes = VertexSplit<Halfedge>::Spokes;
   const bool has_left = where.spokes != Spokes::right_only;
@@ -201,7 +201,7 @@ inline Rewrite<StripMesh::Halfedge> IndexKeeper::collapse(Halfedge chord) {
   return finish(spoke, static_cast<std::uint32_t>(k));
 }
 
-// The same for open and large fans.
+// collapse() onto open and large fans.
 inline Rewrite<StripMesh::Halfedge> IndexKeeper::collapse_any(Halfedge chord) {
   std::array<Halfedge, 4> joints{};  // seen from the triangles that stay, two for each that goes
   std::array<bool, 2> passes{};

@@ -108,7 +108,7 @@ inline void StripLocator::separate(const StripMesh& mesh, Halfedge a, bool up_a,
     lists_.cut(c, up_a != lists_[c].backwards);
 }
 
-// The same inside one chunk: the smaller part, found by walking both ways at once, moves to a chunk of its own.
+// Cuts a strip inside one chunk: the smaller part, found by walking both ways at once, moves to a chunk of its own.
 inline void StripLocator::split_chunk(const StripMesh& mesh, Halfedge a, bool up_a, Halfedge b) {
   const ChunkId c = addresses_[StripMesh::triangle(a)].chunk;
   Triangle at[2] = {StripMesh::triangle(a), StripMesh::triangle(b)};

@@ -191,7 +191,7 @@ inline void Tunnel::change_over_whole(std::uint32_t s) {
   for (std::uint32_t i = parent.current; i < parent.total; ++i) *out++ = old[i];
 }
 
-// The same when x is on a path that earlier moves have put together: pieces first ... last of the parent.
+// The pieces after a move to an x on a path that earlier moves have put together: pieces first ... last of the parent.
 inline void Tunnel::change_over(std::uint32_t s) {
   State& state = states_[s];
   const State& parent = states_[state.parent];
