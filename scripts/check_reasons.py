@@ -4,6 +4,10 @@ and by its reason that nothing is preferred to it. Copies are checked by their s
 lists of linked rules, which are held against all recolourings.
 
   scripts/check_reasons.py tables/certificates/*.cert
+  scripts/check_reasons.py --operation tables/operations/bisect.json tables/certificates/operations/bisect.cert
+
+The second line is for an operation of one's own, by docs/operation-file.md. It must have reasons (strips or forests, fewest
+strips first). Its rows must be those of all valid configurations; "configurations", "valid" and "keys" are recounted.
 
 Prints a line for each file. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot be read.
 Every section must be there, with each claim once and its rows in ascending order. Of splits and the flip the rows must be
@@ -11,7 +15,9 @@ those of all valid configurations, of linked rules all lists must be there. Clai
 walk over the configurations of collapses: "configurations" in all families, "valid" of splits and the flip, all of
 linked rules. Which rows a collapse must have, and the other claims, are not checked here.
 """
+import json
 import sys
+from itertools import combinations
 
 CLAIMS = ("configurations", "valid", "orbits", "valid-orbits", "costing", "worst-strips", "worst-isolated")
 LINKED_CLAIMS = ("lists", "alternatives", "longest")
@@ -21,12 +27,18 @@ class Wrong(Exception):
     pass
 
 
+def told(path, rules, copies):
+    """What is printed of a certificate that holds."""
+    return "%s: %s, %s" % (path, "1 rule is sound and has its reason" if rules == 1 else "%d rules are sound and have their reasons" % rules,
+                              "1 copy follows" if copies == 1 else "%d copies follow" % copies)
+
+
 class Patch:
     """Nodes, inner edges and the owner of each port after an operation."""
 
-    def __init__(self, order, ring, chord, owners):
-        self.nodes, self.owners = order, owners
-        self.inner = list(zip(order, order[1:])) + [(order[-1], order[0])] * ring + [("A", "D")] * chord
+    def __init__(self, nodes, inner, owners, most=2):
+        self.nodes, self.inner, self.owners = nodes, inner, owners
+        self.most = most  # solid edges of a node
         self.known = {}
 
     def paths(self, edges):
@@ -41,7 +53,7 @@ class Patch:
                     path = None
                 elif path:
                     path.update([(node, path[u]) for node in self.nodes if path[node] == path[v]])
-            self.known[inner] = degree, path if max(degree.values()) < 3 else None
+            self.known[inner] = degree, path if max(degree.values()) <= self.most else None
         return self.known[inner]
 
     def ports(self, edges):
@@ -49,14 +61,14 @@ class Patch:
         return [p for p in range(len(self.owners)) if edges >> len(self.inner) + p & 1]
 
     def strips(self, edges):
-        """The port numbers of each strip that has any, or None when a degree exceeds two or a strip closes."""
+        """The port numbers of each strip that has any, or None when a degree is too large or a strip closes."""
         degree, path = self.paths(edges)
         if path is None:
             return None
         room, strip = {}, {}
         for p in self.ports(edges):
             owner = self.owners[p]
-            room[owner] = room.get(owner, 2 - degree[owner]) - 1
+            room[owner] = room.get(owner, self.most - degree[owner]) - 1
             if room[owner] < 0:
                 return None
             strip.setdefault(path[owner], []).append(p)
@@ -68,17 +80,22 @@ class Patch:
         return sum(degree[node] == 0 and node not in met for node in self.nodes)
 
 
+def fan_patch(order, ring, chord, owners):
+    """Nodes in the order of a path or ring, and perhaps the chord."""
+    return Patch(order, list(zip(order, order[1:])) + [(order[-1], order[0])] * ring + [("A", "D")] * chord, owners)
+
+
 def patch_of(family, position):
     """The patch after an operation, from the words behind "section"."""
     if family == "flip":
-        return Patch(["L", "R"], False, False, ["R", "L", "L", "R"])
+        return fan_patch(["L", "R"], False, False, ["R", "L", "L", "R"])
     k, places = int(position[1]), [int(word) for word in position[3:]]
     fan = ["t%d" % i for i in range(k)]
     if family in ("collapse", "fan-collapse"):
-        return Patch(fan, family == "collapse", False, fan)
+        return fan_patch(fan, family == "collapse", False, fan)
     a, d = {"split": [0] + places, "open-split": places, "boundary-split": places + [None]}[family]
     order = [n for i in range(k + 1) for n in (["A"] * (i == a) + ["D"] * (i == d) + fan[i:i + 1])]
-    return Patch(order, family == "split", family != "boundary-split", fan)
+    return fan_patch(order, family == "split", family != "boundary-split", fan)
 
 
 def positions(family, max_k):
@@ -120,7 +137,7 @@ def valid_keys(family, position, known={}):
     ring = family == "split"
     if (ring, k) not in known:
         fan = ["t%d" % i for i in range(k)] if k else []
-        before = Patch(fan, ring, False, fan) if k else Patch(["L", "R"], False, False, ["L", "L", "R", "R"])
+        before = fan_patch(fan, ring, False, fan) if k else fan_patch(["L", "R"], False, False, ["L", "L", "R", "R"])
         inner, count, keys = len(before.inner), 0, set()
         for edges in range(1 << inner + len(before.owners)):
             strips = before.strips(edges)
@@ -193,7 +210,7 @@ class Row:
         self.patch, self.ports = patch, masks[0]
         inner, all_inner = len(patch.inner), (1 << len(patch.inner)) - 1
         if family == "flip":
-            before = Patch(["L", "R"], False, False, ["L", "L", "R", "R"])
+            before = fan_patch(["L", "R"], False, False, ["L", "L", "R", "R"])
             self.joined = {s for s in before.strips(masks[1] | masks[0] << 1) if len(s) == 2}
             self.fixed, self.edges, self.own = 0, all_inner | masks[0] << inner, masks[3] | masks[2] << inner
         else:
@@ -203,7 +220,7 @@ class Row:
 
     def sound(self, edges):
         strips = self.patch.strips(edges | self.fixed)
-        return strips is not None and all(len(s) < 2 or s in self.joined for s in strips)
+        return strips is not None and all(frozenset(pair) in self.joined for s in strips for pair in combinations(s, 2))
 
     def loss(self, dashed):
         """Dashed edges; isolated triangles and ports given up; ports given up."""
@@ -295,6 +312,121 @@ class Lists:
             raise Wrong("the lists above end with the ports %x" % self.ports)
 
 
+class Operation:
+    """An operation file, and the rows that its certificate must have."""
+
+    def __init__(self, path):
+        with open(path, encoding="utf-8") as file:
+            said = json.load(file)
+        self.name, most = said["name"], {"strips": 2, "forest": 3}.get(said["constraint"])
+        usual = [["strips"], ["isolated", "given_up"], ["given_up"]]
+        counted = [[term.get("count") for term in criterion if term.get("weight", 1) == 1] for criterion in said.get("cost", [])[:3]]
+        if most is None or "cost" in said and (counted != usual or [len(c) for c in said["cost"][:3]] != [1, 2, 1]):
+            raise Wrong("%s: an operation without reasons" % path)
+        self.before, self.after = (Patch(list(range(side["triangles"])), side["edges"], side["ports"], most)
+                                   for side in (said["before"], said["after"]))
+        self.all_ports = range(len(self.before.owners))
+        give_up = {"none": [], "all": self.all_ports}.get(said.get("give_up", "none")) if isinstance(said.get("give_up", "none"), str) else said["give_up"]
+        self.may_go = sum(1 << p for p in give_up)
+
+    def pairs(self, joined):
+        return {frozenset((i, j)) for j in self.all_ports for i in range(j) if joined >> (j * (j - 1) // 2 + i) & 1}
+
+    def mask(self, pairs):
+        return sum(1 << (max(p) * (max(p) - 1) // 2 + min(p)) for p in pairs)
+
+    def keys(self):
+        """Claims that are recounted, and the keys of all valid configurations."""
+        count, keys, inner = 0, set(), len(self.before.inner)
+        for edges in range(1 << inner + len(self.all_ports)):
+            groups = self.before.strips(edges)
+            if groups is not None:
+                count += 1
+                keys.add((edges >> inner, self.mask({frozenset(pair) for ports in groups for pair in combinations(ports, 2)})))
+        return {"configurations": 1 << inner + len(self.all_ports), "valid": count, "keys": len(keys)}, keys
+
+    def maps(self, to):
+        """Whether the ports can go there: the triangles after the operation follow, each edge onto an edge."""
+        edges = {frozenset(edge) for edge in self.after.inner}
+
+        def extends(moved):
+            if len(set(moved.values())) < len(moved) or any(
+                    frozenset((moved[u], moved[v])) not in edges for u, v in self.after.inner if u in moved and v in moved):
+                return False
+            rest = [node for node in self.after.nodes if node not in moved]
+            return not rest or any(extends({**moved, rest[0]: node}) for node in self.after.nodes if node not in moved.values())
+
+        moved = {}
+        for p in self.all_ports:
+            if moved.setdefault(self.after.owners[p], self.after.owners[to[p]]) != self.after.owners[to[p]]:
+                return False
+        return sorted(to) == list(self.all_ports) and all((self.may_go >> p ^ self.may_go >> to[p]) & 1 == 0 for p in self.all_ports) and extends(moved)
+
+
+class OwnRow(Row):
+    """A row of an operation of one's own."""
+
+    def __init__(self, operation, words):  # pylint: disable=super-init-not-called
+        self.patch, (self.ports, joined, inner, kept) = operation.after, (int(word, 16) for word in words[1:5])
+        self.joined, shift = operation.pairs(joined), len(operation.after.inner)
+        stay = self.ports & ~operation.may_go
+        self.fixed, self.edges = stay << shift, (1 << shift) - 1 | (self.ports & ~stay) << shift
+        if kept & ~self.ports or stay & ~kept or inner >> shift:
+            raise Wrong("a port is taken, or given up that must stay, or there is no such edge")
+        self.key, self.own = (self.ports, joined), inner | (kept & ~stay) << shift
+
+
+def check_operation(operation_path, path):
+    operation = Operation(operation_path)
+    with open(path, "rb") as file:
+        lines = file.read().split(b"\n")
+    claims, rows, proved, rules, copies = {}, [], {}, 0, 0
+    for number, line in enumerate(lines, 1):
+        words = line.decode("ascii", "replace").split(" ")
+        try:
+            if number <= 2:
+                if words != (["restrip-operation-certificate", "1"], ["operation", operation.name])[number - 1]:
+                    raise Wrong("not a certificate of version 1 of the operation " + operation.name)
+            elif words[0] == "claim" and len(words) == 3 and words[1] not in claims and not rows:
+                claims[words[1]] = int(words[2])
+            elif words[0] in ("rule", "copy"):
+                row = OwnRow(operation, words)
+                if rows and rows[-1] >= row.key:
+                    raise Wrong("rows are not in ascending order, or one is there twice")
+                rows.append(row.key)
+                rest = words[5:]
+                if words[0] == "rule" and rest.pop(0) == "because":
+                    row.prove(rest)
+                    proved[row.key] = row.own_loss()
+                    rules += 1
+                elif words[0] == "copy" and rest.pop(0) == "by":
+                    to, rest = [int(word) for word in rest], []
+                    image = (sum(1 << to[p] for p in operation.all_ports if row.ports >> p & 1),
+                             operation.mask({frozenset(to[p] for p in pair) for pair in row.joined}))
+                    if not operation.maps(to) or proved.get(image) != row.own_loss():
+                        raise Wrong("no rule that it is a copy of, or no symmetry")
+                    copies += 1
+                if rest:
+                    raise Wrong("more words than a row has")
+            elif words[0] == "end":
+                counted, keys = operation.keys()
+                for key in sorted(keys.symmetric_difference(rows)):
+                    raise Wrong("the key %x %x %s" % (key + ("has no row" if key in keys else "is of no valid configuration",)))
+                for word, value in counted.items():
+                    if claims.get(word) != value:
+                        raise Wrong("claim %s %s, recounted %d" % (word, claims.get(word), value))
+                above = b"".join(text + b"\n" for text in lines[:number - 1])
+                sums = [len(rows), sum(above), sum(place * byte for place, byte in enumerate(above, 1))]
+                if [int(word) for word in words[1:]] != sums or lines[number:] != [b""]:
+                    raise Wrong("expected end %d %d %d and the end of the file" % tuple(sums))
+                return told(path, rules, copies)
+            else:
+                raise Wrong("unknown line")
+        except (Wrong, ValueError, IndexError, KeyError, TypeError) as error:
+            raise Wrong("%s:%d: %s" % (path, number, error)) from None
+    raise Wrong("%s:%d: no last line" % (path, len(lines)))
+
+
 def check(path, max_k=8):
     with open(path, "rb") as file:
         lines = file.read().split(b"\n")
@@ -348,7 +480,7 @@ def check(path, max_k=8):
                     raise Wrong("expected end %d %d %d and the end of the file" % tuple(sums))
                 if alternatives:
                     return "%s: %d alternatives, the lists are complete" % (path, alternatives)
-                return "%s: %d rules are sound and have their reasons, %d copies follow" % (path, rules, copies)
+                return told(path, rules, copies)
             elif words[0] == "claim" and len(words) == 3:
                 section.claim(words[1], words[2])
             elif number > 1:
@@ -363,8 +495,11 @@ if __name__ == "__main__":
         print(__doc__)
         sys.exit(0 if len(sys.argv) > 1 else 2)
     try:
-        for name in sys.argv[1:]:
-            print(check(name))
+        if sys.argv[1] == "--operation" and len(sys.argv) == 4:
+            print(check_operation(*sys.argv[2:]))
+        else:
+            for name in sys.argv[1:]:
+                print(check(name))
     except Wrong as wrong:
         sys.exit("check_reasons.py: " + str(wrong))
     except OSError as error:
