@@ -185,7 +185,7 @@ std::string section_text(const Section& section) {
       fmt::format_to(out, " by {}", section.symmetry[static_cast<std::size_t>(row.witness)].name());
     else
       fmt::format_to(out, " because {}",
-                     reasoner.reason(row.key.ports, pairs_before(section.position, row.key), row).text());
+                     reasoner.find(row.key.ports, pairs_before(section.position, row.key), row).reason.text());
     text += '\n';
   }
   return text;

@@ -64,7 +64,9 @@ void find_rows(Section& section) {
         }
       }
       if (witness < 0) {
-        rows[*key] = {candidates.best(port_pairs(pairs_before(section.position, *key))), *key};
+        const Choice* const best = candidates.best(port_pairs(pairs_before(section.position, *key)));
+        if (best == nullptr) throw std::logic_error("a configuration of a family has no sound recolouring");
+        rows[*key] = {*best, *key};
         continue;
       }
       const Symmetry& symmetry = section.symmetry[static_cast<std::size_t>(witness)];

@@ -34,8 +34,8 @@ class SliceJudge {
     const Merit best = best_for(joined);
     if (own == best) return {};
     return fmt::format(
-        "not optimal: {} solid edges, {} isolated triangles, {} ports kept where {}, {} and {} are possible", own.solid,
-        -own.fewer_isolated, own.ports_kept, best.solid, -best.fewer_isolated, best.ports_kept);
+        "not optimal: solid edges {}, isolated triangles {}, ports kept {}, where {}, {} and {} are possible",
+        own.solid, -own.fewer_isolated, own.ports_kept, best.solid, -best.fewer_isolated, best.ports_kept);
   }
 
  private:

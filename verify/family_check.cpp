@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "quantity.hpp"
 #include "reasons.hpp"
 #include "reference.hpp"
 
@@ -61,11 +62,11 @@ void check_facts(const Operation& operation, const Judgment& judgment, FamilyTal
   tally.worst_strips = std::max(tally.worst_strips, strips);
   tally.worst_isolated = std::max(tally.worst_isolated, isolated);
   if (operation.most_isolated && isolated > *operation.most_isolated)
-    tally.cost.add(fmt::format("{}: a rule isolates {} triangles more, the family claims at most {}", operation.name(),
-                               isolated, *operation.most_isolated));
+    tally.cost.add(fmt::format("{}: a rule isolates {} more, the family claims at most {}", operation.name(),
+                               quantity(static_cast<std::uint64_t>(isolated), "triangle"), *operation.most_isolated));
   if (operation.most_strips && strips > *operation.most_strips)
-    tally.cost.add(fmt::format("{}: a rule costs {} strips, the family claims at most {}", operation.name(), strips,
-                               *operation.most_strips));
+    tally.cost.add(fmt::format("{}: a rule costs {}, the family claims at most {}", operation.name(),
+                               quantity(static_cast<std::uint64_t>(strips), "strip"), *operation.most_strips));
 }
 
 void add(const OperationCheck& check, const Operation& operation, FamilyTally& tally) {
@@ -157,7 +158,8 @@ void report_family(const Family& family, const Certificate& certificate, const s
          tally.burnside, tally.claims);
   report("the orbits once more", "nauty, canonical coloured graphs" + limit, tally.counted_by_nauty, tally.nauty,
          tally.orbits);
-  report(fmt::format("no rule costs above {} strips, isolates above {}", tally.worst_strips, tally.worst_isolated),
+  report(fmt::format("no rule costs above {}, isolates above {}",
+                     quantity(static_cast<std::uint64_t>(tally.worst_strips), "strip"), tally.worst_isolated),
          "maximum; and what the family claims", tally.with_sound_row, 0, tally.cost);
   if (tally.reference_cases != 0)
     report("the published counts", "docs/theory.md, section 5", tally.reference_cases, 0, tally.reference);

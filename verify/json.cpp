@@ -255,10 +255,21 @@ std::string Json::described() const {
   return text;
 }
 
-Json parse_json(const std::string& file, std::string_view text) { return JsonParser(file, text).whole(); }
+Json parse_json(const std::string& file, std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf"))
+    fail_at(file, {}, "expected no byte order mark before the file; save it as UTF-8 without one");
+  return JsonParser(file, text).whole();
+}
+
+std::string shown(std::string_view text) {
+  std::string shown;
+  for (const char c : text)
+    shown += c >= ' ' && c <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  return shown;
+}
 
 void fail_at(const std::string& file, TextPlace place, const std::string& what) {
-  throw InputError(fmt::format("{}:{}", file, place.line), place.column, what);
+  throw InputError(fmt::format("{}:{}", file, place.line), place.column, shown(what));
 }
 
 }  // namespace restrip::verify

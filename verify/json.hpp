@@ -37,7 +37,10 @@ struct Json {
 /// integer of more than 64 bits.
 Json parse_json(const std::string& file, std::string_view text);
 
-/// Throws InputError "file:line:column: what".
+/// The text with every byte that is not printable ASCII as \x1b: a file's words may tell a terminal anything.
+std::string shown(std::string_view text);
+
+/// Throws InputError "file:line:column: what", as it is shown.
 [[noreturn]] void fail_at(const std::string& file, TextPlace place, const std::string& what);
 
 }  // namespace restrip::verify

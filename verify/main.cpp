@@ -51,8 +51,11 @@ int main(int argc, char** argv) {
       "    --certificate tables/certificates/operations/bisect.cert");
   CLI::Option* const operation = app.add_option("--operation", own.operation,
                                                 "An operation of one's own: its file. With it go only --certificate, "
-                                                "--dump-command and --json");
+                                                "--header, --dump-command and --json");
   app.add_option("--certificate", own.certificate, "The certificate of the operation")->needs(operation);
+  app.add_option("--header", own.header,
+                 "The header of the operation's table, which is read before a program made of it is run")
+      ->needs(operation);
   app.add_option("--tables-dir", options.tables_dir, "The folder with MANIFEST and certificates/")
       ->capture_default_str();
   app.add_option("--dump-command", options.dump_command,
@@ -76,15 +79,22 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 64));
   for (CLI::Option* option : app.get_options())
     if (const std::string name = option->get_name(); name != "--operation" && name != "--certificate" &&
-                                                     name != "--dump-command" && name != "--json" && name != "--help")
+                                                     name != "--header" && name != "--dump-command" &&
+                                                     name != "--json" && name != "--help")
       operation->excludes(option);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
-  if (!own.operation.empty() && own.certificate.empty() && options.dump_command.empty()) {
-    fmt::print(stderr, "restrip-verify: --operation needs --certificate, --dump-command or both\n");
+  if (!own.operation.empty() && own.certificate.empty() && own.header.empty()) {
+    fmt::print(stderr, "restrip-verify: --operation needs --certificate, --header or both\n");
+    return bad_input;
+  }
+  if (!own.operation.empty() && !options.dump_command.empty() && own.header.empty()) {
+    fmt::print(stderr,
+               "restrip-verify: --dump-command with --operation needs --header: the program was compiled from that "
+               "file, which is read before the program is run\n");
     return bad_input;
   }
   if (options.max_k > restrip::verify::largest_fan && (options.headers_only || !options.linked_dump_command.empty())) {
@@ -95,6 +105,18 @@ int main(int argc, char** argv) {
   }
   if (options.headers_only && options.dump_command.empty() && options.linked_dump_command.empty()) {
     fmt::print(stderr, "restrip-verify: --headers needs --dump-command, --linked-dump-command or both\n");
+    return bad_input;
+  }
+
+  for (const char* name : {"--tables-dir", "--all", "--threads"})
+    if (options.headers_only && !app.get_option(name)->empty()) {
+      fmt::print(stderr, "restrip-verify: --headers reads no certificates, so {} has no effect; leave it out\n", name);
+      return bad_input;
+    }
+  if (!options.families.empty() && !options.linked_dump_command.empty()) {
+    fmt::print(stderr,
+               "restrip-verify: --linked-dump-command judges all linked rules, so --family has no effect on it; "
+               "run them one after the other\n");
     return bad_input;
   }
 

@@ -11,6 +11,7 @@
 #include "linked_dump.hpp"
 #include "linked_report.hpp"
 #include "manifest.hpp"
+#include "quantity.hpp"
 #include "table_dump.hpp"
 
 namespace restrip::verify {
@@ -58,8 +59,8 @@ void check_row_counts(const Options& options, const std::vector<ManifestLine>& m
     if (line == manifest.end())
       failures.add(fmt::format("{}/MANIFEST: {} is not listed", options.tables_dir, path));
     else if (line->rows != certificate.rows)
-      failures.add(fmt::format("{}/MANIFEST:{}: {} rows listed, {} found", options.tables_dir, line->line, line->rows,
-                               certificate.rows));
+      failures.add(fmt::format("{}/MANIFEST:{}: {} listed, {} found", options.tables_dir, line->line,
+                               quantity(line->rows, "row"), certificate.rows));
   }
   listener({"files", "the certificates have as many rows as listed", "counted", found.size(), 0, failures.count,
             failures.first});
@@ -101,7 +102,7 @@ void check_dump(const Options& options, const ExpectedDump& expected, const Clai
     if (!comparison.fault.empty()) failures.add(comparison.fault);
     const Compared::Count sum = compared.sum();
     if (sum.entries == 0 && failures.count == 0) return;
-    listener({"shipped headers", claim, fmt::format("{}, {} positions", method, sum.positions), sum.entries,
+    listener({"shipped headers", claim, fmt::format("{}, {}", method, quantity(sum.positions, "position")), sum.entries,
               std::exchange(seconds, 0), failures.count, failures.first});
   };
   report(comparison.of(Against::certificate), "in the certificates' positions they give its rules", "their dump");
@@ -130,9 +131,10 @@ void check_linked_picks(const Options& options, const ClaimListener& listener, T
   Failures failures = check.wrong;
   if (!check.fault.empty()) failures.add(check.fault);
   if (!check.holds() && failures.count == 0) failures.add("nothing was picked");
-  listener({"linked look-up", "the best for all that is known of the outside",
-            fmt::format("{} configurations, {} positions", check.configurations, check.positions), check.leaves,
-            thread_seconds() - start, failures.count, failures.first});
+  listener(
+      {"linked look-up", "the best for all that is known of the outside",
+       fmt::format("{}, {}", quantity(check.configurations, "configuration"), quantity(check.positions, "position")),
+       check.leaves, thread_seconds() - start, failures.count, failures.first});
   if (check.holds()) totals.answers["linked look-up"] = {check.positions, check.leaves};
 }
 

@@ -59,6 +59,8 @@ NamedOperation described(const Position& position, Constraint constraint) {
     operation.constraint = constraint;
     operation.preference.clear();
     name += fmt::format("-{}", constraint_words.at(constraint.most_edges - 1));
+  } else if (position.family->numbers.empty()) {
+    name += "-own";  // restrip's tables have the name of the family itself
   }
   return {std::move(name), "", std::move(operation)};
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "files/reading.hpp"
+#include "operations/emitted_words.hpp"
 #include "operations/json_line.hpp"
 #include "operations/operation_words.hpp"
 
@@ -27,8 +28,8 @@ class JsonValue {
     std::string place;
     for (const JsonStep& step : path_)
       place += step.member.empty() ? fmt::format("[{}]", step.element) : (place.empty() ? "" : ".") + step.member;
-    throw std::runtime_error(
-        fmt::format("{}:{}: {}{}{}", file_, line_of(text_, path_), place, place.empty() ? "" : ": ", what));
+    throw std::runtime_error(fmt::format("{}:{}: {}{}{}", file_, line_of(text_, path_), printable(place),
+                                         place.empty() ? "" : ": ", printable(what)));
   }
 
   [[nodiscard]] bool has(const std::string& member) const { return json_.contains(member); }
@@ -81,6 +82,9 @@ class JsonValue {
 };
 
 Json json_of(const std::string& file, const std::string& text) {
+  if (text.starts_with("\xef\xbb\xbf"))  // which the parser would skip
+    throw std::runtime_error(
+        fmt::format("{}:1: the file begins with a byte order mark; save it as UTF-8 without one", file));
   // The last of two members of one name would silently win.
   std::vector<std::set<std::string>> members;
   std::string twice;
@@ -93,12 +97,13 @@ Json json_of(const std::string& file, const std::string& text) {
   };
   try {
     Json json = Json::parse(text, look);
-    if (!twice.empty()) throw std::runtime_error(fmt::format("{}: the member \"{}\" is there twice", file, twice));
+    if (!twice.empty())
+      throw std::runtime_error(fmt::format("{}: the member \"{}\" is there twice", file, printable(twice)));
     return json;
   } catch (const Json::parse_error& error) {
     const std::size_t end = std::min(error.byte, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-    throw std::runtime_error(fmt::format("{}:{}: this is not JSON: {}", file, line, error.what()));
+    throw std::runtime_error(fmt::format("{}:{}: this is not JSON: {}", file, line, printable(error.what())));
   }
 }
 
@@ -109,7 +114,17 @@ std::string name_from(const JsonValue& value) {
                     name.back() != '-' && name.find("--") == std::string::npos &&
                     std::all_of(name.begin(), name.end(), allowed);
   if (!good) value.refuse("expected lower-case letters, digits and single hyphens, a letter first");
+  if (const std::string by = name_is(name); !by.empty())
+    value.refuse(fmt::format("\"{0}\" is {1}; choose another name, such as \"{0}-own\"", name, by));
   return name;
+}
+
+std::string sentence_from(const JsonValue& value) {
+  std::string sentence = value.text();
+  if (const std::string found = unprintable(sentence); !found.empty())
+    value.refuse(
+        fmt::format("expected one line that can stand in a comment of any language, found {}; leave it out", found));
+  return sentence;
 }
 
 Side side_from(const JsonValue& value) {
@@ -217,7 +232,7 @@ NamedOperation parse_operation(const std::string& file, const std::string& text)
   static_cast<void>(top["restrip_operation"].number(1, 1, "a version of the format"));
   NamedOperation named;
   named.name = name_from(top["name"]);
-  if (top.has("about")) named.about = top["about"].text();
+  if (top.has("about")) named.about = sentence_from(top["about"]);
   Operation& operation = named.operation;
   operation.constraint = constraint_from(top["constraint"]);
   operation.patch = {side_from(top["before"]), side_from(top["after"])};

@@ -9,6 +9,7 @@
 
 #include "emit.hpp"
 #include "number_lines.hpp"
+#include "progress.hpp"
 #include "reason.hpp"
 
 namespace restrip::generator {
@@ -38,14 +39,17 @@ std::string operation_certificate(const NamedOperation& named, const OperationRu
                  rules.rows.size(), claims.costing, claims.worst_strips, claims.worst_isolated);
   std::optional<Reasoner> reasoner;
   if (has_reasons(named.operation)) reasoner.emplace(named.operation);
+  Progress progress("found reasons of", rules.rows.size(), "rules");
   for (const OperationRow& row : rules.rows) {
     fmt::format_to(out, "{} {:x} {:x} {:x} {:x}", row.witness < 0 ? "rule" : "copy", row.key.ports, row.key.joined,
                    row.choice.recoloring, row.choice.kept);
     if (row.witness < 0 && reasoner)
-      fmt::format_to(out, " because {}", reasoner->reason(row.key.ports, pairs_of(row.key.joined), row.choice).text());
+      fmt::format_to(out, " because {}",
+                     reasoner->find(row.key.ports, pairs_of(row.key.joined), row.choice).reason.text());
     if (row.witness >= 0)
       fmt::format_to(out, " by {}", fmt::join(rules.symmetry[static_cast<std::size_t>(row.witness)].port, " "));
     text += '\n';
+    progress.step();
   }
   return sealed(std::move(text), rules.rows.size());
 }

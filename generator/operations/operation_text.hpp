@@ -7,6 +7,7 @@
 
 namespace restrip::generator {
 
+/// Shows progress on a terminal, since reasons take time.
 [[nodiscard]] std::string operation_certificate(const NamedOperation& named, const OperationRules& rules);
 
 /// A header and the read-only data that it compiles to.

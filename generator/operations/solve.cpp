@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "progress.hpp"
+
 namespace restrip::generator {
 namespace {
 
@@ -60,13 +62,31 @@ void for_each_valid_configuration(const Operation& operation, Visit&& visit) {
         visit(coloring.inner, OperationKey{ports, pairs_mask(outcome->pairs)}, *outcome);
 }
 
+/// Names the first configuration that has the key.
+[[noreturn]] void refuse_without_rule(const Operation& operation, const OperationKey& key) {
+  std::optional<Mask> first;
+  for_each_valid_configuration(operation, [&](Mask before, const OperationKey& own, const Outcome&) {
+    if (own == key && !first) first = before;
+  });
+  std::string joined;
+  for (const Mask pair : pairs_of(key.joined))
+    joined += fmt::format("{} {} and {}", joined.empty() ? ", which joins the ports" : ",", std::countr_zero(pair),
+                          std::bit_width(pair) - 1);
+  throw std::runtime_error(
+      fmt::format("the configuration {:x} {:x} (inner edges and ports that are solid before, as in a dump{}) has no "
+                  "sound recolouring that keeps the ports that must stay; list more of its ports under \"give_up\"",
+                  first.value_or(0), key.ports, joined));
+}
+
 std::vector<OperationRow> rows_of(const Operation& operation, const std::vector<PatchMap>& symmetry) {
   std::map<OperationKey, OperationRow> rows;
   for_each_valid_configuration(operation, [&](Mask, const OperationKey& key, const Outcome&) { rows[key].key = key; });
   const std::vector<Coloring> colorings = legal_colorings(operation.patch.after, operation.constraint);
   std::optional<Candidates> candidates;
   std::optional<Mask> candidates_of;
+  Progress progress("found", rows.size(), "rules");
   for (auto& [key, row] : rows) {
+    progress.step();
     // The representative is the orbit's smallest key, so it has been answered when a copy comes up.
     OperationKey representative = key;
     for (std::size_t s = 0; s < symmetry.size(); ++s) {
@@ -79,7 +99,9 @@ std::vector<OperationRow> rows_of(const Operation& operation, const std::vector<
     if (row.witness < 0) {
       if (candidates_of != key.ports) candidates.emplace(operation, colorings, key.ports);
       candidates_of = key.ports;
-      row.choice = candidates->best(port_pairs(pairs_of(key.joined)));
+      const Choice* const best = candidates->best(port_pairs(pairs_of(key.joined)));
+      if (best == nullptr) refuse_without_rule(operation, key);
+      row.choice = *best;
       continue;
     }
     const PatchMap& map = symmetry[static_cast<std::size_t>(row.witness)];
@@ -140,7 +162,7 @@ OperationRules solve(const NamedOperation& named) {
   rules.symmetry = symmetries_of(named.operation);
   try {
     rules.rows = rows_of(named.operation, rules.symmetry);
-  } catch (const std::invalid_argument& error) {
+  } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("operation {}: {}", named.name, error.what()));
   }
   answer_configurations(named.operation, rules);

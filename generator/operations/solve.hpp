@@ -40,7 +40,8 @@ struct OperationRules {
 [[nodiscard]] std::vector<PatchMap> symmetries_of(const Operation& operation);
 
 /// Walks all 2^(edges before + ports) configurations and searches all recolourings of each key. Throws
-/// std::runtime_error, naming the operation, when some configuration has no sound recolouring.
+/// std::runtime_error, naming operation and configuration, when one has no sound recolouring. Shows progress on a
+/// terminal.
 [[nodiscard]] OperationRules solve(const NamedOperation& named);
 
 }  // namespace restrip::generator

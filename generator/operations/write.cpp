@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "counted.hpp"
 #include "files/output.hpp"
 #include "operations/operation_text.hpp"
 
@@ -54,8 +55,9 @@ void make_rules(const RulesOptions& options) {
     texts.push_back({operation_certificate_path(named.name), operation_certificate(named, rules)});
     texts.push_back({operation_header_path(named.name), header.text});
     json["operations"].push_back(figures(named, rules, header.bytes));
-    told += fmt::format("{:<24} {:>6} configurations  {:>5} rules  {:>6} bytes\n", named.name,
-                        rules.claims.configurations, rules.rows.size(), header.bytes);
+    told += fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n", named.name, rules.claims.configurations,
+                        plural(rules.claims.configurations, "configuration"), rules.rows.size(),
+                        plural(rules.rows.size(), "rule"), header.bytes, plural(header.bytes, "byte"));
   }
   out.write(texts);
   const std::string json_text = json.dump(2) + "\n";

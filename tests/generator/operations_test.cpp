@@ -83,7 +83,9 @@ struct Fault {
 
 TEST(OperationFiles, AreRefusedWithTheLine) {
   ASSERT_NO_THROW(static_cast<void>(parse_operation("b.json", bisect)));
-  const std::vector<Fault> faults{
+  std::vector<Fault> faults{
+      {"{\n  \"restrip", "\xef\xbb\xbf{\n  \"restrip",
+       "b.json:1: the file begins with a byte order mark; save it as UTF-8"},
       {"\"restrip_operation\": 1", "\"restrip_operation\": 2", "b.json:2: restrip_operation: expected a version"},
       {"\"bisect\"", "\"Bisect\"", "b.json:3: name: expected lower-case"},
       {"\"bisect\"", "\"bi--sect\"", "b.json:3: name: expected lower-case"},
@@ -110,6 +112,17 @@ TEST(OperationFiles, AreRefusedWithTheLine) {
       {"\"isolated\"", "\"lonely\"", "b.json:10: cost[1][0].count: expected one of strips,"},
       {"\"weight\": 2", "\"weight\": 2000001", "b.json:10: cost[1][0].weight: expected a weight from -1000000"},
       {"\"weight\": 2", "\"weight\": 0.5", "b.json:10: cost[1][0].weight: expected a weight"}};
+  for (const std::string name : {"int", "co-await", "split", "rule-of", "fn"})
+    faults.push_back({"\"bisect\"", fmt::format("\"{}\"", name), fmt::format("b.json:3: name: \"{}\" is a ", name)});
+  for (const unsigned code :
+       {0x0aU, 0x0dU, 0U, 0x1bU, 0x7fU, 0x85U, 0xadU, 0x200bU, 0x2028U, 0x2029U, 0x202eU, 0x2066U, 0xfeffU, 0xfffeU})
+    faults.push_back(
+        {"\"constraint\"", fmt::format("\"about\": \"One.\\u{:04x}int two;\", \"constraint\"", code),
+         fmt::format("b.json:4: about: expected one line that can stand in a comment of any language, found U+{:04X};",
+                     code)});
+  for (const std::string mark : {"\\\\", "*/", "/*", "?\?/"})
+    faults.push_back({"\"constraint\"", fmt::format("\"about\": \"One. {}\", \"constraint\"", mark),
+                      "b.json:4: about: expected one line that can stand in a comment of any language, found '"});
   for (const Fault& fault : faults) {
     std::string text = bisect;
     const std::size_t at = text.find(fault.from);
@@ -175,7 +188,12 @@ TEST(OperationFiles, WithoutASoundRecolouringAreRefused) {
   const std::string text = R"({"restrip_operation": 1, "name": "join", "constraint": "strips",
     "before": {"triangles": 3, "edges": [[0, 1], [1, 2], [2, 0]], "ports": [0, 1, 2]},
     "after": {"triangles": 1, "edges": [], "ports": [0, 0, 0]}})";
-  EXPECT_THROW(static_cast<void>(solve(parse_operation("join.json", text))), std::runtime_error);
+  try {
+    static_cast<void>(solve(parse_operation("join.json", text)));
+    ADD_FAILURE() << "rules were made";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string(error.what()).substr(0, 55), "operation join: the configuration 0 3 (inner edges and ");
+  }
 }
 
 TEST(OperationSymmetries, KeepWhatTheFileAsksFor) {

@@ -5,15 +5,19 @@
 
 #include <algorithm>
 
+#include "operations/operation_file.hpp"
+#include "operations/solve.hpp"
 #include "section.hpp"
 
 namespace restrip::generator {
 namespace {
 
-Reason reason_of(const Section& section, const Row& row) {
+FoundReason found_reason(const Section& section, const Row& row) {
   const Reasoner reasoner(operation_of(section.position, Sight::patch, Goal::strips));
-  return reasoner.reason(row.key.ports, pairs_before(section.position, row.key), row);
+  return reasoner.find(row.key.ports, pairs_before(section.position, row.key), row);
 }
+
+Reason reason_of(const Section& section, const Row& row) { return found_reason(section, row).reason; }
 
 TEST(Reasons, OfRulesDoneByHand) {
   const auto sections = solve("split", 4, 1);
@@ -35,10 +39,61 @@ TEST(Reasons, HaveFiveLeavesAtMost) {
     std::size_t most = 0;
     for (const Section& section : solve(family, 7, 1))
       for (const Row& row : section.rows)
-        if (row.witness < 0) most = std::max(most, reason_of(section, row).leaves());
+        if (row.witness < 0) {
+          const FoundReason found = found_reason(section, row);
+          most = std::max(most, found.reason.leaves());
+          EXPECT_TRUE(found.smallest);
+          EXPECT_LE(found.steps * 4, most_steps_of_smallest_reason);
+        }
     EXPECT_GE(most, 1U) << family;
     EXPECT_LE(most, 5U) << family;
   }
+}
+
+// Of the shipped rules one of the red-green refinement takes most.
+TEST(Reasons, OfAShippedOperationTakeAQuarterOfTheSteps) {
+  const NamedOperation operation = read_operation(RESTRIP_CORPUS_DIR "/../../tables/operations/refine-face.json");
+  const Reasoner reasoner(operation.operation);
+  std::uint64_t most = 0;
+  for (const OperationRow& row : solve(operation).rows) {
+    if (row.witness >= 0) continue;
+    const FoundReason found = reasoner.find(row.key.ports, pairs_of(row.key.joined), row.choice);
+    EXPECT_TRUE(found.smallest);
+    most = std::max(most, found.steps);
+  }
+  EXPECT_GT(most, 100'000U);
+  EXPECT_LE(most * 4, most_steps_of_smallest_reason);
+}
+
+// Seven triangles around a vertex become five, and any port may be given up: the smallest reasons of some rules have
+// more than twenty leaves. A search among all trees would take years.
+TEST(Reasons, AreFoundInSoManySteps) {
+  const NamedOperation operation = read_operation(RESTRIP_CORPUS_DIR "/operations/seven-to-five.json");
+  const Reasoner reasoner(operation.operation);
+  std::size_t smallest = 0;
+  std::size_t larger = 0;
+  std::uint64_t steps = 0;
+  for (const OperationRow& row : solve(operation).rows) {
+    if (row.witness >= 0) continue;
+    const auto joined = pairs_of(row.key.joined);
+    const FoundReason found = reasoner.find(row.key.ports, joined, row.choice);
+    ++(found.smallest ? smallest : larger);
+    steps += found.steps;
+    EXPECT_LE(found.steps, most_steps_of_smallest_reason + 10'000);
+    // Made at once it is not smaller, and takes few steps.
+    const FoundReason made = reasoner.find(row.key.ports, joined, row.choice, 0);
+    EXPECT_FALSE(made.smallest);
+    EXPECT_LE(made.steps, 10'000U);
+    if (found.smallest)
+      EXPECT_GE(made.reason.leaves(), found.reason.leaves());
+    else
+      EXPECT_EQ(made.reason.text(), found.reason.text());
+    EXPECT_LE(made.reason.leaves(), 32U);
+  }
+  EXPECT_EQ(smallest + larger, 436U);
+  EXPECT_GE(larger, 1U);
+  EXPECT_LE(larger, 30U);
+  EXPECT_LE(steps, 6'000'000U);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "exit_code.hpp"
 #include "facts.hpp"
+#include "quantity.hpp"
 #include "verify_automaton.hpp"
 
 namespace {
@@ -22,9 +23,9 @@ int run(const restrip::verify::AutomatonOptions& options) {
     fmt::print("{}", line_of(result));
     std::fflush(stdout);
   });
-  fmt::print("{}: {} classes, {} rows, {} kinds of arcs, {} claims of which {} failed\n",
-             totals.failed == 0 ? "verified" : "NOT verified", totals.classes, totals.rows, totals.kinds, totals.claims,
-             totals.failed);
+  fmt::print("{}: {}, {}, {} of arcs, {} of which {} failed\n", totals.failed == 0 ? "verified" : "NOT verified",
+             quantity(totals.classes, "class", "es"), quantity(totals.rows, "row"), quantity(totals.kinds, "kind"),
+             quantity(totals.claims, "claim"), totals.failed);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::runtime_error("standard output: what was found could not be written");
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
@@ -70,6 +71,22 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
+  // What the other options ask for is then not done: that is no way to ignore them.
+  const auto refuse = [&](const std::string& why, std::initializer_list<const char*> without) {
+    for (const char* name : without)
+      if (!app.get_option(name)->empty()) {
+        fmt::print(stderr, "restrip-verify-automaton: {}, so {} has no effect; leave it out\n", why, name);
+        return true;
+      }
+    return false;
+  };
+  if ((facts && refuse("--facts reads and searches nothing", {"--tables-dir", "--cost", "--tables-max-k", "--max-k",
+                                                              "--every", "--index-max-k", "--index-every"})) ||
+      (cost == "strips" &&
+       refuse("--cost strips leaves the index automaton out", {"--index-max-k", "--index-every"})) ||
+      (cost == "indices" &&
+       refuse("--cost indices leaves the automaton of fewest strips out", {"--tables-max-k", "--max-k", "--every"})))
+    return bad_input;
   options.strips = cost != "indices";
   options.indices = cost != "strips";
   try {

@@ -9,6 +9,7 @@
 #include "family_check.hpp"
 #include "fan_check.hpp"
 #include "input.hpp"
+#include "quantity.hpp"
 #include "turn_check.hpp"
 #include "turn_fans.hpp"
 
@@ -39,7 +40,8 @@ class ClaimTeller {
   void tell_fans(const std::string& family, const std::string& method, unsigned k, unsigned every,
                  const FanCheck& check) {
     tell(family, fmt::format("every answer with k = {} is sound and best", k),
-         fmt::format("{}, {}{} places", method, every == 1 ? "all " : "", check.places), check.keys, check.failures);
+         fmt::format("{}, {}{}", method, every == 1 ? "all " : "", quantity(check.places, "place")), check.keys,
+         check.failures);
   }
 
  private:
@@ -68,7 +70,8 @@ void verify_strips(const AutomatonOptions& options, AutomatonTotals& totals, Cla
     const std::string file = certificate_of(options, family.name);
     const FanCheck check = check_against_rows(certificate, family, parse_certificate(file, read_file(file), family));
     teller.tell("automaton", fmt::format("worth what the rules of {} are", family.name),
-                fmt::format("k <= {}, {} positions, {} the very rule", options.tables_max_k, check.places, check.same),
+                fmt::format("k <= {}, {}, {} the very rule", options.tables_max_k, quantity(check.places, "position"),
+                            check.same),
                 check.keys, check.failures);
   }
   for (unsigned k = 1; k <= options.max_k; ++k) {

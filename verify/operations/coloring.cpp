@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "operation_mutants.hpp"
+#include "quantity.hpp"
 
 namespace restrip::verify::operations {
 
@@ -43,7 +44,7 @@ std::string invalid_because(const Side& side, Colors colors, unsigned most_solid
 }
 
 std::string drawn(const Side& side, Colors colors) {
-  std::string text = side.edges.empty() ? fmt::format("{} triangles without edges", side.triangles) : "edges";
+  std::string text = side.edges.empty() ? quantity(side.triangles, "triangle") + " without edges" : "edges";
   for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
     text += fmt::format(" {}{}{}", side.edges[edge][0], is_solid(colors.inner, edge) ? '=' : '-', side.edges[edge][1]);
   text += ", ports";

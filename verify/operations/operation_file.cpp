@@ -7,6 +7,7 @@
 #include <set>
 
 #include "json_value.hpp"
+#include "words.hpp"
 
 namespace restrip::verify::operations {
 namespace {
@@ -60,6 +61,15 @@ Mask give_up_of(const JsonValue& value, unsigned ports) {
   const std::string word = value.string(expected);
   if (word != "none" && word != "all") value.fail(expected);
   return word == "all" ? mask_count(ports) - 1 : 0;
+}
+
+/// A text for people, which stands in a comment of the table.
+std::string sentence_of(const JsonValue& value) {
+  const std::string text = value.string("a sentence in quotes");
+  if (const std::optional<std::string> stranger = no_comment(text))
+    value.fail_found(
+        fmt::format("expected words that can stand in a comment, found {}; write the sentence without", *stranger));
+  return text;
 }
 
 /// How many members there are of what a count may be restricted to.
@@ -142,8 +152,10 @@ OperationFile parse_operation_file(const std::string& file, std::string_view tex
   if (!is_name(operation.name))
     name.fail(fmt::format("at most {} lower-case letters, digits and single hyphens between them, a letter first",
                           longest_name));
-  if (const std::optional<JsonValue> about = whole.member("about"))
-    operation.about = about->string("a sentence in quotes");
+  if (const std::optional<std::string> owner = owner_of_name(operation.name))
+    name.fail_found(
+        fmt::format("expected a name that is free, \"{0}\" is {1}; \"my-{0}\" would do", operation.name, *owner));
+  if (const std::optional<JsonValue> about = whole.member("about")) operation.about = sentence_of(*about);
   operation.constraint = static_cast<Constraint>(whole.required("constraint").one_of(constraint_names));
   operation.before = side_of(whole.required("before"));
   const JsonValue after = whole.required("after");

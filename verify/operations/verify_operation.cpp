@@ -9,6 +9,8 @@
 #include "certificate_judge.hpp"
 #include "input.hpp"
 #include "operation_dump.hpp"
+#include "operation_header.hpp"
+#include "quantity.hpp"
 #include "reason_check.hpp"
 
 namespace restrip::verify::operations {
@@ -49,10 +51,9 @@ std::uint64_t report_keys(const RuleJudge& judge, OperationReport& report, Total
   const KeyCheck keys = check_keys(judge);
   const std::uint64_t tested = judge.before().tested + judge.after().tested;
   report.claim("same key, same worlds that a configuration fits",
-               fmt::format("{} colourings as graphs in worlds", tested), keys.valid, keys.wrong);
-  report.claim("sound by the worlds when it joins only pairs of J",
-               fmt::format("{} pairs of classes", judge.shortcuts()), judge.pairs(),
-               {judge.wrong_shortcuts(), judge.wrong_shortcut()});
+               quantity(tested, "colouring") + " as graphs in worlds", keys.valid, keys.wrong);
+  report.claim("sound by the worlds when it joins only pairs of J", quantity(judge.shortcuts(), "pair") + " of classes",
+               judge.pairs(), {judge.wrong_shortcuts(), judge.wrong_shortcut()});
   totals.configurations = keys.valid;
   totals.pairs = judge.pairs();
   return keys.keys;
@@ -81,14 +82,16 @@ void report_certificate(RuleJudge& judge, const OperationCertificate& certificat
   if (may_have_reasons(judge.operation())) {
     const ReasonCheck reasons = check_rule_reasons(judge, certificate);
     report.claim("the reasons why nothing is better are reasons",
-                 reasons.reasons == 0 ? "the certificate gives none"
-                                      : fmt::format("sets by the worlds, {} cases at most", reasons.most_cases),
+                 reasons.reasons == 0
+                     ? "the certificate gives none"
+                     : fmt::format("sets by the worlds, {} at most", quantity(reasons.most_cases, "case")),
                  reasons.reasons, reasons.wrong);
   }
   const PatchSymmetries symmetries(judge.operation());
-  report.claim("copies follow from rules by symmetry",
-               fmt::format("{:.0f} symmetries by backtracking", symmetries.order()), certificate.rows.size(),
-               wrong_copies(certificate, symmetries));
+  report.claim(
+      "copies follow from rules by symmetry",
+      fmt::format("{:.0f} {} by backtracking", symmetries.order(), symmetries.order() == 1 ? "symmetry" : "symmetries"),
+      certificate.rows.size(), wrong_copies(certificate, symmetries));
   const OrbitSizes orbits = count_orbits(judge, symmetries);
   report.claim("the stated numbers", "recounted; orbits by merging images", number_words.size(),
                wrong_numbers(certificate, rows, keys, orbits));
@@ -122,19 +125,33 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& li
     totals.rules = certificate->rows.size();
     report_certificate(judge, *certificate, keys, report);
   }
-  if (!options.dump_command.empty())
-    report_dump(check_operation_dump_of(options.dump_command, judge, certificate ? &*certificate : nullptr),
-                certificate.has_value(), report, totals);
+  // Who compiled the header runs what it says: code in it would be run here with the dump.
+  bool is_table = true;
+  if (!options.header.empty()) {
+    const HeaderCheck header = check_operation_header(options.header, read_file(options.header), operation);
+    is_table = header.wrong.count == 0;
+    report.claim("the header is the text of a table and nothing else", "line by line, all but its numbers",
+                 header.lines, header.wrong);
+  }
+  if (!options.dump_command.empty()) {
+    OperationDumpCheck dump;
+    if (is_table)
+      dump = check_operation_dump_of(options.dump_command, judge, certificate ? &*certificate : nullptr);
+    else
+      dump.fault = "was not run, because the header is not that of a table";
+    report_dump(dump, certificate.has_value(), report, totals);
+  }
   return totals;
 }
 
 std::string last_line_of(const OperationOptions& options, const Totals& totals) {
-  std::string text = fmt::format("{}: {}: {} configurations, {} recolourings of them",
-                                 totals.failed == 0 ? "verified" : "NOT verified", options.operation,
-                                 totals.configurations, totals.pairs);
-  if (!options.certificate.empty()) text += fmt::format(", {} rules", totals.rules);
-  for (const auto& [what, answers] : totals.answers) text += fmt::format(", {} answers of the table", answers.entries);
-  text += fmt::format(", {} claims", totals.claims);
+  std::string text = fmt::format("{}: {}: {}, {} of {}", totals.failed == 0 ? "verified" : "NOT verified",
+                                 options.operation, quantity(totals.configurations, "configuration"),
+                                 quantity(totals.pairs, "recolouring"), totals.configurations == 1 ? "it" : "them");
+  if (!options.certificate.empty()) text += ", " + quantity(totals.rules, "rule");
+  for (const auto& [what, answers] : totals.answers)
+    text += fmt::format(", {} of the table", quantity(answers.entries, "answer"));
+  text += ", " + quantity(totals.claims, "claim");
   return text + (totals.failed == 0 ? "\n" : fmt::format(" of which {} failed\n", totals.failed));
 }
 

@@ -10,6 +10,7 @@ namespace restrip::verify::operations {
 struct OperationOptions {
   std::string operation;     ///< the file that describes it
   std::string certificate;   ///< the file with its rules; empty: none is checked
+  std::string header;        ///< the table as the generator wrote it; empty: it is not read
   std::string dump_command;  ///< prints the compiled table; empty: it is not checked
 };
 
