@@ -166,6 +166,8 @@ bool hold(const Conditions& conditions, const PositionNumbers& numbers) {
 
 std::vector<Family> parse_families(std::string_view text) {
   try {
+    if (text.starts_with("\xef\xbb\xbf"))  // which the parser would skip
+      throw std::runtime_error("begins with a byte order mark; save it as UTF-8 without one");
     const Json json = Json::parse(text);
     expect_members(json, {"restrip_families", "families"});
     if (json.at("restrip_families") != 1) throw std::runtime_error("\"restrip_families\": expected version 1");

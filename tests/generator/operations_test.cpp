@@ -158,7 +158,8 @@ TEST(FamiliesFile, SaysWhichPositionsThereAre) {
 }
 
 TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
-  const std::vector<Fault> faults{{"\"restrip_families\": 1", "\"restrip_families\": 2", "expected version 1"},
+  const std::vector<Fault> faults{{"{\"restrip_f", "\xef\xbb\xbf{\"restrip_f", "begins with a byte order mark"},
+                                  {"\"restrip_families\": 1", "\"restrip_families\": 2", "expected version 1"},
                                   {"\"name\"", "\"nome\"", "\"nome\": unknown member"},
                                   {"i < k", "j < k", "\"1 <= k, j < k\": expected a number of the family"},
                                   {"i < k", "i", "expected a comparison"},

@@ -136,6 +136,7 @@ TEST(Families, FilesThatAreWrongAreRefusedWithTheLine) {
     std::string said;
   };
   const std::vector<Fault> faults{
+      {"{", "\xef\xbb\xbf{", "f.json:1:1: expected no byte order mark before the file; save it as UTF-8 without one"},
       {"\"restrip_families\": 1", "\"restrip_families\": 2", "f.json:2:23: restrip_families: expected version 1"},
       {"\"name\"", "\"nome\"", "f.json:4:5: families[0].nome: unknown member"},
       {"\"name\": \"fan\", ", "", "f.json:3:16: families[0]: expected a member \"name\""},
