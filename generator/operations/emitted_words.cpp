@@ -19,7 +19,7 @@ struct CodePoints {
 };
 
 /// Controls, line and paragraph separators, and what is invisible or turns the direction of writing.
-constexpr std::array<CodePoints, 13> hidden{{{0x00, 0x1f},
+constexpr std::array<CodePoints, 12> hidden{{{0x00, 0x1f},
                                              {0x7f, 0x9f},
                                              {0xad, 0xad},
                                              {0x61c, 0x61c},
@@ -30,8 +30,7 @@ constexpr std::array<CodePoints, 13> hidden{{{0x00, 0x1f},
                                              {0xfdd0, 0xfdef},
                                              {0xfeff, 0xfeff},
                                              {0xfff0, 0xfffb},
-                                             {0xe0000, 0xe0fff},
-                                             {0xf0000, 0x10ffff}}};
+                                             {0xe0000, 0x10ffff}}};
 
 /// The code point at the beginning of valid UTF-8, which is taken off.
 std::uint32_t taken_code_point(std::string_view& text) {

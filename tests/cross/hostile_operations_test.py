@@ -32,6 +32,11 @@ NAMES = ["int", "class", "co-await", "split", "flip", "automaton", "pairings", "
 SYLLABLES = ["a", "x2", "bi", "sect", "int", "co", "await", "rule", "of", "open", "split", "static", "cast", "vec2", "i32", "if", "for", "m8"]
 
 
+# docs/operation-file.md, "Words": code points that no sentence has, first and last.
+HIDDEN = [(0, 0x1f), (0x7f, 0x9f), (0xad, 0xad), (0x61c, 0x61c), (0x180e, 0x180e), (0x200b, 0x200f), (0x2028, 0x202e), (0x2060, 0x206f),
+          (0xfdd0, 0xfdef), (0xfeff, 0xfeff), (0xfff0, 0xfffb), (0xfffe, 0xffff), (0x1fffe, 0x1ffff), (0xdfffe, 0x10ffff)]
+
+
 def tokens(text):
     """As a compiler of C++ that is easily deceived sees it: any character that ends a line anywhere does, backslash or
     trigraph and white space before it join lines, comments go."""
@@ -144,6 +149,12 @@ def main():
             file.write_text(json.dumps(dict(PLAIN, name=name.replace("_", "-"))), encoding="utf-8")
             if not refused_alike(programs, file, out):
                 raise SystemExit(f"the name {name} is accepted")
+
+        # Every code point at the edge of those that may not be there.
+        for code in sorted({code for first, last in HIDDEN for code in (first - 1, first, last, last + 1)} - {-1, 0x110000}):
+            file.write_text(json.dumps(dict(PLAIN, about=f"a{chr(code)}b")), encoding="utf-8")
+            if refused_alike(programs, file, out) != any(first <= code <= last for first, last in HIDDEN):
+                raise SystemExit(f"U+{code:04X} is not taken as docs/operation-file.md says")
 
         # A header with code in it: the program that was made of it is not run.
         file.write_text(json.dumps(PLAIN), encoding="utf-8")
