@@ -9,6 +9,7 @@
 #include "operation_dump.hpp"
 #include "sealed.hpp"
 #include "target.hpp"
+#include "words.hpp"
 
 namespace restrip::fuzz {
 namespace {
@@ -34,6 +35,9 @@ Target file_target() {
     promise_limits(operation.after);
     promise(operation.before.ports() == operation.after.ports(), "as many ports on both sides");
     promise(!operation.name.empty() && operation.name.find('/') == std::string::npos, "a name names a file");
+    promise(!owner_of_name(operation.name), "a name is free");
+    for (const char c : operation.about)
+      promise(c != '\\' && (c < 0 || c >= ' '), "a sentence is one line of a comment");
     promise(!operation.cost.empty() && operation.cost.size() <= most_criteria, "criteria within limits");
     promise(operation.may_give_up < verify::mask_count(operation.ports()), "ports that may be given up are ports");
     return true;
