@@ -64,11 +64,10 @@ function(_restrip_check_programs caller)
   endif()
 endfunction()
 
-# restrip_generate_tables(TARGET t [MAX_K n] [COST strips|indices|r,s,i] [TIE_BREAK strips|indices] [LANGUAGE name…]
-#                         [OPERATION file…])
+# restrip_generate_tables(TARGET t [MAX_K n] [TIE_BREAK strips|indices] [LANGUAGE name…] [OPERATION file…])
 function(restrip_generate_tables)
-  set(known "TARGET, MAX_K, COST, TIE_BREAK, LANGUAGE, OPERATION")
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;MAX_K;COST;TIE_BREAK" "LANGUAGE;OPERATION")
+  set(known "TARGET, MAX_K, TIE_BREAK, LANGUAGE, OPERATION")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;MAX_K;TIE_BREAK" "LANGUAGE;OPERATION")
   if(DEFINED arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "restrip_generate_tables: ${arg_UNPARSED_ARGUMENTS}: unknown; known are ${known}")
   endif()
@@ -92,14 +91,6 @@ function(restrip_generate_tables)
                         "the largest fans in the tables; larger fans are answered without a table")
   endif()
   list(APPEND options --max-k ${arg_MAX_K})
-  set(cost "")
-  if(DEFINED arg_COST AND NOT arg_COST MATCHES "^(strips|indices)$")
-    if(NOT arg_COST MATCHES "^[0-9]+,[0-9]+,[0-9]+$")
-      message(FATAL_ERROR "restrip_generate_tables: COST ${arg_COST}: expected strips, indices, or the weights of a strip, a swap "
-                          "and an isolated triangle, as in 3,1,0")
-    endif()
-    set(cost --cost ${arg_COST})
-  endif()
   if(DEFINED arg_TIE_BREAK)
     if(NOT arg_TIE_BREAK MATCHES "^(strips|indices)$")
       message(FATAL_ERROR "restrip_generate_tables: TIE_BREAK ${arg_TIE_BREAK}: expected strips or indices")
@@ -116,10 +107,6 @@ function(restrip_generate_tables)
   # What other languages do not have would be left out without a word.
   if(DEFINED arg_LANGUAGE)
     list(REMOVE_ITEM arg_LANGUAGE c++)
-  endif()
-  if(arg_LANGUAGE AND DEFINED arg_COST)
-    message(FATAL_ERROR "restrip_generate_tables: COST with LANGUAGE ${arg_LANGUAGE}: only the tables of C++ have the index rules, "
-                        "whose weights COST is; leave one of them out, or make two targets")
   endif()
   if(arg_LANGUAGE AND DEFINED arg_OPERATION)
     message(FATAL_ERROR "restrip_generate_tables: OPERATION with LANGUAGE ${arg_LANGUAGE}: tables of operations are written in "
@@ -138,13 +125,13 @@ function(restrip_generate_tables)
   # The options are a file that changes when they do: Make does not look at the command.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/restrip/${arg_TARGET})
   list(JOIN options " " content)
-  file(CONFIGURE OUTPUT ${folder}.options CONTENT "${content} ${cost} ${arg_LANGUAGE} ${operations}\n" @ONLY)
-  set(headers automaton boundary_split collapse fan_collapse flip index_automaton linked open_split rows split)
+  file(CONFIGURE OUTPUT ${folder}.options CONTENT "${content} ${arg_LANGUAGE} ${operations}\n" @ONLY)
+  set(headers automaton boundary_split collapse fan_collapse flip linked open_split rows split)
   list(TRANSFORM headers REPLACE "(.+)" "${folder}/include/restrip/tables/\\1.hpp")
   add_custom_command(
     OUTPUT ${folder}/MANIFEST  # written last
     BYPRODUCTS ${headers}
-    COMMAND restrip::generate tables --out ${folder} --threads 0 ${options} ${cost}
+    COMMAND restrip::generate tables --out ${folder} --threads 0 ${options}
     DEPENDS ${folder}.options $<TARGET_FILE:restrip::generate>
     COMMENT "Generating the tables of ${arg_TARGET}"
     VERBATIM)
@@ -264,8 +251,8 @@ function(restrip_verify_tables target)
     set(dump --dump-command ${command})
   endif()
   add_test(NAME ${target}.rules COMMAND $<TARGET_FILE:restrip::verify> --tables-dir ${folder} --max-k ${max_k} --all ${dump})
-  add_test(NAME ${target}.automata
-           COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8 --index-max-k 4)
+  add_test(NAME ${target}.automaton
+           COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8)
   get_target_property(operations ${target} RESTRIP_OPERATIONS)
   if(operations)
     foreach(file IN LISTS operations)

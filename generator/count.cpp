@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <vector>
+
+#include "solve/section.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -17,11 +21,11 @@ struct LoopOrbits {
 
 LoopOrbits loop_orbits(const Section& section) {
   std::set<Mask> seen;
-  const auto& split = section.position;
-  const Mask end = Mask{1} << split.k;
+  const Symmetries symmetry = symmetries(operation_at(section.position));
+  const Mask end = Mask{1} << section.position.k;
   for (Mask loop = 0; loop < end; ++loop) {
     Mask smallest = loop;
-    for (const Symmetry& s : section.symmetry) smallest = std::min(smallest, permute(loop, s.before));
+    for (const PatchMap& s : symmetry.maps) smallest = std::min(smallest, permute(loop, s.before));
     seen.insert(smallest);
   }
   return {seen.size(), seen.size() - seen.count(end - 1)};
@@ -38,7 +42,7 @@ std::string listed(const std::vector<std::size_t>& numbers) { return fmt::format
 
 std::vector<Line> lines(const std::string& family, unsigned max_k) {
   std::vector<Line> table;
-  for (const Section& section : solve(family, max_k, 1)) {
+  for (const Section& section : solved(family, max_k, 1)) {
     for (std::size_t i = 0; i < section.serves.size(); ++i) {
       const Claims& claims = section.claims[i];
       if (table.empty() || table.back().k != section.position.k)

@@ -2,9 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
-
-#include "section.hpp"
 
 namespace restrip::generator {
 

@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <string>
 
-#include "section.hpp"
+#include "operations/description.hpp"
 
 namespace restrip::generator {
 
 /// One row for each valid configuration, ordered by place, then colours before, then ports; all decimal. The columns
 /// are those of dump_columns(); k is not used where a family has only one position.
-void dump(const Family& family, unsigned k, std::FILE* out);
+void dump(const Description& family, unsigned k, std::FILE* out);
 
 /// A line for each family: its name and its columns.
 [[nodiscard]] std::string dump_columns();

@@ -4,22 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "linked.hpp"
 #include "packing.hpp"
-#include "section.hpp"
+#include "solve/section.hpp"
 
 namespace restrip::generator {
 
-/// A certificate with its last line: how many rows, and two sums of its bytes from which a reader can tell which single
-/// byte was altered.
-[[nodiscard]] std::string sealed(std::string text, std::size_t rows);
-
-/// A certificate's family with its sections.
+/// A certificate with its sections, solved, rules or linked ones.
 struct SolvedFamily {
   std::string name;
   std::vector<Section> sections;
-  std::vector<std::string> texts;  ///< of the sections, as certificates write them
   [[nodiscard]] std::size_t rows() const;
+  [[nodiscard]] bool linked() const { return sections.at(0).linked; }
 };
 
 /// A family's name as programs and files spell it: with underscores.
@@ -37,26 +32,11 @@ struct RulesHeader {
 /// restrip/tables/FAMILY.hpp.
 [[nodiscard]] RulesHeader rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k);
 
-/// A family's linked rules.
-struct LinkedFamily {
-  std::string name;
-  std::vector<LinkedSection> sections;
-  std::vector<std::string> texts;  ///< of the sections, as certificates write them
-  [[nodiscard]] std::size_t alternatives() const;
-};
+/// restrip/tables/linked.hpp: the lists of all families that have some.
+[[nodiscard]] RulesHeader linked_header(const std::vector<SolvedFamily>& families, unsigned max_k);
 
-/// restrip/tables/linked.hpp: the lists of all families.
-[[nodiscard]] RulesHeader linked_header(const std::vector<LinkedFamily>& families, unsigned max_k);
-
-/// A position as certificates write it, after the word `section`.
-[[nodiscard]] std::string position_text(const Position& position);
-
-/// A solved section as certificates write it, with claims, rows and reasons (docs/certificate.md).
-[[nodiscard]] std::string section_text(const Section& section);
-[[nodiscard]] std::string section_text(const LinkedSection& section);
-
-/// certificates/FAMILY.cert from the texts of its sections.
-[[nodiscard]] std::string certificate(const std::string& family, const std::vector<std::string>& texts,
-                                      std::size_t rows);
+/// certificates/NAME.cert from the texts of its sections.
+[[nodiscard]] std::string certificate(const std::string& name, const std::vector<std::string>& texts, std::size_t rows);
+[[nodiscard]] std::string certificate(const SolvedFamily& family);
 
 }  // namespace restrip::generator

@@ -14,7 +14,7 @@ TableArray array_of(const std::string& name, const std::vector<Number>& values) 
 }
 
 /// What does not depend on the position can be read off any.
-LookUp look_up_of(const Family& family) {
+LookUp look_up_of(const Description& family) {
   const Patch patch = make_patch(positions(family, smallest_valence(family)).at(0));
   const int k = family.numbers.empty() ? 0 : static_cast<int>(patch.before.owner.size());
   const int added = static_cast<int>(patch.after.nodes) - static_cast<int>(patch.before.nodes);
@@ -22,7 +22,7 @@ LookUp look_up_of(const Family& family) {
           family.numbers,
           family.range,
           identifier(family.certificate),
-          family.keyed_by_inner ? "" : (closed(family) ? "closed_rows" : "open_rows"),
+          family.numbers.empty() ? "" : (closed(family) ? "closed_rows" : "open_rows"),
           added > 0,
           static_cast<int>(patch.before.edges.size()) - k,
           static_cast<int>(patch.after.edges.size()) - k,
@@ -34,7 +34,7 @@ LookUp look_up_of(const Family& family) {
 const std::vector<LookUp>& look_ups() {
   static const std::vector<LookUp> all = [] {
     std::vector<LookUp> look_ups;
-    for (const Family& family : families()) look_ups.push_back(look_up_of(family));
+    for (const Description& family : families()) look_ups.push_back(look_up_of(family));
     return look_ups;
   }();
   return all;
@@ -56,8 +56,8 @@ TableLayout table_layout(const std::vector<SolvedFamily>& families, const Packin
                          unsigned max_k) {
   TableLayout layout{max_k, {array_of("closed_rows", closed.start), array_of("open_rows", open.start)}};
   for (const SolvedFamily& family : families) {
-    const Family& acts = *family.sections.at(0).position.family;
-    if (acts.keyed_by_inner) {
+    const Description& acts = *family.sections.at(0).position.family;
+    if (acts.numbers.empty()) {
       layout.arrays.push_back(array_of(identifier(family.name) + "_rules", flip_cells(family.sections.at(0))));
       continue;
     }

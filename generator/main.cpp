@@ -29,7 +29,7 @@ namespace {
 using PlaceOptions = std::array<const CLI::Option*, PositionNumbers{}.size()>;
 
 /// The position that the options --k, --at and --to say.
-Position position_of(const Family& family, PositionNumbers numbers, const PlaceOptions& given) {
+Position position_of(const Description& family, PositionNumbers numbers, const PlaceOptions& given) {
   constexpr std::array<const char*, PositionNumbers{}.size()> options{"--k", "--at", "--to"};
   for (std::size_t i = family.numbers.size(); i < options.size(); ++i)
     if (!given.at(i)->empty())
@@ -78,14 +78,6 @@ int main(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(goals))
       ->default_str("strips")
       ->excludes(shard_option);
-  const auto* tables_cost =
-      tables_command
-          ->add_option(
-              "--cost", tables.cost,
-              "Of the index rules: indices (3 for a strip, 1 for a swap), or R,S,I, the weights of a strip, a swap "
-              "and an isolated triangle")
-          ->capture_default_str()
-          ->excludes(shard_option);
   std::vector<std::string> tables_languages;
   tables_command
       ->add_option("--language", tables_languages,
@@ -145,7 +137,7 @@ int main(int argc, char** argv) {
   auto* dump_command = app.add_subcommand("dump", "Print every rule as CSV, one row for each valid configuration");
   dump_command->footer("Columns:\n" + dump_columns() + "\nExample:\n  restrip-generate dump --family split --k 4\n");
   std::vector<std::string> names;
-  for (const Family& one : families()) names.push_back(one.name);
+  for (const Description& one : families()) names.push_back(one.name);
   dump_command->add_option("--family", family, fmt::format("One of {}", fmt::join(names, ", ")))
       ->check(CLI::IsMember(names))
       ->capture_default_str();
@@ -190,15 +182,12 @@ int main(int argc, char** argv) {
   try {
     if (tables.threads == 0) tables.threads = std::max(1U, std::thread::hardware_concurrency());
     if (!tables_languages.empty()) tables.languages = {tables_languages.begin(), tables_languages.end()};
-    if (!tables_cost->empty() && !tables.languages.contains("c++"))
-      throw std::invalid_argument(
-          "--cost is that of the index rules, which no --language but c++ has; leave it out, or add --language c++");
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
     if (*automaton_command) make_automaton_files(automaton);
     if (*merge_command) merge_shards(merge_in, merge_out);
     if (*rules_command) make_rules(rules);
     if (*dump_command) {
-      const Family& chosen = family_named(family);
+      const Description& chosen = family_named(family);
       if (chosen.numbers.empty() && !k_option->empty())
         throw std::invalid_argument(fmt::format("--family {}: it has one position, without --k", family));
       if (!chosen.numbers.empty() && (k_option->empty() || k < smallest_valence(chosen)))
@@ -208,8 +197,8 @@ int main(int argc, char** argv) {
     if (*describe_command) {
       const auto* const word = std::find(constraint_words.begin(), constraint_words.end(), described_constraint);
       const Constraint constraint{static_cast<unsigned>(word - constraint_words.begin()) + 1};
-      fmt::print("{}", operation_file_text(
-                           described(position_of(family_named(described_family), numbers, place_options), constraint)));
+      fmt::print("{}",
+                 operation_file_text(position_of(family_named(described_family), numbers, place_options), constraint));
     }
     if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");

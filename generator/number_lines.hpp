@@ -28,7 +28,7 @@ class Lines {
 template <class Number>
 std::string numbers(const std::vector<Number>& values, const char* spelling = " {},") {
   Lines lines;
-  for (const Number value : values) lines.add(fmt::format(fmt::runtime(spelling), value));
+  for (const Number& value : values) lines.add(fmt::format(fmt::runtime(spelling), value));
   return lines.text();
 }
 

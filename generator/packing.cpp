@@ -6,7 +6,22 @@
 
 namespace restrip::generator {
 
-std::vector<Mask> spellings(const Key& key) {
+FanKey fan_key(const Key& key, const Position& position) {
+  const bool around = closed(*position.family);
+  FanKey fan{key.ports, 0};
+  for (const Mask pair : key.joined.masks())
+    for (Mask one = pair; one != 0; one &= one - 1) {
+      const Mask port = one & (~one + 1);
+      // The nearest solid port below, cyclic in a closed fan.
+      const Mask below = key.ports & (port - 1);
+      const Mask others = key.ports & ~port;
+      if (below == 0 && !(around && others != 0)) continue;
+      if ((pair & std::bit_floor(below != 0 ? below : others)) != 0) fan.joined |= port;
+    }
+  return fan;
+}
+
+std::vector<Mask> spellings(const FanKey& key) {
   // Both bits set: only in a closed fan is each of two ports the other's predecessor.
   if (std::popcount(key.ports) != 2 || key.joined != key.ports) return {key.joined};
   return {key.joined, std::bit_floor(key.joined), key.joined & (~key.joined + 1)};
@@ -19,7 +34,7 @@ Packing pack(const std::vector<const Section*>& sections, unsigned max_k) {
     for (const Section* section : sections) {
       if (section->position.k != k) continue;
       for (const Row& row : section->rows)
-        for (const Mask joined : spellings(row.key)) columns[row.key.ports].insert(joined);
+        for (const Mask joined : spellings(fan_key(row.key, section->position))) columns[row.key.ports].insert(joined);
     }
     std::vector<Mask> order;
     order.reserve(columns.size());
@@ -54,7 +69,7 @@ RuleBlocks fill(const std::vector<Section>& sections, const Packing& packing, un
     const std::size_t block = blocks.rules.size();
     blocks.rules.resize(block + packing.cells[k], 0);
     for (const Row& row : section.rows)
-      for (const Mask joined : spellings(row.key))
+      for (const Mask joined : spellings(fan_key(row.key, section.position)))
         blocks.rules[block + packing.start[std::size_t{1} << k | row.key.ports] + joined] = row.recoloring;
   }
   return blocks;
@@ -62,7 +77,10 @@ RuleBlocks fill(const std::vector<Section>& sections, const Packing& packing, un
 
 std::vector<unsigned> flip_cells(const Section& section) {
   std::vector<unsigned> table(32, 0xff);
-  for (const Row& row : section.rows) table[row.key.joined << 4 | row.key.ports] = row.recoloring << 4 | row.kept;
+  for_each_valid(operation_at(section.position), [&](const Configuration& c) {
+    const Row& row = row_of(section, c.ports, c.outcome.joined);
+    table[c.before << 4 | c.ports] = row.recoloring << 4 | row.kept;
+  });
   return table;
 }
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "section.hpp"
+#include "solve/section.hpp"
 
 namespace restrip::generator {
 
@@ -18,9 +18,17 @@ struct Packing {
 /// valence. First fit, the fullest rows first: deterministic.
 [[nodiscard]] Packing pack(const std::vector<const Section*>& sections, unsigned max_k);
 
+/// The key as look-ups of fans know it (docs/notation.md, "Key"): bit i of `joined` is set when solid port i is joined
+/// to the solid port before it, cyclic in a closed fan.
+struct FanKey {
+  Mask ports = 0;
+  Mask joined = 0;
+};
+[[nodiscard]] FanKey fan_key(const Key& key, const Position& position);
+
 /// The values of `joined` under which a lookup may ask for this key: its own, and where two solid ports of a closed fan
 /// are joined, each of their bits alone.
-[[nodiscard]] std::vector<Mask> spellings(const Key& key);
+[[nodiscard]] std::vector<Mask> spellings(const FanKey& key);
 
 /// The rules of a family of fans in their cells: members as in RuleTable of restrip/tables/format.hpp.
 struct RuleBlocks {

@@ -12,13 +12,19 @@
 
 namespace restrip::generator {
 
+/// Whether somebody waits for a piece of work by itself, and not for many of its kind.
+enum class Watched { no, yes };
+
 /// One line on standard error, "solved 3 of 7 sections", which goes when the work is done; nothing where standard error
 /// is no terminal. Several threads may call step().
 class Progress {
  public:
-  /// "solved", 7, "sections"
-  Progress(std::string done, std::size_t all, std::string of_what)
-      : done_(std::move(done)), of_what_(std::move(of_what)), all_(all), terminal_(isatty(STDERR_FILENO) != 0) {}
+  /// "solved", 7, "sections"; of work that is not watched nothing is shown.
+  Progress(std::string done, std::size_t all, std::string of_what, Watched watched = Watched::yes)
+      : done_(std::move(done)),
+        of_what_(std::move(of_what)),
+        all_(all),
+        terminal_(watched == Watched::yes && isatty(STDERR_FILENO) != 0) {}
   ~Progress() {
     if (terminal_) std::fputs("\r\x1b[K", stderr);
   }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "search.hpp"
+#include "solve/search.hpp"
 
 namespace restrip::generator {
 

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <tuple>
 
+#include "certificate_text.hpp"
 #include "digest.hpp"
-#include "emit.hpp"
 #include "files/reading.hpp"
 
 namespace restrip::generator {
@@ -17,6 +20,21 @@ namespace restrip::generator {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// About proportional to the time that a section takes, as measured for k = 8 … 10: it grows fourfold with k.
+std::uint64_t weight(const Section& section) {
+  const Description& family = *section.position.family;
+  const bool ring = closed(family);
+  std::uint64_t unit = 1;
+  if (!section.linked) {
+    if (!std::get<SidePattern>(family.after).chords.empty()) unit = ring ? 8 : 4;
+    // The claims of such a section count the configurations of every position served.
+    if (serves_every_position(family)) unit = section.serves.size() * (ring ? 2 : 1);
+  } else if (!serves_every_position(family)) {
+    unit = 3;
+  }
+  return unit << (2 * section.position.k);
+}
 
 constexpr unsigned shard_version = 1;
 constexpr std::size_t digest_length = 64;
@@ -82,59 +100,62 @@ struct Reader {
   [[nodiscard]] bool starts(std::string_view word) const { return text.substr(at, word.size()) == word; }
 };
 
-void read_rows(Section& section, Reader& reader) {
-  const Family& family = *section.position.family;
-  const Mask second_end = Mask{1} << (family.keyed_by_inner ? make_patch(section.position).before.edges.size()
-                                                            : make_patch(section.position).before.owner.size());
-  const Side after = patch_of_rows(section.position).after;
-  const Mask ports_end = Mask{1} << after.owner.size();
+void read_rules(Section& section, Reader& reader) {
+  const Operation operation = operation_of_rows(section.position, Sight::patch, section.goal);
+  const Side& after = operation.patch.after;
   const Mask inner_end = Mask{1} << after.edges.size();
+  std::tuple<Mask, std::size_t, std::string_view> last{};
   for (; reader.starts("rule ") || reader.starts("copy "); reader.skip()) {
     Words words(reader.peek());
     const bool rule = words.next() == "rule";
     Row row;
-    row.key.ports = words.number(16, ports_end);
-    row.key.joined = words.number(16, second_end);
-    row.kept = family.gives_ports_up ? words.number(16, ports_end) : row.key.ports;
+    row.key.ports = words.number(16, after.all_ports() + 1);
+    const std::string_view joined = words.next();
+    const bool key_is_good = PortPairs::read(joined, after.ports(), row.key.joined);
     row.recoloring = words.number(16, inner_end);
+    row.kept = words.number(16, after.all_ports() + 1);
     words.expect(rule ? "because" : "by");
-    if (!words.good || words.at_end() || (!section.rows.empty() && !(section.rows.back().key < row.key)))
+    const std::tuple order{row.key.ports, joined.size(), joined};
+    if (!words.good || !key_is_good || words.at_end() || (!section.rows.empty() && order <= last))
       reader.refuse("the row of a greater key");
     section.rows.push_back(row);
+    last = order;
   }
   if (section.rows.empty()) reader.refuse("a row");
+  std::sort(section.rows.begin(), section.rows.end(), [](const Row& x, const Row& y) { return x.key < y.key; });
+  // What the flip's table is made with.
+  if (section.position.family->numbers.empty()) section.relevant = relevant_pairs(operation);
 }
 
-void read_rows(LinkedSection& section, Reader& reader) {
-  const Side after = patch_of_rows(section.position).after;
-  const std::vector<Coloring> colorings = legal_colorings(after);
-  section.lists.resize(std::size_t{1} << after.owner.size());
-  Mask last = 0;
+void read_alternatives(Section& section, Reader& reader) {
+  const Operation operation = operation_of_rows(section.position, Sight::outside, section.goal);
+  const Side& after = operation.patch.after;
+  const std::vector<Coloring> colorings = legal_colorings(after, operation.constraint);
+  Mask lists = 0;
   for (; reader.starts("alternative "); reader.skip()) {
     Words words(reader.peek());
     words.next();
-    const Mask ports = words.number(16, Mask{1} << after.owner.size());
+    const Mask ports = words.number(16, after.all_ports() + 1);
     const Mask inner = words.number(16, Mask{1} << after.edges.size());
     const auto coloring = std::lower_bound(colorings.begin(), colorings.end(), inner,
                                            [](const Coloring& c, Mask wanted) { return c.inner < wanted; });
     std::optional<Outcome> outcome;
-    if (words.good && words.at_end() && ports >= last && coloring != colorings.end() && coloring->inner == inner)
+    const bool next = ports == lists || ports + 1 == lists;
+    if (words.good && words.at_end() && next && coloring != colorings.end() && coloring->inner == inner)
       outcome = with_ports(*coloring, ports);
-    if (!outcome) reader.refuse("a legal recolouring of these or greater ports");
-    std::sort(outcome->pairs.begin(), outcome->pairs.end());
-    section.lists[ports].push_back({inner, outcome->solid, outcome->isolated, outcome->pairs});
-    last = ports;
+    if (!outcome) reader.refuse("a legal recolouring of these or the next ports");
+    section.rows.push_back({{inner, ports, outcome->solid, outcome->isolated}, {ports, outcome->joined}, -1});
+    lists = ports + 1;
   }
-  for (const auto& list : section.lists)
-    if (list.empty()) reader.refuse("a list for every port mask");
+  if (lists != after.all_ports() + 1) reader.refuse("a list for every port mask");
 }
 
-void read_part(Part& part, Reader& reader) {
+void read_section(Section& section, Reader& reader) {
   const std::size_t begin = reader.at;
-  reader.expect("section " + position_text(position_of(part)));
+  reader.expect("section " + position_text(section.position));
   while (reader.starts("claim ")) reader.skip();
-  std::visit([&](auto& section) { read_rows(section, reader); }, part.section);
-  part.text = reader.text.substr(begin, reader.at - begin);
+  section.linked ? read_alternatives(section, reader) : read_rules(section, reader);
+  section.text = reader.text.substr(begin, reader.at - begin);
 }
 
 struct File {
@@ -191,11 +212,29 @@ Shard shard_named(const std::string& text) {
   return shard;
 }
 
+std::vector<std::size_t> share_of(const std::vector<Section>& all, unsigned index, unsigned count) {
+  std::vector<std::uint64_t> weights;
+  weights.reserve(all.size());
+  for (const Section& section : all) weights.push_back(weight(section));
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) { return weights[x] > weights[y]; });
+  std::vector<std::uint64_t> load(count, 0);
+  std::vector<std::size_t> share;
+  for (const std::size_t i : order) {
+    const auto least = std::min_element(load.begin(), load.end());
+    *least += weights[i];
+    if (least - load.begin() == static_cast<std::ptrdiff_t>(index) - 1) share.push_back(i);
+  }
+  std::sort(share.begin(), share.end());
+  return share;
+}
+
 std::string generator_id(const std::string& version) {
   std::string rules;
-  for (Part& part : parts(4)) {
-    solve(part);
-    rules += part.text;
+  for (Section& section : sections_of(families(), 4)) {
+    solve(section);
+    rules += section_text(section);
   }
   return version + " " + sha256(rules);
 }
@@ -203,13 +242,13 @@ std::string generator_id(const std::string& version) {
 std::string file_name(const Shard& shard) { return fmt::format("shard-{:04}-of-{:04}.txt", shard.index, shard.count); }
 
 std::string shard_text(const Shard& shard, unsigned max_k, const std::string& id,
-                       const std::vector<const Part*>& share) {
+                       const std::vector<const Section*>& share) {
   std::string text = head(shard, max_k, id);
   std::string family;
-  for (const Part* part : share) {
-    if (part->family != family) text += fmt::format("family {}\n", part->family);
-    family = part->family;
-    text += part->text;
+  for (const Section* section : share) {
+    if (section->certificate != family) text += fmt::format("family {}\n", section->certificate);
+    family = section->certificate;
+    text += section->text;
   }
   return text + "end " + sha256(text) + "\n";
 }
@@ -244,7 +283,7 @@ Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id
     const File file = open_shard(bytes, id);
     const Shard& shard = file.shard;
     if (seen.empty()) {
-      merged = {file.max_k, parts(file.max_k)};
+      merged = {file.max_k, sections_of(families(), file.max_k)};
       seen.resize(shard.count);
     }
     if (file.max_k != merged.max_k || shard.count != seen.size())
@@ -260,11 +299,11 @@ Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id
     Reader reader{path, "remove it and run " + command(shard, file.max_k, directory), file.text};
     for (std::size_t lines = 0; lines < 4; ++lines) reader.skip();
     std::string family;
-    for (const std::size_t i : share_of(merged.parts, shard.index, shard.count)) {
-      Part& part = merged.parts[i];
-      if (part.family != family) reader.expect("family " + part.family);
-      family = part.family;
-      read_part(part, reader);
+    for (const std::size_t i : share_of(merged.sections, shard.index, shard.count)) {
+      Section& section = merged.sections[i];
+      if (section.certificate != family) reader.expect("family " + section.certificate);
+      family = section.certificate;
+      read_section(section, reader);
     }
     if (!reader.starts("end ")) reader.refuse("the end");
     reader.skip();

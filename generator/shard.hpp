@@ -1,11 +1,13 @@
-// Shards: files with the parts that one machine has solved, and the way back from them to the whole (docs/shards.md).
+// Shards: files with the sections that one machine has solved, and the way back from them to the whole
+// (docs/shards.md).
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "part.hpp"
+#include "solve/section.hpp"
 
 namespace restrip::generator {
 
@@ -17,6 +19,11 @@ struct Shard {
 /// The shard that "3/16" names. Throws std::invalid_argument.
 [[nodiscard]] Shard shard_named(const std::string& text);
 
+/// The place in `all` of the sections that belong to shard `index` (1 … count) of `count`, ascending. Every section is
+/// in exactly one shard. They are dealt out by an estimate of their time, the longest first, each to the shard that has
+/// least: so shards take about the same time as long as there are clearly more long sections than shards.
+[[nodiscard]] std::vector<std::size_t> share_of(const std::vector<Section>& all, unsigned index, unsigned count);
+
 /// What must be equal for shards to fit together: the version, and a digest of all rules up to k = 4, which tells
 /// generators with different preferences apart.
 [[nodiscard]] std::string generator_id(const std::string& version);
@@ -24,14 +31,14 @@ struct Shard {
 /// shard-0003-of-0016.txt
 [[nodiscard]] std::string file_name(const Shard& shard);
 
-/// The file of a shard; `share` are its parts, solved.
+/// The file of a shard; `share` are its sections, solved and with their text.
 [[nodiscard]] std::string shard_text(const Shard& shard, unsigned max_k, const std::string& id,
-                                     const std::vector<const Part*>& share);
+                                     const std::vector<const Section*>& share);
 
-/// What shards add up to. The parts are solved as far as certificates and headers need.
+/// What shards add up to. The sections are solved as far as certificates and headers need.
 struct Merged {
   unsigned max_k = 0;
-  std::vector<Part> parts;
+  std::vector<Section> sections;
 };
 
 /// Reads every shard-*.txt in a directory. Throws std::runtime_error that names the file and the remedy when a shard is

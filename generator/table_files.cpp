@@ -11,18 +11,16 @@
 #include <set>
 #include <stdexcept>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "automaton/automaton.hpp"
 #include "automaton/emit_automaton.hpp"
-#include "automaton/emit_index_automaton.hpp"
+#include "certificate_text.hpp"
 #include "counted.hpp"
 #include "digest.hpp"
 #include "emit.hpp"
 #include "files/output.hpp"
 #include "languages/languages.hpp"
-#include "part.hpp"
 #include "progress.hpp"
 #include "shard.hpp"
 #include "share.hpp"
@@ -32,14 +30,19 @@ namespace {
 
 namespace files = restrip::files;
 
-/// Solves the parts with these places in `all`, the largest valences first, which take longest.
-void solve_parts(std::vector<Part>& all, std::vector<std::size_t> places, unsigned threads,
-                 Wanted wanted = Wanted::rules_and_text) {
+/// What is wanted of sections: with the text come the reasons, which take most of the time.
+enum class Wanted { rules, rules_and_text };
+
+/// Solves the sections with these places in `all`, the largest valences first, which take longest.
+void solve_sections(std::vector<Section>& all, std::vector<std::size_t> places, unsigned threads,
+                    Wanted wanted = Wanted::rules_and_text) {
   std::stable_sort(places.begin(), places.end(),
-                   [&](std::size_t x, std::size_t y) { return position_of(all[x]).k > position_of(all[y]).k; });
+                   [&](std::size_t x, std::size_t y) { return all[x].position.k > all[y].position.k; });
   Progress progress("solved", places.size(), "sections");
   share(places.size(), threads, [&](std::size_t i) {
-    solve(all[places[i]], wanted);
+    Section& section = all[places[i]];
+    solve(section);
+    if (wanted == Wanted::rules_and_text) section.text = section_text(section);
     progress.step();
   });
 }
@@ -50,35 +53,28 @@ std::string header_path(const std::string& family) { return headers + identifier
 
 std::string certificate_path(const std::string& family) { return "certificates/" + family + ".cert"; }
 
-/// The two files of an automaton, which serves every valence.
+/// The two files of the automaton, which serves every valence.
 struct AutomatonFiles {
-  std::string name;
-  std::size_t classes = 0;
+  explicit AutomatonFiles(const Weights& weights)
+      : automaton(make_automaton(weights)),
+        header(automaton_header(automaton)),
+        certificate(automaton_certificate(automaton)) {}
+
+  Automaton automaton;
   RulesHeader header;
-  std::string certificate;
-  std::size_t rows = 0;
-  std::string json;
-  std::string classes_json;
+  AutomatonCertificate certificate;
+
+  [[nodiscard]] std::string summary() const {
+    return fmt::format("{:<16} {:>3} classes   {:>6} rows   {:>6} bytes\n", "automaton", automaton.classes.size(),
+                       certificate.rows, header.bytes);
+  }
 };
 
-AutomatonFiles strips_automaton() {
-  const Automaton automaton = make_automaton();
-  const AutomatonCertificate certificate = automaton_certificate(automaton);
-  return {"automaton",      automaton.classes.size(),  automaton_header(automaton), certificate.text,
-          certificate.rows, automaton_json(automaton), classes_json(automaton)};
-}
-
-AutomatonFiles index_automaton(const indices::Weights& weights) {
-  const indices::Automaton automaton = indices::make_automaton(weights);
-  const AutomatonCertificate certificate = indices::automaton_certificate(automaton);
-  return {"index-automaton", automaton.classes.size(),           indices::automaton_header(automaton), certificate.text,
-          certificate.rows,  indices::automaton_json(automaton), indices::classes_json(automaton)};
-}
-
-/// "indices", or the weights of a strip, a swap and an isolated triangle with commas between them.
-indices::Weights weights_named(const std::string& cost) {
-  indices::Weights weights;
-  if (cost == "indices") return weights;
+/// "strips", "indices", or the weights of a strip, a swap and an isolated triangle with commas between them.
+Weights weights_named(const std::string& cost) {
+  if (cost == "strips") return strips_weights;
+  if (cost == "indices") return index_weights;
+  Weights weights;
   int end = 0;
   if (std::sscanf(cost.c_str(), "%4d,%4d,%4d%n", &weights.restart, &weights.swap, &weights.isolated, &end) != 3 ||
       static_cast<std::size_t>(end) != cost.size())
@@ -89,58 +85,34 @@ indices::Weights weights_named(const std::string& cost) {
   return weights;
 }
 
-AutomatonFiles automaton_for(const std::string& cost) {
-  return cost == "strips" ? strips_automaton() : index_automaton(weights_named(cost));
-}
-
-std::string summary(const AutomatonFiles& files) {
-  return fmt::format("{:<16} {:>3} {:<7}   {:>6} {:<4}   {:>6} {}\n", files.name, files.classes,
-                     plural(files.classes, "class", "es"), files.rows, plural(files.rows, "row"), files.header.bytes,
-                     plural(files.header.bytes, "byte"));
-}
-
 /// The files that write_tables writes, whatever the largest valence; MANIFEST, which vouches for the others, last.
 files::OutputSet table_files(const std::string& out, const std::set<std::string>& wanted) {
   std::set<std::filesystem::path> names;
   for (const std::string& language : wanted)
     for (const LanguageFile& file : language_files().at(language)) names.insert(file.name);
   if (!wanted.contains("c++")) return files::OutputSet(out, {names.begin(), names.end()});
-  names.insert({headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"), certificate_path("automaton"),
-                header_path("index-automaton"), certificate_path("index-automaton")});
-  for (const Part& part : parts(3)) {
-    names.insert(certificate_path(part.family));
-    if (std::holds_alternative<Section>(part.section)) names.insert(header_path(part.family));
+  names.insert({headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"), certificate_path("automaton")});
+  for (const Section& section : sections_of(families(), 3)) {
+    names.insert(certificate_path(section.certificate));
+    if (!section.linked) names.insert(header_path(section.certificate));
   }
   std::vector<std::filesystem::path> in_order(names.begin(), names.end());
   in_order.emplace_back("MANIFEST");
   return files::OutputSet(out, in_order);
 }
 
-/// Solved parts, family by family.
+/// Solved sections, certificate by certificate.
 struct Families {
   std::vector<SolvedFamily> rules;
-  std::vector<LinkedFamily> linked;
+  std::vector<SolvedFamily> linked;
 };
 
-/// The last family, if that is its name, or a new one.
-template <class Solved>
-Solved& family_called(const std::string& name, std::vector<Solved>& families) {
-  if (families.empty() || families.back().name != name) families.push_back({name, {}, {}});
-  return families.back();
-}
-
-Families by_family(std::vector<Part> all) {
+Families by_family(std::vector<Section> all) {
   Families families;
-  for (Part& part : all) {
-    if (auto* section = std::get_if<Section>(&part.section)) {
-      SolvedFamily& family = family_called(part.family, families.rules);
-      family.sections.push_back(std::move(*section));
-      family.texts.push_back(std::move(part.text));
-    } else {
-      LinkedFamily& family = family_called(position_of(part).family->name, families.linked);
-      family.sections.push_back(std::move(std::get<LinkedSection>(part.section)));
-      family.texts.push_back(std::move(part.text));
-    }
+  for (Section& section : all) {
+    std::vector<SolvedFamily>& of_kind = section.linked ? families.linked : families.rules;
+    if (of_kind.empty() || of_kind.back().name != section.certificate) of_kind.push_back({section.certificate, {}});
+    of_kind.back().sections.push_back(std::move(section));
   }
   return families;
 }
@@ -176,7 +148,7 @@ Packing packing_of(const std::vector<SolvedFamily>& families, bool of_closed_fan
   std::vector<const Section*> sections;
   for (const SolvedFamily& family : families)
     for (const Section& section : family.sections)
-      if (!section.position.family->keyed_by_inner && closed(*section.position.family) == of_closed_fans)
+      if (!section.position.family->numbers.empty() && closed(*section.position.family) == of_closed_fans)
         sections.push_back(&section);
   return pack(sections, max_k);
 }
@@ -197,30 +169,29 @@ void add_rules(const std::vector<SolvedFamily>& families, const Packings& packin
     const bool on_closed = closed(*family.sections[0].position.family);
     const RulesHeader header = rules_header(family, on_closed ? packings.closed : packings.open, max_k);
     to.by_path[header_path(family.name)] = {header.text, family.rows()};
-    to.by_path[certificate_path(family.name)] = {certificate(family.name, family.texts, family.rows()), family.rows()};
+    to.by_path[certificate_path(family.name)] = {certificate(family), family.rows()};
     to.told += summary(family.name, family.sections.size(), family.rows(), header.bytes);
   }
 }
 
-void add_linked(const std::vector<LinkedFamily>& families, unsigned max_k, TableFiles& to) {
+void add_linked(const std::vector<SolvedFamily>& families, unsigned max_k, TableFiles& to) {
   const RulesHeader header = linked_header(families, max_k);
   std::size_t sections = 0;
   std::size_t alternatives = 0;
-  for (const LinkedFamily& family : families) {
-    const std::string name = "linked-" + family.name;
-    to.by_path[certificate_path(name)] = {certificate(name, family.texts, family.alternatives()),
-                                          family.alternatives()};
+  for (const SolvedFamily& family : families) {
+    to.by_path[certificate_path(family.name)] = {certificate(family), family.rows()};
     sections += family.sections.size();
-    alternatives += family.alternatives();
+    alternatives += family.rows();
   }
   to.by_path[headers + "linked.hpp"] = {header.text, alternatives};
   to.told += summary("linked", sections, alternatives, header.bytes);
 }
 
-void add_automaton(const AutomatonFiles& automaton, TableFiles& to) {
-  to.by_path[header_path(automaton.name)] = {automaton.header.text, automaton.rows};
-  to.by_path[certificate_path(automaton.name)] = {automaton.certificate, automaton.rows};
-  to.told += summary(automaton);
+void add_automaton(TableFiles& to) {
+  const AutomatonFiles automaton(strips_weights);
+  to.by_path[header_path("automaton")] = {automaton.header.text, automaton.certificate.rows};
+  to.by_path[certificate_path("automaton")] = {automaton.certificate.text, automaton.certificate.rows};
+  to.told += automaton.summary();
 }
 
 /// The files of other languages than C++. MANIFEST does not list them: it vouches for what restrip-verify reads.
@@ -239,9 +210,8 @@ std::vector<files::NamedBytes> other_languages(const std::vector<SolvedFamily>& 
   return files;
 }
 
-/// From all parts, or, when C++ is not among the languages, those of the rules.
-void write_tables(files::OutputSet& out, std::vector<Part> all, const TablesOptions& options,
-                  const indices::Weights& weights) {
+/// From all sections, or, when C++ is not among the languages, those of the rules.
+void write_tables(files::OutputSet& out, std::vector<Section> all, const TablesOptions& options) {
   const Families families = by_family(std::move(all));
   const Packings packings = packings_of(families.rules, options.max_k);
   TableFiles tables;
@@ -249,8 +219,7 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, const TablesOpti
   if (options.languages.contains("c++")) {
     add_rules(families.rules, packings, options.max_k, tables);
     add_linked(families.linked, options.max_k, tables);
-    add_automaton(strips_automaton(), tables);
-    add_automaton(index_automaton(weights), tables);
+    add_automaton(tables);
     for (files::NamedBytes& file : tables.take()) written.push_back(std::move(file));
   }
   out.write(written);
@@ -260,29 +229,28 @@ void write_tables(files::OutputSet& out, std::vector<Part> all, const TablesOpti
 }  // namespace
 
 void make_tables(const TablesOptions& options) {
-  const indices::Weights weights = weights_named(options.cost);
   files::OutputSet out = table_files(options.out, options.languages);
-  std::vector<Part> all = parts(options.max_k, options.goal);
+  std::vector<Section> all = sections_of(families(), options.max_k, options.goal);
   const bool cpp = options.languages.contains("c++");
-  if (!cpp) std::erase_if(all, [](const Part& part) { return std::holds_alternative<LinkedSection>(part.section); });
+  if (!cpp) std::erase_if(all, [](const Section& section) { return section.linked; });
   std::vector<std::size_t> everything(all.size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
-  solve_parts(all, everything, options.threads, cpp ? Wanted::rules_and_text : Wanted::rules);
-  write_tables(out, std::move(all), options, weights);
+  solve_sections(all, everything, options.threads, cpp ? Wanted::rules_and_text : Wanted::rules);
+  write_tables(out, std::move(all), options);
 }
 
 void make_shard(const TablesOptions& options) {
   const Shard shard = shard_named(options.shard);
   files::OutputSet out(options.out, {file_name(shard)});
   const std::string id = generator_id(RESTRIP_VERSION);
-  std::vector<Part> all = parts(options.max_k);
+  std::vector<Section> all = sections_of(families(), options.max_k);
   const std::vector<std::size_t> places = share_of(all, shard.index, shard.count);
-  solve_parts(all, places, options.threads);
-  std::vector<const Part*> solved;
+  solve_sections(all, places, options.threads);
+  std::vector<const Section*> solved;
   std::size_t rows = 0;
   for (const std::size_t i : places) {
     solved.push_back(&all[i]);
-    rows += rows_of(all[i]);
+    rows += all[i].rows.size();
   }
   const std::string text = shard_text(shard, options.max_k, id, solved);
   out.write({{file_name(shard), text}});
@@ -295,22 +263,23 @@ void merge_shards(const std::string& in, const std::string& folder) {
   files::OutputSet out = table_files(folder, options.languages);
   Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
   options.max_k = merged.max_k;
-  write_tables(out, std::move(merged.parts), options, {});
+  write_tables(out, std::move(merged.sections), options);
 }
 
 void make_automaton_files(const AutomatonOptions& options) {
   const auto& [cost, folder, json, classes] = options;
-  const AutomatonFiles automaton = automaton_for(cost);
-  files::OutputSet out(folder, {header_path(automaton.name), certificate_path(automaton.name)});
+  const Weights weights = weights_named(cost);
+  files::OutputSet out(folder, {header_path("automaton"), certificate_path("automaton")});
   std::optional<files::Output> json_out;
   if (!json.empty() && json != "-") json_out.emplace(json, files::OutputRules{{".json"}, {}});
   std::optional<files::Output> classes_out;
   if (!classes.empty()) classes_out.emplace(classes, files::OutputRules{{".json"}, {}});
-  out.write({{header_path(automaton.name), automaton.header.text},
-             {certificate_path(automaton.name), automaton.certificate}});
-  if (json_out) json_out->write(automaton.json);
-  if (classes_out) classes_out->write(automaton.classes_json);
-  fmt::print("{}", json == "-" ? automaton.json : summary(automaton));
+  const AutomatonFiles made(weights);
+  const std::string figures = automaton_json(made.automaton);
+  out.write({{header_path("automaton"), made.header.text}, {certificate_path("automaton"), made.certificate.text}});
+  if (json_out) json_out->write(figures);
+  if (classes_out) classes_out->write(classes_json(made.automaton));
+  fmt::print("{}", json == "-" ? figures : made.summary());
 }
 
 }  // namespace restrip::generator

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "family_operation.hpp"
+#include "operations/tie_break.hpp"
 
 namespace restrip::generator {
 
@@ -14,7 +14,6 @@ struct TablesOptions {
   unsigned max_k = 8;
   unsigned threads = 1;
   Goal goal = Goal::strips;
-  std::string cost = "indices";            ///< of the index rules: "indices", or weights as in AutomatonOptions
   std::set<std::string> languages{"c++"};  ///< of language_files()
 };
 

@@ -19,7 +19,8 @@ void configuration(Output& out, Word before, Word ports, const restrip::Rule& ru
   out.hex(before, ' ');
   out.hex(ports, ' ');
   if (rule.valid) {
-    out.hex(rule.colors, '\n');
+    out.hex(rule.colors, ' ');
+    out.hex(ports, '\n');
   } else {
     out.text('-');
     out.text('\n');
@@ -156,7 +157,7 @@ int main(int argc, char** argv) {
     out.line("restrip-linked-dump 1");
     restrip::dump::linked_rules(out, max_k);
   } else {
-    out.line("restrip-table-dump 2");
+    out.line("restrip-table-dump 3");
     tables(out, max_k);
   }
   return out.finish() ? 0 : 1;

@@ -6,8 +6,9 @@ lists of linked rules, which are held against all recolourings.
   scripts/check_reasons.py tables/certificates/*.cert
   scripts/check_reasons.py --operation tables/operations/bisect.json tables/certificates/operations/bisect.cert
 
-The second line is for an operation of one's own, by docs/operation-file.md. It must have reasons (strips or forests, fewest
-strips first). Its rows must be those of all valid configurations; "configurations", "valid" and "keys" are recounted.
+The second line is for an operation of one's own, by docs/operation-file.md: its file describes one operation, and has
+reasons (strips or forests, fewest strips first). Its rows must be those of all valid configurations; "configurations", "valid"
+and "keys" are recounted.
 
 Prints a line for each file. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot be read.
 Every section must be there, with each claim once and its rows in ascending order. Of splits and the flip the rows must be
@@ -17,9 +18,10 @@ linked rules. Which rows a collapse must have, and the other claims, are not che
 """
 import json
 import sys
+from functools import partial
 from itertools import combinations
 
-CLAIMS = ("configurations", "valid", "orbits", "valid-orbits", "costing", "worst-strips", "worst-isolated")
+CLAIMS = ("configurations", "valid", "orbits", "valid-orbits", "keys", "costing", "worst-strips", "worst-isolated")
 LINKED_CLAIMS = ("lists", "alternatives", "longest")
 
 
@@ -39,7 +41,7 @@ class Patch:
     def __init__(self, nodes, inner, owners, most=2):
         self.nodes, self.inner, self.owners = nodes, inner, owners
         self.most = most  # solid edges of a node
-        self.known = {}
+        self.known, self.moves = {}, {}
 
     def paths(self, edges):
         """Of solid inner edges alone: the degree of each node, and its path; no paths when three edges meet or one closes."""
@@ -78,6 +80,23 @@ class Patch:
         degree, _ = self.paths(edges)
         met = {self.owners[p] for p in self.ports(edges)}
         return sum(degree[node] == 0 and node not in met for node in self.nodes)
+
+    def allows(self, to):
+        """Whether the ports can go there: the nodes can follow, each edge onto an edge."""
+        edges = {frozenset(edge) for edge in self.inner}
+
+        def extends(moved):
+            if len(set(moved.values())) < len(moved) or any(
+                    frozenset((moved[u], moved[v])) not in edges for u, v in self.inner if u in moved and v in moved):
+                return False
+            rest = [node for node in self.nodes if node not in moved]
+            return not rest or any(extends({**moved, rest[0]: node}) for node in self.nodes if node not in moved.values())
+
+        if to not in self.moves:
+            moved = {owner: self.owners[to[p]] for p, owner in enumerate(self.owners)}
+            follows = all(moved[owner] == self.owners[to[p]] for p, owner in enumerate(self.owners))
+            self.moves[to] = sorted(to) == list(range(len(self.owners))) and follows and extends(moved)
+        return self.moves[to]
 
 
 def fan_patch(order, ring, chord, owners):
@@ -131,8 +150,20 @@ def configurations(family, position):
     return 1 << (2 * k if family == "split" else 2 * k - 1)
 
 
+def mask_of(groups):
+    """The pairs of ports that are in one group: bit j (j - 1) / 2 + i is the pair i < j."""
+    return sum(1 << max(pair) * (max(pair) - 1) // 2 + min(pair) for group in groups for pair in combinations(group, 2))
+
+
+def pairs_of(mask, ports):
+    pairs = {frozenset((i, j)) for j in range(ports) for i in range(j) if mask >> j * (j - 1) // 2 + i & 1}
+    if mask_of(pairs) != mask:
+        raise Wrong("a pair of ports that are not there")
+    return pairs
+
+
 def valid_keys(family, position, known={}):
-    """How many valid configurations a split or the flip has, and their keys."""
+    """How many valid configurations a split or the flip has, and their keys. All pairs that these join some recolouring joins."""
     k = None if family == "flip" else int(position.split()[1])
     ring = family == "split"
     if (ring, k) not in known:
@@ -144,31 +175,37 @@ def valid_keys(family, position, known={}):
             if strips is None:
                 continue
             count += 1
-            ports = edges >> inner
-            joined = edges & 1
-            if k:
-                solid = [p for p in range(k) if ports >> p & 1]
-                # The solid port before the first one is the last one, in a ring only, and never the port itself.
-                joined = sum(1 << p for i, p in enumerate(solid)
-                             if (i or ring) and len(solid) > 1 and frozenset((p, solid[i - 1])) in strips)
-            keys.add((ports, joined))
+            keys.add((edges >> inner, mask_of(strips)))
         known[ring, k] = count, keys
     return known[ring, k]
+
+
+def recounted(family, position):
+    """Claims of a section of a shipped family; of splits and the flip the keys."""
+    counted, keys = {"configurations": configurations(family, position)}, None
+    if not family.endswith("collapse"):
+        counted["valid"], keys = valid_keys(family, position)
+        counted["keys"] = len(keys)
+    return counted, keys
 
 
 class Section:
     """What a section has been seen to have: claims and rows. Closed, it must have had all of them."""
 
-    def __init__(self, family, position):
-        self.family, self.position, self.claims, self.keys = family, position, {}, []
+    def __init__(self, linked, position, recounted):
+        """`recounted`: a function that has the claims that can be counted, and the keys where these are known."""
+        self.linked, self.position, self.recounted, self.claims, self.keys = linked, position, recounted, {}, []
         self.lists, self.rows, self.longest, self.here, self.last = 0, 0, 0, 0, None
 
     def claim(self, word, number):
-        if word not in (LINKED_CLAIMS if self.family.startswith("linked-") else CLAIMS) or word in self.claims:
+        words = LINKED_CLAIMS if self.linked else CLAIMS
+        if word not in words or word in self.claims:
             raise Wrong("unknown claim, or made twice")
         if self.keys or self.rows:
             raise Wrong("a claim after the rows")
         self.claims[word] = int(number)
+        if list(self.claims) != list(words[:len(self.claims)]):
+            raise Wrong("a claim out of order, or the one before it is missing")
 
     def row(self, key):
         if self.keys and self.keys[-1] >= key:
@@ -182,17 +219,14 @@ class Section:
         self.last, self.longest = ports, max(self.longest, self.here)
 
     def close(self):
-        if self.family.startswith("linked-"):
+        missing = set(LINKED_CLAIMS if self.linked else CLAIMS) - set(self.claims)
+        if self.linked:
             counted = {"lists": self.lists, "alternatives": self.rows, "longest": self.longest}
-            missing = set(LINKED_CLAIMS) - set(self.claims)
         else:
-            counted = {"configurations": configurations(self.family, self.position)}
-            missing = set(CLAIMS) - set(self.claims)
-            if not self.family.endswith("collapse"):
-                counted["valid"], keys = valid_keys(self.family, self.position)
-                for key in sorted(keys.symmetric_difference(self.keys)):
-                    raise Wrong("section %s above: the key %x %x %s" % (
-                        (self.position,) + key + ("has no row" if key in keys else "is of no valid configuration",)))
+            counted, keys = self.recounted()
+            for key in sorted(keys.symmetric_difference(self.keys) if keys else []):
+                raise Wrong("section %s above: the key %x %x %s" % (
+                    (self.position,) + key + ("has no row" if key in keys else "is of no valid configuration",)))
             if not self.keys:
                 raise Wrong("section %s above has no row" % self.position)
         if missing:
@@ -205,18 +239,16 @@ class Section:
 class Row:
     """The question that a row answers, and its answer: what may be dashed, what may be joined, what is solid."""
 
-    def __init__(self, family, patch, words):
-        masks = [int(word, 16) for word in words[1:5 if family == "flip" else 4]]
-        self.patch, self.ports = patch, masks[0]
+    def __init__(self, patch, may_go, words):
+        """`may_go`: ports that may be given up."""
+        self.patch, (self.ports, joined, colors, kept) = patch, (int(word, 16) for word in words[1:5])
         inner, all_inner = len(patch.inner), (1 << len(patch.inner)) - 1
-        if family == "flip":
-            before = fan_patch(["L", "R"], False, False, ["L", "L", "R", "R"])
-            self.joined = {s for s in before.strips(masks[1] | masks[0] << 1) if len(s) == 2}
-            self.fixed, self.edges, self.own = 0, all_inner | masks[0] << inner, masks[3] | masks[2] << inner
-        else:
-            solid = [p for p in range(len(patch.owners)) if masks[0] >> p & 1]
-            self.joined = {frozenset((p, solid[i - 1])) for i, p in enumerate(solid) if masks[1] >> p & 1}
-            self.fixed, self.edges, self.own = masks[0] << inner, all_inner, masks[2]
+        self.joined = pairs_of(joined, len(patch.owners))
+        self.key, may_go = (self.ports, joined), self.ports & may_go
+        self.fixed, self.edges = (self.ports & ~may_go) << inner, all_inner | may_go << inner
+        self.own = colors | (kept & may_go) << inner
+        if kept & ~self.ports or self.ports & ~kept & ~may_go or colors & ~all_inner:
+            raise Wrong("a port is taken, or one given up that must stay")
 
     def sound(self, edges):
         strips = self.patch.strips(edges | self.fixed)
@@ -256,17 +288,11 @@ class Row:
         if (shown,) + self.loss(surely_dashed)[1:] < self.own_loss():
             raise Wrong("a case shows too little")
 
-    def image(self, kind, n):
-        """Ports and joined pairs where the symmetry takes them, when it is one of the patch."""
-        count = len(self.patch.owners)
-        to = [((n - p) if kind == "mirror" else (n + p)) % count for p in range(count)]
-        for new in ({"A": "A", "D": "D"}, {"A": "D", "D": "A"}):
-            moved = dict(new, **{o: self.patch.owners[to[p]] for p, o in enumerate(self.patch.owners)})
-            if {frozenset(map(moved.get, e)) for e in self.patch.inner} == set(map(frozenset, self.patch.inner)) and all(
-                    moved[o] == self.patch.owners[to[p]] for p, o in enumerate(self.patch.owners)):
-                ports = sum(1 << to[p] for p in range(count) if self.ports >> p & 1)
-                return ports, frozenset(frozenset(map(to.__getitem__, pair)) for pair in self.joined)
-        raise Wrong("no symmetry of the patch")
+    def image(self, to, may_go):
+        """The key where the symmetry takes this one, when it is one of the patch that keeps the ports that may go."""
+        if not self.patch.allows(to) or any((may_go >> p ^ may_go >> to[p]) & 1 for p in range(len(to))):
+            raise Wrong("no symmetry of the patch")
+        return sum(1 << to[p] for p in range(len(to)) if self.ports >> p & 1), mask_of({to[p] for p in pair} for pair in self.joined)
 
 
 class Lists:
@@ -312,6 +338,34 @@ class Lists:
             raise Wrong("the lists above end with the ports %x" % self.ports)
 
 
+def graphs_of(said):
+    """Triangles, inner edges and owners of the ports, before and after, of an operation file."""
+    if not isinstance(said["before"], list):
+        return [(side["triangles"], side["edges"], side["ports"]) for side in (said["before"], said["after"])]
+    sides = []
+    for triangles in (said["before"], said["after"]):
+        met, inner = {}, []  # directed sides by their triangle, those of the rim in the end
+        for number, (a, b, c) in enumerate(triangles):
+            for start, end in ((a, b), (b, c), (c, a)):
+                if (end, start) in met:
+                    inner.append((met.pop((end, start)), number))
+                else:
+                    met[start, end] = number
+        boundary = set()
+        for start, goal in said.get("boundary", []):
+            while start != goal:
+                (start, end), = [side for side in met if side[0] == start]
+                boundary.add((start, end))
+                start = end
+        sides.append((len(triangles), inner, met, boundary))
+    _, _, rim, boundary = sides[0]
+    ports, at = [], next(side for side in rim if side not in boundary)
+    for _ in rim:
+        ports += [at] if at not in boundary else []
+        at, = [side for side in rim if side[0] == at[1]]
+    return [(count, inner, [rim[side] for side in ports]) for count, inner, rim, _ in sides]
+
+
 class Operation:
     """An operation file, and the rows that its certificate must have."""
 
@@ -323,123 +377,48 @@ class Operation:
         counted = [[term.get("count") for term in criterion if term.get("weight", 1) == 1] for criterion in said.get("cost", [])[:3]]
         if most is None or "cost" in said and (counted != usual or [len(c) for c in said["cost"][:3]] != [1, 2, 1]):
             raise Wrong("%s: an operation without reasons" % path)
-        self.before, self.after = (Patch(list(range(side["triangles"])), side["edges"], side["ports"], most)
-                                   for side in (said["before"], said["after"]))
-        self.all_ports = range(len(self.before.owners))
-        give_up = {"none": [], "all": self.all_ports}.get(said.get("give_up", "none")) if isinstance(said.get("give_up", "none"), str) else said["give_up"]
-        self.may_go = sum(1 << p for p in give_up)
+        self.before, self.after = (Patch(list(range(count)), inner, owners, most) for count, inner, owners in graphs_of(said))
+        give_up = said.get("give_up", "none")
+        self.may_go = sum(1 << p for p in ({"none": [], "all": range(len(self.before.owners))}[give_up] if isinstance(give_up, str) else give_up))
 
-    def pairs(self, joined):
-        return {frozenset((i, j)) for j in self.all_ports for i in range(j) if joined >> (j * (j - 1) // 2 + i) & 1}
-
-    def mask(self, pairs):
-        return sum(1 << (max(p) * (max(p) - 1) // 2 + min(p)) for p in pairs)
-
-    def keys(self):
-        """Claims that are recounted, and the keys of all valid configurations."""
+    def recounted(self):
+        """Claims, and the keys of all valid configurations: ports, and joined pairs that some recolouring of these joins."""
+        shift, ports = len(self.after.inner), len(self.after.owners)
+        joins = {}  # by the ports kept
+        for edges in range(1 << shift + ports):
+            groups = self.after.strips(edges)
+            joins[edges >> shift] = joins.get(edges >> shift, 0) | (mask_of(groups) if groups is not None else 0)
+        relevant = {}
+        for solid in range(1 << ports):
+            relevant[solid] = 0
+            for kept, joined in joins.items():
+                if kept & ~solid == 0 and solid & ~kept & ~self.may_go == 0:
+                    relevant[solid] |= joined
         count, keys, inner = 0, set(), len(self.before.inner)
-        for edges in range(1 << inner + len(self.all_ports)):
+        for edges in range(1 << inner + ports):
             groups = self.before.strips(edges)
             if groups is not None:
                 count += 1
-                keys.add((edges >> inner, self.mask({frozenset(pair) for ports in groups for pair in combinations(ports, 2)})))
-        return {"configurations": 1 << inner + len(self.all_ports), "valid": count, "keys": len(keys)}, keys
-
-    def maps(self, to):
-        """Whether the ports can go there: the triangles after the operation follow, each edge onto an edge."""
-        edges = {frozenset(edge) for edge in self.after.inner}
-
-        def extends(moved):
-            if len(set(moved.values())) < len(moved) or any(
-                    frozenset((moved[u], moved[v])) not in edges for u, v in self.after.inner if u in moved and v in moved):
-                return False
-            rest = [node for node in self.after.nodes if node not in moved]
-            return not rest or any(extends({**moved, rest[0]: node}) for node in self.after.nodes if node not in moved.values())
-
-        moved = {}
-        for p in self.all_ports:
-            if moved.setdefault(self.after.owners[p], self.after.owners[to[p]]) != self.after.owners[to[p]]:
-                return False
-        return sorted(to) == list(self.all_ports) and all((self.may_go >> p ^ self.may_go >> to[p]) & 1 == 0 for p in self.all_ports) and extends(moved)
+                keys.add((edges >> inner, mask_of(groups) & relevant[edges >> inner]))
+        return {"configurations": 1 << inner + ports, "valid": count, "keys": len(keys)}, keys
 
 
-class OwnRow(Row):
-    """A row of an operation of one's own."""
-
-    def __init__(self, operation, words):  # pylint: disable=super-init-not-called
-        self.patch, (self.ports, joined, inner, kept) = operation.after, (int(word, 16) for word in words[1:5])
-        self.joined, shift = operation.pairs(joined), len(operation.after.inner)
-        stay = self.ports & ~operation.may_go
-        self.fixed, self.edges = stay << shift, (1 << shift) - 1 | (self.ports & ~stay) << shift
-        if kept & ~self.ports or stay & ~kept or inner >> shift:
-            raise Wrong("a port is taken, or given up that must stay, or there is no such edge")
-        self.key, self.own = (self.ports, joined), inner | (kept & ~stay) << shift
-
-
-def check_operation(operation_path, path):
-    operation = Operation(operation_path)
-    with open(path, "rb") as file:
-        lines = file.read().split(b"\n")
-    claims, rows, proved, rules, copies = {}, [], {}, 0, 0
-    for number, line in enumerate(lines, 1):
-        words = line.decode("ascii", "replace").split(" ")
-        try:
-            if number <= 2:
-                if words != (["restrip-operation-certificate", "1"], ["operation", operation.name])[number - 1]:
-                    raise Wrong("not a certificate of version 1 of the operation " + operation.name)
-            elif words[0] == "claim" and len(words) == 3 and words[1] not in claims and not rows:
-                claims[words[1]] = int(words[2])
-            elif words[0] in ("rule", "copy"):
-                row = OwnRow(operation, words)
-                if rows and rows[-1] >= row.key:
-                    raise Wrong("rows are not in ascending order, or one is there twice")
-                rows.append(row.key)
-                rest = words[5:]
-                if words[0] == "rule" and rest.pop(0) == "because":
-                    row.prove(rest)
-                    proved[row.key] = row.own_loss()
-                    rules += 1
-                elif words[0] == "copy" and rest.pop(0) == "by":
-                    to, rest = [int(word) for word in rest], []
-                    image = (sum(1 << to[p] for p in operation.all_ports if row.ports >> p & 1),
-                             operation.mask({frozenset(to[p] for p in pair) for pair in row.joined}))
-                    if not operation.maps(to) or proved.get(image) != row.own_loss():
-                        raise Wrong("no rule that it is a copy of, or no symmetry")
-                    copies += 1
-                if rest:
-                    raise Wrong("more words than a row has")
-            elif words[0] == "end":
-                counted, keys = operation.keys()
-                for key in sorted(keys.symmetric_difference(rows)):
-                    raise Wrong("the key %x %x %s" % (key + ("has no row" if key in keys else "is of no valid configuration",)))
-                for word, value in counted.items():
-                    if claims.get(word) != value:
-                        raise Wrong("claim %s %s, recounted %d" % (word, claims.get(word), value))
-                above = b"".join(text + b"\n" for text in lines[:number - 1])
-                sums = [len(rows), sum(above), sum(place * byte for place, byte in enumerate(above, 1))]
-                if [int(word) for word in words[1:]] != sums or lines[number:] != [b""]:
-                    raise Wrong("expected end %d %d %d and the end of the file" % tuple(sums))
-                return told(path, rules, copies)
-            else:
-                raise Wrong("unknown line")
-        except (Wrong, ValueError, IndexError, KeyError, TypeError) as error:
-            raise Wrong("%s:%d: %s" % (path, number, error)) from None
-    raise Wrong("%s:%d: no last line" % (path, len(lines)))
-
-
-def check(path, max_k=8):
+def check(path, max_k=8, operation=None):
+    """Of a shipped family, or of an operation of one's own."""
     with open(path, "rb") as file:
         lines = file.read().split(b"\n")
     family, lists, section, rules, copies, alternatives = "", None, None, 0, 0, 0
     for number, line in enumerate(lines, 1):
         words = line.decode("ascii", "replace").split(" ")
         try:
-            if number == 1 and words != ["restrip-certificate", "2"]:
-                raise Wrong("not a certificate of version 2")
-            if number == 2 and words in (["family", "automaton"], ["family", "index-automaton"]):
+            if number == 1 and words != ["restrip-certificate", "3"] and lines[1] != b"family automaton":
+                raise Wrong("not a certificate of version 3")
+            if number == 2 and words[1:] == ["automaton"]:
                 return "%s: not looked at, an automaton has no reasons; restrip-verify-automaton checks it" % path
-            if words[0] == "family":
-                family, waiting = words[1], positions(words[1], max_k)
+            if number == 2 and words[0] == "operation":
+                family, waiting = words[1], [operation.name] if operation else positions(words[1], max_k)
+                if operation and family != operation.name:
+                    raise Wrong("expected operation " + operation.name)
             elif words[0] == "section":
                 if lists:
                     lists.close((1 << len(patch.owners)) - 1)
@@ -447,19 +426,22 @@ def check(path, max_k=8):
                     section.close()
                 if not waiting or " ".join(words[1:]) != waiting[0]:
                     raise Wrong("expected " + ("section " + waiting[0] if waiting else "end"))
-                section = Section(family, waiting.pop(0))
-                patch, proved = patch_of(family.replace("linked-", ""), words[1:]), {}
-                lists = Lists(patch) if family.startswith("linked-") else None
+                linked, position = not operation and family.startswith("linked-"), waiting.pop(0)
+                section = Section(linked, position, operation.recounted if operation else partial(recounted, family, position))
+                patch = operation.after if operation else patch_of(family.replace("linked-", ""), words[1:])
+                may_go = operation.may_go if operation else 15 if family == "flip" else 0
+                proved, lists = {}, Lists(patch) if linked else None
             elif words[0] in ("rule", "copy") and not lists:
-                row = Row(family, patch, words)
-                section.row((int(words[1], 16), int(words[2], 16)))
-                rest = words[5 if family == "flip" else 4:]
+                row = Row(patch, may_go, words)
+                section.row(row.key)
+                rest = words[5:]
                 if words[0] == "rule" and rest.pop(0) == "because":
                     row.prove(rest)
-                    proved[row.ports, frozenset(row.joined)] = row.own_loss()
+                    proved[row.key] = row.own_loss()
                     rules += 1
                 elif words[0] == "copy" and rest.pop(0) == "by":
-                    if proved.get(row.image(rest.pop(0), int(rest.pop(0)))) != row.own_loss():
+                    to, rest = tuple(int(word) for word in rest), []
+                    if proved.get(row.image(to, may_go)) != row.own_loss():
                         raise Wrong("no rule that it is a copy of")
                     copies += 1
                 if rest:
@@ -496,7 +478,7 @@ if __name__ == "__main__":
         sys.exit(0 if len(sys.argv) > 1 else 2)
     try:
         if sys.argv[1] == "--operation" and len(sys.argv) == 4:
-            print(check_operation(*sys.argv[2:]))
+            print(check(sys.argv[3], operation=Operation(sys.argv[2])))
         else:
             for name in sys.argv[1:]:
                 print(check(name))

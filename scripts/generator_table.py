@@ -9,6 +9,7 @@ operations: claims of the certificates of the shipped operation files, proved by
 matchings:  claims of the splits, collapses and the flip of matchings, all positions of a fan together (docs/toolkit.md)
 languages:  bytes of the rule tables in other languages than C++, k <= 8 (docs/languages.md)
 verified:   time of making tables up to different k and of verifying them with what they compile to (docs/cmake.md)
+costs:      the automaton of different costs (docs/automaton.md)
 shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
 """
 import argparse
@@ -21,8 +22,7 @@ import tempfile
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LINE = re.compile(r"^(\S+) +\d+ (?:sections?|class(?:es)?) +(\d+) (?:rules?|rows?) +(\d+) bytes?$", re.M)
 NOTES = {"fan-collapse": "fan-collapse (both collapses of open fans)", "linked": "linked (`linked.hpp` alone)",
-         "automaton": "automaton (all valences); rows of its certificate",
-         "index-automaton": "index automaton (not in `restrip.hpp`); rows of its certificate"}
+         "automaton": "automaton (all valences); rows of its certificate"}
 SOURCE = """#include <restrip/restrip.hpp>
 using namespace restrip;
 Rewrite<StripMesh::Halfedge> do_split(StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where, Vertex v) {
@@ -183,15 +183,27 @@ def print_shards(generate):
                      for i in range(1, 4)]
             merge = watched(generate, "merge", "--in", shards, "--out", tables)
             families = sizes_in(merge[2])
-            fans = [family for name, family in families.items() if name not in ("linked", "automaton", "index-automaton")]
+            fans = [family for name, family in families.items() if name not in ("linked", "automaton")]
             line([str(k), f"{sum(part[0] for part in parts):.1f}", f"{max(part[0] for part in parts):.1f}",
                   f"{max(part[1] for part in parts):.0f} MiB", f"{merge[0]:.1f} s, {merge[1]:.0f} MiB",
                   f"{sum(rules for rules, _ in fans):,}", f"{families['split'][0]:,}", f"{families['linked'][0]:,}",
                   f"{bytes_below(tables) / 1e6:.1f} MB", f"{sum(size for _, size in families.values()) / 1e6:.1f} MB"])
 
 
+def print_costs(generate):
+    header("cost", "weights of a strip, a swap, an isolated triangle", "kinds of arcs", "classes", "rows and columns of meetings",
+           "bytes")
+    for name in ("strips", "1,1,0", "2,1,0", "indices"):
+        with tempfile.TemporaryDirectory() as folder:
+            made = json.loads(subprocess.check_output([generate, "automaton", "--cost", name, "--out", folder, "--json", "-"]))
+            weights, meetings = made["cost"], made["meetings"]
+            line([f"`{name}`", ", ".join(str(weights[what]) for what in ("restart", "swap", "isolated")),
+                  f"{made['arcs']['with the boundary, too']:,}", f"{made['classes']['all']:,}",
+                  f"{meetings['rows']:,} by {meetings['columns']:,}", f"{made['bytes']:,}"])
+
+
 TABLES = {"counts": print_counts, "families": print_families, "programs": print_programs, "operations": print_operations, "matchings": print_matchings,
-          "languages": print_languages, "shards": print_shards, "verified": print_verified}
+          "languages": print_languages, "shards": print_shards, "verified": print_verified, "costs": print_costs}
 
 
 def main():

@@ -104,7 +104,7 @@ def split_picture(k, a, inner, ports, description):
 
 def arc_picture(word, links, description):
     """An arc of a fan (docs/automaton.md): a triangle for each letter but `b`, the mesh boundary, which is a gap. Behind a
-    solid port the strip goes on about the corner at the left (l, L) or at the right (r, R), or ends (s, S, j)."""
+    solid port the strip goes on about the corner at the left (l, L) or at the right (r, R), or ends (s, S)."""
     hub, width = (200, 100), math.radians(min(40, 110 / len(word)))
     start = math.pi / 2 + width * len(word) / 2
     rim = [(200 + 200 * math.cos(start - width * i), 100 + 200 * math.sin(start - width * i)) for i in range(len(word) + 1)]

@@ -71,8 +71,7 @@ for source in $(git ls-files 'tests/*.cpp' ':!tests/cross/consumer' ':!tests/cro
 done
 
 # Where generator and verifier exhaust something, sanitizers would take minutes for each; smaller tests run the same code. So
-# would the real meshes. GCC's sanitizers raise a false warning inside Boost.Graph, so this build is also the one that shows
-# Clang compiles us.
+# would the real meshes. This build is also the one that shows Clang compiles us.
 too_long='BitFlips|Targeted|EveryCrime|EveryFlipped|SatEncoding.(Every|Models)|SatProofs.(The|Controls|EveryLine)|shards|tables.fresh'
 beside "building with Clang and its sanitizers" cmake --build --preset sanitize
 part "testing" ctest --preset test -j "$(nproc)"

@@ -7,9 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "exit_code.hpp"
-#include "input.hpp"
-#include "operations/verify_operation.hpp"
+#include "model/exit_code.hpp"
+#include "model/input.hpp"
 #include "verify.hpp"
 
 namespace {
@@ -36,7 +35,7 @@ int run(const Verify& verify, const Last& last, bool as_json) {
 
 int main(int argc, char** argv) {
   restrip::verify::Options options;
-  restrip::verify::operations::OperationOptions own;
+  restrip::verify::OperationOptions own;
   options.show_progress = isatty(STDERR_FILENO) != 0;
   bool as_json = false;
 
@@ -49,10 +48,14 @@ int main(int argc, char** argv) {
       "An operation of one's own (docs/operation-file.md):\n"
       "  build/release/bin/restrip-verify --operation tables/operations/bisect.json \\\n"
       "    --certificate tables/certificates/operations/bisect.cert");
-  CLI::Option* const operation = app.add_option("--operation", own.operation,
-                                                "An operation of one's own: its file. With it go only --certificate, "
-                                                "--header, --dump-command and --json");
-  app.add_option("--certificate", own.certificate, "The certificate of the operation")->needs(operation);
+  CLI::Option* const operation = app.add_option(
+      "--operation", own.operation,
+      "An operation or family of one's own: its file. With it go only "
+      "--certificate, --linked-certificate, --header, --dump-command, --max-k, --all, --threads and --json");
+  CLI::Option* const certificate =
+      app.add_option("--certificate", own.certificate, "The certificate of the operation")->needs(operation);
+  app.add_option("--linked-certificate", own.linked_certificate, "The certificate of its linked rules")
+      ->needs(certificate);
   app.add_option("--header", own.header,
                  "The header of the operation's table, which is read before a program made of it is run")
       ->needs(operation);
@@ -78,23 +81,16 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   for (CLI::Option* option : app.get_options())
-    if (const std::string name = option->get_name(); name != "--operation" && name != "--certificate" &&
-                                                     name != "--header" && name != "--dump-command" &&
-                                                     name != "--json" && name != "--help")
+    if (const std::string name = option->get_name();
+        name == "--tables-dir" || name == "--linked-dump-command" || name == "--headers" || name == "--family")
       operation->excludes(option);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
-  if (!own.operation.empty() && own.certificate.empty() && own.header.empty()) {
+  if (!own.operation.empty() && own.certificate.empty() && own.header.empty() && options.dump_command.empty()) {
     fmt::print(stderr, "restrip-verify: --operation needs --certificate, --header or both\n");
-    return bad_input;
-  }
-  if (!own.operation.empty() && !options.dump_command.empty() && own.header.empty()) {
-    fmt::print(stderr,
-               "restrip-verify: --dump-command with --operation needs --header: the program was compiled from that "
-               "file, which is read before the program is run\n");
     return bad_input;
   }
   if (options.max_k > restrip::verify::largest_fan && (options.headers_only || !options.linked_dump_command.empty())) {
@@ -125,8 +121,23 @@ int main(int argc, char** argv) {
       return run([&](const auto& listener) { return restrip::verify::verify_tables(options, listener); },
                  restrip::verify::last_line, as_json);
     own.dump_command = options.dump_command;
-    return run([&](const auto& listener) { return restrip::verify::operations::verify_operation(own, listener); },
-               [&](const auto& totals) { return restrip::verify::operations::last_line_of(own, totals); }, as_json);
+    const bool of_a_family = !has_header(own.operation);
+    if (!of_a_family && !app.get_option("--max-k")->empty()) {
+      fmt::print(stderr, "restrip-verify: {} describes no family, so --max-k has no effect; leave it out\n",
+                 own.operation);
+      return bad_input;
+    }
+    if (!of_a_family && !own.dump_command.empty() && own.header.empty()) {
+      fmt::print(stderr,
+                 "restrip-verify: --dump-command with --operation needs --header: the program was compiled from that "
+                 "file, which is read before the program is run\n");
+      return bad_input;
+    }
+    own.second_formulation = options.second_formulation;
+    own.threads = options.threads;
+    own.max_k = options.max_k;
+    return run([&](const auto& listener) { return restrip::verify::verify_operation(own, listener); },
+               [&](const auto& totals) { return restrip::verify::last_line_of(own, totals); }, as_json);
   } catch (const std::exception& error) {
     std::fflush(stdout);
     fmt::print(stderr, "restrip-verify: {}\n", error.what());

@@ -6,13 +6,14 @@
 #include <map>
 #include <utility>
 
-#include "family_check.hpp"
-#include "input.hpp"
-#include "linked_dump.hpp"
-#include "linked_report.hpp"
-#include "manifest.hpp"
-#include "quantity.hpp"
-#include "table_dump.hpp"
+#include "certificate/manifest.hpp"
+#include "judge/family_report.hpp"
+#include "judge/operation_header.hpp"
+#include "judge/table_dump.hpp"
+#include "linked/linked_dump.hpp"
+#include "linked/linked_report.hpp"
+#include "model/input.hpp"
+#include "model/quantity.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -91,29 +92,31 @@ std::vector<std::vector<std::string>> check_linked_family(const LinkedInput& inp
   return dump;
 }
 
-/// Runs the dump program, and makes a claim of each way in which its answers were compared.
-void check_dump(const Options& options, const ExpectedDump& expected, const ClaimListener& listener, Totals& totals) {
+/// Makes a claim of each way in which the answers of a dump program were compared.
+template <class Compare>
+void check_dump(const std::string& subject, const Compare& compare, const ClaimListener& listener, Totals& totals) {
   const double start = thread_seconds();
-  const DumpComparison comparison = compare_dump_of(options.dump_command, expected);
+  const DumpComparison comparison = compare();
   double seconds = thread_seconds() - start;
-  const auto report = [&](const Compared& compared, const char* claim, const char* method) {
+  const Compared& listed = comparison.of(Against::certificate);
+  const Compared& unlisted = comparison.of(Against::own_patch);
+  const auto report = [&](const Compared::Count& count, Failures failures, const char* claim, const char* method) {
     // What was to be compared and was not, because the dump could not be read, does not hold.
-    Failures failures = compared.differences;
     if (!comparison.fault.empty()) failures.add(comparison.fault);
-    const Compared::Count sum = compared.sum();
-    if (sum.entries == 0 && failures.count == 0) return;
-    listener({"shipped headers", claim, fmt::format("{}, {}", method, quantity(sum.positions, "position")), sum.entries,
+    if (count.entries == 0 && failures.count == 0) return;
+    listener({subject, claim, fmt::format("{}, {}", method, quantity(count.positions, "position")), count.entries,
               std::exchange(seconds, 0), failures.count, failures.first});
   };
-  report(comparison.of(Against::certificate), "in the certificates' positions they give its rules", "their dump");
-  report(
-      comparison.of(Against::own_patch),
-      options.headers_only ? "every answer is sound and best" : "in all other positions every answer is sound and best",
-      "all recolourings");
-  report(comparison.of_lists(Against::certificate), "their lists of alternatives are the certificates'", "their dump");
-  for (const Compared* compared : {&comparison.of(Against::certificate), &comparison.of(Against::own_patch)})
+  report(listed.sum(), listed.differences, "every answer is the certificate's row, in its positions", "their dump");
+  Failures wrong = listed.wrong;
+  wrong.add(unlisted.wrong);
+  report({listed.sum().positions + unlisted.sum().positions, listed.sum().entries + unlisted.sum().entries}, wrong,
+         "every answer is sound and best", "worlds, all recolourings");
+  const Compared& lists = comparison.of_lists(Against::certificate);
+  report(lists.sum(), lists.differences, "their lists of alternatives are the certificates'", "their dump");
+  for (const Compared* compared : {&listed, &unlisted})
     for (const auto& [family, count] : compared->families) {
-      if (compared->differences.count != 0 || !comparison.fault.empty()) continue;
+      if (compared->differences.count + compared->wrong.count != 0 || !comparison.fault.empty()) continue;
       totals.answers[family].positions += count.positions;
       totals.answers[family].entries += count.entries;
     }
@@ -122,6 +125,15 @@ void check_dump(const Options& options, const ExpectedDump& expected, const Clai
       totals.not_compared[family].positions += count.positions;
       totals.not_compared[family].entries += count.entries;
     }
+}
+
+/// Reads the header of an operation. Whoever compiled it runs what it says, so code in it would be run with the dump.
+bool check_header(const std::string& file, const Description& description, const ClaimListener& listener) {
+  const double start = thread_seconds();
+  const HeaderCheck header = check_operation_header(file, read_file(file), description);
+  listener({description.name, "the header is the text of a table and nothing else", "line by line, all but its numbers",
+            header.lines, thread_seconds() - start, header.wrong.count, header.wrong.first});
+  return header.wrong.count == 0;
 }
 
 /// Runs the dump program of linked rules and claims that what it picks is the best.
@@ -199,39 +211,29 @@ Certificates read_certificates(const Options& options, const std::vector<Family>
   return read;
 }
 
-/// The operations of all families, and in the same order what their checks found.
-struct Checked {
-  std::vector<OperationTask> tasks;
-  std::vector<OperationCheck> checks;
-};
-
-Checked check_families(const Options& options, const Certificates& read, const ClaimListener& listener,
-                       Totals& totals) {
-  Checked done;
-  for (std::size_t i = 0; i < read.families.size(); ++i)
-    for (std::size_t j = 0; j < read.families[i]->sections.size(); ++j)
-      for (const Operation& operation : read.families[i]->sections[j].operations)
-        done.tasks.push_back(
-            {&read.families[i]->sections[j], &read.rules[i].sections[j], &operation, read.rules[i].file});
-  const std::size_t all = done.tasks.size();
+/// Checks the families, each with its certificate or with none.
+void check_families(const std::vector<const Family*>& families, const std::vector<Certificate>& certificates,
+                    bool second_formulation, unsigned threads, bool show_progress, const ClaimListener& listener,
+                    Totals& totals) {
+  const auto certificate_of_family = [&](std::size_t i) { return certificates.empty() ? nullptr : &certificates[i]; };
+  std::vector<PositionTask> tasks;
+  for (std::size_t i = 0; i < families.size(); ++i)
+    for (const PositionTask& task : tasks_of(*families[i], certificate_of_family(i))) tasks.push_back(task);
+  const std::size_t all = tasks.size();
   const auto progress = [&](std::size_t n) {
-    if (options.show_progress) fmt::print(stderr, "\r{} of {} positions checked{}", n, all, n == all ? "\r\x1b[K" : "");
+    if (show_progress) fmt::print(stderr, "\r{} of {} positions checked{}", n, all, n == all ? "\r\x1b[K" : "");
   };
-  done.checks = check_operations(done.tasks, options.second_formulation, std::max(1U, options.threads), progress);
-  for (const OperationCheck& check : done.checks) {
-    totals.configurations += check.judgment.valid;
-    totals.pairs += check.judgment.pairs;
+  const std::vector<PositionCheck> checks = check_positions(tasks, second_formulation, std::max(1U, threads), progress);
+  for (const PositionCheck& check : checks) {
+    totals.configurations += check.valid;
+    totals.pairs += check.pairs;
   }
-
-  auto first = done.checks.begin();
-  for (std::size_t i = 0; i < read.families.size(); ++i) {
-    std::vector<OperationCheck> own;
-    for (const Section& section : read.families[i]->sections)
-      for ([[maybe_unused]] const Operation& operation : section.operations) own.push_back(std::move(*first++));
-    report_family(*read.families[i], read.rules[i], own, options.second_formulation, listener);
-    std::move(own.begin(), own.end(), first - static_cast<std::ptrdiff_t>(own.size()));
+  std::span<const PositionCheck> rest = checks;
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    const std::size_t count = tasks_of(*families[i], nullptr).size();
+    report_family(*families[i], certificate_of_family(i), rest.first(count), second_formulation, listener);
+    rest = rest.subspan(count);
   }
-  return done;
 }
 
 /// What a dump must say of each section of the linked families that were checked.
@@ -246,13 +248,15 @@ LinesOfSections check_linked_families(const Certificates& read, unsigned max_k, 
   return lines;
 }
 
-/// From now on the headers must answer with the certificates' rows and lists, wherever there are any.
-void expect_certificates(ExpectedDump& expected, const Checked& done, const std::vector<LinkedFamily>& all_linked,
-                         const LinesOfSections& lines) {
-  for (ExpectedTable& table : expected.tables)
-    for (std::size_t i = 0; i < done.tasks.size(); ++i)
-      if (done.tasks[i].operation == table.operation)
-        table = {table.operation, Against::certificate, &done.checks[i].judgment.answers};
+/// From now on the tables must answer with the certificate's rows, wherever there are any.
+void expect_rows(ExpectedDump& expected, const Family& family, const Certificate& certificate) {
+  for (const PositionTask& task : tasks_of(family, &certificate))
+    for (ExpectedTable& table : expected.tables)
+      if (table.operation == task.operation) table = {task.operation, Against::certificate, task.rows};
+}
+
+/// And with its lists.
+void expect_lists(ExpectedDump& expected, const std::vector<LinkedFamily>& all_linked, const LinesOfSections& lines) {
   auto list = expected.lists.begin();
   for (const LinkedFamily& family : all_linked)
     for (const Section& section : family.local.sections) {
@@ -261,34 +265,123 @@ void expect_certificates(ExpectedDump& expected, const Checked& done, const std:
     }
 }
 
+bool is_one_operation(const std::vector<Description>& descriptions) {
+  return descriptions.size() == 1 && descriptions.front().numbers.empty();
+}
+
+/// The listener that counts what it hands on.
+ClaimListener counting(Totals& totals, const ClaimListener& listener) {
+  return [&totals, &listener](const ClaimResult& result) {
+    ++totals.claims;
+    totals.failed += result.held() ? 0U : 1U;
+    listener(result);
+  };
+}
+
 }  // namespace
 
 Totals verify_tables(const Options& options, const ClaimListener& user_listener) {
   Totals totals;
-  const ClaimListener listener = [&](const ClaimResult& result) {
-    ++totals.claims;
-    totals.failed += result.held() ? 0U : 1U;
-    user_listener(result);
-  };
+  const ClaimListener listener = counting(totals, user_listener);
   const std::vector<Family> all = all_families(options.max_k);
   const std::vector<LinkedFamily> all_linked = linked_families(options.max_k);
   refuse_unknown_families(options, all, all_linked);
   ExpectedDump expected = expected_without_certificates(all, all_linked, options);
   Certificates read;
-  Checked done;
   LinesOfSections lines;
   if (!options.headers_only) {
     const std::vector<ManifestLine> manifest = read_manifest(options.tables_dir);
     check_manifest(options, manifest, listener);
     read = read_certificates(options, all, all_linked, totals);
     check_row_counts(options, manifest, read.found, listener);
-    done = check_families(options, read, listener, totals);
+    check_families(read.families, read.rules, options.second_formulation, options.threads, options.show_progress,
+                   listener, totals);
     lines = check_linked_families(read, options.max_k, listener);
-    expect_certificates(expected, done, all_linked, lines);
+    for (std::size_t i = 0; i < read.families.size(); ++i) expect_rows(expected, *read.families[i], read.rules[i]);
+    expect_lists(expected, all_linked, lines);
   }
   if (!options.linked_dump_command.empty()) check_linked_picks(options, listener, totals);
-  if (!options.dump_command.empty()) check_dump(options, expected, listener, totals);
+  if (!options.dump_command.empty())
+    check_dump(
+        "shipped headers", [&] { return compare_dump_of(options.dump_command, expected); }, listener, totals);
   return totals;
+}
+
+Totals verify_operation(const OperationOptions& options, const ClaimListener& user_listener) {
+  Totals totals;
+  const ClaimListener listener = counting(totals, user_listener);
+  const std::vector<Description> descriptions = parse_descriptions(options.operation, read_file(options.operation));
+  const std::vector<Family> families = families_of(descriptions, options.max_k);
+  if (families.size() != 1)
+    throw InputError(options.operation, 0,
+                     fmt::format("expected the operations of one certificate, found those of {}", families.size()));
+  const Family& family = families.front();
+  for (const Section& section : family.sections)
+    for (const Operation& operation : section.operations)
+      totals.graph_only = totals.graph_only || !operation.on_a_mesh();
+  if (!options.header.empty() && !is_one_operation(descriptions))
+    throw InputError("--header", 0, "a header has the table of one operation, and this file describes more");
+  std::vector<Certificate> certificates;
+  if (!options.certificate.empty()) {
+    certificates.push_back(parse_certificate(options.certificate, read_file(options.certificate), family));
+    totals.rules = certificates.front().rows;
+  }
+  check_families({&family}, certificates, options.second_formulation, options.threads, false, listener, totals);
+  const LinkedFamily linked{"linked-" + family.name, family};
+  std::vector<std::vector<std::string>> lines(family.sections.size());
+  const bool with_lists = !options.linked_certificate.empty();
+  if (with_lists) {
+    if (certificates.empty())
+      throw InputError(options.linked_certificate, 0, "expected a certificate of rules beside it");
+    const LinkedInput input{
+        &linked, parse_linked_certificate(options.linked_certificate, read_file(options.linked_certificate), linked),
+        certificates.front()};
+    totals.alternatives = input.certificate.rows;
+    lines = check_linked_family(input, options.max_k, listener);
+  }
+  const bool is_table = options.header.empty() || check_header(options.header, descriptions.front(), listener);
+  if (options.dump_command.empty()) return totals;
+  ExpectedDump expected;
+  for (const Section& section : family.sections)
+    for (const Operation& operation : section.operations) expect_judged(operation, Against::own_patch, expected);
+  for (const Operation& operation : family.unlisted) expect_judged(operation, Against::own_patch, expected);
+  if (!certificates.empty()) expect_rows(expected, family, certificates.front());
+  if (std::any_of(descriptions.begin(), descriptions.end(), [](const Description& one) { return one.linked; }))
+    for (std::size_t i = 0; i < family.sections.size(); ++i)
+      expected.lists.push_back(
+          {linked.name, family.sections[i].position, family.sections[i].ports, with_lists ? &lines[i] : nullptr});
+  const auto compare = [&] {
+    if (is_table) return compare_dump_of(options.dump_command, expected);
+    DumpComparison not_run;
+    not_run.fault = "was not run, because the header is not that of a table";
+    return not_run;
+  };
+  check_dump(family.name, compare, listener, totals);
+  return totals;
+}
+
+bool has_header(const std::string& operation_file) {
+  const std::vector<Description> descriptions = parse_descriptions(operation_file, read_file(operation_file));
+  return std::all_of(descriptions.begin(), descriptions.end(),
+                     [](const Description& one) { return one.numbers.empty(); });
+}
+
+std::string last_line_of(const OperationOptions& options, const Totals& totals) {
+  std::string text = totals.graph_only ? "graph only: not checked to be an operation on a mesh\n" : "";
+  text += fmt::format("{}: {}: {}, {} of {}", totals.failed == 0 ? "verified" : "NOT verified", options.operation,
+                      quantity(totals.configurations, "configuration"), quantity(totals.pairs, "recolouring"),
+                      totals.configurations == 1 ? "it" : "them");
+  if (!options.certificate.empty()) text += ", " + quantity(totals.rules, "rule");
+  if (!options.linked_certificate.empty()) text += ", " + quantity(totals.alternatives, "alternative");
+  const auto sum = [](const std::map<std::string, Totals::Answers>& answers) {
+    std::uint64_t entries = 0;
+    for (const auto& family : answers) entries += family.second.entries;
+    return entries;
+  };
+  if (sum(totals.answers) != 0) text += fmt::format(", {} of the table", quantity(sum(totals.answers), "answer"));
+  if (sum(totals.not_compared) != 0) text += fmt::format(", {} more NOT compared", sum(totals.not_compared));
+  text += ", " + quantity(totals.claims, "claim");
+  return text + (totals.failed == 0 ? "\n" : fmt::format(" of which {} failed\n", totals.failed));
 }
 
 }  // namespace restrip::verify

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "operation.hpp"
-#include "report.hpp"
+#include "judge/report.hpp"
+#include "model/family.hpp"
 
 namespace restrip::verify {
 
@@ -24,5 +24,28 @@ struct Options {
 /// Checks everything and hands each claim to the listener. InputError when a certificate or the manifest is not well
 /// formed.
 Totals verify_tables(const Options& options, const ClaimListener& listener);
+
+/// An operation, or family, of a user's own.
+struct OperationOptions {
+  std::string operation;    ///< the file that describes it
+  std::string certificate;  ///< the file with its rules; empty: none is checked
+  std::string
+      linked_certificate;    ///< the file with its linked rules, which are compared with the others; empty: likewise
+  std::string header;        ///< the table of an operation as the generator wrote it; empty: it is not read
+  std::string dump_command;  ///< prints the compiled tables; empty: they are not checked
+  bool second_formulation = false;
+  unsigned threads = 2;
+  unsigned max_k = largest_fan;  ///< of a family
+};
+
+/// The same of the one family that the file describes. InputError when the description or the certificate is not well
+/// formed. Memory grows with 2 to the number of inner edges and ports of a side: docs/operation-file.md has figures.
+Totals verify_operation(const OperationOptions& options, const ClaimListener& listener);
+
+/// Whether the file describes what the generator writes headers of: operations, no family. InputError as above.
+bool has_header(const std::string& operation_file);
+
+/// "verified: split-face.json: 20 rules, …", or "NOT verified: …".
+std::string last_line_of(const OperationOptions& options, const Totals& totals);
 
 }  // namespace restrip::verify

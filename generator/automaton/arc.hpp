@@ -2,81 +2,111 @@
 //
 // An arc has two links, the dual edges over which its first and its last triangle leave it. Inside the arc the solid
 // edges form strands. A strand that enters over a link passes only triangles without a solid port, so it can reach one
-// port at most, the solid port nearest to that link. So a link has three cases, its *reach*, and there is one more
-// where a strand leads from link to link: ten cases in all. Of all colourings of the arc with the same case only a best
-// one can be part of a best recolouring.
+// port at most, the solid port nearest to that link. Where it goes is the *reach* of the link; the reaches of both
+// links are a *case*. Of all colourings of the arc with the same case only a cheapest one can be part of a cheapest
+// recolouring.
+//
+// Where swaps have a price, a reach also says how the strand turns in the triangle at the link, and a letter how the
+// strip turns behind a solid port. Where they have none, turns are not told apart: the same code, fewer letters.
 //
 // Which edges an arc counts: its left link and the edges inside it. The right link is the left link of what follows.
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace restrip::generator {
 
-/// Where the strand over a link goes, on the side of the arc.
+/// restart * strips + swap * swaps + isolated * isolated triangles.
+struct Weights {
+  int restart = 0;
+  int swap = 0;
+  int isolated = 0;
+  friend bool operator==(const Weights&, const Weights&) = default;
+};
+inline constexpr int largest_weight = 1000;
+/// Fewest strips, and of those fewest isolated triangles: so many of these never meet in one comparison that they
+/// outweigh a strip (docs/automaton.md, "Costs").
+inline constexpr Weights strips_weights{largest_weight, 0, 1};
+/// The length of an index buffer.
+inline constexpr Weights index_weights{3, 1, 0};
+
+[[nodiscard]] constexpr bool tells_turns(const Weights& weights) { return weights.swap != 0; }
+
+/// Where the strand over a link goes, on the side of the arc. The end triangle is the one at the link.
 enum class Reach : unsigned {
-  dashed,  ///< there is none: the link is dashed
-  ends,    ///< it ends inside the arc
-  port,    ///< it leaves the arc by the solid port nearest to the link
-  through  ///< it leaves the arc by the other link; then this is the reach of both
+  dashed,      ///< there is none: the link is dashed
+  ends,        ///< it ends in the end triangle; where turns are not told apart, anywhere inside the arc
+  port,        ///< it leaves by the port of the end triangle; where turns are not told apart, by the nearest solid port
+  along_ends,  ///< it goes on along the fan and ends inside the arc
+  along_port,  ///< it goes on along the fan and leaves by the solid port nearest to the link
+  through      ///< it leaves the arc by the other link; then this is the reach of both
 };
 
-/// A case: the reach of the left link times four plus that of the right one.
+/// A case: the reach of the left link times five plus that of the right one; one code more where both are `through`.
 using Case = unsigned;
-inline constexpr std::size_t case_codes = 16;
-[[nodiscard]] constexpr Case case_of(Reach left, Reach right) {
-  return 4 * static_cast<unsigned>(left) + static_cast<unsigned>(right);
-}
-[[nodiscard]] constexpr Reach left_of(Case c) { return static_cast<Reach>(c / 4); }
-[[nodiscard]] constexpr Reach right_of(Case c) { return static_cast<Reach>(c % 4); }
+inline constexpr std::size_t case_codes = 26;
 inline constexpr Case both_dashed = 0;
-inline constexpr Case through_case = case_of(Reach::through, Reach::through);
-inline constexpr std::array<Case, 10> all_cases{0, 1, 2, 4, 5, 6, 8, 9, 10, through_case};
+inline constexpr Case through_case = 25;
+[[nodiscard]] constexpr Case case_of(Reach left, Reach right) {
+  return left == Reach::through ? through_case : 5 * static_cast<unsigned>(left) + static_cast<unsigned>(right);
+}
+[[nodiscard]] constexpr Reach left_of(Case c) { return static_cast<Reach>(c / 5); }
+[[nodiscard]] constexpr Reach right_of(Case c) {
+  return c == through_case ? Reach::through : static_cast<Reach>(c % 5);
+}
+[[nodiscard]] constexpr bool right_is_solid(Case c) { return right_of(c) != Reach::dashed; }
+[[nodiscard]] constexpr bool leads_to_port(Reach reach) { return reach == Reach::port || reach == Reach::along_port; }
 
-/// A case as certificates write it: one letter for each link, `-`, `e`, `p` or `t`.
+/// The cases that arcs have under these weights, ascending.
+[[nodiscard]] std::vector<Case> cases_of(const Weights& weights);
+
+/// A case as certificates write it: one character for each link, of `-epfqt` in the order of Reach.
 [[nodiscard]] std::string text_of(Case c);
 
-/// What is best, in the order of docs/notation.md: more solid edges, then fewer isolated triangles.
-struct Value {
-  int solid = 0;
-  int fewer_isolated = 0;  ///< minus the number of isolated triangles
-  friend constexpr auto operator<=>(const Value&, const Value&) = default;
-  friend constexpr Value operator+(Value x, Value y) {
-    return {x.solid + y.solid, x.fewer_isolated + y.fewer_isolated};
-  }
-  friend constexpr Value operator-(Value x, Value y) {
-    return {x.solid - y.solid, x.fewer_isolated - y.fewer_isolated};
-  }
-};
-
-/// What may be appended to an arc. `boundary` is the mesh boundary in a ring that stands for an open fan: no edge leads
-/// over it.
+/// What may be appended to an arc: a triangle, by its port, or the boundary. `left`, `right`: the strip behind the port
+/// goes on about the corner that the port shares with the triangle's left or right link, so that the port is a swap if
+/// the strip uses this link; only where turns are told apart.
 enum class Letter : unsigned {
-  dashed,    ///< a triangle whose port is dashed or absent
-  separate,  ///< a triangle whose port is solid, and not joined to the solid port before it
-  joined,    ///< a triangle whose port is solid and joined to the solid port before it
-  boundary
+  dashed,  ///< dashed, or there is none
+  ends,    ///< solid, and the strip ends behind it; where turns are not told apart, solid
+  left,
+  right,
+  joined_ends,  ///< as the three before, and joined to the solid port before it
+  joined_left,
+  joined_right,
+  boundary  ///< the mesh boundary in a ring that stands for an open fan: no edge leads over it
 };
-inline constexpr std::array<Letter, 4> all_letters{Letter::dashed, Letter::separate, Letter::joined, Letter::boundary};
+[[nodiscard]] constexpr bool has_port(Letter letter) { return letter != Letter::dashed && letter != Letter::boundary; }
+[[nodiscard]] constexpr bool is_joined(Letter letter) {
+  return letter >= Letter::joined_ends && letter != Letter::boundary;
+}
 
-/// A letter as certificates write it: `d`, `s`, `j` or `b`.
+/// The letters under these weights, in the order in which headers and certificates number them.
+[[nodiscard]] const std::vector<Letter>& letters_of(const Weights& weights);
+
+/// A letter as certificates write it: `d`, `s`, `l`, `r`, `S`, `L`, `R` or `b`.
 [[nodiscard]] char text_of(Letter letter);
 
-/// The best value of each case; nothing where no colouring has it.
-using Values = std::array<std::optional<Value>, case_codes>;
+/// The least cost of each case, up to what all have in common; nothing where there is none. A strip's restart is
+/// counted by what it lacks: each solid edge is worth one.
+using Costs = std::array<std::optional<int>, case_codes>;
 
 /// The arc without triangles: its two links are one edge, which what follows will count.
-[[nodiscard]] Values values_of_empty_arc();
+[[nodiscard]] Costs costs_of_empty_arc();
 
-/// An arc with one letter more: its values, and for each case the case before from which the best value comes.
+/// An arc with one letter more: its costs, and for each case the case before from which the least cost comes.
 struct Appended {
-  Values values;
+  Costs costs;
   std::array<Case, case_codes> before{};
 };
-[[nodiscard]] Appended append(const Values& arc, Letter letter);
+[[nodiscard]] Appended append_to_empty(Letter letter, const Weights& weights);
+[[nodiscard]] Appended append(const Costs& arc, Letter letter, const Weights& weights);
+
+/// Drops every case that can be exchanged for another one without loss, in any patch (docs/automaton.md, "Exchanges").
+[[nodiscard]] Costs without_dispensable(const Costs& costs, const Weights& weights);
 
 }  // namespace restrip::generator

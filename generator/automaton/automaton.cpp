@@ -1,30 +1,42 @@
 #include "automaton/automaton.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <deque>
+#include <array>
+#include <cstdint>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <utility>
 
 namespace restrip::generator {
 namespace {
 
-Value best_of(const Values& values) {
-  std::optional<Value> best;
-  for (const auto& value : values)
-    if (value && (!best || *value > *best)) best = value;
-  return best.value_or(Value{});
+int least_of(const Costs& costs) {
+  std::optional<int> least;
+  for (const auto& cost : costs)
+    if (cost && (!least || *cost < *least)) least = cost;
+  return least.value_or(0);
 }
 
-Values less(Values values, Value by) {
-  for (auto& value : values)
-    if (value) value = *value - by;
-  return values;
+Costs relative(Costs costs) {
+  const int least = least_of(costs);
+  for (auto& cost : costs)
+    if (cost) *cost -= least;
+  return costs;
 }
 
-/// An arc before anything is thrown away, values less their best.
+[[noreturn]] void refuse(const Weights& weights, const std::string& why) {
+  throw std::invalid_argument(
+      fmt::format("the weights {},{},{} need {}; divide them by a common factor, or take smaller ones in about the "
+                  "same proportion",
+                  weights.restart, weights.swap, weights.isolated, why));
+}
+
+/// An arc before anything is thrown away that some patch may need; costs less the least.
 struct FullArc {
-  Values values;
+  Costs costs;
   Ports ports;
   bool boundary = false;
   friend auto operator<=>(const FullArc&, const FullArc&) = default;
@@ -38,52 +50,62 @@ struct FullStep {
 
 /// All arcs, told apart by what they are: finitely many, found breadth first.
 struct Closure {
+  Weights weights;
   std::vector<FullArc> arcs;
   std::vector<std::string> witness;
-  std::vector<std::array<std::optional<FullStep>, 4>> steps;
+  std::vector<std::vector<std::optional<FullStep>>> steps;  ///< by arc and place of the letter
 
-  Closure() {
+  explicit Closure(const Weights& of) : weights(of) {
     std::map<FullArc, std::size_t> number;
-    const auto number_of = [&](const FullArc& arc, const std::string& word) {
-      const auto [place, is_new] = number.emplace(arc, arcs.size());
-      if (is_new) {
-        arcs.push_back(arc);
-        witness.push_back(word);
-      }
-      return place->second;
-    };
-    number_of({values_of_empty_arc(), {}, false}, "");
+    arcs.push_back({costs_of_empty_arc(), {}, false});
+    witness.emplace_back();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       steps.emplace_back();
-      for (const Letter letter : all_letters) {
+      for (const Letter letter : letters_of(weights)) {
+        auto& step = steps[i].emplace_back();
         if (letter == Letter::boundary && arcs[i].boundary) continue;
-        const Appended longer = append(arcs[i].values, letter);
-        const FullArc next{less(longer.values, best_of(longer.values)), with_letter(arcs[i].ports, letter),
+        const Appended longer = appended(i, letter);
+        // Without turns all costs are bounded as they are, and the tie-break may choose among all of them.
+        const Costs kept = tells_turns(weights) ? without_dispensable(longer.costs, weights) : longer.costs;
+        const FullArc next{relative(kept), with_letter(arcs[i].ports, letter),
                            arcs[i].boundary || letter == Letter::boundary};
-        const std::size_t to = number_of(next, witness[i] + text_of(letter));
-        steps[i][static_cast<std::size_t>(letter)] = FullStep{to, longer.before};
+        const auto [place, is_new] = number.emplace(next, arcs.size());
+        if (is_new) {
+          if (arcs.size() > most_arcs) refuse(weights, fmt::format("more than {} kinds of arcs", most_arcs));
+          arcs.push_back(next);
+          witness.push_back(witness[i] + text_of(letter));
+        }
+        step = FullStep{place->second, longer.before};
       }
     }
   }
 
-  [[nodiscard]] Arc arc(std::size_t i) const { return {arcs[i].values, arcs[i].ports}; }
-  /// Whether it can lie between A and D; any arc but the empty one can lie between D and A.
+  [[nodiscard]] Appended appended(std::size_t i, Letter letter) const {
+    return i == 0 ? append_to_empty(letter, weights) : append(arcs[i].costs, letter, weights);
+  }
   [[nodiscard]] bool can_be_first(std::size_t i) const { return i != 0 && !arcs[i].boundary; }
 };
 
 /// Every two arcs around A and D, and every arc around a fan.
 struct Contexts {
-  std::vector<std::vector<Meeting>> meetings;  ///< by first and second arc; empty, and none, where there are none
-  std::vector<Closing> closings;
+  Meetings all_meetings;
+  std::vector<std::vector<std::uint16_t>> best;  ///< by first and second arc; empty where there are none
+  std::vector<std::optional<Case>> closings;
 
-  explicit Contexts(const Closure& all) : meetings(all.arcs.size()), closings(all.arcs.size()) {
+  explicit Contexts(const Closure& all) : all_meetings(all.weights), best(all.arcs.size()), closings(all.arcs.size()) {
+    std::vector<Arc> arcs;
+    for (const FullArc& arc : all.arcs) arcs.emplace_back(arc.costs, arc.ports);
     for (std::size_t x = 0; x < all.arcs.size(); ++x) {
+      if (all.arcs[x].boundary && tells_turns(all.weights)) closings[x] = best_around_one(arcs[x], all.weights);
       if (!all.can_be_first(x)) continue;
-      closings[x] = best_closing(all.arc(x));
-      meetings[x].resize(all.arcs.size());
-      for (std::size_t y = 1; y < all.arcs.size(); ++y) meetings[x][y] = best_meeting(all.arc(x), all.arc(y)).meeting;
+      closings[x] = best_closing(arcs[x], all.weights);
+      best[x].resize(all.arcs.size());
+      for (std::size_t y = 1; y < all.arcs.size(); ++y)
+        best[x][y] = static_cast<std::uint16_t>(all_meetings.best(arcs[x], arcs[y]));
     }
   }
+
+  [[nodiscard]] const Meeting& meeting(std::size_t x, std::size_t y) const { return all_meetings[best[x][y]]; }
 };
 
 using CaseSet = std::set<Case>;
@@ -93,12 +115,12 @@ using CaseSet = std::set<Case>;
 std::vector<CaseSet> needed_cases(const Closure& all, const Contexts& contexts) {
   std::vector<CaseSet> needed(all.arcs.size());
   for (std::size_t x = 0; x < all.arcs.size(); ++x) {
-    if (all.arcs[x].values[both_dashed]) needed[x].insert(both_dashed);  // a whole open fan
+    if (all.arcs[x].costs[both_dashed]) needed[x].insert(both_dashed);  // a whole open fan
+    if (contexts.closings[x]) needed[x].insert(*contexts.closings[x]);
     if (!all.can_be_first(x)) continue;
-    needed[x].insert(contexts.closings[x].arc);
     for (std::size_t y = 1; y < all.arcs.size(); ++y) {
-      needed[x].insert(contexts.meetings[x][y].first);
-      needed[y].insert(contexts.meetings[x][y].second);
+      needed[x].insert(contexts.meeting(x, y).first);
+      needed[y].insert(contexts.meeting(x, y).second);
     }
   }
   for (bool grown = true; grown;) {
@@ -113,9 +135,15 @@ std::vector<CaseSet> needed_cases(const Closure& all, const Contexts& contexts) 
   return needed;
 }
 
+/// Numbers for equal things, in order of appearance.
+template <class Thing>
+std::size_t number_for(std::map<Thing, std::size_t>& numbers, const Thing& thing) {
+  return numbers.emplace(thing, numbers.size()).first->second;
+}
+
 /// Moore's algorithm: arcs are kept together as long as nothing tells them apart.
 std::vector<std::size_t> minimal_classes(const Closure& all, const Contexts& contexts,
-                                         const std::vector<CaseSet>& needed, const std::vector<Values>& values) {
+                                         const std::vector<CaseSet>& needed, const std::vector<Costs>& costs) {
   const std::size_t n = all.arcs.size();
   using Sight = std::vector<std::size_t>;
   std::vector<std::size_t> now(n, 0);
@@ -123,30 +151,27 @@ std::vector<std::size_t> minimal_classes(const Closure& all, const Contexts& con
   const auto refine = [&](const auto& sight_of) {
     std::map<std::pair<std::size_t, Sight>, std::size_t> numbers;
     std::vector<std::size_t> finer(n);
-    for (std::size_t x = 0; x < n; ++x)
-      finer[x] = numbers.emplace(std::pair{now[x], sight_of(x)}, numbers.size()).first->second;
+    for (std::size_t x = 0; x < n; ++x) finer[x] = number_for(numbers, std::pair{now[x], sight_of(x)});
     const bool changed = numbers.size() != count;
     now = std::move(finer);
     count = numbers.size();
     return changed;
   };
-  const auto code = [](const Meeting& m) { return m.first | m.second << 4U | (m.chord ? 1U : 0U) << 8U; };
+  std::map<std::vector<std::uint16_t>, std::size_t> rows;
+  std::map<std::vector<std::uint16_t>, std::size_t> columns;
   refine([&](std::size_t x) {
-    Sight sight{x == 0 ? 1U : 0U, all.arcs[x].boundary ? 1U : 0U, contexts.closings[x].arc};
-    for (const auto& value : values[x]) {
-      sight.push_back(value ? static_cast<std::size_t>(-value->solid) : 1000);
-      sight.push_back(value ? static_cast<std::size_t>(1000 - value->fewer_isolated) : 0);
-    }
-    for (std::size_t letter = 0; letter < 4; ++letter) {
-      const auto& step = all.steps[x][letter];
+    Sight sight{x == 0 ? 1U : 0U, all.arcs[x].boundary ? 1U : 0U, contexts.closings[x].value_or(both_dashed)};
+    for (const auto& cost : costs[x]) sight.push_back(cost ? 1 + static_cast<std::size_t>(*cost) : 0);
+    for (const auto& step : all.steps[x]) {
       if (!step) continue;
-      for (const Case c : needed[step->to]) sight.push_back(c << 4U | step->before[c]);
-      sight.push_back(1000);
+      for (const Case c : needed[step->to]) sight.push_back(case_codes * c + step->before[c]);
+      sight.push_back(case_codes * case_codes);
     }
-    for (std::size_t y = 1; y < n; ++y) {
-      if (all.can_be_first(x)) sight.push_back(code(contexts.meetings[x][y]));
-      if (all.can_be_first(y) && x != 0) sight.push_back(code(contexts.meetings[y][x]));
-    }
+    sight.push_back(number_for(rows, contexts.best[x]));
+    std::vector<std::uint16_t> column;
+    for (std::size_t first = 0; x != 0 && first < n; ++first)
+      if (all.can_be_first(first)) column.push_back(contexts.best[first][x]);
+    sight.push_back(number_for(columns, column));
     return sight;
   });
   while (refine([&](std::size_t x) {
@@ -159,89 +184,106 @@ std::vector<std::size_t> minimal_classes(const Closure& all, const Contexts& con
 }
 
 AutomatonCounts counts_of(const Closure& all) {
-  std::set<Values> values;
+  std::set<Costs> values;
   AutomatonCounts counts;
   for (std::size_t x = 1; x < all.arcs.size(); ++x) {
     ++counts.with_boundary;
     if (all.arcs[x].boundary) continue;
     ++counts.with_ports;
-    values.insert(all.arcs[x].values);
+    values.insert(all.arcs[x].costs);
   }
   counts.values = values.size();
   return counts;
 }
 
-/// Numbers for equal rows, in order of appearance.
-template <class Row>
-std::size_t number_of(std::map<Row, std::size_t>& numbers, const Row& row) {
-  return numbers.emplace(row, numbers.size()).first->second;
+/// Finds the rows and columns of meetings that differ, in headers too.
+void number_meetings(Automaton& automaton, const Contexts& contexts, const std::vector<std::size_t>& smallest) {
+  using Line = std::vector<std::pair<std::size_t, unsigned>>;  // meetings, and the number of the own case
+  std::map<Line, std::size_t> firsts;
+  std::map<Line, std::size_t> seconds;
+  const std::size_t n = automaton.classes.size();
+  for (std::size_t i = 1; i < n; ++i) {
+    ArcClass& arc = automaton.classes[i];
+    Line row;
+    Line column;
+    for (std::size_t j = 1; j < n; ++j) {
+      if (arc.can_be_first())
+        row.emplace_back(contexts.best[smallest[i]][smallest[j]],
+                         automaton.number_of(arc, contexts.meeting(smallest[i], smallest[j]).first));
+      if (automaton.classes[j].can_be_first())
+        column.emplace_back(contexts.best[smallest[j]][smallest[i]],
+                            automaton.number_of(arc, contexts.meeting(smallest[j], smallest[i]).second));
+    }
+    if (arc.can_be_first()) arc.as_first = number_for(firsts, row);
+    arc.as_second = number_for(seconds, column);
+  }
+  automaton.meets.assign(firsts.size(), std::vector<Meeting>(seconds.size()));
+  for (std::size_t i = 1; i < n; ++i)
+    for (std::size_t j = 1; j < n; ++j)
+      if (automaton.classes[i].can_be_first())
+        automaton.meets[automaton.classes[i].as_first][automaton.classes[j].as_second] =
+            contexts.meeting(smallest[i], smallest[j]);
+}
+
+void expect_weight(const char* name, int weight, int least) {
+  if (weight < least || weight > largest_weight)
+    throw std::invalid_argument(
+        fmt::format("the weight of {} is {}; it must be from {} to {}", name, weight, least, largest_weight));
 }
 
 }  // namespace
 
-ValuedMeeting Automaton::meeting(std::size_t first, std::size_t second) const {
-  const ArcClass& x = classes[first];
-  const ArcClass& y = classes[second];
-  const Meeting m = meetings[meets[x.as_first][y.as_second]];
-  return {m, x.values[m.first].value() + y.values[m.second].value() + value_around(m)};
+unsigned Automaton::number_of(const ArcClass& arc, Case c) const {
+  if (!tells_turns(weights)) {
+    constexpr std::array<unsigned, 6> reach{0, 1, 2, 0, 0, 3};
+    return 4 * reach.at(static_cast<std::size_t>(left_of(c))) + reach.at(static_cast<std::size_t>(right_of(c)));
+  }
+  unsigned before = 0;
+  for (Case other = 0; other < c; ++other)
+    if (arc.costs[other] && right_is_solid(other) == right_is_solid(c)) ++before;
+  if (before > 7) refuse(weights, "more than four bits for a case");
+  return before + (right_is_solid(c) ? 8 : 0);
 }
 
-Automaton make_automaton() {
-  const Closure all;
+Automaton make_automaton(const Weights& weights) {
+  expect_weight("a strip", weights.restart, 1);
+  expect_weight("a swap", weights.swap, 0);
+  expect_weight("an isolated triangle", weights.isolated, 0);
+  const Closure all(weights);
   const Contexts contexts(all);
   const std::vector<CaseSet> needed = needed_cases(all, contexts);
-  std::vector<Values> values(all.arcs.size());
+  std::vector<Costs> costs(all.arcs.size());
   for (std::size_t x = 0; x < all.arcs.size(); ++x) {
-    for (const Case c : needed[x]) values[x][c] = all.arcs[x].values[c];
-    values[x] = less(values[x], best_of(values[x]));
+    for (const Case c : needed[x]) costs[x][c] = all.arcs[x].costs[c];
+    costs[x] = relative(costs[x]);
   }
-  const std::vector<std::size_t> class_of = minimal_classes(all, contexts, needed, values);
+  const std::vector<std::size_t> class_of = minimal_classes(all, contexts, needed, costs);
 
-  Automaton automaton;
-  automaton.counts = counts_of(all);
+  Automaton automaton{weights, {}, counts_of(all), {}};
   // Arcs were found in order of witness, so classes are numbered in that order as well.
   std::vector<std::size_t> smallest;
-  for (std::size_t x = 0; x < all.arcs.size(); ++x)
-    if (class_of[x] == smallest.size()) smallest.push_back(x);
-  std::map<std::vector<Meeting>, std::size_t> firsts;
-  std::map<std::vector<Meeting>, std::size_t> seconds;
-  std::map<Meeting, std::size_t> meetings;
-  for (const std::size_t x : smallest) {
-    ArcClass result;
+  for (std::size_t x = 0; x < all.arcs.size(); ++x) {
+    if (class_of[x] != smallest.size()) continue;
+    smallest.push_back(x);
+    ArcClass& result = automaton.classes.emplace_back();
     result.witness = all.witness[x];
     result.boundary = all.arcs[x].boundary;
-    result.values = values[x];
-    for (std::size_t letter = 0; letter < 4; ++letter) {
+    result.costs = costs[x];
+    result.closing = contexts.closings[x];
+    for (std::size_t letter = 0; letter < all.steps[x].size(); ++letter) {
+      auto& kept = result.steps.emplace_back();
       const auto& step = all.steps[x][letter];
       if (!step) continue;
-      ArcStep& kept = result.steps[letter].emplace();
-      kept.to = class_of[step->to];
-      for (const Case c : needed[step->to]) kept.before[c] = step->before[c];
+      kept = ArcStep{class_of[step->to], 0, {}};
+      for (const Case c : needed[step->to]) kept->before[c] = step->before[c];
       const Case any = *needed[step->to].begin();
-      kept.gain = append(values[x], all_letters[letter]).values[any].value() - values[step->to][any].value();
+      // Of the same case, from the best case of the one class to that of the other.
+      const Appended longer = all.appended(x, letters_of(weights)[letter]);
+      const Case from = step->before[any];
+      kept->cost = *longer.costs[any] - *all.arcs[x].costs[from] + *costs[x][from] - *costs[step->to][any];
     }
-    std::vector<Meeting> row;
-    std::vector<Meeting> column;
-    for (const std::size_t y : smallest) {
-      if (all.can_be_first(x) && y != 0) row.push_back(contexts.meetings[x][y]);
-      if (all.can_be_first(y) && x != 0) column.push_back(contexts.meetings[y][x]);
-    }
-    if (!row.empty()) {
-      result.as_first = number_of(firsts, row);
-      result.closing = {contexts.closings[x].arc, values[x][contexts.closings[x].arc].value()};
-    }
-    if (!column.empty()) result.as_second = number_of(seconds, column);
-    for (const Meeting& m : row) number_of(meetings, m);
-    automaton.classes.push_back(std::move(result));
   }
-  automaton.meetings.resize(meetings.size());
-  for (const auto& [m, number] : meetings) automaton.meetings[number] = m;
-  automaton.meets.assign(firsts.size(), std::vector<std::size_t>(seconds.size(), 0));
-  for (std::size_t i = 0; i < smallest.size(); ++i)
-    for (std::size_t j = 1; j < smallest.size(); ++j)
-      if (all.can_be_first(smallest[i]))
-        automaton.meets[automaton.classes[i].as_first][automaton.classes[j].as_second] =
-            meetings.at(contexts.meetings[smallest[i]][smallest[j]]);
+  number_meetings(automaton, contexts, smallest);
   return automaton;
 }
 

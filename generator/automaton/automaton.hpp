@@ -1,7 +1,6 @@
 // Every fan in one finite automaton: arcs fall into finitely many classes, whatever their length (docs/automaton.md).
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -15,7 +14,7 @@ namespace restrip::generator {
 /// What a letter leads to.
 struct ArcStep {
   std::size_t to = 0;                     ///< a class
-  Value gain;                             ///< of the best case of this class, to the best case of that one
+  int cost = 0;                           ///< of the best case of `to`, more than that of this class
   std::array<Case, case_codes> before{};  ///< for each case that `to` has: the case of this class that it came from
 };
 
@@ -23,31 +22,41 @@ struct ArcStep {
 struct ArcClass {
   std::string witness;    ///< its shortest arc, letter by letter; the first in the order of letters of the shortest
   bool boundary = false;  ///< the mesh boundary is inside
-  /// For each case that some best recolouring needs its value, less the best of them; nothing for the other cases.
-  Values values;
-  std::array<std::optional<ArcStep>, 4> steps;  ///< by letter; nothing for a second boundary
-  std::size_t as_first = 0;                     ///< arcs with equal numbers meet every second arc alike
-  std::size_t as_second = 0;                    ///< the same the other way round
-  Closing closing;  ///< as a whole closed fan, from the best case; not with a boundary inside
+  /// For each case that some best recolouring needs its cost, less the least of them; nothing for the other cases.
+  Costs costs;
+  std::vector<std::optional<ArcStep>> steps;  ///< by the place of the letter; nothing for a second boundary
+  std::size_t as_first = 0;                   ///< arcs with equal numbers meet every second arc alike
+  std::size_t as_second = 0;                  ///< the same the other way round
+  /// As a whole closed fan; with the boundary inside, around A alone, where turns are told apart.
+  std::optional<Case> closing;
+
+  /// Whether it can lie between A and D; any arc but the empty one can lie between D and A.
+  [[nodiscard]] bool can_be_first() const { return !witness.empty() && !boundary; }
 };
 
 /// How many there are before and after.
 struct AutomatonCounts {
-  std::size_t values = 0;      ///< different sets of relative values, of arcs without boundary, the empty one left out
+  std::size_t values = 0;      ///< different sets of relative costs, of arcs without boundary, the empty one left out
   std::size_t with_ports = 0;  ///< the same, where end ports are told apart as well
   std::size_t with_boundary = 0;  ///< the same, with arcs that have the boundary inside
 };
 
 struct Automaton {
+  Weights weights;
   std::vector<ArcClass> classes;  ///< in order of witness, shorter ones first; number 0 is the empty arc alone
   AutomatonCounts counts;
-  std::vector<Meeting> meetings;  ///< those that occur
-  /// By as_first and as_second, an index into `meetings`.
-  std::vector<std::vector<std::size_t>> meets;
-  /// By class, from the two best cases; of arcs with at least one triangle, the first without boundary.
-  [[nodiscard]] ValuedMeeting meeting(std::size_t first, std::size_t second) const;
+  /// By as_first and as_second.
+  std::vector<std::vector<Meeting>> meets;
+
+  /// The number of a case of a class in headers: four bits, the same for all classes unless turns are told apart
+  /// (restrip/tables/automaton_format.hpp). std::invalid_argument when the class has more cases than that.
+  [[nodiscard]] unsigned number_of(const ArcClass& arc, Case c) const;
 };
 
-[[nodiscard]] Automaton make_automaton();
+/// More kinds of arcs would need minutes, and a header that no compiler likes.
+inline constexpr std::size_t most_arcs = 8000;
+
+/// std::invalid_argument with a remedy when a weight is out of range, or the weights need more than `most_arcs`.
+[[nodiscard]] Automaton make_automaton(const Weights& weights);
 
 }  // namespace restrip::generator

@@ -4,21 +4,23 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "certificate_text.hpp"
 #include "number_lines.hpp"
 
 namespace restrip::generator {
 namespace {
 
-constexpr unsigned automaton_format_version = 1;
-constexpr unsigned no_class = 255;
-constexpr std::size_t letters = all_letters.size();
+constexpr unsigned automaton_format_version = 2;
 
 /// Everything the header holds.
-struct Numbers {
+struct HeaderNumbers {
   std::vector<std::size_t> next;
   std::vector<std::uint64_t> before;
   std::vector<unsigned> closed;
@@ -26,39 +28,53 @@ struct Numbers {
   std::vector<std::size_t> second;
   std::vector<std::size_t> meet;
   std::vector<unsigned> meetings;
+  bool wide = false;  ///< classes and meetings want 16 bits
 
-  explicit Numbers(const Automaton& automaton) {
-    if (automaton.classes.size() > no_class || automaton.meetings.size() > 256)
-      throw std::logic_error("the automaton does not fit in bytes");
+  explicit HeaderNumbers(const Automaton& automaton) {
+    // Rows and columns of equal numbers have equal numbers of cases as well.
+    std::vector<const ArcClass*> of_row(automaton.meets.size());
+    std::vector<const ArcClass*> of_column(automaton.meets.at(0).size());
+    for (const ArcClass& c : automaton.classes) {
+      if (c.can_be_first()) of_row[c.as_first] = &c;
+      if (!c.witness.empty()) of_column[c.as_second] = &c;
+    }
+    std::map<unsigned, std::size_t> numbers;
+    for (std::size_t x = 0; x < of_row.size(); ++x)
+      for (std::size_t y = 0; y < of_column.size(); ++y) {
+        const Meeting& m = automaton.meets[x][y];
+        const unsigned word = automaton.number_of(*of_row[x], m.first) |
+                              automaton.number_of(*of_column[y], m.second) << 4U | (m.chord ? 1U : 0U) << 8U;
+        const auto [place, is_new] = numbers.emplace(word, numbers.size());
+        if (is_new) meetings.push_back(word);
+        meet.push_back(place->second);
+      }
+    wide = automaton.classes.size() > UINT8_MAX || meetings.size() > UINT8_MAX + 1;
     for (const ArcClass& c : automaton.classes) {
       for (const auto& step : c.steps) {
-        next.push_back(step ? step->to : no_class);
-        std::uint64_t cases = 0;
-        if (step)
-          for (const Case after : all_cases) cases |= std::uint64_t{step->before[after]} << 4U * after;
-        before.push_back(cases);
+        next.push_back(step ? step->to : wide ? UINT16_MAX : UINT8_MAX);
+        before.push_back(step ? origins(automaton, c, *step) : 0);
       }
-      closed.push_back(c.closing.arc);
+      closed.push_back(automaton.number_of(c, c.closing.value_or(both_dashed)));
       first.push_back(c.as_first);
       second.push_back(c.as_second);
     }
-    for (const auto& row : automaton.meets) meet.insert(meet.end(), row.begin(), row.end());
-    for (const Meeting& m : automaton.meetings)
-      meetings.push_back(m.first | m.second << 4U | (m.chord ? 1U : 0U) << 8U);
   }
 
   [[nodiscard]] std::size_t bytes() const {
-    return next.size() + 8 * before.size() + closed.size() + first.size() + second.size() + meet.size() +
-           2 * meetings.size();
+    return (wide ? 2 : 1) * (next.size() + first.size() + second.size() + meet.size()) + 8 * before.size() +
+           closed.size() + 2 * meetings.size();
+  }
+
+ private:
+  static std::uint64_t origins(const Automaton& automaton, const ArcClass& from, const ArcStep& step) {
+    const ArcClass& to = automaton.classes[step.to];
+    std::uint64_t cases = 0;
+    for (Case c = 0; c < case_codes; ++c)
+      if (to.costs[c])
+        cases |= std::uint64_t{automaton.number_of(from, step.before[c])} << 4U * automaton.number_of(to, c);
+    return cases;
   }
 };
-
-std::string in_words(Value value) { return fmt::format("{} {}", value.solid, -value.fewer_isolated); }
-
-std::size_t arcs_without_boundary(const Automaton& automaton) {
-  return static_cast<std::size_t>(std::count_if(automaton.classes.begin() + 1, automaton.classes.end(),
-                                                [](const ArcClass& c) { return !c.boundary; }));
-}
 
 std::size_t longest_witness(const Automaton& automaton) {
   std::size_t longest = 0;
@@ -66,62 +82,87 @@ std::size_t longest_witness(const Automaton& automaton) {
   return longest;
 }
 
+std::string weights_text(const Weights& weights, const char* between) {
+  return fmt::format("{}{}{}{}{}", weights.restart, between, weights.swap, between, weights.isolated);
+}
+
+/// Rows one after the other, counted.
+class Rows {
+ public:
+  template <class... Words>
+  void add(fmt::format_string<Words...> row, Words&&... words) {
+    fmt::format_to(std::back_inserter(text_), row, std::forward<Words>(words)...);
+    text_ += '\n';
+    ++count_;
+  }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  /// As a section of a certificate.
+  [[nodiscard]] std::string section(std::string_view name) const {
+    return fmt::format("section {}\nclaim rows {}\n{}", name, count_, text_);
+  }
+
+ private:
+  std::string text_;
+  std::size_t count_ = 0;
+};
+
 Rows class_rows(const Automaton& automaton) {
   Rows rows;
   for (std::size_t x = 0; x < automaton.classes.size(); ++x) {
     const ArcClass& c = automaton.classes[x];
-    rows.add("class {} {}", x, witness_text(c.witness));
-    for (const Case k : all_cases)
-      if (c.values[k]) rows.add("value {} {} {}", x, text_of(k), in_words(*c.values[k]));
-    for (const Letter letter : all_letters) {
-      const auto& step = c.steps[static_cast<std::size_t>(letter)];
+    rows.add("class {} {} {} {}", x, c.witness.empty() ? "-" : c.witness,
+             c.can_be_first() ? std::to_string(c.as_first) : "-", x == 0 ? "-" : std::to_string(c.as_second));
+    for (Case k = 0; k < case_codes; ++k)
+      if (c.costs[k]) rows.add("value {} {} {}", x, text_of(k), *c.costs[k]);
+    for (std::size_t place = 0; place < c.steps.size(); ++place) {
+      const auto& step = c.steps[place];
       if (!step) continue;
-      rows.add("step {} {} {} {}", x, text_of(letter), step->to, in_words(step->gain));
-      for (const Case k : all_cases)
-        if (automaton.classes[step->to].values[k])
-          rows.add("from {} {} {} {}", x, text_of(letter), text_of(k), text_of(step->before[k]));
+      const char letter = text_of(letters_of(automaton.weights)[place]);
+      rows.add("step {} {} {} {}", x, letter, step->to, step->cost);
+      for (Case k = 0; k < case_codes; ++k)
+        if (automaton.classes[step->to].costs[k])
+          rows.add("from {} {} {} {}", x, letter, text_of(k), text_of(step->before[k]));
     }
   }
   return rows;
 }
 
-Rows closing_rows(const Automaton& automaton) {
-  Rows rows;
-  for (std::size_t x = 1; x < automaton.classes.size(); ++x) {
-    const ArcClass& c = automaton.classes[x];
-    if (!c.boundary) rows.add("close {} {} {}", x, text_of(c.closing.arc), in_words(c.closing.value));
+/// The colours of the links of a class's witness in its case k, from left to right.
+std::vector<bool> witness_links(const Automaton& automaton, const std::string& witness, Case k) {
+  std::vector<const ArcStep*> steps;
+  std::size_t at = 0;
+  const std::vector<Letter>& letters = letters_of(automaton.weights);
+  for (const char name : witness) {
+    const auto letter = std::find_if(letters.begin(), letters.end(), [&](Letter l) { return text_of(l) == name; });
+    steps.push_back(&automaton.classes[at].steps[static_cast<std::size_t>(letter - letters.begin())].value());
+    at = steps.back()->to;
   }
-  return rows;
-}
-
-Rows meeting_rows(const Automaton& automaton) {
-  Rows rows;
-  for (std::size_t x = 1; x < automaton.classes.size(); ++x) {
-    if (automaton.classes[x].boundary) continue;
-    for (std::size_t y = 1; y < automaton.classes.size(); ++y) {
-      const auto [meeting, value] = automaton.meeting(x, y);
-      rows.add("meet {} {} {} {} {} {}", x, y, text_of(meeting.first), text_of(meeting.second),
-               meeting.chord ? "chord" : "-", in_words(value));
-    }
+  std::vector<bool> links{right_is_solid(k)};
+  for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
+    k = (*step)->before[k];
+    links.push_back(right_is_solid(k));
   }
-  return rows;
+  std::reverse(links.begin(), links.end());
+  return links;
 }
-
-bool right_is_solid(Case k) { return right_of(k) != Reach::dashed; }
 
 }  // namespace
 
 RulesHeader automaton_header(const Automaton& automaton) {
-  const Numbers all(automaton);
+  const HeaderNumbers all(automaton);
+  const Weights& weights = automaton.weights;
   std::string text = fmt::format(
       "// Rules of fans of any valence: {} classes of arcs, {} pairs of classes.\n"
-      "// Written by `restrip-generate tables`. Do not edit: change the generator, then build the target "
-      "`regenerate`.\n"
+      "// The cost: {} for a strip, {} for a swap, {} for an isolated triangle.\n"
+      "// Written by `restrip-generate {}`. Do not edit: change the generator, then build the target `regenerate`.\n"
       "// Format {}, explained in restrip/tables/automaton_format.hpp.\n#pragma once\n\n"
       "#include \"restrip/tables/automaton_format.hpp\"\n\nnamespace restrip::tables {{\n\n",
-      automaton.classes.size(), all.meet.size(), automaton_format_version);
-  text += fmt::format("inline constexpr ArcAutomaton<{}, {}, {}, {}> automaton{{\n", automaton.classes.size(),
-                      automaton.meets.size(), automaton.meets.at(0).size(), automaton.meetings.size());
+      automaton.classes.size(), all.meet.size(), weights.restart, weights.swap, weights.isolated,
+      weights == strips_weights ? "tables" : "automaton --cost " + weights_text(weights, ","),
+      automaton_format_version);
+  text += fmt::format("inline constexpr ArcAutomaton<std::uint{}_t, {}, {}, {}, {}, {}> automaton{{\n",
+                      all.wide ? 16 : 8, letters_of(weights).size(), automaton.classes.size(), automaton.meets.size(),
+                      automaton.meets.at(0).size(), all.meetings.size());
   const auto block = [&](const std::string& lines) { text += "    {\n" + lines + "    },\n"; };
   block(numbers(all.next));
   block(numbers(all.before, " {:#x},"));
@@ -134,30 +175,45 @@ RulesHeader automaton_header(const Automaton& automaton) {
 }
 
 AutomatonCertificate automaton_certificate(const Automaton& automaton) {
+  Rows cost;
+  cost.add("weights {}", weights_text(automaton.weights, " "));
   const Rows classes = class_rows(automaton);
-  const Rows closings = closing_rows(automaton);
-  const Rows meetings = meeting_rows(automaton);
-  const std::size_t rows = classes.count() + closings.count() + meetings.count();
-  return {certificate("automaton",
-                      {classes.section("classes"), closings.section("closings"), meetings.section("meetings")}, rows),
+  Rows closings;
+  for (std::size_t x = 1; x < automaton.classes.size(); ++x)
+    if (const auto& closing = automaton.classes[x].closing) closings.add("close {} {}", x, text_of(*closing));
+  Rows meetings;
+  for (std::size_t x = 0; x < automaton.meets.size(); ++x)
+    for (std::size_t y = 0; y < automaton.meets[x].size(); ++y) {
+      const Meeting& m = automaton.meets[x][y];
+      meetings.add("meet {} {} {} {} {}", x, y, text_of(m.first), text_of(m.second), m.chord ? "chord" : "-");
+    }
+  const std::size_t rows = cost.count() + classes.count() + closings.count() + meetings.count();
+  return {sealed("restrip-certificate 2\nfamily automaton\n" + cost.section("cost") + classes.section("classes") +
+                     closings.section("closings") + meetings.section("meetings"),
+                 rows),
           rows};
 }
 
 std::string automaton_json(const Automaton& automaton) {
+  const HeaderNumbers all(automaton);
   nlohmann::ordered_json json;
+  json["cost"] = {{"restart", automaton.weights.restart},
+                  {"swap", automaton.weights.swap},
+                  {"isolated", automaton.weights.isolated}};
   json["arcs"]["by value"] = automaton.counts.values;
   json["arcs"]["by value and ports"] = automaton.counts.with_ports;
   json["arcs"]["with the boundary, too"] = automaton.counts.with_boundary;
   json["classes"]["all"] = automaton.classes.size();
   json["classes"]["empty"] = 1;
-  json["classes"]["without boundary"] = arcs_without_boundary(automaton);
+  json["classes"]["without boundary"] = std::count_if(automaton.classes.begin(), automaton.classes.end(),
+                                                      [](const ArcClass& c) { return c.can_be_first(); });
   json["longest witness"] = longest_witness(automaton);
-  json["letters"] = letters;
-  json["cases"] = all_cases.size();
+  json["letters"] = letters_of(automaton.weights).size();
+  json["cases"] = cases_of(automaton.weights).size();
   json["meetings"]["rows"] = automaton.meets.size();
   json["meetings"]["columns"] = automaton.meets.at(0).size();
-  json["meetings"]["different"] = automaton.meetings.size();
-  json["bytes"] = Numbers(automaton).bytes();
+  json["meetings"]["different"] = all.meetings.size();
+  json["bytes"] = all.bytes();
   return json.dump(2) + "\n";
 }
 
@@ -166,11 +222,11 @@ std::string classes_json(const Automaton& automaton) {
   for (const ArcClass& c : automaton.classes) {
     nlohmann::ordered_json json;
     json["witness"] = c.witness;
-    for (const Case k : all_cases)
-      if (c.values[k])
+    for (Case k = 0; k < case_codes; ++k)
+      if (c.costs[k])
         json["cases"].push_back({{"case", text_of(k)},
-                                 {"value", in_words(*c.values[k])},
-                                 {"links", witness_links(automaton, all_letters, c.witness, k, right_is_solid)}});
+                                 {"value", std::to_string(*c.costs[k])},
+                                 {"links", witness_links(automaton, c.witness, k)}});
     list.push_back(std::move(json));
   }
   return list.dump(1) + "\n";

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "automaton/automaton.hpp"
-#include "automaton/automaton_text.hpp"
 #include "emit.hpp"
 
 namespace restrip::generator {
@@ -13,13 +12,17 @@ namespace restrip::generator {
 [[nodiscard]] RulesHeader automaton_header(const Automaton& automaton);
 
 /// certificates/automaton.cert, with the number of its rows.
+struct AutomatonCertificate {
+  std::string text;
+  std::size_t rows = 0;
+};
 [[nodiscard]] AutomatonCertificate automaton_certificate(const Automaton& automaton);
 
-/// Classes before and after, letters, cases, bytes.
+/// Weights, classes before and after, letters, cases, bytes.
 [[nodiscard]] std::string automaton_json(const Automaton& automaton);
 
-/// Every class as JSON, for pictures: its witness, and for each of its cases the value and a best colouring, the
-/// colours of the links from left to right.
+/// Every class as JSON, for pictures: its witness, and for each of its cases the cost and a best colouring, the colours
+/// of the links from left to right.
 [[nodiscard]] std::string classes_json(const Automaton& automaton);
 
 }  // namespace restrip::generator

@@ -2,68 +2,102 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace restrip::generator {
 namespace {
 
 /// The four ends of two arcs in ring order; A lies between second_last and first_first, D between the other two.
-enum End : std::size_t { first_first, first_last, second_first, second_last, ends };
-constexpr std::size_t at_a = ends;
-constexpr std::size_t at_d = ends + 1;
+enum End : unsigned { first_first, first_last, second_first, second_last, ends };
+constexpr unsigned at_a = ends;
+constexpr unsigned at_d = ends + 1;
 
-using EndPair = std::pair<End, End>;
-
-/// A way to put cases together, whatever the arcs.
-struct Way {
-  Meeting meeting;
-  Value value;                 ///< of A, D, and the edges that no arc counts
-  std::vector<EndPair> joins;  ///< ends whose strands reach ports and are joined
-  int tie = 0;                 ///< smaller is preferred
-};
+/// A pair of ends as one of six bits.
+constexpr unsigned end_pair(unsigned x, unsigned y) {
+  if (x > y) std::swap(x, y);
+  constexpr std::array<unsigned, 3> pairs_before{0, 3, 5};
+  return 1U << (pairs_before.at(x) + y - x - 1);
+}
 
 /// Ends and new triangles under "connected by solid edges".
 class Strands {
  public:
-  Strands() { std::iota(label_.begin(), label_.end(), std::size_t{0}); }
+  Strands() { std::iota(label_.begin(), label_.end(), 0U); }
   /// False when the edge closes a cycle.
-  bool join(std::size_t x, std::size_t y) {
-    const std::size_t from = label_[x];
-    const std::size_t to = label_[y];
+  bool join(unsigned x, unsigned y) {
+    const unsigned from = label_.at(x);
+    const unsigned to = label_.at(y);
     if (from == to) return false;
     std::replace(label_.begin(), label_.end(), from, to);
     return true;
   }
-  [[nodiscard]] bool same(std::size_t x, std::size_t y) const { return label_[x] == label_[y]; }
+  [[nodiscard]] bool same(unsigned x, unsigned y) const { return label_.at(x) == label_.at(y); }
 
  private:
-  std::array<std::size_t, ends + 2> label_{};
+  std::array<unsigned, ends + 2> label_{};
 };
 
-/// The tie-break (docs/automaton.md, "Ties"): as much of the tables' own (preference.cpp) as can be seen from here.
-int tie_of(const Way& way, int degree_a, int degree_d, const std::array<Reach, ends>& reach) {
-  int tie = way.meeting.chord ? 64 : 0;
-  tie += 64 * (degree_a + degree_d);
-  tie += 100 * ((degree_a == 1 ? 1 : 0) + (degree_d == 1 ? 1 : 0));
-  tie -= 49 * static_cast<int>(way.joins.size());
-  tie -= 53 * static_cast<int>(std::count(reach.begin(), reach.end(), Reach::ends));
-  return tie;
+constexpr bool is_solid(Reach reach) { return reach != Reach::dashed; }
+
+/// A or D between its two links, with the chord or without: its swaps at the links.
+int swaps_around(Reach before, Reach after, bool chord) {
+  const auto swap = [&](Reach reach) { return chord ? reach >= Reach::along_ends : reach == Reach::port; };
+  const bool passed = chord || (is_solid(before) && is_solid(after));
+  return passed ? (swap(before) ? 1 : 0) + (swap(after) ? 1 : 0) : 0;
 }
 
-std::optional<Way> make_way(const Meeting& meeting) {
+/// The pairs of ends that reach ports which the key joins.
+unsigned joined_ends(const Ports& first, const Ports& second) {
+  unsigned pairs = 0;
+  const auto add = [&](unsigned x, unsigned y) {
+    // The two end ports of an arc with one port are the same.
+    const auto ways_to = [&](unsigned end) { return (end < second_first ? first : second).count == 1 ? 2U : 1U; };
+    for (unsigned u = 0; u < ways_to(x); ++u)
+      for (unsigned v = 0; v < ways_to(y); ++v) pairs |= end_pair(x ^ u, y ^ v);
+  };
+  if (first.two_joined) add(first_first, first_last);
+  if (second.two_joined) add(second_first, second_last);
+  if (first.count > 0 && second.count > 0) {
+    if (first.first_joined) add(second_last, first_first);
+    if (second.first_joined) add(first_last, second_first);
+  } else {
+    if (first.count > 1 && first.first_joined) add(first_last, first_first);
+    if (second.count > 1 && second.first_joined) add(second_last, second_first);
+  }
+  return pairs;
+}
+
+std::size_t place_of(Case first, Case second, bool chord) {
+  return 2 * (case_codes * first + second) + (chord ? 1 : 0);
+}
+
+}  // namespace
+
+Arc::Arc(const Costs& costs, Ports of) : ports(of) {
+  for (Case c = 0; c < case_codes; ++c)
+    if (costs[c]) cases.push_back({c, *costs[c]});
+}
+
+Ports with_letter(Ports ports, Letter letter) {
+  if (!has_port(letter)) return ports;
+  if (ports.count == 0) ports.first_joined = is_joined(letter);
+  ports.two_joined = ports.count == 1 && is_joined(letter);
+  ports.count = std::min(ports.count + 1, 3U);
+  return ports;
+}
+
+std::optional<Meetings::Way> Meetings::way_of(const Meeting& meeting, const Weights& weights) {
   const std::array<Reach, ends> reach{left_of(meeting.first), right_of(meeting.first), left_of(meeting.second),
                                       right_of(meeting.second)};
-  const auto solid = [&](End end) { return reach[end] == Reach::dashed ? 0 : 1; };
+  const auto solid = [&](End end) { return is_solid(reach.at(end)) ? 1 : 0; };
   const int chord = meeting.chord ? 1 : 0;
   const int degree_a = solid(first_first) + solid(second_last) + chord;
   const int degree_d = solid(first_last) + solid(second_first) + chord;
   if (degree_a > 2 || degree_d > 2) return {};
   Strands strands;
-  const auto joins = [&](bool wanted, std::size_t x, std::size_t y) { return !wanted || strands.join(x, y); };
+  const auto joins = [&](bool wanted, unsigned x, unsigned y) { return !wanted || strands.join(x, y); };
   const bool no_cycle = joins(meeting.first == through_case, first_first, first_last) &&
                         joins(meeting.second == through_case, second_first, second_last) &&
                         joins(solid(first_first) != 0, at_a, first_first) &&
@@ -73,100 +107,92 @@ std::optional<Way> make_way(const Meeting& meeting) {
   if (!no_cycle) return {};
   Way way;
   way.meeting = meeting;
-  way.value.solid = solid(first_last) + solid(second_last) + chord;
-  way.value.fewer_isolated = -((degree_a == 0 ? 1 : 0) + (degree_d == 0 ? 1 : 0));
-  for (const End x : {first_first, first_last, second_first})
-    for (std::size_t y = x + 1; y < ends; ++y)
-      if (reach[x] == Reach::port && reach[y] == Reach::port && strands.same(x, y))
-        way.joins.emplace_back(x, static_cast<End>(y));
-  way.tie = tie_of(way, degree_a, degree_d, reach);
+  int joined = 0;
+  for (unsigned x = first_first; x < second_last; ++x)
+    for (unsigned y = x + 1; y < ends; ++y)
+      if (leads_to_port(reach.at(x)) && leads_to_port(reach.at(y)) && strands.same(x, y)) {
+        way.joins |= end_pair(x, y);
+        ++joined;
+      }
+  const bool chord_is_swap = meeting.chord && ((solid(first_first) != 0 && solid(first_last) != 0) ||
+                                               (solid(second_first) != 0 && solid(second_last) != 0));
+  const int swaps = swaps_around(reach[second_last], reach[first_first], meeting.chord) +
+                    swaps_around(reach[first_last], reach[second_first], meeting.chord) + (chord_is_swap ? 1 : 0);
+  const int isolated = (degree_a == 0 ? 1 : 0) + (degree_d == 0 ? 1 : 0);
+  way.cost = weights.swap * swaps + weights.isolated * isolated -
+             weights.restart * (solid(first_last) + solid(second_last) + chord);
+  // The tie-break (docs/automaton.md, "Ties"): as much of the tables' own (preference.cpp) as can be seen from here.
+  const auto end = [](Reach r) { return r == Reach::ends || r == Reach::along_ends; };
+  way.tie = 64 * (chord + degree_a + degree_d) + 100 * ((degree_a == 1 ? 1 : 0) + (degree_d == 1 ? 1 : 0)) -
+            49 * joined - 53 * static_cast<int>(std::count_if(reach.begin(), reach.end(), end));
   return way;
 }
 
-/// All ways, preferred ones first.
-const std::vector<Way>& ways() {
-  static const std::vector<Way> all = [] {
-    std::vector<Way> list;
-    for (const Case first : all_cases)
-      for (const Case second : all_cases)
-        for (const bool chord : {false, true})
-          if (auto way = make_way({first, second, chord})) list.push_back(std::move(*way));
-    std::stable_sort(list.begin(), list.end(), [](const Way& x, const Way& y) { return x.tie < y.tie; });
-    return list;
-  }();
-  return all;
+Meetings::Meetings(const Weights& weights) : number_of_(place_of(case_codes, 0, false), -1) {
+  const std::vector<Case> cases = cases_of(weights);
+  for (const Case first : cases)
+    for (const Case second : cases)
+      for (const bool chord : {false, true})
+        if (const auto way = way_of({first, second, chord}, weights)) ways_.push_back(*way);
+  std::stable_sort(ways_.begin(), ways_.end(), [](const Way& x, const Way& y) { return x.tie < y.tie; });
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    const Meeting& m = ways_[i].meeting;
+    number_of_[place_of(m.first, m.second, m.chord)] = static_cast<int>(i);
+  }
 }
 
-/// Which ends reach ports that the key joins.
-class JoinedEnds {
- public:
-  JoinedEnds(const Ports& first, const Ports& second) {
-    const auto add = [&](End x, End y) {
-      // The two end ports of an arc with one port are the same.
-      for (const End u : same_port(x, first, second))
-        for (const End v : same_port(y, first, second)) pairs_[u][v] = pairs_[v][u] = true;
-    };
-    if (first.two_joined) add(first_first, first_last);
-    if (second.two_joined) add(second_first, second_last);
-    if (first.count > 0 && second.count > 0) {
-      if (first.first_joined) add(second_last, first_first);
-      if (second.first_joined) add(first_last, second_first);
-    } else {
-      if (first.count > 1 && first.first_joined) add(first_last, first_first);
-      if (second.count > 1 && second.first_joined) add(second_last, second_first);
-    }
-  }
-  [[nodiscard]] bool has(const EndPair& pair) const { return pairs_[pair.first][pair.second]; }
+std::size_t Meetings::best(const Arc& first, const Arc& second) const {
+  const unsigned joined = joined_ends(first.ports, second.ports);
+  std::optional<std::pair<int, int>> best;  // cost, number
+  for (const auto& x : first.cases)
+    for (const auto& y : second.cases)
+      for (const bool chord : {false, true}) {
+        const int number = number_of_[place_of(x.arc, y.arc, chord)];
+        if (number < 0) continue;
+        const Way& way = ways_[static_cast<std::size_t>(number)];
+        if ((way.joins & ~joined) != 0) continue;
+        const std::pair found{x.cost + y.cost + way.cost, number};
+        if (!best || found < *best) best = found;
+      }
+  if (!best) throw std::logic_error("two arcs without a sound recolouring");
+  return static_cast<std::size_t>(best->second);
+}
 
- private:
-  static std::vector<End> same_port(End end, const Ports& first, const Ports& second) {
-    if (end < second_first) return first.count == 1 ? std::vector{first_first, first_last} : std::vector{end};
-    return second.count == 1 ? std::vector{second_first, second_last} : std::vector{end};
-  }
+namespace {
 
-  std::array<std::array<bool, ends>, ends> pairs_{};
-};
+/// The best case of an arc whose links meet each other; cost_between(left, right) is that of where they meet, nothing
+/// if they cannot.
+template <class CostBetween>
+Case best_around(const Arc& arc, CostBetween cost_between) {
+  const bool ports_joined = arc.ports.count > 1 && (arc.ports.first_joined || arc.ports.two_joined);
+  std::optional<Arc::CaseCost> best;
+  for (const auto& [c, of_arc] : arc.cases) {
+    const Reach left = left_of(c);
+    const Reach right = right_of(c);
+    if (c == through_case || (leads_to_port(left) && leads_to_port(right) && !ports_joined)) continue;
+    const std::optional<int> more = cost_between(left, right);
+    if (more && (!best || of_arc + *more < best->cost)) best = Arc::CaseCost{c, of_arc + *more};
+  }
+  if (!best) throw std::logic_error("an arc without a sound recolouring");
+  return best->arc;
+}
 
 }  // namespace
 
-Ports with_letter(Ports ports, Letter letter) {
-  if (letter != Letter::separate && letter != Letter::joined) return ports;
-  const bool joined = letter == Letter::joined;
-  if (ports.count == 0) ports.first_joined = joined;
-  ports.two_joined = ports.count == 1 && joined;
-  ports.count = std::min(ports.count + 1, 3U);
-  return ports;
+Case best_closing(const Arc& arc, const Weights& weights) {
+  return best_around(arc, [&](Reach left, Reach right) -> std::optional<int> {
+    if (is_solid(left) != is_solid(right)) return {};
+    const bool swap =
+        (left == Reach::port && right == Reach::port) || (left >= Reach::along_ends && right >= Reach::along_ends);
+    return swap ? weights.swap : 0;
+  });
 }
 
-Value value_around(const Meeting& meeting) { return make_way(meeting).value().value; }
-
-ValuedMeeting best_meeting(const Arc& first, const Arc& second) {
-  const JoinedEnds joined(first.ports, second.ports);
-  std::optional<ValuedMeeting> best;
-  for (const Way& way : ways()) {
-    const auto& x = first.values[way.meeting.first];
-    const auto& y = second.values[way.meeting.second];
-    if (!x || !y) continue;
-    if (!std::all_of(way.joins.begin(), way.joins.end(), [&](const EndPair& pair) { return joined.has(pair); }))
-      continue;
-    const Value value = *x + *y + way.value;
-    if (!best || value > best->value) best = {way.meeting, value};
-  }
-  if (!best) throw std::logic_error("two arcs without a sound recolouring");
-  return *best;
-}
-
-Closing best_closing(const Arc& arc) {
-  const bool ports_joined = arc.ports.count > 1 && (arc.ports.first_joined || arc.ports.two_joined);
-  std::optional<Closing> best;
-  for (const Case c : all_cases) {
-    if (!arc.values[c] || c == through_case) continue;
-    if ((left_of(c) == Reach::dashed) != (right_of(c) == Reach::dashed)) continue;
-    if (c == case_of(Reach::port, Reach::port) && !ports_joined) continue;
-    if (!best || *arc.values[c] > best->value) best = Closing{c, *arc.values[c]};
-  }
-  if (!best) throw std::logic_error("a closed fan without a sound recolouring");
-  return *best;
+Case best_around_one(const Arc& arc, const Weights& weights) {
+  return best_around(arc, [&](Reach left, Reach right) -> std::optional<int> {
+    const int alone = is_solid(left) || is_solid(right) ? 0 : weights.isolated;
+    return alone + weights.swap * swaps_around(right, left, false) - (is_solid(right) ? weights.restart : 0);
+  });
 }
 
 }  // namespace restrip::generator

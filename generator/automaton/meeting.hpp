@@ -2,7 +2,9 @@
 #pragma once
 
 #include <compare>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "automaton/arc.hpp"
 
@@ -19,7 +21,13 @@ struct Ports {
 
 /// An arc as a part of a patch sees it.
 struct Arc {
-  Values values;
+  Arc(const Costs& costs, Ports of);
+
+  struct CaseCost {
+    Case arc = both_dashed;
+    int cost = 0;
+  };
+  std::vector<CaseCost> cases;  ///< those that it has
   Ports ports;
 };
 
@@ -30,20 +38,35 @@ struct Meeting {
   bool chord = false;
   friend constexpr auto operator<=>(const Meeting&, const Meeting&) = default;
 };
-struct ValuedMeeting {
-  Meeting meeting;
-  Value value;
-};
-/// What A, D and the edges that no arc counts add to the values of the two arcs.
-[[nodiscard]] Value value_around(const Meeting& meeting);
 
-[[nodiscard]] ValuedMeeting best_meeting(const Arc& first, const Arc& second);
+/// All meetings that are sound for some arcs, preferred ones first, and the best of them for two arcs.
+class Meetings {
+ public:
+  explicit Meetings(const Weights& weights);
 
-/// The case of an arc that is a whole closed fan, its two links being one edge.
-struct Closing {
-  Case arc = both_dashed;
-  Value value;
+  [[nodiscard]] const Meeting& operator[](std::size_t number) const { return ways_[number].meeting; }
+  /// What A, D and the edges that no arc counts add to the costs of the two arcs.
+  [[nodiscard]] int cost(std::size_t number) const { return ways_[number].cost; }
+  /// Its number.
+  [[nodiscard]] std::size_t best(const Arc& first, const Arc& second) const;
+
+ private:
+  struct Way {
+    Meeting meeting;
+    int cost = 0;
+    unsigned joins = 0;  ///< pairs of ends whose strands reach ports and are joined
+    int tie = 0;         ///< smaller is preferred
+  };
+  static std::optional<Way> way_of(const Meeting& meeting, const Weights& weights);
+
+  std::vector<Way> ways_;
+  std::vector<int> number_of_;  ///< by cases and chord; -1 where not sound
 };
-[[nodiscard]] Closing best_closing(const Arc& arc);
+
+/// The best case of an arc that is a whole closed fan, its two links being one edge.
+[[nodiscard]] Case best_closing(const Arc& arc, const Weights& weights);
+/// The best case of an arc with the boundary inside whose two links meet in A alone: a boundary split. Where turns are
+/// told apart A is no letter, because a strip does not pass it about the hub.
+[[nodiscard]] Case best_around_one(const Arc& arc, const Weights& weights);
 
 }  // namespace restrip::generator

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "family_operation.hpp"
 #include "operations/operation_words.hpp"
+#include "operations/tie_break.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -51,28 +51,22 @@ OrderedJson json_of(const Preference& preference, const Side& after) {
 
 }  // namespace
 
-NamedOperation described(const Position& position, Constraint constraint) {
-  Operation operation = operation_of(position, Sight::patch, Goal::strips);
-  operation.patch = make_patch(position);
+std::string operation_file_text(const Position& position, Constraint constraint) {
+  Operation operation = operation_at(position);
   std::string name = name_at(position);
   if (constraint.most_edges != operation.constraint.most_edges) {
     operation.constraint = constraint;
     operation.preference.clear();
     name += fmt::format("-{}", constraint_words.at(constraint.most_edges - 1));
-  } else if (position.family->numbers.empty()) {
-    name += "-own";  // restrip's tables have the name of the family itself
+  } else if (Criterion terms = tie_break(position, operation.patch.after, Sight::patch, Goal::strips); !terms.empty()) {
+    operation.preference.push_back(std::move(terms));
   }
-  return {std::move(name), "", std::move(operation)};
-}
-
-std::string operation_file_text(const NamedOperation& named) {
-  const Operation& operation = named.operation;
-  OrderedJson json{{"restrip_operation", 1}, {"name", named.name}};
-  if (!named.about.empty()) json["about"] = named.about;
+  if (name == position.family->name) name += "-own";  // restrip's tables have the name of the family itself
+  OrderedJson json{{"restrip_operation", 1}, {"name", name}};
   json["constraint"] = constraint_words.at(operation.constraint.most_edges - 1);
   json["before"] = json_of(operation.patch.before);
   json["after"] = json_of(operation.patch.after);
-  const Mask all = (Mask{1} << operation.patch.before.owner.size()) - 1;
+  const Mask all = operation.patch.before.all_ports();
   if (operation.may_give_up != 0)
     json["give_up"] = operation.may_give_up == all ? OrderedJson("all") : places(operation.may_give_up);
   if (!operation.preference.empty()) json["cost"] = json_of(operation.preference, operation.patch.after);

@@ -8,7 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "families_text.hpp"
+#include "operations/families_text.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -4,13 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
-#include <optional>
+#include <cstdint>
 
-#include "emit.hpp"
 #include "number_lines.hpp"
-#include "progress.hpp"
-#include "reason.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -27,50 +23,53 @@ unsigned width_of(const Operation& operation) {
   return bits < 8 ? 8 : bits < 16 ? 16 : 32;
 }
 
-}  // namespace
-
-std::string operation_certificate(const NamedOperation& named, const OperationRules& rules) {
-  std::string text = fmt::format("restrip-operation-certificate 1\noperation {}\n", named.name);
-  auto out = std::back_inserter(text);
-  const Claims& claims = rules.claims;
-  fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
-                 claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
-  fmt::format_to(out, "claim keys {}\nclaim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n",
-                 rules.rows.size(), claims.costing, claims.worst_strips, claims.worst_isolated);
-  std::optional<Reasoner> reasoner;
-  if (has_reasons(named.operation)) reasoner.emplace(named.operation);
-  Progress progress("found reasons of", rules.rows.size(), "rules");
-  for (const OperationRow& row : rules.rows) {
-    fmt::format_to(out, "{} {:x} {:x} {:x} {:x}", row.witness < 0 ? "rule" : "copy", row.key.ports, row.key.joined,
-                   row.choice.recoloring, row.choice.kept);
-    if (row.witness < 0 && reasoner)
-      fmt::format_to(out, " because {}",
-                     reasoner->find(row.key.ports, pairs_of(row.key.joined), row.choice).reason.text());
-    if (row.witness >= 0)
-      fmt::format_to(out, " by {}", fmt::join(rules.symmetry[static_cast<std::size_t>(row.witness)].port, " "));
-    text += '\n';
-    progress.step();
-  }
-  return sealed(std::move(text), rules.rows.size());
+/// As the header lists them.
+std::string triangles(const std::vector<SurfaceTriangle>& met) {
+  std::vector<std::string> words;
+  for (const SurfaceTriangle& t : met)
+    words.push_back(fmt::format("{{{}, {}, {{{}}}, {{{}}}}}", t.from, t.from_side, fmt::join(t.vertex, ", "),
+                                fmt::join(t.side, ", ")));
+  return "    {{\n" + numbers(words) + "    }},\n";
 }
 
-OperationHeader operation_header(const NamedOperation& named, const OperationRules& rules) {
-  const Patch& patch = named.operation.patch;
-  const unsigned width = width_of(named.operation);
-  const std::int64_t none = (std::int64_t{1} << width) - 1;
-  std::vector<std::int64_t> entries;
-  for (const std::int32_t entry : rules.entries) entries.push_back(entry < 0 ? none : entry);
+}  // namespace
+
+OperationHeader operation_header(const Section& section) {
+  const Position& position = section.serves.at(0);
+  const Description& named = *position.family;
+  const Operation operation = operation_at(position);
+  const Patch& patch = operation.patch;
+  const bool matching = operation.constraint.most_edges == 1;
+  const unsigned ports = patch.before.ports();
+  const unsigned width = width_of(operation);
+  // For matchings, whose keys are the ports, entry P serves every colouring.
+  std::vector<std::int64_t> entries(std::size_t{1} << (matching ? ports : patch.before.edges.size() + ports),
+                                    (std::int64_t{1} << width) - 1);
+  for_each_valid(operation, [&](const Configuration& c) {
+    const Row& row = row_of(section, c.ports, c.outcome.joined);
+    entries[matching ? c.ports : std::size_t{c.before} << ports | c.ports] =
+        std::int64_t{row.recoloring} << ports | row.kept;
+  });
   std::string text = fmt::format(
       "// {}\n// Written by `restrip-generate rules` from the operation file of {}. Do not edit.\n// Explained in "
       "restrip/tables/operation_format.hpp.\n#pragma once\n\n#include \"restrip/tables/operation_format.hpp\"\n\n"
       "namespace restrip::tables {{\n\n",
       named.about.empty() ? named.name : named.about, named.name);
-  text += fmt::format("inline constexpr OperationTable<std::uint{}_t, {}> {}{{\n", width, entries.size(),
+  const Surface& surface = named.surface;
+  const bool has_surface = !surface.before.empty();
+  const std::string sizes =
+      has_surface ? fmt::format(", {}, {}", surface.before.size(), surface.after.size()) : std::string();
+  text += fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{\n",
+                      has_surface ? "SurfaceOperation" : "OperationTable", width, entries.size(), sizes,
                       variable(named.name));
-  text += fmt::format("    {{{}, {}}},\n    {{{}, {}}},\n    {},\n    {},\n    {{\n", patch.before.nodes,
-                      patch.before.edges.size(), patch.after.nodes, patch.after.edges.size(), patch.before.owner.size(),
-                      named.operation.constraint.most_edges == 1);
-  text += numbers(entries) + "    }};\n\n}  // namespace restrip::tables\n";
+  text += fmt::format("    {}{{{}, {}}},\n    {{{}, {}}},\n    {},\n    {},\n    {{\n", has_surface ? "{" : "",
+                      patch.before.nodes, patch.before.edges.size(), patch.after.nodes, patch.after.edges.size(),
+                      patch.before.owner.size(), matching);
+  text += numbers(entries);
+  text += has_surface ? fmt::format("    }}}},\n    {},\n{}{}}};\n", surface.vertices, triangles(surface.before),
+                                    triangles(surface.after))
+                      : "    }};\n";
+  text += "\n}  // namespace restrip::tables\n";
   return {text, entries.size() * width / 8};
 }
 

@@ -1,23 +1,21 @@
-// Text of the files made from an operation file: docs/operation-file.md, "Certificate" and "Table".
+// The header of an operation's own table: docs/operation-file.md, "Table".
 #pragma once
 
 #include <string>
 
-#include "operations/solve.hpp"
+#include "solve/section.hpp"
 
 namespace restrip::generator {
 
-/// Shows progress on a terminal, since reasons take time.
-[[nodiscard]] std::string operation_certificate(const NamedOperation& named, const OperationRules& rules);
-
-/// A header and the read-only data that it compiles to.
+/// A header, and how many bytes its table of rules has.
 struct OperationHeader {
   std::string text;
   std::size_t bytes = 0;
 };
-[[nodiscard]] OperationHeader operation_header(const NamedOperation& named, const OperationRules& rules);
+/// Of a solved section that serves one position.
+[[nodiscard]] OperationHeader operation_header(const Section& section);
 
-/// Where the two lie in a folder of tables.
+/// Where the files of an operation lie in a folder of tables.
 [[nodiscard]] std::string operation_certificate_path(const std::string& name);
 [[nodiscard]] std::string operation_header_path(const std::string& name);
 

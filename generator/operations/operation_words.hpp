@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "operation.hpp"
+#include "operations/operation.hpp"
 
 namespace restrip::generator {
 

@@ -4,25 +4,34 @@
 #include <cstdio>
 #include <memory>
 
-#include "input.hpp"
-#include "operation_certificate.hpp"
-#include "operation_dump.hpp"
+#include "certificate/certificate.hpp"
+#include "judge/table_dump.hpp"
+#include "model/families_text.hpp"
+#include "model/input.hpp"
+#include "model/words.hpp"
 #include "sealed.hpp"
 #include "target.hpp"
-#include "words.hpp"
 
 namespace restrip::fuzz {
 namespace {
 
-using namespace verify::operations;
-using verify::read_file;
+using namespace verify;
 
 std::string corpus_text(const char* name) { return read_file(fmt::format("{}/{}.json", RESTRIP_OPERATIONS, name)); }
+
+/// The shipped families, under other names.
+std::string families_of_ones_own() {
+  std::string text(families_text);
+  for (const std::string_view member : {"\"name\": \"", "\"certificate\": \""})
+    for (std::size_t at = text.find(member); at != std::string::npos; at = text.find(member, at + 1))
+      text.insert(at + member.size(), "my-");
+  return text;
+}
 
 void promise_limits(const Side& side) {
   promise(side.triangles >= 1 && side.triangles <= most_triangles, "triangles within limits");
   promise(side.ports() >= 1 && side.ports() <= most_ports, "ports within limits");
-  promise(side.inner_edges() + side.ports() <= most_colors, "colours within limits");
+  promise(side.colors() <= most_colors, "colours within limits");
   for (const auto& edge : side.edges)
     promise(edge[0] < side.triangles && edge[1] < side.triangles && edge[0] != edge[1], "edges join triangles");
   for (const unsigned owner : side.owner_of_port) promise(owner < side.triangles, "ports have owners");
@@ -30,32 +39,46 @@ void promise_limits(const Side& side) {
 
 Target file_target() {
   const auto read = [](std::string_view bytes) {
-    const OperationFile operation = parse_operation_file("f", bytes);
+    const std::vector<Description> descriptions = parse_descriptions("f", bytes);
+    for (const Description& description : descriptions) {
+      for (const std::string& name : {description.name, description.certificate}) {
+        promise(!name.empty() && name.find('/') == std::string::npos, "a name names a file");
+        promise(!owner_of_name(name), "a name is free");
+      }
+      for (const std::string& text : {description.about, description.position, description.section})
+        for (const char c : text) promise(c < 0 || c >= ' ', "a text is one line");
+      promise(description.about.find('\\') == std::string::npos, "a sentence does not join lines");
+    }
+    const std::vector<Numbers> positions = descriptions.front().positions(4);
+    if (positions.empty()) return true;
+    const Operation operation = descriptions.front().at(positions.front());
     promise_limits(operation.before);
     promise_limits(operation.after);
     promise(operation.before.ports() == operation.after.ports(), "as many ports on both sides");
-    promise(!operation.name.empty() && operation.name.find('/') == std::string::npos, "a name names a file");
-    promise(!owner_of_name(operation.name), "a name is free");
-    for (const char c : operation.about)
-      promise(c != '\\' && (c < 0 || c >= ' '), "a sentence is one line of a comment");
     promise(!operation.cost.empty() && operation.cost.size() <= most_criteria, "criteria within limits");
-    promise(operation.may_give_up < verify::mask_count(operation.ports()), "ports that may be given up are ports");
+    promise(operation.may_give_up < mask_count(operation.ports()), "ports that may be given up are ports");
     return true;
   };
   return {"operation-file",
-          {corpus_text("split-face"), corpus_text("bisect-costs"), corpus_text("flip-forest")},
+          {corpus_text("split-face"), corpus_text("bisect-costs"), corpus_text("flip-forest"), families_of_ones_own(),
+           read_file(RESTRIP_TABLES "/operations/merge-boundary.json")},
           refusing(read),
           10000};
 }
 
+/// The family of an operation that has one position.
+std::shared_ptr<const Family> family_of_one(const std::string& text) {
+  return std::make_shared<const Family>(families_of(parse_descriptions("f", text), 1).front());
+}
+
 Target operation_certificate_target() {
-  const auto operation = std::make_shared<OperationFile>(
-      parse_operation_file("f", read_file(RESTRIP_TABLES "/operations/split-face.json")));
-  const auto read = [operation](std::string_view bytes) {
+  const auto family = family_of_one(read_file(RESTRIP_TABLES "/operations/split-face.json"));
+  const auto read = [family](std::string_view bytes) {
     const std::string text = sealed(bytes);
-    const OperationCertificate certificate = parse_operation_certificate("f", text, *operation);
+    const Certificate certificate = parse_certificate("f", text, *family);
     const std::vector<std::string> lines = lines_of(text);
-    for (const RuleRow& row : certificate.rows) promise(row.text() == lines.at(row.line - 1), "a row is its line");
+    for (const Row& row : certificate.sections.front().rows)
+      promise(row.text() == lines.at(row.line - 1), "a row is its line");
     return true;
   };
   return {"operation-certificate",
@@ -65,17 +88,18 @@ Target operation_certificate_target() {
 }
 
 Target operation_dump_target() {
-  const auto operation = std::make_shared<OperationFile>(parse_operation_file("f", corpus_text("split-face")));
-  std::string seed = "restrip-operation-dump 1\noperation split-face\n";
-  for (verify::Mask ports = 0; ports < 8; ++ports) seed += fmt::format("0 {:x} {}\n", ports, ports == 7 ? "-" : "0 0");
+  const auto family = family_of_one(corpus_text("split-face"));
+  std::string seed = "restrip-table-dump 3\ntable split-face\n";
+  for (Mask ports = 0; ports < 8; ++ports) seed += fmt::format("0 {:x} {}\n", ports, ports == 7 ? "-" : "0 0");
   seed += "end 8\n";
-  const auto read = [operation](std::string_view bytes) {
+  const auto read = [family](std::string_view bytes) {
     std::string text(bytes);
     if (text.empty()) return false;  // fmemopen takes no less
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(fmemopen(text.data(), text.size(), "r"), std::fclose);
     promise(stream != nullptr, "a stream of bytes opens");
-    RuleJudge judge(*operation);  // a new one each time: it remembers what it was asked
-    return check_operation_dump(stream.get(), judge, nullptr).fault.empty();
+    ExpectedDump expected;
+    expected.tables.push_back({&family->sections.front().operations.front(), Against::own_patch, nullptr});
+    return compare_dump(stream.get(), expected).fault.empty();
   };
   return {"operation-dump", {seed}, read, 3000};
 }

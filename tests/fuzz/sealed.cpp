@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sums.hpp"
+#include "certificate/sums.hpp"
 
 namespace restrip::fuzz {
 

@@ -1,8 +1,8 @@
 // The generator's shards.
 #include <set>
 
+#include "certificate_text.hpp"
 #include "digest.hpp"
-#include "part.hpp"
 #include "shard.hpp"
 #include "target.hpp"
 
@@ -22,7 +22,8 @@ std::string sealed(std::string_view text) {
 bool read(std::string_view bytes) {
   try {
     const Merged merged = merge_shards({{"f", sealed(bytes)}}, id, "folder");
-    for (const Part& part : merged.parts) promise(rows_of(part) > 0, "every part of one shard of one has rows");
+    for (const Section& section : merged.sections)
+      promise(!section.rows.empty(), "every section of one shard of one has rows");
     return true;
   } catch (const std::logic_error&) {
     throw;
@@ -34,11 +35,12 @@ bool read(std::string_view bytes) {
 }  // namespace
 
 std::vector<Target> shard_targets() {
-  std::vector<Part> all = parts(3);
-  std::vector<const Part*> share;
-  for (Part& part : all) {
-    solve(part);
-    share.push_back(&part);
+  std::vector<Section> all = sections_of(families(), 3);
+  std::vector<const Section*> share;
+  for (Section& section : all) {
+    solve(section);
+    section.text = section_text(section);
+    share.push_back(&section);
   }
   return {{"shard", {shard_text({1, 1}, 3, id, share)}, read, 500}};
 }

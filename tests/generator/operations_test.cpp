@@ -8,46 +8,33 @@
 #include <vector>
 
 #include "operations/describe.hpp"
-#include "operations/operation_file.hpp"
-#include "operations/solve.hpp"
-#include "section.hpp"
+#include "operations/description_file.hpp"
+#include "solve/section.hpp"
 
 namespace restrip::generator {
 namespace {
-
-/// The shipped row for a key of the file: fans know only the pairs of consecutive ports, since no others can be joined
-/// afterwards; a flip's key is the configuration.
-const Row& shipped(const Section& section, const OperationKey& key) {
-  const Position& position = section.position;
-  const std::vector<Mask> pairs = pairs_of(key.joined);
-  if (!position.family->keyed_by_inner)
-    return row_of(section, {key.ports, joined_to_previous(pairs, key.ports, position.k, closed(*position.family))});
-  for (const Row& row : section.rows)
-    if (row.key.ports == key.ports && pairs_before(position, row.key) == pairs) return row;
-  throw std::logic_error("no row");
-}
-
-NamedOperation reread(const NamedOperation& named) {
-  return parse_operation(named.name + ".json", operation_file_text(named));
-}
 
 class FamiliesAsFiles : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(FamiliesAsFiles, GetTheShippedRules) {
   std::size_t compared = 0;
   std::size_t searched = 0;
-  for (const Section& section : solve(GetParam(), 7, 2)) {
+  for (const Section& section : solved(GetParam(), 7, 2)) {
     for (const Position& position : section.serves) {
-      for (const OperationRow& made : solve(reread(described(position))).rows) {
-        const Row& row = shipped(section, made.key);
-        EXPECT_EQ(made.choice.solid, row.solid);
-        EXPECT_EQ(made.choice.isolated, row.isolated);
-        EXPECT_EQ(std::popcount(made.choice.kept), std::popcount(row.kept));
+      const std::vector<Description> file = parse_descriptions("file.json", operation_file_text(position));
+      std::vector<Section> own = sections_of(file, 8);
+      ASSERT_EQ(own.size(), 1U);
+      solve(own[0]);
+      for (const Row& made : own[0].rows) {
+        const Row& row = row_of(section, made.key.ports, made.key.joined);
+        EXPECT_EQ(made.solid, row.solid);
+        EXPECT_EQ(made.isolated, row.isolated);
+        EXPECT_EQ(std::popcount(made.kept), std::popcount(row.kept));
         ++compared;
         // A copy is the image of its rule: as good, but the tie-break at its own place may choose another.
         if (row.witness >= 0 || made.witness >= 0) continue;
-        EXPECT_EQ(made.choice.recoloring, row.recoloring);
-        EXPECT_EQ(made.choice.kept, row.kept);
+        EXPECT_EQ(made.recoloring, row.recoloring);
+        EXPECT_EQ(made.kept, row.kept);
         ++searched;
       }
     }
@@ -55,7 +42,7 @@ TEST_P(FamiliesAsFiles, GetTheShippedRules) {
   EXPECT_GT(searched, compared / 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Operations, FamiliesAsFiles, ::testing::ValuesIn(certificate_families()),
+INSTANTIATE_TEST_SUITE_P(Operations, FamiliesAsFiles, ::testing::ValuesIn(certificates_of(families())),
                          [](const auto& family) {
                            std::string name = family.param;
                            std::erase(name, '-');
@@ -82,7 +69,7 @@ struct Fault {
 };
 
 TEST(OperationFiles, AreRefusedWithTheLine) {
-  ASSERT_NO_THROW(static_cast<void>(parse_operation("b.json", bisect)));
+  ASSERT_NO_THROW(static_cast<void>(parse_descriptions("b.json", bisect)));
   std::vector<Fault> faults{
       {"{\n  \"restrip", "\xef\xbb\xbf{\n  \"restrip",
        "b.json:1: the file begins with a byte order mark; save it as UTF-8"},
@@ -129,7 +116,7 @@ TEST(OperationFiles, AreRefusedWithTheLine) {
     ASSERT_NE(at, std::string::npos) << fault.from;
     text.replace(at, fault.from.size(), fault.to);
     try {
-      static_cast<void>(parse_operation("b.json", text));
+      static_cast<void>(parse_descriptions("b.json", text));
       ADD_FAILURE() << "taken: " << fault.to;
     } catch (const std::runtime_error& error) {
       EXPECT_EQ(std::string(error.what()).substr(0, fault.said.size()), fault.said);
@@ -137,15 +124,15 @@ TEST(OperationFiles, AreRefusedWithTheLine) {
   }
 }
 
-const std::string wheel = R"family({"restrip_families": 1, "families": [{
+const std::string wheel = R"family({"restrip_operation": 1, "operations": [{
   "name": "wheel", "numbers": ["k", "i"], "where": "1 <= k, i < k", "listed": "2 i <= k", "position": "k {k} i {i}",
   "before": {"path": ["t[0,k)"]},
   "after": {"ring": ["A", "t[0,i)", "D", "t[i,k)"], "chord": ["D", "A"]}}]})family";
 
 TEST(FamiliesFile, SaysWhichPositionsThereAre) {
-  const std::vector<Family> families = parse_families(wheel);
+  const std::vector<Description> families = parse_descriptions("w.json", wheel);
   ASSERT_EQ(families.size(), 1U);
-  const Family& family = families[0];
+  const Description& family = families[0];
   EXPECT_EQ(smallest_valence(family), 1U);
   EXPECT_FALSE(closed(family) || serves_every_position(family));
   EXPECT_EQ(positions(family, 4), (std::vector<Position>{{&family, 4, 0, 0}, {&family, 4, 1, 0}, {&family, 4, 2, 0}}));
@@ -158,25 +145,53 @@ TEST(FamiliesFile, SaysWhichPositionsThereAre) {
 }
 
 TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
-  const std::vector<Fault> faults{{"{\"restrip_f", "\xef\xbb\xbf{\"restrip_f", "begins with a byte order mark"},
-                                  {"\"restrip_families\": 1", "\"restrip_families\": 2", "expected version 1"},
-                                  {"\"name\"", "\"nome\"", "\"nome\": unknown member"},
-                                  {"i < k", "j < k", "\"1 <= k, j < k\": expected a number of the family"},
-                                  {"i < k", "i", "expected a comparison"},
-                                  {"i < k", "i > k", "expected a comparison"},
-                                  {"2 i <= k", "2 i <= k k", "expected the end"},
-                                  {"t[i,k)", "t[i k)", "\"t[i k)\": expected \",\""},
-                                  {"t[i,k)", "t[i,k]", "expected \")\" and the end"},
-                                  {"\"ring\"", "\"circle\"", "\"circle\": unknown member"},
-                                  {"[\"D\", \"A\"]", "[\"D\"]", "\"chord\": expected two triangles"},
-                                  {"\"position\"", "\"key\": \"outer\", \"position\"", "\"key\": expected \"joined\""}};
+  const std::vector<Fault> faults{
+      {"{\"restrip", "\xef\xbb\xbf{\"restrip", "w.json:1: the file begins with a byte order mark"},
+      {"\"name\": \"", "\"name\": \"vec2\", \"about\": \"",
+       "w.json:2: operations[0].name: \"vec2\" is a keyword of GLSL"},
+      {"\"listed\"", "\"certificate\": \"collapse\", \"listed\"", "certificate: \"collapse\" is a name of restrip"},
+      {"\"position\": \"", "\"position\": \"\\n", "position: expected words of printable ASCII"},
+      {"\"restrip_operation\": 1", "\"restrip_operation\": 2", "w.json:1: restrip_operation: expected a version"},
+      {"\"name\"", "\"nome\"", "w.json:2: operations[0].nome: unknown member"},
+      {"i < k", "j < k", "w.json:2: operations[0].where: \"1 <= k, j < k\": expected a number of the family"},
+      {"i < k", "i", "expected a comparison"},
+      {"i < k", "i > k", "expected a comparison"},
+      {"2 i <= k", "2 i <= k k", "expected the end"},
+      {"t[i,k)", "t[i k)", "w.json:4: operations[0].after.ring[3]: \"t[i k)\": expected \",\""},
+      {"t[i,k)", "t[i,k]", "expected \")\" and the end"},
+      {"t[i,k)", "[i,k)", "expected a name"},
+      {"\"ring\"", "\"circle\"", "operations[0].after.circle: unknown member"},
+      {"[\"D\", \"A\"]", "[\"D\"]", "operations[0].after.chord: expected two triangles"},
+      {"[\"k\", \"i\"]", "[\"k\", \"k\"]", "numbers[1]: this number is there already"},
+      {"\"listed\"", "\"cost\": [[{\"count\": \"solid\", \"edges\": [0]}]], \"listed\"",
+       "cost[0][0].edges: a pattern has different ones at each position"},
+      {"\"listed\"", "\"give_up\": [0], \"listed\"", "give_up: expected \"none\" or \"all\""}};
   for (const Fault& fault : faults) {
     std::string text = wheel;
     const std::size_t at = text.find(fault.from);
     ASSERT_NE(at, std::string::npos) << fault.from;
     text.replace(at, fault.from.size(), fault.to);
     try {
-      static_cast<void>(parse_families(text));
+      static_cast<void>(parse_descriptions("w.json", text));
+      ADD_FAILURE() << "taken: " << fault.to;
+    } catch (const std::runtime_error& error) {
+      EXPECT_NE(std::string(error.what()).find(fault.said), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(FamiliesFile, WithAPositionThatIsNoPatchIsRefused) {
+  const std::vector<Fault> faults{{"t[i,k)", "t[0,k)", "wheel at k 4 i 1: after: t_0 is in it twice"},
+                                  {"t[i,k)", "t[i,i-1)", "after: t[1,0) are no triangles"},
+                                  {"\"path\": [\"t[0,k)\"]", "\"path\": [\"t[0,k+1)\"]", "5 ports before and 4 after"},
+                                  {"[\"D\", \"A\"]", "[\"D\", \"B\"]", "after: B is not in it"},
+                                  {"[\"D\", \"A\"]", "[\"D\", \"t[2,3)\"]", "triangle 2 has more than three edges"}};
+  for (const Fault& fault : faults) {
+    std::string text = wheel;
+    text.replace(text.find(fault.from), fault.from.size(), fault.to);
+    const std::vector<Description> families = parse_descriptions("w.json", text);
+    try {
+      static_cast<void>(make_patch({&families[0], 4, 1, 0}));
       ADD_FAILURE() << "taken: " << fault.to;
     } catch (const std::runtime_error& error) {
       EXPECT_NE(std::string(error.what()).find(fault.said), std::string::npos) << error.what();
@@ -189,8 +204,10 @@ TEST(OperationFiles, WithoutASoundRecolouringAreRefused) {
   const std::string text = R"({"restrip_operation": 1, "name": "join", "constraint": "strips",
     "before": {"triangles": 3, "edges": [[0, 1], [1, 2], [2, 0]], "ports": [0, 1, 2]},
     "after": {"triangles": 1, "edges": [], "ports": [0, 0, 0]}})";
+  const std::vector<Description> file = parse_descriptions("join.json", text);
+  std::vector<Section> sections = sections_of(file, 8);
   try {
-    static_cast<void>(solve(parse_operation("join.json", text)));
+    solve(sections.at(0));
     ADD_FAILURE() << "rules were made";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(std::string(error.what()).substr(0, 55), "operation join: the configuration 0 3 (inner edges and ");
@@ -198,18 +215,19 @@ TEST(OperationFiles, WithoutASoundRecolouringAreRefused) {
 }
 
 TEST(OperationSymmetries, KeepWhatTheFileAsksFor) {
-  const auto symmetries = [](const std::string& from, const std::string& to) {
+  const auto how_many = [](const std::string& from, const std::string& to) {
     std::string text = bisect;
     text.replace(text.find(from), from.size(), to);
-    return symmetries_of(parse_operation("b.json", text).operation).size();
+    const std::vector<Description> file = parse_descriptions("b.json", text);
+    return symmetries(operation_at(positions(file[0], 0)[0])).maps.size();
   };
   // The quadrilateral with its diagonal: the half turn and two mirrors; before and after have them in common.
-  EXPECT_EQ(symmetries("none", "none"), 4U);
-  EXPECT_EQ(symmetries("none", "all"), 4U);
-  EXPECT_EQ(symmetries("\"none\"", "[0]"), 1U);
-  EXPECT_EQ(symmetries("\"none\"", "[0, 2]"), 2U);
-  EXPECT_EQ(symmetries("{\"count\": \"given_up\"}", R"({"count": "ends", "triangles": [0, 1]})"), 2U);
-  EXPECT_EQ(symmetries("{\"count\": \"given_up\"}", R"({"count": "solid", "edges": [0]})"), 2U);
+  EXPECT_EQ(how_many("none", "none"), 4U);
+  EXPECT_EQ(how_many("none", "all"), 4U);
+  EXPECT_EQ(how_many("\"none\"", "[0]"), 1U);
+  EXPECT_EQ(how_many("\"none\"", "[0, 2]"), 2U);
+  EXPECT_EQ(how_many("{\"count\": \"given_up\"}", R"({"count": "ends", "triangles": [0, 1]})"), 2U);
+  EXPECT_EQ(how_many("{\"count\": \"given_up\"}", R"({"count": "solid", "edges": [0]})"), 2U);
 }
 
 }  // namespace

@@ -5,39 +5,38 @@
 
 #include <algorithm>
 
-#include "operations/operation_file.hpp"
-#include "operations/solve.hpp"
-#include "section.hpp"
+#include "operations/description_file.hpp"
+#include "solve/section.hpp"
 
 namespace restrip::generator {
 namespace {
 
 FoundReason found_reason(const Section& section, const Row& row) {
-  const Reasoner reasoner(operation_of(section.position, Sight::patch, Goal::strips));
-  return reasoner.find(row.key.ports, pairs_before(section.position, row.key), row);
+  const Reasoner reasoner(operation_of_rows(section.position, Sight::patch, Goal::strips));
+  return reasoner.find(row.key.ports, row.key.joined.masks(), row);
 }
 
 Reason reason_of(const Section& section, const Row& row) { return found_reason(section, row).reason; }
 
 TEST(Reasons, OfRulesDoneByHand) {
-  const auto sections = solve("split", 4, 1);
+  const auto sections = solved("split", 4, 1);
   const Section& section = sections.back();
   ASSERT_EQ(section.position.at, 2U);
   // Ports 1 and 2 apart: their triangles have two inner edges each, A has three.
-  EXPECT_EQ(reason_of(section, row_of(section, {6, 0})).text(), "6 18 61");
+  EXPECT_EQ(reason_of(section, row_of(section, 6, {})).text(), "6 18 61");
   // No ports: with the chord A and D are full, without it the ring must not close.
-  EXPECT_EQ(reason_of(section, row_of(section, {0, 0})).text(), "if 6 then c 21 else 3f");
+  EXPECT_EQ(reason_of(section, row_of(section, 0, {})).text(), "if 6 then c 21 else 3f");
 }
 
 TEST(Reasons, NothingToShow) {
-  const auto sections = solve("flip", 4, 1);
-  EXPECT_EQ(reason_of(sections[0], row_of(sections[0], {0, 0})).text(), "-");
+  const auto sections = solved("flip", 4, 1);
+  EXPECT_EQ(reason_of(sections[0], row_of(sections[0], 0, {})).text(), "-");
 }
 
 TEST(Reasons, HaveFiveLeavesAtMost) {
-  for (const std::string& family : certificate_families()) {
+  for (const std::string& family : certificates_of(families())) {
     std::size_t most = 0;
-    for (const Section& section : solve(family, 7, 1))
+    for (const Section& section : solved(family, 7, 1))
       for (const Row& row : section.rows)
         if (row.witness < 0) {
           const FoundReason found = found_reason(section, row);
@@ -50,14 +49,24 @@ TEST(Reasons, HaveFiveLeavesAtMost) {
   }
 }
 
+/// The only operation of a file, and its rules.
+struct Solved {
+  std::vector<Description> descriptions;
+  Section section;
+
+  explicit Solved(const std::string& file)
+      : descriptions(read_descriptions(file)), section(sections_of(descriptions, most_ports).at(0)) {
+    solve(section);
+  }
+};
+
 // Of the shipped rules one of the red-green refinement takes most.
 TEST(Reasons, OfAShippedOperationTakeAQuarterOfTheSteps) {
-  const NamedOperation operation = read_operation(RESTRIP_CORPUS_DIR "/../../tables/operations/refine-face.json");
-  const Reasoner reasoner(operation.operation);
+  const Solved solved(RESTRIP_CORPUS_DIR "/../../tables/operations/refine-face.json");
   std::uint64_t most = 0;
-  for (const OperationRow& row : solve(operation).rows) {
+  for (const Row& row : solved.section.rows) {
     if (row.witness >= 0) continue;
-    const FoundReason found = reasoner.find(row.key.ports, pairs_of(row.key.joined), row.choice);
+    const FoundReason found = found_reason(solved.section, row);
     EXPECT_TRUE(found.smallest);
     most = std::max(most, found.steps);
   }
@@ -68,20 +77,20 @@ TEST(Reasons, OfAShippedOperationTakeAQuarterOfTheSteps) {
 // Seven triangles around a vertex become five, and any port may be given up: the smallest reasons of some rules have
 // more than twenty leaves. A search among all trees would take years.
 TEST(Reasons, AreFoundInSoManySteps) {
-  const NamedOperation operation = read_operation(RESTRIP_CORPUS_DIR "/operations/seven-to-five.json");
-  const Reasoner reasoner(operation.operation);
+  const Solved solved(RESTRIP_CORPUS_DIR "/operations/seven-to-five.json");
+  const Reasoner reasoner(operation_of_rows(solved.section.position, Sight::patch, Goal::strips));
   std::size_t smallest = 0;
   std::size_t larger = 0;
   std::uint64_t steps = 0;
-  for (const OperationRow& row : solve(operation).rows) {
+  for (const Row& row : solved.section.rows) {
     if (row.witness >= 0) continue;
-    const auto joined = pairs_of(row.key.joined);
-    const FoundReason found = reasoner.find(row.key.ports, joined, row.choice);
+    const std::vector<Mask> joined = row.key.joined.masks();
+    const FoundReason found = reasoner.find(row.key.ports, joined, row);
     ++(found.smallest ? smallest : larger);
     steps += found.steps;
     EXPECT_LE(found.steps, most_steps_of_smallest_reason + 10'000);
     // Made at once it is not smaller, and takes few steps.
-    const FoundReason made = reasoner.find(row.key.ports, joined, row.choice, 0);
+    const FoundReason made = reasoner.find(row.key.ports, joined, row, 0);
     EXPECT_FALSE(made.smallest);
     EXPECT_LE(made.steps, 10'000U);
     if (found.smallest)

@@ -1,6 +1,6 @@
 // The generator's sections against figures that were counted independently (docs/theory.md section 5), and against
 // properties that any right answer has.
-#include "section.hpp"
+#include "solve/section.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ const std::map<SplitPosition, std::pair<std::size_t, std::size_t>> collapse_refe
     {{7, 1}, {45218, 67}}, {{7, 2}, {46280, 238}}, {{7, 3}, {46492, 321}}};
 
 TEST(Sections, SplitCountsAreTheReference) {
-  const auto sections = solve("split", 8, 2);
+  const auto sections = solved("split", 8, 2);
   ASSERT_EQ(sections.size(), split_reference.size());
   for (const Section& section : sections) {
     const Reference& r = split_reference.at({section.position.k, section.position.at});
@@ -60,7 +60,7 @@ TEST(Sections, SplitCountsAreTheReference) {
 
 TEST(Sections, CollapseCountsAreTheReference) {
   std::size_t compared = 0;
-  for (const Section& section : solve("collapse", 8, 2)) {
+  for (const Section& section : solved("collapse", 8, 2)) {
     for (std::size_t i = 0; i < section.serves.size(); ++i) {
       EXPECT_LE(section.claims[i].worst_strips, 1);
       EXPECT_LE(section.claims[i].worst_isolated, 0);
@@ -75,8 +75,8 @@ TEST(Sections, CollapseCountsAreTheReference) {
 }
 
 TEST(Sections, CopiesAreImagesOfTheirRepresentatives) {
-  for (const std::string& family : certificate_families()) {
-    for (const Section& section : solve(family, 6, 1)) {
+  for (const std::string& family : certificates_of(families())) {
+    for (const Section& section : solved(family, 6, 1)) {
       std::size_t representatives = 0;
       for (const Row& row : section.rows) {
         if (row.witness < 0) {
@@ -84,7 +84,7 @@ TEST(Sections, CopiesAreImagesOfTheirRepresentatives) {
           continue;
         }
         // The witness takes the ports to those of a smaller key whose recolouring is the image of this one.
-        const Symmetry& s = section.symmetry.at(static_cast<std::size_t>(row.witness));
+        const PatchMap& s = section.symmetry.at(static_cast<std::size_t>(row.witness));
         const Mask ports = permute(row.key.ports, s.port);
         bool found = false;
         for (const Row& other : section.rows)
@@ -98,17 +98,18 @@ TEST(Sections, CopiesAreImagesOfTheirRepresentatives) {
 }
 
 TEST(Packing, NoTwoKeysShareACell) {
-  const auto splits = solve("split", 8, 1);
+  const auto splits = solved("split", 8, 1);
   std::vector<const Section*> sections;
   for (const Section& s : splits) sections.push_back(&s);
   const Packing packing = pack(sections, 8);
   for (const Section& section : splits) {
-    std::map<unsigned, Key> owner;
+    std::map<unsigned, std::pair<Mask, Mask>> owner;
     for (const Row& row : section.rows) {
-      for (const Mask joined : spellings(row.key)) {
+      const FanKey key = fan_key(row.key, section.position);
+      for (const Mask joined : spellings(key)) {
         const unsigned cell = packing.start[std::size_t{1} << section.position.k | row.key.ports] + joined;
         EXPECT_LT(cell, packing.cells[section.position.k]);
-        EXPECT_TRUE(owner.emplace(cell, row.key).second);
+        EXPECT_TRUE(owner.emplace(cell, std::pair{key.ports, key.joined}).second);
       }
     }
   }

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Copies the headers of the runtime and puts the deliberate faults of a list into the copy, each behind a question asked at run time.
+"""Copies headers and sources and puts the deliberate faults of a list into the copy, each behind a question asked at run time.
 
-  mutate.py LIST HEADERS COPY
+  mutate.py LIST SOURCES COPY [PREFIX]
 
 LIST has a block of four lines for each fault, between blank lines; # begins a comment:
 
   NAME FILE [endless | equivalent] [SUITE.TEST]
     why it is wrong, or with `equivalent` why it changes nothing; `endless`: a loop that does not end. The test is one that
     notices it and is run first; where others notice it sooner, none need be named
-    text of restrip/FILE, found there once, with the faulty expression in «»
+    text of PREFIX FILE, found there once, with the faulty expression in «»; PREFIX is restrip/ unless it is given
     the expression that takes its place
 
 An expression E becomes `(restrip_mutant(N) ? (F) : (E))`. Blanks and line breaks of the text need not be those of FILE. COPY
@@ -49,12 +49,12 @@ class Malformed(Exception):
 
 
 class Mutant:
-    def __init__(self, number, lines):
+    def __init__(self, number, lines, prefix):
         words = lines[0].split()
         form = re.fullmatch(r"([a-z0-9_]+) ([\w/.]+)( endless| equivalent)?( [\w/]+\.[\w/]+)?", lines[0])
         if len(lines) != 4 or not form:
             raise Malformed("'%s': a block is a line NAME FILE [endless | equivalent] [SUITE.TEST] and three more" % lines[0])
-        self.number, self.name, self.file = number, form[1], "restrip/" + form[2]
+        self.number, self.name, self.file = number, form[1], prefix + form[2]
         self.kind, self.test = (form[3] or "").strip(), (form[4] or "").strip()
         self.text, self.fault = lines[2].strip(), lines[3].strip()
         if self.text.count("«") != 1 or self.text.count("»") != 1:
@@ -88,14 +88,14 @@ def mutated(source, mutants, begin, end):
     return result + source[at:end]
 
 
-def main(list_file, headers, copy):
+def main(list_file, headers, copy, prefix="restrip/"):
     text = re.sub(r"(?m)^#.*\n", "", Path(list_file).read_text(encoding="utf-8"))
     blocks = [block.splitlines() for block in re.split(r"\n\s*\n", text) if block.strip()]
-    mutants = [Mutant(number, [line for line in lines if line.strip()]) for number, lines in enumerate(blocks, 1)]
+    mutants = [Mutant(number, [line for line in lines if line.strip()], prefix) for number, lines in enumerate(blocks, 1)]
     if len({mutant.name for mutant in mutants}) != len(mutants) or not mutants:
         raise Malformed("no fault, or two of the same name")
     headers, copy = Path(headers), Path(copy)
-    sources = {path.relative_to(headers).as_posix(): path.read_text() for path in headers.rglob("*.hpp")}
+    sources = {path.relative_to(headers).as_posix(): path.read_text() for path in headers.rglob("*.[ch]pp")}
     placed, wrong = {}, []
     for mutant in mutants:
         try:
@@ -106,9 +106,13 @@ def main(list_file, headers, copy):
         raise Malformed("\n".join(wrong))
     for file, faults in placed.items():
         source = sources[file]
+        source = mutated(source, faults, 0, len(source))
+        if file.endswith(".cpp"):
+            source = "#pragma once\n" + source
         if "#pragma once\n" not in source:
             raise Malformed("%s: without #pragma once" % file)
-        sources[file] = mutated(source, faults, 0, len(source)).replace("#pragma once\n", '#pragma once\n#include "mutants.hpp"\n', 1)
+        once = "" if file.endswith(".cpp") else "#pragma once\n"
+        sources[file] = source.replace("#pragma once\n", once + '#include "mutants.hpp"\n', 1)
     names = ['    {"%s", %s, %s, "%s"},\n' % (mutant.name, str(mutant.kind == "endless").lower(),
                                               str(mutant.kind == "equivalent").lower(), mutant.test) for mutant in mutants]
     sources["mutants.hpp"], sources["mutant_names.hpp"] = HEADER, NAMES % "".join(names)
@@ -120,7 +124,7 @@ def main(list_file, headers, copy):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4:
+    if len(sys.argv) not in (4, 5):
         sys.exit(__doc__)
     try:
         main(*sys.argv[1:])

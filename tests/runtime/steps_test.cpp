@@ -16,7 +16,6 @@
 #include "restrip/operations/linked.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
-#include "restrip/rules/index_rules.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -333,35 +332,6 @@ TEST(Complexity, LinkedRulesStopAtTheirLimit) {
   }
   EXPECT_GT(most, 20 * local) << "no hard case was among them";
   EXPECT_LT(most, 4 * std::uint64_t{detail::max_answers} * local);
-}
-
-TEST(Complexity, IndexRulesAreLinearInTheValence) {
-  Work split[2];
-  Work collapse[2];
-  for (const unsigned size : {0U, 1U}) {
-    const std::size_t k = 2000U << size;
-    // Every third port is solid, and its strip goes on one way, the other way, or not at all.
-    const std::vector<Word> ports(words_for(k), 0x9249249249249249U);
-    const std::vector<Word> left(words_for(k), 0x8040201008040201U);
-    const std::vector<Word> right(words_for(k), 0x1008040201008040U);
-    std::vector<Word> colors(words_for(k + 3));
-    const index_rules::LongKey key{{ports.data()}, {ports.data()}, {left.data()}, {right.data()}};
-    split[size] = work_of([&] { index_rules::best_split(k, k / 2, key, {colors.data()}); });
-    collapse[size] = work_of([&] { index_rules::best_collapse(k, key, {colors.data()}); });
-  }
-  EXPECT_TRUE(grows_at_most(linear, split[0], split[1]));
-  EXPECT_TRUE(grows_at_most(linear, collapse[0], collapse[1]));
-}
-
-TEST(Complexity, IndexRulesAllocateNothingUpToSixtyFour) {
-  const Word ports = 0x9249249249249249U;
-  Word colors[2]{};
-  const index_rules::LongKey key{{&ports}, {&ports}, {&ports}, {&ports}};
-  EXPECT_EQ(work_of([&] { index_rules::best_split(64, 20, key, {colors}); }).allocations, 0U);
-  EXPECT_EQ(work_of([&] { index_rules::best_open_split(64, 0, 64, key, {colors}); }).allocations, 0U);
-  const std::vector<Word> longer(2, ports);
-  const index_rules::LongKey beyond{{longer.data()}, {longer.data()}, {longer.data()}, {longer.data()}};
-  EXPECT_EQ(work_of([&] { index_rules::best_collapse(65, beyond, {colors}); }).allocations, 1U);
 }
 
 }  // namespace

@@ -8,10 +8,10 @@
 #include <iostream>
 #include <random>
 
-#include "certificate.hpp"
+#include "certificate/certificate.hpp"
 #include "corpus.hpp"
-#include "input.hpp"
-#include "linked_certificate.hpp"
+#include "linked/linked_certificate.hpp"
+#include "model/input.hpp"
 #include "verdict.hpp"
 
 namespace restrip::verify::test {
@@ -126,23 +126,23 @@ bool equally_right(const std::string& original, const std::string& text, const S
   const auto family = std::find_if(families.begin(), families.end(),
                                    [&](const NaiveFamily& naive) { return naive.name == sample.family.name; });
   for (std::size_t s = 0; s < before.sections.size(); ++s) {
-    std::map<NaiveKey, Row> changed;
+    std::map<NaiveKey, NaiveColors> changed;
     for (std::size_t r = 0; r < before.sections[s].rows.size(); ++r) {
       const Row& row = after.sections[s].rows.at(r);
       if (row.key != before.sections[s].rows[r].key) return false;
       if (row.after != before.sections[s].rows[r].after)
-        changed[{static_cast<int>(row.key.ports), static_cast<int>(row.key.second)}] = row;
+        changed[{static_cast<int>(row.key.ports), static_cast<int>(row.key.joined.bits)}] = {
+            static_cast<int>(row.after.inner), static_cast<int>(row.after.ports)};
     }
     bool right = true;
     for_each_valid(family->sections[s], [&](const NaiveOperation& operation, NaiveColors colors) {
-      const auto row = changed.find(naive_key(operation, colors));
+      const auto row = changed.find(operation.key(colors));
       if (row == changed.end()) return;
-      const std::vector<Candidate> sound = sound_recolorings(operation, colors);
-      const auto best = std::max_element(sound.begin(), sound.end(),
-                                         [](const Candidate& x, const Candidate& y) { return x.merit < y.merit; });
-      const NaiveColors own{static_cast<int>(row->second.after.inner), static_cast<int>(row->second.after.ports)};
-      right = right && std::any_of(sound.begin(), sound.end(), [&](const Candidate& candidate) {
-                return candidate.colors == own && candidate.merit == best->merit;
+      const std::vector<NaiveCandidate> sound = operation.sound(colors);
+      const auto best = std::min_element(sound.begin(), sound.end(),
+                                         [](const auto& one, const auto& other) { return one.cost < other.cost; });
+      right = right && std::any_of(sound.begin(), sound.end(), [&](const NaiveCandidate& candidate) {
+                return candidate.after == row->second && candidate.cost == best->cost;
               });
     });
     if (!right) return false;

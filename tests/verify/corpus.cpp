@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "manifest.hpp"
+#include "certificate/manifest.hpp"
 #include "naive_tables.hpp"
 
 namespace restrip::verify::test {

@@ -4,45 +4,33 @@
 
 #include <gtest/gtest.h>
 
-#include <boost/graph/iteration_macros.hpp>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "family_file.hpp"
-#include "input.hpp"
+#include "model/family.hpp"
+#include "model/input.hpp"
 #include "naive_tables.hpp"
-#include "operation.hpp"
 
 namespace restrip::verify::test {
 namespace {
 
-std::string name_of_triangle(int triangle) {
-  if (triangle == triangle_a) return "A";
-  if (triangle == triangle_d) return "D";
-  return "t" + std::to_string(triangle);
+void expect_same(const Side& found, const Side& by_hand, const std::string& where) {
+  EXPECT_EQ(found.triangles, by_hand.triangles) << where;
+  EXPECT_EQ(found.names, by_hand.names) << where;
+  EXPECT_EQ(found.edges, by_hand.edges) << where;
+  EXPECT_EQ(found.owner_of_port, by_hand.owner_of_port) << where;
 }
 
-void expect_same(const Patch& patch, const NaivePatch& naive, const std::string& where) {
-  const DualGraph& graph = patch.graph();
-  EXPECT_EQ(patch.closed(), naive.closed) << where;
-  EXPECT_EQ(patch.chord() ? static_cast<int>(*patch.chord()) : -1, naive.chord) << where;
-  ASSERT_EQ(patch.ports(), naive.port_owner.size()) << where;
-  ASSERT_EQ(patch.inner_edges(), naive.edges.size()) << where;
-  std::vector<std::string> triangles;
-  for (const Node node : patch.triangles()) triangles.push_back(graph[node].name);
-  std::vector<std::string> expected;
-  for (const int triangle : naive.triangles) expected.push_back(name_of_triangle(triangle));
-  EXPECT_EQ(triangles, expected) << where;
-  for (unsigned port = 0; port < patch.ports(); ++port)
-    EXPECT_EQ(graph[patch.owner_of_port(port)].name, name_of_triangle(naive.port_owner[port])) << where;
-  BGL_FORALL_EDGES(edge, graph, DualGraph) {
-    if (graph[edge].kind != EdgeKind::inner) continue;
-    const auto& [one, other] = naive.edges[graph[edge].index];
-    const std::set<std::string> ends{graph[boost::source(edge, graph)].name, graph[boost::target(edge, graph)].name};
-    EXPECT_EQ(ends, (std::set{name_of_triangle(one), name_of_triangle(other)})) << where;
-  }
+void expect_same(const Operation& found) {
+  const Operation by_hand = operation_by_hand(found.family, found.numbers);
+  EXPECT_EQ(found.name(), by_hand.name());
+  expect_same(found.before, by_hand.before, found.name() + " before");
+  expect_same(found.after, by_hand.after, found.name() + " after");
+  EXPECT_EQ(found.constraint, Constraint::strips);
+  EXPECT_EQ(found.may_give_up, by_hand.may_give_up) << found.name();
+  EXPECT_EQ(found.cost, by_hand.cost) << found.name();
 }
 
 /// All positions of a family of fans of k triangles, as its name says; true for those that docs/notation.md lists.
@@ -65,13 +53,10 @@ TEST(Families, AreThoseOfTheNotation) {
   std::map<std::string, std::set<std::string>> certificates;
   const auto look_at = [&](const Family& family, const Operation& operation, bool listed) {
     certificates[operation.family].insert(family.name);
+    expect_same(operation);
     if (operation.family == "flip") return;
     const std::vector<int> numbers(operation.numbers.begin(), operation.numbers.end());
     EXPECT_TRUE(found[operation.family].emplace(numbers, listed).second) << operation.name() << " is there twice";
-    EXPECT_FALSE(operation.gives_ports_up || operation.keyed_by_inner);
-    const NaiveOperation naive = naive_operation(operation.family, numbers);
-    expect_same(operation.before, naive.before, operation.name() + " before");
-    expect_same(operation.after, naive.after, operation.name() + " after");
   };
   for (const Family& family : all_families(largest_judged_fan)) {
     for (const Section& section : family.sections)
@@ -93,43 +78,25 @@ TEST(Families, AreThoseOfTheNotation) {
   }
 }
 
-// Before, p_0 and p_1 belong to one triangle, p_2 and p_3 to the other; after, p_1 and p_2, p_3 and p_0.
-TEST(Families, TheFlip) {
-  const Family flip = all_families(3).back();
-  ASSERT_EQ(flip.sections.size(), 1U);
-  const Operation& operation = flip.sections.front().operations.at(0);
-  EXPECT_TRUE(operation.gives_ports_up && operation.keyed_by_inner);
-  const auto together = [](const Patch& patch, unsigned one, unsigned other) {
-    return patch.owner_of_port(one) == patch.owner_of_port(other);
-  };
-  for (const auto& [patch, first] : {std::pair{&operation.before, 0U}, {&operation.after, 1U}}) {
-    EXPECT_EQ(patch->triangles().size(), 2U);
-    EXPECT_EQ(patch->inner_edges(), 1U);
-    EXPECT_EQ(patch->ports(), 4U);
-    EXPECT_TRUE(together(*patch, first, first + 1) && together(*patch, (first + 2) % 4, (first + 3) % 4));
-    EXPECT_FALSE(together(*patch, first, first + 2));
-  }
-}
-
 const std::string one_family = R"family({
-  "restrip_families": 1,
-  "families": [{
+  "restrip_operation": 1,
+  "operations": [{
     "name": "fan", "numbers": ["k", "i"],
-    "where": "1 <= k, i < k",
+    "where": "2 <= k, i < k",
     "position": "k {k} i {i}", "section": "k {k}",
     "before": {"path": ["t[0,k)"]},
-    "after": {"ring": ["A", "t[0,k)", "D"], "chord": ["A", "D"]},
-    "at_most": [{"where": "i = 2 k + 1", "strips": 0}]
+    "after": {"ring": ["A", "t[0,1)", "D", "t[1,k)"], "chord": ["A", "D"]},
+    "at_most": [{"where": "i = 2 k - 4", "strips": 0}]
   }]
 })family";
 
 TEST(Families, FilesThatAreWrongAreRefusedWithTheLine) {
-  const std::vector<FamilyDescription> good = parse_families("f.json", one_family);
+  const std::vector<Description> good = parse_descriptions("f.json", one_family);
   ASSERT_EQ(good.size(), 1U);
-  EXPECT_EQ(good[0].positions(3), (std::vector<Numbers>{{1, 0}, {2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}}));
+  EXPECT_EQ(good[0].positions(3), (std::vector<Numbers>{{2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}}));
   EXPECT_TRUE(good[0].serves_every_position());
-  EXPECT_FALSE(good[0].at_most.at(0).where.hold({3, 6}));
-  EXPECT_TRUE(good[0].at_most.at(0).where.hold({3, 7}));
+  EXPECT_EQ(good[0].at({3, 1}).most_strips, std::nullopt);
+  EXPECT_EQ(good[0].at({3, 2}).most_strips, 0);
   struct Fault {
     std::string from;
     std::string to;
@@ -137,20 +104,37 @@ TEST(Families, FilesThatAreWrongAreRefusedWithTheLine) {
   };
   const std::vector<Fault> faults{
       {"{", "\xef\xbb\xbf{", "f.json:1:1: expected no byte order mark before the file; save it as UTF-8 without one"},
-      {"\"restrip_families\": 1", "\"restrip_families\": 2", "f.json:2:23: restrip_families: expected version 1"},
-      {"\"name\"", "\"nome\"", "f.json:4:5: families[0].nome: unknown member"},
-      {"\"name\": \"fan\", ", "", "f.json:3:16: families[0]: expected a member \"name\""},
-      {"[\"k\", \"i\"]", "[\"k\", 3]", "families[0].numbers[1]: expected a text, found 3"},
-      {"i < k", "j < k", "f.json:5:14: families[0].where: expected a sum of k, i, found \"j\""},
-      {"i < k", "i k", "families[0].where: expected a comparison"},
-      {"i < k", "i > k", "families[0].where: expected <, <=, >= or ="},
-      {"i < k", "i <", "families[0].where: expected a sum of k, i, found \"\""},
-      {"t[0,k)\"]}", "t[0 k)\"]}", "f.json:7:25: families[0].before.path[0]: expected a range"},
-      {"t[0,k)\"]}", "t[0,k]\"]}", "families[0].before.path[0]: expected a range"},
-      {"\"ring\"", "\"circle\"", "f.json:8:15: families[0].after.circle: unknown member"},
-      {"\"path\": ", "\"ring\": [\"A\"], \"path\": ", "families[0].before: expected \"ring\" or \"path\", not both"},
-      {"[\"A\", \"D\"]", "[\"A\"]", "families[0].after.chord: expected two triangles"},
-      {"\"strips\": 0", "\"strips\": 0.5", "f.json:9:52: families[0].at_most[0].strips: expected a number"},
+      {"\"fan\"", "\"vec2\"",
+       "f.json:4:13: operations[0].name: expected a name that is free, \"vec2\" is a keyword of GLSL"},
+      {"\"numbers\"", "\"certificate\": \"split\", \"numbers\"",
+       "operations[0].certificate: expected a name that is free, \"split\" is a name of restrip"},
+      {"\"k {k} i {i}\"", "\"k {k}\\u001b i {i}\"", "operations[0].position: expected words of printable ASCII"},
+      {"\"k {k}\"", "\"k  {k}\"", "operations[0].section: expected words of printable ASCII"},
+      {"\"k {k}\"", "\"\"", "operations[0].section: expected words of printable ASCII"},
+      {"t[0,k)\"]}", "t\\n[0,k)\"]}", "operations[0].before.path[0]: expected letters and digits as the name"},
+      {"\"A\", \"t[0,1)", "\"A\\u202e\", \"t[0,1)",
+       "operations[0].after.ring[0]: expected letters and digits as the name"},
+      {"\"restrip_operation\": 1", "\"restrip_operation\": 2",
+       "f.json:2:24: restrip_operation: expected 1, the version"},
+      {"\"name\"", "\"nome\"", "f.json:4:5: operations[0].nome: unknown member"},
+      {"\"name\": \"fan\", ", "", "f.json:3:18: operations[0]: expected a member \"name\""},
+      {"[\"k\", \"i\"]", "[\"k\", 3]", "operations[0].numbers[1]: expected a text, found 3"},
+      {"i < k", "j < k", "f.json:5:14: operations[0].where: expected a sum of k, i, found \"j\""},
+      {"i < k", "i k", "operations[0].where: expected a comparison"},
+      {"i < k", "i > k", "operations[0].where: expected <, <=, >= or ="},
+      {"i < k", "i <", "operations[0].where: expected a sum of k, i, found \"\""},
+      {"t[0,k)\"]}", "t[0 k)\"]}", "f.json:7:25: operations[0].before.path[0]: expected a range"},
+      {"t[0,k)\"]}", "t[0,k]\"]}", "operations[0].before.path[0]: expected a range"},
+      {"\"ring\"", "\"circle\"", "f.json:8:15: operations[0].after.circle: unknown member"},
+      {"\"path\": ", "\"ring\": [\"A\"], \"path\": ", "operations[0].before: expected \"ring\" or \"path\", not both"},
+      {"\"k\", \"i\"]", "\"k\", \"i\"], \"constraint\": \"trees\"", "operations[0].constraint: expected \"strips\""},
+      {"t[0,k)\"]}", "t[0,k+20)\"]}", "operations[0].before.path[0]: expected numbers from 0 to 16"},
+      {"t[0,k)\"]}", "t[0,k)\", \"t[0,1)\"]}",
+       "operations[0].before.path: expected each triangle once, t0 stands there twice"},
+      {"[\"A\", \"D\"]", "[\"A\", \"t0\"]", "operations[0].after.chord: expected each edge once"},
+      {"[\"A\", \"D\"]", "[\"A\", \"t9\"]", "operations[0].after.chord[1]: no triangle is named t9"},
+      {"[\"A\", \"D\"]", "[\"A\"]", "operations[0].after.chord: expected two triangles"},
+      {"\"strips\": 0", "\"strips\": 0.5", "f.json:9:52: operations[0].at_most[0].strips: expected a number"},
   };
   for (const Fault& fault : faults) {
     std::string text = one_family;
@@ -158,13 +142,49 @@ TEST(Families, FilesThatAreWrongAreRefusedWithTheLine) {
     ASSERT_NE(place, std::string::npos) << fault.from;
     text.replace(place, fault.from.size(), fault.to);
     try {
-      (void)parse_families("f.json", text);
+      (void)parse_descriptions("f.json", text);
       ADD_FAILURE() << "taken: " << fault.to;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(fault.said), std::string::npos)
           << "expected: " << fault.said << "\nfound: " << error.what();
     }
   }
+}
+
+// A section that leaves a number out on which the patch after depends has no rules to offer.
+TEST(Families, SectionsServeOnePatch) {
+  std::string text = one_family;
+  const std::string after = "{\"ring\": [\"A\", \"t[0,1)\", \"D\", \"t[1,k)\"], \"chord\": [\"A\", \"D\"]}";
+  text.replace(text.find(after), after.size(), "{\"path\": [\"t[0,i)\", \"A\", \"t[i,k)\"]}");
+  try {
+    (void)families_of(parse_descriptions("f.json", text), 3);
+    ADD_FAILURE() << "taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("f.json: section k 2 cannot serve both fan k 2 i 0 and fan k 2 i 1"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+// Rings and paths that share triangles, several chords, ports of ranges and of names, differences of numbers.
+TEST(Families, PatternsOfAllForms) {
+  const std::vector<Description> read = parse_descriptions("f.json", R"json({
+    "restrip_operation": 1,
+    "name": "many", "numbers": ["k"], "where": "k >= 4", "position": "k {k}",
+    "before": {"rings": [["u[0,k)"]], "paths": [["A", "w[1,k-2)"], ["w[1,2)", "u[0,1)"]],
+               "chords": [["u1", "A"]], "ports": ["A", "u[k-2,k)"]},
+    "after": {"path": ["x[0,2)", "B"], "ports": ["x0", "x1", "B"]}
+  })json");
+  ASSERT_EQ(read.size(), 1U);
+  const Operation operation = read[0].at({4});
+  EXPECT_EQ(operation.before.names, (std::vector<std::string>{"u0", "u1", "u2", "u3", "w1", "A"}));
+  const std::vector<std::array<unsigned, 2>> edges = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {5, 4}, {4, 0}, {1, 5}};
+  EXPECT_EQ(operation.before.edges, edges);
+  EXPECT_EQ(operation.before.owner_of_port, (std::vector<unsigned>{5, 2, 3}));
+  EXPECT_EQ(operation.after.names, (std::vector<std::string>{"x0", "x1", "B"}));
+  EXPECT_EQ(operation.after.owner_of_port, (std::vector<unsigned>{0, 1, 2}));
+  EXPECT_EQ(read[0].at({5}).before.names.size(), 8U);
+  EXPECT_EQ(operation.name(), "many k 4");
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include <iostream>
 
-#include "input.hpp"
-#include "linked_check.hpp"
+#include "linked/linked_check.hpp"
+#include "model/input.hpp"
 #include "verdict.hpp"
 
 namespace restrip::verify::test {
@@ -47,12 +47,12 @@ TEST(Lists, EveryFlippedEdgeOfTheShippedOnesIsNoticed) {
     const LinkedCertificate certificate = parse_linked_certificate(file, read_file(file), family);
     for (std::size_t i = 0; i < certificate.sections.size(); ++i) {
       const Section& section = family.local.sections[i];
-      const Patch& after = section.operations.front().after;
+      const Side& after = section.operations.front().after;
       for (Mask ports = 0; ports < mask_count(section.ports); ++ports) {
         const List good = certificate.sections[i].list(ports);
-        const std::vector<SurveyedColoring> recolorings = recolorings_of(after, ports);
+        const std::vector<Recoloring> recolorings = recolorings_of(after, ports);
         for (std::size_t row = 0; row < good.size(); ++row)
-          for (unsigned bit = 0; bit < section.recoloring_bits; ++bit) {
+          for (unsigned bit = 0; bit < after.inner_edges(); ++bit) {
             std::vector<Alternative> bad(good.begin(), good.end());
             bad[row].inner ^= single(bit);
             ListFailures failures;

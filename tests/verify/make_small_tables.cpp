@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
   const std::vector<NaiveFamily> families = naive_families(corpus_max_k);
   for (const NaiveFamily& family : families) {
     std::vector<NaiveTable> tables;
-    for (const NaiveSection& section : family.sections) tables.push_back(naive_table(family, section));
+    for (const NaiveSection& section : family.sections)
+      tables.push_back(naive_table(family.name, section, true).value());
     std::ofstream(folder / "certificates" / (family.name + ".cert"), std::ios::binary)
         << certificate_text(family.name, tables);
   }

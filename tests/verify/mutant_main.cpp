@@ -1,77 +1,123 @@
-// Gives the checker one deliberate fault, named by the argument, and tells the first table of the corpus that shows it.
-// With the fault `none` it must find no such table.
+// The tests of the verifier notice every deliberate fault of mutants.txt. This program has the tests in it, and a copy
+// of the verifier that has the faults. For each fault it tells the first test that fails.
 
-#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include <optional>
+#include <cstdio>
+#include <cstring>
+#include <iterator>
 #include <string>
-#include <string_view>
 
-#include "bad_tables.hpp"
-#include "corpus.hpp"
+#include "mutant_names.hpp"
 #include "mutants.hpp"
-#include "named_mutant.hpp"
-#include "verdict.hpp"
 
 namespace {
 
-using namespace restrip::verify::test;
-using restrip::verify::Mutant;
+/// The tests in the order in which they are run, the quick ones first; the last stage is all the others.
+constexpr const char* stages[] = {
+    "Description.*:Families.*:Forged*:Orbits.*:OperationJudge.*Corpus:OperationJudge.Good*:OperationJudge.Symm*",
+    "Corpus.*Hold:TableDump.*:OperationJudge.*",
+    "Corpus.Damaged*:Lists.Good*",
+};
+constexpr std::size_t last_stage = std::size(stages);
+constexpr rlim_t seconds = 120;  // of processor time, a multiple of what a stage takes
 
-std::string first_good_table_rejected() {
-  for (const NaiveFamily& family : naive_families(corpus_max_k))
-    for (const NaiveSection& section : family.sections)
-      if (verdict_of(naive_table(family, section)).exit_code != 0)
-        return fmt::format("good table {} {}", family.name, section.position);
-  return {};
-}
+struct Shared {
+  char failed[200];  ///< the first test that failed
+};
 
-std::string first_bad_table_accepted() {
-  std::string killer;
-  for_each_bad_table(corpus_max_k, [&](const BadTable& bad) {
-    if (!verdict_of(bad.table).says(bad.expected)) killer = bad.crime;
-    return killer.empty();
-  });
-  return killer;
-}
-
-std::string first_list_misjudged() {
-  const std::vector<NaiveFamily> families = naive_families(corpus_max_k);
-  std::string killer;
-  for (const NaiveLinked& linked : naive_linked(families)) {
-    const auto right = [&](const DoubtfulLists& doubtful) {
-      if (verdict_of(doubtful.lists, linked.local()).crimes != linked.crimes(doubtful.lists)) killer = doubtful.damage;
-      return killer.empty();
-    };
-    if (right({"good lists", linked.good()})) for_each_doubtful(linked, right);
-    if (!killer.empty()) break;
+class Watch : public ::testing::EmptyTestEventListener {
+ public:
+  explicit Watch(Shared& shared) : shared_(shared) {}
+  void OnTestStart(const ::testing::TestInfo& test) override {
+    std::snprintf(shared_.failed, sizeof shared_.failed, "%s.%s", test.test_suite_name(), test.name());
   }
-  return killer;
+  void OnTestPartResult(const ::testing::TestPartResult& result) override {
+    if (result.failed()) _exit(1);
+  }
+
+ private:
+  Shared& shared_;
+};
+
+std::string filter_of(std::size_t stage) {
+  if (stage < last_stage) return stages[stage];
+  std::string others = "-Lists.EveryFlipped*";
+  for (const char* const earlier : stages) others += std::string(":") + earlier;
+  return others;
 }
 
-std::string first_damage_accepted() {
-  for (const Damage& damage : damages()) {
-    const Verdict verdict = verdict_of(DamagedTables(damage).path());
-    if (verdict.exit_code != damage.exit_code || !verdict.says(damage.message)) return damage.name;
+/// Runs the tests of this filter with the fault of this number (0: none), up to the first that fails, in a process of
+/// their own; its status, or -1.
+int status_of(std::size_t number, const std::string& filter, Shared& shared) {
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child < 0) return -1;
+  if (child == 0) {
+    const rlimit time{seconds, seconds + 1};
+    if (setrlimit(RLIMIT_CPU, &time) != 0) _exit(2);
+    ::testing::GTEST_FLAG(filter) = filter;
+    ::testing::TestEventListeners& listeners = ::testing::UnitTest::GetInstance()->listeners();
+    if (number > 0) {
+      delete listeners.Release(listeners.default_result_printer());
+      if (std::freopen("/dev/null", "w", stdout) == nullptr) _exit(2);
+      listeners.Append(new Watch(shared));
+    }
+    restrip::active_mutant = static_cast<int>(number);
+    const bool passed = RUN_ALL_TESTS() == 0;
+    std::fflush(stdout);
+    if (::testing::UnitTest::GetInstance()->test_to_run_count() == 0) _exit(2);  // the filter names no test
+    _exit(passed ? 0 : 1);
   }
-  return {};
+  int status = 0;
+  return waitpid(child, &status, 0) == child ? status : -1;
+}
+
+/// Runs the tests with the fault of this number and tells what came of it. True if that is as it should be.
+bool judge(std::size_t number, Shared& shared) {
+  const bool none = number == 0;
+  const restrip::MutantName fault =
+      none ? restrip::MutantName{"none", false, true, ""} : restrip::mutant_names[number - 1];
+  int status = *fault.test != '\0' ? status_of(number, fault.test, shared) : 0;
+  for (std::size_t stage = 0; stage <= last_stage && status == 0; ++stage)
+    status = status_of(number, filter_of(stage), shared);
+  if (status == 0) {
+    std::printf("%s: %s\n", fault.name, fault.equivalent ? "not noticed, and that is right" : "NOT NOTICED");
+    return fault.equivalent;
+  }
+  const bool ran = status > 0 && !(WIFEXITED(status) && WEXITSTATUS(status) == 2);
+  const bool too_slow = WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU;  // proves nothing
+  std::printf("%s: %s by %s%s%s\n", fault.name, ran && !too_slow && !none ? "noticed" : "NOT JUDGED", shared.failed,
+              WIFSIGNALED(status) ? ": " : "", WIFSIGNALED(status) ? strsignal(WTERMSIG(status)) : "");
+  return ran && !too_slow && !fault.equivalent;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::optional<Mutant> mutant = argc == 2 ? mutant_named<Mutant>(argv[1]) : std::nullopt;
-  if (!mutant) {
-    fmt::print(stderr, "usage: verify_mutants NAME, with a name from verify/mutants.hpp\n");
+  ::testing::InitGoogleTest(&argc, argv);
+  void* const memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) return 2;
+  auto& shared = *static_cast<Shared*>(memory);
+  const std::string what = argc == 2 ? argv[1] : "";
+  constexpr std::size_t faults = std::size(restrip::mutant_names);
+  if (what == "none") return judge(0, shared) ? 0 : 1;
+  for (std::size_t number = 1; number <= faults; ++number)
+    if (what == restrip::mutant_names[number - 1].name) return judge(number, shared) ? 0 : 1;
+  unsigned part = 0;
+  unsigned parts = 0;
+  if (std::sscanf(what.c_str(), "%u/%u", &part, &parts) != 2 || part < 1 || part > parts) {
+    std::fprintf(stderr,
+                 "usage: verify_mutants NAME, a fault of tests/verify/mutants.txt or none; or PART/PARTS, every "
+                 "PARTS-th of them\n");
     return 2;
   }
-  restrip::verify::active_mutant = *mutant;
-  for (const auto search :
-       {first_damage_accepted, first_good_table_rejected, first_list_misjudged, first_bad_table_accepted})
-    if (const std::string killer = search(); !killer.empty()) {
-      fmt::print("killed by: {}\n", killer);
-      return 0;
-    }
-  fmt::print("survived\n");
-  return 1;
+  bool as_it_should = true;
+  for (std::size_t number = part; number <= faults; number += parts)
+    as_it_should = judge(number, shared) && as_it_should;
+  return as_it_should ? 0 : 1;
 }

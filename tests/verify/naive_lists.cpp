@@ -7,49 +7,9 @@
 namespace restrip::verify::test {
 namespace {
 
-bool has(int mask, int i) { return (mask >> i) % 2 != 0; }
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-/// All subsets of all pairs, those left out in which a port comes twice.
-std::vector<std::set<Pair>> matchings(int ports, int k) {
-  std::vector<Pair> pairs;
-  for (int i = 0; i < k; ++i)
-    for (int j = i + 1; j < k; ++j)
-      if (has(ports, i) && has(ports, j)) pairs.push_back({i, j});
-  std::vector<std::set<Pair>> result;
-  for (int chosen = 0; chosen < 1 << pairs.size(); ++chosen) {
-    std::set<Pair> matching;
-    std::set<int> used;
-    bool once = true;
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-      if (!has(chosen, static_cast<int>(p))) continue;
-      once = used.insert(pairs[p].first).second && used.insert(pairs[p].second).second && once;
-      matching.insert(pairs[p]);
-    }
-    if (once) result.push_back(matching);
-  }
-  return result;
-}
-
-/// The patch with a further triangle behind each solid port, and edges between them for what is joined outside. All
-/// edges that were not there before are solid.
-std::optional<Anatomy> anatomy_beside(NaivePatch patch, NaiveColors colors, const std::set<Pair>& outside) {
-  constexpr int behind = 200;
-  const auto add = [&](int one, int other) {
-    colors.inner += 1 << patch.edges.size();
-    patch.edges.push_back({one, other});
-  };
-  for (int port = 0; port < static_cast<int>(patch.port_owner.size()); ++port) {
-    patch.triangles.push_back(behind + port);
-    if (has(colors.ports, port)) add(patch.port_owner[index(port)], behind + port);
-  }
-  for (const auto& [one, other] : outside) add(behind + one, behind + other);
-  return anatomy(patch, {colors.inner, 0});
-}
-
-bool includes(const std::set<Pair>& whole, const std::set<Pair>& part) {
-  return std::includes(whole.begin(), whole.end(), part.begin(), part.end());
-}
+bool includes(int whole, int part) { return (whole | part) == whole; }
 
 }  // namespace
 
@@ -65,28 +25,29 @@ void NaiveLists::count() {
 
 NaiveLinked::NaiveLinked(const std::string& family, const NaiveSection& section, NaiveTable local)
     : family_(family), section_(&section), local_(std::move(local)) {
-  const NaivePatch& after = section.operations.front().after;
-  const int k = static_cast<int>(after.port_owner.size());
-  for (int ports = 0; ports < 1 << k; ++ports) {
-    matchings_.push_back(matchings(ports, k));
+  const NaiveOperation& first = section.operations.front();
+  for (int ports = 0; ports < 1 << first.ports(); ++ports) {
     recolorings_.emplace_back();
     for (int inner = 0; inner < recolorings(); ++inner) {
+      const NaiveColors colors{inner, ports};
       Recoloring recoloring;
-      if (const std::optional<Anatomy> found = anatomy(after, {inner, ports}))
-        recoloring = {{found->solid, -found->isolated}, found->joined, {}};
-      recoloring.sound = soundness(after, {inner, ports});
+      if (first.valid(true, colors))
+        recoloring = {{__builtin_popcount(static_cast<unsigned>(inner)), -first.isolated(true, colors)},
+                      first.joined(true, colors),
+                      {}};
+      recoloring.sound = soundness(first, true, colors);
       recolorings_.back().push_back(recoloring);
     }
   }
   for_each_valid(section, [&](const NaiveOperation& operation, NaiveColors before) {
-    possible_[{&operation, before}] = soundness(operation.before, before);
+    possible_[{&operation, before}] = soundness(operation, false, before);
   });
 }
 
-std::vector<bool> NaiveLinked::soundness(const NaivePatch& patch, NaiveColors colors) const {
+std::vector<bool> NaiveLinked::soundness(const NaiveOperation& operation, bool after, NaiveColors colors) const {
   std::vector<bool> sound;
-  for (const Pairs& outside : matchings_[index(colors.ports)])
-    sound.push_back(anatomy_beside(patch, colors, outside).has_value());
+  for (const Pairs& outside : operation.worlds(colors.ports))
+    sound.push_back(operation.valid(after, colors) && operation.fits(after, colors, outside));
   return sound;
 }
 
@@ -104,7 +65,9 @@ NaiveLists NaiveLinked::good() const {
     std::stable_sort(order.begin(), order.end(), [&](int x, int y) {
       const Recoloring& one = at(ports, x);
       const Recoloring& other = at(ports, y);
-      return one.merit != other.merit ? one.merit > other.merit : one.joined.size() < other.joined.size();
+      return one.merit != other.merit ? one.merit > other.merit
+                                      : __builtin_popcount(static_cast<unsigned>(one.joined)) <
+                                            __builtin_popcount(static_cast<unsigned>(other.joined));
     });
     std::vector<int>& list = result.lists[ports];
     for (const int inner : order)
@@ -132,7 +95,7 @@ bool NaiveLinked::as_local(const NaiveOperation& operation, NaiveColors before, 
       if (possible[world] && !at(before.ports, inner).sound[world]) return false;
     return true;
   });
-  const NaiveRow& rule = local_.rows.at(naive_key(operation, before));
+  const NaiveRow& rule = local_.rows.at(operation.key(before));
   return first != list.end() && at(before.ports, *first).merit == at(before.ports, rule.after.inner).merit;
 }
 
@@ -162,7 +125,7 @@ Crimes NaiveLinked::crimes(const NaiveLists& lists) const {
               return at(ports, row).merit >= needed.merit && includes(needed.joined, at(ports, row).joined);
             }));
     }
-    for (std::size_t world = 0; world < matchings_[index(ports)].size(); ++world)
+    for (std::size_t world = 0; world < section_->operations.front().worlds(ports).size(); ++world)
       count("beside any outside nothing beats the first sound one", !best_beside(ports, list, world));
   }
   for_each_valid(*section_, [&](const NaiveOperation& operation, NaiveColors before) {
@@ -178,7 +141,7 @@ Crimes NaiveLinked::crimes(const NaiveLists& lists) const {
 }
 
 std::string certificate_text(const std::string& family, const std::vector<NaiveLists>& sections) {
-  std::string text = fmt::format("restrip-certificate 2\nfamily {}\n", family);
+  std::string text = fmt::format("restrip-certificate 3\noperation {}\n", family);
   std::size_t rows = 0;
   for (const NaiveLists& section : sections) {
     text += fmt::format("section {}\n", section.position);
@@ -189,7 +152,7 @@ std::string certificate_text(const std::string& family, const std::vector<NaiveL
         ++rows;
       }
   }
-  return with_sums(text + fmt::format("end {}\n", rows));
+  return with_end(text, rows);
 }
 
 std::vector<NaiveLinked> naive_linked(const std::vector<NaiveFamily>& families) {
@@ -197,7 +160,7 @@ std::vector<NaiveLinked> naive_linked(const std::vector<NaiveFamily>& families) 
   for (const NaiveFamily& family : families)
     if (family.name == "split" || family.name == "collapse")
       for (const NaiveSection& section : family.sections)
-        result.emplace_back("linked-" + family.name, section, naive_table(family, section));
+        result.emplace_back("linked-" + family.name, section, naive_table(family.name, section, true).value());
   return result;
 }
 

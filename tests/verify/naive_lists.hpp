@@ -32,17 +32,16 @@ class NaiveLinked {
 
   const NaiveTable& local() const { return local_; }
   /// How many recolourings there are.
-  int recolorings() const { return 1 << section_->operations.front().after.edges.size(); }
+  int recolorings() const { return 1 << section_->operations.front().operation().after.edges.size(); }
 
  private:
-  using Pairs = std::set<Pair>;
   struct Recoloring {
     std::vector<int> merit;  ///< empty when degrees or cycles forbid it
-    Pairs joined;
-    std::vector<bool> sound;  ///< beside each matching of the ports
+    int joined = 0;
+    std::vector<bool> sound;  ///< beside each world of the ports
   };
 
-  std::vector<bool> soundness(const NaivePatch& patch, NaiveColors colors) const;
+  std::vector<bool> soundness(const NaiveOperation& operation, bool after, NaiveColors colors) const;
   bool best_beside(int ports, const std::vector<int>& list, std::size_t world) const;
   bool as_local(const NaiveOperation& operation, NaiveColors before, const std::vector<int>& list) const;
   const Recoloring& at(int ports, int inner) const;
@@ -50,7 +49,6 @@ class NaiveLinked {
   std::string family_;
   const NaiveSection* section_;
   NaiveTable local_;
-  std::vector<std::vector<Pairs>> matchings_;         ///< by ports
   std::vector<std::vector<Recoloring>> recolorings_;  ///< by ports, inner
   std::map<std::pair<const NaiveOperation*, NaiveColors>, std::vector<bool>> possible_;
 };

@@ -23,39 +23,39 @@ struct Problem {
   Careless careless = Careless::not_at_all;
 };
 
+NaiveColors colors_of(const Problem& problem, int solid) {
+  const int inner_masks = 1 << problem.operation->operation().after.edges.size();
+  return {solid % inner_masks, problem.fixed_ports | solid / inner_masks};
+}
+
+int given_up(const Problem& problem, int dashed) {
+  return count(dashed >> problem.operation->operation().after.edges.size());
+}
+
 int lonely(const Problem& problem, int dashed) {
-  const NaivePatch& patch = problem.operation->after;
-  const int inner = static_cast<int>(patch.edges.size());
-  const int solid = (problem.edges & ~dashed) | problem.fixed_ports << inner;
-  std::set<int> company;
-  for (int i = 0; i < inner; ++i)
-    if ((solid >> i) % 2 != 0)
-      company.insert({patch.edges[static_cast<std::size_t>(i)].first, patch.edges[static_cast<std::size_t>(i)].second});
-  for (std::size_t port = 0; port < patch.port_owner.size(); ++port)
-    if ((solid >> inner >> port) % 2 != 0) company.insert(patch.port_owner[port]);
-  return static_cast<int>(patch.triangles.size() - company.size()) + count(dashed >> inner);
+  return problem.operation->isolated(true, colors_of(problem, problem.edges & ~dashed)) + given_up(problem, dashed);
 }
 
 Problem problem_of(const NaiveOperation& operation, NaiveColors before, NaiveColors after, Careless careless) {
   Problem problem;
   problem.operation = &operation;
   problem.careless = careless;
-  const NaivePatch& patch = operation.after;
-  const int inner = static_cast<int>(patch.edges.size());
-  const int all_ports = (1 << patch.port_owner.size()) - 1;
-  problem.fixed_ports = operation.flip ? 0 : before.ports;
-  problem.edges = ((1 << inner) - 1) | (operation.flip ? before.ports << inner : 0);
-  const int dashed = problem.edges & ~(after.inner | (operation.flip ? after.ports << inner : 0));
+  const auto inner = static_cast<int>(operation.operation().after.edges.size());
+  const int all_ports = (1 << operation.ports()) - 1;
+  const int open_ports = before.ports & static_cast<int>(operation.operation().may_give_up);
+  problem.fixed_ports = before.ports & ~open_ports;
+  problem.edges = ((1 << inner) - 1) | open_ports << inner;
+  const int dashed = problem.edges & ~(after.inner | (after.ports & open_ports) << inner);
   problem.goal = count(dashed);
   problem.lonely = lonely(problem, dashed);
-  problem.given_up = count(dashed >> inner);
-  if (careless == Careless::foreign_edges && operation.flip) problem.edges |= all_ports << inner;
-
-  const std::set<Pair> joined = anatomy(operation.before, before)->joined;
+  problem.given_up = given_up(problem, dashed);
+  if (careless == Careless::foreign_edges && operation.operation().may_give_up != 0)
+    problem.edges |= all_ports << inner;
+  const int joined = operation.joined(false, before);
   for (int edges = 0; edges <= problem.edges; ++edges) {
     if ((edges & problem.edges) != edges) continue;
-    const std::optional<Anatomy> found = anatomy(patch, {edges % (1 << inner), problem.fixed_ports | edges >> inner});
-    if (found && std::includes(joined.begin(), joined.end(), found->joined.begin(), found->joined.end()))
+    const NaiveColors colors = colors_of(problem, edges);
+    if (operation.valid(true, colors) && (operation.joined(true, colors) | joined) == joined)
       problem.sound.insert(edges);
   }
   return problem;
@@ -91,7 +91,7 @@ std::optional<std::string> leaf(const Problem& problem, int solid, int dashed) {
     if (!choose(problem, wanted, twice ? 0 : dashed, 0, sets, chosen)) return {};
     int surely = dashed;
     for (const int set : chosen) surely |= count(set) == 1 ? set : 0;
-    const int ports = count(surely >> problem.operation->after.edges.size());
+    const int ports = given_up(problem, surely);
     const int alone = lonely(problem, surely);
     if (wanted == missing && problem.careless != Careless::only_dashed &&
         (alone < problem.lonely || (alone == problem.lonely && ports < problem.given_up)))

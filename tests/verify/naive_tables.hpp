@@ -1,41 +1,26 @@
 #pragma once
-// Certificates for small fans, made in the slowest and most obvious way, and deliberately wrong ones. Shares nothing
-// with the checker that it tests: triangles are numbers, edges are pairs of numbers, strips are found by union-find.
+// Certificates for small fans and for operations of a user's own, made in the slowest and most obvious way, and
+// reasons, right and careless ones. Shares nothing with the checker that it tests but the struct that holds an
+// operation; the patches of fans are written down by hand from docs/notation.md.
 
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "naive_operation.hpp"
+
 namespace restrip::verify::test {
 
-using Pair = std::pair<int, int>;
-
-/// t_i is triangle i; A and D are the two numbers below.
-inline constexpr int triangle_a = 100;
-inline constexpr int triangle_d = 101;
-
-struct NaivePatch {
-  std::vector<int> triangles;
-  std::vector<int> port_owner;
-  std::vector<Pair> edges;
-  bool closed = false;
-  int chord = -1;  ///< index of an edge, -1 for none
-};
-
-struct NaiveOperation {
-  NaivePatch before;
-  NaivePatch after;
-  bool flip = false;
-};
+/// An operation on a fan by its name, such as "open-collapse", at {k, a}, {k, i, j} or {k, i}; any position. "flip" at
+/// {}.
+Operation operation_by_hand(const std::string& name, const std::vector<unsigned>& position);
 
 struct NaiveSection {
   std::string position;
-  bool whole_fan_symmetry = false;
+  bool serves_every_position = false;
   std::vector<NaiveOperation> operations;
 };
 
@@ -45,45 +30,8 @@ struct NaiveFamily {
 };
 
 std::vector<NaiveFamily> naive_families(int max_k);
-
-/// An operation on a fan by its name, such as "open-collapse", at {k, a}, {k, i, j} or {k, i}; any position.
-NaiveOperation naive_operation(const std::string& name, const std::vector<int>& position);
-
-struct NaiveColors {
-  int inner = 0;
-  int ports = 0;
-  friend auto operator<=>(NaiveColors, NaiveColors) = default;
-};
-
-/// A constraint of the problem that can be dropped, to find what a careless checker would accept.
-enum class Dropped {
-  nothing,
-  all_cycles,
-  outer_cycle,  ///< a cycle without the chord
-  chord_cycles,
-  degrees,
-  new_degrees,  ///< those of A and D
-  pairing
-};
-
-struct Anatomy {
-  std::set<Pair> joined;
-  int solid = 0;  ///< inner edges and ports
-  int isolated = 0;
-};
-
-/// nullopt when the colouring is not valid, the dropped constraint aside.
-std::optional<Anatomy> anatomy(const NaivePatch& patch, NaiveColors colors, Dropped dropped = Dropped::nothing);
-
-/// A sound recolouring and how good it is: solid edges, minus isolated, ports kept.
-struct Candidate {
-  NaiveColors colors;
-  std::vector<int> merit;
-};
-
-/// All sound recolourings of a valid configuration, the dropped constraint aside.
-std::vector<Candidate> sound_recolorings(const NaiveOperation& operation, NaiveColors before,
-                                         Dropped dropped = Dropped::nothing);
+/// One operation by itself.
+NaiveSection naive_section(const Operation& operation);
 
 /// A question that a checker of reasons can forget, to find what it would take for a reason then.
 enum class Careless {
@@ -103,31 +51,35 @@ enum class Careless {
 std::optional<std::string> naive_reason(const NaiveOperation& operation, NaiveColors before, NaiveColors after,
                                         Careless careless = Careless::not_at_all);
 
-using NaiveKey = std::pair<int, int>;  ///< ports and `joined`, or ports and inner for the flip
-
 struct NaiveRow {
   NaiveColors after;
-  std::string by;             ///< symmetry of a copy, empty for a rule
-  std::string because = "-";  ///< reason of a rule
+  std::vector<int> by;  ///< of a copy: where each port goes
+  std::string because;  ///< reason of a rule; empty for none
 };
+
+std::string text_of(NaiveKey key, const NaiveRow& row);
 
 struct NaiveTable {
   std::string family;
   std::string position;
-  bool flip = false;
-  std::vector<std::pair<std::string, int>> claims;
+  std::vector<std::pair<std::string, long>> claims;
   std::map<NaiveKey, NaiveRow> rows;
 };
 
-NaiveKey naive_key(const NaiveOperation& operation, NaiveColors before);
 /// Calls back for each valid configuration of each operation of the section.
 void for_each_valid(const NaiveSection& section, const std::function<void(const NaiveOperation&, NaiveColors)>& visit);
 
-NaiveTable naive_table(const NaiveFamily& family, const NaiveSection& section);
+/// Nullopt when some configuration has no sound recolouring.
+std::optional<NaiveTable> naive_table(const std::string& family, const NaiveSection& section, bool with_reasons);
 
 /// A certificate that holds these sections.
 std::string certificate_text(const std::string& family, const std::vector<NaiveTable>& tables);
 
+/// What a program prints that answers with the rows of a table of one operation.
+std::string dump_text(const NaiveOperation& operation, const NaiveTable& table);
+
+/// The text with an "end" line behind it.
+std::string with_end(const std::string& above, std::size_t rows);
 /// The text with the right sums in its last line, if that begins with "end"; otherwise the text as it is.
 std::string with_sums(const std::string& text);
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "orbits.hpp"
-#include "symmetry.hpp"
+#include "judge/orbits.hpp"
+#include "model/family.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -17,22 +17,32 @@ Operation operation_named(const std::string& name) {
 }
 
 std::vector<bool> everything(const Operation& operation) {
-  return std::vector<bool>(mask_count(operation.before.inner_edges() + operation.before.ports()), true);
+  return std::vector<bool>(mask_count(operation.before.colors()), true);
+}
+
+OrbitCounts merged(const Operation& operation, const std::vector<bool>& valid) {
+  return merged_orbits(operation, Symmetries(operation, Symmetries::Keep::both_sides), valid);
 }
 
 TEST(Orbits, SymmetriesOfASplit) {
-  EXPECT_EQ(configuration_symmetries(operation_named("split k 8 a 3")).size(), 2U);
-  EXPECT_EQ(configuration_symmetries(operation_named("split k 8 a 4")).size(), 4U);
-  EXPECT_EQ(configuration_symmetries(operation_named("open-split k 5 gaps 1 4")).size(), 2U);
-  EXPECT_EQ(configuration_symmetries(operation_named("open-split k 5 gaps 1 3")).size(), 1U);
-  EXPECT_EQ(configuration_symmetries(operation_named("flip")).size(), 4U);
+  const auto order = [](const std::string& name, Symmetries::Keep keep) {
+    const Operation operation = operation_named(name);
+    return Symmetries(operation, keep).order();
+  };
+  EXPECT_EQ(order("split k 8 a 3", Symmetries::Keep::both_sides), 2);
+  EXPECT_EQ(order("split k 8 a 4", Symmetries::Keep::both_sides), 4);
+  EXPECT_EQ(order("collapse k 8 a 3", Symmetries::Keep::both_sides), 2);
+  EXPECT_EQ(order("collapse k 8 a 3", Symmetries::Keep::after), 16);
+  EXPECT_EQ(order("open-split k 5 gaps 1 4", Symmetries::Keep::both_sides), 2);
+  EXPECT_EQ(order("open-split k 5 gaps 1 3", Symmetries::Keep::both_sides), 1);
+  EXPECT_EQ(order("flip", Symmetries::Keep::both_sides), 4);
 }
 
 // One mirror fixes 2^(1 + 2) loop edge and port orbits of (k, a) = (3, 1): (64 + 16) / 2 = 40.
 TEST(Orbits, OfTheSmallestSplit) {
   const Operation split = operation_named("split k 3 a 1");
-  EXPECT_EQ(burnside_orbits(split, everything(split)).all, 40U);
-  EXPECT_EQ(nauty_orbits(split, everything(split)).all, 40U);
+  EXPECT_EQ(merged(split, everything(split)).all, 40U);
+  EXPECT_EQ(nauty_orbits(split, everything(split)).value().all, 40U);
 }
 
 // Nothing but the colours' numbers tells all solid from all dashed: the trap of canonical graphs.
@@ -40,8 +50,19 @@ TEST(Orbits, NautyTellsColorsApart) {
   const Operation flip = operation_named("flip");
   std::vector<bool> two(32, false);
   two[0] = two[31] = true;
-  EXPECT_EQ(nauty_orbits(flip, two).valid, 2U);
-  EXPECT_EQ(nauty_orbits(flip, everything(flip)).all, 14U);
+  EXPECT_EQ(nauty_orbits(flip, two).value().valid, 2U);
+  EXPECT_EQ(nauty_orbits(flip, everything(flip)).value().all, 14U);
+  // Three ports of which two are on one triangle after the operation: only these can trade places.
+  Operation three;
+  three.cost = default_cost(Constraint::strips);
+  three.before = {1, {}, {0, 0, 0}, {}};
+  three.after = {2, {{0, 1}}, {0, 0, 1}, {}};
+  EXPECT_EQ(nauty_orbits(three, everything(three)).value().all, 6U);
+  // A port that may not be given up is another port.
+  Operation one_stays = flip;
+  one_stays.may_give_up = 14;
+  EXPECT_EQ(nauty_orbits(one_stays, everything(one_stays)).value().all, 32U);
+  EXPECT_EQ(merged(one_stays, everything(one_stays)).all, 32U);
 }
 
 }  // namespace

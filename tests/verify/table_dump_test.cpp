@@ -1,116 +1,115 @@
 // A dump of compiled tables is accepted when it equals the certificates in every line, and at no other time. In the
 // positions without a certificate the answers accepted are just those that a naive search calls sound and optimal.
 
-#include "table_dump.hpp"
+#include "judge/table_dump.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <sstream>
 
-#include "dump_judge.hpp"
-#include "input.hpp"
+#include "model/input.hpp"
 #include "naive_tables.hpp"
 
 namespace restrip::verify {
 namespace {
 
-/// Answers as a certificate would give them: any will do here.
-std::vector<Answer> some_answers(const Operation& operation) {
-  std::vector<Answer> answers(mask_count(operation.before.inner_edges() + operation.before.ports()));
-  for (std::size_t i = 0; i < answers.size(); ++i) answers[i] = i % 3 == 0 ? not_valid : static_cast<Answer>(i % 2);
-  return answers;
-}
+/// The answers of a table by concatenated(inner, ports); nullopt where nothing is to be answered.
+using Answers = std::vector<std::optional<Colors>>;
 
-/// The configurations of an operation as the naive method sees it, and what it says of each.
+/// What the naive method says of each configuration.
 class NaiveAnswers {
  public:
-  explicit NaiveAnswers(const Operation& operation) : operation_(operation) {
-    std::istringstream words(operation.position);
-    std::vector<int> numbers;
-    for (std::string word; words >> word;)
-      if (word.front() >= '0' && word.front() <= '9') numbers.push_back(std::stoi(word));
-    naive_ = test::naive_operation(operation.family, numbers);
-    for (Mask both = 0; both < mask_count(operation.before.inner_edges() + operation.before.ports()); ++both)
-      best_.push_back(best_of(both));
+  explicit NaiveAnswers(const Operation& operation)
+      : naive_(test::operation_by_hand(operation.family, operation.numbers)) {
+    for (const test::NaiveColors& configuration : naive_.configurations()) best_.push_back(best_of(configuration));
   }
-  /// The answers that are right: several where several are optimal, `not_valid` alone where nothing is to be answered.
-  const std::vector<Answer>& right(std::size_t both) const { return best_[both]; }
-  std::vector<Answer> answers() const {
-    std::vector<Answer> all;
-    for (const std::vector<Answer>& right : best_) all.push_back(right.front());
+  /// The answers that are right: several where several are optimal, none alone where nothing is to be answered.
+  const Answers& right(std::size_t both) const { return best_[both]; }
+  Answers answers() const {
+    Answers all;
+    for (const Answers& right : best_) all.push_back(right.front());
     return all;
   }
 
  private:
-  std::vector<Answer> best_of(Mask both) const {
-    const test::NaiveColors before{static_cast<int>(high_part(both, operation_.before.ports())),
-                                   static_cast<int>(low_part(both, operation_.before.ports()))};
-    if (!test::anatomy(naive_.before, before)) return {not_valid};
-    const std::vector<test::Candidate> sound = test::sound_recolorings(naive_, before);
-    std::vector<Answer> best;
-    for (const test::Candidate& one : sound)
-      if (std::all_of(sound.begin(), sound.end(), [&](const test::Candidate& c) { return c.merit <= one.merit; }))
-        best.push_back(static_cast<Answer>(one.colors.inner));
+  Answers best_of(test::NaiveColors before) const {
+    if (!naive_.valid(false, before)) return {std::nullopt};
+    const std::vector<test::NaiveCandidate> sound = naive_.sound(before);
+    Answers best;
+    for (const test::NaiveCandidate& one : sound)
+      if (std::all_of(sound.begin(), sound.end(), [&](const auto& other) { return one.cost <= other.cost; }))
+        best.push_back(Colors{static_cast<Mask>(one.after.inner), static_cast<Mask>(one.after.ports)});
     return best;
   }
 
-  const Operation& operation_;
   test::NaiveOperation naive_;
-  std::vector<std::vector<Answer>> best_;
+  std::vector<Answers> best_;
 };
+
+std::string table_text(const Operation& operation, const Answers& answers) {
+  std::string text = fmt::format("table {}\n", operation.name());
+  for (Mask both = 0; both < answers.size(); ++both) {
+    text += fmt::format("{:x} {:x} ", high_part(both, operation.ports()), low_part(both, operation.ports()));
+    text += answers[both] ? fmt::format("{:x} {:x}\n", answers[both]->inner, answers[both]->ports) : "-\n";
+  }
+  return text;
+}
 
 struct Tables {
   std::vector<Family> families = all_families(3);
-  std::vector<const Operation*> operations;
-  std::vector<std::vector<Answer>> answers;
+  std::vector<test::NaiveFamily> naive = test::naive_families(3);
+  std::vector<Certificate> certificates;
   std::vector<LinkedFamily> linked = linked_families(3);
   std::vector<std::string> lists = {"0 2d 76543210", "1 2d 76543210",
                                     "2 17 76543210", "3 3a 76543201 15 76543210",
                                     "4 1 76543210",  "5 2d 76543012 16 76543210",
                                     "6 2 76543210",  "7 0 76543210"};
   ExpectedDump expected;
+  std::vector<Answers> answers;
 
   Tables() {
-    for (const Family& family : families)
-      for (const Section& section : family.sections)
-        for (const Operation& operation : section.operations) operations.push_back(&operation);
-    for (const Operation* operation : operations) answers.push_back(some_answers(*operation));
-    const std::size_t listed = operations.size();
+    certificates.reserve(families.size());
+    for (std::size_t f = 0; f < families.size(); ++f) {
+      std::vector<test::NaiveTable> tables;
+      for (const test::NaiveSection& section : naive[f].sections)
+        tables.push_back(test::naive_table(families[f].name, section, true).value());
+      certificates.push_back(parse_certificate("c", test::certificate_text(families[f].name, tables), families[f]));
+      for (std::size_t s = 0; s < families[f].sections.size(); ++s)
+        for (std::size_t o = 0; o < families[f].sections[s].operations.size(); ++o) {
+          const Operation& operation = families[f].sections[s].operations[o];
+          expected.tables.push_back({&operation, Against::certificate, &certificates[f].sections[s]});
+          answers.push_back(rows_of(naive[f].sections[s].operations[o], tables[s]));
+        }
+    }
     for (const Family& family : families)
       for (const Operation& operation : family.unlisted) {
-        operations.push_back(&operation);
+        expected.tables.push_back({&operation, Against::own_patch, nullptr});
         answers.push_back(NaiveAnswers(operation).answers());
       }
-    for (std::size_t i = 0; i < operations.size(); ++i)
-      if (i < listed)
-        expected.tables.push_back({operations[i], Against::certificate, &answers[i]});
-      else
-        expected.tables.push_back({operations[i], Against::own_patch, nullptr});
     for (const LinkedFamily& family : linked)
       for (const Section& section : family.local.sections)
         expected.lists.push_back({family.name, section.position, section.ports, &lists});
   }
 
+  static Answers rows_of(const test::NaiveOperation& operation, const test::NaiveTable& table) {
+    Answers all;
+    for (const test::NaiveColors& configuration : operation.configurations()) {
+      all.emplace_back();
+      if (!operation.valid(false, configuration)) continue;
+      const test::NaiveColors after = table.rows.at(operation.key(configuration)).after;
+      all.back() = Colors{static_cast<Mask>(after.inner), static_cast<Mask>(after.ports)};
+    }
+    return all;
+  }
+
   std::string dump() const {
-    std::string text = "restrip-table-dump 2\n";
+    std::string text = "restrip-table-dump 3\n";
     std::size_t entries = 0;
-    for (std::size_t i = 0; i < operations.size(); ++i) {
-      const Operation& operation = *operations[i];
-      text += fmt::format("table {}\n", operation.name());
-      for (Mask both = 0; both < answers[i].size(); ++both, ++entries) {
-        const Answer answer = answers[i][both];
-        text += fmt::format("{:x} {:x} ", high_part(both, operation.before.ports()),
-                            low_part(both, operation.before.ports()));
-        if (answer == not_valid)
-          text += "-\n";
-        else if (operation.gives_ports_up)
-          text += fmt::format("{:x} {:x}\n", low_part(answer, 1), high_part(answer, 1));
-        else
-          text += fmt::format("{:x}\n", answer);
-      }
+    for (std::size_t i = 0; i < expected.tables.size(); ++i) {
+      text += table_text(*expected.tables[i].operation, answers[i]);
+      entries += answers[i].size();
     }
     for (const ExpectedLists& table : expected.lists) {
       text += fmt::format("table {} {}\n{}\n", table.family, table.position, fmt::join(lists, "\n"));
@@ -133,7 +132,8 @@ std::string difference(const Tables& tables, const std::string& text) {
   if (comparison.agrees()) return {};
   for (const auto* all : {&comparison.tables, &comparison.lists})
     for (const Compared& compared : *all)
-      if (compared.differences.count != 0) return compared.differences.first;
+      for (const Failures* found : {&compared.differences, &compared.wrong})
+        if (found->count != 0) return found->first;
   return comparison.fault;
 }
 
@@ -162,8 +162,9 @@ TEST(TableDump, CountsWhatItComparedAndNothingElse) {
                                   [](const auto& table) { return table.operation->name() == "split k 3 a 1"; });
   ASSERT_NE(split, tables.expected.tables.end());
   *split = {split->operation, Against::nothing, nullptr};
-  const std::string altered =
-      replaced(tables.dump(), "table split k 3 a 1\n0 0 -\n0 1 1\n", "table split k 3 a 1\n0 0 3f\n0 1 0\n");
+  std::string altered = tables.dump();
+  const std::size_t first = altered.find("table split k 3 a 1\n0 0 ") + 24;
+  altered.replace(first, altered.find('\n', first) - first, "3f 0");
   EXPECT_EQ(difference(tables, altered), "");
   const DumpComparison part = comparison_of(tables, altered);
   EXPECT_EQ(part.of(Against::nothing).families.at("split").entries, 64U);
@@ -175,7 +176,8 @@ TEST(TableDump, CountsWhatItComparedAndNothingElse) {
 TEST(TableDump, EveryAlteredLineIsNoticed) {
   const Tables tables;
   const std::string good = tables.dump();
-  const std::size_t end = good.find("table collapse");
+  const std::size_t end = good.find("table open-split");
+  ASSERT_NE(end, std::string::npos);
   for (std::size_t newline = good.find('\n'); newline < end; newline = good.find('\n', newline + 1)) {
     std::string bad = good;
     bad[newline - 1] = bad[newline - 1] == '1' ? '0' : '1';
@@ -188,21 +190,31 @@ TEST(TableDump, WhereNoCertificateIsTheRightAnswersAreAccepted) {
   for (const Family& family : all_families(3))
     for (const Operation& operation : family.unlisted) {
       const NaiveAnswers naive(operation);
-      const std::vector<Answer> good = naive.answers();
-      EXPECT_FALSE(wrong_answer(operation, good)) << operation.name();
-      if (operation.before.ports() > 2 && operation.family != "split") continue;
-      for (std::size_t both = 0; both < good.size(); ++both) {
-        std::vector<Answer> altered = good;
-        for (Mask answer = 0; answer <= mask_count(operation.after.inner_edges()); ++answer, ++tried) {
-          altered[both] = answer == mask_count(operation.after.inner_edges()) ? not_valid : static_cast<Answer>(answer);
-          const std::vector<Answer>& right = naive.right(both);
-          const bool is_right = std::find(right.begin(), right.end(), altered[both]) != right.end();
-          const std::optional<WrongAnswer> wrong = wrong_answer(operation, altered);
-          ASSERT_EQ(!wrong, is_right) << operation.name() << ", configuration " << both << ", answer " << answer;
-          if (wrong) {
-            ASSERT_EQ(wrong->configuration, both);
-          }
+      ExpectedDump expected;
+      expected.tables.push_back({&operation, Against::own_patch, nullptr});
+      const auto wrong = [&](const Answers& answers) {
+        std::string text =
+            fmt::format("restrip-table-dump 3\n{}end {}\n", table_text(operation, answers), answers.size());
+        std::FILE* stream = fmemopen(text.data(), text.size(), "r");
+        const DumpComparison comparison = compare_dump(stream, expected);
+        std::fclose(stream);
+        EXPECT_EQ(comparison.fault, "");
+        return comparison.of(Against::own_patch).wrong.count;
+      };
+      const Answers good = naive.answers();
+      EXPECT_EQ(wrong(good), 0U) << operation.name();
+      // Every answer to every configuration, all configurations at once.
+      for (Mask inner = 0; inner <= mask_count(operation.after.inner_edges()); ++inner) {
+        Answers altered;
+        std::uint64_t bad = 0;
+        for (Mask both = 0; both < good.size(); ++both, ++tried) {
+          altered.emplace_back();
+          if (inner < mask_count(operation.after.inner_edges()))
+            altered.back() = Colors{inner, low_part(both, operation.ports())};
+          const Answers& right = naive.right(both);
+          bad += std::find(right.begin(), right.end(), altered.back()) == right.end() ? 1U : 0U;
         }
+        EXPECT_EQ(wrong(altered), bad) << operation.name() << ", answer " << inner;
       }
     }
   EXPECT_GT(tried, 4000U);
@@ -211,12 +223,18 @@ TEST(TableDump, WhereNoCertificateIsTheRightAnswersAreAccepted) {
 TEST(TableDump, WrongAnswersWhereNoCertificateIsAreNamed) {
   const Tables tables;
   const std::string good = tables.dump();
-  const std::string found =
-      difference(tables, replaced(good, "table split k 3 a 2\n0 0 ", "table split k 3 a 2\n0 0 3"));
-  EXPECT_NE(found.find("table split k 3 a 2, inner 0, ports 0, answer 3"), std::string::npos) << found;
-  EXPECT_NE(difference(tables, replaced(good, "table split k 3 a 2\n0 0 ", "table split k 3 a 2\n0 0 g")), "");
-  EXPECT_NE(difference(tables, replaced(good, "table split k 3 a 2\n0 0 ", "table split k 3 a 2\n0 0 0")), "");
-  EXPECT_NE(difference(tables, replaced(good, "table split k 3 a 2\n0 0 ", "table split k 3 a 2\n0 0 fffff")), "");
+  const std::string first = "table split k 3 a 2\n0 0 ";
+  const std::size_t place = good.find(first) + first.size();
+  const std::string answer = good.substr(place, good.find('\n', place) - place);
+  const auto said = [&](const std::string& other) {
+    return difference(tables, replaced(good, first + answer, first + other));
+  };
+  const std::string found = said("3 0");
+  EXPECT_NE(found.find("table split k 3 a 2, inner 0, ports 0: "), std::string::npos) << found;
+  EXPECT_NE(found.find("not best: strips is"), std::string::npos) << found;
+  for (const char* other : {"g 0", "03 0", "fffff 0", "3 8", "3", "3 0 0", "3  0", "-1"})
+    EXPECT_NE(said(other).find("expected \"0 0 \" and \"-\" or two masks, 6 and 3 bits at most"), std::string::npos)
+        << other;
 }
 
 TEST(TableDump, EveryAlteredListIsNoticed) {
@@ -247,7 +265,7 @@ TEST(TableDump, FormIsChecked) {
   EXPECT_NE(difference(tables, good.substr(0, good.size() / 2)), "");
   EXPECT_NE(difference(tables, good + "more\n"), "");
   EXPECT_NE(difference(tables, good + "more"), "");
-  EXPECT_NE(difference(tables, replaced(good, "dump 2", "dump 1")), "");
+  EXPECT_NE(difference(tables, replaced(good, "dump 3", "dump 4")), "");
   EXPECT_NE(difference(tables, replaced(good, "table flip", "table flop")), "");
   EXPECT_NE(difference(tables, replaced(good, "table collapse k 3 a 1", "table split k 3 a 1")), "");
   EXPECT_NE(difference(tables, replaced(good, "end ", "end 1")), "");
@@ -255,7 +273,7 @@ TEST(TableDump, FormIsChecked) {
 
 TEST(TableDump, ALineWithoutEndIsRefused) {
   const Tables tables;
-  EXPECT_NE(difference(tables, "restrip-table-dump 2\n" + std::string(1U << 19U, '1')).find("the limit"),
+  EXPECT_NE(difference(tables, "restrip-table-dump 3\n" + std::string(1U << 19U, '1')).find("the limit"),
             std::string::npos);
   EXPECT_NE(compare_dump_of("cat /dev/zero", tables.expected).fault.find("the limit"), std::string::npos);
 }

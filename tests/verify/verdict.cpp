@@ -1,13 +1,19 @@
 #include "verdict.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include "family_check.hpp"
-#include "linked_report.hpp"
+#include <fstream>
+
+#include "judge/family_report.hpp"
+#include "linked/linked_report.hpp"
+#include "model/input.hpp"
 #include "verify.hpp"
 
 namespace restrip::verify::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 template <typename Check>
 Verdict collected(const Check& check) {
@@ -34,17 +40,30 @@ Family one_section_family(const std::string& family_name, const std::string& pos
   throw std::logic_error(fmt::format("no section {} in {}", position, family_name));
 }
 
+/// A file that goes away with the object.
+class PassingFile {
+ public:
+  PassingFile(const std::string& name, const std::string& text)
+      : path_(fs::temp_directory_path() / fmt::format("restrip-operation-{}-{}", getpid(), name)) {
+    std::ofstream(path_, std::ios::binary) << text;
+  }
+  ~PassingFile() { fs::remove(path_); }
+  PassingFile(const PassingFile&) = delete;
+  PassingFile& operator=(const PassingFile&) = delete;
+  std::string path() const { return path_.string(); }
+
+ private:
+  fs::path path_;
+};
+
 }  // namespace
 
 Verdict verdict_of(const std::string& certificate_text, const Family& family, bool second_formulation) {
   return collected([&](const ClaimListener& listener) {
     const Certificate certificate = parse_certificate("table", certificate_text, family);
-    std::vector<OperationTask> tasks;
-    for (std::size_t i = 0; i < family.sections.size(); ++i)
-      for (const Operation& operation : family.sections[i].operations)
-        tasks.push_back({&family.sections[i], &certificate.sections[i], &operation, certificate.file});
-    const std::vector<OperationCheck> checks = check_operations(tasks, second_formulation, 1, [](std::size_t) {});
-    report_family(family, certificate, checks, second_formulation, listener);
+    const std::vector<PositionCheck> checks =
+        check_positions(tasks_of(family, &certificate), second_formulation, 1, [](std::size_t) {});
+    report_family(family, &certificate, checks, second_formulation, listener);
   });
 }
 
@@ -67,12 +86,38 @@ Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local) {
   });
 }
 
-Verdict verdict_of(const std::filesystem::path& tables_dir) {
+Verdict verdict_of(const fs::path& tables_dir) {
   Options options;
   options.tables_dir = tables_dir.string();
   options.max_k = corpus_max_k;
   options.threads = 1;
   return collected([&](const ClaimListener& listener) { verify_tables(options, listener); });
+}
+
+const std::vector<std::string> corpus_operations = {
+    "split-face", "merge-face", "bisect-costs", "bisect-boundary-matching", "merge-face-matching", "flip-forest"};
+
+std::string corpus_path(const std::string& name) {
+  return fmt::format("{}/operations/{}.json", RESTRIP_CORPUS_DIR, name);
+}
+
+Operation corpus_operation(const std::string& name) {
+  const std::string path = corpus_path(name);
+  return parse_operation(path, read_file(path));
+}
+
+Verdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
+                   const std::optional<std::string>& dump, const std::optional<std::string>& linked) {
+  const PassingFile certificate_file("certificate", certificate.value_or(""));
+  const PassingFile linked_file("linked", linked.value_or(""));
+  const PassingFile dump_file("dump", dump.value_or(""));
+  OperationOptions options;
+  options.operation = operation_path;
+  options.threads = 1;
+  if (certificate) options.certificate = certificate_file.path();
+  if (linked) options.linked_certificate = linked_file.path();
+  if (dump) options.dump_command = "cat " + dump_file.path();
+  return collected([&](const ClaimListener& listener) { verify_operation(options, listener); });
 }
 
 }  // namespace restrip::verify::test

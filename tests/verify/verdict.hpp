@@ -1,11 +1,12 @@
 #pragma once
-// What the checker says of a table: asked in memory for one section, or through files for a whole folder.
+// What the checker says of tables: asked in memory for one section, or through files for a folder or an operation.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "model/family.hpp"
 #include "naive_lists.hpp"
-#include "operation.hpp"
 
 namespace restrip::verify::test {
 
@@ -22,14 +23,20 @@ struct Verdict {
 
 /// Of a certificate of this family.
 Verdict verdict_of(const std::string& certificate, const Family& family, bool second_formulation);
-
 /// Of a certificate that holds this one section only.
 Verdict verdict_of(const NaiveTable& table);
-
 /// Of a certificate of linked rules that holds this one section only, beside such a one of the local rules.
 Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local);
-
 /// Of a folder with MANIFEST and certificates/.
 Verdict verdict_of(const std::filesystem::path& tables_dir);
+
+/// The operation files in tests/corpus/operations.
+extern const std::vector<std::string> corpus_operations;
+std::string corpus_path(const std::string& name);
+Operation corpus_operation(const std::string& name);
+
+/// Of an operation's file on disk, with certificates and a dump as texts.
+Verdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
+                   const std::optional<std::string>& dump, const std::optional<std::string>& linked = {});
 
 }  // namespace restrip::verify::test

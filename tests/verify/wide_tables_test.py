@@ -18,12 +18,12 @@ LISTS = "\nsection k 9\n"
 
 # Family, section, what is replaced there for the first time, by what, and the claim that must fail.
 FORGERIES = [
-    ("boundary-split", BOUNDARY, "\nrule 2 0 1fd because 3\n", "\nrule 2 0 1fc because 3\n",
+    ("boundary-split", BOUNDARY, "\nrule 2 0 1fd 2 because 3\n", "\nrule 2 0 1fc 2 because 3\n",
      "every rule has a reason why nothing is preferred to it"),
-    ("boundary-split", BOUNDARY, "\nrule 2 0 1fd because 3\n", "\nrule 2 0 1fd because 4\n",
+    ("boundary-split", BOUNDARY, "\nrule 2 0 1fd 2 because 3\n", "\nrule 2 0 1fd 2 because 4\n",
      "every rule has a reason why nothing is preferred to it"),
-    ("boundary-split", BOUNDARY, "\nrule 2 0 1fd because 3\n", "\nrule 2 0 1ff because 3\n", "every row is sound"),
-    ("boundary-split", BOUNDARY, "\nrule 3 2 1fe because 3\n", "\n", "every valid configuration has a row"),
+    ("boundary-split", BOUNDARY, "\nrule 2 0 1fd 2 because 3\n", "\nrule 2 0 1ff 2 because 3\n", "every row is sound"),
+    ("boundary-split", BOUNDARY, "\nrule 3 1 1fe 3 because 3\n", "\n", "every valid configuration has a row"),
     ("boundary-split", BOUNDARY, "\nclaim costing 382\n", "\nclaim costing 381\n", "the stated numbers"),
     ("linked-collapse", LISTS, r"\nalternative 1ff [0-9a-f]+\n", "\n", "lists are complete"),
 ]

@@ -1,90 +1,33 @@
-#include "answers.hpp"
+#include "automaton/answers.hpp"
 
 #include <fmt/format.h>
-
-#include <stdexcept>
-#include <vector>
 
 namespace restrip::verify {
 namespace {
 
-/// An arc with the class behind each of its letters.
-class Walk {
- public:
-  Walk(const AutomatonCertificate& certificate, const std::string& word)
-      : certificate_(certificate), word_(word), classes_{0} {
-    for (const char letter : word) {
-      const AutomatonStep& step = certificate.classes[classes_.back()].steps[letters.find(letter)].value();
-      worth_ = worth_ + step.gain;
-      classes_.push_back(step.to);
-    }
-  }
+using LinkColors = std::vector<bool>;
 
-  std::size_t arc_class() const { return classes_.back(); }
-  Worth worth() const { return worth_; }
-
-  /// The links of the arc in this case, left to right.
-  std::vector<bool> links(std::size_t arc_case) const {
-    std::vector<bool> solid(word_.size() + 1);
-    for (std::size_t at = word_.size();; --at) {
-      solid[at] = all_cases[arc_case].right != '-';
-      if (at == 0) return solid;
-      arc_case = certificate_.classes[classes_[at - 1]].steps[letters.find(word_[at - 1])]->from[arc_case];
-    }
-  }
-
- private:
-  const AutomatonCertificate& certificate_;
-  std::string word_;
-  std::vector<std::size_t> classes_;
-  Worth worth_;
-};
-
-std::string word_of(Mask ports, Mask joined, unsigned from, unsigned to) {
-  std::string word;
-  for (unsigned i = from; i < to; ++i) word += !is_solid(ports, i) ? 'd' : is_solid(joined, i) ? 'j' : 's';
-  return word;
-}
-
-Mask mask_of(const std::vector<bool>& solid) {
+Mask mask_of(const LinkColors& solid) {
   Mask mask = 0;
   for (unsigned i = 0; i < solid.size(); ++i)
     if (solid[i]) mask |= single(i);
   return mask;
 }
 
-using Colors = std::vector<bool>;
-
-void append(Colors& colors, const Colors& more, std::size_t from, std::size_t to) {
+void append(LinkColors& colors, const LinkColors& more, std::size_t from, std::size_t to) {
   for (std::size_t i = from; i < to; ++i) colors.push_back(more[i]);
 }
 
-AutomatonAnswer two_arcs(const AutomatonCertificate& certificate, const FanPlace& place, Mask ports, Mask joined) {
-  const bool ring = place.family == "split";
-  const unsigned first_from = ring ? 0 : place.a;
-  const unsigned first_to = ring ? place.a : place.b;
-  const Walk x(certificate, word_of(ports, joined, first_from, first_to));
-  std::string around = word_of(ports, joined, first_to, place.k);
-  if (!ring) {
-    around += 'b';
-    around += word_of(ports, joined, 0, first_from);
+std::string word_of(const FanKey& key, unsigned from, unsigned to) {
+  std::string word;
+  for (unsigned i = from; i < to; ++i) {
+    const std::size_t turn = is_solid(key.left, i) ? 1 : is_solid(key.right, i) ? 2 : 0;
+    if (!is_solid(key.ports, i))
+      word += 'd';
+    else
+      word += is_solid(key.joined, i) ? "SLR"[turn] : "slr"[turn];
   }
-  const Walk y(certificate, around);
-  const AutomatonMeeting& meeting = certificate.meetings[x.arc_class()][y.arc_class()].value();
-  const Colors inside = x.links(meeting.first);
-  const Colors outside = y.links(meeting.second);
-  const std::size_t above = place.k - first_to;  // triangles behind D
-  Colors colors;
-  if (ring) {
-    append(colors, inside, 0, inside.size());
-    append(colors, outside, 0, outside.size());
-  } else {
-    if (place.a > 0) append(colors, outside, above + 2, outside.size());
-    append(colors, inside, 0, inside.size());
-    append(colors, outside, 0, above);
-  }
-  colors.push_back(meeting.chord);
-  return {mask_of(colors), x.worth() + y.worth() + meeting.value};
+  return word;
 }
 
 }  // namespace
@@ -96,7 +39,21 @@ std::string FanPlace::text() const {
   return fmt::format("{} k {}", family, k);
 }
 
-Patch patch_after(const FanPlace& place) { return patch_after(place.family, {place.k, place.a, place.b}); }
+Side patch_after(const FanPlace& place) { return patch_after(place.family, {place.k, place.a, place.b}); }
+
+FanKey fan_key(const Key& key, const FanPlace& place) {
+  Mask joined = 0;
+  for (unsigned port = 0; port < place.k; ++port) {
+    if (!is_solid(key.ports, port)) continue;
+    for (unsigned step = 1; step < place.k && (place.closed() || step <= port); ++step) {
+      const unsigned before = (port + place.k - step) % place.k;
+      if (!is_solid(key.ports, before)) continue;
+      if (key.joined.has(before, port)) joined |= single(port);
+      break;
+    }
+  }
+  return {key.ports, joined, 0, 0};
+}
 
 std::vector<FanPlace> all_places(unsigned k) {
   std::vector<FanPlace> places;
@@ -111,19 +68,94 @@ std::vector<FanPlace> all_places(unsigned k) {
   return places;
 }
 
-AutomatonAnswer answer_of(const AutomatonCertificate& certificate, const FanPlace& place, Mask ports, Mask joined) {
-  if (place.family == "split" || place.family == "open-split") return two_arcs(certificate, place, ports, joined);
-  std::string word = word_of(ports, joined, 0, place.k);
+std::string FanKey::text() const {
+  const std::string turns = (left | right) != 0 ? fmt::format(" left {:x} right {:x}", left, right) : "";
+  return fmt::format("ports {:x} joined {:x}{}", ports, joined, turns);
+}
+
+/// An arc with the class behind each of its letters.
+class AutomatonReader::Walk {
+ public:
+  Walk(const AutomatonCertificate& certificate, const std::string& word)
+      : certificate_(certificate), word_(word), classes_{0} {
+    for (const char letter : word) {
+      const AutomatonStep& step = *certificate.step(classes_.back(), letter);
+      cost_ += step.cost;
+      classes_.push_back(step.to);
+    }
+  }
+
+  std::size_t arc_class() const { return classes_.back(); }
+  int cost(std::size_t arc_case) const { return cost_ + certificate_.classes[arc_class()].costs[arc_case].value(); }
+
+  /// The links of the arc in this case, left to right.
+  LinkColors links(std::size_t arc_case) const {
+    LinkColors solid(word_.size() + 1);
+    for (std::size_t at = word_.size();; --at) {
+      solid[at] = case_at(arc_case).right != '-';
+      if (at == 0) return solid;
+      arc_case = certificate_.step(classes_[at - 1], word_[at - 1])->from[arc_case];
+    }
+  }
+
+ private:
+  const AutomatonCertificate& certificate_;
+  std::string word_;
+  std::vector<std::size_t> classes_;
+  int cost_ = 0;
+};
+
+AutomatonAnswer AutomatonReader::two_arcs(const FanPlace& place, const FanKey& key) const {
+  const bool ring = place.family == "split";
+  const unsigned first_from = ring ? 0 : place.a;
+  const unsigned first_to = ring ? place.a : place.b;
+  const Walk x(certificate_, word_of(key, first_from, first_to));
+  const std::string behind = ring ? "" : 'b' + word_of(key, 0, first_from);
+  const Walk y(certificate_, word_of(key, first_to, place.k) + behind);
+  const AutomatonMeeting& meeting = certificate_.meeting(x.arc_class(), y.arc_class());
+  const LinkColors inside = x.links(meeting.first);
+  const LinkColors outside = y.links(meeting.second);
+  const std::size_t above = place.k - first_to;  // triangles behind D
+  LinkColors colors;
+  if (ring) {
+    append(colors, inside, 0, inside.size());
+    append(colors, outside, 0, outside.size());
+  } else {
+    if (place.a > 0) append(colors, outside, above + 2, outside.size());
+    append(colors, inside, 0, inside.size());
+    append(colors, outside, 0, above);
+  }
+  colors.push_back(meeting.chord);
+  return {mask_of(colors), x.cost(meeting.first) + y.cost(meeting.second) +
+                               ways_.around(meeting.first, meeting.second, meeting.chord).cost};
+}
+
+/// A boundary split where turns are told apart: around A lies an arc with the boundary inside.
+AutomatonAnswer AutomatonReader::around_one(const FanPlace& place, const FanKey& key) const {
+  const Walk arc(certificate_, word_of(key, place.a, place.k) + 'b' + word_of(key, 0, place.a));
+  const std::size_t arc_case = certificate_.closings[arc.arc_class()].value().arc;
+  const LinkColors around = arc.links(arc_case);
+  const std::size_t above = place.k - place.a;
+  LinkColors colors;
+  if (place.a > 0) append(colors, around, above + 2, around.size());
+  append(colors, around, 0, above);
+  return {mask_of(colors), arc.cost(arc_case) + ways_.around_one(arc_case).cost};
+}
+
+AutomatonAnswer AutomatonReader::answer(const FanPlace& place, const FanKey& key) const {
+  if (place.family == "split" || place.family == "open-split") return two_arcs(place, key);
+  if (place.family == "boundary-split" && certificate_.weights.tells_turns()) return around_one(place, key);
+  std::string word = word_of(key, 0, place.k);
   if (place.family == "boundary-split") word.insert(word.begin() + place.a, 'd');
-  const Walk whole(certificate, word);
-  Colors colors;
+  const Walk whole(certificate_, word);
+  LinkColors colors;
   if (place.family == "collapse") {
-    const AutomatonClosing& closing = certificate.closings[whole.arc_class()].value();
-    append(colors, whole.links(closing.arc), 1, word.size() + 1);
-    return {mask_of(colors), whole.worth() + closing.value};
+    const std::size_t closing = certificate_.closings[whole.arc_class()].value().arc;
+    append(colors, whole.links(closing), 1, word.size() + 1);
+    return {mask_of(colors), whole.cost(closing) + ways_.closed(closing).cost};
   }
   append(colors, whole.links(both_dashed), 1, word.size());
-  return {mask_of(colors), whole.worth() + certificate.classes[whole.arc_class()].values[both_dashed].value()};
+  return {mask_of(colors), whole.cost(both_dashed)};
 }
 
 }  // namespace restrip::verify

@@ -1,12 +1,13 @@
 #pragma once
 // What a certificate answers to a key of a fan: forwards over the letters of its arcs, back over the cases.
 
-#include <array>
-#include <cstddef>
 #include <string>
+#include <vector>
 
-#include "automaton_certificate.hpp"
-#include "operation.hpp"
+#include "automaton/arcs_around.hpp"
+#include "automaton/automaton_certificate.hpp"
+#include "model/family.hpp"
+#include "model/key.hpp"
 
 namespace restrip::verify {
 
@@ -25,16 +26,43 @@ struct FanPlace {
 };
 
 /// The patch after the operation.
-Patch patch_after(const FanPlace& place);
+Side patch_after(const FanPlace& place);
 
 /// All places of valence k, those that notation.md leaves to symmetry included.
 std::vector<FanPlace> all_places(unsigned k);
 
-/// A recolouring, and what the certificate says it is worth.
+/// What a rule is told of a fan's ports, bit i for port i.
+struct FanKey {
+  Mask ports = 0;
+  Mask joined = 0;  ///< to the solid port before it; with two in a closed fan both bits or none
+  Mask left = 0;    ///< solid, and behind it the strip goes on about the corner of the port at the left link
+  Mask right = 0;   ///< the same at the right link
+  std::string text() const;
+};
+
+/// What a row of a table of fans is told: bit i of `joined` where port i is joined to the solid port before it.
+FanKey fan_key(const Key& key, const FanPlace& place);
+
+/// A recolouring, and what the certificate says it costs, less the restarts of all triangles of the patch.
 struct AutomatonAnswer {
   Mask inner = 0;
-  Worth worth;
+  int cost = 0;
 };
-AutomatonAnswer answer_of(const AutomatonCertificate& certificate, const FanPlace& place, Mask ports, Mask joined);
+
+/// Asks one certificate.
+class AutomatonReader {
+ public:
+  explicit AutomatonReader(const AutomatonCertificate& certificate)
+      : certificate_(certificate), ways_(certificate.weights) {}
+  AutomatonAnswer answer(const FanPlace& place, const FanKey& key) const;
+
+ private:
+  class Walk;
+  AutomatonAnswer two_arcs(const FanPlace& place, const FanKey& key) const;
+  AutomatonAnswer around_one(const FanPlace& place, const FanKey& key) const;
+
+  const AutomatonCertificate& certificate_;
+  ArcWays ways_;
+};
 
 }  // namespace restrip::verify

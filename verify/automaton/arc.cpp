@@ -1,127 +1,146 @@
-#include "arc.hpp"
-
-#include <algorithm>
-
-#include "automaton_mutants.hpp"
+#include "automaton/arc.hpp"
 
 namespace restrip::verify {
 namespace {
 
-/// An arc in one colouring.
-class ColoredArc {
+/// An arc with corners in one colouring: triangle i has the corners hub, rim i and rim i + 1; link j is the edge from
+/// the hub to rim j, and triangle i's port the edge from rim i to rim i + 1.
+class TurningArc {
  public:
-  ColoredArc(std::string_view word, Mask links) : word_(word), links_(links) {}
+  TurningArc(std::string_view word, Mask links) : word_(word), links_(links) {}
 
-  bool legal() const {
+  bool degrees_legal() const {
     for (std::size_t i = 0; i < word_.size(); ++i)
-      if (degree(i) > (word_[i] == 'b' ? 0 : 2) && !mutated(AutomatonMutant::automaton_loosen_degree)) return false;
-    return joins_only_what_it_may();
+      if (degree(i) > (is_boundary(word_[i]) ? 0 : 2)) return false;
+    return true;
   }
-
-  Case arc_case() const {
-    if (!solid(0) && !solid(word_.size())) return {'-', '-'};
-    return {solid(0) ? reach_from_left() : '-', solid(word_.size()) ? reach_from_right() : '-'};
-  }
-
-  Worth worth() const {
-    Worth worth;
-    for (std::size_t i = 0; i < word_.size(); ++i) {
-      worth.solid += solid(i) ? 1 : 0;
-      worth.fewer_isolated -= word_[i] != 'b' && degree(i) == 0 ? 1 : 0;
-    }
-    return worth;
-  }
-
- private:
-  bool solid(std::size_t link) const { return is_solid(links_, static_cast<unsigned>(link)); }
-  bool port(std::size_t i) const { return word_[i] == 's' || word_[i] == 'j'; }
-  int degree(std::size_t i) const { return (solid(i) ? 1 : 0) + (solid(i + 1) ? 1 : 0) + (port(i) ? 1 : 0); }
 
   /// From port to port, along the links to the right.
   bool joins_only_what_it_may() const {
     for (std::size_t i = 0; i < word_.size(); ++i) {
-      if (!port(i)) continue;
-      std::size_t at = i;
-      while (at < word_.size() && solid(at + 1)) {
+      if (!has_port(word_[i])) continue;
+      for (std::size_t at = i; at + 1 < word_.size() && solid(at + 1);) {
         ++at;
-        if (at == word_.size()) break;
-        if (port(at)) {
-          if (word_[at] != 'j') return false;
-          break;
-        }
+        if (!has_port(word_[at])) continue;
+        if (!is_joined(word_[at])) return false;
+        break;
       }
     }
     return true;
   }
 
-  char reach_from_left() const {
-    std::size_t at = 0;
-    while (at < word_.size() && !port(at) && solid(at + 1)) ++at;
-    if (at == word_.size()) return 't';
-    return port(at) ? 'p' : 'e';
+  int cost(const Weights& weights) const {
+    int cost = 0;
+    for (std::size_t i = 0; i < word_.size(); ++i) {
+      if (solid(i)) cost -= weights.restart;
+      if (degree(i) == 0 && !is_boundary(word_[i])) cost += weights.isolated;
+      const int corner = passed_about(i);
+      if (corner == nowhere) continue;
+      if (i > 0 && solid(i) && passed_about(i - 1) == corner) cost += weights.swap;
+      if (has_port(word_[i]) && behind_port(i) == corner) cost += weights.swap;
+    }
+    return cost;
   }
 
-  char reach_from_right() const {
-    std::size_t at = word_.size();
-    while (at > 0 && !port(at - 1) && solid(at - 1)) --at;
-    if (at == 0) return 't';
-    return port(at - 1) ? 'p' : 'e';
+  Case arc_case() const {
+    if (!solid(0) && !solid(word_.size())) return {'-', '-'};
+    return {solid(0) ? reach(0, true) : '-', solid(word_.size()) ? reach(word_.size() - 1, false) : '-'};
+  }
+
+ private:
+  static constexpr int nowhere = -2;
+  static constexpr int hub = -1;
+
+  bool solid(std::size_t link) const { return is_solid(links_, static_cast<unsigned>(link)); }
+  int degree(std::size_t i) const { return (solid(i) ? 1 : 0) + (solid(i + 1) ? 1 : 0) + (has_port(word_[i]) ? 1 : 0); }
+
+  int passed_about(std::size_t i) const {
+    if (degree(i) != 2) return nowhere;
+    if (solid(i) && solid(i + 1)) return hub;
+    return static_cast<int>(solid(i) ? i : i + 1);
+  }
+
+  int behind_port(std::size_t i) const {
+    switch (word_[i]) {
+      case 'l':
+      case 'L':
+        return static_cast<int>(i);
+      case 'r':
+      case 'R':
+        return static_cast<int>(i + 1);
+      default:
+        return nowhere - 1;
+    }
+  }
+
+  /// Of the strand that enters triangle `at` over a link, from the left or from the right.
+  char reach(std::size_t at, bool rightwards) const {
+    if (has_port(word_[at])) return 'p';
+    if (!solid(rightwards ? at + 1 : at)) return 'e';
+    while (true) {
+      if (rightwards ? at + 1 == word_.size() : at == 0) return 't';
+      at = rightwards ? at + 1 : at - 1;
+      if (has_port(word_[at])) return 'q';
+      if (!solid(rightwards ? at + 1 : at)) return 'f';
+    }
   }
 
   std::string_view word_;
   Mask links_;
 };
 
-void keep_better(std::optional<Worth>& best, Worth worth) {
-  if (!best || *best < worth) best = worth;
-}
-
 }  // namespace
 
 std::optional<std::size_t> number_of(Case c) {
-  const auto* const found = std::find(all_cases.begin(), all_cases.end(), c);
-  if (found == all_cases.end()) return {};
-  return static_cast<std::size_t>(found - all_cases.begin());
+  if (c == Case{'t', 't'}) return through;
+  const std::size_t left = reaches.find(c.left);
+  const std::size_t right = reaches.find(c.right);
+  if (left == std::string_view::npos || right == std::string_view::npos) return {};
+  return reaches.size() * left + right;
 }
 
-Worth best_of(const Worths& worths) {
-  std::optional<Worth> best;
-  for (const auto& worth : worths)
-    if (worth) keep_better(best, *worth);
-  return best.value();
+std::string ports_in(std::string_view word) {
+  std::string ports;
+  for (const char letter : word)
+    if (has_port(letter)) ports += is_joined(letter) ? 'S' : 's';
+  return ports;
 }
 
-void for_each_coloring(std::string_view word, const std::function<void(const ArcColoring&)>& visit) {
-  const Mask end = mask_count(static_cast<unsigned>(word.size()) + 1);
-  for (Mask links = 0; links < end; ++links) {
-    const ColoredArc arc(word, links);
-    if (!arc.legal()) continue;
-    visit({links, number_of(arc.arc_case()).value(), arc.worth()});
+int least_of(const Costs& costs) {
+  std::optional<int> least;
+  for (const auto& cost : costs)
+    if (cost && (!least || *cost < *least)) least = cost;
+  return least.value();
+}
+
+Costs shifted(Costs costs, int by) {
+  for (auto& cost : costs)
+    if (cost) *cost += by;
+  return costs;
+}
+
+ArcColoring arc_coloring(std::string_view word, Mask links, const Weights& weights) {
+  const TurningArc arc(word, links);
+  if (!arc.degrees_legal() || !arc.joins_only_what_it_may()) return {};
+  const auto told = [&](char reach) {
+    if (weights.tells_turns()) return reach;
+    return reach == 'f' ? 'e' : reach == 'q' ? 'p' : reach;
+  };
+  const Case c = arc.arc_case();
+  return {true, number_of({told(c.left), told(c.right)}).value(), arc.cost(weights)};
+}
+
+ArcCorner corner_at_link(char reach) {
+  switch (reach) {
+    case 'p':
+      return ArcCorner::rim;
+    case 'f':
+    case 'q':
+    case 't':
+      return ArcCorner::hub;
+    default:
+      return ArcCorner::none;
   }
-}
-
-Worths worths_of(std::string_view word) {
-  Worths worths;
-  for_each_coloring(word, [&](const ArcColoring& c) { keep_better(worths[c.arc_case], c.worth); });
-  return worths;
-}
-
-Origins origins_of(std::string_view word) {
-  Origins origins;
-  std::array<Worths, all_cases.size()> by_origin;  // by case, then by the case before
-  const std::string_view shorter = word.substr(0, word.size() - 1);
-  const Mask kept = mask_count(static_cast<unsigned>(word.size())) - 1;
-  for_each_coloring(word, [&](const ArcColoring& c) {
-    const ColoredArc before(shorter, c.links & kept);
-    keep_better(by_origin[c.arc_case][number_of(before.arc_case()).value()], c.worth);
-  });
-  for (std::size_t c = 0; c < all_cases.size(); ++c) {
-    for (const auto& worth : by_origin[c])
-      if (worth) keep_better(origins.worths[c], *worth);
-    for (unsigned before = 0; before < all_cases.size(); ++before)
-      if (by_origin[c][before] && by_origin[c][before] == origins.worths[c]) origins.from[c] |= single(before);
-  }
-  return origins;
 }
 
 }  // namespace restrip::verify

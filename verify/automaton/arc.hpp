@@ -1,21 +1,47 @@
 #pragma once
-// Arcs by their definition (docs/automaton.md): elements in a row, every colouring of the dual edges between them
-// tried, every strand walked.
+// Arcs by their definition (docs/automaton.md): triangles with corners in a row, every colouring of the dual edges
+// between them tried, every strand walked. A strip passes a triangle about the corner that its two edges there share; a
+// solid edge is a swap when the strip passes both of its triangles about the same corner.
+//
+// Where swaps have no price, turns are not told apart: there are fewer letters, and fewer cases.
 
 #include <array>
 #include <compare>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "masks.hpp"
+#include "model/masks.hpp"
 
 namespace restrip::verify {
 
-/// What the strands over the two links of an arc do, a character for each: `-` dashed, `e` it ends inside, `p` it
-/// leaves by a port, `t` it leaves by the other link.
+/// The weights of a strip, of a swap and of an isolated triangle.
+struct Weights {
+  int restart = 0;
+  int swap = 0;
+  int isolated = 0;
+  constexpr bool tells_turns() const { return swap != 0; }
+  friend bool operator==(const Weights&, const Weights&) = default;
+};
+/// Fewest strips, then fewest isolated triangles.
+inline constexpr Weights strips_weights{1000, 0, 1};
+
+/// The letters of arcs: a triangle whose port is dashed; solid, and the strip ends behind it; solid, and the strip goes
+/// on about the corner of the port at the left or at the right link. Capitals: joined to the solid port before it. And
+/// the boundary of the mesh. Where turns are not told apart, `s` and `S` stand for any solid port.
+constexpr std::string_view letters_of(const Weights& weights) { return weights.tells_turns() ? "dslrSLRb" : "dsSb"; }
+constexpr bool is_boundary(char letter) { return letter == 'b'; }
+constexpr bool has_port(char letter) { return letter != 'd' && !is_boundary(letter); }
+constexpr bool is_joined(char letter) { return letter >= 'A' && letter <= 'Z'; }
+inline bool has_boundary(std::string_view word) { return word.find('b') != std::string_view::npos; }
+/// The solid ports of an arc, by the letters that do not tell turns.
+std::string ports_in(std::string_view word);
+
+/// What the strands over the two links of an arc do, a character for each: `-` dashed; `e` it ends in the end triangle;
+/// `p` it leaves by the port of the end triangle; `f` it goes on along the fan and ends; `q` it goes on along the fan
+/// and leaves by a port; `t` it leaves by the other link. Where turns are not told apart `e` stands for `f` as well,
+/// and `p` for `q`.
 struct Case {
   char left = '-';
   char right = '-';
@@ -23,67 +49,38 @@ struct Case {
   std::string text() const { return {left, right}; }
 };
 
-inline constexpr std::array<Case, 10> all_cases = {{{'-', '-'},
-                                                    {'-', 'e'},
-                                                    {'-', 'p'},
-                                                    {'e', '-'},
-                                                    {'e', 'e'},
-                                                    {'e', 'p'},
-                                                    {'p', '-'},
-                                                    {'p', 'e'},
-                                                    {'p', 'p'},
-                                                    {'t', 't'}}};
-
+/// Cases are numbered left reach first, in the order of `reaches`; `tt` is the last one.
+inline constexpr std::string_view reaches = "-epfq";
+inline constexpr std::size_t case_count = 26;
+inline constexpr std::size_t both_dashed = 0;
+inline constexpr std::size_t through = 25;
+constexpr Case case_at(std::size_t number) {
+  if (number == through) return {'t', 't'};
+  return {reaches[number / reaches.size()], reaches[number % reaches.size()]};
+}
 /// The place of a case among all; nullopt for anything else.
 std::optional<std::size_t> number_of(Case c);
-inline constexpr std::size_t both_dashed = 0;
+constexpr bool reaches_port(char reach) { return reach == 'p' || reach == 'q'; }
 
-/// What a colouring is worth, ascending: solid edges first, then fewer isolated triangles.
-struct Worth {
-  int solid = 0;
-  int fewer_isolated = 0;
-  friend constexpr auto operator<=>(Worth, Worth) = default;
-  friend constexpr Worth operator+(Worth x, Worth y) {
-    return {x.solid + y.solid, x.fewer_isolated + y.fewer_isolated};
-  }
-  friend constexpr Worth operator-(Worth x, Worth y) {
-    return {x.solid - y.solid, x.fewer_isolated - y.fewer_isolated};
-  }
-};
+/// By case; nullopt where no colouring has the case.
+using Costs = std::array<std::optional<int>, case_count>;
+/// The least of them; there must be one.
+int least_of(const Costs& costs);
+Costs shifted(Costs costs, int by);
 
-/// By case, in the order of all_cases; nullopt where no colouring has the case.
-using Worths = std::array<std::optional<Worth>, all_cases.size()>;
-
-/// The best of them; there must be one.
-Worth best_of(const Worths& worths);
-
-/// The letters of arcs: a triangle whose port is dashed, solid, or solid and joined to the solid port before it; and
-/// the boundary of the mesh.
-inline constexpr std::string_view letters = "dsjb";
-inline bool has_boundary(std::string_view word) { return word.find('b') != std::string_view::npos; }
-
-/// A sound colouring of an arc. Its links are bits 0 … of `links`, from the left one to the right one, one more than
-/// the arc has letters.
+/// A colouring of an arc. Its links are bits 0 … of `links`, from the left one to the right one, one more than the arc
+/// has letters.
 struct ArcColoring {
-  Mask links = 0;
+  bool sound = false;  ///< degrees at most two, no edge over the boundary, no ports joined but those that letters join
   std::size_t arc_case = 0;
-  Worth worth;  ///< the right link is not counted, it is the left link of what follows
+  int cost = 0;  ///< the right link is not counted, it is the left link of what follows; a solid edge saves a strip
 };
+/// The other members say nothing of a colouring that is not sound.
+ArcColoring arc_coloring(std::string_view word, Mask links, const Weights& weights);
 
-/// Calls `visit` with every sound colouring of the arc: degrees at most two, no edge over the boundary, no ports joined
-/// but those that the letters join. A strand that meets a triangle with a solid port leaves by it, as its degree is two
-/// then: so from a link it reaches no port but the nearest.
-void for_each_coloring(std::string_view word, const std::function<void(const ArcColoring&)>& visit);
-
-/// The best of all colourings, by case.
-Worths worths_of(std::string_view word);
-
-/// Where each best colouring of an arc may come from: bit c of `from[d]` is set when some best colouring with case d
-/// has case c without its last letter.
-struct Origins {
-  Worths worths;
-  std::array<Mask, all_cases.size()> from{};
-};
-Origins origins_of(std::string_view word);
+/// The corner about which a strip passes the triangle at a link of an arc, by what its strand does there: the hub, the
+/// corner of the rim at the link, or none.
+enum class ArcCorner { none, hub, rim };
+ArcCorner corner_at_link(char reach);
 
 }  // namespace restrip::verify

@@ -1,8 +1,9 @@
-#include "arcs_around.hpp"
+#include "automaton/arcs_around.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace restrip::verify {
 namespace {
@@ -52,11 +53,11 @@ constexpr std::size_t node_d = 1;
 
 struct PortNode {
   std::size_t node = 0;
-  ArcEnd end;
+  ArcEnd end = first_left;
 };
 
 /// Adds what a case does between its left and its right neighbour.
-void add_arc(SmallGraph& graph, Case c, std::size_t left, std::size_t right, bool second_arc,
+void add_arc(SmallGraph& graph, Case c, std::size_t left, std::size_t right, bool second,
              std::vector<PortNode>& ports) {
   if (c.left == 't') {
     const std::size_t strand = graph.add_node();
@@ -64,52 +65,109 @@ void add_arc(SmallGraph& graph, Case c, std::size_t left, std::size_t right, boo
     graph.add_edge(strand, right);
     return;
   }
-  const auto add_strand = [&](char reach, std::size_t neighbor, bool is_right) {
+  const auto add_strand = [&](char reach, std::size_t neighbor, ArcEnd end) {
     if (reach == '-') return;
     const std::size_t strand = graph.add_node();
     graph.add_edge(neighbor, strand);
-    if (reach == 'p') ports.push_back({strand, {second_arc, is_right}});
+    if (reaches_port(reach)) ports.push_back({strand, end});
   };
-  add_strand(c.left, left, false);
-  add_strand(c.right, right, true);
+  add_strand(c.left, left, second ? second_left : first_left);
+  add_strand(c.right, right, second ? second_right : first_right);
 }
 
-bool has_port(char letter) { return letter == 's' || letter == 'j'; }
+/// Corners at A and D: the two ends of the chord, each the hub of one arc, and the corners of the rim.
+enum class AroundCorner { none, hub_of_first, hub_of_second, rim_at_a, rim_at_d };
 
-}  // namespace
+/// About which corner the end triangle of an arc is passed.
+AroundCorner end_corner(char reach, bool second, AroundCorner rim) {
+  switch (corner_at_link(reach)) {
+    case ArcCorner::hub:
+      return second ? AroundCorner::hub_of_second : AroundCorner::hub_of_first;
+    case ArcCorner::rim:
+      return rim;
+    default:
+      return AroundCorner::none;
+  }
+}
 
-Around around(std::size_t first, std::size_t second, bool chord) {
-  Around result{first, second, chord, false, {}, {}};
-  const Case x = all_cases[first];
-  const Case y = all_cases[second];
+/// About which corner A or D is passed: the one that its two solid edges share.
+AroundCorner passed(bool link_of_first, bool link_of_second, bool chord, AroundCorner rim) {
+  if (link_of_first && link_of_second) return rim;
+  if (link_of_first && chord) return AroundCorner::hub_of_first;
+  if (link_of_second && chord) return AroundCorner::hub_of_second;
+  return AroundCorner::none;
+}
+
+bool swaps(AroundCorner one, AroundCorner other) { return one != AroundCorner::none && one == other; }
+
+ArcWay way_around(std::size_t first, std::size_t second, bool chord, const Weights& weights) {
+  const Case x = case_at(first);
+  const Case y = case_at(second);
   SmallGraph graph;
   std::vector<PortNode> ports;
   add_arc(graph, x, node_a, node_d, false, ports);
   add_arc(graph, y, node_d, node_a, true, ports);
   if (chord) graph.add_edge(node_a, node_d);
-  result.worth.solid = (x.right != '-' ? 1 : 0) + (y.right != '-' ? 1 : 0) + (chord ? 1 : 0);
-  result.worth.fewer_isolated = -((graph.degree(node_a) == 0 ? 1 : 0) + (graph.degree(node_d) == 0 ? 1 : 0));
-  if (graph.degree(node_a) > 2 || graph.degree(node_d) > 2 || graph.has_cycle()) return result;
-  result.legal = true;
-  for (std::size_t i = 0; i < ports.size(); ++i) {
+  ArcWay way;
+  way.legal = graph.degree(node_a) <= 2 && graph.degree(node_d) <= 2 && !graph.has_cycle();
+  for (std::size_t i = 0; way.legal && i < ports.size(); ++i) {
     std::vector<bool> visited(graph.size(), false);
     const std::size_t other = graph.walk(ports[i].node, visited);
     for (std::size_t j = i + 1; j < ports.size(); ++j)
-      if (ports[j].node == other) result.joined.emplace_back(ports[i].end, ports[j].end);
+      if (ports[j].node == other) way.joined |= pair_of_ends(ports[i].end, ports[j].end);
   }
-  return result;
+  const AroundCorner at_a = passed(x.left != '-', y.right != '-', chord, AroundCorner::rim_at_a);
+  const AroundCorner at_d = passed(x.right != '-', y.left != '-', chord, AroundCorner::rim_at_d);
+  const int swap_count = (x.left != '-' && swaps(at_a, end_corner(x.left, false, AroundCorner::rim_at_a)) ? 1 : 0) +
+                         (x.right != '-' && swaps(at_d, end_corner(x.right, false, AroundCorner::rim_at_d)) ? 1 : 0) +
+                         (y.left != '-' && swaps(at_d, end_corner(y.left, true, AroundCorner::rim_at_d)) ? 1 : 0) +
+                         (y.right != '-' && swaps(at_a, end_corner(y.right, true, AroundCorner::rim_at_a)) ? 1 : 0) +
+                         (chord && swaps(at_a, at_d) ? 1 : 0);
+  const int edges = (x.right != '-' ? 1 : 0) + (y.right != '-' ? 1 : 0) + (chord ? 1 : 0);
+  const int isolated = (graph.degree(node_a) == 0 ? 1 : 0) + (graph.degree(node_d) == 0 ? 1 : 0);
+  way.cost = weights.swap * swap_count + weights.isolated * isolated - weights.restart * edges;
+  return way;
 }
 
-const std::vector<Around>& all_around() {
-  static const std::vector<Around> all = [] {
-    std::vector<Around> list;
-    for (std::size_t x = 0; x < all_cases.size(); ++x)
-      for (std::size_t y = 0; y < all_cases.size(); ++y)
-        for (const bool chord : {false, true})
-          if (Around way = around(x, y, chord); way.legal) list.push_back(std::move(way));
-    return list;
-  }();
-  return all;
+/// The two links are one edge: a strand over it that leaves by ports at both ends joins them, one that goes through is
+/// a cycle.
+ArcWay way_closed(std::size_t c, const Weights& weights) {
+  const Case k = case_at(c);
+  ArcWay way;
+  way.legal = (k.left == '-') == (k.right == '-') && k.left != 't';
+  if (!way.legal) return way;
+  if (reaches_port(k.left) && reaches_port(k.right)) way.joined = pair_of_ends(first_left, first_right);
+  if (k.left != '-' && corner_at_link(k.left) != ArcCorner::none && corner_at_link(k.left) == corner_at_link(k.right))
+    way.cost = weights.swap;
+  return way;
+}
+
+ArcWay way_around_one(std::size_t c, const Weights& weights) {
+  const Case k = case_at(c);
+  ArcWay way;
+  way.legal = k.left != 't';
+  if (reaches_port(k.left) && reaches_port(k.right)) way.joined = pair_of_ends(first_left, first_right);
+  const bool through_a = k.left != '-' && k.right != '-';
+  const auto swap_at = [&](char reach) { return through_a && corner_at_link(reach) == ArcCorner::rim ? 1 : 0; };
+  way.cost = weights.swap * (swap_at(k.left) + swap_at(k.right)) - (k.right != '-' ? weights.restart : 0) +
+             (k.left == '-' && k.right == '-' ? weights.isolated : 0);
+  return way;
+}
+
+}  // namespace
+
+Mask pair_of_ends(unsigned one, unsigned other) {
+  return static_cast<Mask>(PortPairs::of(one, other).bits);  // of four ends
+}
+
+ArcWays::ArcWays(const Weights& weights) {
+  for (std::size_t x = 0; x < case_count; ++x)
+    for (std::size_t y = 0; y < case_count; ++y)
+      for (const bool chord : {false, true}) around_.push_back(way_around(x, y, chord, weights));
+  for (std::size_t c = 0; c < case_count; ++c) {
+    closed_.push_back(way_closed(c, weights));
+    around_one_.push_back(way_around_one(c, weights));
+  }
 }
 
 namespace {
@@ -128,8 +186,8 @@ struct RingPorts {
     const auto reached = [&](ArcEnd end) {
       std::optional<std::size_t> found;
       for (std::size_t n = 0; n < places.size(); ++n) {
-        if ((places[n] >= first.size()) != end.second_arc) continue;
-        if (!found || end.right) found = n;
+        if ((places[n] >= first.size()) != (end >= second_left)) continue;
+        if (!found || end == first_right || end == second_right) found = n;
       }
       return found;
     };
@@ -141,7 +199,7 @@ struct RingPorts {
   bool follows(std::size_t later, std::size_t earlier) const { return (earlier + 1) % places.size() == later; }
   bool boundary_between(std::size_t earlier, std::size_t later) const {
     for (std::size_t at = places[earlier]; at != places[later]; at = (at + 1) % ring.size())
-      if (ring[at] == 'b') return true;
+      if (is_boundary(ring[at])) return true;
     return false;
   }
 };
@@ -152,9 +210,17 @@ bool joined_before(std::string_view first, std::string_view second, ArcEnd one, 
   const RingPorts ports(first, second, one, other);
   if (!ports.are_two()) return false;
   const auto joined = [&](std::size_t later, std::size_t earlier) {
-    return ports.follows(later, earlier) && ports.ring[ports.places[later]] == 'j';
+    return ports.follows(later, earlier) && is_joined(ports.ring[ports.places[later]]);
   };
   return joined(*ports.one, *ports.other) || joined(*ports.other, *ports.one);
+}
+
+Mask pairs_joined_before(std::string_view first, std::string_view second) {
+  Mask pairs = 0;
+  for (const ArcEnd one : {first_left, first_right, second_left})
+    for (const ArcEnd other : {first_right, second_left, second_right})
+      if (one < other && joined_before(first, second, one, other)) pairs |= pair_of_ends(one, other);
+  return pairs;
 }
 
 bool in_key(std::string_view first, std::string_view second, ArcEnd one, ArcEnd other) {

@@ -1,40 +1,52 @@
 #pragma once
 // Two arcs around A and D, laid down as a small graph: of each arc only its case is there, a strand over each solid
-// link that ends, leaves by a port or goes through.
+// link that ends, leaves by a port or goes through. And one arc whose links meet each other.
 
-#include <array>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "arc.hpp"
+#include "automaton/arc.hpp"
 
 namespace restrip::verify {
 
-/// A link of one of the two arcs.
-struct ArcEnd {
-  bool second_arc = false;
-  bool right = false;
-  friend constexpr bool operator==(ArcEnd, ArcEnd) = default;
+/// The links of two arcs in ring order A, first arc, D, second arc.
+enum ArcEnd : unsigned { first_left, first_right, second_left, second_right, arc_ends };
+
+/// Pairs of links as bits.
+Mask pair_of_ends(unsigned one, unsigned other);
+
+/// Two cases put together.
+struct ArcWay {
+  bool legal = false;  ///< degrees at most two, no cycle
+  int cost = 0;        ///< of what no arc counts
+  Mask joined = 0;     ///< pairs of links whose strands leave by ports and are joined
 };
 
-/// Two cases with A and D between them, in ring order A, first arc, D, second arc.
-struct Around {
-  std::size_t first = 0;
-  std::size_t second = 0;
-  bool chord = false;
-  bool legal = false;                             ///< degrees of A and D at most two, no cycle
-  Worth worth;                                    ///< of A, D and the edges that no arc counts
-  std::vector<std::pair<ArcEnd, ArcEnd>> joined;  ///< links whose strands leave by ports and are joined
-};
-Around around(std::size_t first, std::size_t second, bool chord);
+/// All ways to put arcs together, for given weights. Cases by number.
+class ArcWays {
+ public:
+  explicit ArcWays(const Weights& weights);
 
-/// All legal ones.
-const std::vector<Around>& all_around();
+  /// Around A and D, in ring order A, first, D, second.
+  const ArcWay& around(std::size_t first, std::size_t second, bool chord) const {
+    return around_[2 * (case_count * first + second) + (chord ? 1U : 0U)];
+  }
+  /// A closed fan: the two links of an arc are one edge.
+  const ArcWay& closed(std::size_t arc_case) const { return closed_[arc_case]; }
+  /// Both links of an arc with the boundary inside lead to A, which a strip passes about its corner on the rim.
+  const ArcWay& around_one(std::size_t arc_case) const { return around_one_[arc_case]; }
+
+ private:
+  std::vector<ArcWay> around_;
+  std::vector<ArcWay> closed_;
+  std::vector<ArcWay> around_one_;
+};
 
 /// Whether, in the ring A, first, D, second of these letters, the ports that two links reach are joined before the
 /// operation. A solid port may be joined to the solid port before it in the ring, as its letter says.
 bool joined_before(std::string_view first, std::string_view second, ArcEnd one, ArcEnd other);
+/// All pairs of links of which that is true.
+Mask pairs_joined_before(std::string_view first, std::string_view second);
 
 /// Whether the ports that two links reach follow each other in the fan, so that a key says whether they are joined. In
 /// a ring with the boundary in it the last port of the open fan is not followed by the first.

@@ -8,30 +8,31 @@
 #include <string>
 #include <vector>
 
-#include "arc.hpp"
+#include "automaton/arc.hpp"
 
 namespace restrip::verify {
 
 struct AutomatonStep {
   std::size_t to = 0;
-  Worth gain;
-  std::array<std::size_t, all_cases.size()> from{};  ///< for each case that `to` has; its place in all_cases
+  int cost = 0;
+  std::array<std::size_t, case_count> from{};  ///< for each case that `to` has
   unsigned line = 0;
 };
 
 struct AutomatonClass {
   std::string witness;
-  Worths values;
-  std::array<std::optional<AutomatonStep>, 4> steps;  ///< by letter; no boundary behind a boundary
+  std::optional<std::size_t> as_first;   ///< its row of meetings; not of the empty arc, nor with the boundary inside
+  std::optional<std::size_t> as_second;  ///< its column; not of the empty arc
+  Costs costs;
+  std::vector<std::optional<AutomatonStep>> steps;  ///< by place of the letter; no boundary behind a boundary
   unsigned line = 0;
 
   bool has_boundary() const { return verify::has_boundary(witness); }
 };
 
-/// An arc that is a whole closed fan.
+/// An arc that is a whole closed fan, or, with the boundary inside, lies around A alone.
 struct AutomatonClosing {
   std::size_t arc = 0;
-  Worth value;
   unsigned line = 0;
 };
 
@@ -40,19 +41,25 @@ struct AutomatonMeeting {
   std::size_t first = 0;
   std::size_t second = 0;
   bool chord = false;
-  Worth value;
   unsigned line = 0;
 };
 
 struct AutomatonCertificate {
   std::string file;
+  Weights weights;
   std::vector<AutomatonClass> classes;
-  std::vector<std::optional<AutomatonClosing>> closings;               ///< by class
-  std::vector<std::vector<std::optional<AutomatonMeeting>>> meetings;  ///< by first and second class
+  std::vector<std::optional<AutomatonClosing>> closings;  ///< by class
+  std::vector<std::vector<AutomatonMeeting>> meetings;    ///< by row and column
   std::size_t rows = 0;
 
-  /// Whether an arc of this class can lie between A and D, or be a whole closed fan.
-  bool can_be_first(std::size_t c) const { return c != 0 && !classes[c].has_boundary(); }
+  const AutomatonStep* step(std::size_t c, char letter) const {
+    const auto& found = classes[c].steps[letters_of(weights).find(letter)];
+    return found ? &*found : nullptr;
+  }
+  /// Of classes that can be the first and the second arc.
+  const AutomatonMeeting& meeting(std::size_t first, std::size_t second) const {
+    return meetings[classes[first].as_first.value()][classes[second].as_second.value()];
+  }
 };
 
 /// InputError when anything is not as docs/automaton.md says.

@@ -1,56 +1,75 @@
-#include "class_check.hpp"
+#include "automaton/class_check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <array>
+#include <optional>
 
-#include "arcs_around.hpp"
-#include "automaton_mutants.hpp"
-#include "witnesses.hpp"
+#include "automaton/witnesses.hpp"
 
 namespace restrip::verify {
 namespace {
 
-std::string in_words(Worth worth) {
-  return fmt::format("{} solid edges and {} isolated triangles", worth.solid, -worth.fewer_isolated);
+/// The words that joints are read off, and the longest arc of a kind before the kinds are said not to close.
+constexpr std::size_t longest_joint = 6;
+constexpr std::size_t longest_kind = 100;
+
+/// They depend on no certificate.
+const ArcJoints& all_joints(bool tells_turns) {
+  static const ArcJoints without_turns(longest_joint, false);
+  if (!tells_turns) return without_turns;
+  static const ArcJoints with_turns(longest_joint, true);
+  return with_turns;
 }
 
-Worths less(Worths worths, Worth by) {
-  for (auto& worth : worths)
-    if (worth) worth = *worth - by;
-  return worths;
+/// Leaves out what is no better than the best colouring with a link cut, or both. In any patch that may be put in its
+/// place: a dashed edge in place of a solid one is sound, makes no swap, and leaves at most the neighbour isolated. The
+/// arc itself counts its left link.
+Costs without_hopeless(const Costs& costs, const Weights& weights) {
+  Costs kept = costs;
+  for (std::size_t c = 0; c < case_count; ++c) {
+    const Case k = case_at(c);
+    const auto drop_for = [&](Case cut, int loss) {
+      const auto& cost = costs[number_of(cut).value()];
+      if (costs[c] && cost && *cost + loss <= *costs[c]) kept[c].reset();
+    };
+    const int of_left = weights.isolated;
+    const int of_right = weights.restart + weights.isolated;
+    if (k.left != '-' && k.right != '-') drop_for({'-', '-'}, of_left + of_right);
+    if (k.left != '-' && k.left != 't') drop_for({'-', k.right}, of_left);
+    if (k.right != '-' && k.right != 't') drop_for({k.left, '-'}, of_right);
+  }
+  return kept;
 }
 
 /// What of the ports of an arc tells which pairs of end ports are joined before, whatever the other arc: how many there
 /// are, up to three; whether the first is joined to the one before it; whether there are two and they are joined.
-std::string ports_of(const std::string& word) {
-  std::string ports;
-  std::copy_if(word.begin(), word.end(), std::back_inserter(ports), [](char c) { return c == 's' || c == 'j'; });
+std::string end_ports(const std::string& word) {
+  const std::string ports = ports_in(word);
   return ports.size() < 3 ? ports : ports.substr(0, 1) + "..";
 }
 
-std::string text_of(const Worths& worths) {
-  std::string text;
-  for (const auto& worth : worths)
-    text += worth ? fmt::format(" {},{}", worth->solid, worth->fewer_isolated) : std::string(" none");
-  return text;
-}
+std::string name_of(const std::string& word) { return word.empty() ? "-" : word; }
 
 }  // namespace
 
-ClassCheck::ClassCheck(const AutomatonCertificate& certificate)
+ClassCheck::ClassCheck(const AutomatonCertificate& certificate, unsigned every)
     : certificate_(certificate),
-      claims_{{"each witness is a shortest arc of its class", "steps followed, breadth first", 0, {}},
-              {"the values are those of the best colourings", "all colourings of one arc of each kind", 0, {}},
-              {"what a letter adds to them", "the same", 0, {}},
-              {"every case comes from the case that is named", "the same, without the last triangle", 0, {}},
+      joints_(all_joints(certificate.weights.tells_turns())),
+      ways_(certificate.weights),
+      claims_{{"an arc and a letter behind it matter by their cases", "all colourings of all arcs of up to 6", 0, {}},
+              {"each witness is a shortest arc of its class", "steps followed, breadth first", 0, {}},
+              {"the values are the least costs", "arcs put together letter by letter", 0, {}},
+              {"what a letter costs", "the same", 0, {}},
+              {"every case comes from the case that is named", "the same, without the last letter", 0, {}},
               {"every meeting is sound and best", "all pairs of cases around A and D", 0, {}},
-              {"every closing is sound and best", "all cases around a closed fan", 0, {}}} {
+              {"every closing is sound and best", "all cases around a closed fan, and around A alone", 0, {}}} {
+  claims_[joints].cases = joints_.colorings();
+  claims_[joints].failures = joints_.failures();
   check_witnesses();
   explore();
-  check_meetings();
-  check_closings();
+  check_meetings(every);
 }
 
 void ClassCheck::fail(Which which, unsigned line, const std::string& what) {
@@ -58,10 +77,11 @@ void ClassCheck::fail(Which which, unsigned line, const std::string& what) {
 }
 
 void ClassCheck::check_witnesses() {
-  const auto shortest = shortest_arcs(certificate_.classes.size(), letters, [&](std::size_t c, std::size_t letter) {
-    const auto& step = certificate_.classes[c].steps[letter];
-    return step ? std::optional(step->to) : std::nullopt;
-  });
+  const auto shortest = shortest_arcs(certificate_.classes.size(), letters_of(certificate_.weights),
+                                      [&](std::size_t c, std::size_t letter) {
+                                        const auto& step = certificate_.classes[c].steps[letter];
+                                        return step ? std::optional(step->to) : std::nullopt;
+                                      });
   for (std::size_t c = 0; c < certificate_.classes.size(); ++c) {
     ++claims_[witnesses].cases;
     const AutomatonClass& stated = certificate_.classes[c];
@@ -70,74 +90,110 @@ void ClassCheck::check_witnesses() {
   }
 }
 
-std::size_t ClassCheck::place_of(const std::string& word, const Worths& absolute, std::size_t arc_class) {
-  const Worths worths = less(absolute, best_of(absolute));
-  const std::string key = fmt::format("{} {} {} {}", arc_class, has_boundary(word), ports_of(word), text_of(worths));
-  const auto [place, is_new] = places_.emplace(key, arcs_.size());
+std::size_t ClassCheck::place_of(const std::string& word, const Costs& absolute, std::size_t arc_class) {
+  const Costs relative = shifted(absolute, -least_of(absolute));
+  const std::string ports = end_ports(word);
+  const auto [place, is_new] =
+      places_.emplace(std::tuple{arc_class, has_boundary(word), ports, relative}, arcs_.size());
   if (!is_new) return place->second;
-  ProductArc arc{word, worths, best_of(absolute), arc_class, {}, true};
+  ArcKind arc{word, ports, relative, {}, arc_class, 0, true};
+  for (std::size_t c = 0; c < case_count; ++c)
+    if (relative[c]) arc.entries.emplace_back(c, *relative[c]);
   const AutomatonClass& stated = certificate_.classes[arc_class];
-  std::optional<Worth> offset;
-  for (std::size_t c = 0; c < all_cases.size(); ++c) {
-    if (!stated.values[c]) continue;
+  std::optional<int> offset;
+  for (std::size_t c = 0; c < case_count; ++c) {
+    if (!stated.costs[c]) continue;
     ++claims_[values].cases;
-    if (!worths[c] || (offset && *worths[c] - *stated.values[c] != *offset)) {
+    if (!relative[c] || (offset && *relative[c] - *stated.costs[c] != *offset)) {
       arc.comparable = false;
       fail(values, stated.line,
-           fmt::format("wrong value: case {} of class {}, arc {}", all_cases[c].text(), arc_class,
-                       word.empty() ? "-" : word));
+           fmt::format("wrong value: case {} of class {}, arc {}", case_at(c).text(), arc_class, name_of(word)));
       break;
     }
-    offset = *worths[c] - *stated.values[c];
+    offset = *relative[c] - *stated.costs[c];
   }
-  arc.offset = offset.value_or(Worth{});
+  arc.offset = offset.value_or(0);
   // A whole open fan has the case with both links dashed.
-  if (worths[both_dashed] && !stated.values[both_dashed])
+  if (relative[both_dashed] && !stated.costs[both_dashed])
     fail(values, stated.line, fmt::format("missing value: case -- of class {}", arc_class));
-  if (has_boundary(word) != stated.has_boundary())
-    fail(values, stated.line, fmt::format("wrong class: {} for the arc {}", arc_class, word));
+  if (has_boundary(word) != stated.has_boundary() || word.empty() != stated.witness.empty())
+    fail(values, stated.line, fmt::format("wrong class: {} for the arc {}", arc_class, name_of(word)));
   arcs_.push_back(arc);
   return place->second;
 }
 
-void ClassCheck::check_step(std::size_t at, std::size_t letter) {
-  const ProductArc arc = arcs_[at];
-  const AutomatonStep& step = certificate_.classes[arc.arc_class].steps[letter].value();
-  const std::string word = arc.word + letters[letter];
-  const Origins longer = origins_of(word);
-  const Worth added = best_of(longer.worths) - arc.best;
-  const std::size_t place = place_of(word, longer.worths, step.to);
-  const ProductArc& next = arcs_[place];
-  ++claims_[gains].cases;
-  if (arc.comparable && next.comparable && step.gain + arc.offset != added + next.offset &&
-      !mutated(AutomatonMutant::automaton_any_gain))
-    fail(gains, step.line,
-         fmt::format("wrong gain: {} where the arc {} gains {}", in_words(step.gain), word,
-                     in_words(added + next.offset - arc.offset)));
-  const AutomatonClass& from = certificate_.classes[arc.arc_class];
-  for (std::size_t c = 0; c < all_cases.size(); ++c) {
-    if (!certificate_.classes[step.to].values[c]) continue;
+/// An arc with one letter more, and the cases without the letter that its least costs come from.
+struct ClassCheck::Longer {
+  Costs costs;
+  std::array<Mask, case_count> from{};
+
+  void offer(std::size_t c, std::size_t before, int cost) {
+    if (costs[c] && *costs[c] < cost) return;
+    if (!costs[c] || *costs[c] > cost) from[c] = 0;
+    costs[c] = cost;
+    from[c] |= single(static_cast<unsigned>(before));
+  }
+};
+
+ClassCheck::Longer ClassCheck::longer(const ArcKind& arc, char letter) const {
+  Longer result;
+  const std::string own(1, letter);
+  for (Mask links = 0; links < mask_count(2); ++links) {
+    const ArcColoring alone = arc_coloring(own, links, certificate_.weights);
+    if (!alone.sound) continue;
+    for (std::size_t before = 0; before < case_count; ++before) {
+      if (!arc.costs[before]) continue;
+      if (arc.word.empty()) {
+        // The two links of the empty arc are one edge.
+        if ((before == both_dashed) == !is_solid(links, 0)) result.offer(alone.arc_case, before, alone.cost);
+        continue;
+      }
+      const auto& joint = joints_.at(before, alone.arc_case, letter);
+      if (!joint || !joint->sound) continue;
+      result.offer(joint->arc_case, before,
+                   *arc.costs[before] + alone.cost + (joint->swap ? certificate_.weights.swap : 0));
+    }
+  }
+  return result;
+}
+
+void ClassCheck::check_step(std::size_t at, char letter) {
+  const ArcKind arc = arcs_[at];
+  const AutomatonStep& step = *certificate_.step(arc.arc_class, letter);
+  const std::string word = arc.word + letter;
+  const Longer next_arc = longer(arc, letter);
+  const Weights& weights = certificate_.weights;
+  const Costs hopeful = weights.tells_turns() ? without_hopeless(next_arc.costs, weights) : next_arc.costs;
+  const int added = least_of(hopeful);
+  const ArcKind& next = arcs_[place_of(word, hopeful, step.to)];
+  if (!next.comparable || !arc.comparable) return;
+  ++claims_[costs].cases;
+  if (step.cost - added != next.offset - arc.offset)
+    fail(costs, step.line,
+         fmt::format("wrong cost: {} where the arc {} costs {} more", step.cost, word,
+                     added + next.offset - arc.offset));
+  for (std::size_t c = 0; c < case_count; ++c) {
+    if (!certificate_.classes[step.to].costs[c]) continue;
     ++claims_[origins].cases;
     const std::size_t before = step.from[c];
-    if (mutated(AutomatonMutant::automaton_any_origin)) continue;
-    if (!is_solid(longer.from[c], static_cast<unsigned>(before)) || !from.values[before])
+    if (!is_solid(next_arc.from[c], static_cast<unsigned>(before)) || !states(arc, before))
       fail(origins, step.line,
            fmt::format("wrong origin: no best colouring of {} with case {} has case {} before its last letter", word,
-                       all_cases[c].text(), all_cases[before].text()));
+                       case_at(c).text(), case_at(before).text()));
   }
 }
 
 void ClassCheck::explore() {
-  place_of("", worths_of(""), 0);
-  if (arcs_[0].offset != Worth{})
-    fail(values, certificate_.classes[0].line, "wrong value: the empty arc is worth nothing");
-  constexpr std::size_t longest = 14;
-  if (mutated(AutomatonMutant::automaton_first_arcs_only)) return;
+  Costs empty;
+  empty[both_dashed] = empty[through] = 0;
+  place_of("", empty, 0);
+  if (arcs_[0].offset != 0) fail(values, certificate_.classes[0].line, "wrong value: the empty arc costs nothing");
   for (std::size_t at = 0; at < arcs_.size(); ++at)
-    for (std::size_t letter = 0; letter < letters.size(); ++letter) {
-      if (!certificate_.classes[arcs_[at].arc_class].steps[letter]) continue;
-      if (letters[letter] == 'b' && has_boundary(arcs_[at].word)) continue;
-      if (arcs_[at].word.size() >= longest) {
+    for (const char letter : letters_of(certificate_.weights)) {
+      // A class with the boundary inside that an arc without it is given has been told.
+      if (certificate_.step(arcs_[at].arc_class, letter) == nullptr) continue;
+      if (is_boundary(letter) && has_boundary(arcs_[at].word)) continue;
+      if (arcs_[at].word.size() >= longest_kind) {
         fail(values, certificate_.classes[arcs_[at].arc_class].line,
              fmt::format("the arcs do not close: {} is still a new one", arcs_[at].word));
         return;
@@ -146,65 +202,61 @@ void ClassCheck::explore() {
     }
 }
 
-void ClassCheck::check_meeting(const ProductArc& x, const ProductArc& y) {
+Mask ClassCheck::allowed_pairs(const ArcKind& x, const ArcKind& y) {
+  const auto [place, is_new] = allowed_.emplace(std::pair{x.ports, y.ports}, 0);
+  if (is_new) place->second = pairs_joined_before(x.word, y.word);
+  return place->second;
+}
+
+void ClassCheck::check_meeting(const ArcKind& x, const ArcKind& y) {
   ++claims_[meetings].cases;
-  const auto& stated = certificate_.meetings[x.arc_class][y.arc_class];
-  const auto worth_of = [&](const Around& way) -> std::optional<Worth> {
-    if (!x.worths[way.first] || !y.worths[way.second]) return {};
-    for (const auto& [one, other] : way.joined)
-      if (!joined_before(x.word, y.word, one, other) && !mutated(AutomatonMutant::automaton_join_anything)) return {};
-    return *x.worths[way.first] + *y.worths[way.second] + way.worth;
-  };
+  const AutomatonMeeting& stated = certificate_.meeting(x.arc_class, y.arc_class);
+  const Mask allowed = allowed_pairs(x, y);
+  const auto possible = [&](const ArcWay& way) { return way.legal && is_subset(way.joined, allowed); };
   const auto arcs = [&] { return fmt::format("the arcs {} and {}", x.word, y.word); };
-  const Around own = around(stated->first, stated->second, stated->chord);
-  const bool own_legal = own.legal || mutated(AutomatonMutant::automaton_any_own_meeting);
-  const auto own_worth = own_legal ? worth_of(own) : std::nullopt;
-  if (!own_worth || !certificate_.classes[x.arc_class].values[stated->first] ||
-      !certificate_.classes[y.arc_class].values[stated->second])
-    return fail(meetings, stated->line, fmt::format("unsound meeting: {}", arcs()));
-  for (const Around& way : all_around()) {
-    if (way.chord && mutated(AutomatonMutant::automaton_never_chord)) continue;
-    if (const auto worth = worth_of(way); worth && *worth > *own_worth)
-      return fail(
-          meetings, stated->line,
-          fmt::format("not the best meeting: {}, {} {}{} has {} more", arcs(), all_cases[way.first].text(),
-                      all_cases[way.second].text(), way.chord ? " with the chord" : "", in_words(*worth - *own_worth)));
-  }
-  if (stated->value + x.offset + y.offset != *own_worth)
-    fail(meetings, stated->line, fmt::format("wrong value: the meeting of {}", arcs()));
+  const ArcWay& own = ways_.around(stated.first, stated.second, stated.chord);
+  if (!possible(own) || !states(x, stated.first) || !states(y, stated.second))
+    return fail(meetings, stated.line, fmt::format("unsound meeting: {}", arcs()));
+  const int own_cost = *x.costs[stated.first] + *y.costs[stated.second] + own.cost;
+  for (const auto& [one, of_x] : x.entries)
+    for (const auto& [other, of_y] : y.entries)
+      for (const bool chord : {false, true}) {
+        const ArcWay& way = ways_.around(one, other, chord);
+        if (!possible(way) || of_x + of_y + way.cost >= own_cost) continue;
+        return fail(
+            meetings, stated.line,
+            fmt::format("not the best meeting: {}, {} {}{} costs {} less", arcs(), case_at(one).text(),
+                        case_at(other).text(), chord ? " with the chord" : "", own_cost - of_x - of_y - way.cost));
+      }
 }
 
-void ClassCheck::check_meetings() {
-  for (const ProductArc& x : arcs_) {
-    if (x.word.empty() || !x.comparable || !certificate_.can_be_first(x.arc_class)) continue;
-    for (const ProductArc& y : arcs_)
-      if (!y.word.empty() && y.comparable && y.arc_class != 0) check_meeting(x, y);
-  }
+void ClassCheck::check_closing(const ArcKind& arc) {
+  const auto& stated = certificate_.closings[arc.arc_class];
+  if (!stated) return;
+  ++claims_[closings].cases;
+  const bool may_join = joined_before(arc.word, "", first_left, first_right);
+  const auto cost_of = [&](std::size_t c) -> std::optional<int> {
+    const ArcWay& way = has_boundary(arc.word) ? ways_.around_one(c) : ways_.closed(c);
+    if (!arc.costs[c] || !way.legal || (way.joined != 0 && !may_join)) return {};
+    return *arc.costs[c] + way.cost;
+  };
+  const auto own = cost_of(stated->arc);
+  if (!own || !states(arc, stated->arc))
+    return fail(closings, stated->line, fmt::format("unsound closing: {}", arc.word));
+  for (std::size_t c = 0; c < case_count; ++c)
+    if (const auto cost = cost_of(c); cost && *cost < *own)
+      return fail(closings, stated->line,
+                  fmt::format("not the best closing: {}, {} costs {} less", arc.word, case_at(c).text(), *own - *cost));
 }
 
-void ClassCheck::check_closings() {
-  for (const ProductArc& arc : arcs_) {
-    if (arc.word.empty() || !arc.comparable || !certificate_.can_be_first(arc.arc_class)) continue;
-    ++claims_[closings].cases;
-    const auto& stated = certificate_.closings[arc.arc_class];
-    // The two links are one edge: a strand over it that leaves by ports at both ends joins them, one that goes through
-    // is a cycle.
-    const auto sound = [&](std::size_t c) {
-      const Case k = all_cases[c];
-      if (!arc.worths[c] || (k.left == '-') != (k.right == '-') || k.left == 't') return false;
-      return k.left != 'p' || k.right != 'p' || joined_before(arc.word, "", {false, false}, {false, true});
-    };
-    if (!sound(stated->arc) || !certificate_.classes[arc.arc_class].values[stated->arc]) {
-      fail(closings, stated->line, fmt::format("unsound closing: the fan {}", arc.word));
-      continue;
-    }
-    for (std::size_t c = 0; c < all_cases.size(); ++c)
-      if (sound(c) && *arc.worths[c] > *arc.worths[stated->arc] && !mutated(AutomatonMutant::automaton_any_closing))
-        fail(closings, stated->line,
-             fmt::format("not the best closing: the fan {}, {} has {} more", arc.word, all_cases[c].text(),
-                         in_words(*arc.worths[c] - *arc.worths[stated->arc])));
-    if (stated->value + arc.offset != *arc.worths[stated->arc])
-      fail(closings, stated->line, fmt::format("wrong value: the closing of the fan {}", arc.word));
+void ClassCheck::check_meetings(unsigned every) {
+  for (std::size_t i = 1; i < arcs_.size(); ++i) {
+    const ArcKind& x = arcs_[i];
+    if (!x.comparable) continue;
+    check_closing(x);
+    if (i % every != 1 % every || !certificate_.classes[x.arc_class].as_first) continue;
+    for (const ArcKind& y : arcs_)
+      if (y.comparable && certificate_.classes[y.arc_class].as_second) check_meeting(x, y);
   }
 }
 

@@ -5,10 +5,13 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "automaton_certificate.hpp"
-#include "judgment.hpp"
+#include "automaton/arc_joints.hpp"
+#include "automaton/arcs_around.hpp"
+#include "automaton/automaton_certificate.hpp"
+#include "judge/report.hpp"
 
 namespace restrip::verify {
 
@@ -20,41 +23,53 @@ struct AutomatonClaim {
   Failures failures;
 };
 
-/// Arcs told apart by what is best for each case and by their end ports, each together with the class that the
-/// certificate gives it: finitely many, which together are all arcs.
-struct ProductArc {
+/// Arcs told apart by what each case costs at least and by their end ports, together with the class that the
+/// certificate gives them: finitely many, which together are all arcs. Where turns are told apart, a case is left out
+/// where cutting a link or both is no worse in any patch.
+struct ArcKind {
   std::string word;  ///< a shortest one
-  Worths worths;     ///< less the best of them
-  Worth best;        ///< of them all
+  std::string ports;
+  Costs costs;                                       ///< less the least of them
+  std::vector<std::pair<std::size_t, int>> entries;  ///< the same, those that there are
   std::size_t arc_class = 0;
-  Worth offset;            ///< what worths are more than the certificate's values
+  int offset = 0;          ///< what costs are more than the certificate's values
   bool comparable = true;  ///< false where they differ in other ways, which has been told
 };
 
 class ClassCheck {
  public:
-  explicit ClassCheck(const AutomatonCertificate& certificate);
+  /// `every` = n looks at the meetings of every n-th kind of first arc only.
+  explicit ClassCheck(const AutomatonCertificate& certificate, unsigned every = 1);
 
   const std::vector<AutomatonClaim>& claims() const { return claims_; }
-  const std::vector<ProductArc>& arcs() const { return arcs_; }
+  const std::vector<ArcKind>& arcs() const { return arcs_; }
 
  private:
-  enum Which : std::size_t { witnesses, values, gains, origins, meetings, closings };
+  enum Which : std::size_t { joints, witnesses, values, costs, origins, meetings, closings };
+  struct Longer;
 
   void check_witnesses();
   void explore();
   /// The place of an arc among all; it is new when nothing like it was seen.
-  std::size_t place_of(const std::string& word, const Worths& absolute, std::size_t arc_class);
-  void check_step(std::size_t at, std::size_t letter);
-  void check_meetings();
-  void check_meeting(const ProductArc& x, const ProductArc& y);
-  void check_closings();
+  std::size_t place_of(const std::string& word, const Costs& absolute, std::size_t arc_class);
+  Longer longer(const ArcKind& arc, char letter) const;
+  void check_step(std::size_t at, char letter);
+  void check_meetings(unsigned every);
+  void check_meeting(const ArcKind& x, const ArcKind& y);
+  void check_closing(const ArcKind& arc);
+  Mask allowed_pairs(const ArcKind& x, const ArcKind& y);
+  bool states(const ArcKind& arc, std::size_t arc_case) const {
+    return certificate_.classes[arc.arc_class].costs[arc_case].has_value();
+  }
   void fail(Which which, unsigned line, const std::string& what);
 
   const AutomatonCertificate& certificate_;
+  const ArcJoints& joints_;
+  const ArcWays ways_;
   std::vector<AutomatonClaim> claims_;
-  std::vector<ProductArc> arcs_;
-  std::map<std::string, std::size_t> places_;
+  std::vector<ArcKind> arcs_;
+  std::map<std::tuple<std::size_t, bool, std::string, Costs>, std::size_t> places_;
+  std::map<std::pair<std::string, std::string>, Mask> allowed_;  ///< by end ports of two arcs
 };
 
 }  // namespace restrip::verify

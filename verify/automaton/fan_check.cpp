@@ -1,11 +1,13 @@
-#include "fan_check.hpp"
+#include "automaton/fan_check.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
-#include "fan_search.hpp"
-#include "survey.hpp"
+#include "automaton/fan_search.hpp"
+#include "model/coloring.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -19,10 +21,6 @@ void for_each_submask(Mask mask, Visit&& visit) {
   }
 }
 
-std::string key_text(const FanPlace& place, Mask ports, Mask joined) {
-  return fmt::format("{}, ports {:x} joined {:x}", place.text(), ports, joined);
-}
-
 /// "k 8 gaps 2 5" as a place of its family.
 FanPlace place_of(const Family& family, const Section& section) {
   for (const FanPlace& place : all_places(section.ports))
@@ -32,29 +30,77 @@ FanPlace place_of(const Family& family, const Section& section) {
   throw std::logic_error("no place " + family.name + ' ' + section.position);
 }
 
+/// All keys of one place with certain ports, and certain turns behind them.
+class PortsCheck {
+ public:
+  PortsCheck(const AutomatonReader& reader, const FanSearch& search, const FanPlace& place, Mask ports, FanCheck& check)
+      : reader_(reader),
+        search_(search),
+        place_(place),
+        ports_(ports),
+        check_(check),
+        colorings_(search.colorings(ports)),
+        place_of_inner_(search.end_of_inner(), nowhere) {
+    for (std::size_t i = 0; i < colorings_.size(); ++i) place_of_inner_[colorings_[i].inner] = i;
+  }
+
+  void check_keys(Mask left, Mask right) {
+    FanKey key{ports_, 0, left, right};
+    const std::vector<CornerNumber> behind = search_.behind(key);
+    std::vector<int> least(mask_count(place_.k), std::numeric_limits<int>::max());
+    for (const FanSearch::Sound& coloring : colorings_)
+      least[coloring.joins] = std::min(least[coloring.joins], search_.cost(coloring, behind));
+    // What is sound for a key is sound for a key that joins more.
+    for (unsigned port = 0; port < place_.k; ++port)
+      for (Mask joined = 0; joined < mask_count(place_.k); ++joined)
+        if (is_solid(joined, port)) least[joined] = std::min(least[joined], least[joined & ~single(port)]);
+    for_each_submask(search_.joinable(ports_), [&](Mask joined) {
+      if (search_.two_in_ring(ports_) && joined != 0 && joined != ports_) return;
+      ++check_.keys;
+      key.joined = joined;
+      const AutomatonAnswer answer = reader_.answer(place_, key);
+      const std::size_t found = answer.inner < place_of_inner_.size() ? place_of_inner_[answer.inner] : nowhere;
+      const auto wrong = [&](const char* what) {
+        check_.failures.add(fmt::format("{}, {}: {:x} {}", place_.text(), key.text(), answer.inner, what));
+      };
+      if (found == nowhere || !is_subset(colorings_[found].joins, joined))
+        wrong("is not sound");
+      else if (search_.cost(colorings_[found], behind) != answer.cost)
+        wrong("does not cost what is stated");
+      else if (answer.cost != least[joined])
+        wrong("is not the best");
+    });
+  }
+
+ private:
+  static constexpr auto nowhere = std::numeric_limits<std::size_t>::max();
+
+  const AutomatonReader& reader_;
+  const FanSearch& search_;
+  const FanPlace& place_;
+  Mask ports_;
+  FanCheck& check_;
+  std::vector<FanSearch::Sound> colorings_;
+  std::vector<std::size_t> place_of_inner_;  ///< in colorings_
+};
+
 }  // namespace
 
 FanCheck check_against_search(const AutomatonCertificate& certificate, unsigned k, unsigned every) {
   FanCheck check;
+  const AutomatonReader reader(certificate);
   const std::vector<FanPlace> places = all_places(k);
   for (std::size_t i = 0; i < places.size(); i += every) {
-    const FanPlace& place = places[i];
-    const FanSearch search(place);
+    const FanSearch search(places[i], certificate.weights);
     ++check.places;
     for (Mask ports = 0; ports < mask_count(k); ++ports) {
-      const FanSearch::Keys keys = search.keys(ports);
-      for_each_submask(search.joinable(ports), [&](Mask joined) {
-        // Where each of two ports precedes the other, a key has both bits or none.
-        if (place.closed() && solid_count(ports) == 2 && joined != 0 && joined != ports) return;
-        ++check.keys;
-        const AutomatonAnswer answer = answer_of(certificate, place, ports, joined);
-        const auto worth = keys.worth_if_sound(answer.inner, joined);
-        if (!worth)
-          check.failures.add(fmt::format("{}: {:x} is not sound", key_text(place, ports, joined), answer.inner));
-        else if (*worth != keys.best(joined))
-          check.failures.add(fmt::format("{}: {:x} is not the best", key_text(place, ports, joined), answer.inner));
-        else if (*worth != answer.worth)
-          check.failures.add(fmt::format("{}: not worth what is stated", key_text(place, ports, joined)));
+      PortsCheck of_ports(reader, search, places[i], ports, check);
+      if (!certificate.weights.tells_turns()) {
+        of_ports.check_keys(0, 0);
+        continue;
+      }
+      for_each_submask(ports, [&](Mask left) {
+        for_each_submask(ports & ~left, [&](Mask right) { of_ports.check_keys(left, right); });
       });
     }
   }
@@ -63,18 +109,21 @@ FanCheck check_against_search(const AutomatonCertificate& certificate, unsigned 
 
 FanCheck check_against_rows(const AutomatonCertificate& certificate, const Family& family, const Certificate& rows) {
   FanCheck check;
+  const AutomatonReader reader(certificate);
   for (std::size_t s = 0; s < family.sections.size(); ++s) {
     const FanPlace place = place_of(family, family.sections[s]);
-    const Patch after = patch_after(place);
+    const Side after = patch_after(place);
     ++check.places;
     for (const Row& row : rows.sections[s].rows) {
       ++check.keys;
-      const AutomatonAnswer answer = answer_of(certificate, place, row.key.ports, row.key.second);
+      const FanKey key = fan_key(row.key, place);
+      const AutomatonAnswer answer = reader.answer(place, key);
       const Survey of_row = survey(after, row.after);
       check.same += answer.inner == row.after.inner ? 1U : 0U;
-      if (answer.worth != Worth{of_row.solid, -of_row.isolated})
-        check.failures.add(fmt::format("{}:{}: {} is worth another answer than this rule", rows.file, row.line,
-                                       key_text(place, row.key.ports, row.key.second)));
+      if (answer.cost != strips_weights.isolated * static_cast<int>(of_row.isolated) -
+                             strips_weights.restart * static_cast<int>(solid_count(row.after.inner)))
+        check.failures.add(fmt::format("{}:{}: {}, {} is worth another answer than this rule", rows.file, row.line,
+                                       place.text(), key.text()));
     }
   }
   return check;

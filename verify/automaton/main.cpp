@@ -1,4 +1,4 @@
-// restrip-verify-automaton: proves the certificates of the automata, for fans of any valence, from docs/notation.md and
+// restrip-verify-automaton: proves the certificate of an automaton, for fans of any valence, from docs/notation.md and
 // docs/automaton.md alone.
 
 #include <fmt/format.h>
@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "exit_code.hpp"
-#include "facts.hpp"
-#include "quantity.hpp"
-#include "verify_automaton.hpp"
+#include "automaton/facts.hpp"
+#include "automaton/verify_automaton.hpp"
+#include "model/exit_code.hpp"
+#include "model/quantity.hpp"
 
 namespace {
 
@@ -36,33 +36,26 @@ int run(const restrip::verify::AutomatonOptions& options) {
 int main(int argc, char** argv) {
   restrip::verify::AutomatonOptions options;
   bool facts = false;
-  std::string cost = "both";
-  CLI::App app("Proves the certificates of the automata: rules of fans of any valence.");
+  CLI::App app("Proves the certificate of an automaton: rules of fans of any valence, under the cost that it states.");
   app.name("restrip-verify-automaton");
   app.footer(
       "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
       "Example, from the top of the source tree:\n"
       "  build/release/bin/restrip-verify-automaton --tables-dir tables\n"
-      "An index automaton of other weights, alone in its folder:\n"
-      "  build/release/bin/restrip-verify-automaton --tables-dir DIR --cost indices");
+      "An automaton of another cost, alone in its folder:\n"
+      "  build/release/bin/restrip-verify-automaton --tables-dir DIR");
   app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
-  app.add_option("--cost", cost, "Which automaton: of fewest strips, of the index cost, or both")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"strips", "indices", "both"}));
   app.add_option("--tables-max-k", options.tables_max_k, "The largest fans of the other certificates in the folder")
       ->capture_default_str()
       ->check(CLI::Range(3U, restrip::verify::largest_judged_fan));
-  app.add_option("--max-k", options.max_k, "The largest fans that are searched as a whole for fewest strips")
+  app.add_option("--max-k", options.max_k,
+                 "The largest fans that are searched as a whole; 0: 10, or 6 where swaps have a price")
       ->capture_default_str()
-      ->check(CLI::Range(1, 12));
-  app.add_option("--every", options.every, "Of the places with k > 8 search every N-th only")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
-  app.add_option("--index-max-k", options.index_max_k, "The same for the index cost")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 9));
-  app.add_option("--index-every", options.index_every,
-                 "Of the pairs of arcs of the index automaton, and of its places with k > 5, look at every N-th only")
+      ->check(CLI::Range(0, 12));
+  app.add_option(
+         "--every", options.every,
+         "Of the places with k > 8 search every N-th only; where swaps have a price, of those with k > 5, and of "
+         "the pairs of arcs")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   app.add_flag("--facts", facts, "Read no certificate: print the worst that an operation costs in fans of any valence");
@@ -72,23 +65,13 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
   // What the other options ask for is then not done: that is no way to ignore them.
-  const auto refuse = [&](const std::string& why, std::initializer_list<const char*> without) {
-    for (const char* name : without)
-      if (!app.get_option(name)->empty()) {
-        fmt::print(stderr, "restrip-verify-automaton: {}, so {} has no effect; leave it out\n", why, name);
-        return true;
-      }
-    return false;
-  };
-  if ((facts && refuse("--facts reads and searches nothing", {"--tables-dir", "--cost", "--tables-max-k", "--max-k",
-                                                              "--every", "--index-max-k", "--index-every"})) ||
-      (cost == "strips" &&
-       refuse("--cost strips leaves the index automaton out", {"--index-max-k", "--index-every"})) ||
-      (cost == "indices" &&
-       refuse("--cost indices leaves the automaton of fewest strips out", {"--tables-max-k", "--max-k", "--every"})))
-    return bad_input;
-  options.strips = cost != "indices";
-  options.indices = cost != "strips";
+  for (const char* name : {"--tables-dir", "--tables-max-k", "--max-k", "--every"})
+    if (facts && !app.get_option(name)->empty()) {
+      fmt::print(stderr,
+                 "restrip-verify-automaton: --facts reads and searches nothing, so {} has no effect; leave it out\n",
+                 name);
+      return bad_input;
+    }
   try {
     if (!facts) return run(options);
     fmt::print("{}", restrip::verify::table_of(restrip::verify::facts_of_every_fan()));

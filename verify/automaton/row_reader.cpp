@@ -1,10 +1,13 @@
-#include "row_reader.hpp"
+#include "automaton/row_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
+#include <string_view>
 
-#include "certificate_form.hpp"
+#include "automaton/arc.hpp"
+#include "certificate/certificate_form.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -48,6 +51,11 @@ void RowReader::expect_letter(std::size_t word, char letter) const {
     lines_.fail(fmt::format("expected the letter {}, found \"{}\"", letter, lines_.words()[word]));
 }
 
-void RowReader::fail_case(std::string_view text) const { lines_.fail(fmt::format("\"{}\" is no case", text)); }
+std::size_t RowReader::case_at(std::size_t word) const {
+  const std::string_view text = lines_.words()[word];
+  const auto number = text.size() == 2 ? number_of({text[0], text[1]}) : std::nullopt;
+  if (!number) lines_.fail(fmt::format("\"{}\" is no case", text));
+  return *number;
+}
 
 }  // namespace restrip::verify

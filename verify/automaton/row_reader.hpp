@@ -3,11 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
-#include <string_view>
 
-#include "input.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify {
 
@@ -28,20 +26,10 @@ class RowReader {
   std::int64_t number_at(std::size_t word, std::int64_t least, std::int64_t most, const char* what = "a number") const;
   void expect_number(std::size_t word, std::size_t n) const;
   void expect_letter(std::size_t word, char letter) const;
-  /// The case that two letters name; `number_of` knows them.
-  template <typename NumberOf>
-  std::size_t case_at(std::size_t word, NumberOf number_of) const {
-    const std::string_view text = lines_.words()[word];
-    const auto number = text.size() == 2 ? number_of({text[0], text[1]}) : std::nullopt;
-    if (!number) fail_case(text);
-    return *number;
-  }
-
-  LineReader& lines() const { return lines_; }
+  /// The number of the case that two letters name.
+  std::size_t case_at(std::size_t word) const;
 
  private:
-  [[noreturn]] void fail_case(std::string_view text) const;
-
   LineReader& lines_;
   std::string section_;
   std::size_t rows_ = 0;

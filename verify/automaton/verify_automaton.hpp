@@ -1,22 +1,21 @@
 #pragma once
-// The certificates of the automata from top to bottom.
+// The certificate of the automaton from top to bottom.
 
 #include <string>
 
-#include "operation.hpp"
-#include "report.hpp"
+#include "judge/report.hpp"
+#include "model/family.hpp"
 
 namespace restrip::verify {
 
 struct AutomatonOptions {
   std::string tables_dir = "tables";
-  bool strips = true;                   ///< look at automaton.cert
-  bool indices = true;                  ///< look at index-automaton.cert
   unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, which are compared
-  unsigned max_k = 10;                  ///< the largest fans that are searched for the automaton of fewest strips
-  unsigned every = 1;                   ///< of the fans with k > 8 only every n-th place
-  unsigned index_max_k = 6;             ///< the largest fans that are searched for the index automaton
-  unsigned index_every = 1;             ///< of the pairs of its arcs, and of its fans with k > 5, only every n-th
+  /// The largest fans that are searched; 0: 10, or 6 where swaps have a price, which makes many more keys.
+  unsigned max_k = 0;
+  /// Of the fans with k > 8 only every n-th place; where swaps have a price, of those with k > 5 and of the kinds of
+  /// first arcs that are paired with all others.
+  unsigned every = 1;
 };
 
 struct AutomatonTotals {
@@ -27,7 +26,8 @@ struct AutomatonTotals {
   std::uint64_t kinds = 0;  ///< of arcs, told apart by what is best for each case, ports and class
 };
 
-/// Checks both certificates; calls the listener for each claim. InputError when a file cannot be read.
+/// Checks the certificate; calls the listener for each claim. InputError when a file cannot be read. The rules of the
+/// tables are compared with the automaton of fewest strips alone.
 AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimListener& listener);
 
 }  // namespace restrip::verify

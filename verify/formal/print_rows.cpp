@@ -6,6 +6,7 @@
 // too: the proof searches. At the end of the file stands the function from positions, lists of numbers such as [8; 3],
 // to the rows of their sections.
 // Anything unexpected ends the program with a message and exit code 1.
+#include <algorithm>
 #include <cstddef>
 #include <cstdlib>
 #include <exception>
@@ -45,18 +46,66 @@ struct Section {
   }
 };
 
-// `rule P J R because …` or `copy P J R by s n`, as a row of Rows.v.
-std::string read_row(const std::string& line) {
-  std::istringstream words(line);
-  std::string kind, ports, joined, after, by, symmetry, n, rest;
-  words >> kind >> ports >> joined >> after >> by >> symmetry >> n >> rest;
-  const std::string key = " 0x" + ports + " 0x" + joined;
-  if (kind == "rule" && by == "because") return "Rule" + key + " 0x" + after;
-  if (kind == "copy" && by == "by" && !n.empty() && rest.empty()) {
-    if (symmetry == "turn") return "Copy" + key + " (Turn " + n + ")";
-    if (symmetry == "mirror") return "Copy" + key + " (Mirror " + n + ")";
+unsigned number_in(const std::string& word, int base) {
+  std::size_t read = 0;
+  const unsigned long value = std::stoul(word, &read, base);
+  if (read != word.size()) fail("bad number: " + word);
+  return static_cast<unsigned>(value);
+}
+
+std::string hexadecimal(unsigned number) {
+  std::ostringstream text;
+  text << std::hex << number;
+  return text.str();
+}
+
+// The theory has a bit for each port that is joined to the solid port before it; a certificate has pairs of ports, bit
+// j (j - 1) / 2 + i for i < j.
+unsigned joined_to_preceding(unsigned long long pairs, unsigned ports, unsigned count, bool closed) {
+  unsigned joined = 0;
+  for (unsigned port = 0; port < count; ++port) {
+    if ((ports >> port & 1) == 0) continue;
+    for (unsigned step = 1; step < count && (closed || step <= port); ++step) {
+      const unsigned other = (port + count - step) % count;
+      if ((ports >> other & 1) == 0) continue;
+      const unsigned low = std::min(port, other);
+      const unsigned high = std::max(port, other);
+      if ((pairs >> (high * (high - 1) / 2 + low) & 1) != 0) {
+        joined |= 1U << port;
+      }
+      break;
+    }
   }
-  fail("bad row: " + line);
+  return joined;
+}
+
+// A permutation of the ports as the turn or mirror that it is.
+std::string symmetry_of(const std::vector<unsigned>& to) {
+  const auto k = static_cast<unsigned>(to.size());
+  bool turn = true;
+  bool mirror = true;
+  for (unsigned i = 0; i < k; ++i) {
+    turn = turn && to[i] == (i + to[0]) % k;
+    mirror = mirror && to[i] == (to[0] + k - i) % k;
+  }
+  if (!turn && !mirror) fail("neither a turn nor a mirror");
+  return (turn ? "(Turn " : "(Mirror ") + std::to_string(to[0]) + ")";
+}
+
+// `rule P J R K because …` or `copy P J R K by port…`, as a row of Rows.v.
+std::string read_row(const std::string& line, unsigned count, bool closed) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  if (words.size() < 6 || words[1] != words[4]) fail("bad row: " + line);
+  const unsigned ports = number_in(words[1], 16);
+  const unsigned long long pairs = std::stoull(words[2], nullptr, 16);
+  const std::string key = " 0x" + words[1] + " 0x" + hexadecimal(joined_to_preceding(pairs, ports, count, closed));
+  if (words[0] == "rule" && words[5] == "because") return "Rule" + key + " 0x" + words[3];
+  if (words[0] != "copy" || words[5] != "by" || words.size() != 6 + count) fail("bad row: " + line);
+  std::vector<unsigned> to;
+  for (std::size_t i = 6; i < words.size(); ++i) to.push_back(number_in(words[i], 10));
+  return "Copy" + key + " " + symmetry_of(to);
 }
 
 Section read_section(const std::string& line) {
@@ -70,9 +119,10 @@ Section read_section(const std::string& line) {
 
 void print_all(std::istream& in, const std::string& directory) {
   std::string line;
-  if (!std::getline(in, line) || line != "restrip-certificate 2") fail("not a certificate");
-  if (!std::getline(in, line) || line.rfind("family ", 0) != 0) fail("no family");
-  std::string family = line.substr(7);
+  if (!std::getline(in, line) || line != "restrip-certificate 3") fail("not a certificate");
+  if (!std::getline(in, line) || line.rfind("operation ", 0) != 0) fail("no family");
+  std::string family = line.substr(10);
+  const bool closed = family == "split" || family == "collapse";
   for (char& c : family) c = c == '-' ? '_' : c;
   std::vector<Section> sections;
   std::size_t rows = 0;
@@ -81,7 +131,8 @@ void print_all(std::istream& in, const std::string& directory) {
       sections.push_back(read_section(line));
     } else if (line.rfind("claim ", 0) != 0) {
       if (sections.empty()) fail("a row before the first section: " + line);
-      sections.back().rows.push_back(read_row(line));
+      if (sections.back().position.empty()) fail("a section without a number");
+      sections.back().rows.push_back(read_row(line, number_in(sections.back().position[0], 10), closed));
       ++rows;
     }
   }

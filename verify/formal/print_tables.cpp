@@ -138,7 +138,11 @@ class Table {
       fail(header_.family + ": line out of order: " + line);
     if (masks.none()) return;
     std::size_t answer = masks.next();
-    if (header_.family == "flip") answer |= masks.next() << 1;
+    const std::size_t kept = masks.next();
+    if (header_.family == "flip")
+      answer |= kept << 1;
+    else if (kept != ports)
+      fail(header_.family + ": a port changes: " + line);
     masks.end();
     if (answer >> header_.after != 0) fail(header_.family + ": answer too wide: " + line);
     answers_[number] = static_cast<long>(answer);
@@ -253,7 +257,7 @@ std::string read_lists(std::istream& in, const Header& header) {
 
 void print_all(std::istream& in, const std::string& directory) {
   std::string line;
-  if (!std::getline(in, line) || line != "restrip-table-dump 2") fail("not a table dump");
+  if (!std::getline(in, line) || line != "restrip-table-dump 3") fail("not a table dump");
   std::size_t lines = 0;
   std::map<std::string, File> files;
   std::vector<std::string> families;  // in the order of the dump

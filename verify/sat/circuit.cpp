@@ -1,4 +1,4 @@
-#include "circuit.hpp"
+#include "sat/circuit.hpp"
 
 #include <algorithm>
 

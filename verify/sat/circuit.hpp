@@ -2,7 +2,7 @@
 // A circuit written down as clauses (Tseitin, 1968): every gate is a variable that clauses fix in both directions, so
 // the inputs alone decide all others, and a satisfying assignment is neither more nor less than a choice of inputs.
 
-#include "cnf.hpp"
+#include "sat/cnf.hpp"
 
 namespace restrip::verify::sat {
 

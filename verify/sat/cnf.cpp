@@ -1,11 +1,11 @@
-#include "cnf.hpp"
+#include "sat/cnf.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <iterator>
 
-#include "number_reader.hpp"
+#include "sat/number_reader.hpp"
 
 namespace restrip::verify::sat {
 namespace {

@@ -1,10 +1,11 @@
-#include "controls.hpp"
+#include "sat/controls.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
-#include "merit.hpp"
+#include "model/coloring.hpp"
 
 namespace restrip::verify::sat {
 namespace {
@@ -28,15 +29,17 @@ Counterexample read_back(const Encoding& encoding, const std::vector<bool>& mode
 std::string objection(const Operation& operation, const Counterexample& found, const Bound& bound) {
   const Survey before = survey(operation.before, found.before);
   if (!before.valid) return "the configuration is not valid";
-  if (key_of(operation, found.before, before) != bound.key) return "the configuration has another key";
+  if (!has_key(bound, found.before.ports, before.joined)) return "the configuration has another key";
   const Survey after = survey(operation.after, found.after);
   if (!after.valid) return "the recolouring is not valid";
   if (!is_subset(found.after.ports, found.before.ports)) return "the recolouring makes a dashed port solid";
-  if (!operation.gives_ports_up && found.after.ports != found.before.ports) return "the recolouring changes a port";
+  if (operation.may_give_up == 0 && found.after.ports != found.before.ports) return "the recolouring changes a port";
   if (!after.joined.within(before.joined)) return "the recolouring joins ports that were not joined before";
-  const int unchanged = operation.gives_ports_up ? 0 : static_cast<int>(solid_count(found.before.ports));
-  if (merit_of(after, found.after, found.before.ports) <= Merit{bound.solid + unchanged, -bound.isolated, bound.kept})
-    return "the recolouring is no better than the bound";
+  const auto kept = static_cast<int>(solid_count(found.after.ports));
+  const int given_up = static_cast<int>(solid_count(found.before.ports)) - kept;
+  const int solid = static_cast<int>(solid_count(found.after.inner)) + (operation.may_give_up != 0 ? kept : 0);
+  const std::array own = {solid, -static_cast<int>(after.isolated) - given_up, kept};
+  if (own <= std::array{bound.solid, -bound.isolated, bound.kept}) return "the recolouring is no better than the bound";
   return {};
 }
 
@@ -66,7 +69,11 @@ Encoding with_key_as_facts(const Position& position, const Alteration& alteratio
       encoding.cnf.clauses.push_back({is_solid(mask, i) ? literals[i] : -literals[i]});
   };
   put_in(encoding.ports, alteration.beaten.key.ports);
-  put_in(encoding.second_mask, alteration.beaten.key.second);
+  const Bound& bound = alteration.beaten;
+  for (unsigned j = 0; j < encoding.joined.size(); ++j)
+    for (unsigned i = 0; i < j; ++i)
+      if (bound.matter.has(i, j))
+        encoding.cnf.clauses.push_back({bound.key.joined.has(i, j) ? encoding.joined[j][i] : -encoding.joined[j][i]});
   return encoding;
 }
 

@@ -2,9 +2,9 @@
 // Controls: alterations that must change the verdict. A formula that stays unsatisfiable whatever it claims, or a
 // checker that accepts whatever it reads, proves nothing.
 
-#include "certificate.hpp"
-#include "encoding.hpp"
-#include "proof_check.hpp"
+#include "certificate/certificate.hpp"
+#include "sat/encoding.hpp"
+#include "sat/proof_check.hpp"
 
 namespace restrip::verify::sat {
 
@@ -17,12 +17,12 @@ struct ControlResult {
 
 /// An assignment read back as colours.
 struct Counterexample {
-  Coloring before;
-  Coloring after;
+  Colors before;
+  Colors after;
 };
 Counterexample read_back(const Encoding& encoding, const std::vector<bool>& model);
 
-/// What the verifier's own walk along strips has against the claim that the recolouring is a sound one of a valid
+/// What the verifier's own survey of colours has against the claim that the recolouring is a sound one of a valid
 /// configuration with the bound's key, and better than the bound; empty when it agrees.
 std::string objection(const Operation& operation, const Counterexample& found, const Bound& bound);
 

@@ -1,6 +1,6 @@
-#include "drat_proof.hpp"
+#include "sat/drat_proof.hpp"
 
-#include "number_reader.hpp"
+#include "sat/number_reader.hpp"
 
 namespace restrip::verify::sat {
 

@@ -2,7 +2,7 @@
 // Proofs as SAT solvers write them (DRAT, the text form): a line is a clause that follows, "d" and a clause that is no
 // longer needed, or "0", the empty clause, which ends the proof.
 
-#include "cnf.hpp"
+#include "sat/cnf.hpp"
 
 namespace restrip::verify::sat {
 

@@ -1,4 +1,4 @@
-#include "encoding.hpp"
+#include "sat/encoding.hpp"
 
 #include <algorithm>
 
@@ -57,25 +57,18 @@ Together require_no_cycles(Circuit& circuit, const Colors& colors, const Forgive
   return together;
 }
 
-/// The literals of `joined` (docs/notation.md, "Key").
-std::vector<Literal> joined_mask(Circuit& circuit, const Position& position, const std::vector<Literal>& ports,
-                                 const Together& together, Fault fault) {
-  const std::size_t k = ports.size();
-  std::vector<Literal> joined;
-  for (std::size_t i = 0; i < k; ++i) {
-    Clause ways;
-    Clause apart{ports[i]};  // and no solid port since
-    const bool cyclic = position.cyclic && fault != Fault::not_cyclic;
-    for (std::size_t step = 1; step < k && (cyclic || step <= i); ++step) {
-      const std::size_t j = (fault == Fault::joined_by_next ? i + step : i + k - step) % k;
-      Clause precedes = apart;
-      precedes.push_back(ports[j]);
-      precedes.push_back(together[position.before.owner[i]][position.before.owner[j]]);
-      ways.push_back(circuit.all_of(std::move(precedes)));
-      apart.push_back(-ports[j]);
+/// For all ports i < j: both are solid, and joined.
+std::vector<std::vector<Literal>> joined_pairs(Circuit& circuit, const Position& position,
+                                               const std::vector<Literal>& ports, const Together& together,
+                                               Fault fault) {
+  std::vector<std::vector<Literal>> joined(ports.size());
+  for (std::size_t j = 0; j < ports.size(); ++j)
+    for (std::size_t i = 0; i < j; ++i) {
+      const unsigned one = position.before.owner[i];
+      const unsigned other = position.before.owner[j];
+      const bool never = fault == Fault::joined_never || (fault == Fault::joined_by_triangle && one != other);
+      joined[j].push_back(never ? Circuit::no : circuit.all_of({ports[i], ports[j], together[one][other]}));
     }
-    joined.push_back(fault == Fault::joined_never ? Circuit::no : circuit.any_of(std::move(ways)));
-  }
   return joined;
 }
 
@@ -134,8 +127,10 @@ void require_better(Circuit& circuit, const Position& position, const Encoding& 
     Clause other_key;
     for (unsigned i = 0; i < names.ports.size(); ++i)
       other_key.push_back(is_solid(bound.key.ports, i) ? -names.ports[i] : names.ports[i]);
-    for (unsigned i = 0; i < names.second_mask.size(); ++i)
-      other_key.push_back(is_solid(bound.key.second, i) ? -names.second_mask[i] : names.second_mask[i]);
+    for (unsigned j = 0; j < names.joined.size(); ++j)
+      for (unsigned i = 0; i < j; ++i)
+        if (bound.matter.has(i, j))
+          other_key.push_back(bound.key.joined.has(i, j) ? -names.joined[j][i] : names.joined[j][i]);
     const auto require = [&](const Clause& better) {
       Clause clause = other_key;
       clause.insert(clause.end(), better.begin(), better.end());
@@ -172,7 +167,11 @@ std::vector<Bound> bounds_of(const Position& position, const std::vector<Row>& r
       if (is_solid(row.after.ports, i)) lonely[position.after.owner[i]] = false;
     const int kept = static_cast<int>(solid_count(row.after.ports));
     const int given_up = static_cast<int>(solid_count(row.key.ports)) - kept;
-    bounds.push_back({row.key, static_cast<int>(solid_count(row.after.inner)) + (position.gives_ports_up ? kept : 0),
+    PortPairs matter;
+    for (const Row& other : rows)
+      if (other.key.ports == row.key.ports) matter.add(other.key.joined);
+    bounds.push_back({row.key, matter,
+                      static_cast<int>(solid_count(row.after.inner)) + (position.gives_ports_up ? kept : 0),
                       static_cast<int>(std::count(lonely.begin(), lonely.end(), true)) + given_up, kept});
   }
   return bounds;
@@ -207,8 +206,7 @@ Encoding encode(const Position& given, const std::vector<Bound>& bounds, Fault f
   const Together together_after = require_no_cycles(circuit, after, forgiven);
 
   require_pairs(circuit, position, names, together_before, together_after, fault);
-  names.second_mask =
-      position.gives_ports_up ? names.before : joined_mask(circuit, position, names.ports, together_before, fault);
+  names.joined = joined_pairs(circuit, position, names.ports, together_before, fault);
   require_better(circuit, position, names, bounds, fault);
 
   if (fault == Fault::chord_never && position.after.has_chord) circuit.require({-names.after.back()});

@@ -3,19 +3,25 @@
 // describes it so that it can be rebuilt. Written from docs/notation.md; of the verifier it uses the parser of
 // certificates and nothing else.
 
-#include "certificate.hpp"
-#include "circuit.hpp"
-#include "patch_graph.hpp"
+#include "certificate/certificate.hpp"
+#include "sat/circuit.hpp"
+#include "sat/patch_graph.hpp"
 
 namespace restrip::verify::sat {
 
 /// What a row claims of its key: no sound recolouring is better, in this order.
 struct Bound {
   Key key;
+  PortPairs matter;  ///< pairs of its ports that keys with these ports can tell apart
   int solid = 0;     ///< solid edges after; for a flip with the ports kept
   int isolated = 0;  ///< isolated triangles after; for a flip with the ports given up
   int kept = 0;      ///< ports kept; meant for flips only
 };
+
+/// Whether a configuration with these ports that joins these pairs has the bound's key.
+inline bool has_key(const Bound& bound, Mask ports, PortPairs joined) {
+  return ports == bound.key.ports && joined.both(bound.matter) == bound.key.joined;
+}
 
 /// The figures of the rows' recolourings, in the order of the rows.
 std::vector<Bound> bounds_of(const Position& position, const std::vector<Row>& rows);
@@ -32,9 +38,8 @@ enum class EncodingFault {
   forget_some_pairs,    // … port 0 with port 1
   any_degree_before,    // configurations may have triangles with three solid edges
   any_cycle_before,     // … closed strips
-  joined_by_next,       // the key's `joined` looks at the next port
-  joined_never,         // the key's `joined` stays zero
-  not_cyclic,           // the first solid port has no predecessor
+  joined_never,         // the key has no joined pair
+  joined_by_triangle,   // … only pairs of ports of one triangle
   chord_misplaced,      // the chord ends one triangle too far
   chord_never,          // recolourings that use the chord are left out
   first_edge_never,     // … that use the first edge
@@ -50,11 +55,11 @@ inline constexpr EncodingFault last_encoding_fault = EncodingFault::empty_ports_
 /// The formula, and where its inputs are.
 struct Encoding {
   Cnf cnf;
-  std::vector<Literal> before;       ///< inner edges
-  std::vector<Literal> ports;        ///< before
-  std::vector<Literal> after;        ///< inner edges
-  std::vector<Literal> ports_after;  ///< the same literals as `ports` unless ports may be given up
-  std::vector<Literal> second_mask;  ///< of the key: gates for `joined`, inputs for the inner edge of a flip
+  std::vector<Literal> before;               ///< inner edges
+  std::vector<Literal> ports;                ///< before
+  std::vector<Literal> after;                ///< inner edges
+  std::vector<Literal> ports_after;          ///< the same literals as `ports` unless ports may be given up
+  std::vector<std::vector<Literal>> joined;  ///< of the key: joined[j][i] for ports i < j
 };
 
 Encoding encode(const Position& position, const std::vector<Bound>& bounds, EncodingFault fault = EncodingFault::none);

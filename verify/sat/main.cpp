@@ -7,10 +7,10 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "exit_code.hpp"
 #include "files/system_calls.hpp"
-#include "input.hpp"
-#include "prove.hpp"
+#include "model/exit_code.hpp"
+#include "model/input.hpp"
+#include "sat/prove.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "number_reader.hpp"
+#include "sat/number_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "input.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify::sat {
 

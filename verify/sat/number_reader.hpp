@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "cnf.hpp"
+#include "sat/cnf.hpp"
 
 namespace restrip::verify::sat {
 

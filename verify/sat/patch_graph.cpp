@@ -1,4 +1,4 @@
-#include "patch_graph.hpp"
+#include "sat/patch_graph.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <utility>
 
-#include "input.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify::sat {
 namespace {
@@ -47,14 +47,14 @@ std::vector<unsigned> numbers_of(const std::string& position) {
 }  // namespace
 
 Position position_of(const std::string& family, const std::string& position) {
-  if (family == "flip") return {two_triangles({0, 0, 1, 1}), two_triangles({1, 0, 0, 1}), false, true};
+  if (family == "flip") return {two_triangles({0, 0, 1, 1}), two_triangles({1, 0, 0, 1}), true};
   std::vector<unsigned> places = numbers_of(position);
   if (places.empty()) throw InputError(family, 0, fmt::format("no position \"{}\"", position));
   const unsigned k = places.front();
   places.erase(places.begin());
   const bool closed = family == "split" || family == "collapse";
   if (closed) places.insert(places.begin(), 0);  // A stands before t_0
-  Position result{fan(k, closed, {}), fan(k, closed, places), closed, false};
+  Position result{fan(k, closed, {}), fan(k, closed, places), false};
   if (family.ends_with("collapse"))
     std::swap(result.before, result.after);
   else if (!family.ends_with("split"))

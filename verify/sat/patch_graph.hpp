@@ -24,7 +24,6 @@ struct PatchGraph {
 struct Position {
   PatchGraph before;
   PatchGraph after;
-  bool cyclic = false;          ///< a closed fan: the first solid port is preceded by the last
   bool gives_ports_up = false;  ///< the flip
 };
 

@@ -1,11 +1,11 @@
-#include "proof_check.hpp"
+#include "sat/proof_check.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <limits>
 
-#include "rup.hpp"
+#include "sat/rup.hpp"
 
 namespace restrip::verify::sat {
 namespace {

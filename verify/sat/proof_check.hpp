@@ -3,7 +3,7 @@
 // there, and the empty clause must come. RAT, the rest of DRAT, is not accepted: the solver's default steps do not
 // need it, and without it every line is a consequence of the formula, which is easier to believe.
 
-#include "drat_proof.hpp"
+#include "sat/drat_proof.hpp"
 
 namespace restrip::verify::sat {
 

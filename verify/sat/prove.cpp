@@ -1,4 +1,4 @@
-#include "prove.hpp"
+#include "sat/prove.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,10 @@
 #include <optional>
 #include <thread>
 
-#include "input.hpp"
-#include "solver.hpp"
-#include "work_folder.hpp"
+#include "model/coloring.hpp"
+#include "model/input.hpp"
+#include "sat/solver.hpp"
+#include "sat/work_folder.hpp"
 
 namespace restrip::verify::sat {
 namespace {
@@ -27,12 +28,16 @@ std::string in_words(const Task& task, const Counterexample& found) {
   std::string text = fmt::format("inner {:x}, ports {:x} can become inner {:x}, ports {:x}, which beats its row",
                                  found.before.inner, found.before.ports, found.after.inner, found.after.ports);
   const Survey before = survey(task.operation->before, found.before);
-  const Key key = before.valid ? key_of(*task.operation, found.before, before) : Key{};
-  const auto row = std::find_if(task.rows->rows.begin(), task.rows->rows.end(),
-                                [&](const Row& candidate) { return candidate.key == key; });
-  if (row == task.rows->rows.end())
-    return text + fmt::format(" ({} has no row for the key {:x} {:x})", task.certificate, key.ports, key.second);
-  return text + fmt::format(" ({}:{})", task.certificate, row->line);
+  const std::vector<Bound> bounds =
+      bounds_of(position_of(task.operation->family, task.operation->position), task.rows->rows);
+  const auto bound = std::find_if(bounds.begin(), bounds.end(), [&](const Bound& candidate) {
+    return before.valid && has_key(candidate, found.before.ports, before.joined);
+  });
+  if (bound == bounds.end())
+    return text + fmt::format(" ({} has no row for ports {:x} that join {})", task.certificate, found.before.ports,
+                              listed(before.joined, task.operation->ports()));
+  const auto place = static_cast<std::size_t>(bound - bounds.begin());
+  return text + fmt::format(" ({}:{})", task.certificate, task.rows->rows[place].line);
 }
 
 class Prover {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "controls.hpp"
+#include "sat/controls.hpp"
 
 namespace restrip::verify::sat {
 

@@ -1,4 +1,4 @@
-#include "rup.hpp"
+#include "sat/rup.hpp"
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "cnf.hpp"
+#include "sat/cnf.hpp"
 
 namespace restrip::verify::sat {
 

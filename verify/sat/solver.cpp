@@ -1,4 +1,4 @@
-#include "solver.hpp"
+#include "sat/solver.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "input.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify::sat {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cnf.hpp"
+#include "sat/cnf.hpp"
 
 namespace restrip::verify::sat {
 

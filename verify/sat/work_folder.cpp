@@ -1,4 +1,4 @@
-#include "work_folder.hpp"
+#include "sat/work_folder.hpp"
 
 #include <fmt/format.h>
 #include <stdlib.h>  // NOLINT: mkdtemp is POSIX

@@ -44,6 +44,13 @@ class Section:
     def closed(self):
         return FAMILIES[self.family][1]
 
+    def keys(self, ports, joined, colors, kept):
+        """A row as the pages show it: by the mask of ports joined to the one before, of a flip by its inner edge."""
+        pairs = {frozenset((i, j)) for j in range(self.k) for i in range(j) if joined >> (j * (j - 1) // 2 + i) & 1}
+        if self.family != "flip":
+            return [[ports, mask_of_pairs(ports, pairs, self.closed), colors]]
+        return [[ports, inner, kept, colors] for inner in (0, 1) if flip_pairs(ports, inner) == pairs]
+
     def title(self):
         if self.family == "flip":
             return "The flip"
@@ -69,7 +76,7 @@ def reason(words):
 def read(path):
     sections = []
     lines = path.read_text(encoding="ascii").split("\n")
-    if lines[0] != "restrip-certificate 2" or not lines[-2].startswith("end "):
+    if lines[0] != "restrip-certificate 3" or not lines[-2].startswith("end "):
         sys.exit(f"atlas.py: {path}: is no certificate, or not whole")
     family = lines[1].split()[1]
     rows = 0
@@ -85,11 +92,12 @@ def read(path):
             tree, rest = reason(words[at + 1:])
             if rest:
                 sys.exit(f"atlas.py: {path}:{number}: the reason goes on: {' '.join(rest)}")
-            sections[-1].rules.append(([int(w, 16) for w in words[1:at]], tree))
+            sections[-1].rules += [(key, tree) for key in sections[-1].keys(*(int(w, 16) for w in words[1:at]))]
         elif words[0] == "copy":
             rows += 1
             at = words.index("by")
-            sections[-1].copies.append(([int(w, 16) for w in words[1:at]], words[at + 1], int(words[at + 2])))
+            to = [int(w) for w in words[at + 1:]]
+            sections[-1].copies += [(key, to) for key in sections[-1].keys(*(int(w, 16) for w in words[1:at]))]
         else:
             sys.exit(f"atlas.py: {path}:{number}: a line that is not known: {line}")
     if rows != int(lines[-2].split()[1]):
@@ -116,12 +124,20 @@ def mask_of_pairs(ports, pairs, closed):
     return out
 
 
-def key_after(k, ports, joined, closed, symmetry, by):
-    def to(i):
-        return (i + by) % k if symmetry == "turn" else (by - i) % k
-    moved = sum(1 << to(i) for i in bits(ports))
-    pairs = {frozenset(to(i) for i in pair) for pair in joined_pairs(k, ports, joined, closed)}
+def key_after(k, ports, joined, closed, to):
+    moved = sum(1 << to[i] for i in bits(ports))
+    pairs = {frozenset(to[i] for i in pair) for pair in joined_pairs(k, ports, joined, closed)}
     return moved, mask_of_pairs(moved, pairs, closed)
+
+
+def flip_pairs(ports, inner):
+    """The pairs of ports that two triangles join before a flip, p_0 and p_1 at one, p_2 and p_3 at the other; None when
+    one has three solid edges."""
+    sides = [[i for i in bits(ports) if i // 2 == side] for side in (0, 1)]
+    if any(len(side) + inner > 2 for side in sides):
+        return None
+    groups = [sides[0] + sides[1]] if inner else sides
+    return {frozenset((i, j)) for group in groups for i in group for j in group if i < j}
 
 
 def configurations(k, closed):
@@ -325,8 +341,8 @@ NOTES = {
 
 def section_page(section, known, met, page):
     orbits = defaultdict(lambda: 1)
-    for key, symmetry, by in section.copies:
-        orbits[key_after(section.k, key[0], key[1], section.closed, symmetry, by)] += 1
+    for key, to in section.copies:
+        orbits[key_after(section.k, key[0], key[1], section.closed, to)] += 1
     rules = {tuple(key[:2]) for key, _ in section.rules}
     if not set(orbits) <= rules:
         sys.exit(f"atlas.py: {section.name}: a copy has no rule")
@@ -371,10 +387,8 @@ def section_page(section, known, met, page):
 def flip_page(section, page):
     rows = []
     orbits = defaultdict(lambda: 1)
-    for (ports, inner, *_), symmetry, by in section.copies:
-        def to(i):
-            return (i + by) % 4 if symmetry == "turn" else (by - i) % 4
-        orbits[sum(1 << to(i) for i in bits(ports)), inner] += 1
+    for (ports, inner, *_), to in section.copies:
+        orbits[sum(1 << to[i] for i in bits(ports)), inner] += 1
     for (ports, inner, kept, after), tree in section.rules:
         name = f"flip-{ports:x}-{inner:x}"
         change = inner + ports.bit_count() - after - kept.bit_count()

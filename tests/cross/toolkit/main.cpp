@@ -1,12 +1,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <restrip/restrip.hpp>
-#include <restrip/rules/index_rules.hpp>
 
 // The rules come from the tables of this build.
 static_assert(restrip::table_max_k == MAX_K);
 static_assert(restrip::split_rule({MAX_K, MAX_K / 2}, 0, 0).valid);
-static_assert(restrip::tables::index_automaton.restart == 3 && restrip::tables::index_automaton.swap == 1);
 
 int main() {
   // A cone over a ring of MAX_K vertices: its two tips have the largest fans that the tables know.

@@ -1,6 +1,6 @@
 // Claim: what docs/theory.md section 5 says of k <= 8 holds for every k; on the boundary one triangle may be isolated.
 // Where a split and a collapse inside the mesh first cost a strip, k = 4, is known from the tables' search.
-#include "facts.hpp"
+#include "automaton/facts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,27 +1,23 @@
-// Claim: the automaton's verifier notices what is wrong. The shipped certificate is altered in one row, its sums
-// brought up to date, and each alteration must fail the claim that it breaks, or be refused as not well formed. Kinds
-// of rows are altered wherever a fixed stride meets them, so that no row is picked because it is known to be noticed.
+// Claim: the automaton's verifier notices what is wrong. The shipped certificate, and one of a cost in which swaps have
+// a price, are altered in one row, their sums brought up to date, and each alteration must fail the claim that it
+// breaks, or be refused as not well formed. Kinds of rows are altered wherever a fixed stride meets them, so that no
+// row is picked because it is known to be noticed.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "altered_certificate.hpp"
-#include "automaton_certificate.hpp"
-#include "class_check.hpp"
-#include "input.hpp"
+#include "altered_lines.hpp"
+#include "automaton/automaton_certificate.hpp"
+#include "automaton/class_check.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify {
 namespace {
 
 using namespace test;
-
-const std::vector<std::string>& shipped() {
-  static const std::vector<std::string> lines =
-      lines_of(std::string(RESTRIP_TABLES_DIR) + "/certificates/automaton.cert");
-  return lines;
-}
 
 /// What the checker says first; empty when all claims hold.
 std::string verdict_of(const std::vector<std::string>& lines) {
@@ -36,91 +32,142 @@ std::string verdict_of(const std::vector<std::string>& lines) {
   }
 }
 
-void expect_noticed(const std::string& kind, const Change& change, const std::string& message, std::size_t count) {
-  expect_each_noticed(shipped(), verdict_of, kind, change, message, count);
+/// By the folder of tables that has it.
+class AutomatonRejects : public testing::TestWithParam<const char*> {
+ protected:
+  const std::vector<std::string>& good() const {
+    static std::map<std::string, std::vector<std::string>> known;
+    std::vector<std::string>& lines = known[GetParam()];
+    if (lines.empty()) lines = lines_of(std::string(GetParam()) + "/certificates/automaton.cert");
+    return lines;
+  }
+
+  /// Changes `count` rows of a kind, one at a time, spread over the file; each must be noticed.
+  void expect_noticed(const std::string& kind, const RowChange& change, const std::string& message,
+                      std::size_t count = 1) const {
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < good().size(); ++i)
+      if (good()[i].rfind(kind + " ", 0) == 0 && change(words_of(good()[i]))) rows.push_back(i);
+    ASSERT_GE(rows.size(), count) << kind;
+    for (std::size_t n = 0; n < count; ++n) {
+      const std::size_t row = rows[(2 * n + 1) * rows.size() / (2 * count)];
+      std::vector<std::string> lines = good();
+      lines[row] = change(words_of(lines[row])).value();
+      const std::string verdict = verdict_of(lines);
+      EXPECT_NE(verdict.find(message), std::string::npos) << good()[row] << " -> " << lines[row] << ": " << verdict;
+    }
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Costs, AutomatonRejects, testing::Values(RESTRIP_TABLES_DIR, RESTRIP_OTHER_TABLES_DIR));
+
+TEST_P(AutomatonRejects, NothingInAGoodCertificate) { EXPECT_EQ(verdict_of(good()), ""); }
+
+/// Another cost than that of the rows.
+TEST_P(AutomatonRejects, WrongWeights) {
+  expect_noticed("weights", one_more(1), "altered.cert:");
+  expect_noticed("weights", one_more(2), "altered.cert:");
+  expect_noticed("weights", one_more(3), "altered.cert:");
 }
 
-TEST(AutomatonRejects, NothingInTheShippedCertificate) { EXPECT_EQ(verdict_of(shipped()), ""); }
-
-TEST(AutomatonRejects, WrongValues) {
-  const Change of_several = [](std::vector<std::string> words) -> std::optional<std::string> {
+TEST_P(AutomatonRejects, WrongValues) {
+  const RowChange of_several = [](std::vector<std::string> words) -> std::optional<std::string> {
     if (words[2] == "--") return {};
     return one_more(3)(words);
   };
-  expect_noticed("value", of_several, "wrong", 1);
+  expect_noticed("value", of_several, "wrong", 2);
 }
 
-TEST(AutomatonRejects, WrongGains) { expect_noticed("step", one_more(4), "wrong gain", 1); }
+TEST_P(AutomatonRejects, WrongCosts) { expect_noticed("step", one_more(4), "wrong cost"); }
 
-TEST(AutomatonRejects, WrongSteps) { expect_noticed("step", one_more(3), "altered.cert:", 2); }
+TEST_P(AutomatonRejects, WrongSteps) { expect_noticed("step", one_more(3), "altered.cert:", 2); }
 
-TEST(AutomatonRejects, WrongOrigins) {
-  const Change to_dashed = [](std::vector<std::string> words) -> std::optional<std::string> {
+TEST_P(AutomatonRejects, WrongOrigins) {
+  const RowChange other = [](std::vector<std::string> words) -> std::optional<std::string> {
     if (words[4] == "--" || words[4] == "tt") return {};
     words[4] = words[4] == "ee" ? "pp" : "ee";
     return joined(words);
   };
-  expect_noticed("from", to_dashed, "wrong origin", 1);
+  expect_noticed("from", other, "wrong origin");
 }
 
-TEST(AutomatonRejects, WrongClosings) { expect_noticed("close", one_more(3), "wrong value: the closing", 1); }
-
-TEST(AutomatonRejects, UnsoundClosings) {
-  const Change cycle = [](std::vector<std::string> words) {
+TEST_P(AutomatonRejects, UnsoundClosings) {
+  const RowChange cycle = [](std::vector<std::string> words) {
     words[2] = "tt";
     return joined(words);
   };
-  expect_noticed("close", cycle, "unsound closing", 1);
+  expect_noticed("close", cycle, "unsound closing");
 }
 
-TEST(AutomatonRejects, WrongMeetings) { expect_noticed("meet", one_more(7), "wrong value: the meeting", 1); }
+TEST_P(AutomatonRejects, InferiorClosings) {
+  const RowChange all_dashed = [](std::vector<std::string> words) -> std::optional<std::string> {
+    if (words[2] == "--") return {};
+    words[2] = "--";
+    return joined(words);
+  };
+  expect_noticed("close", all_dashed, " closing");
+}
 
-TEST(AutomatonRejects, InferiorMeetings) {
-  const Change all_dashed = [](std::vector<std::string> words) -> std::optional<std::string> {
+TEST_P(AutomatonRejects, InferiorMeetings) {
+  const RowChange all_dashed = [](std::vector<std::string> words) -> std::optional<std::string> {
     if (words[3] == "--" || words[4] == "--") return {};
     words[3] = words[4] = "--";
     words[5] = "-";
     return joined(words);
   };
-  expect_noticed("meet", all_dashed, " meeting", 1);
+  expect_noticed("meet", all_dashed, " meeting");
 }
 
-TEST(AutomatonRejects, UnsoundMeetings) {
-  const Change three_edges = [](std::vector<std::string> words) -> std::optional<std::string> {
-    if (words[3] != "tt" || words[5] == "chord") return {};
+TEST_P(AutomatonRejects, UnsoundMeetings) {
+  const RowChange three_edges = [](std::vector<std::string> words) -> std::optional<std::string> {
+    const bool three_at_a = words[3][0] != '-' && words[4][1] != '-';
+    if (!three_at_a || words[5] == "chord") return {};
     words[5] = "chord";
     return joined(words);
   };
-  expect_noticed("meet", three_edges, "unsound meeting", 1);
+  expect_noticed("meet", three_edges, "unsound meeting");
 }
 
-TEST(AutomatonRejects, WrongWitnesses) {
-  const Change longer = [](std::vector<std::string> words) -> std::optional<std::string> {
+TEST_P(AutomatonRejects, WrongWitnesses) {
+  const RowChange longer = [](std::vector<std::string> words) -> std::optional<std::string> {
     if (words[2] == "-") return {};
     words[2].insert(words[2].begin(), 'd');
     return joined(words);
   };
-  expect_noticed("class", longer, "wrong witness", 1);
+  expect_noticed("class", longer, "wrong witness");
+}
+
+/// Another row or column of meetings.
+TEST_P(AutomatonRejects, WrongRowsAndColumns) {
+  for (const std::size_t word : {3U, 4U}) {
+    const RowChange first_one = [word](std::vector<std::string> words) -> std::optional<std::string> {
+      if (words[word] == "-" || std::stoi(words[word]) < 5) return {};
+      words[word] = "0";
+      return joined(words);
+    };
+    expect_noticed("class", first_one, "altered.cert:");
+  }
 }
 
 /// Files that are not well formed: no claim is looked at.
-TEST(AutomatonRejects, MalformedFiles) {
+TEST_P(AutomatonRejects, MalformedFiles) {
   const auto row_of = [&](const std::string& start) {
-    for (std::size_t i = 0; i < shipped().size(); ++i)
-      if (shipped()[i].rfind(start, 0) == 0) return i;
+    for (std::size_t i = 0; i < good().size(); ++i)
+      if (good()[i].rfind(start, 0) == 0) return i;
     ADD_FAILURE() << "no row " << start;
     return std::size_t{0};
   };
   const auto without = [&](const std::string& start) {
-    std::vector<std::string> lines = shipped();
+    std::vector<std::string> lines = good();
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(row_of(start)));
     return verdict_of(lines);
   };
   const auto with = [&](const std::string& start, const std::string& line) {
-    std::vector<std::string> lines = shipped();
+    std::vector<std::string> lines = good();
     lines[row_of(start)] = line;
     return verdict_of(lines);
   };
+  EXPECT_NE(without("weights ").find("altered.cert:"), std::string::npos);
   EXPECT_NE(without("class 5 ").find("there is no class"), std::string::npos);
   EXPECT_NE(without("value 7 ").find("altered.cert:"), std::string::npos);
   EXPECT_NE(without("step 3 s ").find("expected the letter d, found \"s\""), std::string::npos);
@@ -129,15 +176,20 @@ TEST(AutomatonRejects, MalformedFiles) {
   EXPECT_NE(without("meet 2 9 ").find("expected 9, found 10"), std::string::npos);
   EXPECT_NE(without("section meetings").find("expected"), std::string::npos);
   EXPECT_NE(without("claim rows").find("claim rows missing"), std::string::npos);
-  EXPECT_NE(with("close 2 ", "close 2 xy 0 0").find("is no case"), std::string::npos);
-  EXPECT_NE(with("meet 2 9 ", "meet 2 9 -- -- cord 0 0").find("expected \"chord\" or \"-\""), std::string::npos);
-  EXPECT_NE(with("class 2 ", "class 2 sxs").find("is no witness"), std::string::npos);
-  EXPECT_NE(with("step 0 d ", "step 0 d 254 0 0").find("there is no class 254"), std::string::npos);
+  EXPECT_NE(with("weights ", "weights 0 1 0").find("expected a number from 1 to 1000"), std::string::npos);
+  EXPECT_NE(with("weights ", "weights 3 1001 0").find("expected a number from 0 to 1000"), std::string::npos);
+  EXPECT_NE(with("close 2 ", "close 2 xy").find("is no case"), std::string::npos);
+  EXPECT_NE(with("meet 2 9 ", "meet 2 9 -- -- cord").find("expected \"chord\" or \"-\""), std::string::npos);
+  EXPECT_NE(with("class 2 ", "class 2 sxs 1 1").find("is no witness"), std::string::npos);
+  EXPECT_NE(with("class 2 ", "class 2 s - 1").find("expected"), std::string::npos);
+  EXPECT_NE(with("class 2 ", "class 2 s 70 1").find("expected a number from 0 to 1"), std::string::npos);
+  EXPECT_NE(with("step 0 d ", "step 0 d 65000 0").find("there is no class 65000"), std::string::npos);
+  EXPECT_NE(with("value 1 --", "value 1 -- -1").find("expected a number from 0"), std::string::npos);
   EXPECT_NE(with("family ", "family split").find("expected"), std::string::npos);
-  std::string bytes = text_of(shipped());
+  std::string bytes = text_of(good());
   bytes.resize(bytes.size() / 2);
   EXPECT_THROW(parse_automaton("half.cert", bytes), InputError);
-  bytes = text_of(shipped());
+  bytes = text_of(good());
   bytes[bytes.size() / 3] = bytes[bytes.size() / 3] == '1' ? '2' : '1';
   EXPECT_THROW(parse_automaton("altered.cert", bytes), InputError);
 }

@@ -1,12 +1,12 @@
 // The proof checker: right proofs, wrong ones, malformed ones, each named for its crime; and a plainer checker that
 // must say the same of every proof with a line cut out or a literal turned round.
-#include "proof_check.hpp"
+#include "sat/proof_check.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "input.hpp"
+#include "model/input.hpp"
 #include "naive_rup.hpp"
 
 namespace restrip::verify::sat::test {

@@ -1,5 +1,5 @@
 // The program as a whole: the shipped tables, the controls, wrong tables, solvers that lie or are missing.
-#include "prove.hpp"
+#include "sat/prove.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "input.hpp"
+#include "model/input.hpp"
 #include "naive_rup.hpp"
-#include "solver.hpp"
+#include "sat/solver.hpp"
+#include "sat/work_folder.hpp"
 #include "support.hpp"
-#include "work_folder.hpp"
 
 namespace restrip::verify::sat::test {
 namespace {
@@ -140,7 +140,7 @@ TEST(SatProofs, AWorseRuleIsBeatenAndNamed) {
   const Row row = certificate.sections.front().rows.front();
   // The first row is the empty one; its inner edge is solid afterwards and need not be.
   ASSERT_EQ(row.key, Key{});
-  ASSERT_EQ(row.after, (Coloring{1, 0}));
+  ASSERT_EQ(row.after, (Colors{1, 0}));
   std::vector<Bound> bounds = bounds_of(position_of("flip", ""), certificate.sections.front().rows);
   bounds.front().solid = 0;
   bounds.front().isolated = 2;

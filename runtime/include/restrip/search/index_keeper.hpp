@@ -7,9 +7,9 @@
 // beside the mesh but three counters, and a strip is some 20 triangles long, so that nothing depends on the size of the
 // mesh.
 //
-// The rules of the index cost (rules/index_rules.hpp) are not used: they recolour the patch as well as can be with its
-// ports as they are. Alone they keep far more indices, because they can neither give ports up nor take others; before
-// the search they would gain a little, for half the time again to twice (docs/strips.md, "Fewest indices").
+// No rules of the index cost are used. Rules recolour a patch as well as can be with its ports as they are. Alone they
+// keep far more indices, because they can neither give ports up nor take others; before the search they would gain a
+// little, for half the time again to twice (docs/strips.md, "Fewest indices").
 //
 //   StripMesh mesh = ...;
 //   IndexKeeper keeper(mesh, Policy::quick);

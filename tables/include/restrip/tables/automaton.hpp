@@ -1,13 +1,14 @@
 // Rules of fans of any valence: 201 classes of arcs, 6798 pairs of classes.
+// The cost: 1000 for a strip, 0 for a swap, 1 for an isolated triangle.
 // Written by `restrip-generate tables`. Do not edit: change the generator, then build the target `regenerate`.
-// Format 1, explained in restrip/tables/automaton_format.hpp.
+// Format 2, explained in restrip/tables/automaton_format.hpp.
 #pragma once
 
 #include "restrip/tables/automaton_format.hpp"
 
 namespace restrip::tables {
 
-inline constexpr ArcAutomaton<201, 66, 103, 76> automaton{
+inline constexpr ArcAutomaton<std::uint8_t, 4, 201, 66, 103, 76> automaton{
     {
     1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 255, 5, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29,
     30, 31, 32, 33, 255, 34, 35, 36, 37, 38, 10, 39, 40, 41, 42, 43, 44, 45, 46, 47, 255, 48, 49, 50, 37, 51, 14, 52,

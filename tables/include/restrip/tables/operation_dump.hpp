@@ -13,10 +13,10 @@
 
 namespace restrip::tables {
 
-/// docs/operation-file.md, "Dump". 0, or 1 when standard output takes no more.
+/// docs/certificate.md, "Table dump". 0, or 1 when standard output takes no more.
 template <class Entry, std::size_t Size>
 int print_dump(const char* name, const OperationTable<Entry, Size>& table) {
-  std::printf("restrip-operation-dump 1\noperation %s\n", name);
+  std::printf("restrip-table-dump 3\ntable %s\n", name);
   const std::uint32_t inner_end = table.matching ? 1 : std::uint32_t{1} << table.before.edges;
   for (std::uint32_t inner = 0; inner < inner_end; ++inner)
     for (std::uint32_t ports = 0; ports < std::uint32_t{1} << table.ports; ++ports) {

@@ -6,6 +6,9 @@
 //     entries[inner << ports | P] = inner after << ports | ports kept
 //
 // and all ones where the configuration is not valid. In a matching the rule depends on the ports alone: entry P.
+//
+// Where the file gives the triangles with their vertices, the header has them too (SurfaceOperation), and
+// operations/apply.hpp does the operation on a mesh.
 #pragma once
 
 #include <array>
@@ -28,6 +31,27 @@ struct OperationTable {
   unsigned ports = 0;
   bool matching = false;
   std::array<Entry, Size> entries;
+};
+
+/// A triangle of a patch, as one meets it from the first: across a side of one that was met before, its own side 0.
+/// Side s runs from corner s to the next one, counter-clockwise.
+struct PatchTriangle {
+  std::uint8_t from = 0;       ///< met from this triangle; the first one from outside
+  std::uint8_t from_side = 0;  ///< across this side of it
+  std::array<std::uint8_t, 3> vertex{};
+  std::array<std::uint8_t, 3> side{};  ///< an inner edge by its number; `port_side` + a port; or `boundary_side`
+
+  static constexpr std::uint8_t port_side = 64;
+  static constexpr std::uint8_t boundary_side = 255;  ///< on the boundary of the mesh, no port
+};
+
+/// With the triangles before and after the operation. The first one, and its side 0, are those that the file names
+/// first. Vertices are numbered from 0 in the order in which the file names them, both sides of the operation together.
+template <class Entry, std::size_t Size, std::size_t Before, std::size_t After>
+struct SurfaceOperation : OperationTable<Entry, Size> {
+  unsigned vertices = 0;
+  std::array<PatchTriangle, Before> triangles_before;
+  std::array<PatchTriangle, After> triangles_after;
 };
 
 /// What a rule says. `strips` is the change of the number of strips in the whole mesh; of a matching it is the change

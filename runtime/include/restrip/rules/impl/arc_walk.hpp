@@ -11,23 +11,44 @@
 
 namespace restrip::detail {
 
-/// The key of a fan as letters: 0 no solid port, 1 a solid port, 2 one that may be joined to the solid port before it.
+/// How strips go on behind the solid ports of a fan, a bit for each port: about the corner that the port shares with
+/// the link to the triangle before it, or behind it. Where neither bit is set the strip ends behind the port.
+/// `Bits` is a Word or a BitSpan.
+template <class Bits>
+struct PortTurns {
+  Bits left = {};
+  Bits right = {};
+};
+
+/// The letter of a port: 0 not solid, 1 solid, 2 solid and may be joined to the solid port before it; with what lies
+/// behind it where the automaton tells turns apart.
+template <class Bits, class At>
+constexpr unsigned letter_of(unsigned port, const PortTurns<Bits>& turns, At&& at) noexcept {
+  if constexpr (tables::automaton.tells_turns) {
+    if (port != 0) return 3 * port - 2 + (at(turns.left) ? 1 : at(turns.right) ? 2 : 0);
+  }
+  return port;
+}
+
+/// The key of a fan as letters.
 struct WordLetters {
   Word ports = 0;
   Word joined = 0;  ///< of solid ports
+  PortTurns<Word> turns = {};
 
   /// With exactly two solid ports in a closed fan either bit of `joined` stands for the pair, from both sides.
-  static constexpr WordLetters of_closed(Word ports, Word joined) noexcept {
+  static constexpr WordLetters of_closed(Word ports, Word joined, PortTurns<Word> turns = {}) noexcept {
     const Word but_one = ports & (ports - 1);
     const bool two = but_one != 0 && (but_one & (but_one - 1)) == 0;
-    return {ports, two && (joined & ports) != 0 ? ports : joined & ports};
+    return {ports, two && (joined & ports) != 0 ? ports : joined & ports, turns};
   }
   /// In an open fan nothing lies before the first solid port.
-  static constexpr WordLetters of_open(Word ports, Word joined) noexcept {
-    return {ports, joined & (ports & (ports - 1))};
+  static constexpr WordLetters of_open(Word ports, Word joined, PortTurns<Word> turns = {}) noexcept {
+    return {ports, joined & (ports & (ports - 1)), turns};
   }
   [[nodiscard]] constexpr unsigned operator[](std::size_t i) const noexcept {
-    return static_cast<unsigned>((ports >> i & 1) + (joined >> i & 1));
+    const auto port = static_cast<unsigned>((ports >> i & 1) + (joined >> i & 1));
+    return letter_of(port, turns, [i](Word mask) { return (mask >> i & 1) != 0; });
   }
 };
 
@@ -35,25 +56,26 @@ struct WordLetters {
 struct LongLetters {
   BitSpan ports;
   BitSpan joined;
+  PortTurns<BitSpan> turns;
   bool pair = false;            ///< exactly two solid ports, which are joined
   std::size_t first = nowhere;  ///< in an open fan, the first solid port
 
-  static constexpr LongLetters of_closed(std::size_t k, BitSpan ports, BitSpan joined) noexcept {
+  static constexpr LongLetters of_closed(std::size_t k, BitSpan ports, BitSpan joined,
+                                         PortTurns<BitSpan> turns = {}) noexcept {
     const std::size_t one = ports.first_set(0, k);
     const std::size_t two = one == nowhere ? nowhere : ports.first_set(one + 1, k);
     const bool exactly_two = two != nowhere && ports.first_set(two + 1, k) == nowhere;
-    return {ports, joined, exactly_two && (joined[one] || joined[two]), nowhere};
+    return {ports, joined, turns, exactly_two && (joined[one] || joined[two]), nowhere};
   }
-  static constexpr LongLetters of_open(std::size_t k, BitSpan ports, BitSpan joined) noexcept {
-    return {ports, joined, false, ports.first_set(0, k)};
+  static constexpr LongLetters of_open(std::size_t k, BitSpan ports, BitSpan joined,
+                                       PortTurns<BitSpan> turns = {}) noexcept {
+    return {ports, joined, turns, false, ports.first_set(0, k)};
   }
   [[nodiscard]] constexpr unsigned operator[](std::size_t i) const noexcept {
-    if (!ports[i]) return 0;
-    return pair || (joined[i] && i != first) ? 2 : 1;
+    const unsigned port = !ports[i] ? 0 : pair || (joined[i] && i != first) ? 2 : 1;
+    return letter_of(port, turns, [i](BitSpan bits) { return bits.words != nullptr && bits[i]; });
   }
 };
-
-inline constexpr unsigned no_triangle = 3;  ///< the letter of the mesh boundary
 
 /// An arc with up to as many letters as there is room for.
 class ArcWalk {
@@ -64,7 +86,7 @@ class ArcWalk {
   constexpr explicit ArcWalk(Entry* room) noexcept : entries_(room) {}
 
   constexpr void read(unsigned letter) noexcept {
-    const auto entry = static_cast<Entry>(4 * class_ + letter);
+    const auto entry = static_cast<Entry>(tables::automaton.letters * class_ + letter);
     entries_[size_++] = entry;
     class_ = tables::automaton.next[entry];
   }
@@ -81,11 +103,12 @@ class ArcWalk {
   /// whether the first is solid. `end` is the case of the whole arc.
   template <class Link>
   constexpr bool for_each_link(unsigned end, Link&& link) const noexcept {
+    constexpr unsigned solid = tables::automaton.solid;
     for (std::size_t m = size_; m > 0; --m) {
-      link(m, (end & 3U) != 0);
+      link(m, (end & solid) != 0);
       end = static_cast<unsigned>(tables::automaton.before[entries_[m - 1]] >> (4 * end) & 15U);
     }
-    return (end & 3U) != 0;
+    return (end & solid) != 0;
   }
 
  private:
@@ -135,6 +158,21 @@ constexpr void walk_collapse(std::size_t k, const Letters& letters, ArcWalk::Ent
                       [&](std::size_t m, bool solid) { color(m - 1, solid); });
 }
 
+/// An arc that begins inside an open fan, goes over the boundary and ends inside. It has `above` triangles before the
+/// boundary; its first link is edge `from`, and the edges behind the boundary are those from 0.
+template <class Color>
+constexpr void color_around(const ArcWalk& arc, unsigned end, std::size_t above, std::size_t from,
+                            Color&& color) noexcept {
+  const bool first = arc.for_each_link(end, [&](std::size_t m, bool solid) {
+    // The two links on the boundary are dashed, and no edges; those behind them come first in path order.
+    if (m < above)
+      color(from + m, solid);
+    else if (m > above + 1)
+      color(m - (above + 2), solid);
+  });
+  if (above > 0) color(from, first);
+}
+
 template <class Letters, class Color>
 constexpr void walk_open_split(std::size_t k, std::size_t i, std::size_t j, const Letters& letters,
                                ArcWalk::Entry* room, Color&& color) noexcept {
@@ -142,19 +180,11 @@ constexpr void walk_open_split(std::size_t k, std::size_t i, std::size_t j, cons
   ArcWalk other(room + (j - i));
   one.read(letters, i, j);
   other.read(letters, j, k);
-  other.read(no_triangle);
+  other.read(tables::automaton.boundary);
   other.read(letters, 0, i);
   const ArcMeeting meeting(one, other);
   color(i, one.for_each_link(meeting.first, [&](std::size_t m, bool solid) { color(i + m, solid); }));
-  const std::size_t above = k - j;
-  const bool first = other.for_each_link(meeting.second, [&](std::size_t m, bool solid) {
-    // The two links on the boundary are dashed, and no edges; those behind them come first in path order.
-    if (m < above)
-      color(j + 1 + m, solid);
-    else if (m > above + 1)
-      color(m - (above + 2), solid);
-  });
-  if (above > 0) color(j + 1, first);
+  color_around(other, meeting.second, k - j, j + 1, color);
   color(k + 1, meeting.chord);
 }
 
@@ -170,10 +200,17 @@ template <class Letters, class Color>
 constexpr void walk_boundary_split(std::size_t k, std::size_t i, const Letters& letters, ArcWalk::Entry* room,
                                    Color&& color) noexcept {
   ArcWalk path(room);
-  path.read(letters, 0, i);
-  path.read(0);
-  path.read(letters, i, k);
-  color_path(path, color);
+  if constexpr (tables::automaton.tells_turns) {
+    path.read(letters, i, k);
+    path.read(tables::automaton.boundary);
+    path.read(letters, 0, i);
+    color_around(path, tables::automaton.closed[path.arc_class()], k - i, i, color);
+  } else {
+    path.read(letters, 0, i);
+    path.read(0);
+    path.read(letters, i, k);
+    color_path(path, color);
+  }
 }
 
 template <class Letters, class Color>

@@ -7,13 +7,21 @@
 
 namespace restrip::tables {
 
-inline constexpr OperationTable<std::uint8_t, 4> bisect_boundary{
-    {1, 0},
+inline constexpr SurfaceOperation<std::uint8_t, 4, 1, 2> bisect_boundary{
+    {{1, 0},
     {2, 1},
     2,
     false,
     {
     4, 5, 6, 7,
-    }};
+    }},
+    4,
+    {{
+    {0, 0, {0, 1, 2}, {255, 64, 65}},
+    }},
+    {{
+    {0, 0, {3, 1, 2}, {255, 64, 0}}, {0, 2, {3, 2, 0}, {0, 65, 255}},
+    }},
+};
 
 }  // namespace restrip::tables

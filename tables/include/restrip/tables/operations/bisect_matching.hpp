@@ -7,13 +7,22 @@
 
 namespace restrip::tables {
 
-inline constexpr OperationTable<std::uint16_t, 16> bisect_matching{
-    {2, 1},
+inline constexpr SurfaceOperation<std::uint16_t, 16, 2, 4> bisect_matching{
+    {{2, 1},
     {4, 4},
     4,
     true,
     {
     80, 33, 130, 65535, 132, 5, 134, 65535, 40, 41, 10, 65535, 65535, 65535, 65535, 65535,
-    }};
+    }},
+    5,
+    {{
+    {0, 0, {0, 1, 2}, {0, 64, 65}}, {0, 0, {1, 0, 3}, {0, 66, 67}},
+    }},
+    {{
+    {0, 0, {1, 2, 4}, {64, 0, 3}}, {0, 1, {4, 2, 0}, {0, 65, 1}}, {0, 2, {1, 4, 3}, {3, 2, 67}},
+    {1, 2, {4, 0, 3}, {1, 66, 2}},
+    }},
+};
 
 }  // namespace restrip::tables

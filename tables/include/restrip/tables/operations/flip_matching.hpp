@@ -7,13 +7,21 @@
 
 namespace restrip::tables {
 
-inline constexpr OperationTable<std::uint8_t, 16> flip_matching{
-    {2, 1},
+inline constexpr SurfaceOperation<std::uint8_t, 16, 2, 2> flip_matching{
+    {{2, 1},
     {2, 1},
     4,
     true,
     {
     16, 1, 2, 255, 4, 5, 2, 255, 8, 1, 10, 255, 255, 255, 255, 255,
-    }};
+    }},
+    4,
+    {{
+    {0, 0, {0, 1, 2}, {0, 64, 65}}, {0, 0, {1, 0, 3}, {0, 66, 67}},
+    }},
+    {{
+    {0, 0, {2, 0, 3}, {65, 66, 0}}, {0, 2, {2, 3, 1}, {0, 67, 64}},
+    }},
+};
 
 }  // namespace restrip::tables

@@ -7,13 +7,21 @@
 
 namespace restrip::tables {
 
-inline constexpr OperationTable<std::uint8_t, 8> merge_boundary{
-    {2, 1},
+inline constexpr SurfaceOperation<std::uint8_t, 8, 2, 1> merge_boundary{
+    {{2, 1},
     {1, 0},
     2,
     false,
     {
     0, 1, 2, 1, 0, 1, 2, 3,
-    }};
+    }},
+    4,
+    {{
+    {0, 0, {0, 1, 2}, {255, 64, 0}}, {0, 2, {0, 2, 3}, {0, 65, 255}},
+    }},
+    {{
+    {0, 0, {3, 1, 2}, {255, 64, 65}},
+    }},
+};
 
 }  // namespace restrip::tables

@@ -7,13 +7,22 @@
 
 namespace restrip::tables {
 
-inline constexpr OperationTable<std::uint8_t, 16> merge_matching{
-    {4, 4},
+inline constexpr SurfaceOperation<std::uint8_t, 16, 4, 2> merge_matching{
+    {{4, 4},
     {2, 1},
     4,
     true,
     {
     16, 1, 2, 1, 4, 5, 6, 5, 8, 9, 10, 10, 4, 5, 10, 5,
-    }};
+    }},
+    5,
+    {{
+    {0, 0, {0, 1, 2}, {64, 0, 3}}, {0, 1, {2, 1, 3}, {0, 65, 1}}, {0, 2, {0, 2, 4}, {3, 2, 67}},
+    {1, 2, {2, 3, 4}, {1, 66, 2}},
+    }},
+    {{
+    {0, 0, {3, 0, 1}, {0, 64, 65}}, {0, 0, {0, 3, 4}, {0, 66, 67}},
+    }},
+};
 
 }  // namespace restrip::tables

@@ -7,13 +7,21 @@
 
 namespace restrip::tables {
 
-inline constexpr OperationTable<std::uint8_t, 8> split_face{
-    {1, 0},
+inline constexpr SurfaceOperation<std::uint8_t, 8, 1, 3> split_face{
+    {{1, 0},
     {3, 3},
     3,
     false,
     {
     24, 25, 42, 51, 44, 29, 46, 255,
-    }};
+    }},
+    4,
+    {{
+    {0, 0, {0, 1, 2}, {64, 65, 66}},
+    }},
+    {{
+    {0, 0, {0, 1, 3}, {64, 0, 2}}, {0, 1, {3, 1, 2}, {0, 65, 1}}, {0, 2, {0, 3, 2}, {2, 1, 66}},
+    }},
+};
 
 }  // namespace restrip::tables

@@ -1,0 +1,213 @@
+#include "operations/description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+#include "operations/description_file.hpp"
+#include "operations/families_text.hpp"
+
+namespace restrip::generator {
+namespace {
+
+/// The triangles of a pattern at one place and their numbers: those with an index first, by name in the order in which
+/// the names appear and then by index, and after them single ones in the order in which they stand.
+class Numbering {
+ public:
+  Numbering(const SidePattern& pattern, const PositionNumbers& place) : place_(place) {
+    std::vector<std::string> names;
+    std::map<std::string, std::vector<int>> indices;
+    std::vector<std::string> single;
+    for (const Chain& chain : pattern.chains)
+      for (const Stretch& stretch : chain.elements) {
+        if (!stretch.range) {
+          single.push_back(stretch.name);
+          continue;
+        }
+        if (!indices.contains(stretch.name)) names.push_back(stretch.name);
+        std::vector<int>& of_name = indices[stretch.name];
+        for (const auto& [name, index] : triangles(stretch)) of_name.push_back(index);
+      }
+    for (const std::string& name : names) {
+      std::sort(indices[name].begin(), indices[name].end());
+      for (const int index : indices[name]) add({name, index});
+    }
+    with_index_ = static_cast<unsigned>(number_.size());
+    for (const std::string& name : single) add({name, no_index});
+  }
+
+  [[nodiscard]] unsigned size() const { return static_cast<unsigned>(number_.size()); }
+  [[nodiscard]] unsigned with_index() const { return with_index_; }
+  /// Those of a stretch, in its order.
+  [[nodiscard]] std::vector<unsigned> of(const Stretch& stretch) const {
+    std::vector<unsigned> numbers;
+    for (const auto& triangle : triangles(stretch)) {
+      const auto found = number_.find(triangle);
+      if (found == number_.end()) throw std::runtime_error(fmt::format("{} is not in it", text_of(triangle)));
+      numbers.push_back(found->second);
+    }
+    return numbers;
+  }
+
+ private:
+  using Triangle = std::pair<std::string, int>;
+  static constexpr int no_index = -1;
+
+  static std::string text_of(const Triangle& triangle) {
+    return triangle.second == no_index ? triangle.first : fmt::format("{}_{}", triangle.first, triangle.second);
+  }
+  void add(const Triangle& triangle) {
+    if (!number_.emplace(triangle, size()).second)
+      throw std::runtime_error(fmt::format("{} is in it twice", text_of(triangle)));
+  }
+  [[nodiscard]] std::vector<Triangle> triangles(const Stretch& stretch) const {
+    if (!stretch.range) return {{stretch.name, no_index}};
+    const int from = stretch.range->from.at(place_);
+    const int to = stretch.range->to.at(place_);
+    if (from < 0 || to < from)
+      throw std::runtime_error(fmt::format("{}[{},{}) are no triangles", stretch.name, from, to));
+    std::vector<Triangle> all;
+    for (int i = from; i < to; ++i) all.emplace_back(stretch.name, i);
+    return all;
+  }
+
+  PositionNumbers place_;
+  std::map<Triangle, unsigned> number_;
+  unsigned with_index_ = 0;
+};
+
+/// Throws where a side is no graph of triangles: an edge twice, or more than three edges and ports at a triangle.
+void expect_triangles(const Side& side) {
+  std::vector<unsigned> degree(side.nodes, 0);
+  for (std::size_t e = 0; e < side.edges.size(); ++e) {
+    const auto [u, v] = side.edges[e];
+    if (u == v ||
+        std::any_of(side.edges.begin(), side.edges.begin() + static_cast<std::ptrdiff_t>(e), [&](const Edge& x) {
+          return x == Edge{u, v} || x == Edge{v, u};
+        }))
+      throw std::runtime_error(fmt::format("triangles {} and {} cannot be joined by this edge", u, v));
+    ++degree[u];
+    ++degree[v];
+  }
+  for (const unsigned owner : side.owner) ++degree[owner];
+  for (unsigned node = 0; node < side.nodes; ++node)
+    if (degree[node] > 3)
+      throw std::runtime_error(fmt::format("triangle {} has more than three edges and ports", node));
+}
+
+Side side_at(const SidePattern& pattern, const PositionNumbers& place) {
+  const Numbering numbering(pattern, place);
+  Side side{numbering.size(), {}, {}};
+  for (const Chain& chain : pattern.chains) {
+    std::vector<unsigned> order;
+    for (const Stretch& stretch : chain.elements)
+      for (const unsigned triangle : numbering.of(stretch)) order.push_back(triangle);
+    for (std::size_t i = 0; i + 1 < order.size(); ++i) side.edges.push_back({order[i], order[i + 1]});
+    if (chain.ring && !order.empty()) side.edges.push_back({order.back(), order.front()});
+  }
+  for (const auto& [from, to] : pattern.chords) {
+    const std::vector<unsigned> u = numbering.of(from);
+    const std::vector<unsigned> v = numbering.of(to);
+    if (u.size() != 1 || v.size() != 1) throw std::runtime_error("a chord joins two triangles");
+    side.edges.push_back({u[0], v[0]});
+  }
+  for (const Stretch& stretch : pattern.ports)
+    for (const unsigned triangle : numbering.of(stretch)) side.owner.push_back(triangle);
+  for (unsigned t = 0; pattern.ports.empty() && t < numbering.with_index(); ++t) side.owner.push_back(t);
+  expect_triangles(side);
+  return side;
+}
+
+Side side_at(const std::variant<Side, SidePattern>& form, const Position& position, const char* member) {
+  if (const Side* side = std::get_if<Side>(&form)) return *side;
+  try {
+    return side_at(std::get<SidePattern>(form), position.numbers());
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(
+        fmt::format("{} at {}: {}: {}", position.family->name, position_text(position), member, error.what()));
+  }
+}
+
+}  // namespace
+
+const std::vector<Description>& families() {
+  static const std::vector<Description> all =
+      parse_descriptions("tables/families.json", std::string(families_text), Author::restrip);
+  return all;
+}
+
+const Description& family_named(const std::string& name) {
+  for (const Description& family : families())
+    if (family.name == name) return family;
+  throw std::invalid_argument("no family is named " + name);
+}
+
+bool closed(const Description& family) {
+  const auto* before = std::get_if<SidePattern>(&family.before);
+  return before != nullptr && !before->chains.empty() && before->chains[0].ring;
+}
+
+bool serves_every_position(const Description& family) {
+  return std::any_of(family.numbers.begin(), family.numbers.end(), [&](const std::string& number) {
+    return family.section.find(fmt::format("{{{}}}", number)) == std::string::npos;
+  });
+}
+
+unsigned smallest_valence(const Description& family) {
+  for (unsigned k = 1; k < 64; ++k)
+    if (!positions(family, k).empty()) return k;
+  throw std::runtime_error(family.name + ": a family without a position");
+}
+
+std::vector<Position> positions(const Description& family, unsigned k) {
+  if (family.numbers.empty()) {
+    Position only{&family, 0, 0, 0};
+    only.k = side_at(family.before, only, "before").ports();
+    return {only};
+  }
+  const unsigned last_at = family.numbers.size() > 1 ? k : 0;
+  const unsigned last_to = family.numbers.size() > 2 ? k : 0;
+  std::vector<Position> list;
+  for (unsigned at = 0; at <= last_at; ++at)
+    for (unsigned to = 0; to <= last_to; ++to)
+      if (hold(family.where, {k, at, to}) && hold(family.listed, {k, at, to})) list.push_back({&family, k, at, to});
+  return list;
+}
+
+Patch make_patch(const Position& position) {
+  Patch patch{side_at(position.family->before, position, "before"), side_at(position.family->after, position, "after")};
+  if (patch.before.ports() != patch.after.ports())
+    throw std::runtime_error(fmt::format("{} at {}: {} ports before and {} after", position.family->name,
+                                         position_text(position), patch.before.ports(), patch.after.ports()));
+  return patch;
+}
+
+Patch patch_of_rows(const Position& position) {
+  if (!serves_every_position(*position.family)) return make_patch(position);
+  const Side after = side_at(position.family->after, position, "after");
+  return {after, after};
+}
+
+Operation operation_at(const Position& position, Patch patch) {
+  const Description& description = *position.family;
+  Operation operation{
+      std::move(patch),        description.constraint, description.may_give_up, description.preference, {},
+      description.is_pattern()};
+  if (description.gives_all_up) operation.may_give_up = operation.patch.after.all_ports();
+  return operation;
+}
+
+std::string position_text(const Position& position) {
+  std::string text = position.family->section;
+  for (std::size_t i = 0; i < position.family->numbers.size(); ++i) {
+    const std::string name = fmt::format("{{{}}}", position.family->numbers[i]);
+    if (const std::size_t at = text.find(name); at != std::string::npos)
+      text.replace(at, name.size(), std::to_string(position.numbers().at(i)));
+  }
+  return text;
+}
+
+}  // namespace restrip::generator

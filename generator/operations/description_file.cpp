@@ -1,0 +1,320 @@
+#include "operations/description_file.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <stdexcept>
+#include <utility>
+
+#include "files/reading.hpp"
+#include "operations/emitted_words.hpp"
+#include "operations/json_value.hpp"
+#include "operations/operation_words.hpp"
+
+namespace restrip::generator {
+namespace {
+
+std::string name_from(const JsonValue& value, Author author) {
+  std::string name = value.text();
+  const auto allowed = [](char c) { return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-'; };
+  const bool good = !name.empty() && name.size() <= 60 && 'a' <= name.front() && name.front() <= 'z' &&
+                    name.back() != '-' && name.find("--") == std::string::npos &&
+                    std::all_of(name.begin(), name.end(), allowed);
+  if (!good) value.refuse("expected lower-case letters, digits and single hyphens, a letter first");
+  if (const std::string by = author == Author::restrip ? "" : name_is(name); !by.empty())
+    value.refuse(fmt::format("\"{0}\" is {1}; choose another name, such as \"{0}-own\"", name, by));
+  return name;
+}
+
+std::string sentence_from(const JsonValue& value) {
+  std::string sentence = value.text();
+  if (const std::string found = unprintable(sentence); !found.empty())
+    value.refuse(
+        fmt::format("expected one line that can stand in a comment of any language, found {}; leave it out", found));
+  return sentence;
+}
+
+/// A position as certificates write it, whose lines are words.
+std::string words_from(const JsonValue& value) {
+  std::string words = value.text();
+  const bool has_empty_word =
+      words.empty() || words.front() == ' ' || words.back() == ' ' || words.find("  ") < words.size();
+  if (has_empty_word || !std::all_of(words.begin(), words.end(), [](char c) { return ' ' <= c && c <= '~'; }))
+    value.refuse("expected words of printable ASCII with one space between them");
+  return words;
+}
+
+Side graph_from(const JsonValue& value) {
+  value.expect_members({"triangles", "edges", "ports"});
+  Side side;
+  side.nodes = static_cast<unsigned>(value["triangles"].number(1, most_nodes, "a number of triangles"));
+  std::vector<unsigned> degree(side.nodes, 0);
+  const auto count = [&](unsigned node, const JsonValue& at) {
+    if (++degree[node] > 3) at.refuse(fmt::format("triangle {} has more than three edges and ports", node));
+  };
+  for (const JsonValue& edge : value["edges"].elements("pairs of triangles")) {
+    const std::vector<JsonValue> ends = edge.elements("two triangles");
+    if (ends.size() != 2) edge.refuse("expected two triangles");
+    const unsigned u = ends[0].place(side.nodes, "triangle");
+    const unsigned v = ends[1].place(side.nodes, "triangle");
+    if (u == v) edge.refuse("expected two different triangles");
+    for (const auto& [a, b] : side.edges)
+      if ((a == u && b == v) || (a == v && b == u)) edge.refuse("these triangles have an edge already");
+    count(u, edge);
+    count(v, edge);
+    side.edges.push_back({u, v});
+  }
+  const JsonValue ports = value["ports"];
+  for (const JsonValue& port : ports.elements("triangles, one for each port")) {
+    side.owner.push_back(port.place(side.nodes, "triangle"));
+    count(side.owner.back(), port);
+  }
+  if (side.owner.empty() || side.owner.size() > most_ports)
+    ports.refuse(fmt::format("expected 1 to {} ports", most_ports));
+  if (side.edges.size() + side.owner.size() > most_edges_and_ports)
+    value.refuse(fmt::format("expected at most {} edges and ports together", most_edges_and_ports));
+  return side;
+}
+
+NamedPatch::Triangles triangles_from(const JsonValue& value) {
+  NamedPatch::Triangles triangles;
+  for (const JsonValue& triangle : value.elements("triangles")) {
+    const std::vector<JsonValue> corners = triangle.elements("three vertices");
+    if (corners.size() != 3) triangle.refuse("expected three vertices");
+    triangles.push_back({corners[0].text(), corners[1].text(), corners[2].text()});
+    if (triangles.size() > most_nodes) triangle.refuse(fmt::format("expected 1 to {} triangles", most_nodes));
+  }
+  return triangles;
+}
+
+/// The patch of triangles with named vertices.
+SurfacePatch surface_from(const JsonValue& top) {
+  NamedPatch named{triangles_from(top["before"]), triangles_from(top["after"]), {}};
+  if (top.has("boundary"))
+    for (const JsonValue& stretch : top["boundary"].elements("stretches of the rim")) {
+      const std::vector<JsonValue> ends = stretch.elements("two vertices");
+      if (ends.size() != 2) stretch.refuse("expected two vertices");
+      named.boundary.push_back({ends[0].text(), ends[1].text()});
+    }
+  try {
+    return surface_patch(named);
+  } catch (const PatchFault& fault) {
+    const JsonValue member = top[fault.member];
+    if (fault.element < 0) member.refuse(fault.what());
+    member.elements("")[static_cast<std::size_t>(fault.element)].refuse(fault.what());
+  }
+}
+
+/// A formula in the file; a fault in it is told with its place.
+template <class Parse>
+auto formula(const JsonValue& value, const std::vector<std::string>& numbers, Parse&& parse) {
+  const std::string text = value.text();
+  try {
+    return parse(text, numbers);
+  } catch (const std::runtime_error& error) {
+    value.refuse(error.what());
+  }
+}
+
+std::vector<Stretch> stretches_from(const JsonValue& value, const std::vector<std::string>& numbers) {
+  std::vector<Stretch> stretches;
+  for (const JsonValue& element : value.elements("triangles"))
+    stretches.push_back(formula(element, numbers, parse_stretch));
+  return stretches;
+}
+
+SidePattern pattern_from(const JsonValue& value, const std::vector<std::string>& numbers) {
+  value.expect_members({"ring", "path", "rings", "paths", "chord", "chords", "ports"});
+  SidePattern side;
+  const auto chord = [&](const JsonValue& json) {
+    const std::vector<Stretch> ends = stretches_from(json, numbers);
+    if (ends.size() != 2) json.refuse("expected two triangles");
+    side.chords.push_back({ends[0], ends[1]});
+  };
+  for (const std::string& member : value.members()) {
+    const JsonValue inside = value[member];
+    if (member == "ring" || member == "path")
+      side.chains.push_back({member == "ring", stretches_from(inside, numbers)});
+    if (member == "rings" || member == "paths")
+      for (const JsonValue& chain : inside.elements("lists of triangles"))
+        side.chains.push_back({member == "rings", stretches_from(chain, numbers)});
+    if (member == "chord") chord(inside);
+    if (member == "chords")
+      for (const JsonValue& one : inside.elements("pairs of triangles")) chord(one);
+    if (member == "ports") side.ports = stretches_from(inside, numbers);
+  }
+  if (side.chains.empty()) value.refuse("expected a ring, a path, or several");
+  return side;
+}
+
+std::variant<Side, SidePattern> side_from(const JsonValue& value, const std::vector<std::string>& numbers) {
+  if (numbers.empty() && (value.has("triangles") || value.has("edges"))) return graph_from(value);
+  return pattern_from(value, numbers);
+}
+
+Constraint constraint_from(const JsonValue& value) {
+  const auto* const found = std::find(constraint_words.begin(), constraint_words.end(), value.text());
+  if (found == constraint_words.end()) value.refuse("expected \"strips\", \"matching\" or \"forest\"");
+  return {static_cast<unsigned>(found - constraint_words.begin()) + 1};
+}
+
+Mask mask_from(const JsonValue& value, std::size_t count, const std::string& what) {
+  Mask mask = 0;
+  for (const JsonValue& element : value.elements(what + "s")) {
+    const Mask bit = Mask{1} << element.place(count, what);
+    if ((mask & bit) != 0) element.refuse(fmt::format("this {} is there already", what));
+    mask |= bit;
+  }
+  return mask;
+}
+
+void take_give_up(const JsonValue& value, Description& description) {
+  if (!value.is_text()) {
+    const Side* side = std::get_if<Side>(&description.after);
+    if (side == nullptr) value.refuse("expected \"none\" or \"all\"");
+    description.may_give_up = mask_from(value, side->owner.size(), "port");
+    return;
+  }
+  const std::string word = value.text();
+  if (word != "none" && word != "all") value.refuse("expected \"none\", \"all\" or a list of ports");
+  description.gives_all_up = word == "all";
+}
+
+/// `after` is null for patterns, whose terms count everything.
+Term term_from(const JsonValue& value, const Side* after) {
+  value.expect_members({"count", "weight", "edges", "triangles", "ports"});
+  const JsonValue name = value["count"];
+  const auto known = count_words();
+  const auto word = std::find_if(known.begin(), known.end(), [&](const CountWord& w) { return w.word == name.text(); });
+  if (word == known.end()) {
+    std::vector<std::string> names;
+    for (const CountWord& w : known) names.emplace_back(w.word);
+    name.refuse(fmt::format("expected one of {}", fmt::join(names, ", ")));
+  }
+  Term term{word->count};
+  constexpr std::int64_t heaviest = 1'000'000;
+  if (value.has("weight")) term.weight = value["weight"].number(-heaviest, heaviest, "a weight");
+  if (word->among != Among::nothing && after != nullptr) term.of = everything(word->among, *after);
+  for (const Among among : {Among::edges, Among::triangles, Among::ports}) {
+    const std::string member = member_of(among);
+    if (!value.has(member)) continue;
+    if (word->among != among) value[member].refuse(fmt::format("\"{}\" does not choose among {}", word->word, member));
+    if (after == nullptr) value[member].refuse("a pattern has different ones at each position; leave this out");
+    term.of = mask_from(value[member], how_many(among, *after), one_of(among));
+  }
+  return term;
+}
+
+Preference preference_from(const JsonValue& value, const Side* after) {
+  Preference preference;
+  for (const JsonValue& criterion : value.elements("criteria")) {
+    preference.emplace_back();
+    for (const JsonValue& term : criterion.elements("terms")) preference.back().push_back(term_from(term, after));
+    if (preference.back().empty() || preference.back().size() > most_terms)
+      criterion.refuse(fmt::format("expected 1 to {} terms", most_terms));
+  }
+  if (preference.empty() || preference.size() > most_criteria)
+    value.refuse(fmt::format("expected 1 to {} criteria", most_criteria));
+  return preference;
+}
+
+std::vector<std::string> numbers_from(const JsonValue& value) {
+  std::vector<std::string> numbers;
+  for (const JsonValue& element : value.elements("numbers")) {
+    numbers.push_back(element.text());
+    const std::string& name = numbers.back();
+    if (name.empty() || !std::all_of(name.begin(), name.end(), [](char c) { return 'a' <= c && c <= 'z'; }))
+      element.refuse("expected lower-case letters");
+    if (std::count(numbers.begin(), numbers.end(), name) > 1) element.refuse("this number is there already");
+  }
+  if (numbers.size() > PositionNumbers{}.size())
+    value.refuse(fmt::format("expected {} numbers at most", PositionNumbers{}.size()));
+  return numbers;
+}
+
+/// What only families have.
+void take_positions(const JsonValue& value, Description& family) {
+  if (value.has("numbers")) family.numbers = numbers_from(value["numbers"]);
+  if (value.has("where")) {
+    family.range = value["where"].text();
+    family.where = formula(value["where"], family.numbers, parse_conditions);
+  }
+  if (value.has("listed")) family.listed = formula(value["listed"], family.numbers, parse_conditions);
+  std::string position = family.name;
+  for (const std::string& number : family.numbers)
+    position = (position == family.name ? "" : position + " ") + fmt::format("{0} {{{0}}}", number);
+  if (value.has("position")) position = words_from(value["position"]);
+  family.section = value.has("section") ? words_from(value["section"]) : position;
+}
+
+Description description_from(const JsonValue& value, Author author) {
+  if (value.has("take"))
+    value["take"].refuse(
+        "a dashed port stays dashed: whether it may become solid depends on the triangle behind it, which no rule "
+        "sees; "
+        "describe that triangle as part of the patch");
+  // `at_most` is what the verifier holds the rules against.
+  value.expect_members({"restrip_operation", "name", "about", "certificate", "constraint", "numbers", "where", "listed",
+                        "position", "section", "before", "after", "boundary", "give_up", "cost", "linked", "at_most"});
+  Description description;
+  description.name = name_from(value["name"], author);
+  if (value.has("about")) description.about = sentence_from(value["about"]);
+  description.certificate = value.has("certificate") ? name_from(value["certificate"], author) : description.name;
+  take_positions(value, description);
+  if (value["before"].is_list()) {
+    SurfacePatch surface = surface_from(value);
+    description.before = std::move(surface.patch.before);
+    description.after = std::move(surface.patch.after);
+    description.surface = std::move(surface.surface);
+  } else {
+    if (value.has("boundary")) value["boundary"].refuse("this is for patches given by their triangles");
+    description.before = side_from(value["before"], description.numbers);
+    description.after = side_from(value["after"], description.numbers);
+  }
+  const Side* before = std::get_if<Side>(&description.before);
+  const Side* after = std::get_if<Side>(&description.after);
+  if ((before == nullptr) != (after == nullptr)) value["after"].refuse("expected the form that \"before\" has");
+  if (after != nullptr && after->owner.size() != before->owner.size())
+    value["after"]["ports"].refuse("expected as many ports as before");
+  if (after == nullptr && !value.has("constraint"))
+    description.constraint = {};
+  else
+    description.constraint = constraint_from(value["constraint"]);
+  if (value.has("give_up")) take_give_up(value["give_up"], description);
+  description.preference = fewest_strips();
+  if (description.constraint.most_edges == 1) description.preference.erase(description.preference.begin());
+  description.own_cost = value.has("cost");
+  if (description.own_cost) description.preference = preference_from(value["cost"], after);
+  if (value.has("linked")) description.linked = value["linked"].truth();
+  return description;
+}
+
+}  // namespace
+
+std::vector<Description> parse_descriptions(const std::string& file, const std::string& text, Author author) {
+  const Json json = parse_json(file, text);
+  const JsonValue top(file, text, json);
+  static_cast<void>(top["restrip_operation"].number(1, 1, "a version of the format"));
+  const std::string list = "operations";
+  std::vector<Description> all;
+  if (top.has(list)) {
+    top.expect_members({"restrip_operation", list});
+    for (const JsonValue& one : top[list].elements("descriptions")) {
+      all.push_back(description_from(one, author));
+      for (std::size_t i = 0; i + 1 < all.size(); ++i)
+        if (all[i].name == all.back().name) one["name"].refuse("another description is named so as well");
+    }
+  } else {
+    all.push_back(description_from(top, author));
+  }
+  return all;
+}
+
+std::vector<Description> read_descriptions(const std::string& file) {
+  constexpr std::uint64_t longest = 1 << 20;
+  return parse_descriptions(file, files::read_whole(file, {longest, longest}));
+}
+
+}  // namespace restrip::generator

@@ -1,0 +1,29 @@
+// Files of descriptions, as docs/operation-file.md has them: one description, or a list of them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "operations/description.hpp"
+
+namespace restrip::generator {
+
+/// No operation of a file has more, on either side; families are held to it when tables are made of them.
+inline constexpr unsigned most_ports = 8;
+inline constexpr unsigned most_nodes = 16;
+/// Edges of one side, ports included.
+inline constexpr unsigned most_edges_and_ports = 20;
+inline constexpr std::size_t most_terms = 64;  ///< of a criterion
+
+/// Who wrote a file. Names that restrip's own tables have are for restrip's own families alone.
+enum class Author { user, restrip };
+
+/// Reads the file of a user; std::runtime_error says file, line, and what was expected.
+[[nodiscard]] std::vector<Description> read_descriptions(const std::string& file);
+
+/// The same of text; `file` is only named.
+[[nodiscard]] std::vector<Description> parse_descriptions(const std::string& file, const std::string& text,
+                                                          Author author = Author::user);
+
+}  // namespace restrip::generator

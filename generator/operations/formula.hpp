@@ -1,0 +1,47 @@
+// The little formulas in descriptions of families: sums of numbers, conditions, and triangles by name and index
+// (docs/operation-file.md, "Families").
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace restrip::generator {
+
+/// The numbers that say where an operation of a family happens, the valence first; unused ones are 0.
+using PositionNumbers = std::array<unsigned, 3>;
+
+/// "2 a + k - 1": what each number counts, and a constant.
+struct Sum {
+  std::array<int, 3> factors{};
+  int constant = 0;
+  [[nodiscard]] int at(const PositionNumbers& place) const;
+};
+
+struct Comparison {
+  Sum left;
+  std::string sign;  ///< "<", "<=", ">=" or "="
+  Sum right;
+};
+
+/// All of them hold.
+using Conditions = std::vector<Comparison>;
+[[nodiscard]] bool hold(const Conditions& conditions, const PositionNumbers& place);
+
+/// Triangles of a side: one by its name, or x_from … x_(to - 1).
+struct Stretch {
+  struct Range {
+    Sum from;
+    Sum to;
+  };
+  std::string name;
+  std::optional<Range> range;
+};
+
+/// These throw std::runtime_error with what was expected, and where in the text.
+[[nodiscard]] Conditions parse_conditions(std::string_view text, const std::vector<std::string>& numbers);
+[[nodiscard]] Stretch parse_stretch(std::string_view text, const std::vector<std::string>& numbers);
+
+}  // namespace restrip::generator

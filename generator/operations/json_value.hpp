@@ -1,0 +1,52 @@
+// A value of a JSON file that knows where it stands, so that every refusal names file, line and member.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "operations/json_line.hpp"
+
+namespace restrip::generator {
+
+/// Members stay in the order of the file.
+using Json = nlohmann::ordered_json;
+
+/// Throws std::runtime_error that names file and line where the text is not JSON, or has a member twice.
+[[nodiscard]] Json parse_json(const std::string& file, const std::string& text);
+
+class JsonValue {
+ public:
+  /// Refers to all three.
+  JsonValue(const std::string& file, const std::string& text, const Json& json, std::vector<JsonStep> path = {})
+      : file_(file), text_(text), json_(json), path_(std::move(path)) {}
+
+  [[noreturn]] void refuse(const std::string& what) const;
+
+  [[nodiscard]] bool has(const std::string& member) const { return json_.contains(member); }
+  [[nodiscard]] bool is_text() const { return json_.is_string(); }
+  [[nodiscard]] bool is_list() const { return json_.is_array(); }
+  [[nodiscard]] JsonValue operator[](const std::string& member) const;
+  /// The names of the members, in their order.
+  [[nodiscard]] std::vector<std::string> members() const;
+  [[nodiscard]] std::vector<JsonValue> elements(const std::string& of_what) const;
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] bool truth() const;
+  /// A whole number from `least` to `most`; `what` names it.
+  [[nodiscard]] std::int64_t number(std::int64_t least, std::int64_t most, const std::string& what) const;
+  /// One of the places 0 … count - 1.
+  [[nodiscard]] unsigned place(std::size_t count, const std::string& what) const;
+  void expect_members(const std::vector<std::string>& known) const;
+
+ private:
+  [[nodiscard]] JsonValue inside(const Json& json, JsonStep step) const;
+
+  const std::string& file_;
+  const std::string& text_;
+  const Json& json_;
+  std::vector<JsonStep> path_;
+};
+
+}  // namespace restrip::generator

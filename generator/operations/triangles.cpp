@@ -1,0 +1,280 @@
+#include "operations/triangles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "operations/description_file.hpp"
+
+namespace restrip::generator {
+namespace {
+
+using Corners = std::array<unsigned, 3>;
+/// A directed edge by its ends; the triangle that has it lies to its left.
+using Ends = std::pair<unsigned, unsigned>;
+/// Where a directed edge is: side s of a triangle runs from its corner s to the next one.
+struct SideOf {
+  unsigned triangle = 0;
+  unsigned side = 0;
+};
+
+Ends back(Ends ends) { return {ends.second, ends.first}; }
+
+class Names {
+ public:
+  unsigned number(const std::string& name) {
+    const auto [at, fresh] = numbers_.emplace(name, static_cast<unsigned>(names_.size()));
+    if (fresh) names_.push_back(name);
+    return at->second;
+  }
+  [[nodiscard]] std::optional<unsigned> find(const std::string& name) const {
+    const auto at = numbers_.find(name);
+    return at == numbers_.end() ? std::nullopt : std::optional(at->second);
+  }
+  [[nodiscard]] std::string edge(Ends ends) const {
+    return fmt::format("{} {}", names_[ends.first], names_[ends.second]);
+  }
+  [[nodiscard]] const std::string& operator[](unsigned v) const { return names_[v]; }
+  [[nodiscard]] unsigned size() const { return static_cast<unsigned>(names_.size()); }
+
+ private:
+  std::map<std::string, unsigned> numbers_;
+  std::vector<std::string> names_;
+};
+
+bool is_vertex_name(const std::string& name) {
+  const auto allowed = [](char c) {
+    return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_';
+  };
+  return !name.empty() && name.size() <= 20 && std::all_of(name.begin(), name.end(), allowed);
+}
+
+/// The triangles of one side of the operation, by their directed edges.
+class Disc {
+ public:
+  Disc(std::string member, const NamedPatch::Triangles& triangles, Names& names)
+      : member_(std::move(member)), names_(names) {
+    if (triangles.empty() || triangles.size() > most_nodes)
+      fail(-1, fmt::format("expected 1 to {} triangles", most_nodes));
+    for (const auto& triangle : triangles) add(triangle);
+    for (const auto& [ends, at] : sides_)
+      if (!sides_.contains(back(ends))) rim_[ends.first].push_back(ends.second);
+    expect_single_fans();
+    expect_disc();
+  }
+
+  [[noreturn]] void fail(int element, const std::string& what) const { throw PatchFault(member_, element, what); }
+
+  [[nodiscard]] const std::string& member() const { return member_; }
+  [[nodiscard]] const std::vector<Corners>& corners() const { return corners_; }
+  [[nodiscard]] bool has(Ends ends) const { return sides_.contains(ends); }
+  [[nodiscard]] SideOf at(Ends ends) const { return sides_.at(ends); }
+  [[nodiscard]] bool on_rim(unsigned v) const { return rim_.contains(v); }
+  [[nodiscard]] bool on_rim(Ends ends) const { return has(ends) && !has(back(ends)); }
+  [[nodiscard]] Ends side(unsigned triangle, unsigned s) const {
+    return {corners_[triangle][s], corners_[triangle][(s + 1) % 3]};
+  }
+  /// The rim from this vertex on, once around.
+  [[nodiscard]] std::vector<Ends> rim_from(unsigned first) const {
+    std::vector<Ends> edges;
+    unsigned v = first;
+    do {
+      edges.emplace_back(v, rim_.at(v)[0]);
+      v = edges.back().second;
+    } while (v != first);
+    return edges;
+  }
+
+ private:
+  void add(const std::array<std::string, 3>& triangle) {
+    const auto number = static_cast<unsigned>(corners_.size());
+    const auto element = static_cast<int>(number);
+    for (const std::string& name : triangle)
+      if (!is_vertex_name(name)) fail(element, "expected names of vertices: 1 to 20 letters, digits and underscores");
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+      fail(element, "expected three different vertices");
+    corners_.push_back({names_.number(triangle[0]), names_.number(triangle[1]), names_.number(triangle[2])});
+    for (unsigned s = 0; s < 3; ++s) {
+      const Ends ends = side(number, s);
+      const auto [there, fresh] = sides_.emplace(ends, SideOf{number, s});
+      if (fresh) continue;
+      if (has(back(ends))) fail(element, fmt::format("the edge {} has two triangles already", names_.edge(ends)));
+      fail(element, fmt::format("this triangle and triangle {} both run along {} in this direction: turn one of them",
+                                there->second.triangle, names_.edge(ends)));
+    }
+  }
+
+  /// Turning around a vertex from any of its triangles must meet all of them.
+  void expect_single_fans() const {
+    std::map<unsigned, unsigned> meeting;
+    for (const Corners& c : corners_)
+      for (const unsigned v : c) ++meeting[v];
+    for (const auto& [v, all] : meeting) {
+      // From the rim if the vertex is on it, so that one turn meets the whole fan.
+      const auto rim = rim_.find(v);
+      if (rim != rim_.end() && rim->second.size() > 1)
+        fail(-1, fmt::format("the triangles around {} are {} fans, expected one", names_[v], rim->second.size()));
+      const auto starts = [v = v](const auto& side) { return side.first.first == v; };
+      const Ends first =
+          rim != rim_.end() ? Ends(v, rim->second[0]) : std::find_if(sides_.begin(), sides_.end(), starts)->first;
+      unsigned met = 0;
+      Ends spoke = first;
+      do {
+        const SideOf here = at(spoke);
+        ++met;
+        spoke = back(side(here.triangle, (here.side + 2) % 3));
+      } while (has(spoke) && spoke != first);
+      if (met != all) fail(-1, fmt::format("the triangles around {} are several fans, expected one", names_[v]));
+    }
+  }
+
+  void expect_disc() const {
+    std::vector<bool> met(corners_.size(), false);
+    std::vector<unsigned> open{0};
+    met[0] = true;
+    while (!open.empty()) {
+      const unsigned t = open.back();
+      open.pop_back();
+      for (unsigned s = 0; s < 3; ++s) {
+        const auto there = sides_.find(back(side(t, s)));
+        if (there == sides_.end() || met[there->second.triangle]) continue;
+        met[there->second.triangle] = true;
+        open.push_back(there->second.triangle);
+      }
+    }
+    if (const auto apart = std::find(met.begin(), met.end(), false); apart != met.end())
+      fail(static_cast<int>(apart - met.begin()), "this triangle is not connected to triangle 0 over edges");
+    if (rim_.empty()) fail(-1, "expected a disc, these triangles close up and have no rim");
+    if (rim_from(rim_.begin()->first).size() != rim_.size())
+      fail(-1, "expected a disc, the rim of these triangles has several parts");
+    std::set<unsigned> vertices;
+    for (const Corners& c : corners_) vertices.insert(c.begin(), c.end());
+    const std::size_t edges = (sides_.size() + rim_.size()) / 2;
+    if (vertices.size() + corners_.size() != edges + 1) fail(-1, "expected a disc, these triangles have a handle");
+  }
+
+  std::string member_;
+  Names& names_;
+  std::vector<Corners> corners_;
+  std::map<Ends, SideOf> sides_;
+  std::map<unsigned, std::vector<unsigned>> rim_;  ///< where the rim leads from a vertex
+};
+
+/// The edges of the rim that lie on the boundary of the mesh.
+std::set<Ends> boundary_of(const Disc& disc, const NamedPatch& named, const Names& names) {
+  std::set<Ends> edges;
+  for (std::size_t i = 0; i < named.boundary.size(); ++i) {
+    const auto& [from, to] = named.boundary[i];
+    const auto refuse = [&](const std::string& what) { throw PatchFault("boundary", static_cast<int>(i), what); };
+    if (from == to) refuse("expected two different vertices");
+    for (const std::string& name : named.boundary[i])
+      if (const auto v = names.find(name); !v || !disc.on_rim(*v))
+        refuse(fmt::format("expected vertices of the rim on both sides; {} is none {} the operation", name,
+                           disc.member()));
+    const unsigned last = *names.find(to);
+    for (const Ends& edge : disc.rim_from(*names.find(from))) {
+      if (!edges.insert(edge).second) refuse(fmt::format("{} is in a stretch already", names.edge(edge)));
+      if (edge.second == last) break;
+    }
+  }
+  return edges;
+}
+
+/// The ports in their order, by the directed edges of the rim before the operation.
+std::vector<Ends> ports_of(const Disc& before, const std::set<Ends>& boundary) {
+  for (unsigned t = 0; t < before.corners().size(); ++t)
+    for (unsigned s = 0; s < 3; ++s) {
+      const Ends first = before.side(t, s);
+      if (!before.on_rim(first) || boundary.contains(first)) continue;
+      std::vector<Ends> ports = before.rim_from(first.first);
+      std::erase_if(ports, [&](Ends edge) { return boundary.contains(edge); });
+      return ports;
+    }
+  return {};
+}
+
+/// Every edge of the rim of one that is not on the boundary must be one of the other.
+void expect_rim_of(const Disc& other, const std::set<Ends>& open_there, const Disc& disc, const std::set<Ends>& open,
+                   const Names& names) {
+  for (unsigned t = 0; t < disc.corners().size(); ++t)
+    for (unsigned s = 0; s < 3; ++s) {
+      const Ends edge = disc.side(t, s);
+      if (!disc.on_rim(edge) || open.contains(edge) || (other.on_rim(edge) && !open_there.contains(edge))) continue;
+      disc.fail(static_cast<int>(t), fmt::format("{} is an edge of the rim {} the operation, but not {} it",
+                                                 names.edge(edge), disc.member(), other.member()));
+    }
+}
+
+/// Numbers what the sides are: `of[t][s]` as in SurfaceTriangle.
+Side numbered(const Disc& disc, const std::vector<Ends>& ports, std::vector<std::array<std::uint8_t, 3>>& of) {
+  Side side;
+  side.nodes = static_cast<unsigned>(disc.corners().size());
+  of.assign(side.nodes,
+            {SurfaceTriangle::boundary_side, SurfaceTriangle::boundary_side, SurfaceTriangle::boundary_side});
+  for (unsigned t = 0; t < side.nodes; ++t)
+    for (unsigned s = 0; s < 3; ++s) {
+      const Ends other = back(disc.side(t, s));
+      if (!disc.has(other) || disc.at(other).triangle > t) continue;
+      const SideOf there = disc.at(other);
+      of[t][s] = of[there.triangle][there.side] = static_cast<std::uint8_t>(side.edges.size());
+      side.edges.push_back({there.triangle, t});
+    }
+  for (std::size_t p = 0; p < ports.size(); ++p) {
+    const SideOf at = disc.at(ports[p]);
+    side.owner.push_back(at.triangle);
+    of[at.triangle][at.side] = static_cast<std::uint8_t>(SurfaceTriangle::port_side + p);
+  }
+  if (side.owner.empty() || side.owner.size() > most_ports)
+    disc.fail(-1, fmt::format("expected 1 to {} ports, the edges of the rim that are not on the boundary", most_ports));
+  if (side.edges.size() + side.owner.size() > most_edges_and_ports)
+    disc.fail(-1, fmt::format("expected at most {} edges and ports together", most_edges_and_ports));
+  return side;
+}
+
+/// The triangles as one meets them from the first side of the first.
+std::vector<SurfaceTriangle> walked(const Disc& disc, const std::vector<std::array<std::uint8_t, 3>>& of) {
+  std::vector<SurfaceTriangle> met;
+  std::set<unsigned> known;
+  const auto meet = [&](SideOf at, unsigned from, unsigned from_side) {
+    if (!known.insert(at.triangle).second) return;
+    met.push_back({from, from_side, {}, {}});
+    for (unsigned s = 0; s < 3; ++s) {
+      met.back().vertex[s] = disc.corners()[at.triangle][(at.side + s) % 3];
+      met.back().side[s] = of[at.triangle][(at.side + s) % 3];
+    }
+  };
+  meet({0, 0}, 0, 0);
+  for (unsigned i = 0; i < met.size(); ++i)
+    for (unsigned s = 0; s < 3; ++s) {
+      const Ends other{met[i].vertex[(s + 1) % 3], met[i].vertex[s]};
+      if (disc.has(other)) meet(disc.at(other), i, s);
+    }
+  return met;
+}
+
+}  // namespace
+
+SurfacePatch surface_patch(const NamedPatch& named) {
+  Names names;
+  const Disc before("before", named.before, names);
+  const Disc after("after", named.after, names);
+  const std::set<Ends> open_before = boundary_of(before, named, names);
+  const std::set<Ends> open_after = boundary_of(after, named, names);
+  expect_rim_of(before, open_before, after, open_after, names);
+  expect_rim_of(after, open_after, before, open_before, names);
+  const std::vector<Ends> ports = ports_of(before, open_before);
+  SurfacePatch patch;
+  std::vector<std::array<std::uint8_t, 3>> of;
+  patch.patch.before = numbered(before, ports, of);
+  patch.surface.before = walked(before, of);
+  patch.patch.after = numbered(after, ports, of);
+  patch.surface.after = walked(after, of);
+  patch.surface.vertices = names.size();
+  return patch;
+}
+
+}  // namespace restrip::generator

@@ -1,0 +1,48 @@
+// Exhaustive search: the best sound recolouring for every key.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "operations/operation.hpp"
+#include "solve/coloring.hpp"
+#include "solve/values.hpp"
+
+namespace restrip::generator {
+
+/// The colours after an operation.
+struct Choice {
+  Mask recoloring = 0;
+  Mask kept = 0;          ///< ports that stay solid
+  unsigned solid = 0;     ///< solid inner edges
+  unsigned isolated = 0;  ///< isolated triangles; a port given up counts as one
+};
+
+/// By solid ports, the pairs that some valid recolouring of these joins: of others it does not matter whether they were
+/// joined.
+[[nodiscard]] std::vector<PortPairs> relevant_pairs(const Operation& operation);
+
+/// Valid recolourings of one port mask, best first.
+class Candidates {
+ public:
+  /// `colorings` are the legal ones of the side after the operation.
+  Candidates(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports);
+
+  /// The best recolouring that joins no pair of ports but these, which were joined before; null when there is none. For
+  /// fans there always is one: everything dashed inside, and nothing given up.
+  [[nodiscard]] const Choice* best(const PortPairs& joined_before) const;
+
+  /// The list of linked rules: of the recolourings that no better one covers, which joins only pairs that it joins too,
+  /// the best first. For each set of pairs joined outside, the first of them that closes no cycle with it is best.
+  [[nodiscard]] std::vector<std::pair<Choice, PortPairs>> uncovered() const;
+
+ private:
+  struct Candidate {
+    Choice choice;
+    PortPairs joins;
+    CriterionValues values{};
+  };
+  std::vector<Candidate> candidates_;
+};
+
+}  // namespace restrip::generator

@@ -1,0 +1,83 @@
+// A section: all rules of one position, or of all positions that share them, found by exhaustive search and reduced by
+// symmetry, with the claims that its certificate makes; or the linked rules of such a position. It is the unit in which
+// work is shared by threads and by machines.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "operations/tie_break.hpp"
+#include "progress.hpp"
+#include "solve/claims.hpp"
+#include "solve/search.hpp"
+#include "solve/symmetry.hpp"
+
+namespace restrip::generator {
+
+/// A rule: the colours after. In a linked section an alternative: the key has the pairs that it joins.
+struct Row : Choice {
+  Key key;
+  int witness = -1;  ///< index of the symmetry that leads to the representative; -1 for the representative itself
+};
+
+struct Section {
+  std::string certificate;       ///< "fan-collapse"; "linked-split" for the linked rules of the split
+  Position position;             ///< family and valence, and the place unless they serve every one
+  std::vector<Position> serves;  ///< the positions whose configurations these rules answer
+  bool linked = false;
+  Goal goal = Goal::strips;
+
+  // What solve() finds.
+  std::vector<Row> rows;            ///< in ascending order of key; of linked sections by ports, the best first
+  std::vector<PatchMap> symmetry;   ///< those that lead from a copy to its representative
+  double symmetries = 1;            ///< how many there are of the rows' operation
+  std::vector<PortPairs> relevant;  ///< by solid ports: pairs that a recolouring could join
+  std::vector<Claims> claims;       ///< for each position served
+  std::string text;                 ///< as the certificate has it
+};
+
+/// The certificates of these descriptions, in the order in which they are written: where the last of those stands that
+/// share it.
+[[nodiscard]] std::vector<std::string> certificates_of(const std::vector<Description>& descriptions);
+
+/// Every section of these certificates in order, not yet solved, for valences up to max_k (at most 13, so that a
+/// recolouring has 16 bits): rules first, then linked rules.
+[[nodiscard]] std::vector<Section> sections_of(const std::vector<Description>& descriptions, unsigned max_k,
+                                               Goal goal = Goal::strips);
+
+/// Finds rows, and claims. Threads may solve different sections at the same time. Throws std::runtime_error that names
+/// operation and configuration when one has no sound recolouring.
+void solve(Section& section, Watched watched = Watched::no);
+
+/// Every section of a certificate of the shipped families, solved; the work is shared by `threads`, and the result does
+/// not depend on their number.
+[[nodiscard]] std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsigned threads);
+
+/// The row that answers a valid configuration with these solid ports and pairs joined.
+[[nodiscard]] const Row& row_of(const Section& section, Mask ports, const PortPairs& joined);
+
+/// One valid configuration of a side, and what it joins.
+struct Configuration {
+  Mask before = 0;
+  Mask ports = 0;
+  Outcome outcome;
+};
+
+/// Calls visit for every valid configuration, in ascending order of (before, ports).
+template <class Visit>
+void for_each_valid(const Operation& operation, Visit&& visit) {
+  const Side& before = operation.patch.before;
+  for (const Coloring& coloring : legal_colorings(before, operation.constraint))
+    for (Mask ports = 0; ports <= before.all_ports(); ++ports)
+      if (const auto outcome = with_ports(coloring, ports)) visit(Configuration{coloring.inner, ports, *outcome});
+}
+
+/// What answering a configuration with a row does to the number of strips and of isolated triangles.
+struct Change {
+  int strips = 0;
+  int isolated = 0;
+};
+[[nodiscard]] Change change_of(const Patch& patch, const Configuration& configuration, const Row& row);
+
+}  // namespace restrip::generator

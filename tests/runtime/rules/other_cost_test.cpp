@@ -1,0 +1,272 @@
+// Claim: with an automaton of another cost, in which swaps have a price, restrip::exact returns a sound recolouring,
+// and none costs less. For small valences by trying all recolourings, for every key, every way in which strips may go
+// on behind the ports, and every position; for valences up to 1,000 by a second search. Both count swaps by the corners
+// of the triangles. The automaton is made in the build, of the weights RESTRIP_TEST_WEIGHTS.
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "naive_turns.hpp"
+#include "restrip/rules/exact.hpp"
+#include "turn_frontier.hpp"
+
+namespace restrip::exact {
+namespace {
+
+static_assert(tables::automaton.tells_turns);
+// Answers at compile time: three triangles in one strip.
+static_assert(best_collapse(3, 0, 0).value == Value{2, 0});
+static_assert(best_fan_collapse(1, 0, 0).value == Value{0, 1});
+
+constexpr naive::Weights weights{RESTRIP_TEST_WEIGHTS};
+
+struct Key {
+  Word ports = 0;
+  Word joined = 0;
+  Turns turns;
+};
+struct LongKey {
+  BitSpan ports;
+  BitSpan joined;
+  LongTurns turns;
+};
+
+// The operations by number, with all their positions.
+struct OperationAt {
+  int family = 0;
+  std::size_t k = 0;
+  std::size_t i = 0;  // a, or the first gap
+  std::size_t j = 0;
+
+  naive::TurnPatch patch() const {
+    switch (family) {
+      case 0:
+        return naive::turning_split(k, i);
+      case 1:
+        return naive::turning_collapse(k);
+      case 2:
+        return naive::turning_open_split(k, i, j);
+      case 3:
+        return naive::turning_boundary_split(k, i);
+      default:
+        return naive::turning_fan_collapse(k);
+    }
+  }
+
+  Recoloring best(const Key& key) const {
+    switch (family) {
+      case 0:
+        return best_split(k, i, key.ports, key.joined, key.turns);
+      case 1:
+        return best_collapse(k, key.ports, key.joined, key.turns);
+      case 2:
+        return best_open_split(k, i, j, key.ports, key.joined, key.turns);
+      case 3:
+        return best_boundary_split(k, i, key.ports, key.joined, key.turns);
+      default:
+        return best_fan_collapse(k, key.ports, key.joined, key.turns);
+    }
+  }
+
+  Value best(const LongKey& key, MutableBitSpan colors) const {
+    switch (family) {
+      case 0:
+        return best_split(k, i, key.ports, key.joined, colors, key.turns);
+      case 1:
+        return best_collapse(k, key.ports, key.joined, colors, key.turns);
+      case 2:
+        return best_open_split(k, i, j, key.ports, key.joined, colors, key.turns);
+      case 3:
+        return best_boundary_split(k, i, key.ports, key.joined, colors, key.turns);
+      default:
+        return best_fan_collapse(k, key.ports, key.joined, colors, key.turns);
+    }
+  }
+
+  std::string text() const {
+    const char* names[] = {"split", "collapse", "open split", "boundary split", "fan collapse"};
+    return std::string(names[family]) + " k " + std::to_string(k) + " at " + std::to_string(i) + " " +
+           std::to_string(j);
+  }
+};
+
+std::vector<OperationAt> operations(std::size_t k) {
+  std::vector<OperationAt> all;
+  for (std::size_t a = 1; k >= 3 && a < k; ++a) all.push_back({0, k, a, 0});
+  if (k >= 3) all.push_back({1, k, 0, 0});
+  for (std::size_t i = 0; i < k; ++i) {
+    for (std::size_t j = i + 1; j <= k; ++j) all.push_back({2, k, i, j});
+  }
+  for (std::size_t i = 0; i <= k; ++i) all.push_back({3, k, i, 0});
+  all.push_back({4, k, 0, 0});
+  return all;
+}
+
+naive::Behind corners_of(const naive::TurnPatch& patch, const naive::Bits& left, const naive::Bits& right) {
+  naive::Behind behind;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    behind.push_back(left[i] ? patch.ports[i][0] : right[i] ? patch.ports[i][1] : naive::no_corner);
+  }
+  return behind;
+}
+
+// A recolouring that is sound for some key with these ports.
+struct Sound {
+  Word needed = 0;  // bits of `joined`
+  naive::Turned turned;
+};
+
+// Every key of one operation, in four steps: ports, what is behind them, what is joined. Returns the number of keys.
+std::size_t check_all_keys(const OperationAt& operation) {
+  const naive::TurnPatch patch = operation.patch();
+  const std::size_t k = operation.k;
+  const std::size_t colors = patch.graph.edges.size();
+  std::size_t keys = 0;
+  for (Word ports = 0; ports < bit(k); ++ports) {
+    const naive::Bits port_bits = naive::bits_of(ports, k);
+    std::vector<Sound> sounds;
+    std::vector<int> number_of(std::size_t{1} << colors, -1);
+    for (Word inner = 0; inner < bit(colors); ++inner) {
+      const naive::Bits inner_bits = naive::bits_of(inner, colors);
+      const naive::Analysis truth = naive::analyze(patch.graph, inner_bits, port_bits);
+      if (!truth.valid) continue;
+      const naive::Bits needed = naive::key_of(patch.graph, port_bits, truth.joined);
+      if (!naive::subset(truth.joined, naive::pairs_of(patch.graph, port_bits, needed))) continue;
+      number_of[inner] = static_cast<int>(sounds.size());
+      sounds.push_back({naive::mask_of(needed), naive::turned(patch, inner_bits, port_bits, weights)});
+    }
+    for (Word left = ports;; left = (left - 1) & ports) {
+      for (Word right = ports & ~left;; right = (right - 1) & ports & ~left) {
+        const naive::Behind behind = corners_of(patch, naive::bits_of(left, k), naive::bits_of(right, k));
+        std::vector<int> least(bit(k), std::numeric_limits<int>::max());
+        std::vector<int> costs;
+        for (const Sound& sound : sounds) {
+          costs.push_back(sound.turned.with(behind, weights));
+          least[sound.needed] = std::min(least[sound.needed], costs.back());
+        }
+        for (std::size_t i = 0; i < k; ++i) {
+          for (Word joined = 0; joined < bit(k); ++joined) {
+            if (has(joined, i)) least[joined] = std::min(least[joined], least[joined & ~bit(i)]);
+          }
+        }
+        for (Word joined = ports;; joined = (joined - 1) & ports) {
+          ++keys;
+          // Of two ports in a ring either bit stands for the pair.
+          const bool two = patch.graph.cyclic && count_bits(ports) == 2 && joined != 0;
+          const Word meant = two ? ports : joined;
+          const Recoloring best = operation.best({ports, joined, {left, right}});
+          const int at = best.colors < number_of.size() ? number_of[best.colors] : -1;
+          if (at < 0 || (sounds[static_cast<std::size_t>(at)].needed & ~meant) != 0 ||
+              costs[static_cast<std::size_t>(at)] != least[meant]) {
+            ADD_FAILURE() << operation.text() << " ports " << ports << " joined " << joined << " left " << left
+                          << " right " << right << ": colors " << best.colors << ", best " << least[meant]
+                          << (at < 0 ? ", not sound" : "");
+            return keys;
+          }
+          if (joined == 0) break;
+        }
+        if (right == 0) break;
+      }
+      if (left == 0) break;
+    }
+  }
+  return keys;
+}
+
+// An unoptimised build stops one earlier. RESTRIP_EXHAUSTIVE=1 in the environment goes on to k = 7.
+TEST(OtherCost, EveryKeyOfEveryPosition) {
+#ifdef __OPTIMIZE__
+  const std::size_t usual = 5;
+#else
+  const std::size_t usual = 4;
+#endif
+  const std::size_t largest = std::getenv("RESTRIP_EXHAUSTIVE") != nullptr ? 7 : usual;
+  std::size_t words = 1;
+  for (std::size_t k = 1; k <= largest; ++k) {
+    words *= 7;  // a dashed port, or a solid one, joined or not, with one of three things behind it
+    for (const OperationAt& operation : operations(k)) {
+      EXPECT_EQ(check_all_keys(operation), words) << operation.text();
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+void check_one(std::mt19937_64& random, std::size_t k) {
+  OperationAt operation{static_cast<int>(random() % 5), k, 0, 0};
+  operation.i = operation.family == 0 ? 1 + random() % (k - 1) : random() % k;
+  operation.j = operation.i + 1 + random() % (k - operation.i);
+  const naive::TurnPatch patch = operation.patch();
+  const std::size_t colors = patch.graph.edges.size();
+  // Between a handful of ports and all of them, each pair joined seldom or nearly always, strips that end or go on.
+  const std::uint64_t solid_of_64 = random() % 3 == 0 ? random() % 4 : random() % 65;
+  const std::uint64_t joined_of_8 = random() % 9;
+  const std::uint64_t left_of_8 = random() % 9;
+  naive::Bits ports(k);
+  naive::Bits joined(k);
+  naive::Bits left(k);
+  naive::Bits right(k);
+  for (std::size_t x = 0; x < k; ++x) {
+    ports[x] = random() % 64 < solid_of_64;
+    joined[x] = ports[x] && random() % 8 < joined_of_8;
+    left[x] = random() % 8 < left_of_8;
+    right[x] = !left[x] && random() % 2 == 0;
+  }
+  SCOPED_TRACE(operation.text());
+  const std::vector<Word> port_words = naive::words_of(ports);
+  const std::vector<Word> joined_words = naive::words_of(joined);
+  const std::vector<Word> left_words = naive::words_of(left);
+  const std::vector<Word> right_words = naive::words_of(right);
+  std::vector<Word> out(words_for(colors == 0 ? 1 : colors), 0);
+  const Value value = operation.best(LongKey{BitSpan{port_words.data()},
+                                             BitSpan{joined_words.data()},
+                                             {BitSpan{left_words.data()}, BitSpan{right_words.data()}}},
+                                     MutableBitSpan{out.data()});
+  const naive::Bits inner = naive::bits_from(out, colors);
+  const naive::Analysis truth = naive::analyze(patch.graph, inner, ports);
+  ASSERT_TRUE(truth.valid);
+  EXPECT_TRUE(naive::subset(truth.joined, naive::pairs_of(patch.graph, ports, joined)));
+  const naive::Behind behind = corners_of(patch, left, right);
+  EXPECT_EQ(value, (Value{truth.solid, truth.isolated}));
+  EXPECT_EQ(naive::turned(patch, inner, ports, weights).with(behind, weights),
+            naive::TurnFrontier(patch, ports, joined, behind, weights).least());
+  if (k > max_word_valence) return;
+  const Recoloring word =
+      operation.best(Key{naive::mask_of(ports), naive::mask_of(joined), {naive::mask_of(left), naive::mask_of(right)}});
+  EXPECT_EQ(word.value, value);
+  EXPECT_EQ(naive::bits_of(word.colors, colors), inner);
+}
+
+void check_many(std::uint64_t seed, int runs, std::size_t from, std::size_t to) {
+  std::mt19937_64 random(seed);
+  for (int run = 0; run < runs; ++run) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + " run " + std::to_string(run));
+    ASSERT_NO_FATAL_FAILURE(check_one(random, from + random() % (to - from)));
+    if (testing::Test::HasFailure()) return;
+  }
+}
+
+// The second search is right where everything can be enumerated, or at least agrees.
+TEST(OtherCost, Small) { check_many(20260111, 1500, 3, 13); }
+
+TEST(OtherCost, AroundTheWordSize) { check_many(20260112, 250, 55, 70); }
+
+TEST(OtherCost, Thousand) { check_many(20260113, 8, 1000, 1001); }
+
+// A strip that goes on behind the port in the direction that repeats an index is not left to repeat it for nothing.
+TEST(OtherCost, SeesHowStripsTurnBehindPorts) {
+  const Word left = best_collapse(4, 0b0001, 0, {0b0001, 0}).colors;
+  const Word right = best_collapse(4, 0b0001, 0, {0, 0b0001}).colors;
+  EXPECT_FALSE(has(left, 3));  // the link to the triangle before
+  EXPECT_TRUE(has(left, 0));
+  EXPECT_FALSE(has(right, 0));  // the link to the triangle behind
+  EXPECT_TRUE(has(right, 3));
+}
+
+}  // namespace
+}  // namespace restrip::exact

@@ -1,0 +1,269 @@
+// The verifier of operations agrees with a naive method: on every recolouring of every configuration, and on whole
+// certificates and dumps, for the operations of the corpus and for random ones.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <random>
+
+#include "judge/position_check.hpp"
+#include "model/family.hpp"
+#include "verdict.hpp"
+
+namespace restrip::verify::test {
+namespace {
+
+Colors colors_of(NaiveColors colors) { return {static_cast<Mask>(colors.inner), static_cast<Mask>(colors.ports)}; }
+
+/// Every recolouring of every valid configuration; how many there were.
+std::size_t expect_same_judgement(const Operation& operation) {
+  const NaiveOperation naive(operation);
+  FitTable table(operation.constraint, operation.ports());
+  RuleJudge judge(operation, table);
+  std::size_t compared = 0;
+  for (const NaiveColors& configuration : naive.configurations()) {
+    const bool valid = judge.before().valid(colors_of(configuration));
+    EXPECT_EQ(valid, naive.valid(false, configuration));
+    if (!valid) continue;
+    const std::vector<NaiveCandidate> sound = naive.sound(configuration);
+    std::vector<long> best;
+    for (const NaiveCandidate& candidate : sound) best = best.empty() ? candidate.cost : std::min(best, candidate.cost);
+    for (int inner = 0; inner < 1 << operation.after.edges.size(); ++inner)
+      for (int kept = 0; kept < 1 << operation.ports(); ++kept, ++compared) {
+        const NaiveColors after{inner, kept};
+        const auto candidate =
+            std::find_if(sound.begin(), sound.end(), [&](const NaiveCandidate& one) { return one.after == after; });
+        const int lost = configuration.ports - kept;
+        Judged expected;
+        if ((configuration.ports & kept) != kept || (lost & static_cast<int>(operation.may_give_up)) != lost)
+          expected.verdict = verify::Verdict::wrong_ports;
+        else if (candidate == sound.end())
+          expected.verdict = verify::Verdict::unsound;
+        else if (candidate->cost != best)
+          expected = {verify::Verdict::not_best,
+                      static_cast<unsigned>(std::mismatch(best.begin(), best.end(), candidate->cost.begin()).first -
+                                            best.begin())};
+        const Judged found = judge.judged(colors_of(configuration), colors_of(after));
+        if (found.verdict == expected.verdict && found.criterion == expected.criterion) continue;
+        ADD_FAILURE() << operation.name() << ": " << judge.explained(colors_of(configuration), colors_of(after), found);
+        return compared;
+      }
+  }
+  return compared;
+}
+
+TEST(OperationJudge, AgreesWithANaiveMethodOnTheCorpus) {
+  std::size_t compared = 0;
+  for (const std::string& name : corpus_operations) compared += expect_same_judgement(corpus_operation(name));
+  EXPECT_GT(compared, 5000U);
+}
+
+TEST(OperationJudge, GoodCertificatesAndDumpsHold) {
+  for (const std::string& name : corpus_operations) {
+    const NaiveSection section = naive_section(corpus_operation(name));
+    const std::optional<NaiveTable> table = naive_table(name, section, false);
+    ASSERT_TRUE(table) << name;
+    const Verdict verdict =
+        verdict_on(corpus_path(name), certificate_text(name, {*table}), dump_text(section.operations.front(), *table));
+    EXPECT_EQ(verdict.exit_code, 0) << name << '\n' << verdict.text;
+  }
+}
+
+// A family of one's own: every position, those that share a section and those that have no rules included. A fan
+// without gaps gets one triangle more, or loses it; where it stood does not matter to the collapse.
+TEST(OperationJudge, AFamilyOfOnesOwn) {
+  const std::string name = "wedge";
+  const std::string text = R"json({
+    "restrip_operation": 1, "name": "wedge", "numbers": ["k", "i"], "where": "2 <= k, k <= 3, i <= k",
+    "listed": "2 i <= k", "position": "k {k} at {i}", "section": "SECTION", "give_up": "GIVE",
+    "before": {"path": ["t[0,i)", "A", "t[i,k)"]}, "after": {"path": ["t[0,k)"]}
+  })json";
+  for (const std::string section : {"k {k} at {i}", "k {k}"})
+    for (const std::string give_up : {"none", "all"}) {
+      std::string described = text;
+      described.replace(described.find("SECTION"), 7, section);
+      described.replace(described.find("GIVE"), 4, give_up);
+      const Family family = families_of(parse_descriptions("f", described), 8).front();
+      std::vector<NaiveTable> tables;
+      std::string dump = "restrip-table-dump 3\n";
+      std::size_t entries = 0;
+      const auto add = [&](const NaiveOperation& operation, const NaiveTable& table) {
+        const std::string own = dump_text(operation, table);
+        const std::size_t first = own.find('\n') + 1;
+        const std::size_t end = own.rfind("end ");
+        dump += own.substr(first, end - first);
+        entries += operation.configurations().size();
+      };
+      for (const Section& one : family.sections) {
+        NaiveSection naive{one.position, one.serves_every_position, {}};
+        for (const Operation& operation : one.operations) naive.operations.emplace_back(operation);
+        tables.push_back(naive_table(name, naive, true).value());
+        for (const NaiveOperation& operation : naive.operations) add(operation, tables.back());
+      }
+      for (const Operation& operation : family.unlisted) {
+        const NaiveSection naive{"", false, {NaiveOperation(operation)}};
+        add(naive.operations.front(), naive_table(name, naive, false).value());
+      }
+      dump += fmt::format("end {}\n", entries);
+      const std::string path = fmt::format("{}/family-{}.json", testing::TempDir(), getpid());
+      std::ofstream(path) << described;
+      const std::string certificate = certificate_text(name, tables);
+      const Verdict good = verdict_on(path, certificate, dump);
+      EXPECT_EQ(good.exit_code, 0) << section << ", " << give_up << '\n' << good.text;
+      // One wrong row, and one wrong answer in a position that has no rules.
+      std::vector<NaiveTable> worse = tables;
+      worse.back().rows.at({0, 0}).after.inner = 0;
+      EXPECT_TRUE(verdict_on(path, certificate_text(name, worse), {}).says("not best: strips is"));
+      const std::size_t unlisted = dump.find("table wedge k 3 at 3\n0 0 ") + 25;
+      std::string altered = dump;
+      altered.replace(unlisted, dump.find('\n', unlisted) - unlisted, "0 0");
+      const Verdict bad = verdict_on(path, {}, altered);
+      EXPECT_TRUE(bad.says("table wedge k 3 at 3, inner 0, ports 0: ")) << bad.text;
+      std::remove(path.c_str());
+    }
+}
+
+// Linked rules of a family of one's own: the shipped splits under another name.
+TEST(OperationJudge, LinkedRulesOfOnesOwn) {
+  const std::string described = R"json({
+    "restrip_operation": 1, "name": "cut", "numbers": ["k", "a"], "where": "3 <= k, k <= 4, 1 <= a, 2 a <= k",
+    "position": "k {k} a {a}", "before": {"ring": ["t[0,k)"]},
+    "after": {"ring": ["A", "t[0,a)", "D", "t[a,k)"], "chord": ["A", "D"]}, "linked": true
+  })json";
+  const std::vector<NaiveFamily> families = naive_families(4);
+  std::vector<NaiveTable> tables;
+  std::vector<NaiveLists> lists;
+  for (const NaiveSection& section : families.front().sections)
+    tables.push_back(naive_table("cut", section, true).value());
+  for (const NaiveLinked& linked : naive_linked(families))
+    if (linked.good().family == "linked-split") lists.push_back(linked.good());
+  const std::string path = fmt::format("{}/linked-{}.json", testing::TempDir(), getpid());
+  std::ofstream(path) << described;
+  const auto verdict = [&](const std::vector<NaiveLists>& stated) {
+    return verdict_on(path, certificate_text("cut", tables), {}, certificate_text("linked-cut", stated));
+  };
+  EXPECT_EQ(verdict(lists).exit_code, 0) << verdict(lists).text;
+  std::vector<NaiveLists> shorter = lists;
+  shorter.back().lists.at(0).pop_back();
+  shorter.back().count();
+  EXPECT_TRUE(verdict(shorter).says("missing list: the ports 0 have no row") ||
+              verdict(shorter).says("incomplete list"));
+  std::remove(path.c_str());
+}
+
+// The four symmetries of a flip, less those that the ports that may be given up or the cost forbid.
+TEST(OperationJudge, SymmetriesLeaveTheCostAsItIs) {
+  const auto symmetries = [](const std::string& cost, const std::string& give_up) {
+    const Operation operation = parse_operation(
+        "flip", fmt::format(R"({{"restrip_operation": 1, "name": "turn", "constraint": "strips", "cost": {},
+ "before": {{"triangles": 2, "edges": [[0, 1]], "ports": [0, 0, 1, 1]}},
+ "after": {{"triangles": 2, "edges": [[0, 1]], "ports": [1, 0, 0, 1]}}, "give_up": {}}})",
+                            cost, give_up));
+    return Symmetries(operation, Symmetries::Keep::both_sides).order();
+  };
+  const std::string all = "\"all\"";
+  EXPECT_EQ(symmetries(R"([[{"count": "strips"}]])", all), 4);
+  EXPECT_EQ(symmetries(R"([[{"count": "strips"}]])", "[0, 1]"), 2);
+  EXPECT_EQ(symmetries(R"([[{"count": "strips"}]])", "[0]"), 1);
+  EXPECT_EQ(symmetries(R"([[{"count": "kept", "ports": [0]}]])", all), 1);
+  EXPECT_EQ(symmetries(R"([[{"count": "kept", "ports": [0, 1, 2, 3]}]])", all), 4);
+  EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}]])", all), 2);
+  EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}, {"count": "ends", "triangles": [1]}]])", all), 4);
+  // Other weights, other counts, in other criteria, and more often.
+  EXPECT_EQ(
+      symmetries(R"([[{"count": "ends", "triangles": [0]}, {"count": "ends", "triangles": [1], "weight": 2}]])", all),
+      2);
+  EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}, {"count": "ends_at_port", "triangles": [1]}]])", all),
+            2);
+  EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}], [{"count": "ends", "triangles": [1]}]])", all), 2);
+  EXPECT_EQ(symmetries(R"([[{"count": "ends", "triangles": [0]}, {"count": "ends", "triangles": [0]},
+ {"count": "ends", "triangles": [1]}]])",
+                       all),
+            2);
+}
+
+/// A random side with so many ports: edges and ports where triangles have room.
+std::string random_side(std::mt19937& random, unsigned ports) {
+  const auto triangles = static_cast<unsigned>(1 + random() % 4);
+  std::vector<unsigned> room(triangles, 3);
+  std::vector<unsigned> owners;
+  while (owners.size() < ports) {
+    const auto triangle = static_cast<unsigned>(random() % triangles);
+    if (room[triangle] == 0) {
+      if (std::all_of(room.begin(), room.end(), [](unsigned left) { return left == 0; })) return {};
+      continue;
+    }
+    --room[triangle];
+    owners.push_back(triangle);
+  }
+  std::vector<std::string> edges;
+  for (unsigned i = 0; i < triangles; ++i)
+    for (unsigned j = i + 1; j < triangles; ++j)
+      if (room[i] > 0 && room[j] > 0 && random() % 4 != 0) {
+        --room[i];
+        --room[j];
+        edges.push_back(random() % 2 == 0 ? fmt::format("[{}, {}]", i, j) : fmt::format("[{}, {}]", j, i));
+      }
+  return fmt::format(R"({{"triangles": {}, "edges": [{}], "ports": [{}]}})", triangles, fmt::join(edges, ", "),
+                     fmt::join(owners, ", "));
+}
+
+std::string random_cost(std::mt19937& random) {
+  std::vector<std::string> criteria;
+  for (std::size_t i = 0, count = 1 + random() % 3; i < count; ++i) {
+    std::vector<std::string> terms;
+    for (std::size_t j = 0, terms_count = 1 + random() % 3; j < terms_count; ++j) {
+      const std::string_view name = count_names[random() % count_names.size()];
+      std::string more;
+      if ((name == "ends" || name == "ends_at_port") && random() % 2 == 0) more = R"(, "triangles": [0])";
+      if (name == "kept" && random() % 2 == 0) more = R"(, "ports": [0])";
+      terms.push_back(
+          fmt::format(R"({{"count": "{}", "weight": {}{}}})", name, static_cast<int>(random() % 7) - 3, more));
+    }
+    criteria.push_back(fmt::format("[{}]", fmt::join(terms, ", ")));
+  }
+  return fmt::format("[{}]", fmt::join(criteria, ", "));
+}
+
+TEST(OperationJudge, AgreesWithANaiveMethodOnRandomOperations) {
+  const unsigned seed = 20261122;
+  std::cout << "seed " << seed << '\n';
+  std::mt19937 random(seed);
+  std::size_t judged = 0;
+  std::size_t certified = 0;
+  const std::string path = fmt::format("{}/random-operation-{}.json", testing::TempDir(), getpid());
+  for (unsigned round = 0; round < 40; ++round) {
+    const auto ports = static_cast<unsigned>(1 + random() % 4);
+    const std::string before = random_side(random, ports);
+    const std::string after = random_side(random, ports);
+    if (before.empty() || after.empty()) continue;
+    const std::string text = fmt::format(
+        R"({{"restrip_operation": 1, "name": "random", "constraint": "{}",
+ "before": {}, "after": {}, "give_up": {}, "cost": {}}})",
+        constraint_names[random() % 3], before, after, std::array{"\"none\"", "\"all\"", "[0]"}[random() % 3],
+        random_cost(random));
+    const Operation operation = parse_operation("random", text);
+    judged += expect_same_judgement(operation);
+    ASSERT_FALSE(HasFailure()) << text;
+    const NaiveSection section = naive_section(operation);
+    const std::optional<NaiveTable> table = naive_table("random", section, false);
+    if (!table) continue;
+    std::ofstream(path) << text;
+    const Verdict verdict =
+        verdict_on(path, certificate_text("random", {*table}), dump_text(section.operations.front(), *table));
+    ASSERT_EQ(verdict.exit_code, 0) << text << '\n' << verdict.text;
+    ++certified;
+  }
+  std::remove(path.c_str());
+  EXPECT_GT(judged, 10000U);
+  EXPECT_GT(certified, 15U);
+}
+
+}  // namespace
+}  // namespace restrip::verify::test

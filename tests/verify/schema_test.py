@@ -1,0 +1,149 @@
+"""docs/operation.schema.json and the verifier's reader agree: every operation file that is shipped or in the corpus is as
+the schema says, and of altered ones the schema refuses what the reader refuses, but for what its description says that a
+schema cannot.
+
+  schema_test.py SCHEMA VERIFIER SCRATCH FILE…
+"""
+import copy
+import itertools
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+KINDS = {"object": dict, "array": list, "integer": int, "string": str}
+ANNOTATIONS = {"$schema", "$defs", "title", "description", "default"}
+
+
+def fits(schema, value, whole):
+    """True when the value is as the schema says; of the words of JSON Schema those that ours uses."""
+    for word, argument in schema.items():
+        if word in ANNOTATIONS:
+            continue
+        if not WORDS[word](argument, value, schema, whole):  # an unknown word is an error
+            return False
+    return True
+
+
+def is_kind(name, value):
+    return isinstance(value, KINDS[name]) and not isinstance(value, bool)
+
+
+WORDS = {
+    "$ref": lambda path, value, schema, whole: fits(whole["$defs"][path.removeprefix("#/$defs/")], value, whole),
+    "anyOf": lambda ways, value, schema, whole: any(fits(way, value, whole) for way in ways),
+    "type": lambda name, value, schema, whole: is_kind(name, value),
+    "const": lambda constant, value, schema, whole: type(value) is type(constant) and value == constant,
+    "enum": lambda values, value, schema, whole: value in values,
+    "minimum": lambda bound, value, schema, whole: not is_kind("integer", value) or value >= bound,
+    "maximum": lambda bound, value, schema, whole: not is_kind("integer", value) or value <= bound,
+    "pattern": lambda pattern, value, schema, whole: not isinstance(value, str) or re.search(pattern, value) is not None,
+    "maxLength": lambda bound, value, schema, whole: not isinstance(value, str) or len(value) <= bound,
+    "minItems": lambda bound, value, schema, whole: not isinstance(value, list) or len(value) >= bound,
+    "maxItems": lambda bound, value, schema, whole: not isinstance(value, list) or len(value) <= bound,
+    "uniqueItems": lambda wanted, value, schema, whole: not isinstance(value, list) or len(set(map(str, value))) == len(value),
+    "items": lambda items, value, schema, whole: not isinstance(value, list) or all(fits(items, item, whole) for item in value),
+    "required": lambda names, value, schema, whole: not isinstance(value, dict) or all(name in value for name in names),
+    "properties": lambda members, value, schema, whole: not isinstance(value, dict)
+    or all(fits(members[name], member, whole) for name, member in value.items() if name in members),
+    "additionalProperties": lambda more, value, schema, whole: not isinstance(value, dict)
+    or all(name in schema["properties"] for name in value),
+}
+
+GOOD = {
+    "restrip_operation": 1,
+    "name": "two",
+    "about": "Two triangles.",
+    "constraint": "strips",
+    "before": {"triangles": 2, "edges": [[0, 1]], "ports": [0, 0, 1, 1]},
+    "after": {"triangles": 2, "edges": [[1, 0]], "ports": [1, 0, 0, 1]},
+    "give_up": [0, 1],
+    "cost": [
+        [{"count": "strips", "weight": 2}, {"count": "kept", "ports": [1]}],
+        [{"count": "solid", "edges": [0]}, {"count": "ends", "triangles": [0, 1]}, {"count": "ends_at_port"}],
+    ],
+}
+TRIANGLES = GOOD | {
+    "before": [["a", "b", "c"], ["b", "a", "d"]],
+    "after": [["c", "a", "d"], ["d", "b", "c"]],
+    "boundary": [["b", "c"], ["c", "a"]],
+    "give_up": "all",
+    "cost": [[{"count": "strips"}]],
+}
+VALUES = [None, True, -1, 0, 1, 2, 3, 8, 9, 16, 17, 1.5, 1000001, "", "none", "all", "strips", "matching", "forest", "kept",
+          "squares", "two-2", "Two", "a", "v_1", ["a", "b", "c"], ["b", "c"], ["a", "b", "a"], "a--b", "a" * 60, "a" * 61, "One.\nTwo.", "One. \\ two", "One. */", "One. ??/ two", "\u2028", "\ufeffOne.", [], [0], [0, 0], [[0, 1]], {}, [[{"count": "joined"}]],
+          [[{"count": "strips"}]] * 9, [[{"count": "strips"}] * 65]]
+# What the reader's words tell of the faults that the schema's description leaves to it.
+BEYOND = re.compile(r"from 0 to \d+, found \d|edges and ports of triangle|each edge once|as many ports as before|"
+                    r"expected each|edges and ports together|the same rim|opposite directions|fan|connected over|Euler characteristic|"
+                    r"1 to 8 ports|stretches that are apart|on both sides|expected a list of (edges|ports|triangles)s?, found a list")
+
+
+def places(value, path=()):
+    """The paths to all values inside."""
+    yield path
+    inside = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, member in inside:
+        yield from places(member, path + (key,))
+
+
+def all_altered(good):
+    """Every value replaced by each of VALUES, every member left out, an unknown one put in; each fifth of these."""
+    for path in places(good):
+        for number in range(len(VALUES) + 2):
+            operation = copy.deepcopy(good)
+            inside = operation
+            for key in path[:-1]:
+                inside = inside[key]
+            if number < len(VALUES):
+                if not path:
+                    continue
+                inside[path[-1]] = copy.deepcopy(VALUES[number])
+            elif number == len(VALUES):
+                if not path:
+                    continue
+                del inside[path[-1]]
+            else:
+                target = inside[path[-1]] if path else operation
+                if not isinstance(target, dict):
+                    continue
+                target["more"] = 1
+            yield operation
+
+
+def altered():
+    return itertools.islice(itertools.chain(all_altered(GOOD), all_altered(TRIANGLES)), 0, None, 5)
+
+
+def main():
+    schema_file, verifier, scratch, *files = sys.argv[1:]
+    schema = json.loads(Path(schema_file).read_text(encoding="utf-8"))
+    for file in files:
+        if not fits(schema, json.loads(Path(file).read_text(encoding="utf-8")), schema):
+            raise SystemExit(f"{file} is not as {schema_file} says")
+    path = Path(scratch) / "altered.json"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    accepted = refused = beyond = 0
+    for operation in altered():
+        path.write_text(json.dumps(operation), encoding="utf-8")
+        # The reader comes first: that this is no header of a table is another matter, exit code 1.
+        done = subprocess.run([verifier, "--operation", path, "--header", "/dev/null"], capture_output=True, text=True, check=False)
+        if done.returncode not in (1, 2):
+            raise SystemExit(f"{verifier} ended with {done.returncode}: {done.stderr}")
+        by_reader, by_schema = done.returncode == 1, fits(schema, operation, schema)
+        if by_reader and by_schema:
+            accepted += 1
+        elif not by_reader and not by_schema:
+            refused += 1
+        elif by_schema and BEYOND.search(done.stderr):
+            beyond += 1
+        else:
+            raise SystemExit(f"{json.dumps(operation)}\nis {'' if by_schema else 'not '}as the schema says; the reader: "
+                             f"{done.stderr or 'accepts it'}")
+    print(f"{len(files)} files; of altered ones {accepted} accepted, {refused} refused, {beyond} refused by the reader alone")
+    if len(files) < 13 or min(accepted, refused, beyond) < 10:
+        raise SystemExit("too few to tell anything")
+
+
+main()

@@ -1,0 +1,48 @@
+#pragma once
+// An arc and a letter behind it: what becomes of their cases is observed in all short arcs.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "automaton/arc.hpp"
+#include "judge/report.hpp"
+
+namespace restrip::verify {
+
+/// An arc and a letter behind it.
+struct ArcJoint {
+  bool sound = false;
+  std::size_t arc_case = 0;
+  bool swap = false;  ///< the link between them is one
+  friend bool operator==(const ArcJoint&, const ArcJoint&) = default;
+};
+
+/// What becomes of the case of an arc and that of a letter behind it: read off all colourings of all words of up to
+/// `longest` letters. It is a failure when two colourings with the same cases disagree, in the case of the whole, in
+/// what it costs or in soundness, or when the longest words show something new.
+class ArcJoints {
+ public:
+  ArcJoints(std::size_t longest, bool tells_turns);
+
+  /// Nothing where links of different colours meet.
+  const std::optional<ArcJoint>& at(std::size_t arc_case, std::size_t own_case, char letter) const {
+    return joints_[place(arc_case, own_case, letter)];
+  }
+  std::uint64_t colorings() const { return colorings_; }
+  const Failures& failures() const { return failures_; }
+
+ private:
+  static std::size_t place(std::size_t arc_case, std::size_t own_case, char letter) {
+    return 2 * (case_count * arc_case + own_case) + (is_joined(letter) ? 1U : 0U);
+  }
+  void observe(const std::string& word, Mask links, bool may_be_new);
+
+  Weights telling_;  ///< weights that tell apart what a cost is made of
+  std::vector<std::optional<ArcJoint>> joints_;
+  std::uint64_t colorings_ = 0;
+  Failures failures_;
+};
+
+}  // namespace restrip::verify

@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <numeric>
+
+#include "judge/orbits.hpp"
+
+namespace restrip::verify {
+namespace {
+
+std::vector<Mask> images_of_masks(const Permutation& permutation) {
+  std::vector<Mask> images;
+  for (Mask mask = 0; mask < mask_count(static_cast<unsigned>(permutation.size())); ++mask)
+    images.push_back(moved(mask, permutation));
+  return images;
+}
+
+/// Sets that are merged; each is known by its smallest member.
+class MergedSets {
+ public:
+  explicit MergedSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), Mask{0}); }
+  Mask smallest(Mask member) {
+    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
+    return member;
+  }
+  void merge(Mask one, Mask other) {
+    const Mask a = smallest(one);
+    const Mask b = smallest(other);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<Mask> parent_;
+};
+
+}  // namespace
+
+OrbitCounts merged_orbits(const Operation& operation, const Symmetries& symmetries, const std::vector<bool>& valid) {
+  const unsigned ports = operation.ports();
+  MergedSets sets(valid.size());
+  for (const Symmetry& symmetry : symmetries.generators()) {
+    const std::vector<Mask> ports_image = images_of_masks(symmetry.ports);
+    const std::vector<Mask> edges_image = images_of_masks(symmetry.edges_before);
+    for (Mask both = 0; both < valid.size(); ++both)
+      sets.merge(both, concatenated(edges_image[high_part(both, ports)], ports_image[low_part(both, ports)], ports));
+  }
+  OrbitCounts orbits;
+  for (Mask both = 0; both < valid.size(); ++both)
+    if (sets.smallest(both) == both) {
+      ++orbits.all;
+      orbits.valid += valid[both] ? 1U : 0U;
+    }
+  return orbits;
+}
+
+}  // namespace restrip::verify

@@ -1,0 +1,66 @@
+#pragma once
+// What was claimed, how it was checked, whether it held.
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace restrip::verify {
+
+/// How often something did not hold, and the first time in full.
+struct Failures {
+  std::uint64_t count = 0;
+  std::string first;
+  void add(const std::string& counterexample, std::uint64_t times = 1) {
+    if (count == 0) first = counterexample;
+    count += times;
+  }
+  void add(const Failures& later) {
+    if (count == 0) first = later.first;
+    count += later.count;
+  }
+};
+
+struct ClaimResult {
+  std::string subject;  ///< a family, or what else the claim is about
+  std::string claim;
+  std::string method;
+  std::uint64_t cases = 0;
+  double seconds = 0;  ///< of processor time
+  std::uint64_t failures = 0;
+  std::string counterexample;  ///< the first
+
+  bool held() const { return failures == 0; }
+};
+
+struct Totals {
+  std::uint64_t rules = 0;           ///< rows, copies included
+  std::uint64_t alternatives = 0;    ///< rows of linked families
+  std::uint64_t configurations = 0;  ///< valid ones, all families and positions
+  std::uint64_t pairs = 0;           ///< (configuration with a sound row, recolouring)
+  std::uint64_t claims = 0;
+  std::uint64_t failed = 0;
+  bool graph_only = false;  ///< an operation that is not checked to be one on a mesh
+  struct Answers {
+    std::uint64_t positions = 0;
+    std::uint64_t entries = 0;
+  };
+  /// Answers of the shipped headers by operation: those that were all found right, and those that were read but not
+  /// looked at, because their family was not chosen.
+  std::map<std::string, Answers> answers;
+  std::map<std::string, Answers> not_compared;
+};
+
+/// Called for each claim as soon as it is settled, in a fixed order.
+using ClaimListener = std::function<void(const ClaimResult&)>;
+
+std::string heading();
+std::string line_of(const ClaimResult& result);
+/// The answers of the shipped headers, a line each for what was proved and what was not compared, if there is any; then
+/// "verified: …" or "NOT verified: …".
+std::string last_line(const Totals& totals);
+std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals);
+
+}  // namespace restrip::verify

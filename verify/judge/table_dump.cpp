@@ -1,0 +1,238 @@
+#include "judge/table_dump.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string_view>
+
+#include "certificate/stream_lines.hpp"
+#include "judge/position_check.hpp"
+
+namespace restrip::verify {
+namespace {
+
+constexpr std::string_view title = "restrip-table-dump 3";
+
+void append_mask(std::string& text, Mask mask) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  if (mask >= 16) append_mask(text, mask / 16);
+  text += digits[mask % 16];
+}
+
+/// Takes a mask as certificates write it off the beginning of a line.
+std::optional<Mask> taken_mask(std::string_view& line, unsigned bits) {
+  Mask mask = 0;
+  std::size_t digits = 0;
+  for (; digits < line.size(); ++digits) {
+    const char c = line[digits];
+    const bool is_letter = c >= 'a' && c <= 'f';
+    if (!is_letter && (c < '0' || c > '9')) break;
+    if (mask >= mask_count(most_colors) || (digits == 1 && line.front() == '0')) return {};
+    mask = mask * 16 + static_cast<Mask>(is_letter ? c - 'a' + 10 : c - '0');
+  }
+  if (digits == 0 || mask >= mask_count(bits)) return {};
+  line.remove_prefix(digits);
+  return mask;
+}
+
+/// Judges the answers of one table.
+class TableJudge {
+ public:
+  TableJudge(const ExpectedTable& table, FitTables& tables, Compared& compared)
+      : table_(table), judge_(*table.operation, tables.of(*table.operation)), compared_(compared) {
+    if (table.rows != nullptr)
+      for (std::uint32_t number = 0; number < judge_.before().classes().size(); ++number)
+        row_of_class_.push_back(table.rows->row_of(judge_.key_of_class(number)));
+  }
+
+  void entry(std::uint64_t line, Colors configuration, std::optional<Colors> answer) {
+    const Operation& operation = *table_.operation;
+    const auto where = [&] {
+      return fmt::format("line {}, table {}, inner {:x}, ports {:x}: ", line, operation.name(), configuration.inner,
+                         configuration.ports);
+    };
+    const bool valid = judge_.before().valid(configuration);
+    if (valid != answer.has_value()) {
+      compared_.wrong.add(
+          fmt::format("{}\n    before  {}\n  {}\n", where(), drawn(operation.before, configuration),
+                      valid ? "no answer to a valid configuration"
+                            : "an answer to a configuration that is not valid: " +
+                                  invalid_because(operation.before, configuration, most_solid(operation.constraint))));
+      return;
+    }
+    if (!valid) return;
+    if (const Judged judged = judge_.judged(configuration, *answer); judged.verdict != Verdict::right)
+      compared_.wrong.add(compared_.wrong.count != 0
+                              ? std::string()
+                              : fmt::format("{}\n{}", where(), judge_.explained(configuration, *answer, judged)));
+    if (table_.rows == nullptr) return;
+    const Row* const row = row_of_class_[judge_.before().class_of(configuration)];
+    if (row == nullptr || row->after != *answer)
+      compared_.differences.add(fmt::format(
+          "{}the table answers \"{:x} {:x}\", the certificate has {}\n", where(), answer->inner, answer->ports,
+          row == nullptr ? "no row" : fmt::format("\"{}\" in line {}", row->text(), row->line)));
+  }
+
+ private:
+  const ExpectedTable& table_;
+  RuleJudge judge_;
+  Compared& compared_;
+  std::vector<const Row*> row_of_class_;
+};
+
+class DumpReader {
+ public:
+  DumpReader(std::FILE* stream, const ExpectedDump& expected, DumpComparison& result)
+      : lines_(stream), expected_(expected), result_(result) {}
+
+  void run() {
+    expect(std::string(title));
+    read_tables();
+    expect(fmt::format("end {}", result_.lines));
+    if (lines_.next() || lines_.left_over()) throw BadDump(fmt::format("line {}: text after the end", lines_.number()));
+  }
+
+ private:
+  std::string_view next_line(const std::string& expected) {
+    const std::optional<std::string_view> line = lines_.next();
+    if (!line) throw BadDump(fmt::format("line {}: expected \"{}\", found the end", lines_.number() + 1, expected));
+    return *line;
+  }
+  void expect(const std::string& whole) {
+    if (const std::string_view line = next_line(whole); line != whole)
+      throw BadDump(fmt::format("line {}: expected \"{}\", found \"{}\"", lines_.number(), whole, line));
+  }
+
+  void read_tables() {
+    std::map<std::string, std::function<void()>, std::less<>> missing;
+    for (const ExpectedTable& table : expected_.tables)
+      missing.emplace("table " + table.operation->name(), [&] { table_of(table); });
+    for (const ExpectedLists& lists : expected_.lists)
+      missing.emplace(fmt::format("table {} {}", lists.family, lists.position), [&] { lists_of(lists); });
+    while (!missing.empty()) {
+      const std::string_view header = next_line(missing.begin()->first);
+      const auto table = missing.find(header);
+      if (table == missing.end())
+        throw BadDump(fmt::format("line {}: \"{}\" is no table that is still missing, such as \"{}\"", lines_.number(),
+                                  header, missing.begin()->first));
+      table->second();
+      missing.erase(table);
+    }
+  }
+
+  /// Where the entries of a table are counted.
+  static void count(Compared& compared, const std::string& family, std::uint64_t entries) {
+    Compared::Count& count = compared.families[family];
+    ++count.positions;
+    count.entries += entries;
+  }
+
+  void table_of(const ExpectedTable& table) {
+    Compared& compared = result_.tables[static_cast<std::size_t>(table.against)];
+    const Operation& operation = *table.operation;
+    const std::uint64_t lines_before = result_.lines;
+    std::optional<TableJudge> judge;
+    if (table.against != Against::nothing) judge.emplace(table, tables_, compared);
+    // A matching serves every colouring of the inner edges alike.
+    const Mask inner_masks =
+        operation.constraint == Constraint::matching ? 1 : mask_count(operation.before.inner_edges());
+    for (Mask inner = 0; inner < inner_masks; ++inner)
+      for (Mask ports = 0; ports < mask_count(operation.ports()); ++ports) {
+        const Colors configuration{inner, ports};
+        const std::optional<Colors> answer = answer_to(configuration, operation);
+        if (judge) judge->entry(lines_.number(), configuration, answer);
+      }
+    count(compared, operation.family, result_.lines - lines_before);
+  }
+
+  /// What the next line answers; nullopt when it says that there is nothing to answer.
+  std::optional<Colors> answer_to(Colors configuration, const Operation& operation) {
+    prefix_.clear();
+    append_mask(prefix_, configuration.inner);
+    prefix_ += ' ';
+    append_mask(prefix_, configuration.ports);
+    prefix_ += ' ';
+    const std::string_view line = next_line(prefix_);
+    ++result_.lines;
+    if (line.starts_with(prefix_)) {
+      std::string_view rest = line.substr(prefix_.size());
+      if (rest == "-") return {};
+      const std::optional<Mask> inner = taken_mask(rest, operation.after.inner_edges());
+      if (inner && rest.starts_with(' ')) {
+        rest.remove_prefix(1);
+        if (const std::optional<Mask> kept = taken_mask(rest, operation.ports()); kept && rest.empty())
+          return Colors{*inner, *kept};
+      }
+    }
+    throw BadDump(fmt::format(
+        "line {}: table {}: expected \"{}\" and \"-\" or two masks, {} and {} bits at most, found \"{}\"",
+        lines_.number(), operation.name(), prefix_, operation.after.inner_edges(), operation.ports(), line));
+  }
+
+  void lists_of(const ExpectedLists& lists) {
+    const Against against = lists.lines == nullptr ? Against::nothing : Against::certificate;
+    Compared& compared = result_.lists[static_cast<std::size_t>(against)];
+    for (Mask ports = 0; ports < mask_count(lists.ports); ++ports) {
+      const std::string expected = lists.lines == nullptr ? fmt::format("{:x} ", ports) : lists.lines->at(ports);
+      const std::string_view found = next_line(expected);
+      ++result_.lines;
+      const auto text = [&] {
+        return fmt::format("line {}, table {} {}: expected \"{}\", found \"{}\"", lines_.number(), lists.family,
+                           lists.position, expected, found);
+      };
+      if (lists.lines == nullptr && !found.starts_with(expected)) throw BadDump(text());
+      if (lists.lines != nullptr && found != expected) compared.differences.add(text());
+    }
+    count(compared, lists.family, mask_count(lists.ports));
+  }
+
+  StreamLines lines_;
+  const ExpectedDump& expected_;
+  DumpComparison& result_;
+  FitTables tables_;
+  std::string prefix_;
+};
+
+}  // namespace
+
+Compared::Count Compared::sum() const {
+  Count sum;
+  for (const auto& family : families) {
+    sum.positions += family.second.positions;
+    sum.entries += family.second.entries;
+  }
+  return sum;
+}
+
+bool DumpComparison::agrees() const {
+  const auto none = [](const Compared& compared) { return compared.differences.count + compared.wrong.count == 0; };
+  return fault.empty() && std::all_of(tables.begin(), tables.end(), none) &&
+         std::all_of(lists.begin(), lists.end(), none);
+}
+
+DumpComparison compare_dump(std::FILE* stream, const ExpectedDump& expected) {
+  DumpComparison result;
+  try {
+    DumpReader(stream, expected, result).run();
+  } catch (const BadDump& bad) {
+    result.fault = bad.what();
+  }
+  return result;
+}
+
+DumpComparison compare_dump_of(const std::string& program, const ExpectedDump& expected) {
+  DumpComparison result;
+  std::FILE* const stream = popen(program.c_str(), "r");
+  if (stream == nullptr) {
+    result.fault = "cannot run " + program;
+    return result;
+  }
+  result = compare_dump(stream, expected);
+  const int status = pclose(stream);
+  if (result.fault.empty() && status != 0) result.fault = program + " failed";
+  return result;
+}
+
+}  // namespace restrip::verify

@@ -1,0 +1,165 @@
+#include "linked/linked_dump.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+
+#include "certificate/stream_lines.hpp"
+#include "linked/tree_judge.hpp"
+
+namespace restrip::verify {
+namespace {
+
+class Reader {
+ public:
+  Reader(std::FILE* stream, unsigned max_k, LinkedDumpCheck& check) : lines_(stream), max_k_(max_k), check_(check) {}
+
+  void run() {
+    expect("restrip-linked-dump 1");
+    for (const LinkedFamily& family : linked_families(max_k_)) {
+      std::map<Numbers, const Operation*> operations;  // in the order in which they come
+      for (const Section& section : family.local.sections)
+        for (const Operation& operation : section.operations) operations.emplace(operation.numbers, &operation);
+      for (const Operation& operation : family.local.unlisted) operations.emplace(operation.numbers, &operation);
+      for (const auto& [place, operation] : operations) read_table(family.name, *operation);
+    }
+    expect(fmt::format("end {}", entries_));
+    if (lines_.next() || lines_.left_over()) fail("text after the end");
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw BadDump(fmt::format("line {}{}: {}", lines_.number(), table_, what));
+  }
+  void next(const std::string& expected) {
+    const std::optional<std::string_view> line = lines_.next();
+    if (!line) fail(fmt::format("expected \"{}\" next, found the end", expected));
+    rest_ = line_ = *line;
+  }
+  void expect(const std::string& whole) {
+    next(whole);
+    if (line_ != whole) fail(fmt::format("expected \"{}\", found \"{}\"", whole, line_));
+  }
+  std::string_view word() {
+    const std::size_t end = std::min(rest_.find(' '), rest_.size());
+    const std::string_view found = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    return found;
+  }
+  Mask mask_in(std::string_view digits) const {
+    Mask mask = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), mask, 16);
+    if (error != std::errc{} || end != digits.data() + digits.size())
+      fail(fmt::format("expected a hexadecimal number in \"{}\"", line_));
+    return mask;
+  }
+  Branch branch() {
+    const std::string_view found = word();
+    if (!found.starts_with('#')) return {Branch::Kind::leaf, mask_in(found)};
+    const Mask node = mask_in(found.substr(1));
+    if (node >= questions_.size()) fail(fmt::format("there is no node {:x} above \"{}\"", node, line_));
+    return {Branch::Kind::node, node};
+  }
+  unsigned port() {
+    const Mask port = mask_in(word());
+    if (port >= operation_->before.ports()) fail(fmt::format("there is no port {} in \"{}\"", port, line_));
+    return port;
+  }
+
+  void read_question() {
+    if (mask_in(word().substr(1)) != questions_.size())
+      fail(fmt::format("expected node {:x}, found \"{}\"", questions_.size(), line_));
+    Question question{port(), branch(), branch(), {}};
+    while (!rest_.empty()) {
+      const unsigned other = port();
+      question.back[other] = branch();
+    }
+    questions_.push_back(question);
+    ++entries_;
+  }
+
+  void read_table(const std::string& family, const Operation& operation) {
+    operation_ = &operation;
+    table_.clear();
+    expect(fmt::format("table {} {}", family, operation.position));
+    table_ = fmt::format(", table {} {}", family, operation.position);
+    ++check_.positions;
+    questions_.clear();
+    judges_.clear();
+    judges_.resize(mask_count(operation.before.ports()));
+    known_.clear();
+    for (Mask inner = 0; inner < mask_count(operation.before.inner_edges()); ++inner)
+      for (Mask ports = 0; ports < mask_count(operation.before.ports()); ++ports) read_entry({inner, ports});
+    table_.clear();
+  }
+
+  void read_entry(Colors before) {
+    const std::string expected = fmt::format("{:x} {:x} ", before.inner, before.ports);
+    for (next(expected); line_.starts_with('#'); next(expected)) read_question();
+    if (!line_.starts_with(expected)) fail(fmt::format("expected \"{}\", found \"{}\"", expected, line_));
+    ++entries_;
+    rest_.remove_prefix(expected.size());
+    const bool answered = rest_ != "-";
+    const Branch root = answered ? branch() : Branch{};
+    if (answered && !rest_.empty()) fail(fmt::format("more words than an entry has: \"{}\"", line_));
+    const Survey own = survey(operation_->before, before);
+    if (own.valid != answered) return wrong(before, own.valid ? "valid, and nothing picked" : "not valid");
+    if (!answered) return;
+    ++check_.configurations;
+    const auto [place, is_new] =
+        known_.try_emplace({before.ports, own.joined.bits, std::uint64_t{static_cast<Mask>(root.kind)}, root.number});
+    if (is_new) {
+      if (!judges_[before.ports]) judges_[before.ports] = std::make_unique<TreeJudge>(operation_->after, before.ports);
+      place->second = judges_[before.ports]->judge(questions_, root, own.joined);
+    }
+    check_.leaves += place->second.leaves;
+    if (!place->second.fault.empty()) wrong(before, place->second.fault);
+  }
+
+  void wrong(Colors before, const std::string& what) {
+    check_.wrong.add(check_.wrong.count != 0
+                         ? std::string{}
+                         : fmt::format("line {}{}, inner {:x}, ports {:x}\n    {}\n  {}", lines_.number(), table_,
+                                       before.inner, before.ports, drawn(operation_->before, before), what));
+  }
+
+  StreamLines lines_;
+  unsigned max_k_;
+  LinkedDumpCheck& check_;
+  std::string_view line_;
+  std::string_view rest_;
+  std::string table_;
+  std::uint64_t entries_ = 0;
+  const Operation* operation_ = nullptr;
+  std::vector<Question> questions_;
+  std::vector<std::unique_ptr<TreeJudge>> judges_;  ///< by ports
+  std::map<std::array<std::uint64_t, 4>, TreeJudge::Verdict> known_;
+};
+
+}  // namespace
+
+LinkedDumpCheck check_linked_dump(std::FILE* stream, unsigned max_k) {
+  LinkedDumpCheck check;
+  try {
+    Reader(stream, max_k, check).run();
+  } catch (const BadDump& bad) {
+    check.fault = bad.what();
+  }
+  return check;
+}
+
+LinkedDumpCheck check_linked_dump_of(const std::string& program, unsigned max_k) {
+  std::FILE* stream = popen(program.c_str(), "r");
+  LinkedDumpCheck check;
+  if (stream == nullptr) {
+    check.fault = "cannot run " + program;
+    return check;
+  }
+  check = check_linked_dump(stream, max_k);
+  const int status = pclose(stream);
+  if (check.fault.empty() && status != 0) check.fault = fmt::format("{} failed", program);
+  return check;
+}
+
+}  // namespace restrip::verify

@@ -1,0 +1,40 @@
+#pragma once
+// Points 1 to 4 of docs/certificate.md, "Linked rules", for one list of alternatives: what it takes for its first row
+// that is sound to be the best, whatever lies outside.
+
+#include <array>
+#include <string>
+
+#include "judge/report.hpp"
+#include "linked/linked_certificate.hpp"
+#include "model/coloring.hpp"
+
+namespace restrip::verify {
+
+/// Ascending: a greater merit is preferred.
+struct Merit {
+  int solid = 0;
+  int fewer_isolated = 0;  ///< minus the isolated triangles
+  friend constexpr auto operator<=>(Merit, Merit) = default;
+};
+
+/// All ports stay solid.
+struct Recoloring {
+  Colors colors;
+  Survey survey;
+  Merit merit;
+};
+
+enum class ListClaim { present, legal, ordered, uncovered, complete };
+inline constexpr std::size_t list_claim_count = 5;
+
+using ListFailures = std::array<Failures, list_claim_count>;
+
+/// All recolourings beside these solid ports, by their inner mask.
+std::vector<Recoloring> recolorings_of(const Side& after, Mask ports);
+
+/// Adds what is wrong with the list of these ports. An illegal row fails that claim alone and counts nowhere else.
+void check_list(const Side& after, const std::vector<Recoloring>& recolorings, Mask ports, List list,
+                const std::string& file, ListFailures& failures);
+
+}  // namespace restrip::verify

@@ -1,0 +1,87 @@
+#include "model/coloring.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/quantity.hpp"
+
+namespace restrip::verify {
+
+std::optional<SolidGraph> inner_graph(const Side& side, Mask inner) {
+  SolidGraph graph;
+  for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
+    if (is_solid(inner, edge) && !graph.join(side.edges[edge][0], side.edges[edge][1])) return {};
+  return graph;
+}
+
+Degrees degrees(const Side& side, Colors colors) {
+  Degrees count{};
+  for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
+    if (is_solid(colors.inner, edge))
+      for (const unsigned triangle : side.edges[edge]) ++count[triangle];
+  for (unsigned port = 0; port < side.ports(); ++port)
+    if (is_solid(colors.ports, port)) ++count[side.owner_of_port[port]];
+  return count;
+}
+
+PortPairs joined_ports(const Side& side, const SolidGraph& inner, Mask ports) {
+  PortPairs joined;
+  for (unsigned j = 1; j < side.ports(); ++j)
+    for (unsigned i = 0; i < j; ++i)
+      if (is_solid(ports, i) && is_solid(ports, j) && inner.connected(side.owner_of_port[i], side.owner_of_port[j]))
+        joined.add(i, j);
+  return joined;
+}
+
+unsigned isolated_of(const Side& side, Colors colors) {
+  const Degrees degree = degrees(side, colors);
+  return static_cast<unsigned>(std::count(degree.begin(), degree.begin() + side.triangles, 0U));
+}
+
+int strips_of(const Side& side, Colors colors) {
+  return static_cast<int>(side.triangles) - static_cast<int>(solid_count(colors.inner)) -
+         static_cast<int>(solid_count(colors.ports));
+}
+
+Survey survey(const Side& side, Colors colors) {
+  Survey result;
+  if (!invalid_because(side, colors, most_solid(Constraint::strips)).empty()) return result;
+  result.valid = true;
+  result.isolated = isolated_of(side, colors);
+  result.joined = joined_ports(side, inner_graph(side, colors.inner).value(), colors.ports);
+  return result;
+}
+
+std::string name_of(const Side& side, unsigned triangle) {
+  return triangle < side.names.size() ? side.names[triangle] : std::to_string(triangle);
+}
+
+std::string invalid_because(const Side& side, Colors colors, unsigned most_solid) {
+  const Degrees count = degrees(side, colors);
+  for (unsigned triangle = 0; triangle < side.triangles; ++triangle)
+    if (count[triangle] > most_solid)
+      return fmt::format("triangle {} has {} solid edges", name_of(side, triangle), count[triangle]);
+  return inner_graph(side, colors.inner) ? "" : "solid inner edges close a cycle";
+}
+
+std::string drawn(const Side& side, Colors colors) {
+  std::string text = side.edges.empty() ? quantity(side.triangles, "triangle") + " without edges" : "edges";
+  for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
+    text += fmt::format(" {}{}{}", name_of(side, side.edges[edge][0]), is_solid(colors.inner, edge) ? '=' : '-',
+                        name_of(side, side.edges[edge][1]));
+  text += ", ports";
+  for (unsigned port = 0; port < side.ports(); ++port)
+    text += fmt::format(" {}{}", port, is_solid(colors.ports, port) ? '"' : ':');
+  return text;
+}
+
+std::string listed(PortPairs pairs, unsigned ports) {
+  std::string text;
+  for (unsigned i = 0; i < ports; ++i)
+    for (unsigned j = i + 1; j < ports; ++j)
+      if (pairs.has(i, j)) text += fmt::format("{}{}-{}", text.empty() ? "" : " ", i, j);
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace restrip::verify

@@ -1,0 +1,279 @@
+#include "model/description.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "model/families_text.hpp"
+#include "model/side_reader.hpp"
+#include "model/words.hpp"
+
+namespace restrip::verify {
+
+struct DescriptionSource {
+  std::string file;
+  Json json;
+  std::string list;  ///< the member that has the descriptions; empty where the file is one
+
+  JsonValue description(std::size_t place) const {
+    const JsonValue whole(file, json, {});
+    return list.empty() ? whole : whole.required(list).item(place);
+  }
+};
+
+namespace {
+
+constexpr std::size_t most_descriptions = 64;
+constexpr std::size_t most_numbers = 3;
+constexpr std::size_t most_bounds = 64;
+
+bool is_name(std::string_view text) {
+  const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+  return !text.empty() && text.size() <= longest_name && text.front() >= 'a' && text.front() <= 'z' &&
+         text.back() != '-' && text.find("--") == std::string_view::npos && std::all_of(text.begin(), text.end(), fits);
+}
+
+std::string name_of(const JsonValue& value, Author author) {
+  std::string name = value.string("a name");
+  if (!is_name(name))
+    value.fail(fmt::format("at most {} lower-case letters, digits and single hyphens between them, a letter first",
+                           longest_name));
+  if (const std::optional<std::string> owner = author == Author::restrip ? std::nullopt : owner_of_name(name))
+    value.fail_found(fmt::format("expected a name that is free, \"{0}\" is {1}; \"my-{0}\" would do", name, *owner));
+  return name;
+}
+
+/// A text for people, which stands in a comment of the table.
+std::string sentence_of(const JsonValue& value) {
+  std::string text = value.string("a sentence in quotes");
+  if (const std::optional<std::string> stranger = no_comment(text))
+    value.fail_found(
+        fmt::format("expected words that can stand in a comment, found {}; write the sentence without", *stranger));
+  return text;
+}
+
+/// A position as certificates and reports write it.
+std::string words_of(const JsonValue& description, std::string_view name, const std::string& otherwise) {
+  const std::optional<JsonValue> value = description.member(name);
+  if (!value) return otherwise;
+  std::string text = value->string("a text");
+  if (!is_words(text)) value->fail("words of printable ASCII with one space between them");
+  return text;
+}
+
+Conditions conditions_of(const JsonValue& description, const std::vector<std::string>& numbers, std::string_view name) {
+  const std::optional<JsonValue> value = description.member(name);
+  if (!value) return {};
+  try {
+    return Conditions(value->string("a text"), numbers);
+  } catch (const std::invalid_argument& error) {
+    value->fail_found(error.what());
+  }
+}
+
+Mask give_up_of(const JsonValue& value, unsigned ports) {
+  if (value.is_list()) return value.set_of(ports, "port");
+  const std::string expected = "\"none\", \"all\" or a list of ports";
+  const std::string word = value.string(expected);
+  if (word != "none" && word != "all") value.fail(expected);
+  return word == "all" ? mask_count(ports) - 1 : 0;
+}
+
+/// How many members there are of what a count may be restricted to.
+unsigned members(Among among, const Side& after) {
+  return among == Among::edges ? after.inner_edges() : among == Among::triangles ? after.triangles : after.ports();
+}
+
+Term term_of(const JsonValue& value, const Side& after) {
+  value.expect_object({"count", "weight", "edges", "triangles", "ports"});
+  Term term;
+  term.count = static_cast<Count>(value.required("count").one_of(count_names));
+  if (const std::optional<JsonValue> weight = value.member("weight"))
+    term.weight = weight->integer(-largest_weight, largest_weight, "an integer");
+  const Among own = among_of(term.count);
+  if (own != Among::nothing) term.among = mask_count(members(own, after)) - 1;
+  for (const Among among : {Among::edges, Among::triangles, Among::ports}) {
+    const std::string name(among_names[static_cast<std::size_t>(among)]);
+    const std::optional<JsonValue> chosen = value.member(name);
+    if (!chosen) continue;
+    if (among != own)
+      chosen->fail_found(fmt::format("unknown member, \"{}\" is not counted among {}",
+                                     count_names[static_cast<std::size_t>(term.count)], name));
+    term.among = chosen->set_of(members(among, after), name.substr(0, name.size() - 1));
+  }
+  return term;
+}
+
+std::vector<Criterion> cost_of(const JsonValue& value, const Side& after) {
+  std::vector<Criterion> cost;
+  for (const JsonValue& criterion :
+       value.list(fmt::format("a list of 1 to {} criteria", most_criteria), most_criteria)) {
+    cost.emplace_back();
+    for (const JsonValue& term : criterion.list(fmt::format("a list of 1 to {} terms", most_terms), most_terms))
+      cost.back().push_back(term_of(term, after));
+    if (cost.back().empty())
+      criterion.fail_found(fmt::format("expected a list of 1 to {} terms, found none", most_terms));
+  }
+  if (cost.empty()) value.fail_found(fmt::format("expected a list of 1 to {} criteria, found none", most_criteria));
+  return cost;
+}
+
+/// Takes the smaller bound, where there are two; both are looked at whether they hold here or not.
+void lower(std::optional<int>& bound, const std::optional<JsonValue>& value, bool holds) {
+  if (!value) return;
+  const auto found = static_cast<int>(value->integer(-16, 16, "a number"));
+  if (holds) bound = std::min(bound.value_or(found), found);
+}
+
+void take_bounds(const JsonValue& value, const std::vector<std::string>& numbers, Operation& operation) {
+  for (const JsonValue& bound : value.list("a list of bounds", most_bounds)) {
+    bound.expect_object({"where", "strips", "isolated"});
+    const bool holds = conditions_of(bound, numbers, "where").hold(operation.numbers);
+    lower(operation.most_strips, bound.member("strips"), holds);
+    lower(operation.most_isolated, bound.member("isolated"), holds);
+  }
+}
+
+}  // namespace
+
+class DescriptionReader {
+ public:
+  explicit DescriptionReader(std::shared_ptr<const DescriptionSource> source) : source_(std::move(source)) {}
+
+  Description read(std::size_t place, Author author) const {
+    const JsonValue value = source_->description(place);
+    if (const std::optional<JsonValue> take = value.member("take"))
+      take->fail_found("no port can be taken, since a rule does not see the triangle behind a dashed port");
+    value.expect_object({"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up",
+                         "cost", "certificate", "numbers", "where", "listed", "position", "section", "linked",
+                         "at_most"});
+    Description description;
+    description.source_ = source_;
+    description.place_ = place;
+    description.name = name_of(value.required("name"), author);
+    if (const std::optional<JsonValue> about = value.member("about")) description.about = sentence_of(*about);
+    const std::optional<JsonValue> certificate = value.member("certificate");
+    description.certificate = certificate ? name_of(*certificate, author) : description.name;
+    if (const auto numbers = value.member("numbers"))
+      for (const JsonValue& number : numbers->list("a list of names", most_numbers))
+        description.numbers.push_back(number.string("a text"));
+    description.where = conditions_of(value, description.numbers, "where");
+    description.listed = conditions_of(value, description.numbers, "listed");
+    description.position = words_of(value, "position", "");
+    description.section = words_of(value, "section", description.position);
+    if (const auto linked = value.member("linked")) description.linked = linked->boolean("whether it has linked rules");
+    read_one_position(description);
+    return description;
+  }
+
+ private:
+  /// What depends on the numbers is read when they are known; here once, so that faults are found.
+  static void read_one_position(const Description& description) {
+    for (unsigned k = 0; k <= most_searched_ports; ++k)
+      if (const std::vector<Numbers> positions = description.positions(k); !positions.empty()) {
+        (void)description.at(positions.front());
+        return;
+      }
+  }
+
+  std::shared_ptr<const DescriptionSource> source_;
+};
+
+std::vector<Numbers> Description::positions(unsigned max_k) const {
+  std::vector<Numbers> all{{}};
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    std::vector<Numbers> longer;
+    for (const Numbers& one : all)
+      for (unsigned value = 0; value <= (i == 0 ? max_k : one.front()); ++value) {
+        longer.push_back(one);
+        longer.back().push_back(value);
+      }
+    all = std::move(longer);
+  }
+  std::erase_if(all, [&](const Numbers& one) { return !where.hold(one); });
+  return all;
+}
+
+Operation Description::at(const Numbers& values) const {
+  const JsonValue value = source_->description(place_);
+  Operation operation;
+  operation.family = name;
+  operation.position = filled(position, values);
+  operation.numbers = values;
+  const std::optional<JsonValue> constraint = value.member("constraint");
+  const bool by_default = !constraint && (!numbers.empty() || !source_->list.empty());
+  if (!by_default)
+    operation.constraint = static_cast<Constraint>(value.required("constraint").one_of(constraint_names));
+  const NamedNumbers named{numbers, values};
+  Sides sides = read_sides(value, named);
+  operation.before = std::move(sides.before);
+  operation.after = std::move(sides.after);
+  operation.vertices = sides.vertices;
+  const JsonValue after = value.required("after");
+  if (operation.after.ports() != operation.before.ports())
+    after.member("ports").value_or(after).fail_found(fmt::format("expected as many ports as before, {}, found {}",
+                                                                 operation.before.ports(), operation.after.ports()));
+  if (const std::optional<JsonValue> give_up = value.member("give_up"))
+    operation.may_give_up = give_up_of(*give_up, operation.ports());
+  const std::optional<JsonValue> cost = value.member("cost");
+  operation.cost = cost ? cost_of(*cost, operation.after) : default_cost(operation.constraint);
+  if (linked && (operation.constraint != Constraint::strips || operation.may_give_up != 0))
+    value.required("linked").fail_found("linked rules are for strips that keep all ports");
+  if (const std::optional<JsonValue> bounds = value.member("at_most")) take_bounds(*bounds, numbers, operation);
+  return operation;
+}
+
+Side Description::side_after(const Numbers& values) const {
+  return read_side(source_->description(place_).required("after"), {numbers, values});
+}
+
+std::string Description::filled(std::string text, const Numbers& values) const {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::string braced = fmt::format("{{{}}}", numbers[i]);
+    if (const std::size_t place = text.find(braced); place != std::string::npos)
+      text.replace(place, braced.size(), std::to_string(values.at(i)));
+  }
+  return text;
+}
+
+bool Description::serves_every_position() const {
+  return std::any_of(numbers.begin(), numbers.end(), [&](const std::string& number) {
+    return section.find(fmt::format("{{{}}}", number)) == std::string::npos;
+  });
+}
+
+const std::string& Description::file() const { return source_->file; }
+
+std::vector<Description> parse_descriptions(const std::string& file, std::string_view text, Author author) {
+  auto source = std::make_shared<DescriptionSource>(DescriptionSource{file, parse_json(file, text), {}});
+  const JsonValue whole(source->file, source->json, {});
+  const JsonValue version = whole.required("restrip_operation");
+  if (!version.is_integer(1)) version.fail("1, the version of the format");
+  const std::optional<JsonValue> list = whole.member("operations");
+  if (!list) return {DescriptionReader(source).read(0, author)};
+  whole.expect_object({"restrip_operation", "operations"});
+  source->list = "operations";
+  const std::size_t count = list->list("a list of operations", most_descriptions).size();
+  if (count == 0) list->fail_found("expected a list of operations, found none");
+  std::vector<Description> descriptions;
+  for (std::size_t place = 0; place < count; ++place)
+    descriptions.push_back(DescriptionReader(source).read(place, author));
+  return descriptions;
+}
+
+Operation parse_operation(const std::string& file, std::string_view text) {
+  const std::vector<Description> descriptions = parse_descriptions(file, text);
+  if (descriptions.size() != 1 || !descriptions.front().numbers.empty())
+    throw std::invalid_argument(file + " has more than one operation");
+  return descriptions.front().at({});
+}
+
+const std::vector<Description>& shipped_descriptions() {
+  static const std::vector<Description> shipped =
+      parse_descriptions("tables/families.json", families_text, Author::restrip);
+  return shipped;
+}
+
+}  // namespace restrip::verify

@@ -1,0 +1,60 @@
+#pragma once
+// What an operation file says (docs/operation-file.md): one operation, or one for each position of a family, and the
+// reader of such files.
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/operation.hpp"
+
+namespace restrip::verify {
+
+inline constexpr unsigned longest_name = 60;
+
+struct DescriptionSource;  ///< the file as it was read: what depends on the position is read from it for each anew
+
+class Description {
+ public:
+  std::string name;
+  std::string about;        ///< a sentence; empty where there is none
+  std::string certificate;  ///< the name of the certificate that has its rules
+  std::vector<std::string> numbers;
+  Conditions where;
+  Conditions listed;
+  std::string position;  ///< with the numbers' names in braces
+  std::string section;   ///< the same of the section of the certificate; empty where it is the name
+  bool linked = false;
+
+  /// All its positions, those that are not listed included, in ascending order; those whose first number is at most
+  /// `max_k`. Without numbers there is one.
+  std::vector<Numbers> positions(unsigned max_k) const;
+  /// InputError when the description says something impossible of this position.
+  Operation at(const Numbers& values) const;
+  /// Its patch after, which may depend on less than all the numbers.
+  Side side_after(const Numbers& values) const;
+  /// The numbers put in place of their names in braces.
+  std::string filled(std::string text, const Numbers& values) const;
+  /// True when the section does not name some number of the position: one rule for all of these positions.
+  bool serves_every_position() const;
+  const std::string& file() const;
+
+ private:
+  friend class DescriptionReader;
+  std::shared_ptr<const DescriptionSource> source_;
+  std::size_t place_ = 0;  ///< in the list of the file
+};
+
+/// Who wrote a file. Names that restrip's own tables have are for restrip's own families alone.
+enum class Author { user, restrip };
+
+/// InputError "file:line:column: member: expected …" when anything is not as docs/operation-file.md says.
+std::vector<Description> parse_descriptions(const std::string& file, std::string_view text,
+                                            Author author = Author::user);
+/// Of a file with one operation at one position.
+Operation parse_operation(const std::string& file, std::string_view text);
+/// Those of the shipped file, in its order.
+const std::vector<Description>& shipped_descriptions();
+
+}  // namespace restrip::verify

@@ -1,0 +1,47 @@
+#pragma once
+// Sums of the numbers that say where an operation happens, and conditions on them, as operation files write them
+// (docs/operation-file.md, "Families").
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace restrip::verify {
+
+/// Values of the numbers of a family, in the order in which it names them.
+using Numbers = std::vector<unsigned>;
+
+/// "2 a + 1", "k - 3".
+class Sum {
+ public:
+  /// Throws std::invalid_argument with a sentence when the text is no sum of these numbers.
+  Sum(std::string_view text, const std::vector<std::string>& names);
+  std::int64_t of(const Numbers& numbers) const;
+
+ private:
+  /// Of the sum `text`.
+  void add_term(std::string_view term, std::int64_t sign, std::string_view text, const std::vector<std::string>& names);
+
+  std::int64_t constant_ = 0;
+  std::vector<std::int64_t> factors_;  ///< one for each number
+};
+
+/// "k >= 3, 1 <= a < k". Without any, every position is meant.
+class Conditions {
+ public:
+  Conditions() = default;
+  /// Throws std::invalid_argument, as above.
+  Conditions(std::string_view text, const std::vector<std::string>& names);
+  bool hold(const Numbers& numbers) const;
+
+ private:
+  struct Comparison {
+    Sum left;
+    std::string_view sign;
+    Sum right;
+  };
+  std::vector<Comparison> all_;
+};
+
+}  // namespace restrip::verify

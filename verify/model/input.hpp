@@ -1,0 +1,60 @@
+#pragma once
+// Reading text strictly: words separated by one space, lines that end with a newline, nothing else. Whatever does not
+// fit is an InputError that names file, line and expectation.
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/masks.hpp"
+
+namespace restrip::verify {
+
+class InputError : public std::runtime_error {
+ public:
+  InputError(const std::string& file, unsigned line, const std::string& what);
+};
+
+/// Lines of a text, one at a time.
+class LineReader {
+ public:
+  LineReader(std::string file, std::string text);
+
+  /// Moves to the next line and splits it; InputError at the end of the text, naming what was expected.
+  void next(const std::string& expected);
+  bool at_end() const { return position_ == text_.size(); }
+
+  const std::vector<std::string_view>& words() const { return words_; }
+  bool starts_with(std::string_view word) const { return words_.front() == word; }
+  /// The words from `first` to the end, with their spaces.
+  std::string rest(std::size_t first) const;
+  unsigned line() const { return line_; }
+  /// All lines before this one, with their newlines.
+  std::string_view text_above() const { return std::string_view(text_).substr(0, line_start_); }
+
+  void expect_words(std::size_t count, const std::string& expected) const;
+  void expect_line(std::string_view whole) const;
+  /// Word number `index` as a decimal number without leading zeros, possibly negative.
+  std::int64_t number(std::size_t index) const;
+  /// Word number `index` as a lower-case hexadecimal mask of at most `bits` bits.
+  Mask mask(std::size_t index, unsigned bits) const;
+  /// The same of at most 63 bits.
+  std::uint64_t wide_mask(std::size_t index, unsigned bits) const;
+
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  std::string file_;
+  std::string text_;
+  std::size_t position_ = 0;
+  std::size_t line_start_ = 0;
+  unsigned line_ = 0;
+  std::vector<std::string_view> words_;
+};
+
+/// The bytes of a file; InputError when it cannot be read.
+std::string read_file(const std::string& path);
+
+}  // namespace restrip::verify

@@ -1,0 +1,82 @@
+#pragma once
+// Every bit shift of the verifier. Elsewhere colours are asked for by name.
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace restrip::verify {
+
+/// Colours of a row of dual edges as certificates write them: bit i is edge i, 1 = solid.
+using Mask = std::uint32_t;
+
+constexpr Mask single(unsigned i) { return Mask{1} << i; }
+constexpr bool is_solid(Mask mask, unsigned i) { return (mask >> i & 1U) != 0; }
+constexpr unsigned solid_count(Mask mask) { return static_cast<unsigned>(std::popcount(mask)); }
+constexpr bool is_subset(Mask part, Mask whole) { return (part & ~whole) == 0; }
+
+/// How many masks of `bits` bits there are; also the first number that is no such mask.
+constexpr Mask mask_count(unsigned bits) { return Mask{1} << bits; }
+constexpr std::uint64_t wide_mask_count(unsigned bits) { return std::uint64_t{1} << bits; }
+
+/// Two masks as one number; `low_bits` is the width of the second. Ascending like the pair (high, low).
+constexpr Mask concatenated(Mask high, Mask low, unsigned low_bits) { return high << low_bits | low; }
+constexpr Mask high_part(Mask both, unsigned low_bits) { return both >> low_bits; }
+constexpr Mask low_part(Mask both, unsigned low_bits) { return both & (mask_count(low_bits) - 1); }
+
+/// A set of unordered pairs of ports, at most eleven ports: bit j(j-1)/2 + i stands for {i, j}, i < j.
+struct PortPairs {
+  std::uint64_t bits = 0;
+
+  static constexpr PortPairs of(unsigned one, unsigned other) {
+    const unsigned low = one < other ? one : other;
+    const unsigned high = one < other ? other : one;
+    return {std::uint64_t{1} << (high * (high - 1) / 2 + low)};
+  }
+  constexpr void add(unsigned one, unsigned other) { bits |= of(one, other).bits; }
+  constexpr bool has(unsigned one, unsigned other) const { return (bits & of(one, other).bits) != 0; }
+  constexpr void add(PortPairs more) { bits |= more.bits; }
+  /// Those of both sets.
+  constexpr PortPairs both(PortPairs other) const { return {bits & other.bits}; }
+  constexpr unsigned count() const { return static_cast<unsigned>(std::popcount(bits)); }
+  constexpr bool within(PortPairs whole) const { return (bits & ~whole.bits) == 0; }
+  friend constexpr bool operator==(PortPairs, PortPairs) = default;
+  friend constexpr auto operator<=>(PortPairs, PortPairs) = default;
+};
+
+/// Up to 256 bits in a row, to be compared as a whole.
+struct BitRow {
+  std::array<std::uint64_t, 4> words{};
+  unsigned size = 0;
+
+  static constexpr unsigned capacity = 256;
+  constexpr void append(bool bit) {
+    words[size / 64] |= std::uint64_t{bit} << size % 64;
+    ++size;
+  }
+  constexpr void append(unsigned value, unsigned bits) {
+    for (unsigned i = 0; i < bits; ++i) append(is_solid(value, i));
+  }
+};
+
+/// A set of numbers below a bound that is known when it is made.
+class NumberSet {
+ public:
+  explicit NumberSet(std::size_t bound) : words_((bound + 63) / 64) {}
+  void add(std::size_t number) { words_[number / 64] |= std::uint64_t{1} << number % 64; }
+  void clear() { words_.assign(words_.size(), 0); }
+  bool has(std::size_t number) const { return (words_[number / 64] >> number % 64 & 1U) != 0; }
+  bool within(const NumberSet& whole) const {
+    for (std::size_t i = 0; i < words_.size(); ++i)
+      if ((words_[i] & ~whole.words_[i]) != 0) return false;
+    return true;
+  }
+  friend auto operator<=>(const NumberSet&, const NumberSet&) = default;
+
+ private:
+  std::vector<std::uint64_t> words_;
+};
+
+}  // namespace restrip::verify

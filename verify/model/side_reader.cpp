@@ -1,0 +1,310 @@
+#include "model/side_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "model/triangles.hpp"
+
+namespace restrip::verify {
+namespace {
+
+constexpr unsigned most_ports_of_a_graph = 8;
+constexpr unsigned most_colors_of_a_graph = 20;
+constexpr std::size_t most_members = 64;  // of any list in a pattern
+
+/// Puts a side together and holds it against the limits.
+class SideBuilder {
+ public:
+  explicit SideBuilder(unsigned triangles) : used_(triangles) { side_.triangles = triangles; }
+
+  void add_edge(const JsonValue& where, unsigned one, unsigned other) {
+    if (one == other) where.fail_found(fmt::format("expected two different triangles, found {} twice", one));
+    if (!seen_.insert({std::min(one, other), std::max(one, other)}).second)
+      where.fail_found(fmt::format("expected each edge once, {} and {} are joined above", one, other));
+    side_.edges.push_back({one, other});
+  }
+  void use(const JsonValue& where, unsigned triangle) {
+    if (++used_[triangle] > 3)
+      where.fail_found(
+          fmt::format("expected at most three edges and ports of triangle {}, this is the fourth", triangle));
+  }
+  void add_port(const JsonValue& where, unsigned owner) {
+    side_.owner_of_port.push_back(owner);
+    use(where, owner);
+  }
+  void expect_colors(const JsonValue& where, unsigned most) const {
+    if (side_.colors() > most)
+      where.fail_found(fmt::format("expected at most {} edges and ports together, found {} and {}", most,
+                                   side_.inner_edges(), side_.ports()));
+  }
+  Side& side() { return side_; }
+
+ private:
+  Side side_;
+  std::vector<unsigned> used_;
+  std::set<std::array<unsigned, 2>> seen_;
+};
+
+Side read_graph(const JsonValue& value) {
+  value.expect_object({"triangles", "edges", "ports"});
+  SideBuilder builder(static_cast<unsigned>(value.required("triangles").integer(1, most_triangles, "a number")));
+  Side& side = builder.side();
+  const auto triangle_at = [&](const JsonValue& where) { return where.index(side.triangles, "a triangle"); };
+  const JsonValue edges = value.required("edges");
+  for (const JsonValue& edge :
+       edges.list("a list of at most 19 edges, pairs of triangles", most_colors_of_a_graph - 1)) {
+    const std::vector<JsonValue> ends = edge.list("a pair of triangles", 2);
+    if (ends.size() != 2) edge.fail_found("expected a pair of triangles");
+    const std::array<unsigned, 2> pair = {triangle_at(ends[0]), triangle_at(ends[1])};
+    builder.add_edge(edge, pair[0], pair[1]);
+    for (std::size_t end = 0; end < 2; ++end) builder.use(ends[end], pair[end]);
+  }
+  const JsonValue ports = value.required("ports");
+  for (const JsonValue& port : ports.list("a list of 1 to 8 ports, the triangle of each", most_ports_of_a_graph))
+    builder.add_port(port, triangle_at(port));
+  if (side.ports() == 0) ports.fail_found("expected a list of 1 to 8 ports, found none");
+  builder.expect_colors(edges, most_colors_of_a_graph);
+  for (unsigned triangle = 0; triangle < side.triangles; ++triangle) side.names.push_back(std::to_string(triangle));
+  return side;
+}
+
+/// What an element stands for: one triangle by its name, or x_from … x_(to-1).
+using TriangleNames = std::vector<std::string>;
+
+/// Reads elements, and remembers the indexed triangles among those that it has read.
+class ElementReader {
+ public:
+  explicit ElementReader(const NamedNumbers& numbers) : numbers_(numbers) {}
+
+  TriangleNames read(const JsonValue& value) {
+    const std::string text = value.string("a text");
+    try {
+      return element(text);
+    } catch (const std::invalid_argument& error) {
+      value.fail_found(error.what());
+    }
+  }
+  /// The indexed triangles by the names before their indices, in the order of first appearance.
+  const std::vector<std::string>& indexed_names() const { return indexed_names_; }
+  const std::set<unsigned>& indices(const std::string& name) const { return indices_.at(name); }
+
+ private:
+  /// Names stand in reports.
+  static void expect_name(const std::string& name) {
+    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+    if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
+      throw std::invalid_argument(
+          fmt::format("expected letters and digits as the name of a triangle, found \"{}\"", name));
+  }
+
+  TriangleNames element(const std::string& text) {
+    const std::size_t open = text.find('[');
+    if (open == std::string::npos) {
+      expect_name(text);
+      return {text};
+    }
+    const std::string name = text.substr(0, open);
+    expect_name(name);
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos || comma < open || !text.ends_with(')'))
+      throw std::invalid_argument(fmt::format("expected a range as \"t[0,k)\", found \"{}\"", text));
+    const auto value_of = [&](std::size_t from, std::size_t to) {
+      const std::int64_t sum = Sum(text.substr(from, to - from), numbers_.names).of(numbers_.values);
+      if (sum < 0 || sum > most_triangles)
+        throw std::invalid_argument(
+            fmt::format("expected numbers from 0 to {} in \"{}\", found {}", most_triangles, text, sum));
+      return static_cast<unsigned>(sum);
+    };
+    const unsigned from = value_of(open + 1, comma);
+    const unsigned to = value_of(comma + 1, text.size() - 1);
+    if (!indices_.contains(name)) indexed_names_.push_back(name);
+    std::set<unsigned>& indices = indices_[name];
+    TriangleNames element;
+    for (unsigned i = from; i < to; ++i) {
+      indices.insert(i);
+      element.push_back(fmt::format("{}{}", name, i));
+    }
+    return element;
+  }
+
+  NamedNumbers numbers_;
+  std::vector<std::string> indexed_names_;
+  std::map<std::string, std::set<unsigned>> indices_;
+};
+
+/// A row of triangles, joined one after the other.
+struct Chain {
+  JsonValue where;
+  bool ring = false;
+  std::vector<std::string> triangles;
+};
+
+class PatternReader {
+ public:
+  PatternReader(const JsonValue& value, const NamedNumbers& numbers) : value_(value), elements_(numbers) {}
+
+  Side read() {
+    value_.expect_object({"ring", "rings", "path", "paths", "chord", "chords", "ports"});
+    if (value_.member("ring") && value_.member("path")) value_.fail_found("expected \"ring\" or \"path\", not both");
+    read_chains();
+    number_triangles();
+    SideBuilder builder(static_cast<unsigned>(names_.size()));
+    builder.side().names = names_;
+    const auto join = [&](const JsonValue& where, unsigned one, unsigned other) {
+      builder.add_edge(where, one, other);
+      for (const unsigned end : {one, other}) builder.use(where, end);
+    };
+    for (const Chain& chain : chains_) {
+      const std::vector<std::string>& row = chain.triangles;
+      for (std::size_t i = 0; i + 1 < row.size(); ++i)
+        join(chain.where, number_of_.at(row[i]), number_of_.at(row[i + 1]));
+      if (chain.ring) join(chain.where, number_of_.at(row.back()), number_of_.at(row.front()));
+    }
+    for (const JsonValue& chord : one_or_more("chord", "chords")) {
+      const std::vector<JsonValue> ends = chord.list("two triangles", 2);
+      if (ends.size() != 2) chord.fail("two triangles");
+      join(chord, triangle_at(ends[0]), triangle_at(ends[1]));
+    }
+    add_ports(builder);
+    builder.expect_colors(value_, most_colors);
+    return builder.side();
+  }
+
+ private:
+  /// The value of the first member, or the items of the second.
+  std::vector<JsonValue> one_or_more(std::string_view one, std::string_view more) const {
+    std::vector<JsonValue> values;
+    if (const std::optional<JsonValue> single_one = value_.member(one)) values.push_back(*single_one);
+    if (const std::optional<JsonValue> list = value_.member(more))
+      for (const JsonValue& item : list->list("a list of lists", most_members)) values.push_back(item);
+    return values;
+  }
+
+  void read_chains() {
+    for (const bool ring : {true, false})
+      for (const JsonValue& chain : ring ? one_or_more("ring", "rings") : one_or_more("path", "paths")) {
+        chains_.push_back({chain, ring, {}});
+        for (const JsonValue& part : chain.list("a list of triangles", most_members)) {
+          const TriangleNames element = elements_.read(part);
+          std::vector<std::string>& triangles = chains_.back().triangles;
+          triangles.insert(triangles.end(), element.begin(), element.end());
+        }
+        if (ring && chains_.back().triangles.size() < 3)
+          chain.fail_found(
+              fmt::format("expected a ring of three triangles or more, found {}", chains_.back().triangles.size()));
+      }
+    if (chains_.empty()) value_.required("path");
+  }
+
+  /// Indexed triangles first, by name and index, then the others in the order in which they stand.
+  void number_triangles() {
+    for (const std::string& name : elements_.indexed_names())
+      for (const unsigned i : elements_.indices(name)) names_.push_back(fmt::format("{}{}", name, i));
+    indexed_ = names_.size();
+    const std::set<std::string> indexed(names_.begin(), names_.end());
+    for (const Chain& chain : chains_) {
+      std::set<std::string> seen;
+      for (const std::string& name : chain.triangles) {
+        if (!seen.insert(name).second)
+          chain.where.fail_found(fmt::format("expected each triangle once, {} stands there twice", name));
+        if (!indexed.contains(name) && std::find(names_.begin(), names_.end(), name) == names_.end())
+          names_.push_back(name);
+      }
+    }
+    if (names_.empty() || names_.size() > most_triangles)
+      value_.fail_found(fmt::format("expected 1 to {} triangles, found {}", most_triangles, names_.size()));
+    for (unsigned i = 0; i < names_.size(); ++i) number_of_[names_[i]] = i;
+  }
+
+  unsigned number_of(const JsonValue& where, const std::string& name) const {
+    const auto found = number_of_.find(name);
+    if (found == number_of_.end()) where.fail_found(fmt::format("no triangle is named {}", name));
+    return found->second;
+  }
+  unsigned triangle_at(const JsonValue& value) { return number_of(value, value.string("a text")); }
+
+  void add_ports(SideBuilder& builder) {
+    const std::optional<JsonValue> ports = value_.member("ports");
+    if (ports) {
+      for (const JsonValue& port : ports->list("the triangle of each port", most_members))
+        for (const std::string& owner : elements_.read(port)) builder.add_port(port, number_of(port, owner));
+    } else {
+      for (unsigned i = 0; i < indexed_; ++i) builder.add_port(value_, i);
+    }
+    if (const unsigned count = builder.side().ports(); count == 0 || count > most_ports)
+      ports.value_or(value_).fail_found(fmt::format("expected 1 to {} ports, found {}", most_ports, count));
+  }
+
+  const JsonValue& value_;
+  ElementReader elements_;
+  std::vector<Chain> chains_;
+  std::vector<std::string> names_;
+  std::size_t indexed_ = 0;
+  std::map<std::string, unsigned> number_of_;
+};
+
+/// Lists of so many names.
+template <std::size_t n>
+std::vector<std::array<std::string, n>> names_of(const JsonValue& value, const std::string& expected,
+                                                 const std::string& element, std::size_t most) {
+  std::vector<std::array<std::string, n>> all;
+  for (const JsonValue& names : value.list(expected, most)) {
+    const std::vector<JsonValue> each = names.list(element, n);
+    if (each.size() != n) names.fail_found(fmt::format("expected {}", element));
+    all.emplace_back();
+    for (std::size_t i = 0; i < n; ++i) all.back()[i] = each[i].string("the name of a vertex");
+  }
+  return all;
+}
+
+Side side_of(const JsonValue& value, PatchGraph graph) {
+  Side side{graph.triangles, std::move(graph.edges), std::move(graph.owner_of_port), {}};
+  if (side.ports() == 0 || side.ports() > most_ports_of_a_graph)
+    value.fail_found(fmt::format("expected 1 to {} ports, found {}", most_ports_of_a_graph, side.ports()));
+  if (side.colors() > most_colors_of_a_graph)
+    value.fail_found(fmt::format("expected at most {} edges and ports together, found {} and {}",
+                                 most_colors_of_a_graph, side.inner_edges(), side.ports()));
+  return side;
+}
+
+/// The two sides of a patch that is given by its triangles.
+Sides read_surface(const JsonValue& description) {
+  const auto triangles = [&](const char* member) {
+    return names_of<3>(description.required(member), "a list of 1 to 16 triangles", "three vertices", most_triangles);
+  };
+  NamedSurface surface{triangles("before"), triangles("after"), {}};
+  if (const std::optional<JsonValue> boundary = description.member("boundary"))
+    surface.boundary = names_of<2>(*boundary, "a list of stretches", "two vertices", most_colors_of_a_graph);
+  std::set<std::string> vertices;
+  for (const NamedTriangles* side : {&surface.before, &surface.after})
+    for (const auto& names : *side) vertices.insert(names.begin(), names.end());
+  try {
+    SurfaceGraphs graphs = graphs_of(surface);
+    return {side_of(description.required("before"), std::move(graphs.before)),
+            side_of(description.required("after"), std::move(graphs.after)), static_cast<unsigned>(vertices.size())};
+  } catch (const SurfaceFault& fault) {
+    const JsonValue member = description.required(fault.member);
+    (fault.element ? member.item(*fault.element) : member).fail_found(fault.what);
+  }
+}
+
+}  // namespace
+
+Sides read_sides(const JsonValue& description, const NamedNumbers& numbers) {
+  if (description.required("before").is_list()) return read_surface(description);
+  if (const std::optional<JsonValue> boundary = description.member("boundary"))
+    boundary->fail_found("expected patches that are given by their triangles where there is this member");
+  return {read_side(description.required("before"), numbers), read_side(description.required("after"), numbers), 0};
+}
+
+Side read_side(const JsonValue& value, const NamedNumbers& numbers) {
+  const bool is_pattern = value.is_object() && (value.member("ring") || value.member("rings") || value.member("path") ||
+                                                value.member("paths"));
+  return is_pattern ? PatternReader(value, numbers).read() : read_graph(value);
+}
+
+}  // namespace restrip::verify
