@@ -76,8 +76,9 @@ class HeaderReader {
 
   bool expect(const std::string& whole) {
     const std::string_view line = next();
-    if (line != whole + '\n') fail(fmt::format("\"{}\" and the end of the line", whole), line);
-    return line == whole + '\n';
+    const bool right = line == whole + '\n';
+    if (!right) fail(fmt::format("\"{}\" and the end of the line", whole), line);
+    return right;
   }
   bool expect_all(const std::vector<std::string>& lines) {
     return std::all_of(lines.begin(), lines.end(), [&](const std::string& line) { return expect(line); });
