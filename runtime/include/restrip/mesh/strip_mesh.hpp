@@ -352,6 +352,7 @@ class StripMesh {
   Halfedge unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right, Room& freed) noexcept;
   void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
   Vertex new_vertex(Vertex wanted);
+  void join_edges(BuildReport& report);
   void find_non_manifold_vertices(BuildReport& report);
 
   std::vector<Record> triangles_;
