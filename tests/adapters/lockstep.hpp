@@ -212,6 +212,22 @@ Mesh copy_of(const StripMesh& from, Point&& point, Name&& vertex) {
   return mesh;
 }
 
+/// Strips from scratch are those of a StripMesh where the two have the same sides, and about as few elsewhere.
+template <class Foreign>
+void stripify_both(StripMesh mesh) {
+  for (const Cost& cost : {Cost::strips(), Cost::indices()})
+    for (const Effort effort : {Effort::fast, Effort::full}) {
+      Foreign foreign(mesh);
+      const std::size_t strips = stripify(foreign.strips(), effort, cost);
+      ASSERT_TRUE(check_coloring(foreign.strips()).valid);
+      ASSERT_EQ(strips, count_strips(foreign.strips()));
+      StripMesh mine = mesh;
+      const auto indices = [](const auto& of) { return static_cast<double>(strip_indices(of).size()); };
+      stripify(mine, effort, cost);
+      EXPECT_LE(indices(foreign.strips()), 1.1 * indices(mine));
+    }
+}
+
 /// Under every policy and either cost.
 template <class Foreign>
 void walk_in_lockstep(const StripMesh& start, bool boundary, unsigned seed) {
@@ -225,6 +241,7 @@ void walk_in_lockstep(const StripMesh& start, bool boundary, unsigned seed) {
       }
       if (testing::Test::HasFailure()) FAIL() << row.name << ", restart " << cost.restart;
     }
+  stripify_both<Foreign>(start);
 }
 
 }  // namespace restrip

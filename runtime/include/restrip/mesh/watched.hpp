@@ -33,8 +33,8 @@ class Watched {
 
   explicit Watched(Mesh& mesh) noexcept : mesh_(&mesh) {}
 
-  /// Every triangle whose corners, neighbours or colours have changed since the list was cleared, and those inserted and removed;
-  /// some of them more than once.
+  /// Every triangle whose corners, neighbours or colours have changed since the list was cleared, and those inserted
+  /// and removed; some of them more than once.
   [[nodiscard]] std::vector<std::uint32_t>& changed() noexcept { return changed_; }
   [[nodiscard]] const Mesh& mesh() const noexcept { return *mesh_; }
 

@@ -15,7 +15,7 @@
 #include <cstdint>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/numbered_mesh.hpp"
 
 namespace restrip {
 
@@ -35,7 +35,8 @@ struct AnnealOptions {
 /// They depend on the mesh, its colours and the arguments alone, and are the same on every machine. Time: O(log n) for
 /// each change tried, for n triangles. Memory while it runs: 15 bytes a triangle, 29 where strips get longer than 500.
 /// May throw std::bad_alloc; nothing has changed then, unless the mesh is watched.
-inline std::uint64_t anneal(StripMesh& mesh, Cost cost, const AnnealOptions& options = {});
+template <NumberedMesh Mesh>
+std::uint64_t anneal(Mesh& mesh, Cost cost, const AnnealOptions& options = {});
 
 }  // namespace restrip
 
@@ -43,16 +44,18 @@ inline std::uint64_t anneal(StripMesh& mesh, Cost cost, const AnnealOptions& opt
 
 namespace restrip {
 
-inline std::uint64_t anneal(StripMesh& mesh, Cost cost, const AnnealOptions& options) {
-  detail::Annealing annealing(mesh, cost, options.seed);
+template <NumberedMesh Mesh>
+std::uint64_t anneal(Mesh& mesh, Cost cost, const AnnealOptions& options) {
+  auto&& sides = by_sides(mesh);
+  detail::Annealing annealing(sides, cost, options.seed);
   annealing.keep();
   for (std::uint32_t round = 0; round < options.rounds && annealing.least() != 0; ++round) {
-    annealing.cool(options.moves != 0 ? options.moves : mesh.triangle_count() * std::uint64_t{100}, options.heat);
+    annealing.cool(options.moves != 0 ? options.moves : annealing.triangles() * std::uint64_t{100}, options.heat);
     annealing.settle_windings(4);
     annealing.keep();
   }
   annealing.go_back();
-  annealing.give(mesh);
+  annealing.give(sides);
   return annealing.least();
 }
 

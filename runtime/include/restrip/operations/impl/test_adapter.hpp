@@ -259,7 +259,7 @@ class AdapterDrive {
       if constexpr (FlippableMesh<Mesh>)
         if (may_flip(h)) return bare_flip(h);
     } else if (grow) {
-      if constexpr (SplittableMesh<Mesh>)
+      if constexpr (NamesNewVertices<Mesh>)
         if (Split where; draw_split(h, where)) return bare_split(where);
     } else if constexpr (CollapsibleMesh<Mesh>) {
       if (may_collapse(h)) return bare_collapse(h);
@@ -473,7 +473,7 @@ class AdapterDrive {
       if constexpr (FlippableMesh<Mesh>)
         if (may_flip(h)) return try_operation("flip", report_.flips, [&] { return flip(mesh_, at); });
     } else if (grow) {
-      if constexpr (SplittableMesh<Mesh>) return growing_operation(h, kind);
+      if constexpr (NamesNewVertices<Mesh>) return growing_operation(h, kind);
     } else if constexpr (CollapsibleMesh<Mesh>) {
       if (!may_collapse(h)) return false;
       if (refusal_of_removal(mesh_, at, 3, 0) == Refusal::granted && kind < 3)

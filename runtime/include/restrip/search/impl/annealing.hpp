@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/search/impl/growing.hpp"
 #include "restrip/search/impl/marked_words.hpp"
 #include "restrip/search/impl/strip_trees.hpp"
+#include "restrip/search/sided_mesh.hpp"
 
 namespace restrip::detail {
 
@@ -52,12 +52,18 @@ class AnnealingRandom {
 /// triangles once the strips are good.
 class Annealing {
  public:
-  /// The mesh must stay as it is, but for the colours that give() gives it.
-  Annealing(const StripMesh& mesh, Cost cost, std::uint64_t seed)
-      : mesh_(mesh), cost_(cost), random_(seed), across_(mesh.triangle_bound()), solid_(mesh.triangle_bound(), 0) {
+  template <SidedMesh Mesh>
+  Annealing(const Mesh& mesh, Cost cost, std::uint64_t seed)
+      : cost_(cost),
+        random_(seed),
+        across_(mesh.triangle_bound()),
+        alive_(mesh.triangle_bound(), false),
+        solid_(mesh.triangle_bound(), 0) {
     for (Triangle t = 0; t < across_.size(); ++t) {
       across_[t] = {none, none, none};
       if (!mesh.alive(t)) continue;
+      alive_[t] = true;
+      ++triangles_;
       for (unsigned s = 0; s < 3; ++s) {
         const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s));
         if (!StripMesh::on_boundary(there)) across_[t][s] = there.id;
@@ -84,10 +90,14 @@ class Annealing {
   [[nodiscard]] std::size_t strips() const noexcept {
     std::size_t solid_sides = 0;
     for (const std::uint8_t sides : solid_) solid_sides += static_cast<std::size_t>(std::popcount(sides));
-    return mesh_.triangle_count() - solid_sides / 2;
+    return triangles_ - solid_sides / 2;
   }
+  [[nodiscard]] std::size_t triangles() const noexcept { return triangles_; }
   /// Colours the mesh.
-  void give(StripMesh& mesh) const { mesh.set_colors(solid_); }
+  template <SidedMesh Mesh>
+  void give(Mesh& mesh) const {
+    mesh.set_colors(solid_);
+  }
 
   /// Tries about so many moves while the temperature falls from `heat` hundredths to a half and a quarter of that, in
   /// 45 % of the moves each, and then to 0. At a temperature of 1 a change for the worse by a third of a strip (or a
@@ -140,7 +150,7 @@ class Annealing {
   [[nodiscard]] std::uint64_t cost() const noexcept {
     std::uint64_t sum = 0;
     for (Triangle t = 0; t < across_.size(); ++t) {
-      if (!mesh_.alive(t)) continue;
+      if (!alive_[t]) continue;
       if (solid_[t] == 0) sum += std::uint64_t{cost_.restart} + cost_.isolated;
       for (unsigned s = 0; s < 3; ++s) {
         const std::uint32_t h = t << 2 | s;
@@ -392,11 +402,12 @@ class Annealing {
     for (unsigned i = 0; i < move.cuts; ++i) note(across(move.cut[i]) >> 2);
   }
 
-  const StripMesh& mesh_;
   Cost cost_;
   AnnealingRandom random_;
   std::vector<std::array<std::uint32_t, 3>> across_;  // the opposite halfedge; none on the boundary
-  std::vector<std::uint8_t> solid_;                   // bit s: side s
+  std::vector<bool> alive_;
+  std::size_t triangles_ = 0;
+  std::vector<std::uint8_t> solid_;  // bit s: side s
   std::vector<std::uint8_t> kept_;
   std::uint64_t least_ = 0;
   MarkedWords flaws_;              // the flawed triangles, and some that were
