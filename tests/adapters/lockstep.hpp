@@ -7,10 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <random>
-#include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 

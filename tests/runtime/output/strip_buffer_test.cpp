@@ -5,12 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <random>
-#include <set>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "buffer_changes.hpp"
