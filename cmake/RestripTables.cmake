@@ -104,6 +104,14 @@ function(restrip_generate_tables)
       message(FATAL_ERROR "restrip_generate_tables: LANGUAGE ${language}: expected one of ${expected}")
     endif()
   endforeach()
+  # What other languages do not have would be left out without a word.
+  if(DEFINED arg_LANGUAGE)
+    list(REMOVE_ITEM arg_LANGUAGE c++)
+  endif()
+  if(arg_LANGUAGE AND DEFINED arg_OPERATION)
+    message(FATAL_ERROR "restrip_generate_tables: OPERATION with LANGUAGE ${arg_LANGUAGE}: tables of operations are written in "
+                        "C++ only; leave one of them out, or make two targets")
+  endif()
 
   set(operations "")
   foreach(file IN LISTS arg_OPERATION)
@@ -129,9 +137,6 @@ function(restrip_generate_tables)
     VERBATIM)
   set(made ${folder}/MANIFEST)
   # Other languages have a folder of their own, because the MANIFEST lists all that is in that of the tables.
-  if(DEFINED arg_LANGUAGE)
-    list(REMOVE_ITEM arg_LANGUAGE c++)
-  endif()
   if(arg_LANGUAGE)
     list(TRANSFORM arg_LANGUAGE PREPEND --language=)
     add_custom_command(
@@ -179,6 +184,11 @@ function(_restrip_verify_operation target file folder)
   if(error)
     message(FATAL_ERROR "restrip_verify_tables: ${target}: ${file}: ${error}")
   endif()
+  # The name goes into a program, before generator or verifier have read the file.
+  if(NOT name MATCHES "^[a-z][a-z0-9]*(-[a-z0-9]+)*$")
+    message(FATAL_ERROR "restrip_verify_tables: ${target}: ${file}: the name is not one of lower-case letters, digits and "
+                        "single hyphens between them, a letter first")
+  endif()
   string(REPLACE - _ identifier ${name})
   set(dump "")
   if(NOT CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR)
@@ -193,9 +203,10 @@ int main() { return restrip::tables::print_dump(\"@name@\", restrip::tables::@id
     _restrip_command_of(${program} command)
     set(dump --dump-command ${command})
   endif()
+  set(header --header ${folder}-operations/include/restrip/tables/operations/${identifier}.hpp)
   add_test(NAME ${target}.operation.${name}
            COMMAND $<TARGET_FILE:restrip::verify> --operation ${file}
-                   --certificate ${folder}-operations/certificates/operations/${name}.cert ${dump})
+                   --certificate ${folder}-operations/certificates/operations/${name}.cert ${header} ${dump})
 endfunction()
 
 # _restrip_command_of(PROGRAM OUT): how a shell runs a program of this build.

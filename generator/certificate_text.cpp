@@ -65,7 +65,7 @@ std::vector<unsigned> to_representative(const Section& section, const Row& row) 
   return identity;
 }
 
-void add_rules(Out out, const Section& section) {
+void add_rules(Out out, const Section& section, Watched watched) {
   const Claims claims = sum(section.claims);
   fmt::format_to(out, "claim configurations {}\nclaim valid {}\nclaim orbits {}\nclaim valid-orbits {}\n",
                  claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
@@ -76,6 +76,7 @@ void add_rules(Out out, const Section& section) {
   if (has_reasons(operation)) reasoner.emplace(operation);
   // The rule row of an orbit is its first line, whichever the search began with.
   std::map<std::size_t, const Row*> rule_of;
+  Progress progress("found reasons of", section.rows.size(), "rules", watched);
   for (const WrittenRow& line : written_rows(section)) {
     const Row& row = *line.row;
     const auto [rule, is_rule] = rule_of.try_emplace(line.orbit, &row);
@@ -87,17 +88,21 @@ void add_rules(Out out, const Section& section) {
       for (const unsigned port : to_representative(section, row)) ports.push_back(back[port]);
       fmt::format_to(out, " by {}", fmt::join(ports, " "));
     } else if (reasoner) {
-      fmt::format_to(out, " because {}", reasoner->reason(row.key.ports, row.key.joined.masks(), row).text());
+      fmt::format_to(out, " because {}", reasoner->find(row.key.ports, row.key.joined.masks(), row).reason.text());
     }
     fmt::format_to(out, "\n");
+    progress.step();
   }
 }
 
 }  // namespace
 
-std::string section_text(const Section& section) {
+std::string section_text(const Section& section, Watched watched) {
   std::string text = fmt::format("section {}\n", position_text(section.position));
-  section.linked ? add_alternatives(std::back_inserter(text), section) : add_rules(std::back_inserter(text), section);
+  if (section.linked)
+    add_alternatives(std::back_inserter(text), section);
+  else
+    add_rules(std::back_inserter(text), section, watched);
   return text;
 }
 

@@ -9,8 +9,8 @@
 
 namespace restrip::generator {
 
-/// A solved section as certificates write it, with claims, rows and reasons.
-[[nodiscard]] std::string section_text(const Section& section);
+/// A solved section as certificates write it, with claims, rows and reasons, which take time.
+[[nodiscard]] std::string section_text(const Section& section, Watched watched = Watched::no);
 
 /// The first two lines of a certificate of rules.
 [[nodiscard]] std::string certificate_head(const std::string& name);

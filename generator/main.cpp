@@ -25,11 +25,18 @@ using namespace restrip::generator;
 
 namespace {
 
+/// What tells the positions of a family apart.
+using PlaceOptions = std::array<const CLI::Option*, PositionNumbers{}.size()>;
+
 /// The position that the options --k, --at and --to say.
-Position position_of(const Description& family, PositionNumbers numbers) {
+Position position_of(const Description& family, PositionNumbers numbers, const PlaceOptions& given) {
+  constexpr std::array<const char*, PositionNumbers{}.size()> options{"--k", "--at", "--to"};
+  for (std::size_t i = family.numbers.size(); i < options.size(); ++i)
+    if (!given.at(i)->empty())
+      throw std::invalid_argument(
+          fmt::format("--family {}: its positions do not depend on {}; leave it out", family.name, options.at(i)));
   if (family.numbers.empty()) return positions(family, 0).at(0);
   if (!hold(family.where, numbers)) {
-    constexpr std::array<const char*, 3> options{"--k", "--at", "--to"};
     std::string names;
     for (std::size_t i = 0; i < family.numbers.size(); ++i)
       names += fmt::format("{}{} by {}", i == 0 ? "" : ", ", family.numbers[i], options.at(i));
@@ -141,13 +148,14 @@ int main(int argc, char** argv) {
   std::string described_family = "split";
   auto* describe_command =
       app.add_subcommand("describe", "Print the operation file of a family at one position, to start from");
-  describe_command->add_option("--family", described_family, "As for dump")
+  describe_command->add_option("--family", described_family, fmt::format("One of {}", fmt::join(names, ", ")))
       ->check(CLI::IsMember(names))
       ->capture_default_str();
-  describe_command->add_option("--k", numbers[0], "Valence, 1 … 8; not for the flip")->check(CLI::Range(1, 8));
-  describe_command->add_option("--at", numbers[1], "Arc a of a closed fan, gap i of an open one")
-      ->check(CLI::Range(0, 8));
-  describe_command->add_option("--to", numbers[2], "Gap j of an open fan")->check(CLI::Range(0, 8));
+  const PlaceOptions place_options{
+      describe_command->add_option("--k", numbers[0], "Valence, 1 … 8; not for the flip")->check(CLI::Range(1, 8)),
+      describe_command->add_option("--at", numbers[1], "Arc a of a closed fan, gap i of an open one")
+          ->check(CLI::Range(0, 8)),
+      describe_command->add_option("--to", numbers[2], "Gap j of an open fan")->check(CLI::Range(0, 8))};
   std::string described_constraint = "strips";
   describe_command
       ->add_option(
@@ -180,6 +188,8 @@ int main(int argc, char** argv) {
     if (*rules_command) make_rules(rules);
     if (*dump_command) {
       const Description& chosen = family_named(family);
+      if (chosen.numbers.empty() && !k_option->empty())
+        throw std::invalid_argument(fmt::format("--family {}: it has one position, without --k", family));
       if (!chosen.numbers.empty() && (k_option->empty() || k < smallest_valence(chosen)))
         throw std::invalid_argument(fmt::format("--family {} needs --k {} or more", family, smallest_valence(chosen)));
       dump(chosen, k, stdout);
@@ -187,7 +197,8 @@ int main(int argc, char** argv) {
     if (*describe_command) {
       const auto* const word = std::find(constraint_words.begin(), constraint_words.end(), described_constraint);
       const Constraint constraint{static_cast<unsigned>(word - constraint_words.begin()) + 1};
-      fmt::print("{}", operation_file_text(position_of(family_named(described_family), numbers), constraint));
+      fmt::print("{}",
+                 operation_file_text(position_of(family_named(described_family), numbers, place_options), constraint));
     }
     if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");

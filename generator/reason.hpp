@@ -2,6 +2,7 @@
 // "Reasons"). A reason is a case tree; docs/trust.md proves that it is one.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,11 @@
 
 namespace restrip::generator {
 
+struct ReasonGoal;
+
 /// Edges of the side after an operation: inner edges first; then the ports, of which those count that may be given up.
 using EdgeSet = Mask;
+[[nodiscard]] constexpr EdgeSet single(std::size_t edge) { return EdgeSet{1} << edge; }
 
 /// Either two cases, an edge solid and the same edge dashed, or disjoint sets of edges that cannot all be solid.
 struct Reason {
@@ -26,15 +30,25 @@ struct Reason {
 /// Whether reasons can be given for the rules of an operation: strips or forests, preferred by fewest_strips() first.
 [[nodiscard]] bool has_reasons(const Operation& operation);
 
+/// The smallest reason of a rule is looked for in so many steps (reason_search.hpp); if they are used up, a larger one
+/// is made at once. A number of steps and not a time, so that the bytes are the same everywhere. The shipped rules take
+/// at most a quarter of them (reason_test.cpp).
+inline constexpr std::uint64_t most_steps_of_smallest_reason = 1'000'000;
+
+struct FoundReason {
+  Reason reason;
+  std::uint64_t steps = 0;  ///< that it took
+  bool smallest = false;    ///< no reason has fewer leaves
+};
+
 /// Finds reasons for the rules of one operation that has them.
 class Reasoner {
  public:
   explicit Reasoner(const Operation& operation);
 
-  /// A reason with as few leaves as possible; the first one in a fixed order. `best` must be the best choice for these
-  /// solid ports and pairs that were joined before (two bits each). Exponential in the leaves, of which the best rules
-  /// of fans of up to eight triangles need five at most.
-  [[nodiscard]] Reason reason(Mask ports, const std::vector<Mask>& joined, const Choice& best) const;
+  /// `best` must be the best choice for these solid ports and pairs that were joined before (two bits each).
+  [[nodiscard]] FoundReason find(Mask ports, const std::vector<Mask>& joined, const Choice& best,
+                                 std::uint64_t most_steps = most_steps_of_smallest_reason) const;
 
  private:
   /// Edges that cannot all be solid, unless `pair` was joined before; ports come after the inner edges here, always.
@@ -42,19 +56,7 @@ class Reasoner {
     EdgeSet edges = 0;
     Mask pair = 0;
   };
-  /// What is to be shown: at least so many edges are dashed, and if it is just so many, then so many triangles are
-  /// isolated at least, and so on.
-  struct Goal {
-    EdgeSet edges = 0;  ///< those that a recolouring may leave dashed
-    std::vector<EdgeSet> sets;
-    std::vector<EdgeSet> triangles;
-    int dashed = 0;
-    int isolated = 0;
-    int given_up = 0;
-  };
-  [[nodiscard]] Goal goal_of(Mask ports, const std::vector<Mask>& joined, const Choice& best) const;
-  [[nodiscard]] bool find(const Goal& goal, EdgeSet solid, EdgeSet dashed, std::size_t leaves, Reason& reason) const;
-  [[nodiscard]] bool find_leaf(const Goal& goal, EdgeSet solid, EdgeSet dashed, Reason& reason) const;
+  [[nodiscard]] ReasonGoal goal_of(Mask ports, const std::vector<Mask>& joined, const Choice& best) const;
 
   Mask may_give_up_;
   Side after_;

@@ -1,13 +1,11 @@
 #include "table_files.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
-#include <mutex>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -18,10 +16,12 @@
 #include "automaton/automaton.hpp"
 #include "automaton/emit_automaton.hpp"
 #include "certificate_text.hpp"
+#include "counted.hpp"
 #include "digest.hpp"
 #include "emit.hpp"
 #include "files/output.hpp"
 #include "languages/languages.hpp"
+#include "progress.hpp"
 #include "shard.hpp"
 #include "share.hpp"
 
@@ -38,18 +38,13 @@ void solve_sections(std::vector<Section>& all, std::vector<std::size_t> places, 
                     Wanted wanted = Wanted::rules_and_text) {
   std::stable_sort(places.begin(), places.end(),
                    [&](std::size_t x, std::size_t y) { return all[x].position.k > all[y].position.k; });
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  std::mutex mutex;
-  std::size_t done = 0;
+  Progress progress("solved", places.size(), "sections");
   share(places.size(), threads, [&](std::size_t i) {
     Section& section = all[places[i]];
     solve(section);
     if (wanted == Wanted::rules_and_text) section.text = section_text(section);
-    if (!terminal) return;
-    const std::lock_guard lock(mutex);
-    fmt::print(stderr, "\rsolved {} of {} sections", ++done, places.size());
+    progress.step();
   });
-  if (terminal) fmt::print(stderr, "\r{:40}\r", "");
 }
 
 const std::string headers = "include/restrip/tables/";
@@ -145,7 +140,8 @@ struct TableFiles {
 };
 
 std::string summary(const std::string& family, std::size_t sections, std::size_t rules, std::size_t bytes) {
-  return fmt::format("{:<16} {:>3} sections  {:>6} rules  {:>6} bytes\n", family, sections, rules, bytes);
+  return fmt::format("{:<16} {:>3} {:<8}  {:>6} {:<5}  {:>6} {}\n", family, sections, plural(sections, "section"),
+                     rules, plural(rules, "rule"), bytes, plural(bytes, "byte"));
 }
 
 Packing packing_of(const std::vector<SolvedFamily>& families, bool of_closed_fans, unsigned max_k) {
@@ -258,8 +254,8 @@ void make_shard(const TablesOptions& options) {
   }
   const std::string text = shard_text(shard, options.max_k, id, solved);
   out.write({{file_name(shard), text}});
-  fmt::print("shard {} of {}: {} of {} sections, {} rows, {} bytes\n", shard.index, shard.count, solved.size(),
-             all.size(), rows, text.size());
+  fmt::print("shard {} of {}: {} of {} sections, {}, {}\n", shard.index, shard.count, solved.size(), all.size(),
+             counted(rows, "row"), counted(text.size(), "byte"));
 }
 
 void merge_shards(const std::string& in, const std::string& folder) {

@@ -4,6 +4,11 @@ and by its reason that nothing is preferred to it. Copies are checked by their s
 lists of linked rules, which are held against all recolourings.
 
   scripts/check_reasons.py tables/certificates/*.cert
+  scripts/check_reasons.py --operation tables/operations/bisect.json tables/certificates/operations/bisect.cert
+
+The second line is for an operation of one's own, by docs/operation-file.md: its file describes one operation, and has
+reasons (strips or forests, fewest strips first). Its rows must be those of all valid configurations; "configurations", "valid"
+and "keys" are recounted.
 
 Prints a line for each file. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot be read.
 Every section must be there, with each claim once and its rows in ascending order. Of splits and the flip the rows must be
@@ -11,7 +16,10 @@ those of all valid configurations, of linked rules all lists must be there. Clai
 walk over the configurations of collapses: "configurations" in all families, "valid" of splits and the flip, all of
 linked rules. Which rows a collapse must have, and the other claims, are not checked here.
 """
+import json
 import sys
+from functools import partial
+from itertools import combinations
 
 CLAIMS = ("configurations", "valid", "orbits", "valid-orbits", "keys", "costing", "worst-strips", "worst-isolated")
 LINKED_CLAIMS = ("lists", "alternatives", "longest")
@@ -21,13 +29,19 @@ class Wrong(Exception):
     pass
 
 
+def told(path, rules, copies):
+    """What is printed of a certificate that holds."""
+    return "%s: %s, %s" % (path, "1 rule is sound and has its reason" if rules == 1 else "%d rules are sound and have their reasons" % rules,
+                              "1 copy follows" if copies == 1 else "%d copies follow" % copies)
+
+
 class Patch:
     """Nodes, inner edges and the owner of each port after an operation."""
 
-    def __init__(self, order, ring, chord, owners):
-        self.nodes, self.owners = order, owners
-        self.inner = list(zip(order, order[1:])) + [(order[-1], order[0])] * ring + [("A", "D")] * chord
-        self.known = {}
+    def __init__(self, nodes, inner, owners, most=2):
+        self.nodes, self.inner, self.owners = nodes, inner, owners
+        self.most = most  # solid edges of a node
+        self.known, self.moves = {}, {}
 
     def paths(self, edges):
         """Of solid inner edges alone: the degree of each node, and its path; no paths when three edges meet or one closes."""
@@ -41,7 +55,7 @@ class Patch:
                     path = None
                 elif path:
                     path.update([(node, path[u]) for node in self.nodes if path[node] == path[v]])
-            self.known[inner] = degree, path if max(degree.values()) < 3 else None
+            self.known[inner] = degree, path if max(degree.values()) <= self.most else None
         return self.known[inner]
 
     def ports(self, edges):
@@ -49,14 +63,14 @@ class Patch:
         return [p for p in range(len(self.owners)) if edges >> len(self.inner) + p & 1]
 
     def strips(self, edges):
-        """The port numbers of each strip that has any, or None when a degree exceeds two or a strip closes."""
+        """The port numbers of each strip that has any, or None when a degree is too large or a strip closes."""
         degree, path = self.paths(edges)
         if path is None:
             return None
         room, strip = {}, {}
         for p in self.ports(edges):
             owner = self.owners[p]
-            room[owner] = room.get(owner, 2 - degree[owner]) - 1
+            room[owner] = room.get(owner, self.most - degree[owner]) - 1
             if room[owner] < 0:
                 return None
             strip.setdefault(path[owner], []).append(p)
@@ -67,18 +81,40 @@ class Patch:
         met = {self.owners[p] for p in self.ports(edges)}
         return sum(degree[node] == 0 and node not in met for node in self.nodes)
 
+    def allows(self, to):
+        """Whether the ports can go there: the nodes can follow, each edge onto an edge."""
+        edges = {frozenset(edge) for edge in self.inner}
+
+        def extends(moved):
+            if len(set(moved.values())) < len(moved) or any(
+                    frozenset((moved[u], moved[v])) not in edges for u, v in self.inner if u in moved and v in moved):
+                return False
+            rest = [node for node in self.nodes if node not in moved]
+            return not rest or any(extends({**moved, rest[0]: node}) for node in self.nodes if node not in moved.values())
+
+        if to not in self.moves:
+            moved = {owner: self.owners[to[p]] for p, owner in enumerate(self.owners)}
+            follows = all(moved[owner] == self.owners[to[p]] for p, owner in enumerate(self.owners))
+            self.moves[to] = sorted(to) == list(range(len(self.owners))) and follows and extends(moved)
+        return self.moves[to]
+
+
+def fan_patch(order, ring, chord, owners):
+    """Nodes in the order of a path or ring, and perhaps the chord."""
+    return Patch(order, list(zip(order, order[1:])) + [(order[-1], order[0])] * ring + [("A", "D")] * chord, owners)
+
 
 def patch_of(family, position):
     """The patch after an operation, from the words behind "section"."""
     if family == "flip":
-        return Patch(["L", "R"], False, False, ["R", "L", "L", "R"])
+        return fan_patch(["L", "R"], False, False, ["R", "L", "L", "R"])
     k, places = int(position[1]), [int(word) for word in position[3:]]
     fan = ["t%d" % i for i in range(k)]
     if family in ("collapse", "fan-collapse"):
-        return Patch(fan, family == "collapse", False, fan)
+        return fan_patch(fan, family == "collapse", False, fan)
     a, d = {"split": [0] + places, "open-split": places, "boundary-split": places + [None]}[family]
     order = [n for i in range(k + 1) for n in (["A"] * (i == a) + ["D"] * (i == d) + fan[i:i + 1])]
-    return Patch(order, family == "split", family != "boundary-split", fan)
+    return fan_patch(order, family == "split", family != "boundary-split", fan)
 
 
 def positions(family, max_k):
@@ -114,9 +150,9 @@ def configurations(family, position):
     return 1 << (2 * k if family == "split" else 2 * k - 1)
 
 
-def mask_of(pairs):
-    """Bit j (j - 1) / 2 + i is the pair of ports i < j."""
-    return sum(1 << max(p) * (max(p) - 1) // 2 + min(p) for p in pairs if len(p) == 2)
+def mask_of(groups):
+    """The pairs of ports that are in one group: bit j (j - 1) / 2 + i is the pair i < j."""
+    return sum(1 << max(pair) * (max(pair) - 1) // 2 + min(pair) for group in groups for pair in combinations(group, 2))
 
 
 def pairs_of(mask, ports):
@@ -132,7 +168,7 @@ def valid_keys(family, position, known={}):
     ring = family == "split"
     if (ring, k) not in known:
         fan = ["t%d" % i for i in range(k)] if k else []
-        before = Patch(fan, ring, False, fan) if k else Patch(["L", "R"], False, False, ["L", "L", "R", "R"])
+        before = fan_patch(fan, ring, False, fan) if k else fan_patch(["L", "R"], False, False, ["L", "L", "R", "R"])
         inner, count, keys = len(before.inner), 0, set()
         for edges in range(1 << inner + len(before.owners)):
             strips = before.strips(edges)
@@ -144,15 +180,25 @@ def valid_keys(family, position, known={}):
     return known[ring, k]
 
 
+def recounted(family, position):
+    """Claims of a section of a shipped family; of splits and the flip the keys."""
+    counted, keys = {"configurations": configurations(family, position)}, None
+    if not family.endswith("collapse"):
+        counted["valid"], keys = valid_keys(family, position)
+        counted["keys"] = len(keys)
+    return counted, keys
+
+
 class Section:
     """What a section has been seen to have: claims and rows. Closed, it must have had all of them."""
 
-    def __init__(self, family, position):
-        self.family, self.position, self.claims, self.keys = family, position, {}, []
+    def __init__(self, linked, position, recounted):
+        """`recounted`: a function that has the claims that can be counted, and the keys where these are known."""
+        self.linked, self.position, self.recounted, self.claims, self.keys = linked, position, recounted, {}, []
         self.lists, self.rows, self.longest, self.here, self.last = 0, 0, 0, 0, None
 
     def claim(self, word, number):
-        words = LINKED_CLAIMS if self.family.startswith("linked-") else CLAIMS
+        words = LINKED_CLAIMS if self.linked else CLAIMS
         if word not in words or word in self.claims:
             raise Wrong("unknown claim, or made twice")
         if self.keys or self.rows:
@@ -173,18 +219,14 @@ class Section:
         self.last, self.longest = ports, max(self.longest, self.here)
 
     def close(self):
-        if self.family.startswith("linked-"):
+        missing = set(LINKED_CLAIMS if self.linked else CLAIMS) - set(self.claims)
+        if self.linked:
             counted = {"lists": self.lists, "alternatives": self.rows, "longest": self.longest}
-            missing = set(LINKED_CLAIMS) - set(self.claims)
         else:
-            counted = {"configurations": configurations(self.family, self.position)}
-            missing = set(CLAIMS) - set(self.claims)
-            if not self.family.endswith("collapse"):
-                counted["valid"], keys = valid_keys(self.family, self.position)
-                counted["keys"] = len(keys)
-                for key in sorted(keys.symmetric_difference(self.keys)):
-                    raise Wrong("section %s above: the key %x %x %s" % (
-                        (self.position,) + key + ("has no row" if key in keys else "is of no valid configuration",)))
+            counted, keys = self.recounted()
+            for key in sorted(keys.symmetric_difference(self.keys) if keys else []):
+                raise Wrong("section %s above: the key %x %x %s" % (
+                    (self.position,) + key + ("has no row" if key in keys else "is of no valid configuration",)))
             if not self.keys:
                 raise Wrong("section %s above has no row" % self.position)
         if missing:
@@ -197,11 +239,12 @@ class Section:
 class Row:
     """The question that a row answers, and its answer: what may be dashed, what may be joined, what is solid."""
 
-    def __init__(self, family, patch, words):
+    def __init__(self, patch, may_go, words):
+        """`may_go`: ports that may be given up."""
         self.patch, (self.ports, joined, colors, kept) = patch, (int(word, 16) for word in words[1:5])
         inner, all_inner = len(patch.inner), (1 << len(patch.inner)) - 1
         self.joined = pairs_of(joined, len(patch.owners))
-        may_go = self.ports if family == "flip" else 0
+        self.key, may_go = (self.ports, joined), self.ports & may_go
         self.fixed, self.edges = (self.ports & ~may_go) << inner, all_inner | may_go << inner
         self.own = colors | (kept & may_go) << inner
         if kept & ~self.ports or self.ports & ~kept & ~may_go or colors & ~all_inner:
@@ -209,7 +252,7 @@ class Row:
 
     def sound(self, edges):
         strips = self.patch.strips(edges | self.fixed)
-        return strips is not None and all(len(s) < 2 or s in self.joined for s in strips)
+        return strips is not None and all(frozenset(pair) in self.joined for s in strips for pair in combinations(s, 2))
 
     def loss(self, dashed):
         """Dashed edges; isolated triangles and ports given up; ports given up."""
@@ -245,18 +288,11 @@ class Row:
         if (shown,) + self.loss(surely_dashed)[1:] < self.own_loss():
             raise Wrong("a case shows too little")
 
-    def image(self, to):
-        """Ports and joined pairs where the symmetry takes them, when it is one of the patch."""
-        count = len(self.patch.owners)
-        if sorted(to) != list(range(count)):
-            raise Wrong("no permutation of the ports")
-        for new in ({"A": "A", "D": "D"}, {"A": "D", "D": "A"}):
-            moved = dict(new, **{o: self.patch.owners[to[p]] for p, o in enumerate(self.patch.owners)})
-            if {frozenset(map(moved.get, e)) for e in self.patch.inner} == set(map(frozenset, self.patch.inner)) and all(
-                    moved[o] == self.patch.owners[to[p]] for p, o in enumerate(self.patch.owners)):
-                ports = sum(1 << to[p] for p in range(count) if self.ports >> p & 1)
-                return ports, frozenset(frozenset(map(to.__getitem__, pair)) for pair in self.joined)
-        raise Wrong("no symmetry of the patch")
+    def image(self, to, may_go):
+        """The key where the symmetry takes this one, when it is one of the patch that keeps the ports that may go."""
+        if not self.patch.allows(to) or any((may_go >> p ^ may_go >> to[p]) & 1 for p in range(len(to))):
+            raise Wrong("no symmetry of the patch")
+        return sum(1 << to[p] for p in range(len(to)) if self.ports >> p & 1), mask_of({to[p] for p in pair} for pair in self.joined)
 
 
 class Lists:
@@ -302,7 +338,73 @@ class Lists:
             raise Wrong("the lists above end with the ports %x" % self.ports)
 
 
-def check(path, max_k=8):
+def graphs_of(said):
+    """Triangles, inner edges and owners of the ports, before and after, of an operation file."""
+    if not isinstance(said["before"], list):
+        return [(side["triangles"], side["edges"], side["ports"]) for side in (said["before"], said["after"])]
+    sides = []
+    for triangles in (said["before"], said["after"]):
+        met, inner = {}, []  # directed sides by their triangle, those of the rim in the end
+        for number, (a, b, c) in enumerate(triangles):
+            for start, end in ((a, b), (b, c), (c, a)):
+                if (end, start) in met:
+                    inner.append((met.pop((end, start)), number))
+                else:
+                    met[start, end] = number
+        boundary = set()
+        for start, goal in said.get("boundary", []):
+            while start != goal:
+                (start, end), = [side for side in met if side[0] == start]
+                boundary.add((start, end))
+                start = end
+        sides.append((len(triangles), inner, met, boundary))
+    _, _, rim, boundary = sides[0]
+    ports, at = [], next(side for side in rim if side not in boundary)
+    for _ in rim:
+        ports += [at] if at not in boundary else []
+        at, = [side for side in rim if side[0] == at[1]]
+    return [(count, inner, [rim[side] for side in ports]) for count, inner, rim, _ in sides]
+
+
+class Operation:
+    """An operation file, and the rows that its certificate must have."""
+
+    def __init__(self, path):
+        with open(path, encoding="utf-8") as file:
+            said = json.load(file)
+        self.name, most = said["name"], {"strips": 2, "forest": 3}.get(said["constraint"])
+        usual = [["strips"], ["isolated", "given_up"], ["given_up"]]
+        counted = [[term.get("count") for term in criterion if term.get("weight", 1) == 1] for criterion in said.get("cost", [])[:3]]
+        if most is None or "cost" in said and (counted != usual or [len(c) for c in said["cost"][:3]] != [1, 2, 1]):
+            raise Wrong("%s: an operation without reasons" % path)
+        self.before, self.after = (Patch(list(range(count)), inner, owners, most) for count, inner, owners in graphs_of(said))
+        give_up = said.get("give_up", "none")
+        self.may_go = sum(1 << p for p in ({"none": [], "all": range(len(self.before.owners))}[give_up] if isinstance(give_up, str) else give_up))
+
+    def recounted(self):
+        """Claims, and the keys of all valid configurations: ports, and joined pairs that some recolouring of these joins."""
+        shift, ports = len(self.after.inner), len(self.after.owners)
+        joins = {}  # by the ports kept
+        for edges in range(1 << shift + ports):
+            groups = self.after.strips(edges)
+            joins[edges >> shift] = joins.get(edges >> shift, 0) | (mask_of(groups) if groups is not None else 0)
+        relevant = {}
+        for solid in range(1 << ports):
+            relevant[solid] = 0
+            for kept, joined in joins.items():
+                if kept & ~solid == 0 and solid & ~kept & ~self.may_go == 0:
+                    relevant[solid] |= joined
+        count, keys, inner = 0, set(), len(self.before.inner)
+        for edges in range(1 << inner + ports):
+            groups = self.before.strips(edges)
+            if groups is not None:
+                count += 1
+                keys.add((edges >> inner, mask_of(groups) & relevant[edges >> inner]))
+        return {"configurations": 1 << inner + ports, "valid": count, "keys": len(keys)}, keys
+
+
+def check(path, max_k=8, operation=None):
+    """Of a shipped family, or of an operation of one's own."""
     with open(path, "rb") as file:
         lines = file.read().split(b"\n")
     family, lists, section, rules, copies, alternatives = "", None, None, 0, 0, 0
@@ -314,7 +416,9 @@ def check(path, max_k=8):
             if number == 2 and words[1:] == ["automaton"]:
                 return "%s: not looked at, an automaton has no reasons; restrip-verify-automaton checks it" % path
             if number == 2 and words[0] == "operation":
-                family, waiting = words[1], positions(words[1], max_k)
+                family, waiting = words[1], [operation.name] if operation else positions(words[1], max_k)
+                if operation and family != operation.name:
+                    raise Wrong("expected operation " + operation.name)
             elif words[0] == "section":
                 if lists:
                     lists.close((1 << len(patch.owners)) - 1)
@@ -322,20 +426,22 @@ def check(path, max_k=8):
                     section.close()
                 if not waiting or " ".join(words[1:]) != waiting[0]:
                     raise Wrong("expected " + ("section " + waiting[0] if waiting else "end"))
-                section = Section(family, waiting.pop(0))
-                patch, proved = patch_of(family.replace("linked-", ""), words[1:]), {}
-                lists = Lists(patch) if family.startswith("linked-") else None
+                linked, position = not operation and family.startswith("linked-"), waiting.pop(0)
+                section = Section(linked, position, operation.recounted if operation else partial(recounted, family, position))
+                patch = operation.after if operation else patch_of(family.replace("linked-", ""), words[1:])
+                may_go = operation.may_go if operation else 15 if family == "flip" else 0
+                proved, lists = {}, Lists(patch) if linked else None
             elif words[0] in ("rule", "copy") and not lists:
-                row, key = Row(family, patch, words), (int(words[1], 16), int(words[2], 16))
-                section.row(key)
+                row = Row(patch, may_go, words)
+                section.row(row.key)
                 rest = words[5:]
                 if words[0] == "rule" and rest.pop(0) == "because":
                     row.prove(rest)
-                    proved[row.ports, frozenset(row.joined)] = row.own_loss()
+                    proved[row.key] = row.own_loss()
                     rules += 1
                 elif words[0] == "copy" and rest.pop(0) == "by":
-                    to, rest = [int(word) for word in rest], []
-                    if proved.get(row.image(to)) != row.own_loss():
+                    to, rest = tuple(int(word) for word in rest), []
+                    if proved.get(row.image(to, may_go)) != row.own_loss():
                         raise Wrong("no rule that it is a copy of")
                     copies += 1
                 if rest:
@@ -356,7 +462,7 @@ def check(path, max_k=8):
                     raise Wrong("expected end %d %d %d and the end of the file" % tuple(sums))
                 if alternatives:
                     return "%s: %d alternatives, the lists are complete" % (path, alternatives)
-                return "%s: %d rules are sound and have their reasons, %d copies follow" % (path, rules, copies)
+                return told(path, rules, copies)
             elif words[0] == "claim" and len(words) == 3:
                 section.claim(words[1], words[2])
             elif number > 1:
@@ -371,8 +477,11 @@ if __name__ == "__main__":
         print(__doc__)
         sys.exit(0 if len(sys.argv) > 1 else 2)
     try:
-        for name in sys.argv[1:]:
-            print(check(name))
+        if sys.argv[1] == "--operation" and len(sys.argv) == 4:
+            print(check(sys.argv[3], operation=Operation(sys.argv[2])))
+        else:
+            for name in sys.argv[1:]:
+                print(check(name))
     except Wrong as wrong:
         sys.exit("check_reasons.py: " + str(wrong))
     except OSError as error:

@@ -25,7 +25,7 @@ import subprocess
 import tempfile
 
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-LINE = re.compile(r"^(\S+) +\d+ (?:sections|classes) +(\d+) (?:rules|rows) +(\d+) bytes$", re.M)
+LINE = re.compile(r"^(\S+) +\d+ (?:sections?|class(?:es)?) +(\d+) (?:rules?|rows?) +(\d+) bytes?$", re.M)
 NOTES = {"fan-collapse": "fan-collapse (both collapses of open fans)", "linked": "linked (`linked.hpp` alone)",
          "automaton": "automaton (all valences); rows of its certificate"}
 SOURCE = """#include <restrip/restrip.hpp>

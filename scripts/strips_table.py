@@ -8,6 +8,7 @@ cycles:     strips at the top of one mesh after many ways down and up (docs/stri
 bolder:     how often a bolder recolouring than the local rule would have been valid in one mesh (docs/strips.md)
 baked:      what baked strips cost (docs/baked.md)
 baked-indices:  the same where indices are the cost (docs/baked.md)
+gltf:       the sizes of strips as glTF files (docs/own-mesh.md)
 isolating:  splits that isolate a triangle under the paper's method, mesh by mesh (docs/paper.md)
 """
 import argparse
@@ -239,8 +240,21 @@ def isolating_table(program, meshes, _):
         line([f"`{way}`", what, *(f"{int(row['isolating']):,} of {int(row['splits']):,}, {row['percent']} %" for row in rows)])
 
 
+def gltf_table(program, meshes, _):
+    header("mesh", "cost", "strips", "bytes as `strips`", "as `list`", "as `restart`")
+    with tempfile.TemporaryDirectory() as folder:
+        written = os.path.join(folder, "strips.glb")
+        for mesh in meshes:
+            for cost in ("strips", "indices"):
+                sizes = []
+                for how in ("strips", "list", "restart"):
+                    report = program.run("stripify", mesh, "--cost", cost, "--gltf", how, "-o", written)
+                    sizes.append(f"{os.path.getsize(written):,}")
+                line([name_of(mesh), cost, f"{report['strips']:,}", *sizes])
+
+
 TABLES = {"levels": levels_table, "indices": indices_table, "brief": brief_table, "cycles": cycles_table, "bolder": bolder_table,
-          "baked": baked_table, "baked-indices": baked_indices_table, "isolating": isolating_table}
+          "baked": baked_table, "baked-indices": baked_indices_table, "gltf": gltf_table, "isolating": isolating_table}
 
 
 def main():

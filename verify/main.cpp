@@ -48,14 +48,17 @@ int main(int argc, char** argv) {
       "An operation of one's own (docs/operation-file.md):\n"
       "  build/release/bin/restrip-verify --operation tables/operations/bisect.json \\\n"
       "    --certificate tables/certificates/operations/bisect.cert");
-  CLI::Option* const operation =
-      app.add_option("--operation", own.operation,
-                     "An operation or family of one's own: its file. With it go only "
-                     "--certificate, --linked-certificate, --dump-command, --max-k, --all, --threads and --json");
+  CLI::Option* const operation = app.add_option(
+      "--operation", own.operation,
+      "An operation or family of one's own: its file. With it go only "
+      "--certificate, --linked-certificate, --header, --dump-command, --max-k, --all, --threads and --json");
   CLI::Option* const certificate =
       app.add_option("--certificate", own.certificate, "The certificate of the operation")->needs(operation);
   app.add_option("--linked-certificate", own.linked_certificate, "The certificate of its linked rules")
       ->needs(certificate);
+  app.add_option("--header", own.header,
+                 "The header of the operation's table, which is read before a program made of it is run")
+      ->needs(operation);
   app.add_option("--tables-dir", options.tables_dir, "The folder with MANIFEST and certificates/")
       ->capture_default_str();
   app.add_option("--dump-command", options.dump_command,
@@ -86,8 +89,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
-  if (!own.operation.empty() && own.certificate.empty() && options.dump_command.empty()) {
-    fmt::print(stderr, "restrip-verify: --operation needs --certificate, --dump-command or both\n");
+  if (!own.operation.empty() && own.certificate.empty() && own.header.empty() && options.dump_command.empty()) {
+    fmt::print(stderr, "restrip-verify: --operation needs --certificate, --header or both\n");
     return bad_input;
   }
   if (options.max_k > restrip::verify::largest_fan && (options.headers_only || !options.linked_dump_command.empty())) {
@@ -101,11 +104,35 @@ int main(int argc, char** argv) {
     return bad_input;
   }
 
+  for (const char* name : {"--tables-dir", "--all", "--threads"})
+    if (options.headers_only && !app.get_option(name)->empty()) {
+      fmt::print(stderr, "restrip-verify: --headers reads no certificates, so {} has no effect; leave it out\n", name);
+      return bad_input;
+    }
+  if (!options.families.empty() && !options.linked_dump_command.empty()) {
+    fmt::print(stderr,
+               "restrip-verify: --linked-dump-command judges all linked rules, so --family has no effect on it; "
+               "run them one after the other\n");
+    return bad_input;
+  }
+
   try {
     if (own.operation.empty())
       return run([&](const auto& listener) { return restrip::verify::verify_tables(options, listener); },
                  restrip::verify::last_line, as_json);
     own.dump_command = options.dump_command;
+    const bool of_a_family = !has_header(own.operation);
+    if (!of_a_family && !app.get_option("--max-k")->empty()) {
+      fmt::print(stderr, "restrip-verify: {} describes no family, so --max-k has no effect; leave it out\n",
+                 own.operation);
+      return bad_input;
+    }
+    if (!of_a_family && !own.dump_command.empty() && own.header.empty()) {
+      fmt::print(stderr,
+                 "restrip-verify: --dump-command with --operation needs --header: the program was compiled from that "
+                 "file, which is read before the program is run\n");
+      return bad_input;
+    }
     own.second_formulation = options.second_formulation;
     own.threads = options.threads;
     own.max_k = options.max_k;

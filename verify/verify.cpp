@@ -8,10 +8,12 @@
 
 #include "certificate/manifest.hpp"
 #include "judge/family_report.hpp"
+#include "judge/operation_header.hpp"
 #include "judge/table_dump.hpp"
 #include "linked/linked_dump.hpp"
 #include "linked/linked_report.hpp"
 #include "model/input.hpp"
+#include "model/quantity.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -58,8 +60,8 @@ void check_row_counts(const Options& options, const std::vector<ManifestLine>& m
     if (line == manifest.end())
       failures.add(fmt::format("{}/MANIFEST: {} is not listed", options.tables_dir, path));
     else if (line->rows != certificate.rows)
-      failures.add(fmt::format("{}/MANIFEST:{}: {} rows listed, {} found", options.tables_dir, line->line, line->rows,
-                               certificate.rows));
+      failures.add(fmt::format("{}/MANIFEST:{}: {} listed, {} found", options.tables_dir, line->line,
+                               quantity(line->rows, "row"), certificate.rows));
   }
   listener({"files", "the certificates have as many rows as listed", "counted", found.size(), 0, failures.count,
             failures.first});
@@ -90,11 +92,11 @@ std::vector<std::vector<std::string>> check_linked_family(const LinkedInput& inp
   return dump;
 }
 
-/// Runs the dump program, and makes a claim of each way in which its answers were compared.
-void check_dump(const std::string& subject, const std::string& command, const ExpectedDump& expected,
-                const ClaimListener& listener, Totals& totals) {
+/// Makes a claim of each way in which the answers of a dump program were compared.
+template <class Compare>
+void check_dump(const std::string& subject, const Compare& compare, const ClaimListener& listener, Totals& totals) {
   const double start = thread_seconds();
-  const DumpComparison comparison = compare_dump_of(command, expected);
+  const DumpComparison comparison = compare();
   double seconds = thread_seconds() - start;
   const Compared& listed = comparison.of(Against::certificate);
   const Compared& unlisted = comparison.of(Against::own_patch);
@@ -102,7 +104,7 @@ void check_dump(const std::string& subject, const std::string& command, const Ex
     // What was to be compared and was not, because the dump could not be read, does not hold.
     if (!comparison.fault.empty()) failures.add(comparison.fault);
     if (count.entries == 0 && failures.count == 0) return;
-    listener({subject, claim, fmt::format("{}, {} positions", method, count.positions), count.entries,
+    listener({subject, claim, fmt::format("{}, {}", method, quantity(count.positions, "position")), count.entries,
               std::exchange(seconds, 0), failures.count, failures.first});
   };
   report(listed.sum(), listed.differences, "every answer is the certificate's row, in its positions", "their dump");
@@ -125,6 +127,15 @@ void check_dump(const std::string& subject, const std::string& command, const Ex
     }
 }
 
+/// Reads the header of an operation. Whoever compiled it runs what it says, so code in it would be run with the dump.
+bool check_header(const std::string& file, const Description& description, const ClaimListener& listener) {
+  const double start = thread_seconds();
+  const HeaderCheck header = check_operation_header(file, read_file(file), description);
+  listener({description.name, "the header is the text of a table and nothing else", "line by line, all but its numbers",
+            header.lines, thread_seconds() - start, header.wrong.count, header.wrong.first});
+  return header.wrong.count == 0;
+}
+
 /// Runs the dump program of linked rules and claims that what it picks is the best.
 void check_linked_picks(const Options& options, const ClaimListener& listener, Totals& totals) {
   const double start = thread_seconds();
@@ -132,9 +143,10 @@ void check_linked_picks(const Options& options, const ClaimListener& listener, T
   Failures failures = check.wrong;
   if (!check.fault.empty()) failures.add(check.fault);
   if (!check.holds() && failures.count == 0) failures.add("nothing was picked");
-  listener({"linked look-up", "the best for all that is known of the outside",
-            fmt::format("{} configurations, {} positions", check.configurations, check.positions), check.leaves,
-            thread_seconds() - start, failures.count, failures.first});
+  listener(
+      {"linked look-up", "the best for all that is known of the outside",
+       fmt::format("{}, {}", quantity(check.configurations, "configuration"), quantity(check.positions, "position")),
+       check.leaves, thread_seconds() - start, failures.count, failures.first});
   if (check.holds()) totals.answers["linked look-up"] = {check.positions, check.leaves};
 }
 
@@ -253,6 +265,10 @@ void expect_lists(ExpectedDump& expected, const std::vector<LinkedFamily>& all_l
     }
 }
 
+bool is_one_operation(const std::vector<Description>& descriptions) {
+  return descriptions.size() == 1 && descriptions.front().numbers.empty();
+}
+
 /// The listener that counts what it hands on.
 ClaimListener counting(Totals& totals, const ClaimListener& listener) {
   return [&totals, &listener](const ClaimResult& result) {
@@ -285,7 +301,9 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
     expect_lists(expected, all_linked, lines);
   }
   if (!options.linked_dump_command.empty()) check_linked_picks(options, listener, totals);
-  if (!options.dump_command.empty()) check_dump("shipped headers", options.dump_command, expected, listener, totals);
+  if (!options.dump_command.empty())
+    check_dump(
+        "shipped headers", [&] { return compare_dump_of(options.dump_command, expected); }, listener, totals);
   return totals;
 }
 
@@ -299,7 +317,10 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& us
                      fmt::format("expected the operations of one certificate, found those of {}", families.size()));
   const Family& family = families.front();
   for (const Section& section : family.sections)
-    for (const Operation& operation : section.operations) totals.graph_only = totals.graph_only || !operation.on_a_mesh;
+    for (const Operation& operation : section.operations)
+      totals.graph_only = totals.graph_only || !operation.on_a_mesh();
+  if (!options.header.empty() && !is_one_operation(descriptions))
+    throw InputError("--header", 0, "a header has the table of one operation, and this file describes more");
   std::vector<Certificate> certificates;
   if (!options.certificate.empty()) {
     certificates.push_back(parse_certificate(options.certificate, read_file(options.certificate), family));
@@ -318,6 +339,7 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& us
     totals.alternatives = input.certificate.rows;
     lines = check_linked_family(input, options.max_k, listener);
   }
+  const bool is_table = options.header.empty() || check_header(options.header, descriptions.front(), listener);
   if (options.dump_command.empty()) return totals;
   ExpectedDump expected;
   for (const Section& section : family.sections)
@@ -328,25 +350,37 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& us
     for (std::size_t i = 0; i < family.sections.size(); ++i)
       expected.lists.push_back(
           {linked.name, family.sections[i].position, family.sections[i].ports, with_lists ? &lines[i] : nullptr});
-  check_dump(family.name, options.dump_command, expected, listener, totals);
+  const auto compare = [&] {
+    if (is_table) return compare_dump_of(options.dump_command, expected);
+    DumpComparison not_run;
+    not_run.fault = "was not run, because the header is not that of a table";
+    return not_run;
+  };
+  check_dump(family.name, compare, listener, totals);
   return totals;
+}
+
+bool has_header(const std::string& operation_file) {
+  const std::vector<Description> descriptions = parse_descriptions(operation_file, read_file(operation_file));
+  return std::all_of(descriptions.begin(), descriptions.end(),
+                     [](const Description& one) { return one.numbers.empty(); });
 }
 
 std::string last_line_of(const OperationOptions& options, const Totals& totals) {
   std::string text = totals.graph_only ? "graph only: not checked to be an operation on a mesh\n" : "";
-  text += fmt::format("{}: {}: {} configurations, {} recolourings of them",
-                      totals.failed == 0 ? "verified" : "NOT verified", options.operation, totals.configurations,
-                      totals.pairs);
-  if (!options.certificate.empty()) text += fmt::format(", {} rules", totals.rules);
-  if (!options.linked_certificate.empty()) text += fmt::format(", {} alternatives", totals.alternatives);
+  text += fmt::format("{}: {}: {}, {} of {}", totals.failed == 0 ? "verified" : "NOT verified", options.operation,
+                      quantity(totals.configurations, "configuration"), quantity(totals.pairs, "recolouring"),
+                      totals.configurations == 1 ? "it" : "them");
+  if (!options.certificate.empty()) text += ", " + quantity(totals.rules, "rule");
+  if (!options.linked_certificate.empty()) text += ", " + quantity(totals.alternatives, "alternative");
   const auto sum = [](const std::map<std::string, Totals::Answers>& answers) {
     std::uint64_t entries = 0;
     for (const auto& family : answers) entries += family.second.entries;
     return entries;
   };
-  if (sum(totals.answers) != 0) text += fmt::format(", {} answers of the table", sum(totals.answers));
+  if (sum(totals.answers) != 0) text += fmt::format(", {} of the table", quantity(sum(totals.answers), "answer"));
   if (sum(totals.not_compared) != 0) text += fmt::format(", {} more NOT compared", sum(totals.not_compared));
-  text += fmt::format(", {} claims", totals.claims);
+  text += ", " + quantity(totals.claims, "claim");
   return text + (totals.failed == 0 ? "\n" : fmt::format(" of which {} failed\n", totals.failed));
 }
 

@@ -134,7 +134,8 @@ Side side_at(const std::variant<Side, SidePattern>& form, const Position& positi
 }  // namespace
 
 const std::vector<Description>& families() {
-  static const std::vector<Description> all = parse_descriptions("tables/families.json", std::string(families_text));
+  static const std::vector<Description> all =
+      parse_descriptions("tables/families.json", std::string(families_text), Author::restrip);
   return all;
 }
 

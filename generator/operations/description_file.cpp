@@ -9,20 +9,41 @@
 #include <utility>
 
 #include "files/reading.hpp"
+#include "operations/emitted_words.hpp"
 #include "operations/json_value.hpp"
 #include "operations/operation_words.hpp"
 
 namespace restrip::generator {
 namespace {
 
-std::string name_from(const JsonValue& value) {
+std::string name_from(const JsonValue& value, Author author) {
   std::string name = value.text();
   const auto allowed = [](char c) { return ('a' <= c && c <= 'z') || ('0' <= c && c <= '9') || c == '-'; };
   const bool good = !name.empty() && name.size() <= 60 && 'a' <= name.front() && name.front() <= 'z' &&
                     name.back() != '-' && name.find("--") == std::string::npos &&
                     std::all_of(name.begin(), name.end(), allowed);
   if (!good) value.refuse("expected lower-case letters, digits and single hyphens, a letter first");
+  if (const std::string by = author == Author::restrip ? "" : name_is(name); !by.empty())
+    value.refuse(fmt::format("\"{0}\" is {1}; choose another name, such as \"{0}-own\"", name, by));
   return name;
+}
+
+std::string sentence_from(const JsonValue& value) {
+  std::string sentence = value.text();
+  if (const std::string found = unprintable(sentence); !found.empty())
+    value.refuse(
+        fmt::format("expected one line that can stand in a comment of any language, found {}; leave it out", found));
+  return sentence;
+}
+
+/// A position as certificates write it, whose lines are words.
+std::string words_from(const JsonValue& value) {
+  std::string words = value.text();
+  const bool has_empty_word =
+      words.empty() || words.front() == ' ' || words.back() == ' ' || words.find("  ") < words.size();
+  if (has_empty_word || !std::all_of(words.begin(), words.end(), [](char c) { return ' ' <= c && c <= '~'; }))
+    value.refuse("expected words of printable ASCII with one space between them");
+  return words;
 }
 
 Side graph_from(const JsonValue& value) {
@@ -224,11 +245,11 @@ void take_positions(const JsonValue& value, Description& family) {
   std::string position = family.name;
   for (const std::string& number : family.numbers)
     position = (position == family.name ? "" : position + " ") + fmt::format("{0} {{{0}}}", number);
-  if (value.has("position")) position = value["position"].text();
-  family.section = value.has("section") ? value["section"].text() : position;
+  if (value.has("position")) position = words_from(value["position"]);
+  family.section = value.has("section") ? words_from(value["section"]) : position;
 }
 
-Description description_from(const JsonValue& value) {
+Description description_from(const JsonValue& value, Author author) {
   if (value.has("take"))
     value["take"].refuse(
         "a dashed port stays dashed: whether it may become solid depends on the triangle behind it, which no rule "
@@ -238,9 +259,9 @@ Description description_from(const JsonValue& value) {
   value.expect_members({"restrip_operation", "name", "about", "certificate", "constraint", "numbers", "where", "listed",
                         "position", "section", "before", "after", "boundary", "give_up", "cost", "linked", "at_most"});
   Description description;
-  description.name = name_from(value["name"]);
-  if (value.has("about")) description.about = value["about"].text();
-  description.certificate = value.has("certificate") ? name_from(value["certificate"]) : description.name;
+  description.name = name_from(value["name"], author);
+  if (value.has("about")) description.about = sentence_from(value["about"]);
+  description.certificate = value.has("certificate") ? name_from(value["certificate"], author) : description.name;
   take_positions(value, description);
   if (value["before"].is_list()) {
     SurfacePatch surface = surface_from(value);
@@ -272,7 +293,7 @@ Description description_from(const JsonValue& value) {
 
 }  // namespace
 
-std::vector<Description> parse_descriptions(const std::string& file, const std::string& text) {
+std::vector<Description> parse_descriptions(const std::string& file, const std::string& text, Author author) {
   const Json json = parse_json(file, text);
   const JsonValue top(file, text, json);
   static_cast<void>(top["restrip_operation"].number(1, 1, "a version of the format"));
@@ -281,12 +302,12 @@ std::vector<Description> parse_descriptions(const std::string& file, const std::
   if (top.has(list)) {
     top.expect_members({"restrip_operation", list});
     for (const JsonValue& one : top[list].elements("descriptions")) {
-      all.push_back(description_from(one));
+      all.push_back(description_from(one, author));
       for (std::size_t i = 0; i + 1 < all.size(); ++i)
         if (all[i].name == all.back().name) one["name"].refuse("another description is named so as well");
     }
   } else {
-    all.push_back(description_from(top));
+    all.push_back(description_from(top, author));
   }
   return all;
 }

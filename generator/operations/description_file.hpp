@@ -16,10 +16,14 @@ inline constexpr unsigned most_nodes = 16;
 inline constexpr unsigned most_edges_and_ports = 20;
 inline constexpr std::size_t most_terms = 64;  ///< of a criterion
 
-/// Reads the file; std::runtime_error says file, line, and what was expected.
+/// Who wrote a file. Names that restrip's own tables have are for restrip's own families alone.
+enum class Author { user, restrip };
+
+/// Reads the file of a user; std::runtime_error says file, line, and what was expected.
 [[nodiscard]] std::vector<Description> read_descriptions(const std::string& file);
 
 /// Reads the text of a file; `file` is only named in errors.
-[[nodiscard]] std::vector<Description> parse_descriptions(const std::string& file, const std::string& text);
+[[nodiscard]] std::vector<Description> parse_descriptions(const std::string& file, const std::string& text,
+                                                          Author author = Author::user);
 
 }  // namespace restrip::generator

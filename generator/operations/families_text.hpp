@@ -1,4 +1,4 @@
-// tables/families.json as it was when this was built (cmake/EmbedFamilies.cmake).
+// tables/families.json and docs/taken-names.json as they were when this was built (cmake/EmbedFamilies.cmake).
 #pragma once
 
 #include <string_view>
@@ -6,5 +6,6 @@
 namespace restrip::generator {
 
 extern const std::string_view families_text;
+extern const std::string_view taken_names_text;
 
 }  // namespace restrip::generator

@@ -7,9 +7,14 @@
 #include <set>
 #include <stdexcept>
 
+#include "operations/emitted_words.hpp"
+
 namespace restrip::generator {
 
 Json parse_json(const std::string& file, const std::string& text) {
+  if (text.starts_with("\xef\xbb\xbf"))  // which the parser would skip
+    throw std::runtime_error(
+        fmt::format("{}:1: the file begins with a byte order mark; save it as UTF-8 without one", file));
   // The last of two members of one name would silently win.
   std::vector<std::set<std::string>> members;
   std::string twice;
@@ -22,12 +27,13 @@ Json parse_json(const std::string& file, const std::string& text) {
   };
   try {
     Json json = Json::parse(text, look);
-    if (!twice.empty()) throw std::runtime_error(fmt::format("{}: the member \"{}\" is there twice", file, twice));
+    if (!twice.empty())
+      throw std::runtime_error(fmt::format("{}: the member \"{}\" is there twice", file, printable(twice)));
     return json;
   } catch (const Json::parse_error& error) {
     const std::size_t end = std::min(error.byte, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
-    throw std::runtime_error(fmt::format("{}:{}: this is not JSON: {}", file, line, error.what()));
+    throw std::runtime_error(fmt::format("{}:{}: this is not JSON: {}", file, line, printable(error.what())));
   }
 }
 
@@ -35,8 +41,8 @@ void JsonValue::refuse(const std::string& what) const {
   std::string place;
   for (const JsonStep& step : path_)
     place += step.member.empty() ? fmt::format("[{}]", step.element) : (place.empty() ? "" : ".") + step.member;
-  throw std::runtime_error(
-      fmt::format("{}:{}: {}{}{}", file_, line_of(text_, path_), place, place.empty() ? "" : ": ", what));
+  throw std::runtime_error(fmt::format("{}:{}: {}{}{}", file_, line_of(text_, path_), printable(place),
+                                       place.empty() ? "" : ": ", printable(what)));
 }
 
 JsonValue JsonValue::operator[](const std::string& member) const {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "certificate_text.hpp"
+#include "counted.hpp"
 #include "files/output.hpp"
 #include "operations/description_file.hpp"
 #include "operations/operation_text.hpp"
@@ -59,14 +60,17 @@ void make_rules(const RulesOptions& options) {
   nlohmann::ordered_json json;
   std::string told;
   for (Section& section : sections_of(descriptions, most_ports)) {
-    solve(section);
+    solve(section, Watched::yes);
     const OperationHeader header = operation_header(section);
-    texts.push_back({operation_certificate_path(section.certificate),
-                     sealed(certificate_head(section.certificate) + section_text(section), section.rows.size())});
+    texts.push_back(
+        {operation_certificate_path(section.certificate),
+         sealed(certificate_head(section.certificate) + section_text(section, Watched::yes), section.rows.size())});
     texts.push_back({operation_header_path(section.certificate), header.text});
     json["operations"].push_back(figures(section, header.bytes));
-    told += fmt::format("{:<24} {:>6} configurations  {:>5} rules  {:>6} bytes\n", section.certificate,
-                        sum(section.claims).configurations, section.rows.size(), header.bytes);
+    const std::size_t configurations = sum(section.claims).configurations;
+    told += fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n", section.certificate, configurations,
+                        plural(configurations, "configuration"), section.rows.size(),
+                        plural(section.rows.size(), "rule"), header.bytes, plural(header.bytes, "byte"));
     if (is_graph_only(section)) told += "  graph only: not checked to be an operation on a mesh\n";
   }
   out.write(texts);

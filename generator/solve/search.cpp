@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <stdexcept>
 #include <tuple>
 
 namespace restrip::generator {
@@ -48,10 +47,10 @@ Candidates::Candidates(const Operation& operation, const std::vector<Coloring>& 
   });
 }
 
-const Choice& Candidates::best(const PortPairs& joined_before) const {
+const Choice* Candidates::best(const PortPairs& joined_before) const {
   for (const Candidate& candidate : candidates_)
-    if (candidate.joins.within(joined_before)) return candidate.choice;
-  throw std::invalid_argument("some configuration has no sound recolouring: let ports be given up");
+    if (candidate.joins.within(joined_before)) return &candidate.choice;
+  return nullptr;
 }
 
 std::vector<std::pair<Choice, PortPairs>> Candidates::uncovered() const {

@@ -28,10 +28,9 @@ class Candidates {
   /// `colorings` are the legal ones of the side after the operation.
   Candidates(const Operation& operation, const std::vector<Coloring>& colorings, Mask ports);
 
-  /// The best recolouring that joins no pair of ports but these, which were joined before. Throws
-  /// std::invalid_argument when there is none; with everything dashed inside and nothing given up there always is one
-  /// for fans.
-  [[nodiscard]] const Choice& best(const PortPairs& joined_before) const;
+  /// The best recolouring that joins no pair of ports but these, which were joined before; null when there is none. For
+  /// fans there always is one: everything dashed inside, and nothing given up.
+  [[nodiscard]] const Choice* best(const PortPairs& joined_before) const;
 
   /// The list of linked rules: of the recolourings that no better one covers, which joins only pairs that it joins too,
   /// the best first. For each set of pairs joined outside, the first of them that closes no cycle with it is best.

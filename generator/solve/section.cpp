@@ -97,7 +97,31 @@ class Copier {
   std::map<std::pair<std::vector<unsigned>, std::vector<unsigned>>, int> number_;
 };
 
-void find_rules(Section& section, const Operation& rows_of) {
+/// Names the first configuration that has the key.
+[[noreturn]] void refuse_without_rule(const Section& section, const Key& key) {
+  for (const Position& position : section.serves) {
+    std::optional<Configuration> first;
+    for_each_valid(operation_at(position), [&](const Configuration& c) {
+      PortPairs joined = c.outcome.joined;
+      joined &= section.relevant.at(c.ports);
+      if (!first && Key{c.ports, joined} == key) first = c;
+    });
+    if (!first) continue;
+    std::string joined;
+    for (const Mask pair : first->outcome.joined.masks())
+      joined += fmt::format("{} {} and {}", joined.empty() ? ", which joins the ports" : ",", std::countr_zero(pair),
+                            std::bit_width(pair) - 1);
+    const std::string place = position.family->numbers.empty() ? "" : " at " + position_text(position);
+    throw std::runtime_error(
+        fmt::format("operation {}{}: the configuration {:x} {:x} (inner edges and ports that are solid before, as in a "
+                    "dump{}) has no sound recolouring that keeps the ports that must stay; list more of its ports "
+                    "under \"give_up\"",
+                    position.family->name, place, first->before, key.ports, joined));
+  }
+  throw std::logic_error("no configuration has this key");
+}
+
+void find_rules(Section& section, const Operation& rows_of, Watched watched) {
   const std::vector<Coloring> after = legal_colorings(rows_of.patch.after, rows_of.constraint);
   find_keys(section, rows_of);
   const Symmetries symmetry = symmetries(rows_of);
@@ -105,13 +129,17 @@ void find_rules(Section& section, const Operation& rows_of) {
   Copier copier(section, symmetry.maps);
   std::optional<Candidates> candidates;
   std::optional<Mask> candidates_of;
+  Progress progress("found", section.rows.size(), "rules", watched);
   for (std::size_t i = 0; i < section.rows.size(); ++i) {
+    progress.step();
     if (copier.done(i)) continue;
     // The representative is the orbit's smallest key.
     Row& row = section.rows[i];
     if (candidates_of != row.key.ports) candidates.emplace(rows_of, after, row.key.ports);
     candidates_of = row.key.ports;
-    static_cast<Choice&>(row) = candidates->best(row.key.joined);
+    const Choice* const best = candidates->best(row.key.joined);
+    if (best == nullptr) refuse_without_rule(section, row.key);
+    static_cast<Choice&>(row) = *best;
     copier.copy(i);
   }
 }
@@ -180,19 +208,15 @@ std::vector<Section> sections_of(const std::vector<Description>& descriptions, u
   return sections;
 }
 
-void solve(Section& section) {
-  try {
-    const Operation rows_of =
-        operation_of_rows(section.position, section.linked ? Sight::outside : Sight::patch, section.goal);
-    if (section.linked) {
-      find_alternatives(section, rows_of);
-      return;
-    }
-    find_rules(section, rows_of);
-    make_claims(section);
-  } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(fmt::format("operation {}: {}", section.certificate, error.what()));
+void solve(Section& section, Watched watched) {
+  const Operation rows_of =
+      operation_of_rows(section.position, section.linked ? Sight::outside : Sight::patch, section.goal);
+  if (section.linked) {
+    find_alternatives(section, rows_of);
+    return;
   }
+  find_rules(section, rows_of, watched);
+  make_claims(section);
 }
 
 std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsigned threads) {

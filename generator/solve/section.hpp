@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "operations/tie_break.hpp"
+#include "progress.hpp"
 #include "solve/claims.hpp"
 #include "solve/search.hpp"
 #include "solve/symmetry.hpp"
@@ -46,8 +47,8 @@ struct Section {
                                                Goal goal = Goal::strips);
 
 /// Finds rows, and claims. Threads may solve different sections at the same time. Throws std::runtime_error that names
-/// the operation when some configuration has no sound recolouring.
-void solve(Section& section);
+/// operation and configuration when one has no sound recolouring.
+void solve(Section& section, Watched watched = Watched::no);
 
 /// Every section of a certificate of the shipped families, solved; the work is shared by `threads`, and the result does
 /// not depend on their number.

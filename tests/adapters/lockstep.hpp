@@ -7,15 +7,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <random>
-#include <set>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "restrip/mesh/checks.hpp"
-#include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/check_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
@@ -158,36 +156,22 @@ class Lockstep {
   /// In their vertices.
   void compare_buffers() {
     const auto& strips = foreign_.strips();
-    std::vector<std::array<std::uint32_t, 3>> expected;
+    std::vector<DrawnTriangle> expected;
     for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) {
       if (!mesh_.alive(t)) continue;
       const auto [a, b, c] = mesh_.corners(t);
-      expected.push_back(rotated({number(a), number(b), number(c)}));
+      expected.push_back(detail::lowest_first({number(a), number(b), number(c)}));
     }
     std::sort(expected.begin(), expected.end());
+    const auto drawn = [](const std::vector<std::uint32_t>& indices) {
+      return triangles_of_strips(std::span<const std::uint32_t>(indices));
+    };
+    ASSERT_EQ(triangles_of(strips), expected);
     ASSERT_EQ(drawn(strip_indices(strips)), expected);
     ASSERT_EQ(drawn(strip_indices(strips, extract_strips(strips))), expected);
-    const StripBuffer live(strips);
-    ASSERT_EQ(drawn({live.indices().begin(), live.indices().end()}), expected);
+    ASSERT_TRUE(check_buffer(StripBuffer(strips), strips).right());
   }
   std::uint32_t number(Vertex v) const { return static_cast<std::uint32_t>(name_[v].idx()); }
-  static std::array<std::uint32_t, 3> rotated(std::array<std::uint32_t, 3> t) {
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    return t;
-  }
-  static std::vector<std::array<std::uint32_t, 3>> drawn(const std::vector<std::uint32_t>& indices) {
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    std::size_t start = 0;
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      if (indices[i] == restart_index) start = i + 1;
-      if (i < start + 2) continue;
-      std::array<std::uint32_t, 3> t{indices[i - 2], indices[i - 1], indices[i]};
-      if ((i - start) % 2 == 1) std::swap(t[0], t[1]);
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) triangles.push_back(rotated(t));
-    }
-    std::sort(triangles.begin(), triangles.end());
-    return triangles;
-  }
 
   StripMesh mesh_;
   Foreign& foreign_;
@@ -212,6 +196,22 @@ Mesh copy_of(const StripMesh& from, Point&& point, Name&& vertex) {
   return mesh;
 }
 
+/// Strips from scratch are those of a StripMesh where the two have the same sides, and about as few elsewhere.
+template <class Foreign>
+void stripify_both(StripMesh mesh) {
+  for (const Cost& cost : {Cost::strips(), Cost::indices()})
+    for (const Effort effort : {Effort::fast, Effort::full}) {
+      Foreign foreign(mesh);
+      const std::size_t strips = stripify(foreign.strips(), effort, cost);
+      ASSERT_TRUE(check_coloring(foreign.strips()).valid);
+      ASSERT_EQ(strips, count_strips(foreign.strips()));
+      StripMesh mine = mesh;
+      const auto indices = [](const auto& of) { return static_cast<double>(strip_indices(of).size()); };
+      stripify(mine, effort, cost);
+      EXPECT_LE(indices(foreign.strips()), 1.1 * indices(mine));
+    }
+}
+
 /// Under every policy and either cost.
 template <class Foreign>
 void walk_in_lockstep(const StripMesh& start, bool boundary, unsigned seed) {
@@ -225,6 +225,7 @@ void walk_in_lockstep(const StripMesh& start, bool boundary, unsigned seed) {
       }
       if (testing::Test::HasFailure()) FAIL() << row.name << ", restart " << cost.restart;
     }
+  stripify_both<Foreign>(start);
 }
 
 }  // namespace restrip

@@ -8,6 +8,7 @@
 #include "judge/table_dump.hpp"
 #include "model/families_text.hpp"
 #include "model/input.hpp"
+#include "model/words.hpp"
 #include "sealed.hpp"
 #include "target.hpp"
 
@@ -17,6 +18,15 @@ namespace {
 using namespace verify;
 
 std::string corpus_text(const char* name) { return read_file(fmt::format("{}/{}.json", RESTRIP_OPERATIONS, name)); }
+
+/// The shipped families, under other names.
+std::string families_of_ones_own() {
+  std::string text(families_text);
+  for (const std::string_view member : {"\"name\": \"", "\"certificate\": \""})
+    for (std::size_t at = text.find(member); at != std::string::npos; at = text.find(member, at + 1))
+      text.insert(at + member.size(), "my-");
+  return text;
+}
 
 void promise_limits(const Side& side) {
   promise(side.triangles >= 1 && side.triangles <= most_triangles, "triangles within limits");
@@ -30,8 +40,15 @@ void promise_limits(const Side& side) {
 Target file_target() {
   const auto read = [](std::string_view bytes) {
     const std::vector<Description> descriptions = parse_descriptions("f", bytes);
-    const std::string& name = descriptions.front().name;
-    promise(!name.empty() && name.find('/') == std::string::npos, "a name names a file");
+    for (const Description& description : descriptions) {
+      for (const std::string& name : {description.name, description.certificate}) {
+        promise(!name.empty() && name.find('/') == std::string::npos, "a name names a file");
+        promise(!owner_of_name(name), "a name is free");
+      }
+      for (const std::string& text : {description.about, description.position, description.section})
+        for (const char c : text) promise(c < 0 || c >= ' ', "a text is one line");
+      promise(description.about.find('\\') == std::string::npos, "a sentence does not join lines");
+    }
     const std::vector<Numbers> positions = descriptions.front().positions(4);
     if (positions.empty()) return true;
     const Operation operation = descriptions.front().at(positions.front());
@@ -43,8 +60,8 @@ Target file_target() {
     return true;
   };
   return {"operation-file",
-          {corpus_text("split-face"), corpus_text("bisect-costs"), corpus_text("flip-forest"),
-           std::string(families_text), read_file(RESTRIP_TABLES "/operations/merge-boundary.json")},
+          {corpus_text("split-face"), corpus_text("bisect-costs"), corpus_text("flip-forest"), families_of_ones_own(),
+           read_file(RESTRIP_TABLES "/operations/merge-boundary.json")},
           refusing(read),
           10000};
 }

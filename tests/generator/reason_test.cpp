@@ -5,15 +5,18 @@
 
 #include <algorithm>
 
+#include "operations/description_file.hpp"
 #include "solve/section.hpp"
 
 namespace restrip::generator {
 namespace {
 
-Reason reason_of(const Section& section, const Row& row) {
+FoundReason found_reason(const Section& section, const Row& row) {
   const Reasoner reasoner(operation_of_rows(section.position, Sight::patch, Goal::strips));
-  return reasoner.reason(row.key.ports, row.key.joined.masks(), row);
+  return reasoner.find(row.key.ports, row.key.joined.masks(), row);
 }
+
+Reason reason_of(const Section& section, const Row& row) { return found_reason(section, row).reason; }
 
 TEST(Reasons, OfRulesDoneByHand) {
   const auto sections = solved("split", 4, 1);
@@ -35,10 +38,71 @@ TEST(Reasons, HaveFiveLeavesAtMost) {
     std::size_t most = 0;
     for (const Section& section : solved(family, 7, 1))
       for (const Row& row : section.rows)
-        if (row.witness < 0) most = std::max(most, reason_of(section, row).leaves());
+        if (row.witness < 0) {
+          const FoundReason found = found_reason(section, row);
+          most = std::max(most, found.reason.leaves());
+          EXPECT_TRUE(found.smallest);
+          EXPECT_LE(found.steps * 4, most_steps_of_smallest_reason);
+        }
     EXPECT_GE(most, 1U) << family;
     EXPECT_LE(most, 5U) << family;
   }
+}
+
+/// The only operation of a file, and its rules.
+struct Solved {
+  std::vector<Description> descriptions;
+  Section section;
+
+  explicit Solved(const std::string& file)
+      : descriptions(read_descriptions(file)), section(sections_of(descriptions, most_ports).at(0)) {
+    solve(section);
+  }
+};
+
+// Of the shipped rules one of the red-green refinement takes most.
+TEST(Reasons, OfAShippedOperationTakeAQuarterOfTheSteps) {
+  const Solved solved(RESTRIP_CORPUS_DIR "/../../tables/operations/refine-face.json");
+  std::uint64_t most = 0;
+  for (const Row& row : solved.section.rows) {
+    if (row.witness >= 0) continue;
+    const FoundReason found = found_reason(solved.section, row);
+    EXPECT_TRUE(found.smallest);
+    most = std::max(most, found.steps);
+  }
+  EXPECT_GT(most, 100'000U);
+  EXPECT_LE(most * 4, most_steps_of_smallest_reason);
+}
+
+// Seven triangles around a vertex become five, and any port may be given up: the smallest reasons of some rules have
+// more than twenty leaves. A search among all trees would take years.
+TEST(Reasons, AreFoundInSoManySteps) {
+  const Solved solved(RESTRIP_CORPUS_DIR "/operations/seven-to-five.json");
+  const Reasoner reasoner(operation_of_rows(solved.section.position, Sight::patch, Goal::strips));
+  std::size_t smallest = 0;
+  std::size_t larger = 0;
+  std::uint64_t steps = 0;
+  for (const Row& row : solved.section.rows) {
+    if (row.witness >= 0) continue;
+    const std::vector<Mask> joined = row.key.joined.masks();
+    const FoundReason found = reasoner.find(row.key.ports, joined, row);
+    ++(found.smallest ? smallest : larger);
+    steps += found.steps;
+    EXPECT_LE(found.steps, most_steps_of_smallest_reason + 10'000);
+    // Made at once it is not smaller, and takes few steps.
+    const FoundReason made = reasoner.find(row.key.ports, joined, row, 0);
+    EXPECT_FALSE(made.smallest);
+    EXPECT_LE(made.steps, 10'000U);
+    if (found.smallest)
+      EXPECT_GE(made.reason.leaves(), found.reason.leaves());
+    else
+      EXPECT_EQ(made.reason.text(), found.reason.text());
+    EXPECT_LE(made.reason.leaves(), 32U);
+  }
+  EXPECT_EQ(smallest + larger, 436U);
+  EXPECT_GE(larger, 1U);
+  EXPECT_LE(larger, 30U);
+  EXPECT_LE(steps, 6'000'000U);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr const char* stages[] = {
     "Refine.Inverses*:Refine.Refuses*:Refine.Refining*:Operations.Going*:Operations.Invalid*:Operations.Refused*:"
     "Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:Apply.Takes*:Apply.Refuses*:Apply.In*:Apply.KeepsPairs*:"
     "Checked.*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:StripBuffer.RunsAre*:Strips.*:"
-    "ChunkLists.*:*StripLocatorOf.AgreesAfterCuts*",
+    "ChunkLists.*:StripTrees.*:MarkedWords.*:*StripLocatorOf.AgreesAfterCuts*",
     "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesWhere*:Adopt.Leaves*:Operations.LargeFans*:"
     "LinkedRules.*ForAll*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
     "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:Keeper.Changes*:"

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "growth.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
@@ -29,14 +30,9 @@ using Where = VertexSplit<Halfedge>;
 using counter::Work;
 using counter::work_of;
 
-::testing::AssertionResult grows_at_most(double times, const Work& once, const Work& twice) {
-  if (once.steps < 20) return ::testing::AssertionFailure() << "nothing was counted: " << once.steps << " steps";
-  const double ratio = static_cast<double>(twice.steps) / static_cast<double>(once.steps);
-  if (ratio <= times) return ::testing::AssertionSuccess() << once.steps << " steps, then " << twice.steps;
-  return ::testing::AssertionFailure() << once.steps << " steps, then " << twice.steps << ": " << ratio << " times";
-}
-constexpr double linear = 2.4;
-constexpr double constant = 1.25;
+using counter::constant;
+using counter::grows_at_most;
+using counter::linear;
 
 /// A cone over a cone, coloured as one strip that leaves the upper cone after every second triangle: k / 2 strands pass
 /// through the fan of vertex 0.

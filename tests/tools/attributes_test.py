@@ -6,6 +6,7 @@ read here, with no code of restrip's.
 
     attributes_test.py restrip SCRATCH
 """
+import collections
 import itertools
 import json
 import math
@@ -124,6 +125,21 @@ for arguments in (("convert", source, "-o", scratch / "out.off"), ("stripify", s
     told = json.loads(run(*arguments, "--json", "-").stdout)
     assert sorted(told["left_out_attributes"]) == ["COLOR_0", "NORMAL", "TEXCOORD_0"], told
 assert "left out:" not in run("stats", source).stdout
+# simplify says so before it begins; or it keeps them: what is left are drawn vertices of the source, those at seams all of them.
+assert "leaves out" in run("simplify", source, "--base", 0.5, "-o", scratch / "out.glb").stderr
+for shape, base in ((cube(), 0.5), (sphere(), 0.7)):
+    source = save(shape, scratch / "seams.glb")
+    done = run("simplify", source, "--attributes", "--base", base, "-o", scratch / "out.glb")
+    assert done.stderr == "" and "left out:" not in done.stdout, done
+    before, after = (corners_of_glb(path) for path in (source, scratch / "out.glb"))
+    assert len(after) <= base * len(before)
+    there, kept = ({c for t in corners for c in t} for corners in (before, after))
+    at = collections.defaultdict(set)
+    for corner in there:
+        at[next(values for (name, *_), *values in corner if name == "POSITION").__repr__()].add(corner)
+    seams = {corner for corners in at.values() if len(corners) > 1 for corner in corners}
+    assert seams and seams <= kept < there, (len(seams), len(kept), len(there))
+source = save(sphere(), scratch / "sphere.glb")
 
 # Through OBJ and PLY.
 MOST = {UBYTE: 255, USHORT: 65535}

@@ -17,7 +17,7 @@ import zlib
 from xml.etree import ElementTree
 
 from program import Program
-from strip_readers import glb, triangles_of_strip
+from strip_readers import glb, rotated, triangles_of_strip
 
 run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
 WIDTH, HEIGHT = 240, 180
@@ -230,6 +230,15 @@ assert (scratch / "b.png").read_bytes() == first
 for policy in ("local", "quick"):
     run("draw", scratch / "mesh.pm", "--policy", policy, "--triangles", 300, *size)
     assert (scratch / "b.png").read_bytes() != first, policy
+
+# A file that has strips is drawn with them, cut nowhere; asked for others it is drawn as one that has none.
+strips_in_file = [sorted(rotated(list(t)) for t in triangles_of_strip(strip)) for _, strip, _ in glb(scratch / "level.glb")[1]]
+told = json.loads(run("draw", scratch / "level.glb", "-o", scratch / "own.json", "--json", "-").stdout)
+shown = json.loads((scratch / "own.json").read_text())["strips"]
+assert sorted(sorted(rotated(t) for t in strip) for strip in shown) == sorted(strips_in_file) and told["strips"] == len(strips_in_file)
+assert json.loads(run("draw", scratch / "level.glb", *size, "--json", "-").stdout)["policy"] == "file"
+run("draw", scratch / "level.glb", "--policy", "local", "-o", scratch / "local.json")
+assert len(json.loads((scratch / "local.json").read_text())["strips"]) != len(strips_in_file)
 told = json.loads(run("draw", "-o", scratch / "torus.png", "--json", "-").stdout)
 assert (told["width"], told["height"]) == (800, 600) and len(png(scratch / "torus.png")) == 600
 

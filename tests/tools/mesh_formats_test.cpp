@@ -1,6 +1,6 @@
-// Claims: what a format writes it reads; a progressive or baked mesh is at its finest level the mesh that it was made
-// from, with the strips that were baked; a file is opened once, so pipes serve as well as files; and README's table of
-// formats says what the program's table does.
+// Claims: what a format writes it reads, and what a viewer must know for it is known; a progressive or baked mesh is at
+// its finest level the mesh that it was made from, with the strips that were baked; a file is opened once, so pipes
+// serve as well as files; and README's table of formats says what the program's table does.
 #include "lod/mesh_formats.hpp"
 
 #include <gtest/gtest.h>
@@ -71,6 +71,7 @@ struct Everything {
 
 TEST(MeshFormats, WhatIsWrittenIsRead) {
   std::size_t ways = 0;
+  std::size_t requirements = 0;
   for (const Soup& soup : {make_mesh(600), sheet(9)}) {
     const Everything all(soup);
     for (const MeshFormat& format : mesh_formats()) {
@@ -85,7 +86,15 @@ TEST(MeshFormats, WhatIsWrittenIsRead) {
              {GltfPrimitives::restart, GltfPrimitives::strips, GltfPrimitives::list}) {
           ++ways;
           const StripFile strips{all.mesh.points, all.indices, all.drawn};
-          const Soup read = std::get<Soup>(parsed(format, format.write_strips(strips, primitives)));
+          const std::string bytes = format.write_strips(strips, primitives);
+          const auto ends = std::count(all.indices.begin(), all.indices.end(), restart_index);
+          const auto required = format.required_extensions(primitives, static_cast<std::size_t>(ends) + 1);
+          EXPECT_EQ(bytes.find("extensionsRequired") != std::string::npos, !required.empty()) << in;
+          for (const std::string& name : required) {
+            ++requirements;
+            EXPECT_NE(bytes.find(name), std::string::npos) << in;
+          }
+          const Soup read = std::get<Soup>(parsed(format, bytes));
           EXPECT_EQ(read.triangles, all.drawn) << in;
           const bool as_strips = format.holds_strips && !(format.primitives && primitives == GltfPrimitives::list);
           if (as_strips) {
@@ -107,6 +116,7 @@ TEST(MeshFormats, WhatIsWrittenIsRead) {
     }
   }
   EXPECT_EQ(ways, 2U * (4 + 3 * 3 + 1 + 2));
+  EXPECT_GT(requirements, 0U);
 }
 
 TEST(MeshFormats, TheFinestLevelIsTheMeshThatWasSimplified) {

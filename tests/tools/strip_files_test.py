@@ -12,9 +12,13 @@ import struct
 import sys
 
 from program import Program
-from strip_readers import RESTART, drawn, glb, obj, ply, rotated, strips_between, triangles_of_strip
+from strip_readers import RESTART, drawn, glb, obj, parts_of_glb, ply, rotated, strips_between, triangles_of_strip
 
 run, scratch = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
+
+
+def required(path):
+    return parts_of_glb(path)[0].get("extensionsRequired")
 
 
 def check(name, triangles, width):
@@ -35,18 +39,24 @@ def check(name, triangles, width):
     assert len(indices) == told["indices"] and strips_between(indices, RESTART[4]) == strips
     assert obj(scratch / f"{name}-list.obj") == (points, expected)
 
-    glb_points, primitives = glb(scratch / f"{name}.glb")
+    # By default every viewer opens the file; where it must know a proposal, the report says so.
+    assert "required_extensions" not in told and required(scratch / f"{name}.glb") is None
+    assert glb(scratch / f"{name}.glb") == (points, [(5, strip, width) for strip in strips])
+    run("stripify", source, "--cost", "indices", "-o", scratch / f"{name}-strips.glb", "--gltf", "strips")
+    assert (scratch / f"{name}-strips.glb").read_bytes() == (scratch / f"{name}.glb").read_bytes()
+    restart = ("stripify", source, "--cost", "indices", "-o", scratch / f"{name}-restart.glb", "--gltf", "restart")
+    assert "requires KHR_mesh_primitive_restart, a proposal" in run(*restart).stdout
+    assert json.loads(run(*restart, "--json", "-").stdout)["required_extensions"] == required(scratch / f"{name}-restart.glb")
+    glb_points, primitives = glb(scratch / f"{name}-restart.glb")
     assert glb_points == points and [(mode, w) for mode, _, w in primitives] == [(5, width)]
     assert strips_between(primitives[0][1], RESTART[width]) == strips
-    run("stripify", source, "--cost", "indices", "-o", scratch / f"{name}-strips.glb", "--gltf", "strips")
-    assert glb(scratch / f"{name}-strips.glb") == (points, [(5, strip, width) for strip in strips])
     run("stripify", source, "--cost", "indices", "-o", scratch / f"{name}-list.glb", "--gltf", "list")
     _, ((mode, flat, list_width),) = glb(scratch / f"{name}-list.glb")
     assert (mode, list_width) == (4, width)
     assert sorted(rotated(flat[i:i + 3]) for i in range(0, len(flat), 3)) == expected
 
     # Back in: the same oriented triangles, whatever strips they came in, and the same strips where they are wanted.
-    every = (f"{name}.ply", f"{name}.glb", f"{name}-strips.glb")
+    every = (f"{name}.ply", f"{name}.glb", f"{name}-restart.glb")
     for back in every if width == 2 else [f"{name}.glb"]:
         run("stripify", scratch / back, "-o", scratch / f"{name}-again.obj")
         assert obj(scratch / f"{name}-again.obj") == (points, expected), back
@@ -61,7 +71,9 @@ def check(name, triangles, width):
         run("convert", scratch / back, "-o", scratch / f"{name}-converted.bin")
         assert (scratch / f"{name}-converted.bin").read_bytes() == (scratch / f"{name}.bin").read_bytes(), back
         run("convert", scratch / back, "-o", scratch / f"{name}-converted.glb")
-        assert glb(scratch / f"{name}-converted.glb") == (points, [(5, primitives[0][1], width)]), back
+        assert glb(scratch / f"{name}-converted.glb") == (points, [(5, strip, width) for strip in strips]), back
+        about = json.loads(run("stats", scratch / back, "--json", "-").stdout)
+        assert (about["strips"], about["cut_strips"], about["strip_indices"]) == (told["strips"], 0, told["indices"]), about
 
     # A list stays a list.
     if width == 4:
@@ -96,7 +108,18 @@ points, expected = obj(mesh)
 told = json.loads(run("simplify", mesh, "--triangles", 100, "-o", scratch / "level.ply", "--json", "-").stdout)
 _, strips = ply(scratch / "level.ply")
 assert len(drawn(strips)) == told["base_triangles"] == told["wanted_base_triangles"] == 100 and euler(drawn(strips)) == 0
-assert len(strips) == told["strips"]
+assert len(strips) == told["strips"] and told["stopped_short"] is False and "obstacles" not in told
+assert "strips of the file" not in run("stats", mesh).stdout and "strips of the file" in run("stats", scratch / "level.ply").stdout
+# Where nothing may collapse any more the level is written, and three places say that it is not what was asked for.
+for out in ("short.ply", "short.pm"):
+    short = run("simplify", mesh, "--triangles", 2, "-o", scratch / out, "--json", scratch / "short.json", code=1)
+    told = json.loads((scratch / "short.json").read_text())
+    assert told["stopped_short"] and 2 == told["wanted_base_triangles"] < told["base_triangles"], told
+    assert sum(o["edges"] for o in told["obstacles"]) == 3 * told["base_triangles"] // 2
+    assert f"stopped at {told['base_triangles']} triangles, where 2 were asked for" in short.stderr, short.stderr
+    assert all(f"{o['edges']}: {o['why']}" in short.stderr for o in told["obstacles"])
+assert len(drawn(ply(scratch / "short.ply")[1])) == told["base_triangles"]
+assert "stopped at" in run("simplify", mesh, "-o", scratch / "short.pm").stderr  # nobody asked for the usual share
 for policy, size in (("local", 300), ("baked", 301), ("linked", None)):
     run("replay", mesh, "--repeats", 0, "--policy", policy, *(("--triangles", size) if size else ()), "-o", scratch / "level.glb",
         "--gltf", "strips")

@@ -123,6 +123,35 @@ TEST(Description, Names) {
   expect_accepted("\"two\"", "\"two-2-b\"");
 }
 
+TEST(Description, NamesThatAreTaken) {
+  for (const std::string name :
+       {"int", "co-await", "split", "flip", "automaton", "pairings", "rule-of", "fn", "vec3", "unix"})
+    expect_complaint("\"two\"", fmt::format("\"{}\"", name),
+                     fmt::format("f:3:11: name: expected a name that is free, \"{}\" is a", name));
+  for (const std::string name : {"int-2", "splits", "rule", "my-class", "co-wait"})
+    expect_accepted("\"two\"", fmt::format("\"{}\"", name));
+}
+
+TEST(Description, AboutIsOneLineOfAComment) {
+  const auto about = [](const std::string& sentence) {
+    return fmt::format("\"name\": \"two\", \"about\": \"{}\"", sentence);
+  };
+  const std::string expected = "f:3:27: about: expected words that can stand in a comment, found ";
+  for (const unsigned code :
+       {0x0aU, 0x0dU, 0U, 0x1bU, 0x7fU, 0x85U, 0xadU, 0x200bU, 0x2028U, 0x2029U, 0x202eU, 0x2066U, 0xfeffU, 0xfffeU})
+    expect_complaint("\"name\": \"two\"", about(fmt::format("One.\\u{:04x}int two;", code)),
+                     fmt::format("{}the character U+{:04X}", expected, code));
+  expect_complaint("\"name\": \"two\"", about("One. \\\\"), expected + "\"\\\"");
+  expect_complaint("\"name\": \"two\"", about("One. */ two"), expected + "\"*/\"");
+  expect_complaint("\"name\": \"two\"", about("One. ?\?/"), expected + "\"??\"");
+  expect_accepted("\"name\": \"two\"", about("One \\\"two\\\" \\u00e9 \\u2014 \\u20ac? // 'three' \xf0\x9f\x98\x80"));
+}
+
+TEST(Description, AByteOrderMarkIsRefused) {
+  EXPECT_EQ(complaint("\xef\xbb\xbf" + good),
+            "f:1:1: expected no byte order mark before the file; save it as UTF-8 without one");
+}
+
 TEST(Description, Limits) {
   expect_complaint("\"triangles\": 2", "\"triangles\": 0",
                    "f:5:27: before.triangles: expected a number from 1 to 16, found 0");
@@ -161,11 +190,11 @@ TEST(Description, Triangles) {
   };
   const std::string text = with(graphs, flip("[[\"c\", \"a\", \"d\"], [\"d\", \"b\", \"c\"]]"));
   const Operation operation = parse_operation("f", text);
-  EXPECT_TRUE(operation.on_a_mesh);
+  EXPECT_TRUE(operation.on_a_mesh());
   EXPECT_EQ(operation.before.owner_of_port, (std::vector<unsigned>{0, 0, 1, 1}));
   EXPECT_EQ(operation.after.edges, (std::vector<std::array<unsigned, 2>>{{0, 1}}));
   EXPECT_EQ(operation.after.owner_of_port, (std::vector<unsigned>{1, 0, 0, 1}));
-  EXPECT_FALSE(parse_operation("f", good).on_a_mesh);
+  EXPECT_FALSE(parse_operation("f", good).on_a_mesh());
   const auto expect = [&](const std::string& after, const std::string& expected) {
     expect_complaint(graphs, flip(after), expected);
   };
@@ -240,9 +269,10 @@ TEST(Description, WhatIsNotJson) {
   expect("{\"a\": tru}", "f:1:10: not JSON: ");
   expect(good + "{}", "f:10:1: not JSON: ");
   expect(std::string(100, '['), "f:1:10: expected fewer lists and objects inside one another");
-  EXPECT_EQ(parse_operation("f", with("\"name\": \"two\"", R"("name": "tw\u006f", "about": "\u00e9\ud83d\ude00\n\"")"))
-                .name(),
-            "two");
+  EXPECT_EQ(parse_descriptions("f", with("\"name\": \"two\"", R"("name": "tw\u006f", "about": "\u00e9\ud83d\ude00\"")"))
+                .front()
+                .about,
+            "\xc3\xa9\xf0\x9f\x98\x80\"");
   for (std::size_t length = 0; length + 2 < good.size(); ++length)
     EXPECT_NE(complaint(good.substr(0, length)), "") << length;
 }

@@ -103,6 +103,17 @@ TEST(Families, FilesThatAreWrongAreRefusedWithTheLine) {
     std::string said;
   };
   const std::vector<Fault> faults{
+      {"{", "\xef\xbb\xbf{", "f.json:1:1: expected no byte order mark before the file; save it as UTF-8 without one"},
+      {"\"fan\"", "\"vec2\"",
+       "f.json:4:13: operations[0].name: expected a name that is free, \"vec2\" is a keyword of GLSL"},
+      {"\"numbers\"", "\"certificate\": \"split\", \"numbers\"",
+       "operations[0].certificate: expected a name that is free, \"split\" is a name of restrip"},
+      {"\"k {k} i {i}\"", "\"k {k}\\u001b i {i}\"", "operations[0].position: expected words of printable ASCII"},
+      {"\"k {k}\"", "\"k  {k}\"", "operations[0].section: expected words of printable ASCII"},
+      {"\"k {k}\"", "\"\"", "operations[0].section: expected words of printable ASCII"},
+      {"t[0,k)\"]}", "t\\n[0,k)\"]}", "operations[0].before.path[0]: expected letters and digits as the name"},
+      {"\"A\", \"t[0,1)", "\"A\\u202e\", \"t[0,1)",
+       "operations[0].after.ring[0]: expected letters and digits as the name"},
       {"\"restrip_operation\": 1", "\"restrip_operation\": 2",
        "f.json:2:24: restrip_operation: expected 1, the version"},
       {"\"name\"", "\"nome\"", "f.json:4:5: operations[0].nome: unknown member"},

@@ -49,7 +49,7 @@ std::string with_line(const std::string& text, const std::string& line, const st
 TEST(ForgedCertificate, RowsMissingOrExtra) {
   const Forgery split("split-face");
   split.expect_refused([](auto& forged) { forged.rows.erase(std::next(forged.rows.begin(), 3)); }, 1,
-                       "no row for the key 3 1 of\n    1 triangles without edges, ports 0\" 1\" 2:");
+                       "no row for the key 3 1 of\n    1 triangle without edges, ports 0\" 1\" 2:");
   split.expect_refused(
       [](auto& forged) {
         forged.rows[{7, 7}] = {{0, 7}, {}, {}};

@@ -161,7 +161,7 @@ TEST(OperationJudge, LinkedRulesOfOnesOwn) {
 TEST(OperationJudge, SymmetriesLeaveTheCostAsItIs) {
   const auto symmetries = [](const std::string& cost, const std::string& give_up) {
     const Operation operation = parse_operation(
-        "flip", fmt::format(R"({{"restrip_operation": 1, "name": "flip", "constraint": "strips", "cost": {},
+        "flip", fmt::format(R"({{"restrip_operation": 1, "name": "turn", "constraint": "strips", "cost": {},
  "before": {{"triangles": 2, "edges": [[0, 1]], "ports": [0, 0, 1, 1]}},
  "after": {{"triangles": 2, "edges": [[0, 1]], "ports": [1, 0, 0, 1]}}, "give_up": {}}})",
                             cost, give_up));

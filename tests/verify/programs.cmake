@@ -30,30 +30,38 @@ foreach(file IN LISTS shipped)  # the certificate and the compiled table
   string(REPLACE .json "" name ${file})
   set(${name} --operation ${RESTRIP_TABLES_DIR}/operations/${name}.json --certificate
               ${RESTRIP_TABLES_DIR}/certificates/operations/${name}.cert)
+  string(REPLACE - _ header ${name})
   operation_program_test(shipped.${name} "\nverified: .*/${name}.json: .* answers of the table, " ${${name}}
-                         --dump-command "$<TARGET_FILE:print_operations> ${name}")
+                         --header ${RESTRIP_TABLES_DIR}/include/restrip/tables/operations/${header}.hpp --dump-command "$<TARGET_FILE:print_operations> ${name}")
 endforeach()
 operation_program_test(json "\"verified\": true" ${bisect} --json)
 operation_program_test(wrong_certificate "merge.cert:2: expected \"operation bisect\"" --operation
                        ${RESTRIP_TABLES_DIR}/operations/bisect.json --certificate
                        ${RESTRIP_TABLES_DIR}/certificates/operations/merge.cert)
-operation_program_test(nothing_to_check "--operation needs --certificate, --dump-command or both" --operation
+operation_program_test(nothing_to_check "--operation needs --certificate, --header or both" --operation
                        ${RESTRIP_TABLES_DIR}/operations/bisect.json)
 operation_program_test(without_operation "--certificate requires --operation" --certificate
                        ${RESTRIP_TABLES_DIR}/certificates/operations/bisect.cert)
-operation_program_test(failing_dump "NOT verified: " --operation ${RESTRIP_TABLES_DIR}/operations/bisect.json --dump-command false)
+set(tables ${RESTRIP_TABLES_DIR}/include/restrip/tables/operations)
+operation_program_test(failing_dump "found the end.*NOT verified: " --operation ${RESTRIP_TABLES_DIR}/operations/bisect.json --header
+                       ${tables}/bisect.hpp --dump-command false)
+operation_program_test(unread_header "--dump-command with --operation needs --header" ${bisect} --dump-command true)
+operation_program_test(other_header "was not run.*NOT verified: " --operation ${RESTRIP_TABLES_DIR}/operations/bisect.json --header
+                       ${tables}/merge.hpp --dump-command "$<TARGET_FILE:print_operations> bisect")
 foreach(other IN ITEMS --tables-dir=tables --family=split --headers --linked-dump-command=false)
   string(REGEX REPLACE "=.*" "" option ${other})
   operation_program_test(excludes${option} "--operation excludes ${option}|${option} excludes --operation" ${bisect} ${other})
 endforeach()
 foreach(file IN LISTS corpus_files)
   get_filename_component(name ${file} NAME_WE)
+  string(REPLACE - _ header ${name})
   operation_program_test(compiled.${name} "\nverified: .*/${name}.json: .* answers of the table, " --operation ${file}
-                         --certificate ${generated}/certificates/operations/${name}.cert --dump-command
+                         --certificate ${generated}/certificates/operations/${name}.cert --header
+                         ${generated}/include/restrip/tables/operations/${header}.hpp --dump-command
                          "$<TARGET_FILE:print_operations> ${name}")
 endforeach()
 operation_program_test(other_table "line 2: (expected \"operation merge\", found \"operation bisect\"|\"table bisect\" is no table)" --operation
-                       ${RESTRIP_TABLES_DIR}/operations/merge.json --dump-command "$<TARGET_FILE:print_operations> bisect")
+                       ${RESTRIP_TABLES_DIR}/operations/merge.json --header ${tables}/merge.hpp --dump-command "$<TARGET_FILE:print_operations> bisect")
 
 set(small "")
 if(RESTRIP_SANITIZE)
@@ -69,7 +77,10 @@ if(NOT RESTRIP_SANITIZE)
   add_test(NAME verify.operations.schema
            COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/schema_test.py ${PROJECT_SOURCE_DIR}/docs/operation.schema.json
                    $<TARGET_FILE:restrip-verify> ${CMAKE_CURRENT_BINARY_DIR}/schema ${schema_files})
+  add_test(NAME verify.operations.reasons_by_script
+           COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/operation_reasons_test.py ${reasons_script}
+                   $<TARGET_FILE:restrip-generate> ${RESTRIP_TABLES_DIR} ${corpus} ${CMAKE_CURRENT_BINARY_DIR}/reasons)
   if(NOT Python3_FOUND)
-    set_tests_properties(verify.operations.schema PROPERTIES DISABLED TRUE)
+    set_tests_properties(verify.operations.schema verify.operations.reasons_by_script PROPERTIES DISABLED TRUE)
   endif()
 endif()

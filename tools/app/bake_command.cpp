@@ -63,8 +63,10 @@ int run(const BakeCommand& command) {
                               {"states", report.states},
                               {"seconds", report.seconds}};
   add_to(json, source.subject.mended);
+  const auto required = format.required_extensions(command.gltf, report.base_strips);
+  if (!required.empty()) json["required_extensions"] = required;
   const std::string text =
-      as_text(source.subject.mended) +
+      as_text(source.subject.mended) + as_text(required, command.out.string()) +
       fmt::format(
           "{}: {} and {} to {}\n"
           "{} at the base, {} at the finest level (at least {} needed), {} at most; {}, {:.2f} % of the levels in as "

@@ -7,7 +7,7 @@
 namespace restrip::tools {
 
 /// A subcommand as it stands on the command line. `run` does it, once the line is parsed, and returns the exit code: 0,
-/// or 1 when a check failed; bad input is thrown (BadInput).
+/// or 1 when a check failed or simplify stopped short; bad input is thrown (BadInput).
 struct Subcommand {
   CLI::App* line;
   std::function<int()> run;

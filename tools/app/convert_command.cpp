@@ -18,6 +18,7 @@
 #include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "lod/mesh_files.hpp"
+#include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -26,8 +27,8 @@ namespace {
 struct ConvertCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;
-  GltfPrimitives gltf = GltfPrimitives::restart;  ///< of a baked mesh, if not given: strips
-  bool gltf_given = false;
+  GltfPrimitives gltf = GltfPrimitives::strips;
+  bool gltf_given = false;  ///< then a mesh without strips is refused but for a list
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;
@@ -38,6 +39,7 @@ struct Converted {
   std::string bytes;
   std::size_t strips = 0;
   std::size_t left_out = 0;
+  std::vector<std::string> required_extensions = {};
 };
 
 Converted converted(const Soup& soup, const ConvertCommand& command, const MeshFormat& format) {
@@ -54,21 +56,25 @@ Converted converted(const Soup& soup, const ConvertCommand& command, const MeshF
   std::copy_if(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(drawn),
                [](const Corners& t) { return !degenerate(t); });
   const auto ends = std::count(soup.strips.begin(), soup.strips.end(), strip_end);
-  return {format.write_strips({soup.points, soup.strips, drawn, soup.attributes}, primitives),
-          soup.strips.empty() || primitives == GltfPrimitives::list ? 0 : static_cast<std::size_t>(ends) + 1,
-          soup.triangles.size() - drawn.size()};
+  const std::size_t strips =
+      soup.strips.empty() || primitives == GltfPrimitives::list ? 0 : static_cast<std::size_t>(ends) + 1;
+  return {format.write_strips({soup.points, soup.strips, drawn, soup.attributes}, primitives), strips,
+          soup.triangles.size() - drawn.size(), format.required_extensions(primitives, strips)};
 }
 
 /// A baked mesh as it is, byte by byte, from one kind of file into the other.
 int convert_baked(const BakedBytes& found, const ConvertCommand& command, const MeshFormat& format,
                   const files::Output& out, const ReportOutput& report) {
   refuse_mending(command.mesh, command.mending);
-  out.write(format.write_baked(found.bytes, command.gltf_given ? command.gltf : GltfPrimitives::strips));
+  out.write(format.write_baked(found.bytes, command.gltf));
   const ProgressiveMesh& mesh = found.baked.mesh;
-  const nlohmann::ordered_json json{
+  const auto required = format.required_extensions(command.gltf, count_strips(found.baked.base));
+  nlohmann::ordered_json json{
       {"base_triangles", mesh.base.size()}, {"records", mesh.splits.size()}, {"triangles", mesh.fine_triangles()}};
+  if (!required.empty()) json["required_extensions"] = required;
   report.print(fmt::format("{}: {} and {} to {}\n", command.out.string(), counted(mesh.base.size(), "triangle"),
-                           counted(mesh.splits.size(), "record"), mesh.fine_triangles()),
+                           counted(mesh.splits.size(), "record"), mesh.fine_triangles()) +
+                   as_text(required, command.out.string()),
                json.dump(2) + "\n");
   return 0;
 }
@@ -97,7 +103,8 @@ int run(const ConvertCommand& command) {
                       counted(soup.triangles.size() - made.left_out, "triangle"));
   if (made.strips != 0) text += fmt::format(" in {}", counted(made.strips, "strip"));
   if (made.left_out != 0) text += fmt::format("; {} left out", counted(made.left_out, "degenerate triangle"));
-  report.print(text + "\n", json.dump(2) + "\n");
+  if (!made.required_extensions.empty()) json["required_extensions"] = made.required_extensions;
+  report.print(text + "\n" + as_text(made.required_extensions, command.out.string()), json.dump(2) + "\n");
   return 0;
 }
 

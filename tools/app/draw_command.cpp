@@ -11,6 +11,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/commands.hpp"
@@ -23,6 +25,8 @@
 #include "files/output.hpp"
 #include "files/reading.hpp"
 #include "lod/coloring_check.hpp"
+#include "lod/mesh_files.hpp"
+#include "meshes/file_strips.hpp"
 #include "meshes/made_mesh.hpp"
 #include "meshes/soup_builder.hpp"
 #include "meshes/text_cursor.hpp"
@@ -36,7 +40,8 @@ namespace restrip::tools {
 namespace {
 
 /// A mesh and its strips at one level as a picture (.svg, .png); or what scripts/pictures.py needs to draw the picture
-/// of the README (.json): the same, and the rule of one split.
+/// of the README (.json): the same, and the rule of one split. A file that has strips is drawn with them, unless the
+/// level, the policy, the cost or the base is named.
 struct DrawCommand {
   std::filesystem::path mesh;  ///< may be a progressive mesh; empty: the built-in mesh
   std::filesystem::path out;
@@ -70,13 +75,49 @@ void smooth(Soup& soup, int rounds) {
   }
 }
 
-/// The built-in mesh where none is named.
-Source source_of_picture(const DrawCommand& command) {
-  if (!command.mesh.empty()) return source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
+Source built_in_source(const DrawCommand& command) {
   constexpr std::size_t triangles_in_a_picture = 2400;
   Soup soup = make_mesh(triangles_in_a_picture);
   smooth(soup, 4);
   return simplified("built-in torus", std::move(soup), command.simplify);
+}
+
+/// A mesh and its strips.
+struct Colored {
+  StripMesh mesh;
+  std::vector<Point> points;
+  Mended mended;
+  std::string policy;  ///< how the strips were kept; file: they are those of the file
+};
+
+Colored colored_as_in_file(Soup soup, const DrawCommand& command) {
+  const Mended mended = mend(soup, command.mesh.string(), command.mending);
+  std::vector<std::uint32_t> origin;
+  StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size(), nullptr, &origin);
+  color_as_in_file(mesh, soup, origin);
+  return {std::move(mesh), std::move(soup.points), mended, "file"};
+}
+
+Colored colored_by_policy(const Source& source, const DrawCommand& command) {
+  Plan::Given given;
+  given.cost = command.cost;
+  if (source.baked) given.baked = &*source.baked;
+  const Plan plan(command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way), source.mesh,
+                  given);
+  return {level_mesh(plan, command.triangles == 0 ? source.mesh.fine_triangles() : command.triangles),
+          source.mesh.points, source.subject.mended, plan.way().name};
+}
+
+/// The built-in mesh where none is named, and the strips of the file where no others are asked for.
+Colored colored(const DrawCommand& command) {
+  if (command.mesh.empty()) return colored_by_policy(built_in_source(command), command);
+  const bool others =
+      command.triangles != 0 || command.simplify_given || !command.way.empty() || !(command.cost == Cost::strips());
+  ReadMesh read = read_mesh_file(command.mesh);
+  if (auto* soup = std::get_if<Soup>(&read); soup != nullptr && !others && !soup->strips.empty())
+    return colored_as_in_file(std::move(*soup), command);
+  return colored_by_policy(
+      source_of(std::move(read), command.mesh, command.mending, command.simplify, command.simplify_given), command);
 }
 
 /// What scripts/pictures.py draws: the mesh, its strips, and the rule of one split.
@@ -107,13 +148,7 @@ int run(const DrawCommand& command) {
   if (format.empty())  // a device
     throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}",
                                command.out.string(), fmt::join(drawn_extensions(), ", ")));
-  const Source source = source_of_picture(command);
-  Plan::Given given;
-  given.cost = command.cost;
-  if (source.baked) given.baked = &*source.baked;
-  const Plan plan(command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way), source.mesh,
-                  given);
-  const StripMesh mesh = level_mesh(plan, command.triangles == 0 ? source.mesh.fine_triangles() : command.triangles);
+  const auto [mesh, points, mended, policy] = colored(command);
   if (const std::vector<std::string> faults = find_faults(mesh); !faults.empty()) {
     for (const std::string& fault : faults) fmt::print(stderr, "{}\n", fault);
     return 1;
@@ -124,17 +159,16 @@ int run(const DrawCommand& command) {
     for (const Triangle t : order[s]) strips[s].push_back(mesh.corners(t));
 
   nlohmann::ordered_json json{{"triangles", mesh.triangle_count()}, {"strips", strips.size()}};
-  const Mended& mended = source.subject.mended;
   std::string text =
       as_text(mended) + fmt::format("{}: {} in {}", command.out.string(), counted(mesh.triangle_count(), "triangle"),
                                     counted(strips.size(), "strip"));
   if (format == ".json") {
-    out.write(facts_of(source.mesh.points, strips));
+    out.write(facts_of(points, strips));
   } else {
-    const Scene scene = scene_of(source.mesh.points, strips, command.camera, command.size, command.style);
+    const Scene scene = scene_of(points, strips, command.camera, command.size, command.style);
     const Picture picture = picture_of(scene, format);
     out.write(picture.bytes);
-    json["policy"] = plan.way().name;
+    json["policy"] = policy;
     json["width"] = command.size.width;
     json["height"] = command.size.height;
     json["triangles_drawn"] = scene.faces.size();
@@ -221,7 +255,8 @@ Subcommand add_draw(CLI::App& app) {
         throw CLI::ValidationError(option->get_name(), "only pictures have one: .svg and .png");
   });
   sub->footer(
-      "Triangles that face away from the camera are not drawn. --base 1 draws strips from scratch.\n"
+      "Triangles that face away from the camera are not drawn. A file that has strips is drawn with them, unless\n"
+      "--triangles, --policy, --cost, --base or --boundary asks for others. --base 1 draws strips from scratch.\n"
       "Example: restrip draw bunny.obj --policy linked --triangles 5000 --camera 20,10 -o bunny.png");
   return {sub, [kept] { return run(*kept); }};
 }

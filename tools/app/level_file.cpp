@@ -12,21 +12,26 @@
 namespace restrip::tools {
 
 LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const MeshFormat& format,
-                     GltfPrimitives primitives) {
+                     GltfPrimitives primitives, std::span<const Attribute> attributes) {
   const Strips strips = extract_strips(mesh);
   std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
   std::vector<std::uint32_t> number(points.size(), none);
-  std::vector<Point> used;
+  std::vector<std::uint32_t> used;
   for (std::uint32_t& index : indices) {
     if (index == restart_index) continue;
     if (number[index] == none) {
       number[index] = static_cast<std::uint32_t>(used.size());
-      used.push_back(points[index]);
+      used.push_back(index);
     }
     index = number[index];
   }
   const std::vector<Corners> drawn = decode_strips(indices);
-  return {format.write_strips({used, indices, drawn}, primitives), drawn.size(), strips.size()};
+  std::vector<Point> used_points;
+  for (const std::uint32_t v : used) used_points.push_back(points[v]);
+  std::vector<Attribute> used_attributes;
+  for (const Attribute& attribute : attributes) used_attributes.push_back(selected(attribute, used));
+  return {format.write_strips({used_points, indices, drawn, used_attributes}, primitives), drawn.size(), strips.size(),
+          format.required_extensions(primitives, strips.size())};
 }
 
 StripMesh level_mesh(const Plan& plan, std::size_t triangles) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "lod/mesh_formats.hpp"
 #include "replay/ways.hpp"
@@ -14,12 +15,13 @@ struct LevelFile {
   std::string bytes;
   std::size_t triangles = 0;
   std::size_t strips = 0;
+  std::vector<std::string> required_extensions;
 };
 
 /// The mesh and its strips in a format that has strips. Vertices are numbered as the strips come to
 /// them; the others are left out. Throws what the format throws.
 [[nodiscard]] LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const MeshFormat& format,
-                                   GltfPrimitives primitives);
+                                   GltfPrimitives primitives, std::span<const Attribute> attributes = {});
 /// The level of at least so many triangles, its strips kept from the base up in the way of the plan; the finest level
 /// where there are not so many. Throws BadInput at a split that is not possible.
 [[nodiscard]] StripMesh level_mesh(const Plan& plan, std::size_t triangles);

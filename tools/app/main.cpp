@@ -27,13 +27,14 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   app.formatter(std::make_shared<PlainFormatter>());
   constexpr restrip::files::ReadLimits limits;
-  app.footer(
-      fmt::format("Exit codes: 0 all is well, 1 a check failed, 2 the input or the command line is at fault.\n"
-                  "Limits: files of {}, pipes and devices of {}, lines of text of {}.\n"
-                  "Outputs appear whole or not at all; they must not be inputs and must end as their format does.\n"
-                  "Example: restrip replay --built-in",
-                  restrip::files::size_in_words(limits.regular), restrip::files::size_in_words(limits.endless),
-                  restrip::files::size_in_words(longest_line)));
+  app.footer(fmt::format(
+      "Exit codes: 0 all is well, 1 a check failed or simplify stopped short, 2 the input or the command line is at "
+      "fault.\n"
+      "Limits: files of {}, pipes and devices of {}, lines of text of {}.\n"
+      "Outputs appear whole or not at all; they must not be inputs and must end as their format does.\n"
+      "Example: restrip replay --built-in",
+      restrip::files::size_in_words(limits.regular), restrip::files::size_in_words(limits.endless),
+      restrip::files::size_in_words(longest_line)));
   std::vector<Subcommand> subcommands;
   for (const auto add :
        {add_stats, add_replay, add_simplify, add_convert, add_stripify, add_draw, add_paper, add_bake, add_make_mesh})

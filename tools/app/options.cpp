@@ -168,10 +168,10 @@ CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf) {
                    : word == "strips" ? GltfPrimitives::strips
                                       : GltfPrimitives::restart;
           },
-          "what a .glb has: restart: one primitive, for viewers with KHR_mesh_primitive_restart; strips: a primitive "
-          "for each strip; list: a list of triangles")
-      ->check(CLI::IsMember({"restart", "strips", "list"}))
-      ->default_str(gltf == GltfPrimitives::strips ? "strips" : "restart");
+          "what a .glb has: strips: a primitive for each strip; list: a list of triangles; restart: one primitive, "
+          "for the few viewers that know KHR_mesh_primitive_restart")
+      ->check(CLI::IsMember({"strips", "list", "restart"}))
+      ->default_str("strips");
 }
 
 void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out) {

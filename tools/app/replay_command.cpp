@@ -40,7 +40,7 @@ struct ReplayCommand {
   std::uint64_t seed = 1;
   std::filesystem::path out;      ///< where a level is written, with its strips; empty: nowhere
   std::size_t out_triangles = 0;  ///< of that level, at least; 0: the finest one
-  GltfPrimitives gltf = GltfPrimitives::restart;
+  GltfPrimitives gltf = GltfPrimitives::strips;
   MendingOptions mending;
   std::string json;
 };
@@ -90,7 +90,8 @@ int run(const ReplayCommand& command) {
     const LevelFile file = level_file(plan, triangles, *format, command.gltf);
     level->write(file.bytes);
     text += fmt::format("\n  {}: {} in {}\n", command.out.string(), counted(file.triangles, "triangle"),
-                        counted(file.strips, "strip"));
+                        counted(file.strips, "strip")) +
+            as_text(file.required_extensions, command.out.string());
   }
   out.print(text, as_json(report, source.subject, walk));
   return report.valid() && (!walk || walk->report.fault.empty()) ? 0 : 1;

@@ -22,8 +22,10 @@ namespace {
 struct SimplifyCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;  ///< .pm: a progressive mesh; else its base, with strips from scratch
-  GltfPrimitives gltf = GltfPrimitives::restart;
+  GltfPrimitives gltf = GltfPrimitives::strips;
   SimplifyOptions simplify;
+  bool size_given = false;  ///< by the caller, not by default: then it is a failure to stop short of it
+  ReadAttributes attributes = ReadAttributes::no;  ///< kept: vertices that differ in them are several
   MendingOptions mending;
   std::string json;
 };
@@ -33,10 +35,17 @@ int run(const SimplifyCommand& command) {
   const ReportOutput report(command.json, {command.mesh, command.out});
   const MeshFormat& format = format_to_write(command.out, writes_strips_or_progressive, ".pm");
   Mended mended;
-  const Simplification result = simplify(read_mesh(command.mesh, command.mending, mended), command.simplify);
+  const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
+  leave_out_attributes(soup, format, mended);
+  if (!mended.left_out_attributes.empty())  // before the work begins
+    fmt::print(
+        stderr, "restrip: {}: leaves out {}{}\n", command.out.string(), attributes_in_words(mended.left_out_attributes),
+        command.attributes == ReadAttributes::no ? "; with --attributes .glb, .ply and .obj keep what they hold" : "");
+  const Simplification result = simplify(soup, command.simplify);
   const ProgressiveMesh& made = result.mesh;
   nlohmann::ordered_json json{{"base_triangles", made.base.size()},
                               {"wanted_base_triangles", result.wanted_triangles},
+                              {"stopped_short", result.stopped_short()},
                               {"splits", made.splits.size()},
                               {"triangles", made.fine_triangles()}};
   std::string text = as_text(mended);
@@ -47,18 +56,23 @@ int run(const SimplifyCommand& command) {
   } else {
     StripMesh base = StripMesh::build(made.base, made.points.size());
     stripify(base);
-    const LevelFile file = level_file(base, made.points, format, command.gltf);
+    const LevelFile file = level_file(base, made.points, format, command.gltf, soup.attributes);
     out.write(file.bytes);
     json["strips"] = file.strips;
     text += fmt::format("{}: {} of {}, in {}\n", command.out.string(), file.triangles,
                         counted(made.fine_triangles(), "triangle"), counted(file.strips, "strip"));
+    if (!file.required_extensions.empty()) json["required_extensions"] = file.required_extensions;
+    text += as_text(file.required_extensions, command.out.string());
   }
-  if (made.base.size() > result.wanted_triangles)
-    text += fmt::format("a base of {} was wanted; {}\n", counted(result.wanted_triangles, "triangle"),
-                        why_no_coarser(result.left_out));
+  for (const Obstacle& obstacle : result.left_out.obstacles)
+    json["obstacles"].push_back({{"why", obstacle.why}, {"edges", obstacle.edges}});
   add_to(json, mended);
   report.print(text, json.dump(2) + "\n");
-  return 0;
+  if (!result.stopped_short()) return 0;
+  fmt::print(stderr, "restrip: {}: stopped at {}, where {}: {}\n", command.out.string(),
+             counted(made.base.size(), "triangle"), counted(result.wanted_triangles, "was asked for", "were asked for"),
+             why_no_coarser(result.left_out));
+  return command.size_given ? 1 : 0;
 }
 
 }  // namespace
@@ -77,14 +91,25 @@ Subcommand add_simplify(CLI::App& app) {
           ->check(CLI::Range(std::size_t{1}, max_triangles));
   add_simplify_options(*sub, command.simplify);
   const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  sub->add_flag_callback(
+      "--attributes", [&command] { command.attributes = ReadAttributes::yes; },
+      "keep normals, texture coordinates and colours: where they differ one place is several vertices, and such seams "
+      "are boundaries, which stay unless --boundary move is given");
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([sub, triangles, gltf, &command] {
+    // Both sides of a seam would move on their own.
+    if (command.attributes == ReadAttributes::yes && sub->count("--boundary") == 0)
+      command.simplify.boundary = BoundaryPolicy::lock;
     refuse_gltf_elsewhere(*gltf, command.out);
+    command.size_given = triangles->count() + sub->count("--base") != 0;
     if (!triangles->empty() && sub->count("--base") != 0)
       throw CLI::ValidationError("--triangles", "and --base say the same thing twice; leave one out");
   });
-  sub->footer("Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
+  sub->footer(
+      "Where no edge that is left may collapse, the mesh is written as coarse as it got, and standard error and\n"
+      "--json say why. The exit code is 1 then, if --base or --triangles asked for a coarser one.\n"
+      "Example: restrip simplify bunny.obj --base 0.01 -o bunny.pm");
   return {sub, [kept] { return run(*kept); }};
 }
 

@@ -45,7 +45,11 @@ Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
 
 Source source_of(const std::filesystem::path& file, const MendingOptions& mending, const SimplifyOptions& options,
                  bool options_given) {
-  ReadMesh read = read_mesh_file(file);
+  return source_of(read_mesh_file(file), file, mending, options, options_given);
+}
+
+Source source_of(ReadMesh read, const std::filesystem::path& file, const MendingOptions& mending,
+                 const SimplifyOptions& options, bool options_given) {
   if (auto* soup = std::get_if<Soup>(&read)) {
     const Mended mended = mend(*soup, file.string(), mending);
     Source source = simplified(file.string(), std::move(*soup), options);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lod/bake.hpp"
+#include "lod/mesh_formats.hpp"
 #include "lod/progressive_mesh.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/mend.hpp"
@@ -30,6 +31,9 @@ struct Source {
 /// Throws BadInput where the file cannot be read, and where a progressive mesh is to be simplified (`options_given`) or
 /// mended.
 [[nodiscard]] Source source_of(const std::filesystem::path& file, const MendingOptions& mending,
+                               const SimplifyOptions& options, bool options_given);
+/// The same of what was read from the file.
+[[nodiscard]] Source source_of(ReadMesh read, const std::filesystem::path& file, const MendingOptions& mending,
                                const SimplifyOptions& options, bool options_given);
 
 }  // namespace restrip::tools

@@ -31,7 +31,7 @@ namespace {
 struct StripifyCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;  ///< empty: the strips are counted and not written
-  GltfPrimitives gltf = GltfPrimitives::restart;
+  GltfPrimitives gltf = GltfPrimitives::strips;
   bool as_in_file = false;  ///< the strips that the file has, in place of the next four
   Effort effort = Effort::fast;
   Cost cost = Cost::strips();
@@ -107,6 +107,9 @@ int run(const StripifyCommand& command) {
                               {"seconds_to_write", writing.nanoseconds() * 1e-9},
                               {"valid", faults.empty()}};
   if (command.as_in_file) json["cut_strips"] = in_file.cut;
+  std::vector<std::string> required;
+  if (format != nullptr) required = format->required_extensions(command.gltf, strips.size());
+  if (!required.empty()) json["required_extensions"] = required;
   add_to(json, mended);
   const auto per_triangle = [triangles](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(triangles, 1));
@@ -122,6 +125,7 @@ int run(const StripifyCommand& command) {
   if (in_file.cut != 0)
     text += fmt::format("strips of the file cut at {}: consecutive triangles share no edge\n",
                         counted(in_file.cut, "place"));
+  text += as_text(required, command.out.string());
   // A closed mesh has no seams.
   const bool has_seams = report.boundary_edges != 0;
   text += hints(has_seams ? coincident_vertices(soup) : 0, has_seams ? vertices_at_seams(soup) : 0,

@@ -15,7 +15,9 @@ constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 }  // namespace
 
 Progress::Progress(std::string label, std::size_t total)
-    : label_(std::move(label)), total_(total), next_(total != 0 && isatty(STDERR_FILENO) != 0 ? 1 : never) {}
+    : label_(std::move(label)), total_(total), next_(total != 0 && isatty(STDERR_FILENO) != 0 ? 0 : never) {
+  at(0);
+}
 
 Progress::~Progress() {
   // Wipes its line: what remains on the terminal is the result.

@@ -8,7 +8,7 @@ namespace restrip::tools {
 
 class Progress {
  public:
-  /// `total` = 0 shows nothing.
+  /// Shows that the step has begun; `total` = 0 shows nothing.
   Progress(std::string label, std::size_t total);
   ~Progress();
   Progress(const Progress&) = delete;

@@ -125,6 +125,11 @@ bool MeshFormat::holds(const Attribute& attribute) const {
          (attributes == Attributes::usual && (name == "NORMAL" || name == "TEXCOORD_0" || name == "COLOR_0"));
 }
 
+std::vector<std::string> MeshFormat::required_extensions(GltfPrimitives with, std::size_t strips) const {
+  if (!primitives || with != GltfPrimitives::restart || strips < 2) return {};
+  return {std::string(restart_extension)};
+}
+
 std::span<const MeshFormat> mesh_formats() { return all_formats; }
 
 const MeshFormat* format_named(std::string_view extension) {

@@ -2,6 +2,7 @@
 // for people, and a test compares the two. Everything here works on bytes; mesh_files.hpp opens files.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +39,8 @@ struct MeshFormat {
 
   /// Whether a file has such an attribute.
   [[nodiscard]] bool holds(const Attribute& attribute) const;
+  /// The extensions that a viewer must know to open a file of so many strips. A report should tell of them.
+  [[nodiscard]] std::vector<std::string> required_extensions(GltfPrimitives with, std::size_t strips) const;
 };
 
 [[nodiscard]] std::span<const MeshFormat> mesh_formats();
@@ -72,6 +75,6 @@ inline constexpr FormatCan writes_strips_or_progressive = [](const MeshFormat& f
 /// The bytes of a mesh, or of strips, in the format with this extension. Throws BadInput when there is none.
 [[nodiscard]] std::string mesh_bytes(const Soup& soup, std::string_view extension);
 [[nodiscard]] std::string strip_bytes(const StripFile& file, std::string_view extension,
-                                      GltfPrimitives primitives = GltfPrimitives::restart);
+                                      GltfPrimitives primitives = GltfPrimitives::strips);
 
 }  // namespace restrip::tools

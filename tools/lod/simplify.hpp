@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "lod/progressive_mesh.hpp"
 #include "meshes/soup.hpp"
@@ -26,12 +27,20 @@ struct SimplifyOptions {
 /// triangle each time and nothing else; once it has few enough, it takes part.
 inline constexpr std::size_t most_neighbors = 1024;
 
+/// Why so many edges of the base cannot collapse.
+struct Obstacle {
+  std::string why;
+  std::size_t edges = 0;
+};
+
 /// What no operation touches.
 struct LeftOut {
   std::size_t degenerate_triangles = 0;   ///< they are in no mesh at all
   std::size_t non_manifold_vertices = 0;  ///< where the soup is no manifold
-  std::size_t frozen_vertices = 0;        ///< regular, but beside a triangle that OpenMesh cannot hold
+  std::size_t frozen_vertices = 0;        ///< regular, but beside a triangle that OpenMesh cannot hold: touched last
   std::size_t large_vertices = 0;         ///< of the base: those with more than most_neighbors neighbours
+  /// For each edge of the base why it cannot collapse, most edges first. Empty where the base is as coarse as wanted.
+  std::vector<Obstacle> obstacles = {};
 };
 
 /// Why the base has more triangles than were wanted, for a reader.
@@ -39,8 +48,9 @@ struct LeftOut {
 
 struct Simplification {
   ProgressiveMesh mesh;
-  std::size_t wanted_triangles = 0;  ///< mesh.base has more where why_no_coarser() says why
+  std::size_t wanted_triangles = 0;  ///< mesh.base has more where no edge of it may collapse: why_no_coarser()
   LeftOut left_out;
+  [[nodiscard]] bool stopped_short() const noexcept { return mesh.base.size() > wanted_triangles; }
   std::size_t steps = 0;  ///< edges considered, and spokes that were walked over to judge them
 };
 

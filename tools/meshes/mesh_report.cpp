@@ -4,6 +4,7 @@
 #include <span>
 
 #include "common/disjoint_sets.hpp"
+#include "meshes/file_strips.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -32,6 +33,7 @@ class Surveyor {
     count_loops(boundary);
     count_duplicates();
     report_.coincident_vertices = coincident_vertices(soup_);
+    if (!soup_.strips.empty()) count_strips_in_file();
     const MeshReport& r = report_;
     report_.euler_characteristic = static_cast<std::int64_t>(r.used_vertices) - static_cast<std::int64_t>(r.edges) +
                                    static_cast<std::int64_t>(r.triangles - r.degenerate_faces);
@@ -147,6 +149,13 @@ class Surveyor {
     std::sort(faces.begin(), faces.end());
     for (std::size_t i = 1; i < faces.size(); ++i)
       report_.duplicate_faces += static_cast<std::size_t>(faces[i] == faces[i - 1]);
+  }
+
+  void count_strips_in_file() {
+    std::vector<std::uint32_t> origin;
+    StripMesh mesh = StripMesh::build(soup_.triangles, soup_.points.size(), nullptr, &origin);
+    const FileStrips colored = color_as_in_file(mesh, soup_, origin);
+    report_.strips = {mesh.triangle_count() - colored.solid, colored.cut, soup_.strips.size()};
   }
 
   const Soup& soup_;

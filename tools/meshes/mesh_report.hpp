@@ -12,6 +12,13 @@
 
 namespace restrip::tools {
 
+/// The strips that a file has.
+struct StripsInFile {
+  std::size_t strips = 0;   ///< cut where two triangles that follow each other share no dual edge
+  std::size_t cut = 0;      ///< so many times
+  std::size_t indices = 0;  ///< of the file, with one between two strips
+};
+
 /// Degenerate faces (a corner twice) are counted as such and take no part in any other count but `triangles`.
 struct MeshReport {
   std::size_t vertices = 0;
@@ -34,6 +41,7 @@ struct MeshReport {
   /// `degenerate_faces` to `bow_tie_vertices`, the boundary apart, is positive).
   std::optional<std::int64_t> genus;
   std::vector<std::size_t> triangles_per_vertex;  ///< [n]: used vertices of n triangles
+  std::optional<StripsInFile> strips;             ///< where the file has some
 
   /// Nothing here stands in the way of an operation anywhere on the mesh.
   [[nodiscard]] bool manifold() const noexcept { return genus.has_value(); }

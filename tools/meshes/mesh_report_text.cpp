@@ -36,6 +36,12 @@ std::string as_text(const MeshReport& report, const std::string& name, const Men
   fault("bow-tie vertices", report.bow_tie_vertices, "several fans at one vertex; no operation there");
   fault("coincident vertices", report.coincident_vertices,
         "at the place of another; strips end at seams; --weld joins");
+  if (report.strips)
+    row("strips of the file", report.strips->strips,
+        fmt::format("{}{}", counted(report.strips->indices, "index", "indices"),
+                    report.strips->cut == 0 ? ""
+                                            : fmt::format("; cut at {}: consecutive triangles share no edge",
+                                                          counted(report.strips->cut, "place"))));
   if (report.manifold()) text += "  an oriented manifold: every operation has its rule everywhere\n";
   text += "\n  triangles per vertex    vertices\n";
   for (std::size_t n = 1; n < report.triangles_per_vertex.size(); ++n)
@@ -67,6 +73,10 @@ std::string as_json(const MeshReport& report, const Mended& mended) {
       {"coincident_vertices", report.coincident_vertices},
   };
   if (report.genus) json["genus"] = *report.genus;
+  if (report.strips)
+    json.update(nlohmann::ordered_json{{"strips", report.strips->strips},
+                                       {"cut_strips", report.strips->cut},
+                                       {"strip_indices", report.strips->indices}});
   nlohmann::ordered_json histogram = nlohmann::ordered_json::object();
   for (std::size_t n = 1; n < report.triangles_per_vertex.size(); ++n)
     if (report.triangles_per_vertex[n] != 0) histogram[std::to_string(n)] = report.triangles_per_vertex[n];

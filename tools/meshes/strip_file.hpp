@@ -9,15 +9,16 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "meshes/soup.hpp"
 
 namespace restrip::tools {
 
 enum class GltfPrimitives {
+  strips,   ///< a primitive for each strip: plain glTF 2.0; each takes some 140 bytes of JSON
+  list,     ///< one list of triangles: plain glTF 2.0
   restart,  ///< one primitive for all strips; needs a viewer that knows KHR_mesh_primitive_restart (a draft of 2026)
-  strips,   ///< a primitive for each strip: plain glTF 2.0, but each takes about 200 bytes of JSON
-  list      ///< one list of triangles: plain glTF 2.0
 };
 
 /// An index buffer of strips and what it draws.
@@ -31,5 +32,9 @@ struct StripFile {
 
 /// The bare indices, as .bin has them.
 [[nodiscard]] std::string index_bytes(std::span<const std::uint32_t> indices);
+
+/// A sentence with a line feed about the extensions that a viewer must know to open the file of this name; empty when
+/// there are none.
+[[nodiscard]] std::string as_text(const std::vector<std::string>& required_extensions, const std::string& name);
 
 }  // namespace restrip::tools

@@ -79,8 +79,8 @@ class GlbWriter {
     const bool restarts = std::find(indices_.begin(), indices_.end(), restart_index) != indices_.end();
     std::vector<std::string_view> used;
     if (primitives_ == GltfPrimitives::restart && restarts) {
-      used.emplace_back("KHR_mesh_primitive_restart");
-      json += R"("extensionsRequired":["KHR_mesh_primitive_restart"],)";
+      used.push_back(restart_extension);
+      json += fmt::format(R"("extensionsRequired":["{}"],)", restart_extension);
     }
     if (!extension_.name.empty()) used.push_back(extension_.name);
     if (!used.empty()) json += fmt::format(R"("extensionsUsed":["{}"],)", fmt::join(used, R"(",")"));

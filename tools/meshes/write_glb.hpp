@@ -8,6 +8,9 @@
 
 namespace restrip::tools {
 
+/// Required where a strip follows another one in a primitive.
+inline constexpr std::string_view restart_extension = "KHR_mesh_primitive_restart";
+
 /// Something more that is known of the mesh, which viewers may leave unknown: bytes in a buffer view of their own. In
 /// the mesh it is `"extensions": {name: {"bufferView": number}}`.
 struct GlbExtension {
@@ -15,8 +18,7 @@ struct GlbExtension {
   std::string_view bytes;
 };
 
-/// Throws BadInput where a GLB cannot hold the mesh. KHR_mesh_primitive_restart is required only where a strip follows
-/// another one in a primitive.
+/// Throws BadInput where a GLB cannot hold the mesh.
 [[nodiscard]] std::string glb_bytes(const StripFile& file, GltfPrimitives primitives,
                                     const GlbExtension& extension = {});
 

@@ -1,10 +1,12 @@
 #include "pictures/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <unordered_set>
+#include <unordered_map>
+#include <utility>
 
 namespace restrip::tools {
 namespace {
@@ -32,14 +34,36 @@ std::uint32_t number_of(const Color& c) noexcept {
   return std::uint32_t{c.red} << 16U | std::uint32_t{c.green} << 8U | std::uint32_t{c.blue};
 }
 
-/// Where two strips would have the same colour, the later one takes the next that is free.
+/// The colours that are taken, by number. Each leads towards the next one that is free, and is set to lead there
+/// directly when it is asked, so that strips without end do not go through all colours one by one.
+class TakenColors {
+ public:
+  static constexpr std::uint32_t all = 1U << 24U;
+
+  /// The colour, or the next one that is free. There must be one.
+  std::uint32_t take(std::uint32_t number) {
+    std::uint32_t free = number;
+    for (auto next = next_.find(free); next != next_.end(); next = next_.find(free)) free = next->second;
+    const std::uint32_t behind = (free + 1) % all;
+    while (number != free) number = std::exchange(next_.at(number), behind);
+    next_.emplace(free, behind);
+    return free;
+  }
+
+ private:
+  std::unordered_map<std::uint32_t, std::uint32_t> next_;
+};
+
+/// Where two strips would have the same colour, the later one takes the next that is free, while one is.
 std::vector<Color> distinct_colors(std::size_t count) {
-  std::unordered_set<std::uint32_t> taken{number_of(background_color), number_of(edge_color), number_of(surface_color)};
+  constexpr std::array others{background_color, edge_color, surface_color};
+  TakenColors taken;
+  for (const Color& color : others) taken.take(number_of(color));
   std::vector<Color> colors;
   colors.reserve(count);
   for (std::size_t strip = 0; strip < count; ++strip) {
-    std::uint32_t number = number_of(usual_color(strip));
-    while (!taken.insert(number).second) number = (number + 1) % (1U << 24U);
+    const std::uint32_t usual = number_of(usual_color(strip));
+    const std::uint32_t number = strip + others.size() < TakenColors::all ? taken.take(usual) : usual;
     colors.push_back({static_cast<std::uint8_t>(number >> 16U), static_cast<std::uint8_t>(number >> 8U),
                       static_cast<std::uint8_t>(number)});
   }

@@ -11,6 +11,7 @@
 #include "automaton/facts.hpp"
 #include "automaton/verify_automaton.hpp"
 #include "model/exit_code.hpp"
+#include "model/quantity.hpp"
 
 namespace {
 
@@ -22,9 +23,9 @@ int run(const restrip::verify::AutomatonOptions& options) {
     fmt::print("{}", line_of(result));
     std::fflush(stdout);
   });
-  fmt::print("{}: {} classes, {} rows, {} kinds of arcs, {} claims of which {} failed\n",
-             totals.failed == 0 ? "verified" : "NOT verified", totals.classes, totals.rows, totals.kinds, totals.claims,
-             totals.failed);
+  fmt::print("{}: {}, {}, {} of arcs, {} of which {} failed\n", totals.failed == 0 ? "verified" : "NOT verified",
+             quantity(totals.classes, "class", "es"), quantity(totals.rows, "row"), quantity(totals.kinds, "kind"),
+             quantity(totals.claims, "claim"), totals.failed);
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::runtime_error("standard output: what was found could not be written");
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
@@ -63,6 +64,14 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
+  // What the other options ask for is then not done: that is no way to ignore them.
+  for (const char* name : {"--tables-dir", "--tables-max-k", "--max-k", "--every"})
+    if (facts && !app.get_option(name)->empty()) {
+      fmt::print(stderr,
+                 "restrip-verify-automaton: --facts reads and searches nothing, so {} has no effect; leave it out\n",
+                 name);
+      return bad_input;
+    }
   try {
     if (!facts) return run(options);
     fmt::print("{}", restrip::verify::table_of(restrip::verify::facts_of_every_fan()));

@@ -9,6 +9,7 @@
 #include "automaton/fan_check.hpp"
 #include "judge/position_check.hpp"
 #include "model/input.hpp"
+#include "model/quantity.hpp"
 
 namespace restrip::verify {
 
@@ -63,7 +64,8 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
     const std::string file = certificate_of(options, family.name);
     const FanCheck check = check_against_rows(certificate, family, parse_certificate(file, read_file(file), family));
     teller.tell(fmt::format("worth what the rules of {} are", family.name),
-                fmt::format("k <= {}, {} positions, {} the very rule", options.tables_max_k, check.places, check.same),
+                fmt::format("k <= {}, {}, {} the very rule", options.tables_max_k, quantity(check.places, "position"),
+                            check.same),
                 check.keys, check.failures);
   }
   const unsigned usual = turns ? 6 : 10;
@@ -71,8 +73,8 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
     const unsigned every = k > (turns ? 5 : largest_fan) ? options.every : 1;
     const FanCheck check = check_against_search(certificate, k, every);
     teller.tell(fmt::format("every answer with k = {} is sound and best", k),
-                fmt::format("all recolourings{}, {}{} places", turns ? ", all turns behind ports" : "",
-                            every == 1 ? "all " : "", check.places),
+                fmt::format("all recolourings{}, {}{}", turns ? ", all turns behind ports" : "",
+                            every == 1 ? "all " : "", quantity(check.places, "place")),
                 check.keys, check.failures);
   }
   return totals;

@@ -6,6 +6,7 @@
 
 #include "judge/reference.hpp"
 #include "judge/section_check.hpp"
+#include "model/quantity.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -33,8 +34,9 @@ class FamilyReport {
     report_reasons();
     if (second_formulation_) report_second_formulation();
     report("copies follow from rules by symmetry",
-           fmt::format("{:.0f} symmetries at most, by backtracking", most_symmetries_), certificate_->rows,
-           section_seconds_, copies_);
+           fmt::format("{:.0f} {} at most, by backtracking", most_symmetries_,
+                       most_symmetries_ == 1 ? "symmetry" : "symmetries"),
+           certificate_->rows, section_seconds_, copies_);
     report("the stated numbers", "recounted; orbits by merging images", stated_, sum(&PositionCheck::Seconds::merged),
            claims_);
     report_nauty();
@@ -73,10 +75,10 @@ class FamilyReport {
   /// What docs/operation-file.md says of keys, with the definitions in place of it.
   void report_keys() const {
     report("joined ports tell which worlds a configuration fits",
-           fmt::format("{} colourings in worlds, equal graphs once", sum(&PositionCheck::tested)),
+           quantity(sum(&PositionCheck::tested), "colouring") + " in worlds, equal graphs once",
            sum(&PositionCheck::valid), 0, sum(&PositionCheck::odd_keys));
     report("sound by the worlds when it joins only pairs of J",
-           fmt::format("{} pairs of classes", sum(&PositionCheck::shortcuts)) + limit_, sum(&PositionCheck::pairs), 0,
+           quantity(sum(&PositionCheck::shortcuts), "pair") + " of classes" + limit_, sum(&PositionCheck::pairs), 0,
            sum(&PositionCheck::wrong_shortcuts));
   }
 
@@ -122,10 +124,10 @@ class FamilyReport {
 
   void report_reasons() const {
     if (!may_have_reasons(operation_)) return;
-    const std::string method = reasons_.rules == 0
-                                   ? "the certificate gives none"
-                                   : fmt::format("{} by disjoint sets, {} case trees to {} leaves",
-                                                 reasons_.rules - reasons_.trees, reasons_.trees, reasons_.most_cases);
+    const std::string method =
+        reasons_.rules == 0 ? "the certificate gives none"
+                            : fmt::format("{} by disjoint sets, {}, leaves up to {}", reasons_.rules - reasons_.trees,
+                                          quantity(reasons_.trees, "case tree"), reasons_.most_cases);
     report("every rule has a reason why nothing is preferred to it", method, reasons_.rules,
            sum(&PositionCheck::Seconds::reasons), reasons_.wrong);
   }
@@ -141,8 +143,8 @@ class FamilyReport {
     if (all.pairs == 0) return;
     report("worlds and forbidden sets agree on what is sound", "no forbidden set contained" + limit_, all.pairs,
            sum(&PositionCheck::Seconds::agreement), all.disagreements);
-    report("and on every optimum", fmt::format("{} smallest hitting sets", all.hitting_set_problems) + limit_,
-           all.optima, 0, all.disagreements);
+    report("and on every optimum", quantity(all.hitting_set_problems, "smallest hitting set") + limit_, all.optima, 0,
+           all.disagreements);
   }
 
   void report_nauty() const {
@@ -175,13 +177,14 @@ class FamilyReport {
       worst_strips = std::max(worst_strips, strips);
       worst_isolated = std::max(worst_isolated, isolated);
       if (operation.most_isolated && isolated > *operation.most_isolated)
-        wrong.add(fmt::format("{}: a rule isolates {} triangles more, the family claims at most {}", operation.name(),
-                              isolated, *operation.most_isolated));
+        wrong.add(fmt::format("{}: a rule isolates {} more, the family claims at most {}", operation.name(),
+                              quantity(static_cast<std::uint64_t>(isolated), "triangle"), *operation.most_isolated));
       if (operation.most_strips && strips > *operation.most_strips)
-        wrong.add(fmt::format("{}: a rule costs {} strips, the family claims at most {}", operation.name(), strips,
-                              *operation.most_strips));
+        wrong.add(fmt::format("{}: a rule costs {}, the family claims at most {}", operation.name(),
+                              quantity(static_cast<std::uint64_t>(strips), "strip"), *operation.most_strips));
     });
-    report(fmt::format("no rule costs above {} strips, isolates above {}", worst_strips, worst_isolated),
+    report(fmt::format("no rule costs above {}, isolates above {}",
+                       quantity(static_cast<std::uint64_t>(worst_strips), "strip"), worst_isolated),
            "maximum; and what the family claims", sum(&PositionCheck::with_sound_row), 0, wrong);
   }
 

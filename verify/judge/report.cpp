@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "model/quantity.hpp"
+
 namespace restrip::verify {
 namespace {
 
@@ -18,12 +20,7 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-/// 25888 as 25,888.
-std::string grouped(std::uint64_t number) {
-  return number < 1000 ? std::to_string(number) : fmt::format("{},{:03}", grouped(number / 1000), number % 1000);
-}
-
-/// "answers of the shipped headers proved: 32 in 1 positions (flip 1)"; empty when there are none.
+/// "answers of the shipped headers proved: 32 in 1 position (flip 1)"; empty when there are none.
 std::string answers_line(const char* what, const std::map<std::string, Totals::Answers>& answers) {
   if (answers.empty()) return {};
   Totals::Answers sum;
@@ -33,8 +30,8 @@ std::string answers_line(const char* what, const std::map<std::string, Totals::A
     sum.entries += count.entries;
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", family, count.positions);
   }
-  return fmt::format("answers of the shipped headers {}: {} in {} positions ({})\n", what, grouped(sum.entries),
-                     sum.positions, list);
+  return fmt::format("answers of the shipped headers {}: {} in {} ({})\n", what, grouped(sum.entries),
+                     quantity(sum.positions, "position"), list);
 }
 
 std::string json_of_answers(const std::map<std::string, Totals::Answers>& answers) {
@@ -55,16 +52,17 @@ std::string line_of(const ClaimResult& result) {
   std::string text = fmt::format("{:<6} {:<15} {:<58} {:<48} {:>15} {:>8.2f}\n", result.held() ? "holds" : "FAILS",
                                  result.subject, result.claim, result.method, grouped(result.cases), result.seconds);
   if (!result.held())
-    text += fmt::format("{} counterexample{}, the first:\n{}\n", grouped(result.failures),
-                        result.failures == 1 ? "" : "s", result.counterexample);
+    text +=
+        fmt::format("{}, the first:\n{}\n", quantity_grouped(result.failures, "counterexample"), result.counterexample);
   return text;
 }
 
 std::string last_line(const Totals& totals) {
   return answers_line("proved", totals.answers) + answers_line("NOT compared", totals.not_compared) +
-         fmt::format("{}: {} rules, {} alternatives, {} configurations, {} recolourings tried, {} claims{}\n",
-                     totals.failed == 0 ? "verified" : "NOT verified", grouped(totals.rules),
-                     grouped(totals.alternatives), grouped(totals.configurations), grouped(totals.pairs), totals.claims,
+         fmt::format("{}: {}, {}, {}, {} tried, {}{}\n", totals.failed == 0 ? "verified" : "NOT verified",
+                     quantity_grouped(totals.rules, "rule"), quantity_grouped(totals.alternatives, "alternative"),
+                     quantity_grouped(totals.configurations, "configuration"),
+                     quantity_grouped(totals.pairs, "recolouring"), quantity(totals.claims, "claim"),
                      totals.failed == 0 ? "" : fmt::format(" of which {} failed", totals.failed));
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "model/quantity.hpp"
+
 namespace restrip::verify {
 
 std::optional<SolidGraph> inner_graph(const Side& side, Mask inner) {
@@ -64,7 +66,7 @@ std::string invalid_because(const Side& side, Colors colors, unsigned most_solid
 }
 
 std::string drawn(const Side& side, Colors colors) {
-  std::string text = side.edges.empty() ? fmt::format("{} triangles without edges", side.triangles) : "edges";
+  std::string text = side.edges.empty() ? quantity(side.triangles, "triangle") + " without edges" : "edges";
   for (unsigned edge = 0; edge < side.inner_edges(); ++edge)
     text += fmt::format(" {}{}{}", name_of(side, side.edges[edge][0]), is_solid(colors.inner, edge) ? '=' : '-',
                         name_of(side, side.edges[edge][1]));

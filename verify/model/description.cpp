@@ -8,6 +8,7 @@
 
 #include "model/families_text.hpp"
 #include "model/side_reader.hpp"
+#include "model/words.hpp"
 
 namespace restrip::verify {
 
@@ -34,17 +35,32 @@ bool is_name(std::string_view text) {
          text.back() != '-' && text.find("--") == std::string_view::npos && std::all_of(text.begin(), text.end(), fits);
 }
 
-std::string name_of(const JsonValue& value) {
+std::string name_of(const JsonValue& value, Author author) {
   std::string name = value.string("a name");
   if (!is_name(name))
     value.fail(fmt::format("at most {} lower-case letters, digits and single hyphens between them, a letter first",
                            longest_name));
+  if (const std::optional<std::string> owner = author == Author::restrip ? std::nullopt : owner_of_name(name))
+    value.fail_found(fmt::format("expected a name that is free, \"{0}\" is {1}; \"my-{0}\" would do", name, *owner));
   return name;
 }
 
-std::string optional_text(const JsonValue& description, std::string_view name, const std::string& otherwise) {
+/// A text for people, which stands in a comment of the table.
+std::string sentence_of(const JsonValue& value) {
+  std::string text = value.string("a sentence in quotes");
+  if (const std::optional<std::string> stranger = no_comment(text))
+    value.fail_found(
+        fmt::format("expected words that can stand in a comment, found {}; write the sentence without", *stranger));
+  return text;
+}
+
+/// A position as certificates and reports write it.
+std::string words_of(const JsonValue& description, std::string_view name, const std::string& otherwise) {
   const std::optional<JsonValue> value = description.member(name);
-  return value ? value->string("a text") : otherwise;
+  if (!value) return otherwise;
+  std::string text = value->string("a text");
+  if (!is_words(text)) value->fail("words of printable ASCII with one space between them");
+  return text;
 }
 
 Conditions conditions_of(const JsonValue& description, const std::vector<std::string>& numbers, std::string_view name) {
@@ -126,7 +142,7 @@ class DescriptionReader {
  public:
   explicit DescriptionReader(std::shared_ptr<const DescriptionSource> source) : source_(std::move(source)) {}
 
-  Description read(std::size_t place) const {
+  Description read(std::size_t place, Author author) const {
     const JsonValue value = source_->description(place);
     if (const std::optional<JsonValue> take = value.member("take"))
       take->fail_found("no port can be taken, since a rule does not see the triangle behind a dashed port");
@@ -136,17 +152,17 @@ class DescriptionReader {
     Description description;
     description.source_ = source_;
     description.place_ = place;
-    description.name = name_of(value.required("name"));
-    if (const std::optional<JsonValue> about = value.member("about")) about->string("a sentence in quotes");
+    description.name = name_of(value.required("name"), author);
+    if (const std::optional<JsonValue> about = value.member("about")) description.about = sentence_of(*about);
     const std::optional<JsonValue> certificate = value.member("certificate");
-    description.certificate = certificate ? name_of(*certificate) : description.name;
+    description.certificate = certificate ? name_of(*certificate, author) : description.name;
     if (const auto numbers = value.member("numbers"))
       for (const JsonValue& number : numbers->list("a list of names", most_numbers))
         description.numbers.push_back(number.string("a text"));
     description.where = conditions_of(value, description.numbers, "where");
     description.listed = conditions_of(value, description.numbers, "listed");
-    description.position = optional_text(value, "position", "");
-    description.section = optional_text(value, "section", description.position);
+    description.position = words_of(value, "position", "");
+    description.section = words_of(value, "section", description.position);
     if (const auto linked = value.member("linked")) description.linked = linked->boolean("whether it has linked rules");
     read_one_position(description);
     return description;
@@ -194,7 +210,7 @@ Operation Description::at(const Numbers& values) const {
   Sides sides = read_sides(value, named);
   operation.before = std::move(sides.before);
   operation.after = std::move(sides.after);
-  operation.on_a_mesh = sides.on_a_mesh;
+  operation.vertices = sides.vertices;
   const JsonValue after = value.required("after");
   if (operation.after.ports() != operation.before.ports())
     after.member("ports").value_or(after).fail_found(fmt::format("expected as many ports as before, {}, found {}",
@@ -230,19 +246,20 @@ bool Description::serves_every_position() const {
 
 const std::string& Description::file() const { return source_->file; }
 
-std::vector<Description> parse_descriptions(const std::string& file, std::string_view text) {
+std::vector<Description> parse_descriptions(const std::string& file, std::string_view text, Author author) {
   auto source = std::make_shared<DescriptionSource>(DescriptionSource{file, parse_json(file, text), {}});
   const JsonValue whole(source->file, source->json, {});
   const JsonValue version = whole.required("restrip_operation");
   if (!version.is_integer(1)) version.fail("1, the version of the format");
   const std::optional<JsonValue> list = whole.member("operations");
-  if (!list) return {DescriptionReader(source).read(0)};
+  if (!list) return {DescriptionReader(source).read(0, author)};
   whole.expect_object({"restrip_operation", "operations"});
   source->list = "operations";
   const std::size_t count = list->list("a list of operations", most_descriptions).size();
   if (count == 0) list->fail_found("expected a list of operations, found none");
   std::vector<Description> descriptions;
-  for (std::size_t place = 0; place < count; ++place) descriptions.push_back(DescriptionReader(source).read(place));
+  for (std::size_t place = 0; place < count; ++place)
+    descriptions.push_back(DescriptionReader(source).read(place, author));
   return descriptions;
 }
 
@@ -254,7 +271,8 @@ Operation parse_operation(const std::string& file, std::string_view text) {
 }
 
 const std::vector<Description>& shipped_descriptions() {
-  static const std::vector<Description> shipped = parse_descriptions("tables/families.json", families_text);
+  static const std::vector<Description> shipped =
+      parse_descriptions("tables/families.json", families_text, Author::restrip);
   return shipped;
 }
 

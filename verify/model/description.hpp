@@ -18,6 +18,7 @@ struct DescriptionSource;  ///< the file as it was read: what depends on the pos
 class Description {
  public:
   std::string name;
+  std::string about;        ///< a sentence; empty where there is none
   std::string certificate;  ///< the name of the certificate that has its rules
   std::vector<std::string> numbers;
   Conditions where;
@@ -45,8 +46,12 @@ class Description {
   std::size_t place_ = 0;  ///< in the list of the file
 };
 
+/// Who wrote a file. Names that restrip's own tables have are for restrip's own families alone.
+enum class Author { user, restrip };
+
 /// InputError "file:line:column: member: expected …" when anything is not as docs/operation-file.md says.
-std::vector<Description> parse_descriptions(const std::string& file, std::string_view text);
+std::vector<Description> parse_descriptions(const std::string& file, std::string_view text,
+                                            Author author = Author::user);
 /// Reads a file with one operation at one position.
 Operation parse_operation(const std::string& file, std::string_view text);
 /// The descriptions of the shipped file, in its order.

@@ -1,10 +1,11 @@
 #pragma once
-// tables/families.json as it was when this was built (cmake/EmbedFamilies.cmake).
+// tables/families.json and docs/taken-names.json as they were when this was built (cmake/EmbedFamilies.cmake).
 
 #include <string_view>
 
 namespace restrip::verify {
 
 extern const std::string_view families_text;
+extern const std::string_view taken_names_text;
 
 }  // namespace restrip::verify

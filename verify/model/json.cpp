@@ -139,13 +139,22 @@ std::string Json::described() const {
 }
 
 Json parse_json(const std::string& file, std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf"))  // which the parser would skip
+    fail_at(file, {}, "expected no byte order mark before the file; save it as UTF-8 without one");
   PlacedValues values(file, text);
   if (!nlohmann::json::sax_parse(text, &values)) throw InputError(file, 0, "not JSON");
   return std::move(values).whole();
 }
 
+std::string shown(std::string_view text) {
+  std::string shown;
+  for (const char c : text)
+    shown += c >= ' ' && c <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  return shown;
+}
+
 void fail_at(const std::string& file, TextPlace place, const std::string& what) {
-  throw InputError(fmt::format("{}:{}", file, place.line), place.column, what);
+  throw InputError(fmt::format("{}:{}", file, place.line), place.column, shown(what));
 }
 
 }  // namespace restrip::verify

@@ -36,7 +36,10 @@ struct Json {
 /// InputError naming file, line and column when the text is not JSON or nests deeper than operation files do.
 Json parse_json(const std::string& file, std::string_view text);
 
-/// Throws InputError "file:line:column: what".
+/// The text with every byte that is not printable ASCII as \x1b: a file's words may tell a terminal anything.
+std::string shown(std::string_view text);
+
+/// Throws InputError "file:line:column: what", as it is shown.
 [[noreturn]] void fail_at(const std::string& file, TextPlace place, const std::string& what);
 
 }  // namespace restrip::verify

@@ -60,11 +60,14 @@ struct Operation {
   Side before;
   Side after;
   Mask may_give_up = 0;
-  bool on_a_mesh = false;            ///< given by its triangles, and found to be an operation on a mesh
+  /// Names of vertices on both sides together, where it is given by its triangles and was found to be an operation on a
+  /// mesh; otherwise 0.
+  unsigned vertices = 0;
   std::vector<Criterion> cost;       ///< the default is written out
   std::optional<int> most_strips;    ///< as the description claims: no rule costs more
   std::optional<int> most_isolated;  ///< the same of isolated triangles
 
+  bool on_a_mesh() const { return vertices != 0; }
   unsigned ports() const { return before.ports(); }
   std::string name() const { return position.empty() ? family : family + ' ' + position; }
 };

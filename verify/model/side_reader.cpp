@@ -93,15 +93,24 @@ class ElementReader {
   const std::set<unsigned>& indices(const std::string& name) const { return indices_.at(name); }
 
  private:
+  /// Names stand in reports.
+  static void expect_name(const std::string& name) {
+    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+    if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
+      throw std::invalid_argument(
+          fmt::format("expected letters and digits as the name of a triangle, found \"{}\"", name));
+  }
+
   TriangleNames element(const std::string& text) {
     const std::size_t open = text.find('[');
     if (open == std::string::npos) {
-      if (text.empty()) throw std::invalid_argument("expected the name of a triangle, found \"\"");
+      expect_name(text);
       return {text};
     }
     const std::string name = text.substr(0, open);
+    expect_name(name);
     const std::size_t comma = text.find(',');
-    if (name.empty() || comma == std::string::npos || comma < open || !text.ends_with(')'))
+    if (comma == std::string::npos || comma < open || !text.ends_with(')'))
       throw std::invalid_argument(fmt::format("expected a range as \"t[0,k)\", found \"{}\"", text));
     const auto value_of = [&](std::size_t from, std::size_t to) {
       const std::int64_t sum = Sum(text.substr(from, to - from), numbers_.names).of(numbers_.values);
@@ -270,10 +279,13 @@ Sides read_surface(const JsonValue& description) {
   NamedSurface surface{triangles("before"), triangles("after"), {}};
   if (const std::optional<JsonValue> boundary = description.member("boundary"))
     surface.boundary = names_of<2>(*boundary, "a list of stretches", "two vertices", most_colors_of_a_graph);
+  std::set<std::string> vertices;
+  for (const NamedTriangles* side : {&surface.before, &surface.after})
+    for (const auto& names : *side) vertices.insert(names.begin(), names.end());
   try {
     SurfaceGraphs graphs = graphs_of(surface);
     return {side_of(description.required("before"), std::move(graphs.before)),
-            side_of(description.required("after"), std::move(graphs.after)), true};
+            side_of(description.required("after"), std::move(graphs.after)), static_cast<unsigned>(vertices.size())};
   } catch (const SurfaceFault& fault) {
     const JsonValue member = description.required(fault.member);
     (fault.element ? member.item(*fault.element) : member).fail_found(fault.what);
@@ -286,7 +298,7 @@ Sides read_sides(const JsonValue& description, const NamedNumbers& numbers) {
   if (description.required("before").is_list()) return read_surface(description);
   if (const std::optional<JsonValue> boundary = description.member("boundary"))
     boundary->fail_found("expected patches that are given by their triangles where there is this member");
-  return {read_side(description.required("before"), numbers), read_side(description.required("after"), numbers), false};
+  return {read_side(description.required("before"), numbers), read_side(description.required("after"), numbers), 0};
 }
 
 Side read_side(const JsonValue& value, const NamedNumbers& numbers) {

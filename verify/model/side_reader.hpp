@@ -16,7 +16,7 @@ struct NamedNumbers {
 struct Sides {
   Side before;
   Side after;
-  bool on_a_mesh = false;
+  unsigned vertices = 0;  ///< of triangles with named vertices; 0 for the other forms
 };
 
 /// The sides of a description, at one position.

@@ -130,16 +130,21 @@ int main(int argc, char** argv) {
   app.add_option("--checker", options.checker,
                  "Another proof checker, such as drat-trim, called as CHECKER FORMULA PROOF");
   app.add_option("--out", options.out, "Keep formulas and proofs in this folder");
-  app.add_flag("--controls", options.controls,
-               "Alter rows, which must make the formulas satisfiable, and cut lines out of the proofs");
+  auto* const controls =
+      app.add_flag("--controls", options.controls,
+                   "Alter rows, which must make the formulas satisfiable, and cut lines out of the proofs");
   app.add_option("--control-rows", options.control_rows,
                  "Rows that --controls alters at each position; 0 for every row")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs(controls);
   app.add_flag("--json", as_json, "Print the results as JSON");
   app.add_option("--threads", options.threads, "How many threads; the result does not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
-  app.add_option("--check", files, "Only check one proof: --check FORMULA PROOF")->expected(2)->type_name("FILE FILE");
+  auto* const check = app.add_option("--check", files, "Only check one proof: --check FORMULA PROOF");
+  check->expected(2)->type_name("FILE FILE");
+  for (CLI::Option* option : app.get_options())
+    if (option != check && option->get_name() != "--help") check->excludes(option);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -5,46 +5,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <random>
-#include <set>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "buffer_changes.hpp"
 #include "hand_made_mesh.hpp"
 #include "random_operation.hpp"
+#include "restrip/output/check_buffer.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
 namespace restrip {
 namespace {
-
-using Corners = std::array<Vertex, 3>;
-
-Corners smallest_first(Corners c) {
-  std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-  return c;
-}
-
-// What a renderer draws, as the specifications of OpenGL and Vulkan have it; degenerate triangles draw nothing.
-template <class Index>
-std::vector<Corners> drawn(std::span<const Index> indices) {
-  std::vector<Corners> triangles;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (indices[i] == BasicStripBuffer<Index>::restart) begin = i + 1;
-    if (i < begin + 2) continue;
-    const bool odd = (i - begin) % 2 != 0;
-    const Corners c{indices[odd ? i - 1 : i - 2], indices[odd ? i - 2 : i - 1], indices[i]};
-    if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) triangles.push_back(smallest_first(c));
-  }
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
 
 // The promise of the header.
 std::size_t most_indices(const StripMesh& mesh) {
@@ -60,7 +34,7 @@ TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
         std::vector<Triangle> changed;
         mesh.watch(&changed);
         StripBuffer buffer(mesh);
-        ASSERT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
+        ASSERT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
         for (int round = 0; round < 60; ++round) {
           const std::vector<std::uint32_t> before(buffer.indices().begin(), buffer.indices().end());
           for (int n = most == 1 ? 1 : static_cast<int>(random() % static_cast<unsigned>(most)); n > 0; --n)
@@ -68,7 +42,7 @@ TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
           const auto ranges = buffer.update(mesh, changed);
           expect_only_reported_changes(before, buffer.indices(), ranges);
           changed.clear();
-          ASSERT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
+          ASSERT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
           ASSERT_LE(buffer.indices().size(), most_indices(mesh));
           ASSERT_LE(buffer.used(), buffer.indices().size());
           if (HasFatalFailure()) return;
@@ -97,7 +71,7 @@ TEST(StripBuffer, IsNeverMuchLongerThanTheStrips) {
       buffer.update(mesh, changed);
       changed.clear();
       if (i % 50 == 0) {
-        ASSERT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
+        ASSERT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
       }
       ASSERT_LE(buffer.indices().size(), most_indices(mesh)) << mesh.triangle_count() << " triangles";
       least_runs = std::min(least_runs, buffer.runs());
@@ -144,7 +118,7 @@ TEST(StripBuffer, AStripThatGetsShorterStaysWhereItIs) {
     for (const auto& range : buffer.update(mesh, changed)) written += range.count;
     changed.clear();
     ++collapses;
-    EXPECT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
+    EXPECT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
   }
   ASSERT_GT(collapses, 3U);
   EXPECT_LT(written, collapses * 36);
@@ -163,17 +137,17 @@ TEST(StripBuffer, SixteenBitIndices) {
     random_operation(keeper, random, (i / 150) % 2 == 0);
     buffer.update(mesh, changed);
     changed.clear();
-    ASSERT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
+    ASSERT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
   }
   // Vertex 65,534 is the last that fits.
-  const std::vector<Corners> last{{0, 1, 65'534}};
-  const std::vector<Corners> beyond{{0, 1, 65'535}};
+  const std::vector<sample::Corners> last{{0, 1, 65'534}};
+  const std::vector<sample::Corners> beyond{{0, 1, 65'535}};
   const StripMesh fits = StripMesh::build(last, 65'536);
   StripMesh does_not = StripMesh::build(beyond, 65'536);
-  EXPECT_EQ(drawn(StripBuffer16(fits).indices()), sample::triangles_of(fits));
+  EXPECT_EQ(triangles_of_strips(StripBuffer16(fits).indices()), sample::triangles_of(fits));
   EXPECT_THROW(StripBuffer16{does_not}, std::length_error);
   // An update that throws leaves the buffer as it was; the next one writes everything anew.
-  StripMesh grown = StripMesh::build(std::vector<Corners>{{0, 1, 2}, {0, 2, 3}}, 65'536);
+  StripMesh grown = StripMesh::build(std::vector<sample::Corners>{{0, 1, 2}, {0, 2, 3}}, 65'536);
   grown.watch(&changed);
   StripBuffer16 kept(grown);
   const std::vector<std::uint16_t> before(kept.indices().begin(), kept.indices().end());
@@ -185,7 +159,7 @@ TEST(StripBuffer, SixteenBitIndices) {
   grown.remove_vertex(chord);
   changed.clear();
   EXPECT_EQ(kept.update(grown, changed).size(), 1U);
-  EXPECT_EQ(drawn(kept.indices()), sample::triangles_of(grown));
+  EXPECT_EQ(triangles_of_strips(kept.indices()), sample::triangles_of(grown));
 }
 
 static_assert(NumberedMesh<sample::HandMade> && NumberedMesh<StripMesh> && FlippableMesh<sample::HandMade>);
@@ -199,7 +173,7 @@ TEST(StripBuffer, FollowsAMeshMadeByHand) {
     mesh.take_colors(colors);
     StripBuffer buffer(mesh);
     mesh.changed.clear();
-    ASSERT_EQ(drawn(buffer.indices()), mesh.triangles());
+    ASSERT_EQ(triangles_of_strips(buffer.indices()), mesh.triangles());
     int flips = 0;
     for (int i = 0; i < 400; ++i) {
       const int h = static_cast<int>(random() % static_cast<unsigned>(mesh.size()));
@@ -207,7 +181,7 @@ TEST(StripBuffer, FollowsAMeshMadeByHand) {
       flip(mesh, h);
       buffer.update(mesh, mesh.changed);
       mesh.changed.clear();
-      ASSERT_EQ(drawn(buffer.indices()), mesh.triangles());
+      ASSERT_EQ(triangles_of_strips(buffer.indices()), mesh.triangles());
       ++flips;
     }
     EXPECT_GT(flips, 100);
@@ -232,7 +206,7 @@ TEST(StripBuffer, AnUpdateEndsWhereColorsAreNotValid) {
   changed.clear();
   mesh.set_solid(mesh.spoke(0, 2), false);
   buffer.update(mesh, changed);
-  EXPECT_EQ(drawn(buffer.indices()), sample::triangles_of(mesh));
+  EXPECT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
 }
 
 }  // namespace

@@ -6,12 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <deque>
-#include <utility>
 #include <vector>
 
+#include "restrip/output/check_buffer.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
@@ -28,21 +27,6 @@ std::size_t misses_of_queue(const std::vector<std::uint32_t>& indices, std::size
     if (cache.size() > cache_size) cache.pop_front();
   }
   return misses;
-}
-
-std::vector<std::array<std::uint32_t, 3>> drawn_by_strips(const std::vector<std::uint32_t>& indices) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (indices[i] == restart_index) begin = i + 1;
-    if (i < begin + 2) continue;
-    std::array<std::uint32_t, 3> c{indices[i - 2], indices[i - 1], indices[i]};
-    if ((i - begin) % 2 != 0) std::swap(c[0], c[1]);
-    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
-    if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0]) triangles.push_back(c);
-  }
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
 }
 
 // Each strip as it is read from the end with the lower handle, all sorted.
@@ -79,8 +63,9 @@ TEST(StripOrder, TheSameStripsAreMissedLessOften) {
       const std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
       const std::vector<std::uint32_t> in_order = strip_indices(mesh, ordered);
       EXPECT_EQ(in_order.size(), indices.size());
-      EXPECT_EQ(drawn_by_strips(in_order), drawn_by_strips(indices));
-      EXPECT_EQ(drawn_by_strips(in_order).size(), mesh.triangle_count());
+      EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(in_order)),
+                triangles_of_strips(std::span<const std::uint32_t>(indices)));
+      EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(in_order)).size(), mesh.triangle_count());
       EXPECT_LE(misses_of_queue(in_order, cache_size), misses_of_queue(indices, cache_size));
       before += misses_of_queue(indices, cache_size);
       after += misses_of_queue(in_order, cache_size);

@@ -15,6 +15,7 @@
 #include "random_colors.hpp"
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/output/check_buffer.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 
@@ -214,6 +215,7 @@ TEST(Strips, OfAMeshMadeByHand) {
     const std::vector<Corners> expected = sample::triangles_of(mesh);
     std::sort(drawn.begin(), drawn.end());
     EXPECT_EQ(drawn, expected);
+    EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), expected);
     // A solid cycle around a vertex, and a triangle with three solid edges.
     for (int h = 0; h < other.size(); ++h)
       if (!other.on_boundary(other.opposite(h))) other.set_solid(h, true);

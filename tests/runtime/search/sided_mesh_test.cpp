@@ -1,10 +1,64 @@
-// A view by sides answers what the mesh answers, and what a StripMesh of the same triangles answers.
+// A view by sides answers what the mesh answers, and a StripMesh seen through one is itself.
 #include "restrip/search/sided_mesh.hpp"
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <type_traits>
+
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
+#include "sample_meshes.hpp"
+
 namespace restrip {
 namespace {
-TEST(SidedMesh, Todo) { EXPECT_TRUE(SidedMesh<StripMesh>); }
+
+static_assert(std::is_same_v<decltype(by_sides(std::declval<StripMesh&>())), StripMesh&>);
+static_assert(SidedMesh<SideView<StripMesh>> && NumberedMesh<SideView<StripMesh>>);
+
+TEST(SideView, AnswersWhatTheMeshAnswers) {
+  for (StripMesh& mesh : sample::meshes()) {
+    stripify(mesh);
+    const SideView<const StripMesh> view(mesh);
+    EXPECT_EQ(view.triangle_count(), mesh.triangle_count());
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+      ASSERT_EQ(view.alive(t), mesh.alive(t));
+      ASSERT_EQ(view.solid_sides(t), mesh.solid_sides(t));
+      ASSERT_EQ(view.solid_degree(t), mesh.solid_degree(t));
+      for (unsigned s = 0; s < 4; ++s) {
+        const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
+        const auto one = view.strip_step(h);
+        const auto other = mesh.strip_step(h);
+        ASSERT_EQ(one.goes_on, other.goes_on);
+        if (one.goes_on) {
+          ASSERT_EQ(one.in, other.in);
+        }
+        if (s == 3) continue;
+        ASSERT_EQ(view.opposite(h), mesh.opposite(h));
+        ASSERT_EQ(view.opposite(view.opposite(h)), h);
+        ASSERT_EQ(view.solid(h), mesh.solid(h));
+        ASSERT_EQ(view.solid(view.opposite(h)), mesh.solid(h));
+        ASSERT_EQ(view.solid_beside(h), mesh.solid_beside(h));
+        ASSERT_EQ(view.from(h), mesh.from(h));
+        ASSERT_EQ(view.from(view.opposite(h)), mesh.to(h));
+        ASSERT_EQ(view.named(view.own(h)), h);
+      }
+    }
+  }
+}
+
+TEST(SideView, ColoursGoThrough) {
+  StripMesh mesh = sample::torus(6, 5);
+  stripify(mesh);
+  std::vector<std::uint8_t> colors(mesh.triangle_bound());
+  for (Triangle t = 0; t < colors.size(); ++t) colors[t] = static_cast<std::uint8_t>(mesh.solid_sides(t));
+  StripMesh other = sample::torus(6, 5);
+  SideView view(other);
+  view.set_colors(colors);
+  for (Triangle t = 0; t < colors.size(); ++t) ASSERT_EQ(other.solid_sides(t), colors[t]);
+  view.clear_colors();
+  EXPECT_EQ(count_strips(other), other.triangle_count());
+}
+
 }  // namespace
 }  // namespace restrip

@@ -66,12 +66,19 @@ struct VertexSplit {
 };
 
 /// A mesh that can split a vertex: insert the triangles described at VertexSplit and return the halfedge v_s -> v_t
-/// (the chord). Other halfedges around the vertex, except those of the two spokes, stay valid handles of the same mesh
-/// edges. The dual edges of the new triangles are dashed; all others keep their colours.
+/// (the chord). Where it takes the new vertex from its caller, of a type Mesh::Vertex, and has no other insert_vertex,
+/// operations that insert a vertex must be given one. Other halfedges around the vertex, except those of the two
+/// spokes, stay valid handles of the same mesh edges. The dual edges of the new triangles are dashed; all others keep
+/// their colours.
 template <class Mesh>
-concept SplittableMesh = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where) {
+concept NamesNewVertices = ColoredMesh<Mesh> && requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where) {
   { mesh.insert_vertex(where) } -> std::same_as<typename Mesh::Halfedge>;
 };
+template <class Mesh>
+concept SplittableMesh = NamesNewVertices<Mesh> ||
+    (ColoredMesh<Mesh>&& requires(Mesh& mesh, VertexSplit<typename Mesh::Halfedge> where, typename Mesh::Vertex name) {
+      { mesh.insert_vertex(where, name) } -> std::same_as<typename Mesh::Halfedge>;
+    });
 
 /// A mesh that can collapse the mesh edge of the halfedge v_s -> v_t: remove v_t and the triangles beside the edge, and
 /// return a halfedge that leaves v_s: the one to v_l, the apex of the triangle to the left, or where there is none the

@@ -274,6 +274,7 @@ class StripMesh {
  private:
   friend class detail::TwoSteps;
   friend class detail::TrialColors;
+  friend class History;
 
   // Insertions and removals have two steps: handles are taken and given back in a fixed order by one thread, the rest
   // may be done on disjoint patches at the same time (TwoSteps of batch.hpp).
@@ -362,6 +363,7 @@ class StripMesh {
   Halfedge unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right, Room& freed) noexcept;
   void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
   Vertex new_vertex(Vertex wanted);
+  void join_edges(BuildReport& report);
   void find_non_manifold_vertices(BuildReport& report);
 
   std::vector<Record> triangles_;

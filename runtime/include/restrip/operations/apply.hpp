@@ -81,6 +81,8 @@ template <SurfaceTable Table>
 /// For operations from an untrusted source, see checked.hpp.
 template <SurfaceTable Table>
 Checked checked_apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge where);
+template <KeepsStrips Keeper, SurfaceTable Table>
+Checked checked_apply(Keeper& keeper, const Table& table, StripMesh::Halfedge where);
 
 /// An operation whose mesh has not changed yet. Made by before_apply(), used up by after_apply(). Refers to the table.
 template <class Halfedge, SurfaceTable Table>

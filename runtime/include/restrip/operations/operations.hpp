@@ -27,7 +27,7 @@ struct Rewrite {
 };
 
 /// Splits a vertex and recolours the patch (see VertexSplit for what goes where).
-template <SplittableMesh Mesh>
+template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where);
 
 /// Splits a vertex of a mesh that lets the caller name the new one.

@@ -24,7 +24,7 @@
 namespace restrip {
 
 /// Puts a new vertex v_t into the triangle of h, which leaves v_s. Rewrite::halfedge is v_s -> v_t, its valence 3.
-template <SplittableMesh Mesh>
+template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> split_face(Mesh& mesh, typename Mesh::Halfedge h);
 
 /// Removes v_t, a vertex of three triangles, of `chord` = v_s -> v_t: what split_face() did. Rewrite::halfedge leaves
@@ -34,7 +34,7 @@ Rewrite<typename Mesh::Halfedge> join_faces(Mesh& mesh, typename Mesh::Halfedge 
 
 /// Puts a new vertex v_t on the mesh edge of h, interior or on the boundary; h leaves v_s. Rewrite::halfedge is v_s ->
 /// v_t, its valence the triangles around v_t: 4, or 2 on the boundary.
-template <SplittableMesh Mesh>
+template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> bisect(Mesh& mesh, typename Mesh::Halfedge h);
 
 /// Removes v_t, an interior vertex of four triangles or a boundary vertex of two, of `chord` = v_s -> v_t, and joins

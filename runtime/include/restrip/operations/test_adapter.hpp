@@ -15,8 +15,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "restrip/mesh/mesh.hpp"
+#include "restrip/mesh/numbered_mesh.hpp"
 
 namespace restrip {
 
@@ -47,7 +50,8 @@ enum class Contract {
   other_colors_stay,         ///< other dual edges keep their colours
   triangle_count,            ///< an operation adds and removes the triangles that it should
   coloring_stays_valid,      ///< split(), collapse(), flip() and refine.hpp leave a valid colouring
-  told_is_true               ///< and their Rewrite::strips is the change in strips
+  told_is_true,              ///< and their Rewrite::strips is the change in strips
+  changes_named              ///< a list of changed triangles names all of them
 };
 
 /// One sentence for a person, that names the function of the mesh.
@@ -73,6 +77,12 @@ struct AdapterReport {
 /// may crash. Throws what the mesh throws, and std::bad_alloc.
 template <ColoredMesh Mesh>
 [[nodiscard]] AdapterReport test_adapter(Mesh& mesh, typename Mesh::Halfedge start, AdapterTest options = {});
+
+/// And the list of changes that comes with a mesh, as buffers want it: after each operation *changed must name every
+/// triangle whose corners, neighbours or colours have changed, and those inserted and removed. The test clears it.
+template <NumberedMesh Mesh>
+[[nodiscard]] AdapterReport test_adapter(Mesh& mesh, typename Mesh::Halfedge start, std::vector<std::uint32_t>* changed,
+                                         AdapterTest options = {});
 
 }  // namespace restrip
 

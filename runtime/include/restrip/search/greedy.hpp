@@ -15,19 +15,21 @@
 #include <cstdint>
 #include <vector>
 
-#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/search/sided_mesh.hpp"
 
 namespace restrip {
 
 /// Colours the whole mesh anew: every dual edge that was solid before is forgotten. One pass, linear time, 12 bytes a
 /// triangle while it runs; the same on every machine. Returns the number of strips.
-std::size_t stripify_fast(StripMesh& mesh);
+template <NumberedMesh Mesh>
+std::size_t stripify_fast(Mesh& mesh);
 
 namespace detail {
 
+template <SidedMesh Mesh>
 class GreedyStrips {
  public:
-  explicit GreedyStrips(StripMesh& mesh) : mesh_(mesh), nodes_(mesh.triangle_bound()) {
+  explicit GreedyStrips(Mesh& mesh) : mesh_(mesh), nodes_(mesh.triangle_bound()) {
     waiting_.reserve(mesh.triangle_count());
   }
 
@@ -132,7 +134,7 @@ class GreedyStrips {
     }
   }
 
-  StripMesh& mesh_;
+  Mesh& mesh_;
   std::vector<Node> nodes_;
   std::vector<Triangle> forced_;
   std::vector<Triangle> waiting_;  // every end that ever was, oldest first
@@ -141,6 +143,10 @@ class GreedyStrips {
 
 }  // namespace detail
 
-inline std::size_t stripify_fast(StripMesh& mesh) { return detail::GreedyStrips(mesh).run(); }
+template <NumberedMesh Mesh>
+std::size_t stripify_fast(Mesh& mesh) {
+  auto&& sides = by_sides(mesh);
+  return detail::GreedyStrips(sides).run();
+}
 
 }  // namespace restrip

@@ -38,6 +38,7 @@
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
+#include "restrip/mesh/impl/members.hpp"
 #include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/apply.hpp"
@@ -59,8 +60,10 @@ namespace restrip {
 /// change call rebuild(). The mesh must outlive the keeper and have a valid colouring (all dashed is one;
 /// check_coloring in strips.hpp tells). Where the keeper reads the whole mesh anew, it throws std::invalid_argument
 /// when the colouring is not valid. An operation is there if the mesh can do it (mesh.hpp).
-template <NumberedMesh Mesh>
+template <class Mesh>
 class Keeper {
+  static_assert(detail::has_members_of_numbered_mesh<Mesh>());
+
  public:
   using Halfedge = typename Mesh::Halfedge;
 

@@ -92,10 +92,10 @@ class SideView {
   }
   /// From side 3, no side, over the lowest solid side.
   [[nodiscard]] StripStep<Halfedge> strip_step(Halfedge in) const {
-    unsigned ways = solid_sides(triangle(in));
-    if (const unsigned entered = StripMesh::side(in); entered != 3) ways &= ~(1U << entered);
-    if (ways == 0) return {};
-    return {true, opposite(halfedge(triangle(in), static_cast<unsigned>(std::countr_zero(ways))))};
+    Halfedge out = StripMesh::side(in) == 3 ? halfedge(triangle(in), 0) : next(in);
+    for (int tries = StripMesh::side(in) == 3 ? 3 : 2; tries > 0; --tries, out = next(out))
+      if (solid(out)) return {true, opposite(out)};
+    return {};
   }
 
   [[nodiscard]] bool has_triangle(Triangle t) const { return t < triangle_bound() && bool{mesh_->has_triangle(t)}; }

@@ -41,17 +41,20 @@ enum class Effort {
 /// early when no fewer strips are possible. Otherwise it counts moves tried, some 80 ns each: 100 for each triangle,
 /// 1,000 with Effort::best after those of Effort::full. `seed` chooses another of many colourings that are as good;
 /// fewest strips do not ask for it.
-inline std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint64_t limit = 0, std::uint64_t seed = 1);
+template <NumberedMesh Mesh>
+std::size_t stripify(Mesh& mesh, Effort effort, Cost cost, std::uint64_t limit = 0, std::uint64_t seed = 1);
 
 /// Makes the fewest strips.
-inline std::size_t stripify(StripMesh& mesh, Effort effort = Effort::fast, std::size_t limit = 0) {
+template <NumberedMesh Mesh>
+std::size_t stripify(Mesh& mesh, Effort effort = Effort::fast, std::size_t limit = 0) {
   return stripify(mesh, effort, Cost::strips(), limit);
 }
 
 namespace detail {
 
 /// Fewer strips than stripify_fast() left, by tunnelling.
-inline std::size_t tunnel_from_scratch(StripMesh& mesh, std::uint64_t states) {
+template <SidedMesh Mesh>
+std::size_t tunnel_from_scratch(Mesh& mesh, std::uint64_t states) {
   StripLocator locator(mesh, StripLocator::chunk_limit_for_long_strips(mesh.triangle_count()));
   Tunnel tunnel;
   TunnelRounds rounds;
@@ -61,17 +64,19 @@ inline std::size_t tunnel_from_scratch(StripMesh& mesh, std::uint64_t states) {
 
 }  // namespace detail
 
-inline std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint64_t limit, std::uint64_t seed) {
-  const std::uint64_t triangles = mesh.triangle_count();
+template <NumberedMesh Mesh>
+std::size_t stripify(Mesh& mesh, Effort effort, Cost cost, std::uint64_t limit, std::uint64_t seed) {
+  auto&& sides = by_sides(mesh);
+  const std::uint64_t triangles = sides.triangle_count();
   if (cost.swap == 0) {
-    const std::size_t strips = stripify_fast(mesh);
+    const std::size_t strips = stripify_fast(sides);
     if (effort == Effort::fast) return strips;
     const bool strips_alone = cost.isolated == 0;
     const std::uint64_t states = (effort == Effort::full ? 40 : 1000) * triangles;
-    const std::size_t fewer = detail::tunnel_from_scratch(mesh, strips_alone && limit != 0 ? limit : states);
+    const std::size_t fewer = detail::tunnel_from_scratch(sides, strips_alone && limit != 0 ? limit : states);
     if (strips_alone) return fewer;
   }
-  detail::Annealing annealing(mesh, cost, seed);
+  detail::Annealing annealing(sides, cost, seed);
   if (cost.swap != 0) {
     annealing.grow();
     annealing.settle_ends(2);
@@ -98,7 +103,7 @@ inline std::size_t stripify(StripMesh& mesh, Effort effort, Cost cost, std::uint
     }
     annealing.go_back();
   }
-  annealing.give(mesh);
+  annealing.give(sides);
   return annealing.strips();
 }
 

@@ -1,4 +1,5 @@
-// Prints what a compiled table of an operation file answers, for `restrip-verify --operation FILE --dump-command`.
+// Prints what a compiled table of an operation file answers, for `restrip-verify --operation FILE --header HEADER
+// --dump-command PROGRAM`.
 // The whole program is
 //
 //     #include "restrip/tables/operation_dump.hpp"

@@ -473,25 +473,45 @@ inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangl
     }
   }
 
-  // Each mesh edge is listed at its smaller vertex when its first halfedge is met, and joined when the second one is.
+  mesh.join_edges(report);
+  mesh.find_non_manifold_vertices(report);
+  if (report_out != nullptr) *report_out = report;
+  return mesh;
+}
+
+/// Joins the halfedges of each mesh edge. They are found at its smaller vertex: the halfedges of each vertex come one
+/// after the other, in the order of their triangles, and each of its edges is known by its larger vertex. So no vertex
+/// is too large: O(triangles + vertices).
+inline void StripMesh::join_edges(BuildReport& report) {
+  const auto low_of = [this](Halfedge h) { return std::min(from(h), to(h)); };
+  // A counting sort: first_at[v] counts the halfedges of v, then says where they end, and then where they begin.
+  std::vector<std::uint32_t> first_at(spoke_.size() + 1, 0);
+  for (Triangle t = 0; t < triangles_.size(); ++t)
+    for (unsigned s = 0; s < 3; ++s) ++first_at[low_of(halfedge(t, s))];
+  for (std::size_t v = 1; v < first_at.size(); ++v) first_at[v] += first_at[v - 1];
+  std::vector<Halfedge> sorted(3 * triangles_.size());
+  for (auto t = static_cast<Triangle>(triangles_.size()); t-- > 0;)
+    for (unsigned s = 3; s-- > 0;) sorted[--first_at[low_of(halfedge(t, s))]] = halfedge(t, s);
+
   struct Edge {
     Vertex high;
-    std::uint32_t first;  // the halfedge; with `outside` once it is joined
-    std::uint32_t next;   // at the same vertex
+    std::uint32_t first;  // the halfedge met first; with `outside` once it is joined
   };
   constexpr std::uint32_t inconsistent = none - 1;
   constexpr std::uint32_t non_manifold = none;
-  std::vector<Edge> edges;
-  edges.reserve(mesh.triangles_.size() * 3 / 2 + 64);
-  std::vector<std::uint32_t> edges_at(vertex_count, none);
-  for (Triangle t = 0; t < mesh.triangles_.size(); ++t)
-    for (unsigned s = 0; s < 3; ++s) {
-      const Halfedge h = halfedge(t, s);
-      const auto [low, high] = std::minmax({mesh.from(h), mesh.to(h)});
-      std::uint32_t e = edges_at[low];
-      while (e != none && edges[e].high != high) e = edges[e].next;
-      if (e == none) {
-        edges.push_back({high, h.id, std::exchange(edges_at[low], static_cast<std::uint32_t>(edges.size()))});
+  std::vector<Edge> edges;             // of one vertex
+  std::vector<std::uint32_t> edge_to;  // in `edges`, if that is an edge to the vertex
+  edge_to.assign(spoke_.size(), none);
+  const auto vertices = static_cast<Vertex>(spoke_.size());
+  for (Vertex low = 0; low < vertices; ++low) {
+    edges.clear();
+    for (std::uint32_t i = first_at[low]; i < first_at[low + std::size_t{1}]; ++i) {
+      const Halfedge h = sorted[i];
+      const Vertex high = std::max(from(h), to(h));
+      const std::uint32_t e = edge_to[high];
+      if (e >= edges.size() || edges[e].high != high) {
+        edge_to[high] = static_cast<std::uint32_t>(edges.size());
+        edges.push_back({high, h.id});
         continue;
       }
       std::uint32_t& first = edges[e].first;
@@ -499,29 +519,25 @@ inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangl
         first = non_manifold;
       } else if ((first & outside) != 0) {
         const Halfedge g{first & ~outside};
-        const Halfedge back = mesh.opposite(g);
-        mesh.link_of(g) = mesh.link_of(back) = edge_of_mesh;
+        const Halfedge back = opposite(g);
+        link_of(g) = link_of(back) = edge_of_mesh;
         first = non_manifold;
-      } else if (mesh.from({first}) != mesh.to(h)) {
+      } else if (from({first}) != to(h)) {
         first = inconsistent;
       } else {
-        mesh.join({first}, h);
+        join({first}, h);
         first |= outside;
       }
     }
-  for (Vertex v = 0; v < vertex_count; ++v)
-    for (std::uint32_t e = edges_at[v]; e != none; e = edges[e].next) {
-      const std::uint32_t first = edges[e].first;
+    for (const auto& [high, first] : edges) {
       if (first != inconsistent && first != non_manifold) {
         report.boundary_edges += (first & outside) == 0 ? 1U : 0U;
         continue;
       }
       ++(first == inconsistent ? report.inconsistent_edges : report.non_manifold_edges);
-      mesh.non_manifold_[v] = mesh.non_manifold_[edges[e].high] = 1;
+      non_manifold_[low] = non_manifold_[high] = 1;
     }
-  mesh.find_non_manifold_vertices(report);
-  if (report_out != nullptr) *report_out = report;
-  return mesh;
+  }
 }
 
 inline void StripMesh::find_non_manifold_vertices(BuildReport& report) {

@@ -239,6 +239,11 @@ Checked checked_apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge w
   return detail::done_if_granted(check_apply(mesh, table, where), [&] { return apply(mesh, table, where); });
 }
 
+template <KeepsStrips Keeper, SurfaceTable Table>
+Checked checked_apply(Keeper& keeper, const Table& table, StripMesh::Halfedge where) {
+  return detail::done_if_granted(check_apply(keeper.mesh(), table, where), [&] { return keeper.apply(table, where); });
+}
+
 template <SurfaceTable Table>
 Rewrite<StripMesh::Halfedge> apply(StripMesh& mesh, const Table& table, StripMesh::Halfedge where) {
   RESTRIP_ASSERT(check_apply(mesh, table, where) == Refusal::granted, "apply",

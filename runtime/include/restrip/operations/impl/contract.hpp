@@ -61,6 +61,8 @@ namespace restrip {
       return "the colouring is not valid after an operation of restrip, though every other line held";
     case Contract::told_is_true:
       return "an operation of restrip did not tell the change in strips, though every other line held";
+    case Contract::changes_named:
+      return "the list of changes: a triangle changed and is not in it";
   }
   return "unknown";
 }

@@ -369,7 +369,7 @@ bool same_strip(const Mesh& mesh, typename Mesh::Halfedge g, typename Mesh::Half
     from_g.step(mesh);
     if (from_g.ended()) return detail::in_same_triangle(mesh, from_g.at(), h);
     from_h.step(mesh);
-    if (from_h.ended()) return false;
+    if (from_h.ended()) return false;  // of one strip, the walk from g would have ended by now
   }
 }
 

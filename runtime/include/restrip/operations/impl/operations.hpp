@@ -45,7 +45,7 @@ Rewrite<typename Mesh::Halfedge> collapse_with(const Rules& rules, Mesh& mesh, t
 
 }  // namespace detail
 
-template <SplittableMesh Mesh>
+template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> split(Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where) {
   RESTRIP_ASSERT(detail::refusal_of_split(mesh, where) == Refusal::granted, "split",
                  describe(detail::refusal_of_split(mesh, where)));

@@ -98,7 +98,7 @@ Refusal refusal_of_removal(const Mesh& mesh, Halfedge chord, std::size_t interio
 
 }  // namespace detail
 
-template <SplittableMesh Mesh>
+template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> split_face(Mesh& mesh, typename Mesh::Halfedge h) {
   const auto where = detail::split_into_face(mesh, h);
   RESTRIP_ASSERT(detail::refusal_of_split(mesh, where) == Refusal::granted, "split_face",
@@ -119,7 +119,7 @@ Rewrite<typename Mesh::Halfedge> join_faces(Mesh& mesh, typename Mesh::Halfedge 
   });
 }
 
-template <SplittableMesh Mesh>
+template <NamesNewVertices Mesh>
 Rewrite<typename Mesh::Halfedge> bisect(Mesh& mesh, typename Mesh::Halfedge h) {
   const auto where = detail::split_on_edge(mesh, h);
   RESTRIP_ASSERT(detail::refusal_of_split(mesh, where) == Refusal::granted, "bisect",

@@ -29,13 +29,15 @@ class AdapterDrive {
   using Split = VertexSplit<Halfedge>;
   using Spokes = typename Split::Spokes;
 
-  AdapterDrive(Mesh& mesh, AdapterTest options) : mesh_(mesh), options_(options), random_(options.seed) {}
+  AdapterDrive(Mesh& mesh, AdapterTest options, std::vector<std::uint32_t>* changed)
+      : mesh_(mesh), options_(options), changed_(changed), random_(options.seed) {}
 
   AdapterReport run(const Halfedge& start) {
     // A mesh of finite size is met before memory runs out.
     if (look_at(start, std::size_t{1} << 16)) return report_;
     const std::size_t first_size = now_.triangles;
-    if (colors_one_by_one()) return report_;
+    list_misses_one();
+    if (colors_one_by_one() || list_misses_one()) return report_;
     while (report_.operations < options_.operations) {
       const bool bare = report_.operations < options_.operations / 2;
       if (report_.operations == options_.operations / 2 && all_dashed()) return report_;
@@ -45,6 +47,7 @@ class AdapterDrive {
       if (bare) set_random_colors();
       const std::size_t kind = pick(5);
       if (bare ? bare_operation(h, kind, grow) : operation(h, kind, grow)) return report_;
+      if (list_misses_one()) return report_;
     }
     report_.during = "the mesh as it is given";
     return report_;
@@ -63,6 +66,43 @@ class AdapterDrive {
   }
   [[nodiscard]] bool interior(std::size_t h) const {
     return !now_.on_boundary(h) && !now_.on_boundary(now_.opposite[h]);
+  }
+
+  // ---- the list of changes
+
+  /// By number: corners, neighbours and colours of a triangle, from its lowest corner.
+  using TriangleState = std::array<std::array<std::uint32_t, 3>, 3>;
+  static constexpr std::uint32_t nothing = 0xFFFFFFFFU;
+
+  [[nodiscard]] TriangleState state_of(std::uint32_t t) const {
+    if (!mesh_.has_triangle(t)) return {{{nothing, nothing, nothing}, {}, {}}};
+    std::array<std::array<std::uint32_t, 3>, 3> sides{};
+    auto h = mesh_.halfedge(t);
+    for (auto& side : sides) {
+      const auto across = mesh_.opposite(h);
+      side = {static_cast<std::uint32_t>(mesh_.from(h)),
+              mesh_.on_boundary(across) ? nothing : static_cast<std::uint32_t>(mesh_.triangle(across)),
+              mesh_.solid(h) ? 1U : 0U};
+      h = mesh_.next(h);
+    }
+    std::rotate(sides.begin(), std::min_element(sides.begin(), sides.end()), sides.end());
+    return sides;
+  }
+  bool list_misses_one() {
+    if constexpr (NumberedMesh<Mesh>) {
+      if (changed_ == nullptr) return false;
+      const bool first = states_.empty();
+      std::vector<TriangleState> now(std::max(states_.size(), std::size_t{mesh_.triangle_bound()}),
+                                     {{{nothing, nothing, nothing}, {}, {}}});
+      states_.resize(now.size(), {{{nothing, nothing, nothing}, {}, {}}});
+      for (std::uint32_t t = 0; t < mesh_.triangle_bound(); ++t) now[t] = state_of(t);
+      for (std::uint32_t t = 0; t < now.size() && !first; ++t)
+        if (now[t] != states_[t] && std::find(changed_->begin(), changed_->end(), t) == changed_->end())
+          return fail(Contract::changes_named);
+      states_ = std::move(now);
+      changed_->clear();
+    }
+    return false;
   }
 
   // ---- colours
@@ -219,7 +259,7 @@ class AdapterDrive {
       if constexpr (FlippableMesh<Mesh>)
         if (may_flip(h)) return bare_flip(h);
     } else if (grow) {
-      if constexpr (SplittableMesh<Mesh>)
+      if constexpr (NamesNewVertices<Mesh>)
         if (Split where; draw_split(h, where)) return bare_split(where);
     } else if constexpr (CollapsibleMesh<Mesh>) {
       if (may_collapse(h)) return bare_collapse(h);
@@ -433,7 +473,7 @@ class AdapterDrive {
       if constexpr (FlippableMesh<Mesh>)
         if (may_flip(h)) return try_operation("flip", report_.flips, [&] { return flip(mesh_, at); });
     } else if (grow) {
-      if constexpr (SplittableMesh<Mesh>) return growing_operation(h, kind);
+      if constexpr (NamesNewVertices<Mesh>) return growing_operation(h, kind);
     } else if constexpr (CollapsibleMesh<Mesh>) {
       if (!may_collapse(h)) return false;
       if (refusal_of_removal(mesh_, at, 3, 0) == Refusal::granted && kind < 3)
@@ -458,6 +498,8 @@ class AdapterDrive {
 
   Mesh& mesh_;
   AdapterTest options_;
+  std::vector<std::uint32_t>* changed_;
+  std::vector<TriangleState> states_;
   std::mt19937 random_;
   AdapterReport report_;
   Picture now_;
@@ -470,7 +512,13 @@ class AdapterDrive {
 
 template <ColoredMesh Mesh>
 AdapterReport test_adapter(Mesh& mesh, typename Mesh::Halfedge start, AdapterTest options) {
-  return detail::AdapterDrive<Mesh>(mesh, options).run(start);
+  return detail::AdapterDrive<Mesh>(mesh, options, nullptr).run(start);
+}
+
+template <NumberedMesh Mesh>
+AdapterReport test_adapter(Mesh& mesh, typename Mesh::Halfedge start, std::vector<std::uint32_t>* changed,
+                           AdapterTest options) {
+  return detail::AdapterDrive<Mesh>(mesh, options, changed).run(start);
 }
 
 }  // namespace restrip

@@ -7,11 +7,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/search/impl/growing.hpp"
+#include "restrip/search/impl/marked_words.hpp"
+#include "restrip/search/impl/strip_trees.hpp"
+#include "restrip/search/sided_mesh.hpp"
 
 namespace restrip::detail {
 
@@ -49,12 +52,18 @@ class AnnealingRandom {
 /// triangles once the strips are good.
 class Annealing {
  public:
-  /// The mesh must stay as it is, but for the colours that give() gives it.
-  Annealing(const StripMesh& mesh, Cost cost, std::uint64_t seed)
-      : mesh_(mesh), cost_(cost), random_(seed), across_(mesh.triangle_bound()), solid_(mesh.triangle_bound(), 0) {
+  template <SidedMesh Mesh>
+  Annealing(const Mesh& mesh, Cost cost, std::uint64_t seed)
+      : cost_(cost),
+        random_(seed),
+        across_(mesh.triangle_bound()),
+        alive_(mesh.triangle_bound(), false),
+        solid_(mesh.triangle_bound(), 0) {
     for (Triangle t = 0; t < across_.size(); ++t) {
       across_[t] = {none, none, none};
       if (!mesh.alive(t)) continue;
+      alive_[t] = true;
+      ++triangles_;
       for (unsigned s = 0; s < 3; ++s) {
         const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s));
         if (!StripMesh::on_boundary(there)) across_[t][s] = there.id;
@@ -81,10 +90,14 @@ class Annealing {
   [[nodiscard]] std::size_t strips() const noexcept {
     std::size_t solid_sides = 0;
     for (const std::uint8_t sides : solid_) solid_sides += static_cast<std::size_t>(std::popcount(sides));
-    return mesh_.triangle_count() - solid_sides / 2;
+    return triangles_ - solid_sides / 2;
   }
+  [[nodiscard]] std::size_t triangles() const noexcept { return triangles_; }
   /// Colours the mesh.
-  void give(StripMesh& mesh) const { mesh.set_colors(solid_); }
+  template <SidedMesh Mesh>
+  void give(Mesh& mesh) const {
+    mesh.set_colors(solid_);
+  }
 
   /// Tries about so many moves while the temperature falls from `heat` hundredths to a half and a quarter of that, in
   /// 45 % of the moves each, and then to 0. At a temperature of 1 a change for the worse by a third of a strip (or a
@@ -137,7 +150,7 @@ class Annealing {
   [[nodiscard]] std::uint64_t cost() const noexcept {
     std::uint64_t sum = 0;
     for (Triangle t = 0; t < across_.size(); ++t) {
-      if (!mesh_.alive(t)) continue;
+      if (!alive_[t]) continue;
       if (solid_[t] == 0) sum += std::uint64_t{cost_.restart} + cost_.isolated;
       for (unsigned s = 0; s < 3; ++s) {
         const std::uint32_t h = t << 2 | s;
@@ -181,6 +194,7 @@ class Annealing {
     const std::uint32_t g = across(h);
     solid_[h >> 2] = static_cast<std::uint8_t>(solid_[h >> 2] ^ 1U << (h & 3U));
     solid_[g >> 2] = static_cast<std::uint8_t>(solid_[g >> 2] ^ 1U << (g & 3U));
+    if (trees_kept_) tell_trees(h);
   }
 
   // What the solid edge of h adds to the cost: swaps that it takes part in, less a strip, less triangles that would be
@@ -195,12 +209,47 @@ class Annealing {
     return std::int64_t{cost_.swap} * swaps - cost_.restart - std::int64_t{cost_.isolated} * alone;
   }
 
+  // ---- strips from end to end. Nearly all are walked; where a walk gets long, trees know the ends.
+  static constexpr unsigned longest_walk = 512;
+
+  // The trees are made when they are asked for the first time. From then on they are told of changes, but only before
+  // they are asked again; after too many changes they are made anew.
+  void tell_trees(std::uint32_t h) noexcept {
+    if (!untold_.empty() && untold_.back() >> 1 == h)
+      untold_.pop_back();  // taken back
+    else if (untold_.size() < untold_.capacity())
+      untold_.push_back(h << 1 | static_cast<std::uint32_t>(solid(h)));
+    else
+      trees_kept_ = false;
+  }
+  StripTrees& trees() {
+    const auto tell = [this](std::uint32_t h, bool linked) {
+      if (linked)
+        trees_.link(h >> 2, across(h) >> 2);
+      else
+        trees_.cut(h >> 2, across(h) >> 2);
+    };
+    if (trees_kept_) {
+      for (const std::uint32_t change : untold_) tell(change >> 1, (change & 1U) != 0);
+      untold_.clear();
+      return trees_;
+    }
+    trees_.reset(across_.size());
+    untold_.clear();
+    untold_.reserve(across_.size() / 4 + 16);
+    for (Triangle t = 0; t < across_.size(); ++t)
+      for (unsigned s = 0; s < 3; ++s)
+        if (const std::uint32_t h = t << 2 | s; solid(h) && h < across(h)) tell(h, true);
+    trees_kept_ = true;
+    return trees_;
+  }
+
   // Are t and u the two ends of one strip? Walks from both until the shorter walk ends.
-  [[nodiscard]] bool are_ends_of_one(Triangle t, Triangle u) const noexcept {
+  [[nodiscard]] bool are_ends_of_one(Triangle t, Triangle u) {
     if (solid_[t] == 0 || solid_[u] == 0) return false;
     std::uint32_t from_t = only_side(t);
     std::uint32_t from_u = only_side(u);
-    for (;;) {
+    for (unsigned steps = 0; steps < longest_walk; ++steps) {
       const std::uint32_t there = across(from_t);
       if (there >> 2 == u) return true;
       from_t = other(there);
@@ -208,6 +257,7 @@ class Annealing {
       from_u = other(back);
       if (from_t == none || from_u == none) return false;
     }
+    return trees().together(t, u);
   }
 
   struct End {
@@ -227,30 +277,44 @@ class Annealing {
     }
     return {t, begins_wrong(t)};
   }
+  // Both ends of the strip of t.
+  [[nodiscard]] std::array<Triangle, 2> ends_of(Triangle t) {
+    std::array<Triangle, 2> found{t, t};
+    if (solid_[t] == 0) return found;
+    std::array<std::uint32_t, 2> out{only_side(t), other(only_side(t))};
+    unsigned steps = 0;
+    for (unsigned way = 0; way < 2; ++way)
+      while (out[way] != none) {
+        if (++steps > longest_walk) return trees().ends(t);
+        const std::uint32_t in = across(out[way]);
+        found[way] = in >> 2;
+        out[way] = other(in);
+      }
+    return found;
+  }
   // How many of the strips of up to four triangles begin with the wrong turn from both ends.
-  [[nodiscard]] unsigned wrong_windings(std::span<const Triangle> triangles) const noexcept {
+  [[nodiscard]] unsigned wrong_windings(std::span<const Triangle> triangles) {
     std::array<Triangle, 4> met{};  // the lower ends
     std::size_t count = 0;
     unsigned wrong = 0;
     for (const Triangle t : triangles) {
-      const std::uint32_t side = solid_[t] == 0 ? none : only_side(t);
-      const End a = end_beyond(t, side);
-      const End b = end_beyond(t, side == none ? none : other(side));
-      const Triangle lower = std::min(a.triangle, b.triangle);
+      const auto [a, b] = ends_of(t);
+      const Triangle lower = std::min(a, b);
       if (std::find(met.begin(), met.begin() + count, lower) != met.begin() + count) continue;
       met[count++] = lower;
-      wrong += a.wrong && b.wrong ? 1U : 0U;
+      wrong += begins_wrong(a) && begins_wrong(b) ? 1U : 0U;
     }
     return wrong;
   }
 
+  // A triangle without a neighbour has no move.
   void list_flaws() {
-    flaws_.assign((across_.size() + 63) / 64, 0);
+    flaws_.reset(across_.size());
     for (Triangle t = 0; t < across_.size(); ++t)
-      if (mesh_.alive(t)) note(t);
+      if (across_[t] != std::array{none, none, none}) note(t);
   }
   void note(Triangle t) noexcept {
-    if (flawed(t) && !flaws_.empty()) flaws_[t >> 6] |= std::uint64_t{1} << (t & 63U);
+    if (flawed(t) && !flaws_.empty()) flaws_.mark(t);
   }
   // t and the triangles before and after it: those whose swaps depend on t's colours.
   void note_around(Triangle t) noexcept {
@@ -260,15 +324,16 @@ class Annealing {
   }
 
   // Tries the moves of every flawed triangle once, in the order of their handles, so that memory is read in order.
-  // Calls now_and_then() at every 4,096th triangle.
+  // Calls now_and_then() before the first one of every 4,096 triangles.
   template <class NowAndThen>
   void sweep(NowAndThen&& now_and_then) {
-    for (std::size_t word = 0; word < flaws_.size(); ++word) {
-      if (word % 64 == 0) now_and_then();
+    std::size_t block = none;
+    for (std::size_t word = flaws_.next(0); word != MarkedWords::no_word; word = flaws_.next(word + 1)) {
+      if (std::exchange(block, word / 64) != word / 64) now_and_then();
       for (std::uint64_t left = flaws_[word]; left != 0; left &= left - 1) {
         const auto t = static_cast<Triangle>(word * 64 + static_cast<unsigned>(std::countr_zero(left)));
         if (!flawed(t)) {
-          flaws_[word] &= ~(std::uint64_t{1} << (t & 63U));
+          flaws_.clear(t);
           continue;
         }
         for (unsigned s = 0; s < 3; ++s) try_move<false>(t << 2 | s);
@@ -281,9 +346,13 @@ class Annealing {
     std::array<std::uint32_t, 2> cut{};
     unsigned cuts = 0;
   };
-  void do_or_undo(const Move& move) noexcept {
-    if (move.added != none) flip(move.added);
+  void make(const Move& move) noexcept {
     for (unsigned i = 0; i < move.cuts; ++i) flip(move.cut[i]);
+    if (move.added != none) flip(move.added);
+  }
+  void take_back(const Move& move) noexcept {
+    if (move.added != none) flip(move.added);
+    for (unsigned i = move.cuts; i-- > 0;) flip(move.cut[i]);
   }
 
   // Takes h out when it is solid, or else makes it solid; drops the move when the cost rises by more than chance allows
@@ -315,34 +384,38 @@ class Annealing {
         flip(h);
         possible = change <= most && !are_ends_of_one(h >> 2, g >> 2);
       }
-      if (!possible) return do_or_undo(move);
+      if (!possible) return take_back(move);
       flip(h);
       move.added = h;
     }
-    if (change > most) return do_or_undo(move);
+    if (change > most) return take_back(move);
     if constexpr (Windings) {
       const std::array<Triangle, 4> around{h >> 2, g >> 2, across(move.cut[0]) >> 2, across(move.cut[1]) >> 2};
       const std::int64_t after = wrong_windings(std::span(around).first(2 + move.cuts));
-      do_or_undo(move);
+      take_back(move);
       const std::int64_t before = wrong_windings(std::span(around).first(2));
       if (change + (after - before) * cost_.swap > allowed) return;
-      do_or_undo(move);
+      make(move);
     }
     note_around(h >> 2);
     note_around(g >> 2);
     for (unsigned i = 0; i < move.cuts; ++i) note(across(move.cut[i]) >> 2);
   }
 
-  const StripMesh& mesh_;
   Cost cost_;
   AnnealingRandom random_;
   std::vector<std::array<std::uint32_t, 3>> across_;  // the opposite halfedge; none on the boundary
-  std::vector<std::uint8_t> solid_;                   // bit s: side s
+  std::vector<bool> alive_;
+  std::size_t triangles_ = 0;
+  std::vector<std::uint8_t> solid_;  // bit s: side s
   std::vector<std::uint8_t> kept_;
   std::uint64_t least_ = 0;
-  std::vector<std::uint64_t> flaws_;  // a bit for each flawed triangle, and for some that were
-  std::uint64_t temperature_ = 0;     // of the cost, in units of 2^-16 / ln 2
+  MarkedWords flaws_;              // the flawed triangles, and some that were
+  std::uint64_t temperature_ = 0;  // of the cost, in units of 2^-16 / ln 2
   std::uint64_t tried_ = 0;
+  StripTrees trees_;
+  bool trees_kept_ = false;
+  std::vector<std::uint32_t> untold_;  // halfedge << 1 | solid: what has changed since the trees were asked
 };
 
 }  // namespace restrip::detail

@@ -14,58 +14,58 @@ namespace restrip {
 
 // ---- operations
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 template <class... Name>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split(const VertexSplit<Halfedge>& where, Name... name) {
   RESTRIP_ASSERT(detail::refusal_of_split(*mesh_, where, name...) == Refusal::granted, "Keeper::split",
                  describe(detail::refusal_of_split(*mesh_, where, name...)));
   return perform(detail::SplitStep<Mesh, Name...>{where, {name...}});
 }
-template <NumberedMesh Mesh>
+template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::collapse(Halfedge chord) {
   RESTRIP_ASSERT(detail::refusal_of_collapse(*mesh_, chord) == Refusal::granted, "Keeper::collapse",
                  describe(detail::refusal_of_collapse(*mesh_, chord)));
   return perform(detail::CollapseStep<Mesh>{chord});
 }
-template <NumberedMesh Mesh>
+template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::flip(Halfedge h) {
   RESTRIP_ASSERT(detail::refusal_of_flip(*mesh_, h) == Refusal::granted, "Keeper::flip",
                  describe(detail::refusal_of_flip(*mesh_, h)));
   return perform(detail::FlipStep<Mesh>{h});
 }
-template <NumberedMesh Mesh>
+template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_face(Halfedge h) {
   RESTRIP_ASSERT(detail::refusal_of_face_split(*mesh_, h) == Refusal::granted, "Keeper::split_face",
                  describe(detail::refusal_of_face_split(*mesh_, h)));
   return perform(detail::InsertStep<Mesh, false>(*mesh_, h));
 }
-template <NumberedMesh Mesh>
+template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::bisect(Halfedge h) {
   RESTRIP_ASSERT(detail::refusal_of_bisection(*mesh_, h) == Refusal::granted, "Keeper::bisect",
                  describe(detail::refusal_of_bisection(*mesh_, h)));
   return perform(detail::InsertStep<Mesh, true>(*mesh_, h));
 }
-template <NumberedMesh Mesh>
+template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::join_faces(Halfedge chord) {
   RESTRIP_ASSERT(detail::refusal_of_removal(*mesh_, chord, 3, 0) == Refusal::granted, "Keeper::join_faces",
                  describe(detail::refusal_of_removal(*mesh_, chord, 3, 0)));
   return perform(detail::RemoveStep<Mesh, false>{{chord}});
 }
-template <NumberedMesh Mesh>
+template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::merge(Halfedge chord) {
   RESTRIP_ASSERT(detail::refusal_of_removal(*mesh_, chord, 4, 2) == Refusal::granted, "Keeper::merge",
                  describe(detail::refusal_of_removal(*mesh_, chord, 4, 2)));
   return perform(detail::RemoveStep<Mesh, true>{{chord}});
 }
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 template <SurfaceTable Table, class Change>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::apply(const Table& table, Halfedge where, Change&& change) {
   RESTRIP_ASSERT(detail::refusal_of_apply(*mesh_, table, where) == Refusal::granted, "Keeper::apply",
                  describe(detail::refusal_of_apply(*mesh_, table, where)));
   return perform(detail::ApplyStep<Mesh, Table, std::remove_reference_t<Change>>{table, where, change});
 }
-template <NumberedMesh Mesh>
+template <class Mesh>
 template <SurfaceTable Table>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::apply(const Table& table,
                                                      Halfedge where) requires std::same_as<Mesh, StripMesh> {
@@ -74,7 +74,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::apply(const Table& table,
   return apply(table, where, detail::replacing(*mesh_, table));
 }
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 template <class... Name>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_record(std::size_t record, const VertexSplit<Halfedge>& where,
                                                             Name... name) {
@@ -83,7 +83,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_record(std::size_t record, 
   begin();
   return counted(baked_->split(record, where, name...));
 }
-template <NumberedMesh Mesh>
+template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::collapse_record(std::size_t record, Halfedge chord) {
   RESTRIP_ASSERT(baked_.has_value(), "Keeper::collapse_record", "the keeper plays no baked strips");
   if (!baked_->can_collapse(record)) return collapse(chord);
@@ -92,13 +92,13 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::collapse_record(std::size_t recor
 }
 
 // One that ends by an exception leaves up_to_date_ false.
-template <NumberedMesh Mesh>
+template <class Mesh>
 void Keeper<Mesh>::begin() {
   if (!up_to_date_) rebuild();
   up_to_date_ = false;
 }
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
   begin();
@@ -111,14 +111,14 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
   return counted(step.joined(*mesh_, Exchange::no));
 }
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(const Rewrite<Halfedge>& done) {
   strips_ += static_cast<std::size_t>(done.strips);
   isolated_ += static_cast<std::size_t>(done.isolated);
   up_to_date_ = true;
   return done;
 }
-template <NumberedMesh Mesh>
+template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(Rewrite<Halfedge> done, const ColoringChange& change) {
   change_ = change;
   swaps_ += static_cast<std::size_t>(change.swaps);
@@ -128,7 +128,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(Rewrite<Halfedge> done, c
 }
 
 /// The mesh update alone, or an operation whose swaps must be counted.
-template <NumberedMesh Mesh>
+template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::count_around(const Step& step) {
   if (policy_ != Policy::bare) {
@@ -146,7 +146,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::count_around(const Step& step) {
   return counted({h, 0, 0, 0}, around_.change(*mesh_));
 }
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::search_from_ends(const Step& step) {
   passed_.begin(plan_.from == IndexPlan::From::joints);
@@ -158,7 +158,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::search_from_ends(const Step& step
   return counted(done, change);
 }
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& step) {
   auto&& sides = by_sides(*mesh_);
@@ -194,7 +194,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
 
 // The longer the strips, the more states it takes to find an end; a high power of the length keeps all levels of detail
 // close to `enough`.
-template <NumberedMesh Mesh>
+template <class Mesh>
 std::uint32_t Keeper<Mesh>::states_now() const noexcept {
   const double short_of =
       static_cast<double>(search_.enough) * static_cast<double>(locator_.strips()) / static_cast<double>(triangles_);
@@ -204,7 +204,7 @@ std::uint32_t Keeper<Mesh>::states_now() const noexcept {
 }
 
 /// The triangle of h, if it is isolated.
-template <NumberedMesh Mesh>
+template <class Mesh>
 template <class Sides>
 Mending Keeper<Mesh>::adopt(Sides&& sides, StripMesh::Halfedge h) {
   const auto paint = [&](StripMesh::Halfedge g, bool solid) {
@@ -215,7 +215,7 @@ Mending Keeper<Mesh>::adopt(Sides&& sides, StripMesh::Halfedge h) {
 
 // ---- in the background
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 std::size_t Keeper<Mesh>::improve(std::size_t budget) {
   begin();
   if (baked_) baked_->leave_step();
@@ -224,7 +224,7 @@ std::size_t Keeper<Mesh>::improve(std::size_t budget) {
   return saved;
 }
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 std::size_t Keeper<Mesh>::improve_strips(std::size_t budget) {
   auto&& sides = by_sides(*mesh_);
   if (!tunnels()) locator_.rebuild(sides);
@@ -236,7 +236,7 @@ std::size_t Keeper<Mesh>::improve_strips(std::size_t budget) {
   return (before - strips_) * descent_.cost().restart;
 }
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 std::size_t Keeper<Mesh>::improve_cost(std::size_t budget) {
   auto&& sides = by_sides(*mesh_);
   const std::size_t before = cost();
@@ -258,7 +258,7 @@ std::size_t Keeper<Mesh>::improve_cost(std::size_t budget) {
   return before - cost();
 }
 
-template <NumberedMesh Mesh>
+template <class Mesh>
 void Keeper<Mesh>::rebuild() {
   up_to_date_ = false;
   rounds_.restart();

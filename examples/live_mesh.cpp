@@ -1,0 +1,22 @@
+#include <cstdio>
+#include <restrip/restrip.hpp>
+
+int main() {
+  std::vector<std::uint32_t> triangles;  // a sheet of 40 by 40 squares, as an index buffer
+  for (std::uint32_t v = 0; v < 40 * 41; ++v)
+    if (v % 41 != 40) triangles.insert(triangles.end(), {v, v + 1, v + 42, v, v + 42, v + 41});
+  restrip::LiveMesh live(triangles, 41 * 41, {.history = 10'000});  // strips from scratch; upload live.indices() once
+  const auto end_of_frame = [&live] {
+    std::size_t written = 0;
+    for (const auto& range : live.update()) written += range.count;  // upload each range
+    std::printf("%zu triangles, strips: %zu, indices written: %zu of %zu\n", live.mesh().triangle_count(),
+                live.keeper().strips(), written, live.indices().size());
+  };
+  end_of_frame();
+  for (std::uint32_t v = 100; v < 110; ++v) live.collapse(live.edge(v + 41, v));  // or refused, with a reason
+  end_of_frame();
+  live.split({live.edge(600, 641), live.edge(600, 559)});  // vertex 600, along its edges to 641 and 559
+  end_of_frame();
+  live.undo();  // the split: the very triangles and strips there were
+  end_of_frame();
+}

@@ -1,0 +1,81 @@
+#include "operations/emitted_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "operations/families_text.hpp"
+
+namespace restrip::generator {
+namespace {
+
+struct CodePoints {
+  std::uint32_t first;
+  std::uint32_t last;
+};
+
+/// Controls, line and paragraph separators, and what is invisible or turns the direction of writing.
+constexpr std::array<CodePoints, 12> hidden{{{0x00, 0x1f},
+                                             {0x7f, 0x9f},
+                                             {0xad, 0xad},
+                                             {0x61c, 0x61c},
+                                             {0x180e, 0x180e},
+                                             {0x200b, 0x200f},
+                                             {0x2028, 0x202e},
+                                             {0x2060, 0x206f},
+                                             {0xfdd0, 0xfdef},
+                                             {0xfeff, 0xfeff},
+                                             {0xfff0, 0xfffb},
+                                             {0xe0000, 0x10ffff}}};
+
+/// The code point at the beginning of valid UTF-8, which is taken off.
+std::uint32_t taken_code_point(std::string_view& text) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
+  const std::uint32_t first = byte(0);
+  const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  std::uint32_t code = length == 1 ? first : first & (0x7fU >> length);
+  for (std::size_t i = 1; i < length; ++i) code = code << 6U | (byte(i) & 0x3fU);
+  text.remove_prefix(length);
+  return code;
+}
+
+}  // namespace
+
+std::string unprintable(std::string_view text) {
+  // Trigraphs have two question marks, and a comment line that ends with a backslash goes on in the next line.
+  for (const std::string_view mark : {"\\", "*/", "/*", "??"})
+    if (text.find(mark) != std::string_view::npos) return fmt::format("'{}'", mark);
+  while (!text.empty()) {
+    const std::uint32_t code = taken_code_point(text);
+    const bool is_hidden = std::any_of(hidden.begin(), hidden.end(),
+                                       [&](const CodePoints& some) { return some.first <= code && code <= some.last; });
+    if (is_hidden || (code & 0xfffeU) == 0xfffeU) return fmt::format("U+{:04X}", code);
+  }
+  return {};
+}
+
+std::string printable(std::string_view text) {
+  std::string words;
+  for (const char c : text)
+    words += c >= ' ' && c <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  return words;
+}
+
+std::string name_is(std::string name) {
+  static const auto taken = [] {
+    std::map<std::string, std::string> by_name;
+    const auto file = nlohmann::json::parse(taken_names_text);
+    for (const auto& group : file.at("taken"))
+      for (const auto& word : group.at("names")) by_name[word.get<std::string>()] = group.at("by").get<std::string>();
+    return by_name;
+  }();
+  std::replace(name.begin(), name.end(), '-', '_');
+  const auto found = taken.find(name);
+  return found == taken.end() ? std::string() : found->second;
+}
+
+}  // namespace restrip::generator

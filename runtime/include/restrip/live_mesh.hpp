@@ -1,0 +1,130 @@
+// LiveMesh: a mesh, its strips and the index buffer that draws them, in one object. What most engines need:
+//
+//   LiveMesh live(triangles, vertex_count);            // upload live.indices()
+//   live.collapse(live.edge(v_s, v_t));                // and split, flip, as often as the frame wants
+//   for (const auto& range : live.update()) upload(range);
+//   live.undo();                                       // the last frame, if there is to be a history
+//
+// The parts can be had one by one: StripMesh, Keeper, StripBuffer, History.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "restrip/mesh/cost.hpp"
+#include "restrip/mesh/history.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/operations/apply.hpp"
+#include "restrip/operations/checked.hpp"
+#include "restrip/output/strip_buffer.hpp"
+#include "restrip/search/keeper.hpp"
+#include "restrip/search/stripify.hpp"
+
+namespace restrip {
+
+struct LiveOptions {
+  Policy policy = Policy::quick;
+  Cost cost = Cost::indices();
+  Effort effort = Effort::full;  ///< of the strips that it begins with
+  std::size_t history = 0;       ///< triangles that may have changed in all frames that can be undone; 0: no history
+};
+
+/// Stays where it is: neither copied nor moved. Each call throws what its parts throw.
+class LiveMesh {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+
+  /// `triangles`: what StripMesh::build takes. `report` tells what of them was left out.
+  template <class Triangles>
+  LiveMesh(const Triangles& triangles, std::size_t vertex_count, LiveOptions options = {},
+           BuildReport* report = nullptr)
+      : LiveMesh(StripMesh::build(triangles, vertex_count, report), options, true) {}
+  /// A mesh with the colours that it has.
+  explicit LiveMesh(StripMesh mesh, LiveOptions options = {}) : LiveMesh(std::move(mesh), options, false) {}
+  LiveMesh(const LiveMesh&) = delete;
+  LiveMesh& operator=(const LiveMesh&) = delete;
+  ~LiveMesh() = default;
+
+  /// The halfedge from v to w, or {none}, which every operation refuses. O(valence of v).
+  [[nodiscard]] Halfedge edge(Vertex v, Vertex w) const noexcept {
+    const bool there = v < mesh_.vertex_bound() && w < mesh_.vertex_bound() && mesh_.spoke(v).id != none;
+    return there ? mesh_.spoke(v, w) : Halfedge{};
+  }
+
+  /// Done under the policy, or refused with the reason.
+  Checked split(const VertexSplit<Halfedge>& where, Vertex new_vertex = none) {
+    return checked_split(keeper_, where, new_vertex);
+  }
+  Checked collapse(Halfedge chord) { return checked_collapse(keeper_, chord); }
+  Checked flip(Halfedge h) { return checked_flip(keeper_, h); }
+  /// An operation of your own: see apply.hpp.
+  template <SurfaceTable Table>
+  Checked apply(const Table& table, Halfedge where) {
+    return checked_apply(keeper_, table, where);
+  }
+  /// In idle time: see Keeper::improve. Returns the cost saved.
+  std::size_t improve(std::size_t budget) { return keeper_.improve(budget); }
+
+  /// Ends a frame: the ranges of indices() that must be uploaded, ascending; valid until the next call.
+  std::span<const IndexRange> update() {
+    if (history_) history_->frame(mesh_, changed_);
+    return bring_in_step();
+  }
+  /// Takes back the last frame, or does it again; what has not been ended by update() counts as a frame. Triangles,
+  /// handles and colours are those there were. False when there is nothing to take back. Then update(). Linear time in
+  /// the mesh.
+  bool undo() {
+    if (!history_) return false;
+    history_->frame(mesh_, changed_);
+    return counted_anew(history_->undo(mesh_));
+  }
+  bool redo() { return history_ && counted_anew(history_->redo(mesh_)); }
+
+  /// Draw them as one triangle strip with primitive restart.
+  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return buffer_.indices(); }
+  [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
+  [[nodiscard]] Keeper<StripMesh>& keeper() noexcept { return keeper_; }
+
+ private:
+  LiveMesh(StripMesh&& mesh, const LiveOptions& options, bool from_scratch)
+      : mesh_(std::move(mesh)), keeper_(colored(mesh_, options, from_scratch), options.policy, options.cost) {
+    if (options.history != 0) history_.emplace(mesh_, options.history);
+    mesh_.watch(&changed_);
+    buffer_.rebuild(mesh_);
+  }
+  static StripMesh& colored(StripMesh& mesh, const LiveOptions& options, bool from_scratch) {
+    if (from_scratch) stripify(mesh, options.effort, options.cost);
+    return mesh;
+  }
+  std::span<const IndexRange> bring_in_step() {
+    const auto ranges = buffer_.update(mesh_, changed_);
+    changed_.clear();
+    return ranges;
+  }
+  bool counted_anew(bool done) {
+    if (done) keeper_.rebuild();
+    return done;
+  }
+
+  StripMesh mesh_;
+  Keeper<StripMesh> keeper_;
+  std::vector<Triangle> changed_;
+  StripBuffer buffer_;
+  std::optional<History> history_;
+};
+
+/// For a mesh that stays as it is: a triangle list in, the indices of strips with primitive restart out. `report` tells
+/// what of the list was left out. Throws as StripMesh::build and stripify do.
+template <class Triangles>
+[[nodiscard]] std::vector<std::uint32_t> strips_of(const Triangles& triangles, std::size_t vertex_count,
+                                                   Effort effort = Effort::full, Cost cost = Cost::indices(),
+                                                   BuildReport* report = nullptr) {
+  StripMesh mesh = StripMesh::build(triangles, vertex_count, report);
+  stripify(mesh, effort, cost);
+  return strip_indices(mesh);
+}
+
+}  // namespace restrip

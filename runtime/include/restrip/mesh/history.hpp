@@ -1,0 +1,193 @@
+// History: undo and redo of whole frames of a StripMesh, colours included.
+//
+// The inverse operations give a mesh back, but not its strips: rules and searches colour the way back as they find it.
+// A history keeps, for each frame, what the triangles that changed were before and after it. So undo gives back the
+// very mesh there was: triangles, handles and colours, bit by bit.
+//
+//   std::vector<Triangle> changed;
+//   mesh.watch(&changed);
+//   History history(mesh);
+//   ... operations of a frame, under a keeper or not ...
+//   history.frame(mesh, changed);                      // the frame ends here
+//   history.undo(mesh);  keeper.rebuild();             // changed names what undo changed
+//
+// A frame takes time and memory linear in the triangles that changed in it, some 100 bytes each; besides, there is one
+// copy of the mesh.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "restrip/mesh/strip_mesh.hpp"
+
+namespace restrip {
+
+class History {
+ public:
+  /// Begins with the mesh as it is. Linear time. `most_triangles`: of all frames that are kept; when there are more,
+  /// the oldest frames are forgotten, but for the last one.
+  explicit History(const StripMesh& mesh, std::size_t most_triangles = std::numeric_limits<std::size_t>::max())
+      : last_(mesh), most_(most_triangles) {}
+
+  /// Ends a frame. `changed`: as the watch of the mesh made it since the frame before; not cleared. Frames that were
+  /// undone and not redone are forgotten. A frame in which nothing changed is none. After std::bad_alloc the history
+  /// must not be used any more.
+  void frame(const StripMesh& mesh, std::span<const Triangle> changed);
+
+  /// Gives the mesh back as it was before the last frame, or after the one that was undone last. False when there is
+  /// none. Call after frame() alone: what has changed since is lost. The watch of the mesh is told. Keepers of the mesh
+  /// must be rebuilt, buffers updated.
+  bool undo(StripMesh& mesh);
+  bool redo(StripMesh& mesh);
+
+  [[nodiscard]] std::size_t undoable() const noexcept { return done_; }
+  [[nodiscard]] std::size_t redoable() const noexcept { return frames_.size() - done_; }
+
+ private:
+  template <class Value>
+  struct Change {
+    std::uint32_t at;
+    Value before;
+    Value after;
+  };
+  /// The end of a list, where it has changed.
+  template <class Value>
+  struct Tail {
+    std::size_t kept = 0;  // of the beginning
+    std::vector<Value> before;
+    std::vector<Value> after;
+  };
+  struct Frame {
+    std::vector<Change<StripMesh::Record>> triangles;
+    std::vector<Change<std::uint32_t>> spokes;
+    Tail<Triangle> free;
+    Tail<Vertex> free_vertices;
+    std::size_t triangles_before = 0;
+    std::size_t triangles_after = 0;
+    std::size_t vertices_before = 0;
+    std::size_t vertices_after = 0;
+  };
+
+  /// Also of a handle that a frame took and gave back, of which it knows nothing else.
+  static constexpr StripMesh::Record removed{
+      {none, none, none}, {StripMesh::edge_of_mesh, StripMesh::edge_of_mesh, StripMesh::edge_of_mesh}};
+
+  template <class Value>
+  static Tail<Value> tail_of(const std::vector<Value>& before, const std::vector<Value>& after, std::size_t changes);
+  template <class Value>
+  static void put(std::vector<Value>& list, const Tail<Value>& tail, bool forward);
+  static void apply(StripMesh& mesh, const Frame& frame, bool forward);
+  void step(StripMesh& mesh, const Frame& frame, bool forward);
+
+  StripMesh last_;  // as it was at the end of the last frame
+  std::deque<Frame> frames_;
+  std::size_t done_ = 0;  // frames that are not undone
+  std::size_t kept_ = 0;  // triangles of all frames
+  std::size_t most_;
+  std::vector<Triangle> named_;
+  std::vector<Vertex> corners_;
+};
+
+template <class Value>
+History::Tail<Value> History::tail_of(const std::vector<Value>& before, const std::vector<Value>& after,
+                                      std::size_t changes) {
+  // Each change takes one from the end or puts one there.
+  Tail<Value> tail;
+  tail.kept = std::min(before.size(), after.size());
+  tail.kept -= std::min(tail.kept, changes);
+  while (tail.kept < before.size() && tail.kept < after.size() && before[tail.kept] == after[tail.kept]) ++tail.kept;
+  tail.before.assign(before.begin() + static_cast<std::ptrdiff_t>(tail.kept), before.end());
+  tail.after.assign(after.begin() + static_cast<std::ptrdiff_t>(tail.kept), after.end());
+  return tail;
+}
+
+template <class Value>
+void History::put(std::vector<Value>& list, const Tail<Value>& tail, bool forward) {
+  const std::vector<Value>& now = forward ? tail.after : tail.before;
+  list.resize(tail.kept);
+  list.insert(list.end(), now.begin(), now.end());
+}
+
+inline void History::frame(const StripMesh& mesh, std::span<const Triangle> changed) {
+  named_.assign(changed.begin(), changed.end());
+  std::sort(named_.begin(), named_.end());
+  named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
+  Frame frame;
+  frame.triangles_before = last_.triangles_.size();
+  frame.triangles_after = mesh.triangles_.size();
+  frame.vertices_before = last_.spoke_.size();
+  frame.vertices_after = mesh.spoke_.size();
+  corners_.clear();
+  for (const Triangle t : named_) {
+    const auto& before = t < frame.triangles_before ? last_.triangles_[t] : removed;
+    const auto& after = t < frame.triangles_after ? mesh.triangles_[t] : removed;
+    for (const auto& record : {before, after})
+      for (const Vertex v : record.corner)
+        if (v != none) corners_.push_back(v);
+    if (before.corner != after.corner || before.link != after.link) frame.triangles.push_back({t, before, after});
+  }
+  if (frame.triangles.empty()) return;
+  while (frames_.size() > done_) {
+    kept_ -= frames_.back().triangles.size();
+    frames_.pop_back();
+  }
+  std::sort(corners_.begin(), corners_.end());
+  corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
+  for (const Vertex v : corners_) {
+    const std::uint32_t before = v < frame.vertices_before ? last_.spoke_[v] : none;
+    const std::uint32_t after = v < frame.vertices_after ? mesh.spoke_[v] : none;
+    if (before != after) frame.spokes.push_back({v, before, after});
+  }
+  frame.free = tail_of(last_.free_, mesh.free_, changed.size());
+  frame.free_vertices = tail_of(last_.free_vertices_, mesh.free_vertices_, changed.size());
+  apply(last_, frame, true);
+  kept_ += frame.triangles.size();
+  frames_.push_back(std::move(frame));
+  ++done_;
+  while (kept_ > most_ && frames_.size() > 1) {
+    kept_ -= frames_.front().triangles.size();
+    frames_.pop_front();
+    --done_;
+  }
+}
+
+inline void History::apply(StripMesh& mesh, const Frame& frame, bool forward) {
+  const auto size = forward ? frame.triangles_after : frame.triangles_before;
+  if (mesh.triangles_.size() < size) mesh.triangles_.resize(size, removed);
+  const auto vertices = forward ? frame.vertices_after : frame.vertices_before;
+  mesh.spoke_.resize(std::max(vertices, mesh.spoke_.size()), none);
+  for (const auto& change : frame.triangles)
+    if (change.at < size) mesh.triangles_[change.at] = forward ? change.after : change.before;
+  mesh.triangles_.resize(size);
+  for (const auto& change : frame.spokes) mesh.spoke_[change.at] = forward ? change.after : change.before;
+  mesh.spoke_.resize(vertices, none);
+  mesh.non_manifold_.resize(vertices, 0);
+  put(mesh.free_, frame.free, forward);
+  put(mesh.free_vertices_, frame.free_vertices, forward);
+}
+
+inline void History::step(StripMesh& mesh, const Frame& frame, bool forward) {
+  mesh.expect_touches(frame.triangles.size());
+  apply(mesh, frame, forward);
+  apply(last_, frame, forward);
+  for (const auto& change : frame.triangles) mesh.touch(change.at);
+}
+
+inline bool History::undo(StripMesh& mesh) {
+  if (done_ == 0) return false;
+  step(mesh, frames_[--done_], false);
+  return true;
+}
+inline bool History::redo(StripMesh& mesh) {
+  if (done_ == frames_.size()) return false;
+  step(mesh, frames_[done_++], true);
+  return true;
+}
+
+}  // namespace restrip

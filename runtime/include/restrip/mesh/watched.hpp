@@ -1,0 +1,123 @@
+// Watched: any mesh, with a list of the triangles that change.
+//
+// Buffers that are kept in step with a mesh (output/) must be told which triangles changed; one that is forgotten is
+// drawn wrongly, and nothing tells. A StripMesh makes the list itself (StripMesh::watch). For every other mesh Watched
+// derives it from the calls that change the mesh, so that nothing can be forgotten:
+//
+//   Watched watched(mesh);                             // a NumberedMesh of your own
+//   Keeper keeper(watched, Policy::quick);
+//   StripBuffer buffer(watched);
+//   keeper.collapse(chord);
+//   for (const auto& range : buffer.update(watched, watched.changed())) upload(range);
+//   watched.changed().clear();
+//
+// Change the mesh and its colours through the wrapper alone. Whoever keeps a list by hand can have it tested
+// (operations/test_adapter.hpp), and what a buffer draws can be checked (output/check_buffer.hpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "restrip/mesh/numbered_mesh.hpp"
+
+namespace restrip {
+
+/// Models what the mesh models. Refers to the mesh, which must outlive it. Each call takes the time of the mesh's own,
+/// and that of a walk around the vertices whose triangles change. Room in the list is made before anything changes;
+/// after std::bad_alloc nothing has.
+template <NumberedMesh Mesh>
+class Watched {
+ public:
+  using Halfedge = typename Mesh::Halfedge;
+
+  explicit Watched(Mesh& mesh) noexcept : mesh_(&mesh) {}
+
+  /// Every triangle whose corners, neighbours or colours have changed since the list was cleared, and those inserted
+  /// and removed; some of them more than once.
+  [[nodiscard]] std::vector<std::uint32_t>& changed() noexcept { return changed_; }
+  [[nodiscard]] const Mesh& mesh() const noexcept { return *mesh_; }
+
+  // ---- as the mesh answers
+  [[nodiscard]] Halfedge next(Halfedge h) const { return mesh_->next(h); }
+  [[nodiscard]] Halfedge opposite(Halfedge h) const { return mesh_->opposite(h); }
+  [[nodiscard]] bool on_boundary(Halfedge h) const { return mesh_->on_boundary(h); }
+  [[nodiscard]] bool solid(Halfedge h) const { return mesh_->solid(h); }
+  [[nodiscard]] auto triangle(Halfedge h) const { return mesh_->triangle(h); }
+  [[nodiscard]] Halfedge halfedge(std::uint32_t t) const { return mesh_->halfedge(t); }
+  [[nodiscard]] bool has_triangle(std::uint32_t t) const { return mesh_->has_triangle(t); }
+  [[nodiscard]] std::size_t triangle_bound() const { return mesh_->triangle_bound(); }
+  [[nodiscard]] auto from(Halfedge h) const { return mesh_->from(h); }
+  [[nodiscard]] bool leaves_boundary(Halfedge h) const requires requires(const Mesh& m) { m.leaves_boundary(h); }
+  { return mesh_->leaves_boundary(h); }
+  [[nodiscard]] bool alive(Halfedge h) const requires requires(const Mesh& m) { m.alive(h); }
+  { return mesh_->alive(h); }
+
+  // ---- what changes it
+  void set_solid(Halfedge h, bool solid) {
+    room_for(2);
+    name(h);
+    name(mesh_->opposite(h));
+    mesh_->set_solid(h, solid);
+  }
+  template <class... Name>
+  Halfedge insert_vertex(const VertexSplit<Halfedge>& where, Name... name_of_vertex) requires requires(Mesh& m) {
+    m.insert_vertex(where, name_of_vertex...);
+  }
+  {
+    name_fan(where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left);
+    room_for(2);
+    const Halfedge chord = mesh_->insert_vertex(where, name_of_vertex...);
+    name(chord);
+    name(mesh_->opposite(chord));
+    return chord;
+  }
+  Halfedge remove_vertex(Halfedge chord) requires requires(Mesh& m) { m.remove_vertex(chord); }
+  {
+    // The triangles that stay beside the two that go lie around one of its ends.
+    name_fan(mesh_->opposite(chord));
+    name_fan(chord);
+    return mesh_->remove_vertex(chord);
+  }
+  Halfedge turn_edge(Halfedge h) requires requires(Mesh& m) { m.turn_edge(h); }
+  {
+    room_for(6);
+    for (Halfedge side : {h, mesh_->opposite(h)}) {
+      name(side);
+      for (int port = 0; port < 2; ++port) {
+        side = mesh_->next(side);
+        name(mesh_->opposite(side));
+      }
+    }
+    return mesh_->turn_edge(h);
+  }
+
+ private:
+  void room_for(std::size_t more) {
+    if (changed_.capacity() - changed_.size() < more) changed_.reserve(2 * changed_.size() + more);
+  }
+  // There is room.
+  void name(Halfedge h) {
+    if (!mesh_->on_boundary(h)) changed_.push_back(static_cast<std::uint32_t>(mesh_->triangle(h)));
+  }
+  /// All triangles of the vertex that h leaves.
+  void name_fan(Halfedge h) {
+    Halfedge g = h;
+    while (!mesh_->on_boundary(g)) {
+      room_for(1);
+      name(g);
+      g = turn_ccw(*mesh_, g);
+      if (g == h) return;
+    }
+    for (g = h; !mesh_->on_boundary(mesh_->opposite(g));) {
+      g = turn_cw(*mesh_, g);
+      room_for(1);
+      name(g);
+    }
+  }
+
+  Mesh* mesh_;
+  std::vector<std::uint32_t> changed_;
+};
+
+}  // namespace restrip

@@ -1,0 +1,124 @@
+// Does an index buffer draw the triangles of a mesh, each once? For tests and debug builds: a buffer that was not told
+// of a change draws a wrong picture and does not know.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/triangle_list_buffer.hpp"
+
+namespace restrip {
+
+/// Three vertices counter-clockwise, the lowest first.
+using DrawnTriangle = std::array<std::uint32_t, 3>;
+
+/// The triangles that strips with restart indices draw, sorted; degenerate ones left out. `Index`: an unsigned type of
+/// 16 or 32 bits, its highest value restarts. O(n log n).
+template <class Index>
+[[nodiscard]] std::vector<DrawnTriangle> triangles_of_strips(std::span<const Index> indices);
+/// The same of a triangle list.
+template <class Index>
+[[nodiscard]] std::vector<DrawnTriangle> triangles_of_list(std::span<const Index> indices);
+/// Those of a mesh.
+template <NumberedMesh Mesh>
+[[nodiscard]] std::vector<DrawnTriangle> triangles_of(const Mesh& mesh);
+
+struct BufferReport {
+  std::size_t missing = 0;  ///< triangles of the mesh that the buffer does not draw
+  std::size_t extra = 0;    ///< triangles that it draws and the mesh has not, or draws once too often
+  [[nodiscard]] constexpr bool right() const noexcept { return missing + extra == 0; }
+};
+
+/// Decodes the buffer and compares. O(n log n).
+template <class Index, NumberedMesh Mesh>
+[[nodiscard]] BufferReport check_buffer(const BasicStripBuffer<Index>& buffer, const Mesh& mesh);
+template <class Index, NumberedMesh Mesh>
+[[nodiscard]] BufferReport check_buffer(const BasicTriangleListBuffer<Index>& buffer, const Mesh& mesh);
+
+namespace detail {
+
+constexpr bool is_degenerate(const DrawnTriangle& t) noexcept { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+constexpr DrawnTriangle lowest_first(DrawnTriangle t) noexcept {
+  if (t[1] < t[0] && t[1] < t[2]) return {t[1], t[2], t[0]};
+  if (t[2] < t[0] && t[2] < t[1]) return {t[2], t[0], t[1]};
+  return t;
+}
+
+inline BufferReport compare_drawn(const std::vector<DrawnTriangle>& drawn, const std::vector<DrawnTriangle>& wanted) {
+  BufferReport report;
+  std::size_t d = 0;
+  std::size_t w = 0;
+  while (d < drawn.size() || w < wanted.size()) {
+    if (w == wanted.size() || (d < drawn.size() && drawn[d] < wanted[w])) {
+      ++report.extra;
+      ++d;
+    } else if (d == drawn.size() || wanted[w] < drawn[d]) {
+      ++report.missing;
+      ++w;
+    } else {
+      ++d;
+      ++w;
+    }
+  }
+  return report;
+}
+
+}  // namespace detail
+
+template <class Index>
+std::vector<DrawnTriangle> triangles_of_strips(std::span<const Index> indices) {
+  std::vector<DrawnTriangle> drawn;
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    if (indices[i] == std::numeric_limits<Index>::max()) start = i + 1;
+    if (i < start + 2) continue;
+    DrawnTriangle t{indices[i - 2], indices[i - 1], indices[i]};
+    if ((i - start) % 2 == 1) std::swap(t[0], t[1]);
+    if (!detail::is_degenerate(t)) drawn.push_back(detail::lowest_first(t));
+  }
+  std::sort(drawn.begin(), drawn.end());
+  return drawn;
+}
+
+template <class Index>
+std::vector<DrawnTriangle> triangles_of_list(std::span<const Index> indices) {
+  std::vector<DrawnTriangle> drawn;
+  for (std::size_t i = 2; i < indices.size(); i += 3)
+    drawn.push_back(detail::lowest_first({indices[i - 2], indices[i - 1], indices[i]}));
+  std::sort(drawn.begin(), drawn.end());
+  return drawn;
+}
+
+template <NumberedMesh Mesh>
+std::vector<DrawnTriangle> triangles_of(const Mesh& mesh) {
+  std::vector<DrawnTriangle> all;
+  for (std::uint32_t t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.has_triangle(t)) continue;
+    const auto h = mesh.halfedge(t);
+    const auto second = mesh.next(h);
+    all.push_back(
+        detail::lowest_first({static_cast<std::uint32_t>(mesh.from(h)), static_cast<std::uint32_t>(mesh.from(second)),
+                              static_cast<std::uint32_t>(mesh.from(mesh.next(second)))}));
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+template <class Index, NumberedMesh Mesh>
+BufferReport check_buffer(const BasicStripBuffer<Index>& buffer, const Mesh& mesh) {
+  return detail::compare_drawn(triangles_of_strips(buffer.indices()), triangles_of(mesh));
+}
+template <class Index, NumberedMesh Mesh>
+BufferReport check_buffer(const BasicTriangleListBuffer<Index>& buffer, const Mesh& mesh) {
+  return detail::compare_drawn(triangles_of_list(buffer.indices()), triangles_of(mesh));
+}
+
+}  // namespace restrip

@@ -1,0 +1,182 @@
+#!/usr/bin/env python3
+"""Claim: whatever an operation file says, the header made of it is the same tokens as that of a plain file, but for its
+name; what would make it others is refused, by generator and verifier alike, and by both the same files. A dump program
+is not run when the header that it was made of says anything else.
+
+  hostile_operations_test.py BIN COMPILER ROOT
+"""
+import json
+import random
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+SEEDS = (7, 2024)
+FILES_OF_A_SEED = 90
+PLAIN = {
+    "restrip_operation": 1,
+    "name": "plain",
+    "about": "A new vertex inside a triangle.",
+    "constraint": "strips",
+    "before": {"triangles": 1, "edges": [], "ports": [0, 0, 0]},
+    "after": {"triangles": 3, "edges": [[0, 1], [1, 2], [2, 0]], "ports": [0, 1, 2]},
+}
+# What ends lines, comments or strings somewhere, or looks as if it did; and plain words.
+PIECES = ["\n", "\r", "\r\n", "\v", "\f", "\0", "\x1b[2K", "\x7f", "\x85", "\u2028", "\u2029", "\u202e", "\u200b", "\ufeff", "\\", "\\\n", "\\u000a",
+          "??/", "??/\n", "?", "/", "*", "*/", "/*", "//", "\"", "'", ")json\"", "R\"(", "`", "#", "#include <cstdlib>", "%:", "<%", "{", "}", ";",
+          "int owned;", "@name@", "$ENV{HOME}", "${name}", "$(id)", "\u00e9", "\u20ac", "\U0001f600", "\ud7ff", "\ufdd0", "\ufffe", "\U000e0041",
+          "a", "word", " ", "  ", "<!--", "-->", "]]>", "*)", "(*", "--", "'''", "\"\"\"", "\t"]
+NAMES = ["int", "class", "co-await", "split", "flip", "automaton", "pairings", "rule-of", "fn", "highp", "unix", "aux", "std", "main", "open-rows"]
+SYLLABLES = ["a", "x2", "bi", "sect", "int", "co", "await", "rule", "of", "open", "split", "static", "cast", "vec2", "i32", "if", "for", "m8"]
+
+
+# docs/operation-file.md, "Words": code points that no sentence has, first and last.
+HIDDEN = [(0, 0x1f), (0x7f, 0x9f), (0xad, 0xad), (0x61c, 0x61c), (0x180e, 0x180e), (0x200b, 0x200f), (0x2028, 0x202e), (0x2060, 0x206f),
+          (0xfdd0, 0xfdef), (0xfeff, 0xfeff), (0xfff0, 0xfffb), (0xfffe, 0xffff), (0x1fffe, 0x1ffff), (0xdfffe, 0x10ffff)]
+
+
+def tokens(text):
+    """As a compiler of C++ that is easily deceived sees it: any character that ends a line anywhere does, backslash or
+    trigraph and white space before it join lines, comments go."""
+    text = re.sub("\r\n|[\r\v\f\x85\u2028\u2029\0]", "\n", text)
+    text = re.sub(r"(\\|\?\?/)[ \t]*\n", "", text)
+    text = re.sub(r'"(?:[^"\\\n]|\\.)*"|//[^\n]*|/\*.*?\*/', lambda found: found[0] if found[0][0] == '"' else " ", text, flags=re.S)
+    return re.findall(r'"(?:[^"\\\n]|\\.)*"|\w+|[^\w\s]', text)
+
+
+class Programs:
+    def __init__(self, folder, scratch):
+        self.folder, self.scratch = folder, scratch
+
+    def generate(self, file, out):
+        """What the generator says of the file; empty when it takes it."""
+        return self.said([self.folder / "restrip-generate", "rules", "--operation", file, "--out", out], (0, 2))
+
+    def verify(self, file, *more):
+        return self.said([self.folder / "restrip-verify", "--operation", file, *more], (0, 1, 2))
+
+    @staticmethod
+    def said(command, codes):
+        done = subprocess.run(command, capture_output=True, check=False)
+        if done.returncode not in codes:
+            raise SystemExit(f"{command} ended with {done.returncode}: {done.stderr!r}")
+        if done.returncode != 2:
+            return ""
+        if not done.stderr:
+            raise SystemExit(f"{command} ended with 2 and said nothing")
+        return done.stderr.decode("utf-8", "backslashreplace")
+
+
+def refused_alike(programs, file, out):
+    """Whether both programs refuse the file; what they say names file, place and remedy."""
+    made, judged = programs.generate(file, out), programs.verify(file, "--header", "/dev/null")
+    if bool(made) != bool(judged):
+        raise SystemExit(f"{file}: the generator says {made!r}, the verifier {judged!r}")
+    for words in (made, judged):
+        if words and not re.match(rf"restrip-\w+: {re.escape(str(file))}:\d+:", words):
+            raise SystemExit(f"{file}: {words!r} does not name the place")
+        if words and any(ord(c) < 32 and c != "\n" for c in words):
+            raise SystemExit(f"{file}: {words!r} has control characters")
+    return bool(made)
+
+
+def hostile(random_numbers):
+    name = random_numbers.choice(NAMES) if random_numbers.random() < 0.2 else "-".join(
+        random_numbers.choice(SYLLABLES) for _ in range(random_numbers.randint(1, 3)))
+    if random_numbers.random() < 0.1:
+        name += random_numbers.choice(PIECES)
+    about = "".join(random_numbers.choice(PIECES) for _ in range(random_numbers.choice((0, 1, 1, 2, 4))))
+    return name, "Words. " * random_numbers.randint(0, 1) + about
+
+
+def main():
+    folder, compiler, root = Path(sys.argv[1]), sys.argv[2], Path(sys.argv[3])
+    with tempfile.TemporaryDirectory() as scratch_name:
+        scratch = Path(scratch_name)
+        programs = Programs(folder, scratch)
+        file, out = scratch / "operation.json", scratch / "out"
+        headers = out / "include/restrip/tables/operations"
+
+        def made_of(name, about):
+            """The header's text, or None when the file is refused."""
+            file.write_text(json.dumps(dict(PLAIN, name=name, about=about), ensure_ascii=random_numbers.random() < 0.5), encoding="utf-8")
+            if refused_alike(programs, file, out):
+                return None
+            header = headers / (name.replace("-", "_") + ".hpp")
+            if not json.loads(programs_json(header))["verified"]:
+                raise SystemExit(f"{name!r}, {about!r}: the verifier does not take the header")
+            return header.read_text(encoding="utf-8")
+
+        def programs_json(header):
+            return subprocess.run([folder / "restrip-verify", "--operation", file, "--header", header, "--json"], capture_output=True, text=True,
+                                  check=False).stdout
+
+        random_numbers = random.Random(0)
+        plain = tokens(made_of("plain", PLAIN["about"]))
+        counts = {True: 0, False: 0}
+        for seed in SEEDS:
+            print("seed", seed)
+            random_numbers = random.Random(seed)
+            for _ in range(FILES_OF_A_SEED):
+                name, about = hostile(random_numbers)
+                header = made_of(name, about)
+                counts[header is not None] += 1
+                if header is not None and tokens(header) != [name.replace("-", "_") if word == "plain" else word for word in plain]:
+                    raise SystemExit(f"seed {seed}: {name!r}, {about!r}: other tokens:\n{header}")
+        print(counts[True], "accepted,", counts[False], "refused")
+        if min(counts.values()) < 30:
+            raise SystemExit("too few to tell anything")
+
+        # All that was accepted compiles, beside all that is shipped, where unix and linux are macros as well.
+        names = sorted(header.name for header in headers.glob("*.hpp"))
+        source = scratch / "all.cpp"
+        shipped = sorted((root / "tables/include/restrip/tables").glob("*.hpp"))
+        source.write_text("".join(f'#include "restrip/tables/{header.name}"\n' for header in shipped) +
+                          "".join(f'#include "{headers / name}"\n' for name in names) + "int main() {}\n", encoding="utf-8")
+        subprocess.run([compiler, "-std=gnu++20", "-Wall", "-Wextra", "-Wtrigraphs", "-Wcomment", "-Werror", "-fsyntax-only", "-I",
+                        root / "tables/include", source], check=True)
+
+        # The corpus: each is refused by both.
+        corpus = sorted((root / "tests/corpus/operations/hostile").glob("*.json"))
+        for bad in corpus:
+            if not refused_alike(programs, bad, out):
+                raise SystemExit(f"{bad} is accepted")
+        # Every name that is taken, whatever takes it.
+        taken = [word for group in json.loads((root / "docs/taken-names.json").read_text())["taken"] for word in group["names"]]
+        for name in taken[::5] + NAMES:
+            file.write_text(json.dumps(dict(PLAIN, name=name.replace("_", "-"))), encoding="utf-8")
+            if not refused_alike(programs, file, out):
+                raise SystemExit(f"the name {name} is accepted")
+
+        # Every code point at the edge of those that may not be there.
+        for code in sorted({code for first, last in HIDDEN for code in (first - 1, first, last, last + 1)} - {-1, 0x110000}):
+            file.write_text(json.dumps(dict(PLAIN, about=f"a{chr(code)}b")), encoding="utf-8")
+            if refused_alike(programs, file, out) != any(first <= code <= last for first, last in HIDDEN):
+                raise SystemExit(f"U+{code:04X} is not taken as docs/operation-file.md says")
+
+        # A header with code in it: the program that was made of it is not run.
+        file.write_text(json.dumps(PLAIN), encoding="utf-8")
+        if programs.generate(file, out):
+            raise SystemExit("the plain file is refused")
+        text = (headers / "plain.hpp").read_text(encoding="utf-8")
+        mark, bad = scratch / "was-run", scratch / "bad.hpp"
+        for altered in (text.replace("#pragma once\n", "#pragma once\ninline const int owned = [] { return 1; }();\n"),
+                        text.replace("    {\n", "    {\n    owned(),\n"), text + "int owned;\n", text.replace(" 24,", " 024,", 1),
+                        text.replace("    }};", "    1, }};"), ""):
+            bad.write_text(altered, encoding="utf-8")
+            done = subprocess.run([folder / "restrip-verify", "--operation", file, "--header", bad, "--dump-command", f"touch {mark}"],
+                                  capture_output=True, text=True, check=False)
+            if done.returncode != 1 or mark.exists() or "was not run" not in done.stdout or f"{bad}:" not in done.stdout:
+                raise SystemExit(f"{altered}\n{done.stdout}{done.stderr}")
+        subprocess.run([folder / "restrip-verify", "--operation", file, "--header", headers / "plain.hpp", "--dump-command", f"touch {mark}"],
+                       capture_output=True, check=False)
+        if not mark.exists():
+            raise SystemExit("the program of a good header is not run either")
+        print(len(corpus), "files of the corpus refused;", len(names), "headers compiled together")
+        if len(corpus) < 25 or len(names) < 20:
+            raise SystemExit("too few to tell anything")
+
+
+main()

@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""Claim: the programs that make and verify tables do what every option says, or refuse it with a sentence; they tell how
+far they are on a terminal, and nothing elsewhere; one thing is not called "1 things".
+
+  table_programs_test.py BIN ROOT
+"""
+import os
+import pty
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+REFUSED = [
+    ("restrip-generate tables --cost 5,2,0 --language c --out {out}", "The following arguments were not expected: 5,2,0 --cost"),
+    ("restrip-generate describe --family flip --k 3", "--family flip: its positions do not depend on --k; leave it out"),
+    ("restrip-generate describe --family split --k 4 --at 2 --to 1", "--family split: its positions do not depend on --to"),
+    ("restrip-generate dump --family flip --k 4", "--family flip: it has one position, without --k"),
+    ("restrip-verify --headers --dump-command false --tables-dir tables", "--headers reads no certificates, so --tables-dir has no effect"),
+    ("restrip-verify --headers --dump-command false --all", "so --all has no effect; leave it out"),
+    ("restrip-verify --headers --dump-command false --threads 2", "so --threads has no effect; leave it out"),
+    ("restrip-verify --family split --linked-dump-command false", "--linked-dump-command judges all linked rules, so --family has no effect"),
+    ("restrip-verify --operation {bisect} --dump-command false --certificate {certificate}", "--dump-command with --operation needs --header"),
+    ("restrip-verify --operation {bisect} --max-k 4 --certificate {certificate}", "describes no family, so --max-k has no effect"),
+    ("restrip-verify --header {bisect}", "--header requires --operation"),
+    ("restrip-verify-automaton --facts --max-k 3", "--facts reads and searches nothing, so --max-k has no effect"),
+    ("restrip-verify-automaton --cost strips", "The following arguments were not expected: strips --cost"),
+    ("restrip-sat --control-rows 3", "--control-rows requires --controls"),
+    ("restrip-sat --check a b --family split", "excludes"),
+]
+JOIN = """{"restrip_operation": 1, "name": "join", "constraint": "strips",
+  "before": {"triangles": 3, "edges": [[0, 1], [1, 2], [2, 0]], "ports": [0, 1, 2]},
+  "after": {"triangles": 1, "edges": [], "ports": [0, 0, 0]}}
+"""
+ONE = """{"restrip_operation": 1, "name": "one", "constraint": "matching",
+  "before": {"triangles": 1, "edges": [], "ports": [0]},
+  "after": {"triangles": 1, "edges": [], "ports": [0]}}
+"""
+
+
+def on_terminal(command):
+    """What a terminal as standard error shows."""
+    ours, theirs = pty.openpty()
+    subprocess.run(command, stderr=theirs, stdout=subprocess.DEVNULL, check=True)
+    os.close(theirs)
+    shown = b""
+    try:
+        while block := os.read(ours, 4096):
+            shown += block
+    except OSError:  # the end, on Linux
+        pass
+    os.close(ours)
+    return shown.decode()
+
+
+def main():
+    folder, root = Path(sys.argv[1]), Path(sys.argv[2])
+    with tempfile.TemporaryDirectory() as scratch_name:
+        scratch = Path(scratch_name)
+        places = {"out": scratch / "out", "bisect": root / "tables/operations/bisect.json",
+                  "certificate": root / "tables/certificates/operations/bisect.cert"}
+        for line, sentence in REFUSED:
+            words = line.format(**places).split()
+            if not (folder / words[0]).exists():
+                raise SystemExit(f"{words[0]} is not built")
+            done = subprocess.run([folder / words[0], *words[1:]], capture_output=True, text=True, check=False)
+            if done.returncode != 2 or sentence not in done.stderr:
+                raise SystemExit(f"{line}: ended with {done.returncode}: {done.stderr}")
+        if places["out"].exists():
+            raise SystemExit("something was written all the same")
+
+        generate, verify = folder / "restrip-generate", folder / "restrip-verify"
+        (scratch / "join.json").write_text(JOIN, encoding="utf-8")
+        done = subprocess.run([generate, "rules", "--operation", scratch / "join.json", "--out", places["out"]], capture_output=True, text=True,
+                              check=False)
+        if done.returncode != 2 or not re.search(r"operation join: the configuration 0 3 \(.*as in a dump\) has no sound recolouring", done.stderr):
+            raise SystemExit(done.stderr)
+
+        # Progress, of the reasons too, where there are more than a moment's worth.
+        operation = root / "tests/corpus/operations/seven-to-five.json"
+        rules = [generate, "rules", "--operation", operation, "--out", places["out"]]
+        shown = on_terminal(rules)
+        for words in ("found reasons of 821 of 821 rules", "found 821 of 821 rules", "\r\x1b[K"):
+            if words not in shown:
+                raise SystemExit(f"a terminal shows {shown!r}")
+        done = subprocess.run(rules, capture_output=True, text=True, check=True)
+        if done.stderr or not re.fullmatch(r"seven-to-five +16384 configurations +821 rules +32768 bytes\n  graph only: [^\n]+\n", done.stdout):
+            raise SystemExit(done.stdout + done.stderr)
+
+        # One of each.
+        (scratch / "one.json").write_text(ONE, encoding="utf-8")
+        done = subprocess.run([generate, "rules", "--operation", scratch / "one.json", "--out", places["out"]], capture_output=True, text=True,
+                              check=True)
+        told = done.stdout + subprocess.check_output(
+            [verify, "--operation", scratch / "one.json", "--certificate", places["out"] / "certificates/operations/one.cert"], text=True)
+        told += subprocess.check_output([verify, "--tables-dir", root / "tables", "--family", "flip"], text=True)
+        told += subprocess.check_output([generate, "tables", "--max-k", "3", "--out", places["out"]], text=True)
+        if found := re.findall(r"(?<![\d.,])1 +[a-z]+s\b(?! =)", told):
+            raise SystemExit(f"{told}\n{found}")
+        if "1 section " not in told or "costs above 1 strip," not in told:
+            raise SystemExit(told)
+        if "As for dump" in subprocess.check_output([generate, "describe", "--help"], text=True):
+            raise SystemExit("describe --help sends the reader elsewhere")
+
+
+main()

@@ -1,0 +1,99 @@
+// One object keeps mesh, strips and buffer in step, and takes frames back.
+#include "restrip/live_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "random_operation.hpp"
+#include "restrip/output/check_buffer.hpp"
+#include "restrip/tables/operations/merge.hpp"
+#include "restrip/tables/operations/refine_face.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+std::vector<std::uint32_t> list_of(const StripMesh& mesh) {
+  std::vector<std::uint32_t> list;
+  for (const DrawnTriangle& t : triangles_of(mesh)) list.insert(list.end(), t.begin(), t.end());
+  return list;
+}
+
+/// A GPU's copy of the buffer, written by the ranges alone.
+struct Uploaded {
+  std::vector<std::uint32_t> indices;
+  void upload(const LiveMesh& live, std::span<const IndexRange> ranges) {
+    indices.resize(live.indices().size());
+    for (const auto& [first, count] : ranges)
+      std::copy_n(live.indices().begin() + static_cast<std::ptrdiff_t>(first), count,
+                  indices.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+};
+
+void operate(LiveMesh& live, std::mt19937& random, int operations) {
+  for (int n = 0; n < operations; ++n) {
+    random_operation(live.keeper(), random, live.mesh().triangle_count() < 600 || random() % 2 == 0);
+    // Of our own, where they may be done.
+    const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % live.mesh().triangle_bound()), 0);
+    live.apply(tables::merge, h);
+    if (live.mesh().triangle_count() < 900) live.apply(tables::refine_face, h);
+  }
+}
+
+TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
+  std::mt19937 random(1);
+  for (const Cost& cost : {Cost::strips(), Cost::indices()}) {
+    LiveMesh live(list_of(sample::torus(20, 20)), 400, {.cost = cost, .history = 100'000});
+    Uploaded gpu;
+    const auto expect_drawn = [&] {
+      gpu.upload(live, live.update());
+      ASSERT_EQ(triangles_of_strips(std::span<const std::uint32_t>(gpu.indices)), triangles_of(live.mesh()));
+      ASSERT_EQ(live.keeper().strips(), count_strips(live.mesh()));
+    };
+    gpu.indices.assign(live.indices().begin(), live.indices().end());
+    for (int frame = 0; frame < 60; ++frame) {
+      const unsigned choice = random() % 4;
+      if (choice == 0)
+        live.undo();
+      else if (choice == 1)
+        live.redo();
+      else
+        operate(live, random, static_cast<int>(random() % 30));
+      expect_drawn();
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(LiveMesh, OperationsByVerticesAndRefusals) {
+  LiveMesh live(list_of(sample::octahedron()), 6, {.history = 1000});
+  const std::size_t before = live.mesh().triangle_count();
+  EXPECT_EQ(live.collapse(live.edge(0, 77)).refusal, Refusal::no_such_edge);
+  EXPECT_EQ(live.flip(live.edge(0, 1)).refusal, Refusal::no_such_edge);  // opposite vertices
+  const Checked up = live.split({live.edge(4, 0), live.edge(4, 1)});
+  ASSERT_TRUE(up);
+  EXPECT_EQ(live.mesh().triangle_count(), before + 2);
+  EXPECT_TRUE(live.undo());
+  EXPECT_EQ(live.mesh().triangle_count(), before);
+  EXPECT_FALSE(live.undo());
+  EXPECT_TRUE(live.redo());
+  EXPECT_EQ(live.mesh().triangle_count(), before + 2);
+  LiveMesh without(list_of(sample::octahedron()), 6);
+  EXPECT_FALSE(without.undo());
+}
+
+TEST(StripsOf, ListInStripsOut) {
+  const StripMesh mesh = sample::sphere(8);
+  BuildReport report;
+  std::vector<std::uint32_t> list = list_of(mesh);
+  list.insert(list.end(), {0, 0, 1});
+  const auto indices = strips_of(list, mesh.vertex_bound(), Effort::full, Cost::indices(), &report);
+  EXPECT_EQ(report.degenerate_triangles, 1U);
+  EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), triangles_of(mesh));
+  EXPECT_LT(indices.size(), 2 * mesh.triangle_count());
+}
+
+}  // namespace
+}  // namespace restrip

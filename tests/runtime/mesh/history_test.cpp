@@ -1,0 +1,134 @@
+// Undo and redo give the very mesh there was: triangles, handles, free handles and colours.
+#include "restrip/mesh/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "random_operation.hpp"
+#include "restrip/search/stripify.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+/// All that can be asked of a mesh, and what its next insertions will be named.
+struct Look {
+  std::vector<std::uint32_t> numbers;
+  friend bool operator==(const Look&, const Look&) = default;
+};
+Look look_at(const StripMesh& mesh) {
+  Look look;
+  look.numbers = {static_cast<std::uint32_t>(mesh.triangle_bound()), static_cast<std::uint32_t>(mesh.vertex_bound())};
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t)) continue;
+    look.numbers.push_back(t);
+    for (unsigned s = 0; s < 3; ++s) {
+      const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
+      look.numbers.insert(look.numbers.end(), {mesh.from(h), mesh.opposite(h).id, mesh.solid(h) ? 1U : 0U});
+    }
+  }
+  for (Vertex v = 0; v < mesh.vertex_bound(); ++v) look.numbers.push_back(mesh.spoke(v).id);
+  StripMesh next = mesh;
+  for (int n = 0; n < 3; ++n)
+    for (Vertex v = 0; v < next.vertex_bound(); ++v) {
+      const StripMesh::Halfedge h = next.spoke(v);
+      if (h.id == none || check_split(next, {h, turn_ccw(next, h)}) != Refusal::granted) continue;
+      const auto chord = next.insert_vertex({h, turn_ccw(next, h)});
+      look.numbers.insert(look.numbers.end(), {chord.id, next.to(chord)});
+      break;
+    }
+  return look;
+}
+
+TEST(History, GivesBackTheVeryMesh) {
+  std::mt19937 random(3);
+  for (StripMesh& mesh : sample::meshes())
+    for (const Policy policy : {Policy::local, Policy::quick}) {
+      stripify(mesh);
+      std::vector<Triangle> changed;
+      mesh.watch(&changed);
+      Keeper keeper(mesh, policy);
+      History history(mesh);
+      std::vector<Look> looks{look_at(mesh)};
+      std::size_t at = 0;
+      for (int step = 0; step < 60; ++step) {
+        changed.clear();
+        if (random() % 3 != 0) {
+          for (auto n = random() % 6; n > 0; --n) random_operation(keeper, random, random() % 2 == 0);
+          history.frame(mesh, changed);
+          if (history.undoable() == at) continue;  // nothing changed, or what did was changed back
+          looks.resize(++at);
+          looks.push_back(look_at(mesh));
+        } else if (const bool back = random() % 3 != 0; back ? history.undo(mesh) : history.redo(mesh)) {
+          keeper.rebuild();
+          at += back ? std::size_t(-1) : 1;
+        }
+        ASSERT_EQ(history.undoable(), at);
+        ASSERT_EQ(history.redoable(), looks.size() - 1 - at);
+        ASSERT_EQ(look_at(mesh), looks[at]);
+      }
+      mesh.watch(nullptr);
+    }
+}
+
+TEST(History, CollapsesToAFewAndComesBackWithAsManyStrips) {
+  StripMesh mesh = sample::torus(40, 40);
+  stripify(mesh, Effort::full);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  Keeper keeper(mesh, Policy::local);
+  History history(mesh);
+  const std::size_t strips = keeper.strips();
+  const Look before = look_at(mesh);
+  std::mt19937 random(4);
+  for (int tries = 0; mesh.triangle_count() > 160 && tries < 100'000; ++tries) {
+    if (!checked_collapse(keeper, random_halfedge(mesh, random))) continue;
+    history.frame(mesh, changed);
+    changed.clear();
+  }
+  EXPECT_LE(mesh.triangle_count(), 160U);
+  while (history.undo(mesh)) {
+  }
+  keeper.rebuild();
+  EXPECT_EQ(keeper.strips(), strips);
+  EXPECT_EQ(look_at(mesh), before);
+}
+
+TEST(History, ForgetsWhatIsTooMuch) {
+  StripMesh mesh = sample::torus(12, 12);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  Keeper keeper(mesh, Policy::local);
+  History history(mesh, 100);
+  std::mt19937 random(5);
+  for (int n = 0; n < 200; ++n) {
+    changed.clear();
+    random_operation(keeper, random, n % 2 == 0);
+    history.frame(mesh, changed);
+  }
+  EXPECT_GE(history.undoable(), 1U);
+  EXPECT_LE(history.undoable(), 50U);
+}
+
+TEST(History, ForgetsTrianglesThatCameAndWentInAFrame) {
+  StripMesh mesh = sample::torus(5, 5);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  History history(mesh);
+  const StripMesh::Halfedge h = StripMesh::halfedge(7);
+  const auto bound = static_cast<Triangle>(mesh.triangle_bound());
+  collapse(mesh, split(mesh, {h, turn_ccw(mesh, turn_ccw(mesh, h))}).halfedge);
+  flip(mesh, StripMesh::halfedge(30));
+  ASSERT_EQ(mesh.triangle_bound(), bound + 2);
+  history.frame(mesh, changed);
+  const Look look = look_at(mesh);
+  ASSERT_TRUE(history.undo(mesh));
+  ASSERT_TRUE(history.redo(mesh));
+  EXPECT_FALSE(mesh.alive(bound) || mesh.alive(bound + 1));
+  EXPECT_EQ(look_at(mesh), look);
+}
+
+}  // namespace
+}  // namespace restrip

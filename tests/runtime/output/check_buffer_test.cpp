@@ -1,0 +1,41 @@
+// A buffer that was not told of a change is found out, and by how many triangles.
+#include "restrip/output/check_buffer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "restrip/mesh/checks.hpp"
+#include "restrip/search/stripify.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+TEST(CheckBuffer, CountsWhatIsMissingAndExtra) {
+  for (StripMesh& mesh : sample::meshes()) {
+    stripify(mesh);
+    const StripBuffer strips(mesh);
+    const StripBuffer16 strips16(mesh);
+    const TriangleListBuffer list(mesh);
+    EXPECT_TRUE(check_buffer(strips, mesh).right());
+    EXPECT_TRUE(check_buffer(strips16, mesh).right());
+    EXPECT_TRUE(check_buffer(list, mesh).right());
+    StripMesh::Halfedge h{};
+    for (Triangle t = 0; t < mesh.triangle_bound() && h.id == none; ++t)
+      if (check_flip(mesh, StripMesh::halfedge(t)) == Refusal::granted) h = StripMesh::halfedge(t);
+    if (h.id == none) continue;
+    mesh.turn_edge(h);
+    for (const BufferReport report : {check_buffer(strips, mesh), check_buffer(list, mesh)}) {
+      EXPECT_EQ(report.missing, 2U);
+      EXPECT_EQ(report.extra, 2U);
+    }
+  }
+}
+
+TEST(CheckBuffer, ATriangleTwiceIsOneTooMany) {
+  const std::vector<std::uint16_t> indices{0, 1, 2, 3, 0xFFFF, 2, 1, 3, 3, 0xFFFF, 1, 2, 0};
+  const auto drawn = triangles_of_strips(std::span<const std::uint16_t>(indices));
+  EXPECT_EQ(drawn, (std::vector<DrawnTriangle>{{0, 1, 2}, {0, 1, 2}, {1, 3, 2}, {1, 3, 2}}));
+}
+
+}  // namespace
+}  // namespace restrip

@@ -1,0 +1,126 @@
+// Simplifying, baking, replaying and drawing take linear time however many triangles share one vertex; the steps are
+// counted at two sizes, one twice the other. tests/runtime/hub_steps_test.cpp does so for what the library promises.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "lod/bake.hpp"
+#include "lod/simplify.hpp"
+#include "pictures/picture_file.hpp"
+#include "pictures/scene.hpp"
+#include "replay/replay.hpp"
+#include "replay/ways.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
+#include "runtime/growth.hpp"
+#include "runtime/hub_meshes.hpp"
+
+namespace restrip::tools {
+namespace {
+
+using counter::grows_at_most;
+using counter::linear;
+using counter::Work;
+using counter::work_of;
+
+/// On a spiral: no two points at one place, and no three in a line.
+Soup soup_of(const sample::HubMesh& mesh) {
+  Soup soup;
+  soup.triangles = mesh.triangles;
+  for (std::uint32_t v = 0; v < mesh.vertices; ++v) {
+    const double turn = 2.399963229728653 * v;
+    const double radius = std::sqrt(static_cast<double>(v));
+    soup.points.push_back({static_cast<float>(radius * std::cos(turn)), static_cast<float>(radius * std::sin(turn)),
+                           static_cast<float>(v % 7)});
+  }
+  return soup;
+}
+
+/// What run(soup, mesh) takes on each mesh with a hub of n and of 2 n triangles; `mesh` is simplified to a tenth.
+template <class Run>
+void expect_linear(std::uint32_t n, Run&& run) {
+  constexpr std::size_t kinds = 3;
+  std::array<std::array<Work, 2>, kinds> work;
+  for (const unsigned size : {0U, 1U}) {
+    const auto meshes = sample::hub_meshes(n << size);
+    ASSERT_EQ(meshes.size(), kinds);
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+      const Soup soup = soup_of(meshes[kind]);
+      const ProgressiveMesh mesh = simplify(soup, {0.1, BoundaryPolicy::move}).mesh;
+      ASSERT_EQ(mesh.splits.empty(), kind == 0) << "no triangle of the pinched mesh has a neighbour";
+      work[kind][size] = work_of([&] { run(soup, mesh); });
+    }
+  }
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    SCOPED_TRACE(sample::hub_meshes(1)[kind].name);
+    EXPECT_TRUE(grows_at_most(linear, work[kind][0], work[kind][1]));
+  }
+}
+
+TEST(ToolsHubSteps, SimplifyingIsLinear) {
+  expect_linear(3'000, [](const Soup& soup, const ProgressiveMesh&) {
+    EXPECT_GT(simplify(soup, {0.1, BoundaryPolicy::move}).wanted_triangles, 0U);
+  });
+}
+
+// Nothing may collapse at the faults, and everything that is left is looked at.
+TEST(ToolsHubSteps, StoppingShortIsLinear) {
+  expect_linear(3'000, [](const Soup& soup, const ProgressiveMesh&) {
+    EXPECT_TRUE(simplify(soup, {0.5, BoundaryPolicy::lock, 1}).stopped_short());
+  });
+}
+
+TEST(ToolsHubSteps, ReplayingIsLinear) {
+  for (const char* way : {"local", "quick"})
+    expect_linear(3'000, [way](const Soup& soup, const ProgressiveMesh& mesh) {
+      ReplayOptions options;
+      options.repeats = 0;
+      options.cycles = 1;
+      const Plan plan(way, mesh);
+      EXPECT_TRUE(replay(plan, soup.triangles, options).valid());
+    });
+}
+
+TEST(ToolsHubSteps, BakingIsLinear) {
+  for (const Cost cost : {Cost::strips(), Cost::indices()})
+    expect_linear(3'000, [cost](const Soup&, const ProgressiveMesh& mesh) {
+      EXPECT_EQ(bake(mesh, {2'000, cost}).records.size(), mesh.splits.size());
+    });
+}
+
+TEST(ToolsHubSteps, DrawingIsLinear) {
+  expect_linear(16'000, [](const Soup& soup, const ProgressiveMesh&) {
+    StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
+    stripify(mesh);
+    const Strips order = extract_strips(mesh);
+    std::vector<StripCorners> strips(order.size());
+    for (std::size_t s = 0; s < order.size(); ++s)
+      for (const Triangle t : order[s]) strips[s].push_back(mesh.corners(t));
+    const Scene scene = scene_of(soup.points, strips, {}, {64, 64}, StripStyle::faces);
+    EXPECT_FALSE(svg_of(scene).bytes.empty());
+    EXPECT_FALSE(png_of(scene).bytes.empty());
+  });
+}
+
+// Strips without end have colours of their own, each found without going through those that are taken.
+TEST(ToolsHubSteps, ColoringStripsIsLinear) {
+  std::array<Work, 2> work;
+  for (const unsigned size : {0U, 1U}) {
+    const Soup soup = soup_of(sample::pinched(100'000U << size));
+    std::vector<StripCorners> strips;
+    for (const Corners& t : soup.triangles) strips.push_back({t});
+    std::size_t colors = 0;
+    work[size] = work_of([&] {
+      colors = scene_of(soup.points, strips, {}, {64, 64}, StripStyle::faces).colors.size();
+    });
+    EXPECT_EQ(colors, strips.size());
+  }
+  EXPECT_TRUE(grows_at_most(linear, work[0], work[1]));
+}
+
+}  // namespace
+}  // namespace restrip::tools

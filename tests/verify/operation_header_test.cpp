@@ -1,0 +1,134 @@
+// The header of an operation's table is the text that docs/operation-file.md says, but for its numbers: whatever else
+// is put into it, at whatever place, is found.
+
+#include "judge/operation_header.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/input.hpp"
+
+namespace restrip::verify::test {
+namespace {
+
+struct Header {
+  Description description;
+  std::string text;
+
+  /// One that is shipped.
+  explicit Header(const std::string& name) : Header(read_file(shipped("/operations/" + name + ".json")), {}) {
+    std::string header = name;
+    std::replace(header.begin(), header.end(), '-', '_');
+    text = read_file(shipped("/include/restrip/tables/operations/" + header + ".hpp"));
+  }
+  Header(const std::string& file, std::string header)
+      : description(parse_descriptions("f", file).front()), text(std::move(header)) {}
+
+  std::string complaint(const std::string& altered) const {
+    return check_operation_header("h", altered, description).wrong.first;
+  }
+  /// When the first `what` is something else.
+  std::string with(const std::string& what, const std::string& other) const {
+    std::string altered = text;
+    const std::size_t at = altered.find(what);
+    EXPECT_NE(at, std::string::npos) << what;
+    return complaint(altered.replace(at, what.size(), other));
+  }
+
+ private:
+  static std::string shipped(const std::string& path) { return RESTRIP_TABLES_DIR + path; }
+};
+
+/// A patch that is given as a graph has no triangles in its header.
+Header graph() {
+  return {R"({"restrip_operation": 1, "name": "new-corner", "constraint": "strips",
+    "before": {"triangles": 1, "edges": [], "ports": [0, 0, 0]},
+    "after": {"triangles": 3, "edges": [[0, 1], [1, 2], [2, 0]], "ports": [0, 1, 2]}})",
+          R"(// new-corner
+// Written by `restrip-generate rules` from the operation file of new-corner. Do not edit.
+// Explained in restrip/tables/operation_format.hpp.
+#pragma once
+
+#include "restrip/tables/operation_format.hpp"
+
+namespace restrip::tables {
+
+inline constexpr OperationTable<std::uint8_t, 8> new_corner{
+    {1, 0},
+    {3, 3},
+    3,
+    false,
+    {
+    24, 25, 26, 35,
+    28, 21, 14, 255,
+    }};
+
+}  // namespace restrip::tables
+)"};
+}
+
+TEST(OperationHeader, ShippedOnesAreTables) {
+  for (const std::string name : {"bisect", "bisect-boundary", "merge", "merge-matching", "split-face"}) {
+    const Header shipped(name);
+    EXPECT_EQ(shipped.complaint(shipped.text), "") << name;
+    EXPECT_GT(check_operation_header("h", shipped.text, shipped.description).lines, 18U);
+  }
+  EXPECT_EQ(graph().complaint(graph().text), "");
+}
+
+TEST(OperationHeader, OfAnotherOperationIsNot) {
+  EXPECT_EQ(Header("bisect").complaint(Header("merge").text).substr(0, 30), "h:1: expected \"// A new vertex");
+}
+
+TEST(OperationHeader, AnyByteThatIsNoDigitOfATableIsMissed) {
+  for (const Header& header : {Header("bisect"), graph()})
+    for (std::size_t at = 0; at < header.text.size(); ++at) {
+      for (const char c : std::string_view("x\"\n\r\\(;#/ \0", 11)) {
+        std::string altered = header.text;
+        if (altered[at] != c) {
+          altered[at] = c;
+          EXPECT_NE(header.complaint(altered), "") << at << " becomes " << c;
+        }
+        altered = header.text;
+        altered.insert(at, 1, c);
+        EXPECT_NE(header.complaint(altered), "") << c << " at " << at;
+      }
+      if (const char c = header.text[at]; c < '0' || c > '9') {
+        std::string altered = header.text;
+        altered.erase(at, 1);
+        EXPECT_NE(header.complaint(altered), "") << "without " << at;
+      }
+      EXPECT_NE(header.complaint(header.text.substr(0, at)), "") << "cut at " << at;
+    }
+}
+
+TEST(OperationHeader, NumbersAreThoseOfTheTable) {
+  const Header bisect("bisect");
+  EXPECT_EQ(bisect.with(" 112,", " 113,"), "");
+  const std::string expected = "h:16: expected numbers up to 65535, each with a comma, 32 in all, found \"    ";
+  for (const std::string other : {" 0112,", " 65536,", " -1,", " 0x70,", " 112u,", " 1 + 1,", " (112),"})
+    EXPECT_EQ(bisect.with(" 112,", other).substr(0, expected.size()), expected) << other;
+  EXPECT_NE(bisect.with(" 112,", " 112, 1,"), "");
+  EXPECT_NE(bisect.with(" 112,", ""), "");
+}
+
+// Two triangles before with an edge and four ports, four after with four edges, five vertices.
+TEST(OperationHeader, NumbersAreThoseOfTheTriangles) {
+  const Header bisect("bisect");
+  const std::string first = " {0, 0, {0, 1, 2}, {0, 64, 65}},";
+  for (const std::string other : {" {1, 2, {4, 4, 4}, {0, 67, 255}},", first.c_str()})
+    EXPECT_EQ(bisect.with(first, other), "") << other;
+  const std::string expected = "h:21: expected triangles, each with a comma, 2 in all, found \"    ";
+  for (const std::string other :
+       {" {2, 0, {0, 1, 2}, {0, 64, 65}},", " {0, 3, {0, 1, 2}, {0, 64, 65}},", " {0, 0, {0, 5, 2}, {0, 64, 65}},",
+        " {0, 0, {0, 1, 2}, {1, 64, 65}},", " {0, 0, {0, 1, 2}, {0, 63, 65}},", " {0, 0, {0, 1, 2}, {0, 64, 68}},",
+        " {0, 0, {0, 1, 2}, {0, 64, 256}},", " {0, 0, {0, 1, 02}, {0, 64, 65}},", " {0, 0, {0, 1, 2}, {0, 64}},"})
+    EXPECT_EQ(bisect.with(first, other).substr(0, expected.size()), expected) << other;
+  EXPECT_NE(bisect.with(first, first + first), "");
+  EXPECT_NE(bisect.with(first, ""), "");
+  EXPECT_NE(bisect.with("\n    5,\n", "\n    6,\n"), "");
+}
+
+}  // namespace
+}  // namespace restrip::verify::test

@@ -1,0 +1,167 @@
+#include "judge/operation_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <vector>
+
+#include "model/json.hpp"
+
+namespace restrip::verify {
+namespace {
+
+/// Sides of triangles as `restrip/tables/operation_format.hpp` numbers them, beside inner edges.
+constexpr std::uint64_t first_port_side = 64;
+constexpr std::uint64_t boundary_side = 255;
+
+class HeaderReader {
+ public:
+  HeaderReader(const std::string& file, std::string_view text, const Description& description, HeaderCheck& check)
+      : file_(file), rest_(text), description_(description), operation_(description.at({})), check_(check) {}
+
+  /// Stops at the first line that is not right.
+  void read() {
+    const bool good = expect_all(lines_before()) && take_entries() &&
+                      (operation_.on_a_mesh() ? take_surface() : expect("    }};")) && expect("") &&
+                      expect("}  // namespace restrip::tables");
+    if (good && !rest_.empty()) fail("the end of the file", rest_.substr(0, rest_.find('\n')));
+  }
+
+ private:
+  [[nodiscard]] bool is_matching() const { return operation_.constraint == Constraint::matching; }
+  /// Bits of an entry.
+  [[nodiscard]] unsigned width() const {
+    const unsigned bits = operation_.after.inner_edges() + operation_.ports();
+    return bits < 8 ? 8 : (bits < 16 ? 16 : 32);
+  }
+  [[nodiscard]] std::uint64_t entries() const {
+    return std::uint64_t{1} << (operation_.ports() + (is_matching() ? 0 : operation_.before.inner_edges()));
+  }
+
+  [[nodiscard]] std::vector<std::string> lines_before() const {
+    const std::string& name = description_.name;
+    std::string variable = name;
+    std::replace(variable.begin(), variable.end(), '-', '_');
+    const Side& before = operation_.before;
+    const Side& after = operation_.after;
+    const bool surface = operation_.on_a_mesh();
+    return {"// " + (description_.about.empty() ? name : description_.about),
+            fmt::format("// Written by `restrip-generate rules` from the operation file of {}. Do not edit.", name),
+            "// Explained in restrip/tables/operation_format.hpp.",
+            "#pragma once",
+            "",
+            "#include \"restrip/tables/operation_format.hpp\"",
+            "",
+            "namespace restrip::tables {",
+            "",
+            fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{",
+                        surface ? "SurfaceOperation" : "OperationTable", width(), entries(),
+                        surface ? fmt::format(", {}, {}", before.triangles, after.triangles) : std::string(), variable),
+            fmt::format("    {}{{{}, {}}},", surface ? "{" : "", before.triangles, before.inner_edges()),
+            fmt::format("    {{{}, {}}},", after.triangles, after.inner_edges()),
+            fmt::format("    {},", operation_.ports()),
+            fmt::format("    {},", is_matching()),
+            "    {"};
+  }
+
+  /// The next line with its end, or what is left.
+  std::string_view next() {
+    ++check_.lines;
+    const std::size_t end = rest_.find('\n');
+    const std::string_view line = rest_.substr(0, end == std::string_view::npos ? end : end + 1);
+    rest_.remove_prefix(line.size());
+    return line;
+  }
+
+  bool expect(const std::string& whole) {
+    const std::string_view line = next();
+    const bool right = line == whole + '\n';
+    if (!right) fail(fmt::format("\"{}\" and the end of the line", whole), line);
+    return right;
+  }
+  bool expect_all(const std::vector<std::string>& lines) {
+    return std::all_of(lines.begin(), lines.end(), [&](const std::string& line) { return expect(line); });
+  }
+
+  static bool take(std::string_view& line, std::string_view words) {
+    const bool found = line.starts_with(words);
+    line.remove_prefix(found ? words.size() : 0);
+    return found;
+  }
+  template <class Fits>
+  static bool take_number(std::string_view& line, const Fits& fits) {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
+    const std::string_view word = line.substr(0, static_cast<std::size_t>(end - line.data()));
+    line.remove_prefix(word.size());
+    return error == std::errc{} && std::to_string(number) == word && fits(number);
+  }
+
+  /// Lines of so many elements, a space before each and a comma behind it; `take_one` takes what is between.
+  template <class TakeOne>
+  bool take_elements(std::uint64_t count, const std::string& expected, const TakeOne& take_one) {
+    for (std::uint64_t taken = 0; taken < count;) {
+      const std::string_view line = next();
+      std::string_view rest = line;
+      bool good = take(rest, "   ");
+      while (good && !take(rest, "\n")) good = taken++ < count && take(rest, " ") && take_one(rest) && take(rest, ",");
+      if (!good) {
+        fail(fmt::format("{}, each with a comma, {} in all", expected, count), line);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool take_entries() {
+    const std::uint64_t largest = (std::uint64_t{1} << width()) - 1;
+    return take_elements(entries(), fmt::format("numbers up to {}", largest), [&](std::string_view& line) {
+      return take_number(line, [&](std::uint64_t number) { return number <= largest; });
+    });
+  }
+
+  bool take_surface() {
+    return expect("    }},") && expect(fmt::format("    {},", operation_.vertices)) &&
+           take_triangles(operation_.before) && take_triangles(operation_.after) && expect("};");
+  }
+
+  bool take_triangles(const Side& side) {
+    const auto below = [](std::uint64_t count) { return [=](std::uint64_t number) { return number < count; }; };
+    const auto is_side = [&](std::uint64_t number) {
+      return number < side.inner_edges() || number == boundary_side ||
+             (number >= first_port_side && number < first_port_side + side.ports());
+    };
+    const auto take_three = [](std::string_view& line, const auto& fits) {
+      return take(line, "{") && take_number(line, fits) && take(line, ", ") && take_number(line, fits) &&
+             take(line, ", ") && take_number(line, fits) && take(line, "}");
+    };
+    const auto take_triangle = [&](std::string_view& line) {
+      return take(line, "{") && take_number(line, below(side.triangles)) && take(line, ", ") &&
+             take_number(line, below(3)) && take(line, ", ") && take_three(line, below(operation_.vertices)) &&
+             take(line, ", ") && take_three(line, is_side) && take(line, "}");
+    };
+    return expect("    {{") && take_elements(side.triangles, "triangles", take_triangle) && expect("    }},");
+  }
+
+  void fail(const std::string& expected, std::string_view found) {
+    check_.wrong.add(fmt::format("{}:{}: expected {}, found \"{}\"; make the header anew from the operation file",
+                                 file_, check_.lines, shown(expected), shown(found.substr(0, 200))));
+  }
+
+  const std::string& file_;
+  std::string_view rest_;
+  const Description& description_;
+  Operation operation_;
+  HeaderCheck& check_;
+};
+
+}  // namespace
+
+HeaderCheck check_operation_header(const std::string& file, std::string_view text, const Description& description) {
+  HeaderCheck check;
+  HeaderReader(file, text, description, check).read();
+  return check;
+}
+
+}  // namespace restrip::verify

@@ -1,0 +1,81 @@
+#include "model/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/families_text.hpp"
+#include "model/json.hpp"
+
+namespace restrip::verify {
+namespace {
+
+/// The character that begins here, and how many bytes it has; the text is valid UTF-8.
+struct Character {
+  char32_t code = 0;
+  std::size_t bytes = 1;
+};
+
+Character character_at(std::string_view text, std::size_t at) {
+  const auto lead = static_cast<unsigned char>(text[at]);
+  if (lead < 0x80) return {lead, 1};
+  Character character{lead >= 0xf0 ? lead % 8U : (lead >= 0xe0 ? lead % 16U : lead % 32U),
+                      lead >= 0xf0 ? 4U : (lead >= 0xe0 ? 3U : 2U)};
+  for (const char next : text.substr(at + 1, character.bytes - 1))
+    character.code = character.code * 64 + static_cast<unsigned char>(next) % 64U;
+  return character;
+}
+
+/// Shown as something, and in the order in which it is written.
+bool is_plain(char32_t code) {
+  if (code < 0x20 || (code >= 0x7f && code < 0xa0)) return false;          // controls
+  if (code == 0xad || code == 0x61c || code == 0x180e) return false;       // soft hyphen, marks of two scripts
+  if (code >= 0x2000 && code < 0x2070)                                     // punctuation, but for what has
+    return !(code >= 0x200b && code <= 0x200f) &&                          // no width or direction,
+           !(code >= 0x2028 && code <= 0x202e) && code < 0x2060;           // lines, or turns text
+  if (code >= 0xfdd0 && code <= 0xfdef) return false;                      // no characters
+  if (code == 0xfeff || (code >= 0xfff0 && code <= 0xfffb)) return false;  // byte order mark, annotations
+  return code < 0xe0000 && (code & 0xffffU) < 0xfffe;                      // tags, private use, no characters
+}
+
+/// The value of a member that is there.
+const Json& member(const Json& object, std::string_view wanted) {
+  const auto found =
+      std::find_if(object.names.begin(), object.names.end(), [&](const Json::Name& one) { return one.text == wanted; });
+  return object.items.at(static_cast<std::size_t>(found - object.names.begin()));
+}
+
+/// What ends a comment, begins one in it, takes the next line into it, or is read as such a thing.
+constexpr std::string_view joints[] = {"\\", "*/", "/*", "??"};
+
+}  // namespace
+
+std::optional<std::string> no_comment(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    for (const std::string_view joint : joints)
+      if (text.substr(at).starts_with(joint)) return fmt::format("\"{}\"", joint);
+    const Character character = character_at(text, at);
+    if (!is_plain(character.code))
+      return fmt::format("the character U+{:04X}", static_cast<std::uint32_t>(character.code));
+    at += character.bytes;
+  }
+  return {};
+}
+
+bool is_words(std::string_view text) {
+  for (const char c : text)
+    if (c < ' ' || c > '~') return false;
+  return !text.empty() && text.front() != ' ' && text.back() != ' ' && text.find("  ") == std::string_view::npos;
+}
+
+std::optional<std::string> owner_of_name(std::string_view name) {
+  static const Json taken = parse_json("docs/taken-names.json", taken_names_text);
+  std::string in_code(name);
+  std::replace(in_code.begin(), in_code.end(), '-', '_');
+  for (const Json& owner : member(taken, "taken").items)
+    for (const Json& word : member(owner, "names").items)
+      if (word.text == in_code) return member(owner, "by").text;
+  return {};
+}
+
+}  // namespace restrip::verify
