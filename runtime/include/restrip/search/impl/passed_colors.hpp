@@ -79,7 +79,7 @@ class PassedColors {
     mesh.set_solid(mesh.next(first), true);
   }
   // A swap, if the edge is solid.
-  static int swap_at(const Mesh& mesh, Halfedge h) { return mesh.solid(h) && is_swap(mesh, h) ? 1 : 0; }
+  static int swap_at(const Mesh& mesh, Halfedge h) { return mesh.solid(h) && restrip::is_swap(mesh, h) ? 1 : 0; }
   void start_at(const Mesh& mesh, Halfedge h) { start_.push_back(static_cast<Triangle>(mesh.triangle(h))); }
   template <class... Name>
   Rewrite<Halfedge> split_any(Mesh& mesh, const VertexSplit<Halfedge>& where, Name... name);

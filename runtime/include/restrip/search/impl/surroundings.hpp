@@ -64,7 +64,7 @@ class Surroundings {
         isolated = false;
         if (std::find(triangles_.begin(), t, static_cast<Triangle>(mesh.triangle(mesh.opposite(h)))) != t) continue;
         --count.strips;
-        count.swaps += int{is_swap(mesh, h)};
+        count.swaps += int{restrip::is_swap(mesh, h)};
       }
       count.isolated += int{isolated};
     }
