@@ -51,6 +51,11 @@ class Section:
             return [[ports, mask_of_pairs(ports, pairs, self.closed), colors]]
         return [[ports, inner, kept, colors] for inner in (0, 1) if flip_pairs(ports, inner) == pairs]
 
+    def name_of(self, ports, joined):
+        """Of the rule of a fan: by its key as the certificate has it."""
+        pairs = map(sorted, joined_pairs(self.k, ports, joined, self.closed))
+        return f"{self.name}-{ports:x}-{sum(1 << j * (j - 1) // 2 + i for i, j in pairs):x}"
+
     def title(self):
         if self.family == "flip":
             return "The flip"
@@ -291,7 +296,7 @@ def often(met, name):
 
 def row(section, group, orbit, known, key, colors, tree, met):
     ports, joined = key
-    name = f"{section.name}-{ports:x}-{joined:x}"
+    name = section.name_of(ports, joined)
     pairs = " ".join(f"{a}–{b}" for a, b in sorted(sorted(p) for p in joined_pairs(section.k, ports, joined, section.closed)))
     # Only the fan before a split has loop edges to be counted.
     splits = "split" in section.family
@@ -314,7 +319,7 @@ def row(section, group, orbit, known, key, colors, tree, met):
     if section.family == "split" and section.k <= 4:
         picture = (fan_picture(section.k, section.places[0], example, ports, "before") +
                    split_picture(section.k, section.places[0], colors, ports, "after"))
-    cells = [f'<a href="#{name}">{ports:x}-{joined:x}</a>', numbers(ports), pairs or "–", numbers(colors)]
+    cells = [f'<a href="#{name}">{name.removeprefix(section.name + "-")}</a>', numbers(ports), pairs or "–", numbers(colors)]
     cells += [cost] if splits else [grouped(count)]
     cells += [often(met, name)] if section.family == "split" else []
     cells += [str(orbit), in_words(tree)]
@@ -473,7 +478,7 @@ def main():
     loop = known[5, True, False][ports, joined][3]
     picture = ('<div class="pictures"><figure>' + fan_picture(5, 2, loop, ports, "before") + "<figcaption>before the split</figcaption></figure><figure>" +
                      split_picture(5, 2, colors, ports, "after") + "<figcaption>after it, by its rule</figcaption></figure></div>" + LEGEND)
-    rules = {f"{s.name}-{key[0]:x}-{key[1]:x}" for s in families["split"] for key, _ in s.rules}
+    rules = {s.name_of(*key[:2]) for s in families["split"] for key, _ in s.rules}
     if stray := set(met) - rules - {"boundary", "larger"}:
         sys.exit(f"atlas.py: {given.met}: {min(stray)} is no rule of the certificates; make the file anew")
     (given.out / "index.html").write_text(index_page(families, picture, met, page), encoding="utf-8")

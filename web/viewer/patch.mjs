@@ -114,20 +114,14 @@ function joinedPairs(k, loop, ports) {
   return pairs;
 }
 
-function maskOf(k, ports, pairs) {
-  const solid = [];
-  for (let i = 0; i < k; ++i) if (has(ports, i)) solid.push(i);
-  let joined = 0n;
-  for (const [p, q] of pairs)
-    for (const [port, other] of [[p, q], [q, p]]) {
-      const n = solid.indexOf(port);
-      if (solid[(n + solid.length - 1) % solid.length] === other) joined |= 1n << BigInt(port);
-    }
-  return joined;
-}
+/// Bit j (j - 1) / 2 + i is the pair of ports i < j.
+const maskOf = (pairs) => pairs.reduce((mask, [p, q]) => {
+  const [i, j] = p < q ? [p, q] : [q, p];
+  return mask | 1n << BigInt(j * (j - 1) / 2 + i);
+}, 0n);
 
-/// The smallest key in the orbit of a closed fan that is split at (k, a), which has a row in the atlas; or the key of the
-/// fan itself.
+/// The smallest key (ports, joined pairs; docs/certificate.md) in the orbit of a closed fan that is split at (k, a), which has
+/// a row in the atlas; or the key of the fan itself.
 export function representative(k, a, loop, ports, itself = false) {
   const pairs = joinedPairs(k, loop, ports);
   const maps = itself ? [(i) => i] : [(i) => i, (i) => (((a - 1 - i) % k) + k) % k];
@@ -136,7 +130,7 @@ export function representative(k, a, loop, ports, itself = false) {
   for (const map of maps) {
     let moved = 0n;
     for (let i = 0; i < k; ++i) if (has(ports, i)) moved |= 1n << BigInt(map(i));
-    const joined = maskOf(k, moved, pairs.map(([p, q]) => [map(p), map(q)]));
+    const joined = maskOf(pairs.map(([p, q]) => [map(p), map(q)]));
     if (!best || moved < best.ports || (moved === best.ports && joined < best.joined)) best = { ports: moved, joined };
   }
   return best;
