@@ -16,11 +16,6 @@ export class Patch {
   strokes = { dashed: '', solid: '' };
   nodes = [];
   extra = '';
-  edges = 0;
-  static named = false;  // edges and ports have their names beside them
-  name(text, [x, y]) {
-    if (Patch.named) this.extra += `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}">${text}</text>`;
-  }
   add(a, b, c, style = 'old') {
     this.faces[style] += `M${[a, b, c].map((p) => `${p[0].toFixed(1)},${p[1].toFixed(1)}`).join('L')}z`;
     this.nodes.push(middle(a, b, c));
@@ -30,7 +25,6 @@ export class Patch {
     this.strokes[solid ? 'solid' : 'dashed'] += `M${from[0].toFixed(1)},${from[1].toFixed(1)}L${to[0].toFixed(1)},${to[1].toFixed(1)}`;
   }
   join(i, j, across, solid) {
-    this.name(`f${this.edges++}`, across);
     this.stroke(this.nodes[i], across, solid);
     this.stroke(across, this.nodes[j], solid);
   }
@@ -38,23 +32,12 @@ export class Patch {
     const door = middle(a, b);
     const outside = door.map((d, n) => d + (d - this.nodes[i][n]) * 0.7);
     this.stroke(this.nodes[i], outside, solid);
-    this.name(`p${i}`, outside);
   }
   svg(description) {
     const dots = this.nodes.map(([x, y]) => `M${x.toFixed(1)},${y.toFixed(1)}h0`).join('');
     const paths = { ...this.faces, ...this.strokes, node: dots };
     return `<svg class="patch" viewBox="5 5 390 390" role="img" aria-label="${description}">` +
       Object.entries(paths).filter(([, d]) => d).map(([style, d]) => `<path class="${style}" d="${d}"/>`).join('') + this.extra + '</svg>';
-  }
-}
-
-/// A picture with the names of its edges and ports.
-export function named(draw) {
-  Patch.named = true;
-  try {
-    return draw();
-  } finally {
-    Patch.named = false;
   }
 }
 
