@@ -36,7 +36,6 @@
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/impl/members.hpp"
 #include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/baked.hpp"
@@ -44,6 +43,7 @@
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/impl/members.hpp"
 #include "restrip/search/impl/passed_colors.hpp"
 #include "restrip/search/policy.hpp"
 #include "restrip/search/rounds.hpp"
