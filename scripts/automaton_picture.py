@@ -11,7 +11,6 @@ import pictures
 
 STRIPS = ["sd", "dSs"]
 TURNS = ["dl", "drR"]
-HEIGHT = pictures.SIZE + pictures.CAPTION
 
 
 def panels(path, witness):
@@ -32,16 +31,7 @@ def main():
     arguments = parser.parse_args()
     rows = [list(panels(arguments.strips, witness)) for witness in STRIPS]
     rows += [list(panels(arguments.turns, witness)) for witness in TURNS]
-    width = pictures.SIZE * max(map(len, rows))
-    style = pictures.PATCH_STYLE.replace(".patch { width: 100%; max-width: 150px; height: auto; } ", "") + pictures.PICTURE_STYLE
-    svg = (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {HEIGHT * len(rows)}">\n<style>\n{style}</style>\n'
-           '<rect width="100%" height="100%" fill="var(--surface)"/>\n')
-    for y, row in enumerate(rows):
-        for x, (picture, caption) in enumerate(row):
-            svg += (f'<svg x="{pictures.SIZE * x}" y="{HEIGHT * y}" width="{pictures.SIZE}" height="{pictures.SIZE}">{picture}</svg>\n'
-                    f'<text x="{pictures.SIZE * x + pictures.SIZE // 2}" y="{HEIGHT * y + pictures.SIZE + 10}" '
-                    f'text-anchor="middle">{pictures.escaped(caption)}</text>\n')
-    Path(arguments.out).write_text(svg + "</svg>\n", encoding="utf-8")
+    Path(arguments.out).write_text(pictures.sheet(rows, pictures.PATCHES), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -109,13 +109,6 @@ def print_ports(generate):
                 line([family, str(k), str(a), str(len(rules.giving)), str(sum(map(rules.gains, rules.giving))), *map(str, rules.costing)])
 
 
-def key_of_fan(k, ports, joined):
-    """(P, J) of docs/operation-file.md for the key of a closed fan (docs/notation.md)."""
-    solid = [i for i in range(k) if ports >> i & 1]
-    pairs = {tuple(sorted((solid[n - 1], i))) for n, i in enumerate(solid) if joined >> i & 1}
-    return ports, sum(1 << high * (high - 1) // 2 + low for low, high in pairs)
-
-
 def print_ports_met(generate):
     header("mesh", "splits with k <= 7", "a port given up saves a strip in", "share")
     rules = {(k, a): Positions(generate, "split", k, a) for k in range(3, 8) for a in range(1, k // 2 + 1)}
@@ -129,7 +122,7 @@ def print_ports_met(generate):
                 continue
             k, a, ports, joined = int(words[0]), int(words[1]), int(words[2], 16), int(words[3], 16)
             splits += int(row[column])
-            gain += int(row[column]) if rules[k, a].gains(key_of_fan(k, ports, joined)) else 0
+            gain += int(row[column]) if rules[k, a].gains((ports, joined)) else 0
         line([mesh, f"{splits:,}", f"{gain:,}", f"{100 * gain / splits:.1f} %"])
 
 

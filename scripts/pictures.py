@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
-"""Pictures as SVG: the patches of vertex splits, and a mesh coloured by strip.
+"""Pictures as SVG: the patches of operations, and a mesh coloured by strip.
 
 As a program it draws what `restrip draw -o picture.json` writes: scripts/pictures.py picture.json picture.svg
+Of an operation file (docs/operation-file.md) it draws the patch before and after, with the numbers of triangles, inner edges and
+ports; with --certificate (docs/certificate.md) its rules as well.
 """
+import argparse
 import json
 import math
 import sys
@@ -10,7 +13,9 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True  # nothing but the picture is written, least of all into the source tree
 
+from operations import Refused, certificate, configurations, pairs_of, positions_of, strips_added, strips_left
 from plots import escaped
+from surfaces import drawings
 
 PATCH_STYLE = """:root { --old: #e3f2fd; --new: #ffe082; --rim: #7a8794; --solid: #c2185b; --dashed: #6b7280; }
 @media (prefers-color-scheme: dark) { :root { --old: #24405c; --new: #8a6414; --rim: #8d9aa8; --solid: #ff77b0;
@@ -42,7 +47,10 @@ class _Patch:
     """Triangles with their dual graph on top, in a square of 400 units."""
 
     def __init__(self):
-        self.faces, self.strokes, self.nodes = {"old": "", "new": ""}, {"dashed": "", "solid": ""}, []
+        self.faces, self.strokes, self.nodes, self.names = {"old": "", "new": ""}, {"dashed": "", "solid": ""}, [], ""
+
+    def name(self, text, at, below=0):
+        self.names += f'<text class="name" x="{at[0]:.1f}" y="{at[1] + below:.1f}">{escaped(text)}</text>'
 
     def add(self, a, b, c, style="old"):
         self.faces[style] += "M" + "L".join(f"{p[0]:.1f},{p[1]:.1f}" for p in (a, b, c)) + "z"
@@ -64,7 +72,31 @@ class _Patch:
         nodes = "".join(f"M{x:.1f},{y:.1f}h0" for x, y in self.nodes)
         paths = {**self.faces, **self.strokes, "node": nodes}
         return (f'<svg class="patch" viewBox="5 5 390 390" role="img" aria-label="{escaped(description)}">' +
-                "".join(f'<path class="{style}" d="{d}"/>' for style, d in paths.items() if d) + "</svg>")
+                "".join(f'<path class="{style}" d="{d}"/>' for style, d in paths.items() if d) + self.names + "</svg>")
+
+
+def side_picture(side, colors, ports, description, letter=""):
+    """One of surfaces.drawings(). With a letter everything is named: inner edges by it, ports by p."""
+    at, patch = side["corners"], _Patch()
+    for a, b, c, style in side["triangles"]:
+        patch.add(at[a], at[b], at[c], style)
+    for i, (u, v, a, b) in enumerate(side["edges"]):
+        patch.join(u, v, _middle(at[a], at[b]), colors >> i & 1)
+    for i, (u, a, b) in enumerate(side["ports"]):
+        patch.port(u, at[a], at[b], ports >> i & 1)
+    if letter:
+        vertices, triangles = side["names"]
+        for text, (x, y) in zip(vertices, at):
+            away = math.hypot(x - 200, y - 200) or 1
+            patch.name(text, (x + 16 * (x - 200) / away, y + 16 * (y - 200) / away))
+        for text, place in zip(triangles, patch.nodes):
+            patch.name(text, place, 17)
+        for i, (*_, a, b) in enumerate(side["edges"]):
+            patch.name(f"{letter}{i}", _middle(at[a], at[b]))
+        for i, (u, a, b) in enumerate(side["ports"]):
+            door = _middle(at[a], at[b])
+            patch.name(f"p{i}", tuple(d + (d - n) * 0.7 for d, n in zip(door, patch.nodes[u])))
+    return patch.svg(description)
 
 
 def fan_picture(k, a, loop, ports, description):
@@ -174,6 +206,23 @@ def mesh_picture(points, strips, description):
     return (f'<svg class="mesh" viewBox="0 0 {SIZE} {SIZE}" role="img" aria-label="{escaped(description)}">\n{polygons}</svg>')
 
 
+PATCHES = PATCH_STYLE.replace(".patch { width: 100%; max-width: 150px; height: auto; } ", "") + PICTURE_STYLE
+NAMES = (".name { font-size: 15px; text-anchor: middle; dominant-baseline: central; paint-order: stroke; stroke: var(--surface); "
+         "stroke-width: 4px; }\n")
+
+
+def sheet(rows, style):
+    """Rows of pictures with captions: a whole SVG file."""
+    width, height = SIZE * max(map(len, rows)), SIZE + CAPTION
+    svg = (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height * len(rows)}">\n<style>\n{style}</style>\n'
+           '<rect width="100%" height="100%" fill="var(--surface)"/>\n')
+    for y, row in enumerate(rows):
+        for x, (picture, caption) in enumerate(row):
+            svg += (f'<svg x="{SIZE * x}" y="{height * y}" width="{SIZE}" height="{SIZE}">{picture}</svg>\n'
+                    f'<text x="{SIZE * x + SIZE // 2}" y="{height * y + SIZE + 10}" text-anchor="middle">{escaped(caption)}</text>\n')
+    return svg + "</svg>\n"
+
+
 def side_by_side(panels, style):
     """Pictures with captions: a whole SVG file."""
     width = SIZE * len(panels)
@@ -185,18 +234,74 @@ def side_by_side(panels, style):
     return svg + "</svg>\n"
 
 
-def main():
-    if len(sys.argv) != 3:
-        sys.exit(__doc__.strip())
-    facts = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
+def mesh_sheet(facts):
     rule = facts["rule"]
     mesh, fan = "a mesh coloured by strip", f"a {rule['k']}-vertex; solid: strip, dashed: no strip"
     after = "split, and repaired by its rule"
-    svg = side_by_side([(mesh_picture(facts["points"], facts["strips"], mesh), mesh),
-                        (fan_picture(rule["k"], rule["a"], rule["loop"], rule["ports"], fan), fan),
-                        (split_picture(rule["k"], rule["a"], rule["inner"], rule["ports"], after), after)],
-                       PATCH_STYLE.replace(".patch { width: 100%; max-width: 150px; height: auto; } ", "") + PICTURE_STYLE)
-    Path(sys.argv[2]).write_text(svg, encoding="utf-8")
+    return side_by_side([(mesh_picture(facts["points"], facts["strips"], mesh), mesh),
+                         (fan_picture(rule["k"], rule["a"], rule["loop"], rule["ports"], fan), fan),
+                         (split_picture(rule["k"], rule["a"], rule["inner"], rule["ports"], after), after)], PATCHES)
+
+
+def rule_panels(position, section, sides):
+    """Of each rule a patch before that has its key, and its answer."""
+    constraint, known = position.description.constraint, configurations([position], section)
+    for ports, joined, colors, kept, _ in section.rules:
+        _, _, inner = known[ports, joined]
+        change = strips_added(position, strips_left(position.before, constraint, inner.bit_count(), ports.bit_count()), colors, ports, kept)
+        pairs = ", ".join(f"p{i} and p{j}" for i, j in pairs_of(joined))
+        caption = f"rule {ports:x},{joined:x}" + (f": joins {pairs}" if pairs else "")
+        what = {"matching": "triangles alone", "forest": "trees"}.get(constraint, "strips")
+        yield (ports, joined), [(side_picture(sides[0], inner, ports, caption), caption),
+                                (side_picture(sides[1], colors, kept, f"{what}: {change:+d}"), f"{what}: {change:+d}")]
+
+
+def operation_sheet(path, cert, rule):
+    positions = list(positions_of(path))
+    if len(positions) != 1:
+        raise Refused(f"{path}: describes {len(positions)} positions; restrip-generate describe writes the file of one")
+    position, = positions
+    try:
+        (before,), (after,) = drawings([position.before], [position.after])
+    except Refused as fault:
+        raise Refused(f"{path}: {fault}") from None
+    name = position.description.name
+    rows = [[(side_picture(side, 0, 0, f"{name}, {when}", letter), f"{name}: {when}")
+             for side, when, letter in ((before, "before", "e"), (after, "after", "f"))]]
+    if cert:
+        named, sections = certificate(cert)
+        keys = {key[:2] for section in sections for key in section.rules + section.copies}
+        if named != position.description.certificate or len(sections) != 1 or set(configurations([position], sections[0])) != keys:
+            raise Refused(f"{cert}: is no certificate of {path}")
+        panels = [panel for key, panel in rule_panels(position, sections[0], (before, after)) if rule in (None, key)]
+        if not panels:
+            raise Refused(f"{cert}: has no row rule {rule[0]:x} {rule[1]:x}")
+        rows += [[each for panel in panels[n:n + 2] for each in panel] for n in range(0, len(panels), 2)]
+    return sheet(rows, PATCHES + NAMES)
+
+
+def key(word):
+    ports, joined = word.split(",")
+    return int(ports, 16), int(joined, 16)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("file", type=Path, help="what restrip draw wrote, or an operation file")
+    parser.add_argument("out", type=Path, help="the SVG file that is written")
+    parser.add_argument("--certificate", type=Path, help="of the operation, whose rules are drawn as well")
+    parser.add_argument("--rule", type=key, metavar="P,J", help="the rule of these solid ports and joined pairs alone, as its row in the certificate begins")
+    given = parser.parse_args()
+    if given.rule and not given.certificate:
+        parser.error("--rule: wants the --certificate that has it")
+    try:
+        facts = json.loads(given.file.read_text(encoding="utf-8"))
+        svg = mesh_sheet(facts) if "points" in facts else operation_sheet(given.file, given.certificate, given.rule)
+    except (OSError, ValueError) as fault:
+        sys.exit(f"pictures.py: {given.file}: {fault}")
+    except Refused as fault:
+        sys.exit(f"pictures.py: {fault}")
+    given.out.write_text(svg, encoding="utf-8")
 
 
 if __name__ == "__main__":

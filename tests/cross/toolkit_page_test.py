@@ -40,7 +40,7 @@ def main():
             if saved_as == "use.cpp":
                 printed = run(f"{building} use.cpp -o use && ./use", folder)
             elif language == "sh":
-                command = text.replace("build/demo/bin/", programs + "/")
+                command = re.sub(r"^python3 ", f"{sys.executable} {ROOT}/", text.replace("build/demo/bin/", programs + "/"), flags=re.M)
                 command = "set -e\n" + command.replace("g++ -std=c++20 -Irules/include -Itables/include", building)
                 printed = run(command, folder)
                 proof = command if "--dump-command" in command else proof
@@ -48,9 +48,11 @@ def main():
                 if printed is None or not printed.endswith(text):
                     raise SystemExit(f"docs/toolkit.md says\n{text}but this was printed:\n{printed}")
                 compared += 1
-        if compared != 3 or proof is None:
-            raise SystemExit(f"docs/toolkit.md: {compared} printed results were compared, not 3, or nothing judges the table")
+        if compared != 4 or proof is None:
+            raise SystemExit(f"docs/toolkit.md: {compared} printed results were compared, not 4, or nothing judges the table")
         table = (folder / TABLE).read_text(encoding="utf-8")
+        if (folder / "pages/pair-flip.html").read_text(encoding="utf-8").count("<tr id=") != 4 or "p3</text>" not in (folder / "pair-flip.svg").read_text(encoding="utf-8"):
+            raise SystemExit("the page has not 4 rules, or the picture not 4 ports")
         altered, count = re.subn(r"(\{\n +)(\d+)", lambda number: number[1] + str(int(number[2]) ^ 1), table, count=1)
         if count != 1:
             raise SystemExit(f"{TABLE} has no list of numbers")

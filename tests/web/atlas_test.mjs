@@ -1,7 +1,7 @@
 // The atlas in headless Chromium. Its rules are those of the native dump: every valid configuration of a split with k <= 6
 // leads, by the key that the page's own script computes, to a row whose answer, moved back by the symmetry, costs what
-// the library's answer costs; and rows and copies together are as many as the certificate has. The patch drawn before each
-// collapse has, by the library, the rule of its row, and there are as many such patches as in the dump. The tables are complete
+// the library's answer costs; and each rule of each certificate, of families and operations, has its row. The patch drawn before
+// has, by the library, the rule of its row, and before collapses there are as many such patches as in the dump. The tables are complete
 // without JavaScript. What is painted by clicks has the answer of the library, or a reason why it has none.
 //   node atlas_test.mjs WEB_FOLDER CHROMIUM DUMP_TABLES SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
@@ -19,36 +19,38 @@ mkdirSync(scratch, { recursive: true });
 const address = (page) => pathToFileURL(join(folder, page)).href;
 const count = (mask) => mask.toString(2).replaceAll('0', '').length;
 
-/// The rows of a page: by name, [ports, joined, loop, colours].
-const rowsOf = (page) => new Map([...readFileSync(join(folder, 'atlas', page), 'utf8').matchAll(/<tr id="([^"]*)" class="([^"]*)" data-k="([^"]*)"(?: data-before="([^"]*)")?(.*)/g)]
-  .map(([, name, kinds, numbers, before, rest]) => [name, { kinds, numbers: numbers.split(' ').map(Number), before: before?.split(' ').map(Number), rest }]));
+const text = (page) => readFileSync(join(folder, 'atlas', page), 'utf8');
+/// The rows of a page: by name, its rule (P J R K), and the patch drawn before it, as its position and inner edges.
+const rowsOf = (page) => new Map([...text(page).matchAll(/<tr id="([^"]*)" class="([^"]*)" data-rule="([^"]*)" data-before="([^"]*)"(.*)/g)]
+  .map(([, name, kinds, rule, before, rest]) => [name, { kinds, rule: rule.split(' ').map(Number), before: before.split(' ').map(Number), rest }]));
 
 // ---- rows against certificates: each rule has its row, with its answer
-let rules = 0;
-for (const family of ['split', 'collapse', 'fan-collapse', 'open-split', 'boundary-split', 'flip']) {
+const families = ['split', 'collapse', 'fan-collapse', 'open-split', 'boundary-split', 'flip'];
+const operations = readdirSync(join(root, 'tables/operations')).map((name) => name.replace('.json', ''));
+const counted = new Map();
+for (const name of [...families, ...operations]) {
   let rows;
   let place = '';
   let left = 0;
-  for (const line of readFileSync(join(root, `tables/certificates/${family}.cert`), 'latin1').split('\n')) {
+  for (const line of readFileSync(join(root, `tables/certificates/${families.includes(name) ? '' : 'operations/'}${name}.cert`), 'latin1').split('\n')) {
     const words = line.split(' ');
     if (words[0] === 'section' || words[0] === 'end') {
       assert.equal(left, 0, `${place}: rows that no rule has`);
       if (words[0] === 'end') break;
-      place = [family, ...words.filter((word) => /^\d+$/.test(word))].join('-');
+      place = [name, ...words.filter((word) => /^\d+$/.test(word))].join('-');
       rows = rowsOf(`${place}.html`);
       left = rows.size;
     }
     if (words[0] !== 'rule') continue;
     const row = rows.get(`${place}-${words[1]}-${words[2]}`);
-    assert.ok(row, `${place}: no row for ${words[1]} ${words[2]}`);
-    const [ports, joined, third, last] = row.numbers;
-    const answer = family === 'flip' ? [third, last] : [last];
-    assert.deepEqual([ports, joined, ...answer], words.slice(1, family === 'flip' ? 5 : 4).map((word) => parseInt(word, 16)));
-    ++rules;
+    assert.ok(row, `${place}: no row for ${line}`);
+    assert.deepEqual(row.rule, words.slice(1, 5).map((word) => parseInt(word, 16)), line);
+    counted.set(name, (counted.get(name) ?? 0) + 1);
     --left;
   }
 }
-assert.equal(rules, 5919 + 351 + 1362 + 40862 + 10873 + 11, 'the certificates have other rules; correct the number here');
+assert.deepEqual(families.map((name) => counted.get(name)), [5919, 351, 1362, 40862, 10873, 9], 'the certificates have other rules; correct the numbers here');
+assert.ok(operations.length >= 10 && operations.every((name) => counted.get(name) > 2));
 
 // ---- rows against the dump
 let configurations = 0;
@@ -63,14 +65,14 @@ const reached = new Set();
       if (position) rows = rowsOf(`split-${position.k}-${position.a}.html`);
       continue;
     }
-    if (!position || words.length !== 3 || words[2] === '-') continue;
+    if (!position || words.length !== 4 || words[2] === '-') continue;
     const [loop, ports, inner] = words.map((word) => BigInt(`0x${word}`));
     const { k, a } = position;
     const key = representative(k, a, loop, ports);
     const name = `split-${k}-${a}-${key.ports.toString(16)}-${key.joined.toString(16)}`;
     const row = rows.get(name);
     assert.ok(row, `${line}: no row ${name}`);
-    assert.equal(count(row.numbers[3]), count(inner), `${line}: row ${name} keeps another number of edges`);
+    assert.equal(count(row.rule[2]), count(inner), `${line}: row ${name} keeps another number of edges`);
     if (2 - count(inner) + count(loop) > 0) {
       assert.match(row.kinds, /\bcosts\b/);
       reached.add(name);
@@ -81,23 +83,24 @@ const reached = new Set();
   for (const page of readdirSync(join(folder, 'atlas')).filter((name) => /^split-[3-6]-/.test(name)))
     for (const [name, { kinds }] of rowsOf(page)) assert.equal(/\bcosts\b/.test(kinds), reached.has(name), name);
 }
-console.log(`${rules} rules, ${configurations} configurations`);
+console.log(`${[...counted.values()].reduce((a, b) => a + b)} rules, ${configurations} configurations`);
 
-// ---- patches before a collapse
+// ---- patches before an operation: their rules by the library
 {
   const restrip = await load();
-  let drawn = 0;
-  const pages = readdirSync(join(folder, 'atlas')).filter((name) => /collapse-/.test(name));
-  for (const page of pages) {
-    const [, family, k] = /^(.*)-(\d+)\.html$/.exec(page);
-    for (const [name, { numbers: [ports, , , colors], before: [edges, i, j] }] of rowsOf(page)) {
-      const place = family === 'collapse' ? { family, a: i } : j === undefined ? { family: 'boundary-collapse', i } : { family: 'open-collapse', i, j };
-      const rule = restrip.rule({ ...place, k: +k, edges, ports });
-      assert.deepEqual([rule.valid, rule.colors], [true, BigInt(colors)], name);
-      ++drawn;
+  const drawn = new Map();
+  for (const page of readdirSync(join(folder, 'atlas')).filter((name) => /-\d+\.html$|^flip\.html$/.test(name))) {
+    const patches = JSON.parse(/<script type="application\/json" id="patches">(.*)<\/script>/.exec(text(page))[1]);
+    for (const [name, { rule: [ports, , colors, kept], before: [position, edges] }] of rowsOf(page)) {
+      const [family, ...words] = patches.before[position].position.split(' ');
+      const [k, first, second] = words.filter((word) => /^\d+$/.test(word)).map(Number);
+      const rule = restrip.rule({ family, k, ...(second === undefined && first !== undefined ? { a: first } : {}), i: first, j: second, edges, ports });
+      assert.deepEqual([rule.valid, rule.colors, rule.ports], [true, BigInt(colors), BigInt(kept)], name);
+      drawn.set(family, (drawn.get(family) ?? 0) + 1);
     }
   }
-  assert.equal(drawn, 351 + 1362);
+  assert.equal(drawn.get('split'), 5919);
+  assert.equal([...drawn.values()].reduce((a, b) => a + b), families.reduce((sum, name) => sum + counted.get(name), 0));
 
   // By key, from the dump: two ports are joined when one can walk from one to the other over solid edges.
   const counts = new Map();
@@ -118,7 +121,7 @@ console.log(`${rules} rules, ${configurations} configurations`);
       if (nodes.includes('D')) position.edges.push(['A', 'D']);
       continue;
     }
-    if (!position || words.length !== 3 || words[2] === '-') continue;
+    if (!position || words.length !== 4 || words[2] === '-') continue;
     const [inner, ports] = words.map((word) => parseInt(word, 16));
     const solid = position.edges.filter((_, n) => inner >> n & 1);
     const reached = (from) => {
@@ -129,15 +132,18 @@ console.log(`${rules} rules, ${configurations} configurations`);
     const doors = Array.from({ length: position.k }, (_, t) => t).filter((t) => ports >> t & 1);
     let joined = 0;
     doors.forEach((port, n) => {
-      if (doors.length < 2 || (n === 0 && !position.closed)) return;
-      if (reached(port).has(doors.at(n - 1))) joined |= 1 << port;
+      if (doors.length < 2 || (n === 0 && !position.closed)) return;  // only consecutive ports can be joined in a fan
+      const other = doors.at(n - 1);
+      const [i, j] = [Math.min(port, other), Math.max(port, other)];
+      if (reached(port).has(other)) joined |= 1 << j * (j - 1) / 2 + i;
     });
     const name = `${position.closed ? '' : 'fan-'}collapse-${position.k}-${ports.toString(16)}-${joined.toString(16)}`;
     counts.set(name, (counts.get(name) ?? 0) + 1);
   }
   let compared = 0;
-  for (const page of pages.filter((name) => /-[1-5]\.html$/.test(name)))
+  for (const page of readdirSync(join(folder, 'atlas')).filter((name) => /collapse-[1-5]\.html$/.test(name)))
     for (const [name, { rest }] of rowsOf(page)) {
+      assert.ok(counts.has(name), `${name}: no configuration has this key`);
       assert.match(rest, new RegExp(`<td>${counts.get(name).toLocaleString('en')}</td>`), name);
       ++compared;
     }
@@ -159,10 +165,10 @@ try {
     for (const link of links) readFileSync(new URL(link.replace(/#.*/, '')));
     writeFileSync(join(scratch, `${start.replace('/', '-').replace('.html', '')}.png`), await page.screenshot());
   }
-  assert.equal(await page.run('document.querySelectorAll("table.index tbody tr").length'), 15 + 6 + 1 + 70 + 24 + 8);
+  assert.equal(await page.run('document.querySelectorAll("table.index tbody tr").length'), 15 + 6 + 1 + 70 + 24 + 8 + operations.length);
 
   // A link to a rule shows it, with its pictures; the filters leave what they say.
-  await page.open(`${address('atlas/split-8-4.html')}#split-8-4-15-4`);
+  await page.open(`${address('atlas/split-8-4.html')}#split-8-4-15-2`);
   const linked = await page.run(() => {
     const row = document.querySelector('tr:target');
     const { top, bottom } = row.getBoundingClientRect();
@@ -197,7 +203,7 @@ try {
   byMet.reduce((before, name) => assert.ok(met.get(before) >= met.get(name)) ?? name);
   assert.equal(await page.run(() => (document.getElementById('often').click(), document.querySelector('#rules tbody tr').id)), 'split-6-3-0-0');
 
-  for (const other of ['open-split-5-1-3', 'boundary-split-4-1', 'collapse-6', 'fan-collapse-5', 'flip']) {
+  for (const other of ['open-split-5-1-3', 'boundary-split-4-1', 'collapse-6', 'fan-collapse-5', 'flip', 'bisect', 'refine-face']) {
     await page.open(address(`atlas/${other}.html`));
     await page.until('document.querySelectorAll("#rules tbody tr:first-child svg.patch").length === 2');
     assert.equal(await page.run('[...document.querySelectorAll("path")].some((path) => /NaN|undefined/.test(path.getAttribute("d")))'), false, other);

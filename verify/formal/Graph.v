@@ -1,6 +1,6 @@
 (** * Facts about graphs
 
-    What it means for [linked], [acyclic] and [valid] to put one more edge in. *)
+    What it means for [linked], [acyclic] and [valid] to put one more edge in; and sums of degrees. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
 Require Import Spec.
@@ -141,3 +141,28 @@ Proof. destruct e. rewrite valid_cons. tauto. Qed.
 
 Lemma valid_suffix G H : valid (G ++ H) -> valid H.
 Proof. induction G as [|e G IH]; simpl; [auto|]. intros V. exact (IH (valid_tail _ _ V)). Qed.
+
+(** The sum of the degrees, with a weight for each vertex: every edge counts at both of its ends. *)
+Lemma sum_at (w : nat -> nat) vs a : NoDup vs -> In a vs -> list_sum (map (fun v => w v * if a =? v then 1 else 0) vs) = w a.
+Proof.
+  assert (Out : forall vs, ~ In a vs -> list_sum (map (fun v => w v * if a =? v then 1 else 0) vs) = 0).
+  { clear vs. induction vs as [|v vs IH]; [reflexivity|]. simpl. intros O. rewrite IH by tauto. destruct (Nat.eqb_spec a v); [subst; tauto|lia]. }
+  intros N. induction N as [|v vs Nv N IH]; [intros []|]. simpl. intros [->|I].
+  - rewrite Nat.eqb_refl, (Out vs Nv). lia.
+  - destruct (Nat.eqb_spec a v); [subst; contradiction|]. rewrite IH by exact I. lia.
+Qed.
+Lemma weighted_handshake (w : nat -> nat) vs G : NoDup vs -> (forall e, In e G -> In (fst e) vs /\ In (snd e) vs) ->
+  list_sum (map (fun v => w v * degree G v) vs) = list_sum (map (fun e => w (fst e) + w (snd e)) G).
+Proof.
+  intros N. induction G as [|e G IH]; intros I.
+  - simpl. clear. induction vs as [|v vs IH]; simpl; [reflexivity|]. rewrite IH. unfold degree. simpl. lia.
+  - simpl. destruct (I e (or_introl eq_refl)) as [A B]. rewrite <- IH by (intros f J; apply I; now right).
+    rewrite <- (sum_at w vs (fst e) N A), <- (sum_at w vs (snd e) N B). clear.
+    induction vs as [|v vs IH]; [reflexivity|]. simpl. rewrite IH, degree_cons. unfold meets. lia.
+Qed.
+Lemma handshake vs G : NoDup vs -> (forall e, In e G -> In (fst e) vs /\ In (snd e) vs) ->
+  list_sum (map (degree G) vs) = 2 * length G.
+Proof.
+  intros N I. transitivity (list_sum (map (fun v => 1 * degree G v) vs)); [f_equal; apply map_ext; intros v; lia|].
+  rewrite (weighted_handshake (fun _ => 1) vs G N I). clear. induction G as [|e G IH]; [reflexivity|]. simpl in *. lia.
+Qed.

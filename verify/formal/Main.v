@@ -1,7 +1,9 @@
 (** * The theorems
 
     Each is stated with the words of [Spec.v] alone, apart from the tables: [Split.full k a] and its like are the
-    shipped tables, [Split.by_key k a] and its like the reduced tables of the certificates. For each family:
+    shipped tables, [Split.by_key k a] and its like the reduced tables of the certificates. The words for other things come
+    from other files: lists of linked rules from [Linked.v], the look-up in the automaton from [Header.v], whole meshes
+    from [Sequences.v], [WholeMesh.v] and [LowerBound.v]. For each family:
 
     - _rules_: the table answers exactly the valid configurations, and its answer is legal and best;
     - _safe_: every answer keeps every mesh around the patch valid;
@@ -14,7 +16,7 @@
     After each theorem Coq prints what it assumes; scripts/prove.sh wants to see "Closed under the global context". *)
 Require Import Arith Bool List NArith ZArith.
 Import ListNotations.
-Require Import Spec Graph Locality Strips Table Rows Linked Sequences.
+Require Import Spec Graph Locality Strips Table Rows Linked Sequences WholeMesh.
 Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped LowerBound.
 Require EveryFan EverySplit EveryCollapse EveryOpen EveryBoundary EverySize EveryFigures.
 Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects.
@@ -348,6 +350,39 @@ Theorem every_sequence_half_as_many_strips : forall M told M', sequence EverySiz
   none_isolated M -> (2 * strips_of M' <= Z.of_nat (length (nodes M')))%Z.
 Proof. exact EverySize.half_as_many_strips. Qed.
 Print Assumptions every_sequence_half_as_many_strips.
+
+(** ** What holds for the whole mesh
+
+    With the definitions at the head of [WholeMesh.v], down to [simple]. In docs/theory.md the five counts are S, T, I, C, B. *)
+Theorem whole_mesh : forall M, well_formed M -> ends_joined M ->
+  6 * strip_count M <= triangle_count M + 2 * isolated_count M + 2 * own_meetings M + boundary_sides M.
+Proof. exact WholeMesh.whole_mesh. Qed.
+Print Assumptions whole_mesh.
+Theorem whole_mesh_quarter : forall M, well_formed M -> ends_joined M -> simple M ->
+  4 * strip_count M <= triangle_count M + boundary_sides M.
+Proof. exact WholeMesh.whole_mesh_quarter. Qed.
+Print Assumptions whole_mesh_quarter.
+(** Every valid colouring of a dual graph is spoken of; and if ends of two strips lie side by side, each such pair counts as well. *)
+Theorem whole_mesh_covers : forall ts D c, NoDup ts -> (forall e, In e D -> In (fst e) ts /\ In (snd e) ts) ->
+  (forall t, degree D t <= 3) -> length c = length D -> valid (solid D c) ->
+  exists ls, well_formed (Stripification ts D c ls).
+Proof. exact WholeMesh.whole_mesh_covers. Qed.
+Print Assumptions whole_mesh_covers.
+Theorem whole_mesh_any : forall M, well_formed M ->
+  6 * strip_count M <= triangle_count M + 2 * isolated_count M + 2 * (own_meetings M + other_meetings M) + boundary_sides M.
+Proof. exact WholeMesh.whole_mesh_any. Qed.
+Print Assumptions whole_mesh_any.
+(** The assumptions can be met, and the inequalities be equations: T, S, I, C, B, and the meetings of two strips. Without the
+    assumptions the inequalities fail. *)
+Theorem whole_mesh_met : Forall (fun '(M, numbers) => well_formed M /\ ends_joined M /\ simple M /\ counts M = numbers)
+  [(five, [5; 2; 1; 1; 3; 0]); (tetrahedron, [4; 1; 0; 1; 0; 0]); (bipyramid, [6; 1; 0; 0; 0; 0])].
+Proof. exact WholeMesh.whole_mesh_met. Qed.
+Print Assumptions whole_mesh_met.
+Theorem whole_mesh_needs :
+  well_formed halves /\ simple halves /\ counts halves = [4; 2; 0; 0; 0; 4] /\
+  well_formed pillow /\ ends_joined pillow /\ counts pillow = [2; 1; 0; 2; 0; 0].
+Proof. exact WholeMesh.whole_mesh_needs. Qed.
+Print Assumptions whole_mesh_needs.
 
 (** ** A lower bound
 

@@ -247,28 +247,6 @@ Section Sequence.
 End Sequence.
 
 (** ** Without isolated triangles there are at most half as many strips as triangles *)
-Lemma sum_ends vs e : NoDup vs -> In (fst e) vs -> In (snd e) vs -> list_sum (map (meets e) vs) = 2.
-Proof.
-  intros N A B. destruct e as [a b]. cbn [fst snd] in *.
-  assert (One : forall a, In a vs -> list_sum (map (fun v => if a =? v then 1 else 0) vs) = 1).
-  { clear A B. intros c. induction N as [|v vs Nv N IH]; [intros []|]. simpl. intros [->|I].
-    - rewrite Nat.eqb_refl. f_equal. clear - Nv. induction vs as [|w vs IH]; [reflexivity|]. simpl in *.
-      destruct (Nat.eqb_spec c w); [subst; tauto|]. apply IH. tauto.
-    - destruct (Nat.eqb_spec c v); [subst; contradiction|]. now apply IH. }
-  transitivity (list_sum (map (fun v => if a =? v then 1 else 0) vs) + list_sum (map (fun v => if b =? v then 1 else 0) vs)).
-  - clear. induction vs as [|v vs IH]; [reflexivity|]. simpl. rewrite IH. unfold meets. cbn [fst snd]. lia.
-  - now rewrite !One.
-Qed.
-Lemma handshake vs G : NoDup vs -> (forall e, In e G -> In (fst e) vs /\ In (snd e) vs) ->
-  list_sum (map (degree G) vs) = 2 * length G.
-Proof.
-  intros N. induction G as [|e G IH]; intros I.
-  - simpl. clear. induction vs as [|v vs IH]; [reflexivity|exact IH].
-  - transitivity (list_sum (map (meets e) vs) + list_sum (map (degree G) vs)).
-    + clear. induction vs as [|v vs IH]; [reflexivity|]. simpl. rewrite IH, degree_cons. lia.
-    + rewrite IH by (intros f J; apply I; now right). destruct (I e (or_introl eq_refl)). rewrite sum_ends by assumption. simpl. lia.
-Qed.
-
 Theorem half_as_many M : sane M -> none_isolated M -> (2 * strips_of M <= Z.of_nat (length (nodes M)))%Z.
 Proof.
   intros [N Ends] No. assert (H : list_sum (map (degree (edges M)) (nodes M)) = 2 * length (edges M)).

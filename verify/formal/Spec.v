@@ -1,7 +1,7 @@
 (** * The specification: the page one has to believe
 
-    Everything that the theorems of [Main.v] say is said with the words of this file, and nothing else in this folder
-    has to be read to know what was proved. The numbering is that of docs/notation.md. *)
+    What the theorems of [Main.v] say of a single rule is said with the words of this file. [Main.v] names the files from
+    which it takes words for other things. The numbering is that of docs/notation.md. *)
 Require Import Arith Bool List Permutation.
 Import ListNotations.
 

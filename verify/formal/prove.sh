@@ -112,7 +112,7 @@ took() {
 }
 say "coqchk (log: $out/coqchk.log)"
 checking=$SECONDS
-modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.LowerBound Restrip.Flip
+modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.WholeMesh Restrip.LowerBound Restrip.Flip
   Restrip.EveryFan Restrip.Facts Restrip.EveryBoundary Restrip.Served)
 [ "$full" = no ] || modules=(Restrip.Main)
 coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
@@ -143,6 +143,7 @@ for i in "${!theorems[@]}"; do
       ;;
     every_counts) files=(EveryFigures) ;;
     every_rule_pays) files=(LowerBound) ;;
+    whole_mesh*) files=(WholeMesh) ;;
     every_*) files=(Frontier Fold Route EveryFan) ;;
     correct_tables_*) files=(EverySize) ;;
     sequence_* | strips_counted | half_as_many_strips) files=(Sequences Shipped) ;;

@@ -1,47 +1,33 @@
 // The pages of the atlas: pictures are drawn when their rows come into sight, rows are filtered, a link's row is shown.
-import { fanPicture, named, ringPicture } from '../viewer/patch.mjs';
-import { anyFan, flipPicture, openSplitPicture } from './drawings.mjs';
+import { Patch, has, middle } from '../viewer/patch.mjs';
 
-function drawRow(row, { family, n, at }) {
-  const [p, q, r, s] = row.dataset.k.split(' ').map(Number);
-  const k = +n;
-  const places = at === '' ? [] : at.split(' ').map(Number);
-  if (family === 'flip') return flipPicture(false, q === 1, p, 'before') + flipPicture(true, s === 1, r, 'after');
-  if (family === 'split') return fanPicture(k, places[0], r, p, 'before') + ringPicture(k, places[0], s, p, 'after');
-  const closed = family === 'collapse';
-  if (closed || family === 'fan-collapse') {
-    const [inner, ...gaps] = row.dataset.before.split(' ').map(Number);
-    const before = 'a patch before, with the fewest solid edges';
-    const ring = closed ? ringPicture(k, gaps[0], inner, p, before) : openSplitPicture(k, gaps, inner, p, before);
-    return ring + anyFan({ closed, k, a: gaps[0] }, s, p, 'after');
-  }
-  return anyFan({ closed: false, k }, r, p, 'before') + openSplitPicture(k, places, s, p, 'after');
+/// One of the page's patches (scripts/surfaces.py) in these colours.
+function sidePicture({ corners, triangles, edges, ports }, inner, solid, description) {
+  const patch = new Patch();
+  for (const [a, b, c, style] of triangles) patch.add(corners[a], corners[b], corners[c], style);
+  edges.forEach(([u, v, a, b], i) => patch.join(u, v, middle(corners[a], corners[b]), has(inner, i)));
+  ports.forEach(([u, a, b], i) => patch.port(u, corners[a], corners[b], has(solid, i)));
+  return patch.svg(description);
 }
 
-/// All dashed, with names: what the numbers in the table mean.
-function numbering({ family, n, at }) {
-  const k = +n;
-  const places = at === '' ? [] : at.split(' ').map(Number);
-  if (family === 'flip') return '';
-  if (family === 'split') return ringPicture(k, places[0], 0, 0, 'the names of edges and ports');
-  if (family.endsWith('collapse')) return anyFan({ closed: family === 'collapse', k }, 0, 0, 'the names of edges and ports');
-  return openSplitPicture(k, places, 0, 0, 'the names of edges and ports');
+function drawRow(row, { before, after }) {
+  const [ports, , colors, kept] = row.dataset.rule.split(' ').map(Number);
+  const [position, inner] = row.dataset.before.split(' ').map(Number);
+  return sidePicture(before[position], inner, ports, 'before') + sidePicture(after, colors, kept, 'after');
 }
 
 const table = document.getElementById('rules');
 if (table) {
+  const patches = JSON.parse(document.getElementById('patches').textContent);
   const rows = [...table.tBodies[0].rows];
   const watcher = new IntersectionObserver((entries) => {
     for (const { isIntersecting, target } of entries) {
       if (!isIntersecting) continue;
       watcher.unobserve(target);
-      if (target.cells[0].innerHTML === '') target.cells[0].innerHTML = drawRow(target, table.dataset);
+      if (target.cells[0].innerHTML === '') target.cells[0].innerHTML = drawRow(target, patches);
     }
   }, { rootMargin: '600px' });
   rows.forEach((row) => watcher.observe(row));
-
-  const names = document.getElementById('names');
-  if (names) names.innerHTML = named(() => numbering(table.dataset));
 
   const form = document.getElementById('filter');
   const filter = () => {
@@ -50,7 +36,7 @@ if (table) {
     let shown = 0;
     for (const row of rows) {
       row.hidden = !kinds.every((kind) => row.classList.contains(kind)) ||
-        (wanted !== undefined && +row.dataset.k.split(' ')[0] !== wanted);
+        (wanted !== undefined && +row.dataset.rule.split(' ')[0] !== wanted);
       shown += row.hidden ? 0 : 1;
     }
     form.querySelector('output').textContent = shown === rows.length ? `${shown} rules` : `${shown} of ${rows.length} rules`;

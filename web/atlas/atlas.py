@@ -1,271 +1,86 @@
 #!/usr/bin/env python3
-"""Makes the atlas: a page for each section of the certificates, with a row for each of their rules, and an index.
+"""Makes the atlas: a page for each section of the certificates of operations and families, with a row for each of its rules, and an index.
 
-atlas.py CERTIFICATES OUT --met CSV --style FILE… --script FILE…
-Reads tables/certificates (docs/certificate.md); what it says of a rule it reads there or counts from
-docs/notation.md. How often splits meet a rule it reads in met.csv, which scripts/met_rules.mjs wrote of real meshes."""
+  web/atlas/atlas.py FILE… --certificates FOLDER -o OUT
+
+FILE is an operation file (docs/operation-file.md), FOLDER has its certificate (docs/certificate.md), in itself or in its folder
+`operations`. With --met CSV the pages are those of the project: they link to the viewer and the painter, and tell how often
+splits of real meshes meet a rule, which scripts/met_rules.mjs has counted."""
 import argparse
 import csv
+import json
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
-sys.path.insert(0, str(ROOT / "web"))
+WEB = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(WEB.parent / "scripts"))
+sys.path.insert(0, str(WEB))
 from bundle import inlined  # noqa: E402
-from pictures import fan_picture, split_picture  # noqa: E402
+from operations import Refused, bits, certificate, configurations, pairs_of, positions_of, strips_added  # noqa: E402
+from pictures import side_picture  # noqa: E402
 from plots import escaped, grouped  # noqa: E402
+from surfaces import drawings  # noqa: E402
 
-FAMILIES = {  # in this order: what one reads, and whether the fan is closed
-    "split": ("Vertex splits inside the mesh", True), "collapse": ("Edge collapses inside the mesh", True),
-    "flip": ("Edge flips", True), "open-split": ("Splits at the boundary, two new triangles", False),
-    "boundary-split": ("Splits along the boundary, one new triangle", False),
-    "fan-collapse": ("Collapses at the boundary", False)}
-
-
-def bits(mask):
-    return [i for i in range(mask.bit_length()) if mask >> i & 1]
+STYLES = [WEB / "viewer/style.css", WEB / "atlas/atlas.css"]
+SCRIPTS = [WEB / "viewer/patch.mjs", WEB / "atlas/atlas.mjs"]
+FEW_ROWS = 40  # pages of so many have their pictures without JavaScript, too
+UNITS = {  # what a rule adds, one and several; what solid edges make
+    "strips": ("strip", "strips", "strip"), "forest": ("tree", "trees", "tree"),
+    "matching": ("triangle left alone", "triangles left alone", "pair")}
 
 
-# ---- certificates
+class Page:
+    """A section with its positions."""
 
-class Section:
-    def __init__(self, family, words):
-        self.family, self.words = family, words
-        numbers = dict(zip(words[::2], words[1::2])) if words != ["flip"] else {}
-        self.k = int(numbers.get("k", 4))
-        self.places = [int(w) for w in words[3:]]
-        self.claims, self.rules, self.copies = {}, [], []
-        self.name = "-".join([family, *(w for w in words if w.isdigit())])
+    def __init__(self, section, positions, met):
+        self.section, self.positions = section, positions
+        self.description, self.after = positions[0].description, positions[0].after
+        family = self.description.certificate
+        self.name = "-".join([family, *(word for word in section.text.split() if word.isdigit())])
+        self.title = family if self.name == family else f"{family}: {section.text}"
+        self.met = sum(n for rule, n in met.items() if rule.startswith(f"{self.name}-"))  # splits of real meshes at its position
+        self.unit, self.units, self.made = UNITS[self.description.constraint]
+        self.known = configurations(positions, section)
+        rows = section.rules + section.copies
+        if {row[:2] for row in rows} != set(self.known) or any(sorted(to) != list(range(len(self.after.owners))) for *_, to in section.copies):
+            raise Refused(f"{self.title}: the certificate has not the keys of its description")
+        self.orbits = Counter({rule[:2]: 1 for rule in section.rules})
+        for ports, joined, *_, to in section.copies:
+            pairs = [sorted((to[i], to[j])) for i, j in pairs_of(joined)]
+            self.orbits[sum(1 << to[i] for i in bits(ports)), sum(1 << j * (j - 1) // 2 + i for i, j in pairs)] += 1
+        self.costing = sum(count for *key, colors, kept, _ in rows for change, count in self.changes(tuple(key), colors, kept).items() if change > 0)
+        counted = {"valid": sum(sum(counts.values()) for counts, *_ in self.known.values()), "keys": len(rows), "costing": self.costing}
+        for word, number in counted.items():
+            if section.claims.get(word) != number:
+                raise Refused(f"{self.title}: the certificate claims {word} {section.claims.get(word)}; by its description it is {number}")
+        if len(self.orbits) > len(section.rules):
+            raise Refused(f"{self.title}: a copy of the certificate has no rule")
 
-    @property
-    def closed(self):
-        return FAMILIES[self.family][1]
+    def changes(self, key, colors, kept):
+        """How many configurations of a key gain how many strips, trees or triangles alone by this recolouring."""
+        return {strips_added(self.positions[0], before, colors, key[0], kept): count for before, count in self.known[key][0].items()}
 
-    def keys(self, ports, joined, colors, kept):
-        """A row as the pages show it: by the mask of ports joined to the one before, of a flip by its inner edge."""
-        pairs = {frozenset((i, j)) for j in range(self.k) for i in range(j) if joined >> (j * (j - 1) // 2 + i) & 1}
-        if self.family != "flip":
-            return [[ports, mask_of_pairs(ports, pairs, self.closed), colors]]
-        return [[ports, inner, kept, colors] for inner in (0, 1) if flip_pairs(ports, inner) == pairs]
-
-    def title(self):
-        if self.family == "flip":
-            return "The flip"
-        at = {"split": "a = %d", "open-split": "gaps %d and %d", "boundary-split": "gap %d"}.get(self.family, "")
-        return f"{FAMILIES[self.family][0]}: k = {self.k}" + (", " + at % tuple(self.places) if at else "")
-
-
-def reason(words):
-    """The case tree, from words; returns it and the words left."""
-    if words[0] == "if":
-        edge = int(words[1])
-        solid, rest = reason(words[3:])
-        dashed, rest = reason(rest[1:])
-        return (edge, solid, dashed), rest
-    sets = []
-    while words and words[0] != "else":
-        if words[0] != "-":
-            sets.append(int(words[0], 16))
-        words = words[1:]
-    return sets, words
-
-
-def read(path):
-    sections = []
-    lines = path.read_text(encoding="ascii").split("\n")
-    if lines[0] != "restrip-certificate 3" or not lines[-2].startswith("end "):
-        sys.exit(f"atlas.py: {path}: is no certificate, or not whole")
-    family = lines[1].split()[1]
-    rows = 0
-    for number, line in enumerate(lines[2:-2], start=3):
-        words = line.split()
-        if words[0] == "section":
-            sections.append(Section(family, words[1:]))
-        elif words[0] == "claim":
-            sections[-1].claims[words[1]] = int(words[2])
-        elif words[0] == "rule":
-            rows += 1
-            at = words.index("because")
-            tree, rest = reason(words[at + 1:])
-            if rest:
-                sys.exit(f"atlas.py: {path}:{number}: the reason goes on: {' '.join(rest)}")
-            sections[-1].rules += [(key, tree) for key in sections[-1].keys(*(int(w, 16) for w in words[1:at]))]
-        elif words[0] == "copy":
-            rows += 1
-            at = words.index("by")
-            to = [int(w) for w in words[at + 1:]]
-            sections[-1].copies += [(key, to) for key in sections[-1].keys(*(int(w, 16) for w in words[1:at]))]
-        else:
-            sys.exit(f"atlas.py: {path}:{number}: a line that is not known: {line}")
-    if rows != int(lines[-2].split()[1]):
-        sys.exit(f"atlas.py: {path}: has {rows} rows, not as many as it says")
-    return sections
-
-
-# ---- keys
-
-def joined_pairs(k, ports, joined, closed):
-    solid = bits(ports)
-    pairs = set()
-    for n, port in enumerate(solid):
-        if joined >> port & 1 and (closed or n > 0):
-            pairs.add(frozenset((port, solid[n - 1])))
-    return pairs
-
-
-def mask_of_pairs(ports, pairs, closed):
-    solid, out = bits(ports), 0
-    for n, port in enumerate(solid):
-        if (closed or n > 0) and frozenset((port, solid[n - 1])) in pairs and len(solid) > 1:
-            out |= 1 << port
-    return out
-
-
-def key_after(k, ports, joined, closed, to):
-    moved = sum(1 << to[i] for i in bits(ports))
-    pairs = {frozenset(to[i] for i in pair) for pair in joined_pairs(k, ports, joined, closed)}
-    return moved, mask_of_pairs(moved, pairs, closed)
-
-
-def flip_pairs(ports, inner):
-    """The pairs of ports that two triangles join before a flip, p_0 and p_1 at one, p_2 and p_3 at the other; None when
-    one has three solid edges."""
-    sides = [[i for i in bits(ports) if i // 2 == side] for side in (0, 1)]
-    if any(len(side) + inner > 2 for side in sides):
-        return None
-    groups = [sides[0] + sides[1]] if inner else sides
-    return {frozenset((i, j)) for group in groups for i in group for j in group if i < j}
-
-
-def configurations(k, closed):
-    """By key: how many valid fans have it, their fewest and most solid loop edges, and a loop with the most."""
-    out = {}
-    length = k if closed else k - 1
-    for loop in range(1 << length):
-        if closed and loop == (1 << k) - 1:
-            continue  # a solid cycle
-        two = loop & (loop << 1 | loop >> (k - 1)) if closed else loop & loop << 1
-        free = [i for i in range(k) if not two >> i & 1]
-        for choice in range(1 << len(free)):
-            ports = sum(1 << free[n] for n in bits(choice))
-            solid, joined = bits(ports), 0
-            for n, port in enumerate(solid):
-                if n == 0 and (not closed or len(solid) == 1):
-                    continue
-                i, whole = solid[n - 1], True
-                while i != port and whole:
-                    whole = bool(loop >> i & 1)
-                    i = (i + 1) % k
-                joined |= whole << port
-            if closed and len(solid) == 2 and joined:
-                joined = ports
-            count, low, high, example = out.get((ports, joined), (0, 99, -1, 0))
-            n = loop.bit_count()
-            out[ports, joined] = (count + 1, min(low, n), max(high, n), loop if n > high else example)
-    return out
-
-
-def split_order(closed, k, places):
-    """The nodes of a patch with its new triangles, in the order of its inner edges, 't' numbers and 'A', 'D'; whether the last
-    is joined to the first; whether there is a chord."""
-    t = list(range(k))
-    if closed:
-        a, = places
-        return ["A", *t[:a], "D", *t[a:]], True, True
-    if len(places) == 2:
-        i, j = places
-        return [*t[:i], "A", *t[i:j], "D", *t[j:]], False, True
-    i, = places
-    return [*t[:i], "A", *t[i:]], False, False
-
-
-def order_after(section):
-    if "split" in section.family:
-        return split_order(section.closed, section.k, section.places)
-    return list(range(section.k)), section.closed, False
-
-
-def strips_within(nodes, edges):
-    """The two ends of each strip that solid edges make of the nodes (a lonely node twice); none if they are no strips."""
-    beside = {node: [] for node in nodes}
-    for a, b in edges:
-        beside[a].append(b)
-        beside[b].append(a)
-    if any(len(there) > 2 for there in beside.values()):
-        return None
-    ends, seen = [], set()
-    for node in nodes:
-        if node in seen or len(beside[node]) == 2:
-            continue
-        last, here = None, node
-        while here is not None:
-            seen.add(here)
-            last, here = here, next((there for there in beside[here] if there not in seen), None)
-        ends.append((node, last))
-    return ends if len(seen) == len(nodes) else None  # what is left are cycles
-
-
-def before_collapses(k, closed):
-    """By key: how many valid patches before a collapse have it, at all positions, and of those with the fewest solid edges the
-    first, as its position and inner edges."""
-    places = ([(a,) for a in range(1, k // 2 + 1)] if closed else
-              [(i, j) for i in range(k + 1) for j in range(i + 1, k - i + 1)] + [(i,) for i in range(k // 2 + 1)])
-    shapes = {}  # by the triangles that may have a port, and which two of them are the ends of a strip
-    for place in places:
-        nodes, ring, chord = split_order(closed, k, place)
-        edges = list(zip(nodes, nodes[1:] + nodes[:1] if ring else nodes[1:]))
-        edges += [("A", "D")] if chord else []
-        for inner in range(1 << len(edges)):
-            ends = strips_within(nodes, [edge for n, edge in enumerate(edges) if inner >> n & 1])
-            if ends is None:
-                continue
-            pairs = tuple(pair for pair in ends if pair[0] != pair[1] and "A" not in pair and "D" not in pair)
-            free = sum(1 << node for node in {node for pair in ends for node in pair} if isinstance(node, int))
-            count, best = shapes.get((free, pairs), (0, (99,)))
-            shapes[free, pairs] = (count + 1, min(best, (inner.bit_count(), place, inner)))
-    out = {}
-    for (free, pairs), (count, best) in shapes.items():
-        joined_to = dict(pairs) | {b: a for a, b in pairs}
-        ports = free
-        while True:
-            solid, joined = bits(ports), 0
-            for n, port in enumerate(solid):
-                if len(solid) > 1 and (closed or n > 0) and joined_to.get(port) == solid[n - 1]:
-                    joined |= 1 << port
-            known, least = out.get((ports, joined), (0, (99,)))
-            out[ports, joined] = (known + count, min(least, best))
-            if ports == 0:
-                break
-            ports = (ports - 1) & free
-    return {key: (count, *best[1:]) for key, (count, best) in out.items()}
-
-
-def isolated_after(section, ports, colors):
-    order, ring, chord = order_after(section)
-    degree = defaultdict(int, {i: ports >> i & 1 for i in range(section.k)})
-    joints = len(order) if ring else len(order) - 1
-    for j in range(joints):
-        if colors >> j & 1:
-            degree[order[j]] += 1
-            degree[order[(j + 1) % len(order)]] += 1
-    if chord and colors >> joints & 1:
-        degree["A"] += 1
-        degree["D"] += 1
-    return sum(degree[node] == 0 for node in order)
+    def leaves_alone(self, colors, kept):
+        met = {n for i in bits(colors) for n in self.after.edges[i]} | {self.after.owners[i] for i in bits(kept)}
+        return len(met) < len(self.after.names)
 
 
 # ---- words
 
-def in_words(tree):
+def in_words(tree, edges):
+    def name(edge):
+        return f"f{edge}" if edge < edges else f"p{edge - edges}"
+
+    if tree is None:
+        return "–"
     if isinstance(tree, tuple):
         edge, solid, dashed = tree
-        return f"<i>f{edge} solid:</i> {in_words(solid)} <i>f{edge} dashed:</i> {in_words(dashed)}"
+        return f"<i>{name(edge)} solid:</i> {in_words(solid, edges)} <i>{name(edge)} dashed:</i> {in_words(dashed, edges)}"
     if not tree:
         return "no other edge need be dashed."
-    return "not all of " + ", nor of ".join("{" + " ".join(f"f{i}" for i in bits(s)) + "}" for s in tree) + "."
+    return "not all of " + ", nor of ".join("{" + " ".join(map(name, bits(s))) + "}" for s in tree) + "."
 
 
 def numbers(mask):
@@ -276,11 +91,6 @@ def signed(n):
     return f"+{n}" if n > 0 else str(n).replace("-", "−")
 
 
-def met_at(met, section):
-    """Splits of real meshes at the position of this section."""
-    return sum(n for name, n in met.items() if name.startswith(f"{section.name}-"))
-
-
 def often(met, name):
     """Of 10,000 splits of real meshes, how many meet this rule; in words."""
     if met.get(name, 0) == 0:
@@ -289,194 +99,187 @@ def often(met, name):
     return f"{share:.2f}" if share >= 0.01 else "under 0.01"
 
 
-def row(section, group, orbit, known, key, colors, tree, met):
-    ports, joined = key
-    name = f"{section.name}-{ports:x}-{joined:x}"
-    pairs = " ".join(f"{a}–{b}" for a, b in sorted(sorted(p) for p in joined_pairs(section.k, ports, joined, section.closed)))
-    # Only the fan before a split has loop edges to be counted.
-    splits = "split" in section.family
-    _, low, high, example = known[key] if splits else (0, 0, 0, 0)
-    count, place, inner = (0, (), 0) if splits else known[key]
-    more = "" if splits else f' data-before="{" ".join(map(str, (inner, *place)))}"'
-    kinds = []
-    cost = ""
-    if splits:
-        new = 1 if section.family == "boundary-split" else 2
-        changes = [new - colors.bit_count() + n for n in (low, high)]
-        cost = signed(changes[0]) if low == high else f"{signed(changes[0])} to {signed(changes[1])}"
-        kinds += ["costs"] if changes[1] > 0 else []
-    kinds += ["alone"] if isolated_after(section, ports, colors) else []
-    kinds += ["symmetric"] if orbit < group else []
-    if name in met:
-        kinds.append("met")
-        more += f' data-met="{met[name]}"'
+def row(page, rule, sides, met):
+    ports, joined, colors, kept, tree = rule
+    name = f"{page.name}-{ports:x}-{joined:x}"
+    counts, position, inner = page.known[ports, joined]
+    changes = page.changes((ports, joined), colors, kept)
+    low, high = min(changes), max(changes)
+    kinds = ["costs"] if high > 0 else []
+    kinds += ["alone"] if page.leaves_alone(colors, kept) else []
+    kinds += ["symmetric"] if page.orbits[ports, joined] < max(page.orbits.values()) else []
+    kinds += ["met"] if name in met else []
     picture = ""
-    if section.family == "split" and section.k <= 4:
-        picture = (fan_picture(section.k, section.places[0], example, ports, "before") +
-                   split_picture(section.k, section.places[0], colors, ports, "after"))
-    cells = [f'<a href="#{name}">{ports:x}-{joined:x}</a>', numbers(ports), pairs or "–", numbers(colors)]
-    cells += [cost] if splits else [grouped(count)]
-    cells += [often(met, name)] if section.family == "split" else []
-    cells += [str(orbit), in_words(tree)]
-    return (f'<tr id="{name}" class="{" ".join(kinds)}" data-k="{ports} {joined} {example} {colors}"{more}>'
+    if len(page.section.rules) <= FEW_ROWS:
+        picture = side_picture(sides[0][position], inner, ports, "before") + side_picture(sides[1], colors, kept, "after")
+    cells = [f'<a href="#{name}">{ports:x}-{joined:x}</a>', numbers(ports), " ".join(f"{i}–{j}" for i, j in sorted(pairs_of(joined))) or "–"]
+    cells += [numbers(kept)] if page.description.gives_up else []
+    cells += [numbers(colors), grouped(sum(counts.values())), signed(low) if low == high else f"{signed(low)} to {signed(high)}"]
+    cells += [often(met, name)] if page.met else []
+    cells += [str(page.orbits[ports, joined]), in_words(tree, len(page.after.edges))]
+    more = f' data-met="{met[name]}"' if name in met else ""
+    return (f'<tr id="{name}" class="{" ".join(kinds)}" data-rule="{ports} {joined} {colors} {kept}" data-before="{position} {inner}"{more}>'
             f'<td class="pic">{picture}</td>' + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>")
 
 
 WHY = """<p>Why nothing is better: of the edges in a pair of braces at least one must stay dashed. If all of them were solid, a
-triangle would have three solid edges, a cycle would close, or two ports would be joined that were not joined before. The
+triangle would have too many solid edges, a cycle would close, or two ports would be joined that were not joined before. The
 sets share no edge, so each takes a dashed edge of its own. In none of the cases does the rule leave more edges dashed than
 that, or as many and more triangles alone.</p>"""
-LEGEND = ('<p class="legend"><i class="key solid"></i> same strip <i class="key dashed"></i> different strips '
-          '<i class="key fresh"></i> new triangles</p>')
-NOTES = {
-    "split": "f0 … f{k1} lead around the ring A, t0 … , D, … and back to A; f{k2} joins the two new triangles A and D.",
-    "collapse": "f0 … f{km} are the loop edges of the fan that is left: f0 joins t0 and t1. A rule depends only on the ports and on "
-                "which of them are joined before, so it serves every position and many patches. One with the fewest solid edges is drawn.",
-    "fan-collapse": "f0 … are the loop edges of the open fan that is left: f0 joins t0 and t1. A rule depends only on the ports and on "
-                    "which of them are joined before, so it serves both kinds of collapse at the boundary, every position, and many "
-                    "patches. One with the fewest solid edges is drawn.",
-    "open-split": "f0 … f{k} lead along the path of all triangles; f{k1} joins the two new triangles.",
-    "boundary-split": "f0 … f{km} lead along the path of all triangles."}
+LEGEND = ('<p class="legend"><i class="key solid"></i> same {unit} <i class="key dashed"></i> different {unit}s '
+          '<i class="key fresh"></i> triangles that come or go</p>')
 
 
-def section_page(section, known, met, page):
-    orbits = defaultdict(lambda: 1)
-    for key, to in section.copies:
-        orbits[key_after(section.k, key[0], key[1], section.closed, to)] += 1
-    rules = {tuple(key[:2]) for key, _ in section.rules}
-    if not set(orbits) <= rules:
-        sys.exit(f"atlas.py: {section.name}: a copy has no rule")
-    split_in_halves = section.family == "split" and 2 * section.places[0] == section.k
-    palindrome = {"split": True, "open-split": section.places and sum(section.places) == section.k,
-                  "boundary-split": section.places and 2 * section.places[0] == section.k}.get(section.family, True)
-    group = 2 * section.k if section.family == "collapse" else 4 if split_in_halves else 2 if palindrome else 1
-    rows = "\n".join(row(section, group, orbits[tuple(k[:2])], known, tuple(k[:2]), k[2], tree, met) for k, tree in section.rules)
-    claims = section.claims
-    k = section.k
-    note = NOTES[section.family].format(k=k, k1=k + 1, k2=k + 2, km=k - 1)
-    columns = ["", "rule", "solid ports", "joined before", "solid edges after"]
-    columns += ["change in strips"] if "split" in section.family else ["patches before, one of them drawn"]
-    columns += ["met by 10,000 splits"] if section.family == "split" else []
-    columns += ["in its orbit", "why nothing is better"]
-    costs = claims["costing"]
+def legend(page):
+    return LEGEND.format(unit=page.made)
+
+
+def body_of(page, sides, met):
+    section, claims = page.section, page.section.claims
+    rows = "\n".join(row(page, rule, sides, met) for rule in section.rules)
+    several = len(page.positions) > 1
+    with_met = page.met > 0
+    columns = ["", "rule", "solid ports", "joined before", *(["ports kept"] if page.description.gives_up else []), "solid edges after",
+               "patches before, one of them drawn", f"change in {page.units}",
+               *(["met by 10,000 splits"] if with_met else []), "in its orbit", "why nothing is better"]
+    worst = max(change for *key, colors, kept, _ in section.rules for change in page.changes(tuple(key), colors, kept))
     facts = (f"{grouped(claims['configurations'])} configurations, {grouped(claims['valid'])} of them valid. "
              f"They need {grouped(len(section.rules) + len(section.copies))} rules" +
-             (f"; {grouped(len(section.rules))} are listed here, the others are their mirror images"
-              f"{' and turns' if section.family == 'collapse' or split_in_halves else ''}. " if section.copies else ". ") +
-             ("No rule adds a strip." if costs == 0 and claims["worst-strips"] <= 0 else
-              f"In {grouped(costs)} configurations the best rule adds a strip; none adds more than {claims['worst-strips']}."))
-    filters = "".join(f'<label><input type="checkbox" name="{n}"> {w}</label>' for n, w in
-                      ((("costs", "adds a strip somewhere"),) if "split" in section.family else ()) +
-                      (("alone", "leaves a triangle alone"), ("symmetric", "is its own mirror image or turn")) +
-                      ((("met", "met on real meshes"),) if section.family == "split" else ()))
-    sorting = '<label><input type="checkbox" id="often"> most often met first</label>' if section.family == "split" else ""
-    if section.family == "split":
-        facts += (f" Of the splits of four real meshes, from 2 % of their triangles up, {100 * met_at(met, section) / sum(met.values()):.1f} % are at this "
+             (f"; {grouped(len(section.rules))} are listed here, the others are their images under symmetries. " if section.copies else ". ") +
+             (f"No rule adds a {page.unit}." if page.costing == 0 else
+              f"In {grouped(page.costing)} configurations the best rule adds a {page.unit}; none adds more than {worst}."))
+    if with_met:
+        facts += (f" Of the splits of four real meshes, from 2 % of their triangles up, {100 * page.met / sum(met.values()):.1f} % are at this "
                   f"position; they meet {grouped(rows.count(' data-met='))} of these rules.")
-    body = (f'<h1>{escaped(section.title())}</h1><div id="names"></div><p>{facts}</p><p>{note} The ports keep their colours, in the rule and in all that it is compared with.</p>{WHY}'
-            '<p>A solid port is a strip that leaves the patch. A rule may join two of them only if they were joined before. '
-            'The theorem <code>all_correct</code> (verify/formal/Answers.v, checked by Coq) says that what the library answers here is '
-            'sound and that nothing sound is preferred to it.</p>'
-            f'{LEGEND}<form id="filter" hidden>{filters}{sorting}<label>solid ports <input name="ports" size="10" placeholder="0 3"></label>'
+    notes = ("A rule depends only on the solid ports and on which of them are joined before, so it serves "
+             f"{'several positions and ' if several else ''}all patches that agree in these. One with the fewest solid edges is drawn. " +
+             ("A rule may give ports up, and so may all that it is compared with." if page.description.gives_up else
+              "The ports keep their colours, in the rule and in all that it is compared with."))
+    filters = "".join(f'<label><input type="checkbox" name="{name}"> {words}</label>' for name, words in
+                      [("costs", f"adds a {page.unit} somewhere"), ("alone", "leaves a triangle alone"), ("symmetric", "is its own image under a symmetry")] +
+                      [("met", "met on real meshes")] * with_met)
+    sorting = '<label><input type="checkbox" id="often"> most often met first</label>' if with_met else ""
+    names = "".join(side_picture(side, 0, 0, f"the names of edges and ports {when}", letter)
+                    for side, when, letter in ((sides[0][0], "before", "e"), (sides[1], "after", "f")))
+    abouts = dict.fromkeys(position.description.about for position in page.positions)
+    # What pictures are drawn from as their rows come into sight.
+    patches = json.dumps({"before": [{**side, "position": f"{position.description.name} {position.text}"} for side, position in zip(sides[0], page.positions)],
+                          "after": sides[1]}, separators=(",", ":")).replace("<", "\\u003c")
+    return (f'<h1>{escaped(page.title)}</h1><div id="names">{names}</div><p>{escaped(" ".join(abouts))}</p><p>{facts}</p><p>{notes}</p>'
+            f'{WHY if any(tree is not None for *_, tree in section.rules) else ""}'
+            '<p>A solid port leads out of the patch. A rule may join two of them only if they were joined before.</p>'
+            f'{legend(page)}<form id="filter" hidden>{filters}{sorting}<label>solid ports <input name="ports" size="10" placeholder="0 3"></label>'
             '<output></output></form>'
-            f'<div class="wide"><table id="rules" data-family="{section.family}" data-n="{k}" data-at="{" ".join(map(str, section.places))}">'
-            f'<thead><tr>{"".join(f"<th>{c}</th>" for c in columns)}</tr></thead><tbody>\n{rows}\n</tbody></table></div>')
-    return page(section.title(), body)
+            f'<div class="wide"><table id="rules"><thead><tr>{"".join(f"<th>{c}</th>" for c in columns)}</tr></thead><tbody>\n{rows}\n</tbody></table></div>'
+            f'<script type="application/json" id="patches">{patches}</script>')
 
 
-def flip_page(section, page):
-    rows = []
-    orbits = defaultdict(lambda: 1)
-    for (ports, inner, *_), to in section.copies:
-        orbits[sum(1 << to[i] for i in bits(ports)), inner] += 1
-    for (ports, inner, kept, after), tree in section.rules:
-        name = f"flip-{ports:x}-{inner:x}"
-        change = inner + ports.bit_count() - after - kept.bit_count()
-        words = in_words(tree).replace("f0", "the inner edge")
-        for i in range(4):
-            words = words.replace(f"f{i + 1}", f"p{i}")
-        rows.append(f'<tr id="{name}" class="{"costs" if change > 0 else ""}" data-k="{ports} {inner} {kept} {after}"><td class="pic"></td>'
-                    f'<td><a href="#{name}">{ports:x}-{inner:x}</a></td><td>{numbers(ports)}</td><td>{"solid" if inner else "dashed"}</td>'
-                    f'<td>{numbers(kept)}</td><td>{"solid" if after else "dashed"}</td><td>{signed(change)}</td><td>{orbits[ports, inner]}</td><td>{words}</td></tr>')
-    columns = ["", "rule", "solid ports", "inner edge before", "ports kept", "inner edge after", "change in strips", "in its orbit", "why nothing is better"]
-    body = (f'<h1>The flip</h1><p>Two triangles share an edge; the flip replaces it by the other diagonal. {section.claims["valid"]} '
-            f'valid configurations of {section.claims["configurations"]}. A flip may have to give a port up: two ports that '
-            'come to hang on one triangle would otherwise be joined, and the strips outside might close a cycle. Coq checks the '
-            'answers of the library for flips in verify/formal/Flip.v.</p>' + WHY +
-            LEGEND + '<form id="filter" hidden><label><input type="checkbox" name="costs"> adds a strip</label><output></output></form>'
-            '<div class="wide"><table id="rules" data-family="flip" data-n="4" data-at=""><thead><tr>' +
-            "".join(f"<th>{c}</th>" for c in columns) + "</tr></thead><tbody>\n" + "\n".join(rows) + "\n</tbody></table></div>")
-    return page("The flip", body)
+INTRODUCTION = """<p>A strip is a path through triangles that share an edge. When a vertex is split, two triangles come into the mesh and
+cut the paths around it. A <em>rule</em> says how the edges of that patch are to be coloured afterwards, solid where a
+strip goes on and dashed where it does not, so that as few strips as possible remain, whatever the rest of the mesh looks
+like. Each rule here is proved: no recolouring that is safe in every mesh leaves fewer strips, or fewer triangles alone where
+triangles are paired. Most rules keep the <em>ports</em>, the edges that lead out of the patch, and are compared with those that do;
+where a rule may cut a strip at a port, its page says so.</p>
+<p>Theorems checked by Coq (<code>verify/formal/Answers.v</code> and <code>Flip.v</code>) say that what the library answers to splits,
+collapses and flips is sound and that nothing sound is preferred to it. The families come first here, single operations follow.</p>"""
 
 
-def index_page(families, picture, met, page):
-    body = ("<h1>Atlas of rules</h1>"
-            "<p>A strip is a path through triangles that share an edge. When a vertex is split, two triangles come into the mesh and "
-            "cut the paths around it. A <em>rule</em> says how the edges of that patch are to be coloured afterwards, solid where a "
-            "strip goes on and dashed where it does not, so that as few strips as possible remain, whatever the rest of the mesh looks "
-            "like. Each rule here is proved: no recolouring that keeps the <em>ports</em>, the edges that lead out of the patch, and "
-            "is safe in every mesh leaves fewer strips. (Only the rules of flips may cut a strip at a port.)</p>" + picture +
-            '<p><a class="button" href="paint.html">Paint a configuration and see its rule</a></p>')
-    total = 0
-    for family, (title, _) in FAMILIES.items():
-        sections = families[family]
+def index_body(groups, picture, met):
+    body = "<h1>Atlas of rules</h1>"
+    if met:
+        body += INTRODUCTION + picture + '<p><a class="button" href="paint.html">Paint a configuration and see its rule</a></p>'
+    for name, pages in groups.items():
         rows = ""
-        with_met = family == "split"
-        for s in sections:
-            total += len(s.rules)
-            rows += (f'<tr><td><a href="{s.name}.html">{escaped(s.title().split(": ")[-1])}</a></td><td>{grouped(len(s.rules))}</td>'
-                     f'<td>{grouped(s.claims["valid"])}</td><td>{grouped(s.claims["costing"])}</td><td>{signed(s.claims["worst-isolated"])}</td>'
-                     + (f"<td>{100 * met_at(met, s) / sum(met.values()):.1f} %</td>" if with_met else "") + "</tr>")
-        table = ('<div class="wide"><table class="index"><thead><tr><th></th><th>rules</th><th>valid configurations</th><th>of which cost a strip</th>'
-                 f'<th>most triangles isolated</th>{"<th>splits of real meshes</th>" if with_met else ""}</tr></thead><tbody>{rows}</tbody></table></div>')
-        shown = table if len(sections) < 20 else f"<details><summary>{len(sections)} positions</summary>{table}</details>"
-        body += f"<h2>{title}</h2>{shown}"
-    body += (f"<p>{grouped(total)} rules in all, for vertices of up to 8 triangles. For larger ones a finite automaton answers, exactly "
-             "as well; the painter asks it.</p>")
-    return page("Atlas of rules", body)
+        with_met = any(page.met for page in pages)
+        for page in pages:
+            claims = page.section.claims
+            rows += (f'<tr><td><a href="{page.name}.html">{escaped(page.section.text)}</a></td><td>{grouped(len(page.section.rules))}</td>'
+                     f'<td>{grouped(claims["valid"])}</td><td>{grouped(page.costing)}</td><td>{signed(claims["worst-isolated"])}</td>'
+                     + (f"<td>{100 * page.met / sum(met.values()):.1f} %</td>" if with_met else "") + "</tr>")
+        table = ('<div class="wide"><table class="index"><thead><tr><th></th><th>rules</th><th>valid configurations</th>'
+                 f'<th>of which cost a {pages[0].unit}</th><th>most triangles isolated</th>{"<th>splits of real meshes</th>" if with_met else ""}'
+                 f'</tr></thead><tbody>{rows}</tbody></table></div>')
+        abouts = dict.fromkeys(position.description.about for page in pages for position in page.positions)
+        body += (f"<h2>{escaped(name)}</h2><p>{escaped(' '.join(abouts))}</p>" +
+                 (table if len(pages) < 20 else f"<details><summary>{len(pages)} positions</summary>{table}</details>"))
+    total = sum(len(page.section.rules) for pages in groups.values() for page in pages)
+    return body + f"<p>{grouped(total)} rules in all" + (
+        ", for vertices of up to 8 triangles. For larger ones a finite automaton answers, exactly as well; the painter asks it.</p>" if met else ".</p>")
+
+
+def whole(title, body, nav):
+    return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+            f'<meta name="color-scheme" content="light dark">\n<title>{escaped(title)} – restrip</title>\n<link rel="icon" href="data:,">\n'
+            '<link rel="stylesheet" href="atlas.css">\n<script src="atlas.js" defer></script>\n<body>\n'
+            f'<nav>{nav}<a href="index.html">Atlas of rules</a></nav>\n<main>{body}</main>\n</body>\n</html>\n')
+
+
+def pages_of(files, folder, met):
+    """The pages of all sections, by the name of their certificate, in the order of the files."""
+    positions = defaultdict(lambda: defaultdict(list))
+    for file in files:
+        for position in positions_of(file):
+            positions[position.description.certificate][position.section].append(position)
+    groups = {}
+    for name, by_section in positions.items():
+        path = next((path for path in (folder / f"{name}.cert", folder / f"operations/{name}.cert") if path.exists()), folder / f"{name}.cert")
+        named, sections = certificate(path)
+        if named != name or any(section.text not in by_section for section in sections):
+            raise Refused(f"{path}: is no certificate of {name}")
+        groups[name] = [Page(section, by_section[section.text], met) for section in sections]
+    return groups
+
+
+def write(given, met):
+    groups = pages_of(given.files, given.certificates, met)
+    names = Counter(page.name for pages in groups.values() for page in pages)
+    if max(names.values()) > 1:
+        raise Refused(f"{names.most_common(1)[0][0]}: is the name of two pages")
+    if stray := set(met) - {f"{page.name}-{ports:x}-{joined:x}" for pages in groups.values() for page in pages
+                            for ports, joined, *_ in page.section.rules} - {"boundary", "larger"}:
+        raise Refused(f"{given.met}: {min(stray)} is no rule of the certificates; make the file anew")
+    texts, picture = {}, ""
+    for pages in groups.values():
+        for page in pages:
+            try:
+                sides = drawings([position.before for position in page.positions], [page.after])
+            except Refused as fault:
+                raise Refused(f"{page.title}: {fault}") from None
+            sides = sides[0], sides[1][0]
+            texts[page.name] = page.title, body_of(page, sides, met)
+            if page.name == "split-5-2":  # one of its rules is the picture of the index
+                ports, joined, colors, kept, _ = next(rule for rule in page.section.rules if rule[0].bit_count() == 3 and rule[1] > 0)
+                _, position, inner = page.known[ports, joined]
+                picture = ('<div class="pictures"><figure>' + side_picture(sides[0][position], inner, ports, "before") +
+                           "<figcaption>before the split</figcaption></figure><figure>" + side_picture(sides[1], colors, kept, "after") +
+                           "<figcaption>after it, by its rule</figcaption></figure></div>" + legend(page))
+    texts["index"] = "Atlas of rules", index_body(groups, picture, met)
+    nav = '<a href="../index.html">restrip</a> <a href="../viewer.html">Viewer</a> ' if met else ""
+    given.out.mkdir(parents=True, exist_ok=True)
+    (given.out / "atlas.css").write_text("".join(style.read_text(encoding="utf-8") for style in STYLES), encoding="utf-8")
+    (given.out / "atlas.js").write_text("(() => {\n" + inlined(SCRIPTS) + "\n})();\n", encoding="utf-8")
+    for name, (title, body) in texts.items():
+        (given.out / f"{name}.html").write_text(whole(title, body, nav), encoding="utf-8")
+    for name, pages in groups.items():
+        rules = sum(len(page.section.rules) for page in pages)
+        print(f"{name}: {grouped(rules)} rules on {len(pages)} page{'s' * (len(pages) != 1)}")
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("certificates", type=Path)
-    parser.add_argument("out", type=Path)
-    parser.add_argument("--met", type=Path, required=True)
-    parser.add_argument("--style", nargs="+", required=True)
-    parser.add_argument("--script", nargs="+", required=True)
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", type=Path, nargs="+", metavar="FILE")
+    parser.add_argument("--certificates", type=Path, required=True, metavar="FOLDER")
+    parser.add_argument("-o", dest="out", type=Path, required=True, metavar="OUT")
+    parser.add_argument("--met", type=Path, metavar="CSV")
     given = parser.parse_args()
-    given.out.mkdir(parents=True, exist_ok=True)
-    (given.out / "atlas.css").write_text("".join(Path(s).read_text(encoding="utf-8") for s in given.style), encoding="utf-8")
-    (given.out / "atlas.js").write_text("(() => {\n" + inlined(given.script) + "\n})();\n", encoding="utf-8")
-
-    def page(title, body):
-        return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-                f'<meta name="color-scheme" content="light dark">\n<title>{escaped(title)} – restrip</title>\n<link rel="icon" href="data:,">\n'
-                '<link rel="stylesheet" href="atlas.css">\n<script src="atlas.js" defer></script>\n<body>\n'
-                '<nav><a href="../index.html">restrip</a> <a href="../viewer.html">Viewer</a> <a href="index.html">Atlas of rules</a></nav>\n'
-                f'<main>{body}</main>\n</body>\n</html>\n')
-
-    with given.met.open(encoding="ascii", newline="") as file:
-        met = {name: sum(map(int, counts)) for name, *counts in list(csv.reader(file))[1:]}
-    families = {family: read(given.certificates / f"{family}.cert") for family in FAMILIES}
-    known = {}
-    for family, sections in families.items():
-        for section in sections:
-            shape = (section.k, section.closed, "collapse" in family)
-            if family != "flip" and shape not in known:
-                known[shape] = before_collapses(*shape[:2]) if shape[2] else configurations(*shape[:2])
-                if shape[2] and sum(count for count, *_ in known[shape].values()) != section.claims["valid"]:
-                    sys.exit(f"atlas.py: {section.name}: the keys have not as many configurations as the certificate says")
-            text = flip_page(section, page) if family == "flip" else section_page(section, known[shape], met, page)
-            (given.out / f"{section.name}.html").write_text(text, encoding="utf-8")
-    chosen = next((key, tree) for key, tree in families["split"][4].rules if len(bits(key[0])) == 3)
-    (ports, joined, colors), _ = chosen
-    loop = known[5, True, False][ports, joined][3]
-    picture = ('<div class="pictures"><figure>' + fan_picture(5, 2, loop, ports, "before") + "<figcaption>before the split</figcaption></figure><figure>" +
-                     split_picture(5, 2, colors, ports, "after") + "<figcaption>after it, by its rule</figcaption></figure></div>" + LEGEND)
-    rules = {f"{s.name}-{key[0]:x}-{key[1]:x}" for s in families["split"] for key, _ in s.rules}
-    if stray := set(met) - rules - {"boundary", "larger"}:
-        sys.exit(f"atlas.py: {given.met}: {min(stray)} is no rule of the certificates; make the file anew")
-    (given.out / "index.html").write_text(index_page(families, picture, met, page), encoding="utf-8")
+    met = {}
+    if given.met:
+        with given.met.open(encoding="ascii", newline="") as file:
+            met = {name: sum(map(int, counts)) for name, *counts in list(csv.reader(file))[1:]}
+    try:
+        write(given, met)
+    except Refused as fault:
+        sys.exit(f"atlas.py: {fault}")
 
 
 if __name__ == "__main__":

@@ -16,11 +16,6 @@ export class Patch {
   strokes = { dashed: '', solid: '' };
   nodes = [];
   extra = '';
-  edges = 0;
-  static named = false;  // edges and ports have their names beside them
-  name(text, [x, y]) {
-    if (Patch.named) this.extra += `<text x="${x.toFixed(1)}" y="${y.toFixed(1)}">${text}</text>`;
-  }
   add(a, b, c, style = 'old') {
     this.faces[style] += `M${[a, b, c].map((p) => `${p[0].toFixed(1)},${p[1].toFixed(1)}`).join('L')}z`;
     this.nodes.push(middle(a, b, c));
@@ -30,7 +25,6 @@ export class Patch {
     this.strokes[solid ? 'solid' : 'dashed'] += `M${from[0].toFixed(1)},${from[1].toFixed(1)}L${to[0].toFixed(1)},${to[1].toFixed(1)}`;
   }
   join(i, j, across, solid) {
-    this.name(`f${this.edges++}`, across);
     this.stroke(this.nodes[i], across, solid);
     this.stroke(across, this.nodes[j], solid);
   }
@@ -38,23 +32,12 @@ export class Patch {
     const door = middle(a, b);
     const outside = door.map((d, n) => d + (d - this.nodes[i][n]) * 0.7);
     this.stroke(this.nodes[i], outside, solid);
-    this.name(`p${i}`, outside);
   }
   svg(description) {
     const dots = this.nodes.map(([x, y]) => `M${x.toFixed(1)},${y.toFixed(1)}h0`).join('');
     const paths = { ...this.faces, ...this.strokes, node: dots };
     return `<svg class="patch" viewBox="5 5 390 390" role="img" aria-label="${description}">` +
       Object.entries(paths).filter(([, d]) => d).map(([style, d]) => `<path class="${style}" d="${d}"/>`).join('') + this.extra + '</svg>';
-  }
-}
-
-/// A picture with the names of its edges and ports.
-export function named(draw) {
-  Patch.named = true;
-  try {
-    return draw();
-  } finally {
-    Patch.named = false;
   }
 }
 
@@ -114,20 +97,14 @@ function joinedPairs(k, loop, ports) {
   return pairs;
 }
 
-function maskOf(k, ports, pairs) {
-  const solid = [];
-  for (let i = 0; i < k; ++i) if (has(ports, i)) solid.push(i);
-  let joined = 0n;
-  for (const [p, q] of pairs)
-    for (const [port, other] of [[p, q], [q, p]]) {
-      const n = solid.indexOf(port);
-      if (solid[(n + solid.length - 1) % solid.length] === other) joined |= 1n << BigInt(port);
-    }
-  return joined;
-}
+/// Bit j (j - 1) / 2 + i is the pair of ports i < j.
+const maskOf = (pairs) => pairs.reduce((mask, [p, q]) => {
+  const [i, j] = p < q ? [p, q] : [q, p];
+  return mask | 1n << BigInt(j * (j - 1) / 2 + i);
+}, 0n);
 
-/// The smallest key in the orbit of a closed fan that is split at (k, a), which has a row in the atlas; or the key of the
-/// fan itself.
+/// The smallest key (ports, joined pairs; docs/certificate.md) in the orbit of a closed fan that is split at (k, a), which has
+/// a row in the atlas; or the key of the fan itself.
 export function representative(k, a, loop, ports, itself = false) {
   const pairs = joinedPairs(k, loop, ports);
   const maps = itself ? [(i) => i] : [(i) => i, (i) => (((a - 1 - i) % k) + k) % k];
@@ -136,7 +113,7 @@ export function representative(k, a, loop, ports, itself = false) {
   for (const map of maps) {
     let moved = 0n;
     for (let i = 0; i < k; ++i) if (has(ports, i)) moved |= 1n << BigInt(map(i));
-    const joined = maskOf(k, moved, pairs.map(([p, q]) => [map(p), map(q)]));
+    const joined = maskOf(pairs.map(([p, q]) => [map(p), map(q)]));
     if (!best || moved < best.ports || (moved === best.ports && joined < best.joined)) best = { ports: moved, joined };
   }
   return best;

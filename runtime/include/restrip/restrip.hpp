@@ -1,14 +1,15 @@
 // restrip: triangle strips kept while the mesh changes, by proven local rules. Header-only, C++20, standard library
 // only.
 //
-// Start with operations/operations.hpp (split, collapse, flip), mesh/mesh.hpp (what your mesh must offer) and
-// mesh/strip_mesh.hpp (the mesh that comes with restrip). The folders are floors: each includes only those named before
-// it here, and the two of a line do not know each other.
+// Start with live_mesh.hpp (mesh, strips and index buffer in one object), or with search/keeper.hpp and mesh/mesh.hpp for
+// a mesh of your own (what it must offer). The folders are floors: each includes only those named before it here, and
+// the two of a line do not know each other.
 //
 //   rules/                   look a rule up: constexpr, knows no mesh
 //   mesh/                    what a mesh must offer, StripMesh, checks of preconditions, walks
 //   operations/, output/     operations with strips kept; strips and index buffers out
 //   search/, formats/        what looks further than a patch: strips from scratch, keepers with a policy; files read
+//   live_mesh.hpp            all of it in one object
 //
 // Not included here: operations/batch.hpp (needs threads), mesh/adapters/ and operations/adapters/ (need OpenMesh or
 // CGAL), operations/test_adapter.hpp (for tests).

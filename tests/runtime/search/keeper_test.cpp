@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "coloring_cost.hpp"
+#include "hand_made_mesh.hpp"
 #include "locator_agrees.hpp"
 #include "random_operation.hpp"
 #include "restrip/output/strips.hpp"
@@ -57,6 +58,31 @@ TEST(Keeper, IsRightAfterEveryOperation) {
       }
     }
   }
+}
+
+// The mesh has numbers of its own, and nothing but flips.
+TEST(Keeper, OfAMeshMadeByHand) {
+  std::mt19937 random(31);
+  for (const Cost& cost : {Cost::strips(), Cost::indices()})
+    for (const PolicyRow& row : policies) {
+      sample::HandMade mesh(sample::rectangle(9, 8));
+      stripify(mesh, Effort::full, cost);
+      Keeper keeper(mesh, row.policy, cost);
+      std::size_t flips = 0;
+      for (int n = 0; n < 600; ++n) {
+        const int h = static_cast<int>(random() % static_cast<unsigned>(mesh.size()));
+        if (!mesh.can_flip(h)) continue;
+        keeper.flip(h);
+        ++flips;
+        if (n % 100 == 0) keeper.improve(100);
+        const ColoringReport report = check_coloring(mesh);
+        ASSERT_TRUE(report.valid) << row.name;
+        ASSERT_EQ(keeper.strips(), report.strips) << row.name;
+        ASSERT_EQ(keeper.isolated(), report.isolated) << row.name;
+        ASSERT_EQ(keeper.swaps(), count_swaps(mesh)) << row.name;
+      }
+      EXPECT_GT(flips, 200U);
+    }
 }
 
 std::size_t strips_from_scratch(StripMesh mesh) { return stripify(mesh, Effort::full, mesh.triangle_count() * 10); }

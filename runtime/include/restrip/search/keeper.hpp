@@ -38,7 +38,6 @@
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
-#include "restrip/mesh/impl/members.hpp"
 #include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/operations/apply.hpp"
@@ -47,6 +46,7 @@
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/search/impl/members.hpp"
 #include "restrip/search/impl/passed_colors.hpp"
 #include "restrip/search/policy.hpp"
 #include "restrip/search/rounds.hpp"
@@ -55,6 +55,24 @@
 #include "restrip/search/tunnel.hpp"
 
 namespace restrip {
+
+namespace detail {
+
+/// What plays baked strips, on a mesh that can split and collapse.
+template <class Mesh>
+struct PlayerOf {
+  struct None {
+    void leave_step() const noexcept {}
+  };
+  using Player = None;
+};
+template <class Mesh>
+requires SplittableMesh<Mesh> && CollapsibleMesh<Mesh>
+struct PlayerOf<Mesh> {
+  using Player = BakedPlayer<Mesh>;
+};
+
+}  // namespace detail
 
 /// Keeps the strips of one mesh. While a keeper is in use, colour and change the mesh through it alone; after any other
 /// change call rebuild(). The mesh must outlive the keeper and have a valid colouring (all dashed is one;
@@ -66,6 +84,7 @@ class Keeper {
 
  public:
   using Halfedge = typename Mesh::Halfedge;
+  using Player = typename detail::PlayerOf<Mesh>::Player;
 
   explicit Keeper(Mesh& mesh, Policy policy = Policy::quick, Cost cost = Cost::strips())
       : mesh_(&mesh),
@@ -124,9 +143,9 @@ class Keeper {
   template <class... Name>
   Rewrite<Halfedge> split_record(std::size_t record, const VertexSplit<Halfedge>& where, Name... name);
   Rewrite<Halfedge> collapse_record(std::size_t record, Halfedge chord);
-  /// Null unless baked strips are played.
-  [[nodiscard]] BakedPlayer<Mesh>* baked() noexcept { return baked_ ? &*baked_ : nullptr; }
-  [[nodiscard]] const BakedPlayer<Mesh>* baked() const noexcept { return baked_ ? &*baked_ : nullptr; }
+  /// Null unless baked strips are played (BakedPlayer).
+  [[nodiscard]] Player* baked() noexcept { return baked_ ? &*baked_ : nullptr; }
+  [[nodiscard]] const Player* baked() const noexcept { return baked_ ? &*baked_ : nullptr; }
 
   /// Background work: goes on with rounds over all strip ends (rounds.hpp), looking at about `budget` states; where
   /// swaps or isolated triangles cost something, with a descent by chains over all triangles, pricing about `budget`
@@ -193,7 +212,7 @@ class Keeper {
   std::size_t strips_ = 0;
   std::size_t swaps_ = 0;
   std::size_t isolated_ = 0;
-  std::optional<BakedPlayer<Mesh>> baked_;
+  std::optional<Player> baked_;
   // For the cost of strips.
   StripLocator locator_;
   Tunnel tunnel_;

@@ -16,8 +16,7 @@
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/mesh/walks.hpp"
-#include "restrip/operations/impl/interior_fan.hpp"
-#include "restrip/operations/impl/operations.hpp"
+#include "restrip/operations/operations.hpp"
 #include "restrip/search/descent.hpp"
 #include "restrip/search/impl/surroundings.hpp"
 
