@@ -22,7 +22,7 @@ namespace {
 constexpr const char* stages[] = {
     "Operations.AnyValence:Join.*:Adopt.That*:Operations.AFree*:"
     "Refine.Inverses*:Refine.Refuses*:Refine.Refining*:Operations.Going*:Operations.Invalid*:Operations.Refused*:"
-    "Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:Apply.Takes*:Apply.Refuses*:Apply.In*:Apply.KeepsPairs*:"
+    "Operations.SmallMeshes*:StripMesh.*:Checks.Bound*:Apply.Takes*:Apply.Refuses*:Apply.In*:KeptApply.KeepsPairs*:"
     "Checked.*:Checks.Handles*:LinkedOperations.*:StripBuffer.AnUpdate*:StripBuffer.RunsAre*:Strips.*:"
     "ChunkLists.*:StripTrees.*:MarkedWords.*:*StripLocatorOf.AgreesAfterCuts*",
     "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesWhere*:Adopt.Leaves*:Operations.LargeFans*:"

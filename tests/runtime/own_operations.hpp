@@ -1,0 +1,99 @@
+// Operations that shipped files describe, at random places, for tests of apply().
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "random_operation.hpp"
+#include "restrip/operations/apply.hpp"
+#include "restrip/tables/operations/bisect.hpp"
+#include "restrip/tables/operations/bisect_boundary.hpp"
+#include "restrip/tables/operations/bisect_matching.hpp"
+#include "restrip/tables/operations/flip_matching.hpp"
+#include "restrip/tables/operations/join_faces.hpp"
+#include "restrip/tables/operations/merge.hpp"
+#include "restrip/tables/operations/merge_boundary.hpp"
+#include "restrip/tables/operations/merge_matching.hpp"
+#include "restrip/tables/operations/refine_face.hpp"
+#include "restrip/tables/operations/split_face.hpp"
+
+namespace restrip {
+
+/// Calls visit(table) for every shipped operation whose edges are those of strips, and then for those of pairs.
+template <class Visit>
+void for_each_operation_of_strips(Visit&& visit) {
+  visit(tables::split_face);
+  visit(tables::join_faces);
+  visit(tables::bisect);
+  visit(tables::merge);
+  visit(tables::bisect_boundary);
+  visit(tables::merge_boundary);
+  visit(tables::refine_face);
+}
+template <class Visit>
+void for_each_operation_of_pairs(Visit&& visit) {
+  visit(tables::flip_matching);
+  visit(tables::bisect_matching);
+  visit(tables::merge_matching);
+}
+
+/// The vertices of the triangles after an operation that were not there before, as they are met in the file.
+template <class Mesh, class Table>
+std::vector<Vertex> added_vertices(const Mesh& mesh, const Table& table, typename Mesh::Halfedge first) {
+  std::set<unsigned> met;
+  for (const tables::PatchTriangle& t : table.triangles_before) met.insert(t.vertex.begin(), t.vertex.end());
+  std::vector<Vertex> added;
+  const auto patch = detail::read_sides(mesh, table.triangles_after, first);
+  for (std::size_t t = 0; t < patch.side.size(); ++t)
+    for (std::size_t s = 0; s < 3; ++s)
+      if (met.insert(table.triangles_after[t].vertex[s]).second) added.push_back(mesh.from(patch.side[t][s]));
+  return added;
+}
+
+/// A place for the operation, if one is found soon.
+template <class Table>
+std::optional<StripMesh::Halfedge> random_place(const StripMesh& mesh, const Table& table, std::mt19937& random) {
+  for (int tries = 0; tries < 60; ++tries)
+    if (const StripMesh::Halfedge h = random_halfedge(mesh, random); check_apply(mesh, table, h) == Refusal::granted)
+      return h;
+  return {};
+}
+
+/// One of the operations at a random place: done(table, h), on a mesh that neither grows nor vanishes.
+template <class Do>
+bool random_application(const StripMesh& mesh, std::mt19937& random, std::size_t size, Do&& done) {
+  std::size_t left = random() % 7;
+  bool did = false;
+  for_each_operation_of_strips([&](const auto& table) {
+    if (left-- != 0) return;
+    const bool grows = table.triangles_after.size() > table.triangles_before.size();
+    if (grows ? mesh.triangle_count() > size : mesh.triangle_count() < size / 2) return;
+    const auto h = random_place(mesh, table, random);
+    if (h) done(table, *h);
+    did = h.has_value();
+  });
+  return did;
+}
+
+/// A collapse while there are many triangles, else a flip, by a mesh or its keeper: they make vertices of all valences.
+template <class Mesh>
+Checked stir(Mesh& by, const StripMesh& mesh, std::mt19937& random, std::size_t size) {
+  const StripMesh::Halfedge h = random_halfedge(mesh, random);
+  return mesh.triangle_count() > size ? checked_collapse(by, h) : checked_flip(by, h);
+}
+
+/// Its dual edges that are solid, by the vertices of the mesh edge.
+inline std::set<std::pair<Vertex, Vertex>> solid_edges_of(const StripMesh& mesh) {
+  std::set<std::pair<Vertex, Vertex>> solid;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned s = 0; mesh.alive(t) && s < 3; ++s)
+      if (const StripMesh::Halfedge h = StripMesh::halfedge(t, s); mesh.solid(h))
+        solid.insert(std::minmax({mesh.from(h), mesh.to(h)}));
+  return solid;
+}
+
+}  // namespace restrip
