@@ -129,7 +129,7 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
     Keeper keeper(mesh, policy);
     EXPECT_REFUSED(keeper.split(same), "Keeper::split", same_spoke);
-    EXPECT_REFUSED(keeper.split({mesh.spoke(4, 0), mesh.spoke(4, 1)}, Vertex{2}), "Keeper::split", vertex_in_use);
+    EXPECT_REFUSED(keeper.split({mesh.spoke(4, 0), mesh.spoke(4, 1)}, 2U), "Keeper::split", vertex_in_use);
     EXPECT_REFUSED(keeper.collapse({}), "Keeper::collapse", no_such_edge);
     EXPECT_REFUSED(keeper.flip({}), "Keeper::flip", no_such_edge);
   }

@@ -98,7 +98,7 @@ inline void StripMesh::replace(std::span<const Triangle> out, std::span<const Pl
   make_room(non_manifold_, new_vertices);
   make_room(free_, out.size() - taken_over);
   make_room(free_vertices_, vertices.size());
-  expect_touches(out.size() + in.size() + 2 * 3 * in.size());
+  expect_touches(out.size() + 7 * in.size());  // a triangle that is put in is placed, and joined on three sides
 
   const detail::PatchRim rim(*this, out);
   const detail::NewSides sides(in);
