@@ -106,19 +106,6 @@ restrip_status ask(const restrip_mesh* mesh, const Move& move) {
   return restrip_mesh_check_merge(mesh, move.a);
 }
 
-/// A new vertex in the triangle of h, or on its edge, by a split between the vertices around it.
-VertexSplit<Halfedge> where_of(const StripMesh& mesh, Halfedge h, bool on_edge) {
-  using Spokes = VertexSplit<Halfedge>::Spokes;
-  const auto spoke_to_apex = [&](Halfedge beside) {
-    return mesh.spoke(mesh.from(h), mesh.to(StripMesh::next(beside)));
-  };
-  const Halfedge back = mesh.opposite(h);
-  if (!on_edge) return {spoke_to_apex(h), h, Spokes::both};
-  if (StripMesh::on_boundary(h)) return {{}, spoke_to_apex(back), Spokes::right_only};
-  if (StripMesh::on_boundary(back)) return {spoke_to_apex(h), {}, Spokes::left_only};
-  return {spoke_to_apex(h), spoke_to_apex(back), Spokes::both};
-}
-
 Refusal refusal_of(const StripMesh& mesh, const Move& move) {
   const Halfedge h{move.a};
   switch (move.kind) {
@@ -137,23 +124,20 @@ Refusal refusal_of(const StripMesh& mesh, const Move& move) {
   }
 }
 
-/// The operations of refine.hpp by a keeper that has them; by splits and collapses elsewhere, with the halfedge that
-/// they give on a copy.
+/// The operations of refine.hpp, whose halfedge is the same under every policy and cost.
 template <class Keeper>
 Rewrite<Halfedge> refine(Keeper& keeper, const Move& move) {
   const Halfedge h{move.a};
-  if constexpr (requires { keeper.bisect(h); }) {
-    if (move.kind == Move::Kind::split_face) return keeper.split_face(h);
-    if (move.kind == Move::Kind::join_faces) return keeper.join_faces(h);
-    return move.kind == Move::Kind::bisect ? keeper.bisect(h) : keeper.merge(h);
-  } else {
-    if (move.kind == Move::Kind::split_face || move.kind == Move::Kind::bisect)
-      return keeper.split(where_of(keeper.mesh(), h, move.kind == Move::Kind::bisect));
-    StripMesh copy = keeper.mesh();
-    Rewrite<Halfedge> done = keeper.collapse(h);
-    done.halfedge = (move.kind == Move::Kind::merge ? merge(copy, h) : join_faces(copy, h)).halfedge;
-    return done;
-  }
+  const auto by = [&](auto& subject, auto& mesh) {
+    if (move.kind == Move::Kind::split_face) return std::pair{subject.split_face(h), split_face(mesh, h)};
+    if (move.kind == Move::Kind::join_faces) return std::pair{subject.join_faces(h), join_faces(mesh, h)};
+    if (move.kind == Move::Kind::bisect) return std::pair{subject.bisect(h), bisect(mesh, h)};
+    return std::pair{subject.merge(h), merge(mesh, h)};
+  };
+  StripMesh copy = keeper.mesh();
+  const auto [done, plain] = by(keeper, copy);
+  EXPECT_EQ(done.halfedge, plain.halfedge);
+  return done;
 }
 
 /// Does the move by the library. The codes 1 to 13 are the refusals in their order.
