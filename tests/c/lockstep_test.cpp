@@ -124,13 +124,20 @@ Refusal refusal_of(const StripMesh& mesh, const Move& move) {
   }
 }
 
-/// The operations of refine.hpp.
+/// The operations of refine.hpp, whose halfedge is the same under every policy and cost.
 template <class Keeper>
 Rewrite<Halfedge> refine(Keeper& keeper, const Move& move) {
   const Halfedge h{move.a};
-  if (move.kind == Move::Kind::split_face) return keeper.split_face(h);
-  if (move.kind == Move::Kind::join_faces) return keeper.join_faces(h);
-  return move.kind == Move::Kind::bisect ? keeper.bisect(h) : keeper.merge(h);
+  const auto by = [&](auto& subject, auto& mesh) {
+    if (move.kind == Move::Kind::split_face) return std::pair{subject.split_face(h), split_face(mesh, h)};
+    if (move.kind == Move::Kind::join_faces) return std::pair{subject.join_faces(h), join_faces(mesh, h)};
+    if (move.kind == Move::Kind::bisect) return std::pair{subject.bisect(h), bisect(mesh, h)};
+    return std::pair{subject.merge(h), merge(mesh, h)};
+  };
+  StripMesh copy = keeper.mesh();
+  const auto [done, plain] = by(keeper, copy);
+  EXPECT_EQ(done.halfedge, plain.halfedge);
+  return done;
 }
 
 /// Does the move by the library. The codes 1 to 13 are the refusals in their order.
