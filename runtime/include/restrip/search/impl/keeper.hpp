@@ -175,7 +175,7 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   for (const Triangle t : patch_)
     if (sides.solid_degree(t) < 2) tunnel_.join(sides, locator_, t, states);
   // Ports that were given up end strips beside the patch.
-  if (Step::orphans == detail::Orphans::everywhere)
+  if (Step::orphans != detail::Orphans::as_told)
     for (const Triangle t : patch_)
       for_each_neighbor(sides, t, [&](Triangle beside) {
         if (sides.solid_degree(beside) < 2) tunnel_.join(sides, locator_, beside, states);
