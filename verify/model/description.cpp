@@ -63,6 +63,13 @@ std::string words_of(const JsonValue& description, std::string_view name, const 
   return text;
 }
 
+/// "k {k} a {a}"
+std::string every_number(const std::vector<std::string>& numbers) {
+  std::string text;
+  for (const std::string& number : numbers) text += fmt::format("{}{} {{{}}}", text.empty() ? "" : " ", number, number);
+  return text;
+}
+
 Conditions conditions_of(const JsonValue& description, const std::vector<std::string>& numbers, std::string_view name) {
   const std::optional<JsonValue> value = description.member(name);
   if (!value) return {};
@@ -161,7 +168,10 @@ class DescriptionReader {
         description.numbers.push_back(number.string("a text"));
     description.where = conditions_of(value, description.numbers, "where");
     description.listed = conditions_of(value, description.numbers, "listed");
-    description.position = words_of(value, "position", "");
+    description.position = words_of(value, "position", every_number(description.numbers));
+    for (const std::string& number : description.numbers)
+      if (description.position.find(fmt::format("{{{}}}", number)) == std::string::npos)
+        value.required("position").fail(fmt::format("each number in braces, also \"{{{}}}\"", number));
     description.section = words_of(value, "section", description.position);
     if (const auto linked = value.member("linked")) description.linked = linked->boolean("whether it has linked rules");
     read_one_position(description);
