@@ -22,14 +22,12 @@ namespace {
 /// Whether the patch was given as a graph, so that it may be no operation on a mesh.
 bool is_graph_only(const Section& section) { return section.position.family->surface.before.empty(); }
 
-bool is_family(const Section& section) { return !section.position.family->numbers.empty(); }
-
-/// All sections of one certificate, solved, with its text and that of the table, which families have not.
+/// All sections of one certificate, solved, with its text.
 struct Certificate {
   std::vector<Section> sections;
   std::string text;
-  OperationHeader header;
-  Claims claims;  ///< of all sections; linked ones have none
+  std::size_t bytes = 0;  ///< of the tables
+  Claims claims;          ///< of all sections; linked ones have none
   std::size_t rows = 0;
 };
 
@@ -47,7 +45,7 @@ void expect_within_limits(const Section& section) {
 }
 
 Certificate solved_certificate(std::vector<Section> sections) {
-  Certificate made{std::move(sections), {}, {}, {}, 0};
+  Certificate made{std::move(sections), {}, 0, {}, 0};
   std::vector<Claims> parts;
   made.text = certificate_head(made.sections[0].certificate);
   for (Section& section : made.sections) {
@@ -58,8 +56,33 @@ Certificate solved_certificate(std::vector<Section> sections) {
   }
   made.text = sealed(std::move(made.text), made.rows);
   if (!parts.empty()) made.claims = sum(parts);
-  if (!is_family(made.sections[0]) && !made.sections[0].linked) made.header = operation_header(made.sections[0]);
   return made;
+}
+
+/// The header of a description whose certificate is made. Positions that the certificate leaves out, because they are
+/// images of others, are solved for it.
+OperationHeader header_of(const Description& description, const std::vector<Section>& solved, unsigned max_k) {
+  std::vector<Description> every{description};
+  every[0].listed.clear();
+  every[0].section = description.place.empty() ? description.name : description.place;
+  every[0].linked = false;
+  std::vector<Section> sections = sections_of(every, max_k);
+  std::vector<AnsweredPosition> positions;
+  for (Section& section : sections) {
+    const Position& position = section.serves[0];
+    const auto serves = [&](const Section& other) {
+      return std::any_of(other.serves.begin(), other.serves.end(), [&](const Position& served) {
+        return served.family == &description && served.numbers() == position.numbers();
+      });
+    };
+    const auto found = std::find_if(solved.begin(), solved.end(), serves);
+    if (found == solved.end()) {
+      expect_within_limits(section);
+      solve(section, Watched::yes);
+    }
+    positions.push_back({position, found == solved.end() ? &section : &*found});
+  }
+  return operation_header(positions);
 }
 
 nlohmann::ordered_json figures(const Certificate& made) {
@@ -78,7 +101,7 @@ nlohmann::ordered_json figures(const Certificate& made) {
           {"costing", claims.costing},
           {"worst_strips", claims.worst_strips},
           {"worst_isolated", claims.worst_isolated},
-          {"bytes", made.header.bytes},
+          {"bytes", made.bytes},
           {"graph_only", is_graph_only(first)}};
 }
 
@@ -88,11 +111,10 @@ std::string told(const Certificate& made) {
   if (first.linked)
     return fmt::format("{:<24} {:>6} {}\n", first.certificate, made.rows, plural(made.rows, "alternative"));
   const std::size_t configurations = made.claims.configurations;
-  std::string text = fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}", first.certificate, configurations,
-                                 plural(configurations, "configuration"), made.rows, plural(made.rows, "rule"));
-  if (!made.header.text.empty())
-    text += fmt::format("  {:>6} {}", made.header.bytes, plural(made.header.bytes, "byte"));
-  return text + (is_graph_only(first) ? "\n  graph only: not checked to be an operation on a mesh\n" : "\n");
+  return fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", first.certificate, configurations,
+                     plural(configurations, "configuration"), made.rows, plural(made.rows, "rule"), made.bytes,
+                     plural(made.bytes, "byte"),
+                     is_graph_only(first) ? "  graph only: not checked to be an operation on a mesh\n" : "");
 }
 
 }  // namespace
@@ -101,11 +123,12 @@ void make_rules(const RulesOptions& options) {
   std::vector<Description> descriptions;
   bool has_family = false;
   for (const std::string& file : options.files) {
-    const std::vector<std::string> others = certificates_of(descriptions);
+    const std::vector<Description> others = descriptions;
     for (Description& description : read_descriptions(file)) {
-      if (std::find(others.begin(), others.end(), description.certificate) != others.end())
-        throw std::runtime_error(
-            fmt::format("{}: another of these files is named {} as well", file, description.certificate));
+      for (const Description& other : others)
+        if (other.name == description.name || other.certificate == description.certificate)
+          throw std::runtime_error(
+              fmt::format("{}: another of these files is named {} as well", file, description.name));
       has_family = has_family || !description.numbers.empty();
       descriptions.push_back(std::move(description));
     }
@@ -115,15 +138,16 @@ void make_rules(const RulesOptions& options) {
         fmt::format("{}: there is no family, so --max-k has no effect; leave it out", fmt::join(options.files, ", ")));
   std::vector<std::vector<Section>> certificates;
   std::vector<std::filesystem::path> paths;
-  for (Section& section : sections_of(descriptions, options.max_k.value_or(most_ports))) {
+  const unsigned max_k = options.max_k.value_or(most_ports);
+  for (Section& section : sections_of(descriptions, max_k)) {
     expect_within_limits(section);
     if (certificates.empty() || certificates.back()[0].certificate != section.certificate) {
       certificates.emplace_back();
       paths.emplace_back(operation_certificate_path(section.certificate));
-      if (!is_family(section) && !section.linked) paths.emplace_back(operation_header_path(section.certificate));
     }
     certificates.back().push_back(std::move(section));
   }
+  for (const Description& description : descriptions) paths.emplace_back(operation_header_path(description.name));
   files::OutputSet out(options.out, paths);
   std::optional<files::Output> json_out;
   if (!options.json.empty() && options.json != "-") json_out.emplace(options.json, files::OutputRules{{".json"}, {}});
@@ -132,11 +156,16 @@ void make_rules(const RulesOptions& options) {
   nlohmann::ordered_json json;
   std::string text;
   for (std::vector<Section>& sections : certificates) {
-    const Certificate made = solved_certificate(std::move(sections));
+    Certificate made = solved_certificate(std::move(sections));
     const std::string& name = made.sections[0].certificate;
     texts.push_back({operation_certificate_path(name), made.text});
+    for (const Description& description : descriptions) {
+      if (description.certificate != name) continue;
+      const OperationHeader header = header_of(description, made.sections, max_k);
+      texts.push_back({operation_header_path(description.name), header.text});
+      made.bytes += header.bytes;
+    }
     json["operations"].push_back(figures(made));
-    if (!made.header.text.empty()) texts.push_back({operation_header_path(name), made.header.text});
     text += told(made);
   }
   out.write(texts);

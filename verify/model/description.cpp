@@ -26,7 +26,6 @@ struct DescriptionSource {
 namespace {
 
 constexpr std::size_t most_descriptions = 64;
-constexpr std::size_t most_numbers = 3;
 constexpr std::size_t most_bounds = 64;
 
 bool is_name(std::string_view text) {
