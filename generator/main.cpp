@@ -126,6 +126,9 @@ int main(int argc, char** argv) {
   rules_command->add_option("--operation", rules.files, "Operation file, as docs/operation-file.md describes it")
       ->required();
   rules_command->add_option("--out", rules.out, "Directory that receives them")->required();
+  rules_command
+      ->add_option("--max-k", rules.max_k, "Families: positions whose first number is at most this, by default 8")
+      ->check(CLI::Range(3, 10));
   rules_command->add_option("--json", rules.json,
                             "Write the figures to this file; - for standard output, in place of the text");
   rules_command->footer(

@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
       return run([&](const auto& listener) { return restrip::verify::verify_tables(options, listener); },
                  restrip::verify::last_line, as_json);
     own.dump_command = options.dump_command;
-    const bool of_a_family = !has_header(own.operation);
+    const bool of_a_family = has_family(own.operation);
     if (!of_a_family && !app.get_option("--max-k")->empty()) {
       fmt::print(stderr, "restrip-verify: {} describes no family, so --max-k has no effect; leave it out\n",
                  own.operation);

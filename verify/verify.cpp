@@ -128,9 +128,10 @@ void check_dump(const std::string& subject, const Compare& compare, const ClaimL
 }
 
 /// Reads the header of an operation. Whoever compiled it runs what it says, so code in it would be run with the dump.
-bool check_header(const std::string& file, const Description& description, const ClaimListener& listener) {
+bool check_header(const std::string& file, const Description& description, unsigned max_k,
+                  const ClaimListener& listener) {
   const double start = thread_seconds();
-  const HeaderCheck header = check_operation_header(file, read_file(file), description);
+  const HeaderCheck header = check_operation_header(file, read_file(file), description, max_k);
   listener({description.name, "the header is the text of a table and nothing else", "line by line, all but its numbers",
             header.lines, thread_seconds() - start, header.wrong.count, header.wrong.first});
   return header.wrong.count == 0;
@@ -265,10 +266,6 @@ void expect_lists(ExpectedDump& expected, const std::vector<LinkedFamily>& all_l
     }
 }
 
-bool is_one_operation(const std::vector<Description>& descriptions) {
-  return descriptions.size() == 1 && descriptions.front().numbers.empty();
-}
-
 /// The listener that counts what it hands on.
 ClaimListener counting(Totals& totals, const ClaimListener& listener) {
   return [&totals, &listener](const ClaimResult& result) {
@@ -319,8 +316,8 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& us
   for (const Section& section : family.sections)
     for (const Operation& operation : section.operations)
       totals.graph_only = totals.graph_only || !operation.on_a_mesh();
-  if (!options.header.empty() && !is_one_operation(descriptions))
-    throw InputError("--header", 0, "a header has the table of one operation, and this file describes more");
+  if (!options.header.empty() && descriptions.size() != 1)
+    throw InputError("--header", 0, "a header has the table of one operation or family, and this file describes more");
   std::vector<Certificate> certificates;
   if (!options.certificate.empty()) {
     certificates.push_back(parse_certificate(options.certificate, read_file(options.certificate), family));
@@ -339,14 +336,16 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& us
     totals.alternatives = input.certificate.rows;
     lines = check_linked_family(input, options.max_k, listener);
   }
-  const bool is_table = options.header.empty() || check_header(options.header, descriptions.front(), listener);
+  const bool is_table =
+      options.header.empty() || check_header(options.header, descriptions.front(), options.max_k, listener);
   if (options.dump_command.empty()) return totals;
   ExpectedDump expected;
   for (const Section& section : family.sections)
     for (const Operation& operation : section.operations) expect_judged(operation, Against::own_patch, expected);
   for (const Operation& operation : family.unlisted) expect_judged(operation, Against::own_patch, expected);
   if (!certificates.empty()) expect_rows(expected, family, certificates.front());
-  if (std::any_of(descriptions.begin(), descriptions.end(), [](const Description& one) { return one.linked; }))
+  const auto is_linked = [](const Description& one) { return one.linked; };
+  if (options.header.empty() && std::any_of(descriptions.begin(), descriptions.end(), is_linked))
     for (std::size_t i = 0; i < family.sections.size(); ++i)
       expected.lists.push_back(
           {linked.name, family.sections[i].position, family.sections[i].ports, with_lists ? &lines[i] : nullptr});
@@ -360,10 +359,10 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& us
   return totals;
 }
 
-bool has_header(const std::string& operation_file) {
+bool has_family(const std::string& operation_file) {
   const std::vector<Description> descriptions = parse_descriptions(operation_file, read_file(operation_file));
-  return std::all_of(descriptions.begin(), descriptions.end(),
-                     [](const Description& one) { return one.numbers.empty(); });
+  return std::any_of(descriptions.begin(), descriptions.end(),
+                     [](const Description& one) { return !one.numbers.empty(); });
 }
 
 std::string last_line_of(const OperationOptions& options, const Totals& totals) {

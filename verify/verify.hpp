@@ -31,7 +31,7 @@ struct OperationOptions {
   std::string certificate;  ///< the file with its rules; empty: none is checked
   std::string
       linked_certificate;    ///< the file with its linked rules, which are compared with the others; empty: likewise
-  std::string header;        ///< the table of an operation as the generator wrote it; empty: it is not read
+  std::string header;        ///< the table as the generator wrote it; empty: it is not read
   std::string dump_command;  ///< prints the compiled tables; empty: they are not checked
   bool second_formulation = false;
   unsigned threads = 2;
@@ -43,8 +43,8 @@ struct OperationOptions {
 /// figures.
 Totals verify_operation(const OperationOptions& options, const ClaimListener& listener);
 
-/// Whether the file describes what the generator writes headers of: operations, no family. InputError as above.
-bool has_header(const std::string& operation_file);
+/// Whether the file describes a family. InputError as above.
+bool has_family(const std::string& operation_file);
 
 /// "verified: split-face.json: 20 rules, …", or "NOT verified: …".
 std::string last_line_of(const OperationOptions& options, const Totals& totals);

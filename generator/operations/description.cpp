@@ -126,9 +126,13 @@ Side side_at(const std::variant<Side, SidePattern>& form, const Position& positi
   try {
     return side_at(std::get<SidePattern>(form), position.numbers());
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(
-        fmt::format("{} at {}: {}: {}", position.family->name, position_text(position), member, error.what()));
+    throw std::runtime_error(fmt::format("{}: {}: {}", name_of(position), member, error.what()));
   }
+}
+
+/// Whether a text has the number's name in braces.
+bool names(const std::string& text, const std::string& number) {
+  return text.find(fmt::format("{{{}}}", number)) != std::string::npos;
 }
 
 }  // namespace
@@ -151,15 +155,28 @@ bool closed(const Description& family) {
 }
 
 bool serves_every_position(const Description& family) {
-  return std::any_of(family.numbers.begin(), family.numbers.end(), [&](const std::string& number) {
-    return family.section.find(fmt::format("{{{}}}", number)) == std::string::npos;
-  });
+  return std::any_of(family.numbers.begin(), family.numbers.end(),
+                     [&](const std::string& number) { return !names(family.section, number); });
+}
+
+Position position_of_rows(Position position) {
+  const std::array<unsigned*, 3> numbers{&position.k, &position.at, &position.to};
+  for (std::size_t i = 0; i < position.family->numbers.size(); ++i)
+    if (!names(position.family->section, position.family->numbers[i])) *numbers.at(i) = 0;
+  return position;
 }
 
 unsigned smallest_valence(const Description& family) {
   for (unsigned k = 1; k < 64; ++k)
     if (!positions(family, k).empty()) return k;
   throw std::runtime_error(family.name + ": a family without a position");
+}
+
+std::vector<Position> positions_up_to(const Description& family, unsigned max_k) {
+  std::vector<Position> all;
+  for (unsigned k = 0; k <= (family.numbers.empty() ? 0 : max_k); ++k)
+    for (const Position& position : positions(family, k)) all.push_back(position);
+  return all;
 }
 
 std::vector<Position> positions(const Description& family, unsigned k) {
@@ -180,8 +197,8 @@ std::vector<Position> positions(const Description& family, unsigned k) {
 Patch make_patch(const Position& position) {
   Patch patch{side_at(position.family->before, position, "before"), side_at(position.family->after, position, "after")};
   if (patch.before.ports() != patch.after.ports())
-    throw std::runtime_error(fmt::format("{} at {}: {} ports before and {} after", position.family->name,
-                                         position_text(position), patch.before.ports(), patch.after.ports()));
+    throw std::runtime_error(
+        fmt::format("{}: {} ports before and {} after", name_of(position), patch.before.ports(), patch.after.ports()));
   return patch;
 }
 
@@ -200,14 +217,25 @@ Operation operation_at(const Position& position, Patch patch) {
   return operation;
 }
 
-std::string position_text(const Position& position) {
-  std::string text = position.family->section;
+namespace {
+
+/// With the numbers in place of their names in braces.
+std::string filled(std::string text, const Position& position) {
   for (std::size_t i = 0; i < position.family->numbers.size(); ++i) {
     const std::string name = fmt::format("{{{}}}", position.family->numbers[i]);
     if (const std::size_t at = text.find(name); at != std::string::npos)
       text.replace(at, name.size(), std::to_string(position.numbers().at(i)));
   }
   return text;
+}
+
+}  // namespace
+
+std::string position_text(const Position& position) { return filled(position.family->section, position); }
+
+std::string name_of(const Position& position) {
+  const Description& family = *position.family;
+  return family.place.empty() ? family.name : family.name + ' ' + filled(family.place, position);
 }
 
 }  // namespace restrip::generator

@@ -41,7 +41,8 @@ struct Description {
   std::string range;                 ///< `where`, for people
   Conditions where;                  ///< which positions there are
   Conditions listed;                 ///< and which of them are not images of others
-  std::string section;               ///< "k {k} gaps {i} {j}", as certificates write a position after `section`
+  std::string place;                 ///< "k {k} gaps {i} {j}", as dumps write a position; empty where there is but one
+  std::string section;               ///< as certificates write it: "k {k}", where it leaves some numbers out
   bool linked = false;               ///< there are linked rules as well
   std::variant<Side, SidePattern> before;
   std::variant<Side, SidePattern> after;
@@ -70,6 +71,9 @@ struct Position {
 /// All positions with this valence, one for each class under mirror images and half turns, in ascending order.
 [[nodiscard]] std::vector<Position> positions(const Description& family, unsigned k);
 
+/// Those of all valences up to this one; the only one of a family without numbers.
+[[nodiscard]] std::vector<Position> positions_up_to(const Description& family, unsigned max_k);
+
 /// The smallest valence of a family.
 [[nodiscard]] unsigned smallest_valence(const Description& family);
 
@@ -82,8 +86,11 @@ struct Position {
 /// Throws std::runtime_error that names the position where a pattern makes no patch of triangles.
 [[nodiscard]] Patch make_patch(const Position& position);
 
-/// What the rows of a position act on: its patch; where they serve every position, of which only k need be given then,
-/// the side after alone, before and after.
+/// The position of the rows that serve this one: numbers that its section leaves out are 0.
+[[nodiscard]] Position position_of_rows(Position position);
+
+/// What the rows of a position act on: its patch; where they serve every position, of which only the numbers of the
+/// section need be given then, the side after alone, before and after.
 [[nodiscard]] Patch patch_of_rows(const Position& position);
 
 /// The operation at this position, or on the patch of its rows, as its description has it: without a tie-break.
@@ -94,5 +101,8 @@ struct Position {
 
 /// A position as certificates write it, after the word `section`.
 [[nodiscard]] std::string position_text(const Position& position);
+
+/// An operation as dumps and reports name it: "open-collapse k 8 gaps 2 5".
+[[nodiscard]] std::string name_of(const Position& position);
 
 }  // namespace restrip::generator

@@ -242,11 +242,14 @@ void take_positions(const JsonValue& value, Description& family) {
     family.where = formula(value["where"], family.numbers, parse_conditions);
   }
   if (value.has("listed")) family.listed = formula(value["listed"], family.numbers, parse_conditions);
-  std::string position = family.name;
   for (const std::string& number : family.numbers)
-    position = (position == family.name ? "" : position + " ") + fmt::format("{0} {{{0}}}", number);
-  if (value.has("position")) position = words_from(value["position"]);
-  family.section = value.has("section") ? words_from(value["section"]) : position;
+    family.place += fmt::format("{1}{0} {{{0}}}", number, family.place.empty() ? "" : " ");
+  if (value.has("position")) family.place = words_from(value["position"]);
+  for (const std::string& number : family.numbers)
+    if (family.place.find(fmt::format("{{{}}}", number)) == std::string::npos)
+      value["position"].refuse(fmt::format("expected each number in braces, and {{{}}} is missing", number));
+  family.section = value.has("section") ? words_from(value["section"]) : family.place;
+  if (family.section.empty()) family.section = family.name;
 }
 
 Description description_from(const JsonValue& value, Author author) {
@@ -288,6 +291,9 @@ Description description_from(const JsonValue& value, Author author) {
   description.own_cost = value.has("cost");
   if (description.own_cost) description.preference = preference_from(value["cost"], after);
   if (value.has("linked")) description.linked = value["linked"].truth();
+  if (description.linked &&
+      (description.constraint.most_edges != 2 || description.gives_all_up || description.may_give_up != 0))
+    value["linked"].refuse("linked rules are for strips that keep all ports");
   return description;
 }
 

@@ -1,7 +1,8 @@
-// The header of an operation's own table: docs/operation-file.md, "Table".
+// The header of the table of an operation or a family of one's own: docs/operation-file.md, "Table".
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "solve/section.hpp"
 
@@ -12,8 +13,15 @@ struct OperationHeader {
   std::string text;
   std::size_t bytes = 0;
 };
-/// The header of a solved section that serves one position.
-[[nodiscard]] OperationHeader operation_header(const Section& section);
+
+/// A position and the solved section whose rows answer its configurations.
+struct AnsweredPosition {
+  Position position;
+  const Section* section = nullptr;
+};
+
+/// The header of a description: of its positions in ascending order, or of its only one.
+[[nodiscard]] OperationHeader operation_header(const std::vector<AnsweredPosition>& positions);
 
 /// Where the files of an operation lie in a folder of tables.
 [[nodiscard]] std::string operation_certificate_path(const std::string& name);

@@ -33,6 +33,7 @@ struct Side {
 /// forest.
 struct Constraint {
   unsigned most_edges = 2;
+  friend bool operator==(const Constraint&, const Constraint&) = default;
 };
 
 /// Before and after share the ports; nothing else need correspond.

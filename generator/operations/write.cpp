@@ -1,12 +1,14 @@
 #include "operations/write.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "certificate_text.hpp"
 #include "counted.hpp"
@@ -20,63 +22,156 @@ namespace {
 /// Whether the patch was given as a graph, so that it may be no operation on a mesh.
 bool is_graph_only(const Section& section) { return section.position.family->surface.before.empty(); }
 
-nlohmann::ordered_json figures(const Section& section, std::size_t bytes) {
-  const Claims claims = sum(section.claims);
-  return {{"name", section.certificate},
+/// All sections of one certificate, solved, with its text.
+struct Certificate {
+  std::vector<Section> sections;
+  std::string text;
+  std::size_t bytes = 0;  ///< of the tables
+  Claims claims;          ///< of all sections; linked ones have none
+  std::size_t rows = 0;
+};
+
+void expect_within_limits(const Section& section) {
+  for (const Position& position : section.serves) {
+    const Patch patch = make_patch(position);
+    for (const Side* side : {&patch.before, &patch.after})
+      if (side->nodes > most_nodes || side->owner.empty() || side->ports() > most_ports ||
+          side->edges.size() + side->owner.size() > most_edges_and_ports)
+        throw std::runtime_error(fmt::format(
+            "{}: expected 1 to {} triangles, 1 to {} ports, and at most {} edges and ports together on each "
+            "side; a smaller --max-k leaves large positions out",
+            name_of(position), most_nodes, most_ports, most_edges_and_ports));
+  }
+}
+
+Certificate solved_certificate(std::vector<Section> sections) {
+  Certificate made{std::move(sections), {}, 0, {}, 0};
+  std::vector<Claims> parts;
+  made.text = certificate_head(made.sections[0].certificate);
+  for (Section& section : made.sections) {
+    solve(section, Watched::yes);
+    made.text += section_text(section, Watched::yes);
+    if (!section.linked) parts.push_back(sum(section.claims));
+    made.rows += section.rows.size();
+  }
+  made.text = sealed(std::move(made.text), made.rows);
+  if (!parts.empty()) made.claims = sum(parts);
+  return made;
+}
+
+/// The header of a description whose certificate is made. Positions that the certificate leaves out, because they are
+/// images of others, are solved for it.
+OperationHeader header_of(const Description& description, const std::vector<Section>& solved, unsigned max_k) {
+  std::vector<Description> every{description};
+  every[0].listed.clear();
+  every[0].section = description.place.empty() ? description.name : description.place;
+  every[0].linked = false;
+  std::vector<Section> sections = sections_of(every, max_k);
+  std::vector<AnsweredPosition> positions;
+  for (Section& section : sections) {
+    const Position& position = section.serves[0];
+    const auto serves = [&](const Section& other) {
+      return std::any_of(other.serves.begin(), other.serves.end(), [&](const Position& served) {
+        return served.family == &description && served.numbers() == position.numbers();
+      });
+    };
+    const auto found = std::find_if(solved.begin(), solved.end(), serves);
+    if (found == solved.end()) {
+      expect_within_limits(section);
+      solve(section, Watched::yes);
+    }
+    positions.push_back({position, found == solved.end() ? &section : &*found});
+  }
+  return operation_header(positions);
+}
+
+nlohmann::ordered_json figures(const Certificate& made) {
+  const Section& first = made.sections[0];
+  if (first.linked) return {{"name", first.certificate}, {"alternatives", made.rows}};
+  double symmetries = 0;
+  for (const Section& section : made.sections) symmetries = std::max(symmetries, section.symmetries);
+  const Claims& claims = made.claims;
+  return {{"name", first.certificate},
           {"configurations", claims.configurations},
           {"valid", claims.valid},
           {"orbits", claims.orbits},
           {"valid_orbits", claims.valid_orbits},
-          {"symmetries", static_cast<std::uint64_t>(section.symmetries)},
-          {"keys", section.rows.size()},
+          {"symmetries", static_cast<std::uint64_t>(symmetries)},
+          {"keys", made.rows},
           {"costing", claims.costing},
           {"worst_strips", claims.worst_strips},
           {"worst_isolated", claims.worst_isolated},
-          {"bytes", bytes},
-          {"graph_only", is_graph_only(section)}};
+          {"bytes", made.bytes},
+          {"graph_only", is_graph_only(first)}};
+}
+
+/// The lines about it for people.
+std::string told(const Certificate& made) {
+  const Section& first = made.sections[0];
+  if (first.linked)
+    return fmt::format("{:<24} {:>6} {}\n", first.certificate, made.rows, plural(made.rows, "alternative"));
+  const std::size_t configurations = made.claims.configurations;
+  return fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", first.certificate, configurations,
+                     plural(configurations, "configuration"), made.rows, plural(made.rows, "rule"), made.bytes,
+                     plural(made.bytes, "byte"),
+                     is_graph_only(first) ? "  graph only: not checked to be an operation on a mesh\n" : "");
 }
 
 }  // namespace
 
 void make_rules(const RulesOptions& options) {
   std::vector<Description> descriptions;
-  std::vector<std::filesystem::path> paths;
-  for (const std::string& file : options.files)
+  bool has_family = false;
+  for (const std::string& file : options.files) {
+    const std::vector<Description> others = descriptions;
     for (Description& description : read_descriptions(file)) {
-      const std::string& name = description.name;
-      if (std::find(paths.begin(), paths.end(), operation_certificate_path(name)) != paths.end())
-        throw std::runtime_error(fmt::format("{}: another of these files is named {} as well", file, name));
-      if (!description.numbers.empty())
-        throw std::runtime_error(fmt::format("{}: {} is a family; name an operation of it", file, name));
-      paths.emplace_back(operation_certificate_path(name));
-      paths.emplace_back(operation_header_path(name));
+      for (const Description& other : others)
+        if (other.name == description.name || other.certificate == description.certificate)
+          throw std::runtime_error(
+              fmt::format("{}: another of these files is named {} as well", file, description.name));
+      has_family = has_family || !description.numbers.empty();
       descriptions.push_back(std::move(description));
     }
+  }
+  if (options.max_k && !has_family)
+    throw std::runtime_error(
+        fmt::format("{}: there is no family, so --max-k has no effect; leave it out", fmt::join(options.files, ", ")));
+  std::vector<std::vector<Section>> certificates;
+  std::vector<std::filesystem::path> paths;
+  const unsigned max_k = options.max_k.value_or(most_ports);
+  for (Section& section : sections_of(descriptions, max_k)) {
+    expect_within_limits(section);
+    if (certificates.empty() || certificates.back()[0].certificate != section.certificate) {
+      certificates.emplace_back();
+      paths.emplace_back(operation_certificate_path(section.certificate));
+    }
+    certificates.back().push_back(std::move(section));
+  }
+  for (const Description& description : descriptions) paths.emplace_back(operation_header_path(description.name));
   files::OutputSet out(options.out, paths);
   std::optional<files::Output> json_out;
   if (!options.json.empty() && options.json != "-") json_out.emplace(options.json, files::OutputRules{{".json"}, {}});
 
   std::vector<files::NamedBytes> texts;
   nlohmann::ordered_json json;
-  std::string told;
-  for (Section& section : sections_of(descriptions, most_ports)) {
-    solve(section, Watched::yes);
-    const OperationHeader header = operation_header(section);
-    texts.push_back(
-        {operation_certificate_path(section.certificate),
-         sealed(certificate_head(section.certificate) + section_text(section, Watched::yes), section.rows.size())});
-    texts.push_back({operation_header_path(section.certificate), header.text});
-    json["operations"].push_back(figures(section, header.bytes));
-    const std::size_t configurations = sum(section.claims).configurations;
-    told += fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n", section.certificate, configurations,
-                        plural(configurations, "configuration"), section.rows.size(),
-                        plural(section.rows.size(), "rule"), header.bytes, plural(header.bytes, "byte"));
-    if (is_graph_only(section)) told += "  graph only: not checked to be an operation on a mesh\n";
+  std::string text;
+  for (std::vector<Section>& sections : certificates) {
+    Certificate made = solved_certificate(std::move(sections));
+    const std::string& name = made.sections[0].certificate;
+    texts.push_back({operation_certificate_path(name), made.text});
+    for (const Description& description : descriptions) {
+      if (description.certificate != name) continue;
+      const OperationHeader header = header_of(description, made.sections, max_k);
+      texts.push_back({operation_header_path(description.name), header.text});
+      made.bytes += header.bytes;
+    }
+    json["operations"].push_back(figures(made));
+    text += told(made);
   }
   out.write(texts);
   const std::string json_text = json.dump(2) + "\n";
   if (json_out) json_out->write(json_text);
-  fmt::print("{}", options.json == "-" ? json_text : told);
+  fmt::print("{}", options.json == "-" ? json_text : text);
 }
 
 }  // namespace restrip::generator

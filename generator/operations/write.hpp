@@ -1,6 +1,7 @@
 // What `restrip-generate rules` writes.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@ namespace restrip::generator {
 struct RulesOptions {
   std::vector<std::string> files;  ///< operation files
   std::string out;                 ///< the folder that receives header and certificate of each
+  std::optional<unsigned> max_k;   ///< of families, the largest first number; otherwise 8
   std::string json;                ///< file for the figures, "-" for standard output in place of the text, or empty
 };
 

@@ -111,12 +111,11 @@ class Copier {
     for (const Mask pair : first->outcome.joined.masks())
       joined += fmt::format("{} {} and {}", joined.empty() ? ", which joins the ports" : ",", std::countr_zero(pair),
                             std::bit_width(pair) - 1);
-    const std::string place = position.family->numbers.empty() ? "" : " at " + position_text(position);
     throw std::runtime_error(
-        fmt::format("operation {}{}: the configuration {:x} {:x} (inner edges and ports that are solid before, as in a "
+        fmt::format("operation {}: the configuration {:x} {:x} (inner edges and ports that are solid before, as in a "
                     "dump{}) has no sound recolouring that keeps the ports that must stay; list more of its ports "
                     "under \"give_up\"",
-                    position.family->name, place, first->before, key.ports, joined));
+                    name_of(position), first->before, key.ports, joined));
   }
   throw std::logic_error("no configuration has this key");
 }
@@ -169,6 +168,19 @@ void make_claims(Section& section) {
   }
 }
 
+/// Throws std::runtime_error where the rows would not do for this position.
+void expect_served(const Position& position, const Position& rows) {
+  const Description& family = *position.family;
+  const Description& first = *rows.family;
+  if (make_patch(position).after != patch_of_rows(rows).after || family.constraint != first.constraint ||
+      family.gives_all_up != first.gives_all_up || family.may_give_up != first.may_give_up ||
+      family.preference != first.preference)
+    throw std::runtime_error(
+        fmt::format("section {} cannot serve {}: its positions differ after the operation, or in what is "
+                    "best; name more numbers in \"section\"",
+                    position_text(rows), name_of(position)));
+}
+
 }  // namespace
 
 std::vector<std::string> certificates_of(const std::vector<Description>& descriptions) {
@@ -184,24 +196,24 @@ std::vector<Section> sections_of(const std::vector<Description>& descriptions, u
   std::vector<Section> sections;
   std::vector<Section> linked;
   for (const std::string& certificate : certificates_of(descriptions)) {
-    std::vector<const Description*> served;
-    for (const Description& description : descriptions)
-      if (description.certificate == certificate) served.push_back(&description);
-    const Description& first = *served.front();
-    const unsigned smallest = smallest_valence(first);
-    for (unsigned k = smallest; k <= (first.numbers.empty() ? smallest : max_k); ++k) {
-      const std::size_t of_smaller = sections.size();
-      for (const Description* family : served)
-        for (const Position& position : positions(*family, k)) {
-          const bool shared = serves_every_position(*family) && sections.size() > of_smaller;
-          if (!shared) {
-            const Position of_rows = serves_every_position(*family) ? Position{&first, k, 0, 0} : position;
-            sections.push_back({certificate, of_rows, {}, false, goal, {}, {}, 1, {}, {}, {}});
-            if (first.linked)
-              linked.push_back({"linked-" + certificate, of_rows, {}, true, goal, {}, {}, 1, {}, {}, {}});
-          }
-          sections.back().serves.push_back(position);
+    const std::size_t of_others = sections.size();
+    for (const Description& description : descriptions) {
+      if (description.certificate != certificate) continue;
+      const std::vector<Position> all = positions_up_to(description, max_k);
+      if (all.empty()) throw std::runtime_error(fmt::format("{} has no position up to {}", description.name, max_k));
+      for (const Position& position : all) {
+        auto section = std::find_if(
+            sections.begin() + static_cast<std::ptrdiff_t>(of_others), sections.end(),
+            [&](const Section& other) { return position_text(other.position) == position_text(position); });
+        if (section == sections.end()) {
+          const Position rows = position_of_rows(position);
+          section = sections.insert(section, {certificate, rows, {}, false, goal, {}, {}, 1, {}, {}, {}});
+          if (description.linked)
+            linked.push_back({"linked-" + certificate, rows, {}, true, goal, {}, {}, 1, {}, {}, {}});
         }
+        expect_served(position, section->position);
+        section->serves.push_back(position);
+      }
     }
   }
   sections.insert(sections.end(), std::make_move_iterator(linked.begin()), std::make_move_iterator(linked.end()));

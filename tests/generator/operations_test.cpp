@@ -181,7 +181,7 @@ TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
 }
 
 TEST(FamiliesFile, WithAPositionThatIsNoPatchIsRefused) {
-  const std::vector<Fault> faults{{"t[i,k)", "t[0,k)", "wheel at k 4 i 1: after: t_0 is in it twice"},
+  const std::vector<Fault> faults{{"t[i,k)", "t[0,k)", "wheel k 4 i 1: after: t_0 is in it twice"},
                                   {"t[i,k)", "t[i,i-1)", "after: t[1,0) are no triangles"},
                                   {"\"path\": [\"t[0,k)\"]", "\"path\": [\"t[0,k+1)\"]", "5 ports before and 4 after"},
                                   {"[\"D\", \"A\"]", "[\"D\", \"B\"]", "after: B is not in it"},

@@ -6,7 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "model/family.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify::test {
@@ -26,7 +30,7 @@ struct Header {
       : description(parse_descriptions("f", file).front()), text(std::move(header)) {}
 
   std::string complaint(const std::string& altered) const {
-    return check_operation_header("h", altered, description).wrong.first;
+    return check_operation_header("h", altered, description, largest_fan).wrong.first;
   }
   /// When the first `what` is something else.
   std::string with(const std::string& what, const std::string& other) const {
@@ -68,13 +72,56 @@ inline constexpr OperationTable<std::uint8_t, 8> new_corner{
 )"};
 }
 
+/// A family has all its positions, and says where their entries begin.
+Header family() {
+  return {
+      R"family({"restrip_operation": 1, "name": "fan-turns", "numbers": ["k", "i"], "where": "1 <= k, k <= 2, i < 1",
+    "listed": "i < 1", "position": "\"k\" {k} i {i}",
+    "before": {"path": ["t[0,k)"]}, "after": {"path": ["t[0,k)"]}})family",
+      R"(// fan-turns
+// Written by `restrip-generate rules` from the operation file of fan-turns. Do not edit.
+// Explained in restrip/tables/operation_format.hpp.
+#pragma once
+
+#include "restrip/tables/operation_format.hpp"
+
+namespace restrip::tables {
+
+inline constexpr OperationFamily<std::uint8_t, 10, 2> fan_turns{
+    false,
+    "\"k\" {0} i {1}",
+    {{
+    {{1, 0, 0}, {1, 0}, {1, 0}, 1, 0},
+    {{2, 0, 0}, {2, 1}, {2, 1}, 2, 2},
+    }},
+    {
+    0, 1, 4, 5, 6, 7, 4, 5,
+    6, 7,
+    }};
+
+}  // namespace restrip::tables
+)"};
+}
+
 TEST(OperationHeader, ShippedOnesAreTables) {
   for (const std::string name : {"bisect", "bisect-boundary", "merge", "merge-matching", "split-face"}) {
     const Header shipped(name);
     EXPECT_EQ(shipped.complaint(shipped.text), "") << name;
-    EXPECT_GT(check_operation_header("h", shipped.text, shipped.description).lines, 18U);
+    EXPECT_GT(check_operation_header("h", shipped.text, shipped.description, largest_fan).lines, 18U);
   }
   EXPECT_EQ(graph().complaint(graph().text), "");
+  EXPECT_EQ(family().complaint(family().text), "");
+}
+
+TEST(OperationHeader, OfAFamilyHasItsPositions) {
+  EXPECT_EQ(family().with("{{2, 0, 0}", "{{2, 1, 0}").substr(0, 46), "h:15: expected \"    {{2, 0, 0}, {2, 1}, {2, 1}");
+  for (const auto& [what, other] : std::vector<std::pair<std::string, std::string>>{{"2, 2},\n", "2, 1},\n"},
+                                                                                    {"{1, 0}, 1", "{1, 0}, 2"},
+                                                                                    {"10, 2>", "10, 3>"},
+                                                                                    {"k\\\"", "k\""},
+                                                                                    {"{0}", "{1}"},
+                                                                                    {"false", "true"}})
+    EXPECT_NE(family().with(what, other), "") << what;
 }
 
 TEST(OperationHeader, OfAnotherOperationIsNot) {
@@ -82,7 +129,7 @@ TEST(OperationHeader, OfAnotherOperationIsNot) {
 }
 
 TEST(OperationHeader, AnyByteThatIsNoDigitOfATableIsMissed) {
-  for (const Header& header : {Header("bisect"), graph()})
+  for (const Header& header : {Header("bisect"), graph(), family()})
     for (std::size_t at = 0; at < header.text.size(); ++at) {
       for (const char c : std::string_view("x\"\n\r\\(;#/ \0", 11)) {
         std::string altered = header.text;

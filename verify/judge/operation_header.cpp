@@ -1,11 +1,13 @@
 #include "judge/operation_header.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
 #include <vector>
 
+#include "model/input.hpp"
 #include "model/json.hpp"
 
 namespace restrip::verify {
@@ -17,35 +19,50 @@ constexpr std::uint64_t boundary_side = 255;
 
 class HeaderReader {
  public:
-  HeaderReader(const std::string& file, std::string_view text, const Description& description, HeaderCheck& check)
-      : file_(file), rest_(text), description_(description), operation_(description.at({})), check_(check) {}
+  HeaderReader(const std::string& file, std::string_view text, const Description& description, unsigned max_k,
+               HeaderCheck& check)
+      : file_(file), rest_(text), description_(description), check_(check) {
+    for (const Numbers& numbers : description.positions(max_k)) operations_.push_back(description.at(numbers));
+    if (operations_.empty())
+      throw InputError(description.file(), 0, fmt::format("{} has no position up to {}", description.name, max_k));
+  }
 
   /// Stops at the first line that is not right.
   void read() {
-    const bool good = expect_all(lines_before()) && take_entries() &&
-                      (operation_.on_a_mesh() ? take_surface() : expect("    }};")) && expect("") &&
+    const bool good = expect_all(lines_before()) &&
+                      expect_all(is_family() ? lines_of_family() : lines_of_operation()) && take_entries() &&
+                      (first().on_a_mesh() ? take_surface() : expect("    }};")) && expect("") &&
                       expect("}  // namespace restrip::tables");
     if (good && !rest_.empty()) fail("the end of the file", rest_.substr(0, rest_.find('\n')));
   }
 
  private:
-  [[nodiscard]] bool is_matching() const { return operation_.constraint == Constraint::matching; }
+  [[nodiscard]] bool is_family() const { return !description_.numbers.empty(); }
+  [[nodiscard]] const Operation& first() const { return operations_.front(); }
+  [[nodiscard]] bool is_matching() const { return first().constraint == Constraint::matching; }
   /// Bits of an entry.
   [[nodiscard]] unsigned width() const {
-    const unsigned bits = operation_.after.inner_edges() + operation_.ports();
+    unsigned bits = 0;
+    for (const Operation& operation : operations_)
+      bits = std::max(bits, operation.after.inner_edges() + operation.ports());
     return bits < 8 ? 8 : (bits < 16 ? 16 : 32);
   }
+  [[nodiscard]] std::uint64_t entries_of(const Operation& operation) const {
+    return std::uint64_t{1} << (operation.ports() + (is_matching() ? 0 : operation.before.inner_edges()));
+  }
   [[nodiscard]] std::uint64_t entries() const {
-    return std::uint64_t{1} << (operation_.ports() + (is_matching() ? 0 : operation_.before.inner_edges()));
+    std::uint64_t all = 0;
+    for (const Operation& operation : operations_) all += entries_of(operation);
+    return all;
+  }
+  [[nodiscard]] std::string variable() const {
+    std::string name = description_.name;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
   }
 
   [[nodiscard]] std::vector<std::string> lines_before() const {
     const std::string& name = description_.name;
-    std::string variable = name;
-    std::replace(variable.begin(), variable.end(), '-', '_');
-    const Side& before = operation_.before;
-    const Side& after = operation_.after;
-    const bool surface = operation_.on_a_mesh();
     return {"// " + (description_.about.empty() ? name : description_.about),
             fmt::format("// Written by `restrip-generate rules` from the operation file of {}. Do not edit.", name),
             "// Explained in restrip/tables/operation_format.hpp.",
@@ -54,15 +71,56 @@ class HeaderReader {
             "#include \"restrip/tables/operation_format.hpp\"",
             "",
             "namespace restrip::tables {",
-            "",
-            fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{",
-                        surface ? "SurfaceOperation" : "OperationTable", width(), entries(),
-                        surface ? fmt::format(", {}, {}", before.triangles, after.triangles) : std::string(), variable),
-            fmt::format("    {}{{{}, {}}},", surface ? "{" : "", before.triangles, before.inner_edges()),
-            fmt::format("    {{{}, {}}},", after.triangles, after.inner_edges()),
-            fmt::format("    {},", operation_.ports()),
-            fmt::format("    {},", is_matching()),
-            "    {"};
+            ""};
+  }
+
+  /// From the name to the entries.
+  [[nodiscard]] std::vector<std::string> lines_of_operation() const {
+    const Side& before = first().before;
+    const Side& after = first().after;
+    const bool surface = first().on_a_mesh();
+    return {
+        fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{", surface ? "SurfaceOperation" : "OperationTable",
+                    width(), entries(),
+                    surface ? fmt::format(", {}, {}", before.triangles, after.triangles) : std::string(), variable()),
+        fmt::format("    {}{{{}, {}}},", surface ? "{" : "", before.triangles, before.inner_edges()),
+        fmt::format("    {{{}, {}}},", after.triangles, after.inner_edges()),
+        fmt::format("    {},", first().ports()),
+        fmt::format("    {},", is_matching()),
+        "    {"};
+  }
+
+  /// The same of a family.
+  [[nodiscard]] std::vector<std::string> lines_of_family() const {
+    std::vector<std::string> lines{fmt::format("inline constexpr OperationFamily<std::uint{}_t, {}, {}> {}{{", width(),
+                                               entries(), operations_.size(), variable()),
+                                   fmt::format("    {},", is_matching()), fmt::format("    \"{}\",", position()),
+                                   "    {{"};
+    std::uint64_t begin = 0;
+    for (const Operation& operation : operations_) {
+      Numbers numbers = operation.numbers;
+      numbers.resize(most_numbers);
+      lines.push_back(fmt::format("    {{{{{}}}, {{{}, {}}}, {{{}, {}}}, {}, {}}},", fmt::join(numbers, ", "),
+                                  operation.before.triangles, operation.before.inner_edges(), operation.after.triangles,
+                                  operation.after.inner_edges(), operation.ports(), begin));
+      begin += entries_of(operation);
+    }
+    lines.insert(lines.end(), {"    }},", "    {"});
+    return lines;
+  }
+
+  /// As a string literal holds it: with the places of the numbers for their names, and a backslash where one must be.
+  [[nodiscard]] std::string position() const {
+    std::string literal;
+    for (const char c : description_.position) {
+      if (c == '"' || c == '\\') literal += '\\';
+      literal += c;
+    }
+    for (std::size_t i = 0; i < description_.numbers.size(); ++i) {
+      const std::string name = fmt::format("{{{}}}", description_.numbers[i]);
+      literal.replace(literal.find(name), name.size(), fmt::format("{{{}}}", i));
+    }
+    return literal;
   }
 
   /// The next line with its end, or what is left.
@@ -122,8 +180,8 @@ class HeaderReader {
   }
 
   bool take_surface() {
-    return expect("    }},") && expect(fmt::format("    {},", operation_.vertices)) &&
-           take_triangles(operation_.before) && take_triangles(operation_.after) && expect("};");
+    return expect("    }},") && expect(fmt::format("    {},", first().vertices)) && take_triangles(first().before) &&
+           take_triangles(first().after) && expect("};");
   }
 
   bool take_triangles(const Side& side) {
@@ -138,7 +196,7 @@ class HeaderReader {
     };
     const auto take_triangle = [&](std::string_view& line) {
       return take(line, "{") && take_number(line, below(side.triangles)) && take(line, ", ") &&
-             take_number(line, below(3)) && take(line, ", ") && take_three(line, below(operation_.vertices)) &&
+             take_number(line, below(3)) && take(line, ", ") && take_three(line, below(first().vertices)) &&
              take(line, ", ") && take_three(line, is_side) && take(line, "}");
     };
     return expect("    {{") && take_elements(side.triangles, "triangles", take_triangle) && expect("    }},");
@@ -152,15 +210,16 @@ class HeaderReader {
   const std::string& file_;
   std::string_view rest_;
   const Description& description_;
-  Operation operation_;
+  std::vector<Operation> operations_;  ///< at all positions
   HeaderCheck& check_;
 };
 
 }  // namespace
 
-HeaderCheck check_operation_header(const std::string& file, std::string_view text, const Description& description) {
+HeaderCheck check_operation_header(const std::string& file, std::string_view text, const Description& description,
+                                   unsigned max_k) {
   HeaderCheck check;
-  HeaderReader(file, text, description, check).read();
+  HeaderReader(file, text, description, max_k, check).read();
   return check;
 }
 

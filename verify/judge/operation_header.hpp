@@ -18,7 +18,8 @@ struct HeaderCheck {
 
 /// Every line must be the one that the page says, but for the numbers of the table and of the triangles: as many as the
 /// operation has configurations and triangles, decimal, without leading zeros, within their types and what they number.
-/// The description is that of one operation, not of a family.
-HeaderCheck check_operation_header(const std::string& file, std::string_view text, const Description& description);
+/// The table of a family has all positions whose first number is at most `max_k`.
+HeaderCheck check_operation_header(const std::string& file, std::string_view text, const Description& description,
+                                   unsigned max_k);
 
 }  // namespace restrip::verify

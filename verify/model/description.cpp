@@ -26,7 +26,6 @@ struct DescriptionSource {
 namespace {
 
 constexpr std::size_t most_descriptions = 64;
-constexpr std::size_t most_numbers = 3;
 constexpr std::size_t most_bounds = 64;
 
 bool is_name(std::string_view text) {
@@ -60,6 +59,13 @@ std::string words_of(const JsonValue& description, std::string_view name, const 
   if (!value) return otherwise;
   std::string text = value->string("a text");
   if (!is_words(text)) value->fail("words of printable ASCII with one space between them");
+  return text;
+}
+
+/// "k {k} a {a}"
+std::string every_number(const std::vector<std::string>& numbers) {
+  std::string text;
+  for (const std::string& number : numbers) text += fmt::format("{}{} {{{}}}", text.empty() ? "" : " ", number, number);
   return text;
 }
 
@@ -161,7 +167,10 @@ class DescriptionReader {
         description.numbers.push_back(number.string("a text"));
     description.where = conditions_of(value, description.numbers, "where");
     description.listed = conditions_of(value, description.numbers, "listed");
-    description.position = words_of(value, "position", "");
+    description.position = words_of(value, "position", every_number(description.numbers));
+    for (const std::string& number : description.numbers)
+      if (description.position.find(fmt::format("{{{}}}", number)) == std::string::npos)
+        value.required("position").fail(fmt::format("each number in braces, also \"{{{}}}\"", number));
     description.section = words_of(value, "section", description.position);
     if (const auto linked = value.member("linked")) description.linked = linked->boolean("whether it has linked rules");
     read_one_position(description);

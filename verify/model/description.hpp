@@ -2,6 +2,7 @@
 // What an operation file says (docs/operation-file.md): one operation, or one for each position of a family, and the
 // reader of such files.
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 namespace restrip::verify {
 
 inline constexpr unsigned longest_name = 60;
+inline constexpr std::size_t most_numbers = 3;
 
 struct DescriptionSource;  ///< the file as it was read: what depends on the position is read from it for each anew
 

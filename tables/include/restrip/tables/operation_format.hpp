@@ -7,10 +7,13 @@
 //
 // and all ones where the configuration is not valid. In a matching the rule depends on the ports alone: entry P.
 //
+// A family has the tables of all its positions one after another (OperationFamily).
+//
 // Where the file gives the triangles with their vertices, the header has them too (SurfaceOperation), for programs that
 // change a mesh; restrip/operations/apply.hpp is one.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -54,6 +57,27 @@ struct SurfaceOperation : OperationTable<Entry, Size> {
   std::array<PatchTriangle, After> triangles_after;
 };
 
+/// The numbers of a position, in the order in which the file names them; unused ones are 0.
+using FamilyNumbers = std::array<unsigned, 3>;
+
+/// One position of a family.
+struct FamilyPosition {
+  FamilyNumbers numbers{};
+  PatchSize before;
+  PatchSize after;
+  unsigned ports = 0;
+  std::size_t first = 0;  ///< its entries begin here
+};
+
+/// The tables of all positions of a family, up to some largest first number.
+template <class Entry, std::size_t Size, std::size_t Positions>
+struct OperationFamily {
+  bool matching = false;
+  const char* position = "";  ///< how dumps name a position: "k {0} a {1}", by the places of its numbers
+  std::array<FamilyPosition, Positions> positions;  ///< in ascending order of their numbers
+  std::array<Entry, Size> entries;
+};
+
 /// What a rule says. `strips` is the change of the number of strips in the whole mesh; of a matching it is the change
 /// in the number of pairs and single triangles together.
 struct OperationRule {
@@ -61,6 +85,19 @@ struct OperationRule {
   std::uint32_t ports = 0;   ///< ports that stay solid
   int strips = 0;
   bool valid = false;
+
+  /// What an entry says of a configuration, where a patch has this size. `none` is the entry of those that are not
+  /// valid.
+  [[nodiscard]] static constexpr OperationRule in_entry(std::uint32_t entry, std::uint32_t none, PatchSize before,
+                                                        PatchSize after, unsigned port_count, std::uint32_t inner,
+                                                        std::uint32_t ports) noexcept {
+    if (entry == none) return {};
+    const std::uint32_t colors = entry >> port_count;
+    const std::uint32_t kept = entry & ((std::uint32_t{1} << port_count) - 1);
+    const int strips_before = static_cast<int>(before.triangles) - std::popcount(inner) - std::popcount(ports);
+    const int strips_after = static_cast<int>(after.triangles) - std::popcount(colors) - std::popcount(kept);
+    return {colors, kept, strips_after - strips_before, true};
+  }
 };
 
 /// The rule of a configuration: `inner` has before.edges bits, `ports` has ports bits; higher bits are a programming
@@ -69,13 +106,22 @@ struct OperationRule {
 template <class Entry, std::size_t Size>
 [[nodiscard]] constexpr OperationRule rule_of(const OperationTable<Entry, Size>& table, std::uint32_t inner,
                                               std::uint32_t ports) noexcept {
-  const Entry entry = table.entries[table.matching ? ports : inner << table.ports | ports];
-  if (entry == static_cast<Entry>(-1)) return {};
-  const std::uint32_t colors = entry >> table.ports;
-  const std::uint32_t kept = entry & ((std::uint32_t{1} << table.ports) - 1);
-  const int strips_before = static_cast<int>(table.before.triangles) - std::popcount(inner) - std::popcount(ports);
-  const int strips_after = static_cast<int>(table.after.triangles) - std::popcount(colors) - std::popcount(kept);
-  return {colors, kept, strips_after - strips_before, true};
+  return OperationRule::in_entry(table.entries[table.matching ? ports : inner << table.ports | ports],
+                                 static_cast<Entry>(-1), table.before, table.after, table.ports, inner, ports);
+}
+
+/// The same at a position of a family, which is searched for in logarithmic time. Not valid where the family has no
+/// such position.
+template <class Entry, std::size_t Size, std::size_t Positions>
+[[nodiscard]] constexpr OperationRule rule_of(const OperationFamily<Entry, Size, Positions>& family,
+                                              const FamilyNumbers& numbers, std::uint32_t inner,
+                                              std::uint32_t ports) noexcept {
+  const auto at = std::lower_bound(
+      family.positions.begin(), family.positions.end(), numbers,
+      [](const FamilyPosition& position, const FamilyNumbers& wanted) { return position.numbers < wanted; });
+  if (at == family.positions.end() || at->numbers != numbers) return {};
+  return OperationRule::in_entry(family.entries[at->first + (family.matching ? ports : inner << at->ports | ports)],
+                                 static_cast<Entry>(-1), at->before, at->after, at->ports, inner, ports);
 }
 
 }  // namespace restrip::tables
