@@ -45,7 +45,7 @@ extern "C" {
 
 /* ---- Version ----------------------------------------------------------------------------------- */
 
-/* The number of this interface. It is part of the name of the shared library (librestrip_c.so.1) and goes up when a
+/* The number of this interface. It is part of the name of the shared library (librestrip_c.so.2) and goes up when a
  * program that was compiled with an older header can no longer use the library. New functions and new codes do not
  * change it. */
 #define RESTRIP_ABI_VERSION 2
