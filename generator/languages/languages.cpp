@@ -13,14 +13,6 @@
 namespace restrip::generator {
 namespace {
 
-/// The words as a file, little-endian.
-std::string words_file(const TableLayout& layout) {
-  std::string bytes;
-  for (const std::uint32_t word : table_words(layout).words)
-    for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
-  return bytes;
-}
-
 /// The operations, a line each, in lines that begin with `comment`.
 std::string operation_lines(const std::string& comment) {
   const auto bits = [](int more) {
@@ -86,13 +78,22 @@ std::string wgsl_source(const TableLayout& layout) {
 const std::map<std::string, std::vector<LanguageFile>>& language_files() {
   static const std::map<std::string, std::vector<LanguageFile>> files{
       {"c++", {}},
-      {"c", {{"restrip_tables.h", c_header}}},
-      {"json", {{"restrip_tables.json", json_tables}}},
-      {"rust", {{"restrip_tables.rs", rust_module}}},
-      {"glsl", {{"restrip_tables.glsl", glsl_source}, {"restrip_tables.bin", words_file}}},
-      {"wgsl", {{"restrip_tables.wgsl", wgsl_source}, {"restrip_tables.bin", words_file}}},
+      {"c", {{".h", c_header, c_operation}}},
+      {"json", {{".json", json_tables, json_operation}}},
+      {"rust", {{".rs", rust_module, rust_operation}}},
+      {"glsl", {{".glsl", glsl_source, glsl_operation}, {".bin", words_file, operation_words_file}}},
+      {"wgsl", {{".wgsl", wgsl_source, wgsl_operation}, {".bin", words_file, operation_words_file}}},
   };
   return files;
+}
+
+std::string LanguageFile::name(const std::string& what) const { return "restrip_" + identifier(what) + extension; }
+
+std::string words_file(const TableLayout& layout) {
+  std::string bytes;
+  for (const std::uint32_t word : table_words(layout).words)
+    for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
+  return bytes;
 }
 
 TableWords table_words(const TableLayout& layout) {

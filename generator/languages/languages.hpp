@@ -8,17 +8,22 @@
 #include <vector>
 
 #include "layout.hpp"
+#include "operations/operation_layout.hpp"
 
 namespace restrip::generator {
 
 /// A file of a language, and what writes its bytes.
 struct LanguageFile {
-  std::string name;
-  std::string (*bytes)(const TableLayout& layout) = nullptr;
+  std::string extension;  ///< ".h"
+  std::string (*of_tables)(const TableLayout& layout) = nullptr;
+  std::string (*of_operation)(const OperationLayout& layout) = nullptr;  ///< of one's own, or a family
+
+  /// "restrip_tables.h", or of an operation "restrip_bisect.h".
+  [[nodiscard]] std::string name(const std::string& what = "tables") const;
 };
 
-/// The files of each language, by its name on the command line; none for "c++", which emit.hpp writes. The shading
-/// languages share a file.
+/// The files of each language, by its name on the command line; none for "c++", which emit.hpp and
+/// operations/operation_text.hpp write. The shading languages share a file.
 [[nodiscard]] const std::map<std::string, std::vector<LanguageFile>>& language_files();
 
 // ---- What the emitters share ----
@@ -39,6 +44,18 @@ struct TableWords {
 /// In capitals, for constants.
 [[nodiscard]] std::string capitals(std::string name);
 
+/// Every word as four bytes, little-endian.
+[[nodiscard]] std::string words_file(const TableLayout& layout);
+
 [[nodiscard]] std::string json_tables(const TableLayout& layout);
+[[nodiscard]] std::string json_operation(const OperationLayout& layout);
+
+// The table of an operation of one's own, or a family (operation_files.cpp).
+
+[[nodiscard]] std::string c_operation(const OperationLayout& layout);
+[[nodiscard]] std::string rust_operation(const OperationLayout& layout);
+[[nodiscard]] std::string glsl_operation(const OperationLayout& layout);
+[[nodiscard]] std::string wgsl_operation(const OperationLayout& layout);
+[[nodiscard]] std::string operation_words_file(const OperationLayout& layout);
 
 }  // namespace restrip::generator

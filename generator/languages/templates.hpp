@@ -8,6 +8,10 @@
 
 namespace restrip::generator {
 
+extern const std::string_view operation_h;
+extern const std::string_view operation_rs;
+extern const std::string_view operation_glsl;
+extern const std::string_view operation_wgsl;
 extern const std::string_view tables_h;
 extern const std::string_view tables_rs;
 extern const std::string_view tables_glsl;
