@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "compare/compare_command.hpp"
 #include "count.hpp"
 #include "dump.hpp"
 #include "files/system_calls.hpp"
@@ -187,6 +188,9 @@ int main(int argc, char** argv) {
   count_command->add_option("--max-k", count_max_k, "Largest valence")->check(CLI::Range(3, 12))->capture_default_str();
   count_command->add_flag("--json", json, "Print JSON");
 
+  const Subcommand compare_command = add_compare(app);
+
+  int code = 0;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -215,10 +219,11 @@ int main(int argc, char** argv) {
                  operation_file_text(position_of(family_named(described_family), numbers, place_options), constraint));
     }
     if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
+    if (*compare_command.line) code = compare_command.run();
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");
   } catch (const std::exception& error) {
     fmt::print(stderr, "restrip-generate: {}\n", error.what());
     return 2;
   }
-  return 0;
+  return code;
 }

@@ -48,8 +48,8 @@ def main():
                 if printed is None or not printed.endswith(text):
                     raise SystemExit(f"docs/toolkit.md says\n{text}but this was printed:\n{printed}")
                 compared += 1
-        if compared != 6 or proof is None:
-            raise SystemExit(f"docs/toolkit.md: {compared} printed results were compared, not 6, or nothing judges the table")
+        if compared != 7 or proof is None:
+            raise SystemExit(f"docs/toolkit.md: {compared} printed results were compared, not 7, or nothing judges the table")
         table = (folder / TABLE).read_text(encoding="utf-8")
         if (folder / "pages/pair-flip.html").read_text(encoding="utf-8").count("<tr id=") != 4 or "p3</text>" not in (folder / "pair-flip.svg").read_text(encoding="utf-8"):
             raise SystemExit("the page has not 4 rules, or the picture not 4 ports")
