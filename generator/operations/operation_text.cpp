@@ -72,23 +72,49 @@ std::string triangles(const std::vector<SurfaceTriangle>& met) {
   return "    {{\n" + numbers(words) + "    }},\n";
 }
 
-/// The table of an operation, from its name on.
-std::string operation_table(const Description& named, const Operation& operation, unsigned width,
-                            const std::vector<std::int64_t>& entries) {
+/// Of all positions, one after another.
+struct Triangles {
+  std::vector<SurfaceTriangle> before;
+  std::vector<SurfaceTriangle> after;
+  std::string positions;  ///< for each how many vertices there are, and where its triangles begin
+  unsigned vertices = 0;  ///< of the last one
+
+  explicit Triangles(const std::vector<AnsweredPosition>& all) {
+    for (const auto& [position, section] : all) {
+      const Surface surface = surface_at(position);
+      vertices = surface.vertices;
+      positions += fmt::format("    {{{}, {}, {}}},\n", vertices, before.size(), after.size());
+      before.insert(before.end(), surface.before.begin(), surface.before.end());
+      after.insert(after.end(), surface.after.begin(), surface.after.end());
+    }
+  }
+  [[nodiscard]] std::string counts() const { return fmt::format(", {}, {}", before.size(), after.size()); }
+  [[nodiscard]] std::string text() const { return triangles(before) + triangles(after) + "};\n"; }
+};
+
+/// The table of an operation, from its name on; `start` is what stands before its number of entries.
+std::string operation_table(const Position& position, const std::string& start, const std::string& entries,
+                            const Triangles& surface) {
+  const Operation operation = operation_at(position);
   const Patch& patch = operation.patch;
-  const Surface& surface = named.surface;
-  const bool has_surface = !surface.before.empty();
-  const std::string triangle_counts =
-      has_surface ? fmt::format(", {}, {}", surface.before.size(), surface.after.size()) : std::string();
-  std::string text = fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{\n",
-                                 has_surface ? "SurfaceOperation" : "OperationTable", width, entries.size(),
-                                 triangle_counts, variable(named.name));
-  text += fmt::format("    {}{},\n    {},\n    {},\n    {},\n    {{\n", has_surface ? "{" : "", sizes(patch)[0],
-                      sizes(patch)[1], patch.before.owner.size(), operation.constraint.most_edges == 1);
-  text += numbers(entries);
-  return text + (has_surface ? fmt::format("    }}}},\n    {},\n{}{}}};\n", surface.vertices, triangles(surface.before),
-                                           triangles(surface.after))
-                             : "    }};\n");
+  const auto& [before, after] = sizes(patch);
+  const bool graph = position.family->is_graph_only();
+  const std::string rules = fmt::format("{},\n    {},\n    {},\n    {},\n    {{\n{}    }}}}", before, after,
+                                        patch.before.ports(), operation.constraint.most_edges == 1, entries);
+  if (graph) return fmt::format("OperationTable<{}> {}{{\n    {};\n", start, variable(position.family->name), rules);
+  return fmt::format("SurfaceOperation<{}{}> {}{{\n    {{{},\n    {},\n{}", start, surface.counts(),
+                     variable(position.family->name), rules, surface.vertices, surface.text());
+}
+
+/// The same of a family.
+std::string family_table(const Description& family, const std::string& start, const std::string& positions,
+                         const std::string& entries, const Triangles& surface) {
+  const std::string rules = fmt::format("{},\n    {},\n    {{{{\n{}    }}}},\n    {{\n{}    }}}}",
+                                        family.constraint.most_edges == 1, quoted_place(family), positions, entries);
+  if (family.is_graph_only())
+    return fmt::format("OperationFamily<{}> {}{{\n    {};\n", start, variable(family.name), rules);
+  return fmt::format("SurfaceFamily<{}{}> {}{{\n    {{{},\n    {{{{\n{}    }}}},\n{}", start, surface.counts(),
+                     variable(family.name), rules, surface.positions, surface.text());
 }
 
 }  // namespace
@@ -105,20 +131,18 @@ OperationHeader operation_header(const std::vector<AnsweredPosition>& positions)
                                 operation.patch.before.ports(), entries.size());
     append_entries(*section, operation, width, entries);
   }
-  std::string text = fmt::format(
-      "// {}\n// Written by `restrip-generate rules` from the operation file of {}. Do not edit.\n// Explained in "
-      "restrip/tables/operation_format.hpp.\n#pragma once\n\n#include \"restrip/tables/operation_format.hpp\"\n\n"
-      "namespace restrip::tables {{\n\n",
-      named.about.empty() ? named.name : named.about, named.name);
-  if (named.numbers.empty())
-    text += operation_table(named, operation_at(positions[0].position), width, entries);
-  else
-    text += fmt::format(
-        "inline constexpr OperationFamily<std::uint{}_t, {}, {}> {}{{\n    {},\n    {},\n    {{{{\n{}    }}}},\n    "
-        "{{\n{}    }}}};\n",
-        width, entries.size(), positions.size(), variable(named.name), named.constraint.most_edges == 1,
-        quoted_place(named), of_positions, numbers(entries));
-  return {text + "\n}  // namespace restrip::tables\n", entries.size() * width / 8};
+  const std::string start = fmt::format("std::uint{}_t, {}", width, entries.size());
+  const Triangles surface(positions);
+  return {fmt::format(
+              "// {}\n// Written by `restrip-generate rules` from the operation file of {}. Do not edit.\n// Explained "
+              "in restrip/tables/operation_format.hpp.\n#pragma once\n\n#include "
+              "\"restrip/tables/operation_format.hpp\"\n\nnamespace restrip::tables {{\n\ninline constexpr {}\n}}  // "
+              "namespace restrip::tables\n",
+              named.about.empty() ? named.name : named.about, named.name,
+              named.numbers.empty() ? operation_table(positions[0].position, start, numbers(entries), surface)
+                                    : family_table(named, fmt::format("{}, {}", start, positions.size()), of_positions,
+                                                   numbers(entries), surface)),
+          entries.size() * width / 8};
 }
 
 std::string operation_certificate_path(const std::string& name) { return "certificates/operations/" + name + ".cert"; }
