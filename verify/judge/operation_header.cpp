@@ -55,6 +55,16 @@ class HeaderReader {
     for (const Operation& operation : operations_) all += entries_of(operation);
     return all;
   }
+  /// Of all positions.
+  [[nodiscard]] std::string triangle_counts() const {
+    unsigned before = 0;
+    unsigned after = 0;
+    for (const Operation& operation : operations_) {
+      before += operation.before.triangles;
+      after += operation.after.triangles;
+    }
+    return fmt::format(", {}, {}", before, after);
+  }
   [[nodiscard]] std::string variable() const {
     std::string name = description_.name;
     std::replace(name.begin(), name.end(), '-', '_');
@@ -81,8 +91,7 @@ class HeaderReader {
     const bool surface = first().on_a_mesh();
     return {
         fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{", surface ? "SurfaceOperation" : "OperationTable",
-                    width(), entries(),
-                    surface ? fmt::format(", {}, {}", before.triangles, after.triangles) : std::string(), variable()),
+                    width(), entries(), surface ? triangle_counts() : std::string(), variable()),
         fmt::format("    {}{{{}, {}}},", surface ? "{" : "", before.triangles, before.inner_edges()),
         fmt::format("    {{{}, {}}},", after.triangles, after.inner_edges()),
         fmt::format("    {},", first().ports()),
@@ -92,10 +101,11 @@ class HeaderReader {
 
   /// The same of a family.
   [[nodiscard]] std::vector<std::string> lines_of_family() const {
-    std::vector<std::string> lines{fmt::format("inline constexpr OperationFamily<std::uint{}_t, {}, {}> {}{{", width(),
-                                               entries(), operations_.size(), variable()),
-                                   fmt::format("    {},", is_matching()), fmt::format("    \"{}\",", position()),
-                                   "    {{"};
+    const bool surface = first().on_a_mesh();
+    std::vector<std::string> lines{
+        fmt::format("inline constexpr {}<std::uint{}_t, {}, {}{}> {}{{", surface ? "SurfaceFamily" : "OperationFamily",
+                    width(), entries(), operations_.size(), surface ? triangle_counts() : std::string(), variable()),
+        fmt::format("    {}{},", surface ? "{" : "", is_matching()), fmt::format("    \"{}\",", position()), "    {{"};
     std::uint64_t begin = 0;
     for (const Operation& operation : operations_) {
       Numbers numbers = operation.numbers;
@@ -180,26 +190,52 @@ class HeaderReader {
   }
 
   bool take_surface() {
-    return expect("    }},") && expect(fmt::format("    {},", first().vertices)) && take_triangles(first().before) &&
-           take_triangles(first().after) && expect("};");
+    return expect("    }},") && (is_family() ? expect_all(triangles_of_positions()) : expect(vertices_of(first()))) &&
+           take_triangles(&Operation::before) && take_triangles(&Operation::after) && expect("};");
   }
 
-  bool take_triangles(const Side& side) {
+  static std::string vertices_of(const Operation& operation) { return fmt::format("    {},", operation.vertices); }
+  /// For each position how many vertices there are, and where its triangles begin.
+  [[nodiscard]] std::vector<std::string> triangles_of_positions() const {
+    std::vector<std::string> lines{"    {{"};
+    unsigned before = 0;
+    unsigned after = 0;
+    for (const Operation& operation : operations_) {
+      lines.push_back(fmt::format("    {{{}, {}, {}}},", operation.vertices, before, after));
+      before += operation.before.triangles;
+      after += operation.after.triangles;
+    }
+    lines.emplace_back("    }},");
+    return lines;
+  }
+
+  bool take_triangles(Side Operation::*of) {
+    // Which operation each of the triangles belongs to.
+    std::vector<const Operation*> owners;
+    for (const Operation& operation : operations_) owners.insert(owners.end(), (operation.*of).triangles, &operation);
+    std::size_t taken = 0;
+    return expect("    {{") &&
+           take_elements(owners.size(), "triangles",
+                         [&](std::string_view& line) {
+                           const Operation& operation = *owners[taken++];
+                           return take_triangle(line, operation.*of, operation.vertices);
+                         }) &&
+           expect("    }},");
+  }
+
+  static bool take_triangle(std::string_view& line, const Side& side, unsigned vertices) {
     const auto below = [](std::uint64_t count) { return [=](std::uint64_t number) { return number < count; }; };
     const auto is_side = [&](std::uint64_t number) {
       return number < side.inner_edges() || number == boundary_side ||
              (number >= first_port_side && number < first_port_side + side.ports());
     };
-    const auto take_three = [](std::string_view& line, const auto& fits) {
-      return take(line, "{") && take_number(line, fits) && take(line, ", ") && take_number(line, fits) &&
-             take(line, ", ") && take_number(line, fits) && take(line, "}");
+    const auto take_three = [](std::string_view& rest, const auto& fits) {
+      return take(rest, "{") && take_number(rest, fits) && take(rest, ", ") && take_number(rest, fits) &&
+             take(rest, ", ") && take_number(rest, fits) && take(rest, "}");
     };
-    const auto take_triangle = [&](std::string_view& line) {
-      return take(line, "{") && take_number(line, below(side.triangles)) && take(line, ", ") &&
-             take_number(line, below(3)) && take(line, ", ") && take_three(line, below(first().vertices)) &&
-             take(line, ", ") && take_three(line, is_side) && take(line, "}");
-    };
-    return expect("    {{") && take_elements(side.triangles, "triangles", take_triangle) && expect("    }},");
+    return take(line, "{") && take_number(line, below(side.triangles)) && take(line, ", ") &&
+           take_number(line, below(3)) && take(line, ", ") && take_three(line, below(vertices)) && take(line, ", ") &&
+           take_three(line, is_side) && take(line, "}");
   }
 
   void fail(const std::string& expected, std::string_view found) {
