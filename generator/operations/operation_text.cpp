@@ -33,6 +33,7 @@ std::string quoted_place(const Description& family) {
 /// As the header lists them.
 std::string triangles(const std::vector<SurfaceTriangle>& met) {
   std::vector<std::string> words;
+  words.reserve(met.size());
   for (const SurfaceTriangle& t : met)
     words.push_back(fmt::format("{{{}, {}, {{{}}}, {{{}}}}}", t.from, t.from_side, fmt::join(t.vertex, ", "),
                                 fmt::join(t.side, ", ")));
