@@ -50,7 +50,7 @@ std::uint64_t anneal(Mesh& mesh, Cost cost, const AnnealOptions& options) {
   detail::Annealing annealing(sides, cost, options.seed);
   annealing.keep();
   for (std::uint32_t round = 0; round < options.rounds && annealing.least() != 0; ++round) {
-    annealing.cool(options.moves != 0 ? options.moves : annealing.triangles() * std::uint64_t{100}, options.heat);
+    annealing.cool(options.moves != 0 ? options.moves : annealing.triangle_count() * std::uint64_t{100}, options.heat);
     annealing.settle_windings(4);
     annealing.keep();
   }
