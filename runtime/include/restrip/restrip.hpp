@@ -61,3 +61,5 @@
 #include "restrip/search/strip_locator.hpp"
 #include "restrip/search/stripify.hpp"
 #include "restrip/search/tunnel.hpp"
+#include "restrip/search/window.hpp"
+#include "restrip/search/window_rounds.hpp"
