@@ -94,21 +94,7 @@ class Annealing : private ColoringCopy {
     for (unsigned round = 0; round < rounds; ++round)
       for (Triangle t = 0; t < across_.size(); ++t) {
         if (full(t)) continue;
-        for (unsigned s = 0; s < 3; ++s) try_move<false>(t << 2 | s);
-      }
-  }
-
-  /// Without a temperature, moves at the ends of strips that begin with the wrong turn from both ends, so often over
-  /// all of them: this index (cost.hpp, X) is a property of whole strips, and two walks along each strip tell it.
-  void settle_windings(unsigned rounds) {
-    if (cost_.swap == 0) return;
-    temperature_ = 0;
-    for (unsigned round = 0; round < rounds; ++round)
-      for (Triangle t = 0; t < across_.size(); ++t) {
-        if (solid_[t] == 0 || full(t) || wrong_windings(std::array{t}) == 0) continue;
-        const Triangle next = across(only_side(t)) >> 2;
-        for (unsigned s = 0; s < 3; ++s) try_move<true>(t << 2 | s);
-        for (unsigned s = 0; s < 3; ++s) try_move<true>(next << 2 | s);
+        for (unsigned s = 0; s < 3; ++s) try_move(t << 2 | s);
       }
   }
 
@@ -136,7 +122,7 @@ class Annealing : private ColoringCopy {
     return std::int64_t{cost_.swap} * swaps - cost_.restart - std::int64_t{cost_.isolated} * alone;
   }
 
-  // ---- strips from end to end. Nearly all are walked; where a walk gets long, trees know the ends.
+  // ---- strips from end to end. Nearly all are walked; where a walk gets long, trees know.
   static constexpr unsigned longest_walk = 512;
 
   // The trees are made when they are asked for the first time. From then on they are told of changes, but only before
@@ -187,36 +173,6 @@ class Annealing : private ColoringCopy {
     return trees().together(t, u);
   }
 
-  // Both ends of the strip of t.
-  [[nodiscard]] std::array<Triangle, 2> ends_of(Triangle t) {
-    std::array<Triangle, 2> found{t, t};
-    if (solid_[t] == 0) return found;
-    std::array<std::uint32_t, 2> out{only_side(t), other(only_side(t))};
-    unsigned steps = 0;
-    for (unsigned way = 0; way < 2; ++way)
-      while (out[way] != none) {
-        if (++steps > longest_walk) return trees().ends(t);
-        const std::uint32_t in = across(out[way]);
-        found[way] = in >> 2;
-        out[way] = other(in);
-      }
-    return found;
-  }
-  // How many of the strips of up to four triangles begin with the wrong turn from both ends.
-  [[nodiscard]] unsigned wrong_windings(std::span<const Triangle> triangles) {
-    std::array<Triangle, 4> met{};  // the lower ends
-    std::size_t count = 0;
-    unsigned wrong = 0;
-    for (const Triangle t : triangles) {
-      const auto [a, b] = ends_of(t);
-      const Triangle lower = std::min(a, b);
-      if (std::find(met.begin(), met.begin() + count, lower) != met.begin() + count) continue;
-      met[count++] = lower;
-      wrong += begins_wrong(a) && begins_wrong(b) ? 1U : 0U;
-    }
-    return wrong;
-  }
-
   // A triangle without a neighbour has no move.
   void list_flaws() {
     flaws_.reset(across_.size());
@@ -246,40 +202,33 @@ class Annealing : private ColoringCopy {
           flaws_.clear(t);
           continue;
         }
-        for (unsigned s = 0; s < 3; ++s) try_move<false>(t << 2 | s);
+        for (unsigned s = 0; s < 3; ++s) try_move(t << 2 | s);
       }
     }
   }
 
-  struct Move {
-    std::uint32_t added = none;
-    std::array<std::uint32_t, 2> cut{};
-    unsigned cuts = 0;
+  // Solid edges that are taken out.
+  struct Cuts {
+    std::array<std::uint32_t, 2> edges{};
+    unsigned count = 0;
   };
-  void make(const Move& move) noexcept {
-    for (unsigned i = 0; i < move.cuts; ++i) flip(move.cut[i]);
-    if (move.added != none) flip(move.added);
-  }
-  void take_back(const Move& move) noexcept {
-    if (move.added != none) flip(move.added);
-    for (unsigned i = move.cuts; i-- > 0;) flip(move.cut[i]);
+  void take_back(const Cuts& cuts) noexcept {
+    for (unsigned i = cuts.count; i-- > 0;) flip(cuts.edges[i]);
   }
 
   // Takes h out when it is solid, or else makes it solid; drops the move when the cost rises by more than chance allows
   // at this temperature, or when it would close a cycle.
-  template <bool Windings>
   void try_move(std::uint32_t h) {
     const std::uint32_t g = across(h);
     if (g == none) return;
     ++tried_;
     const auto allowed = static_cast<std::int64_t>(temperature_ * minus_log2(random_.bits() | 1U) >> 32);
-    const std::int64_t most = allowed + (Windings ? 2 * std::int64_t{cost_.swap} : 0);  // two wrong windings may go
-    Move move;
+    Cuts cuts;
     std::int64_t change = 0;
     const auto cut = [&](std::uint32_t e) {
       change -= price(e);
       flip(e);
-      move.cut[move.cuts++] = e;
+      cuts.edges[cuts.count++] = e;
     };
     if (solid(h)) {
       cut(h);
@@ -287,29 +236,20 @@ class Annealing : private ColoringCopy {
       const std::uint32_t which = random_.bits() >> 30;
       if (full(h >> 2)) cut((h & ~3U) | ((h & 3U) + 1 + (which & 1U)) % 3);
       if (full(g >> 2)) cut((g & ~3U) | ((g & 3U) + 1 + (which >> 1)) % 3);
-      bool possible = change - cost_.restart - 2 * std::int64_t{cost_.isolated} <= most;
+      bool possible = change - cost_.restart - 2 * std::int64_t{cost_.isolated} <= allowed;
       if (possible) {
         flip(h);
         change += price(h);
         flip(h);
-        possible = change <= most && !are_ends_of_one(h >> 2, g >> 2);
+        possible = change <= allowed && !are_ends_of_one(h >> 2, g >> 2);
       }
-      if (!possible) return take_back(move);
+      if (!possible) return take_back(cuts);
       flip(h);
-      move.added = h;
     }
-    if (change > most) return take_back(move);
-    if constexpr (Windings) {
-      const std::array<Triangle, 4> around{h >> 2, g >> 2, across(move.cut[0]) >> 2, across(move.cut[1]) >> 2};
-      const std::int64_t after = wrong_windings(std::span(around).first(2 + move.cuts));
-      take_back(move);
-      const std::int64_t before = wrong_windings(std::span(around).first(2));
-      if (change + (after - before) * cost_.swap > allowed) return;
-      make(move);
-    }
+    if (change > allowed) return take_back(cuts);
     note_around(h >> 2);
     note_around(g >> 2);
-    for (unsigned i = 0; i < move.cuts; ++i) note(across(move.cut[i]) >> 2);
+    for (unsigned i = 0; i < cuts.count; ++i) note(across(cuts.edges[i]) >> 2);
   }
 
   Cost cost_;
