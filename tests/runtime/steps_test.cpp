@@ -52,7 +52,7 @@ Where middle_of_the_fan(const StripMesh& mesh, Vertex k) {
 }
 
 TEST(Complexity, OperationsAreLinearInTheValenceUnderEveryPolicy) {
-  constexpr Policy policies[] = {Policy::local, Policy::linked, Policy::quick, Policy::full};
+  constexpr Policy policies[] = {Policy::local, Policy::linked, Policy::quick, Policy::full, Policy::best};
   for (const bool zigzags : {true, false}) {
     Work split[std::size(policies)][2];
     Work collapse[std::size(policies)][2];
@@ -277,7 +277,7 @@ TEST(Complexity, WindowsDoNotDependOnTheSizeOfTheMesh) {
 }
 
 TEST(Complexity, OperationsAllocateNothing) {
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full, Policy::best}) {
     StripMesh mesh = sample::double_cone(40);
     stripify(mesh);
     mesh.reserve(200, 200);

@@ -113,7 +113,7 @@ TEST(Keeper, StripsDoNotAge) {
 }
 
 // Those that weigh more than strips.
-constexpr std::array weighing_policies{Policy::local, Policy::linked, Policy::quick, Policy::full};
+constexpr std::array weighing_policies{Policy::local, Policy::linked, Policy::quick, Policy::full, Policy::best};
 
 void expect_counted(const Keeper<StripMesh>& keeper) {
   ASSERT_TRUE(check_coloring(keeper.mesh()).valid);
@@ -153,7 +153,7 @@ TEST(KeeperByCost, TellsWhatEveryOperationChanged) {
 // Random operations make rough meshes; a local minimum of the whole mesh, by chains, is the measure.
 TEST(KeeperByCost, IndicesDoNotAge) {
   std::mt19937 random(22);
-  const std::array<double, 4> allowed{1.25, 1.20, 1.15, 1.10};
+  const std::array<double, 5> allowed{1.25, 1.20, 1.15, 1.10, 1.08};
   for (const Policy policy : weighing_policies) {
     StripMesh mesh = sample::torus(40, 40);
     stripify(mesh, Effort::full, Cost::indices());

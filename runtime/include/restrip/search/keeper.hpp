@@ -9,10 +9,10 @@
 // those made from scratch.)
 //
 // Under a cost that weighs swaps or isolated triangles, such as Cost::indices(), an operation passes its colours on as
-// they are, and a search at the strip ends around it (end_search.hpp) mends what it can. The fewest strips cost 15 to
-// 25 % more indices than the best. No rules of such a cost are used: rules recolour a patch as well as can be with its
-// ports as they are, and alone they keep far more indices, because they can neither give ports up nor take others
-// (docs/strips.md, "Fewest indices").
+// they are, and a search at the strip ends around it (end_search.hpp) mends what it can; under Policy::best an exact
+// window (window.hpp) comes after it. The fewest strips cost 15 to 25 % more indices than the best. No rules of such a
+// cost are used: rules recolour a patch as well as can be with its ports as they are, and alone they keep far more
+// indices, because they can neither give ports up nor take others (docs/strips.md, "Fewest indices").
 //
 //   Keeper keeper(mesh, Policy::quick);                // mesh: any NumberedMesh, such as a StripMesh
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
@@ -94,7 +94,8 @@ class Keeper {
         policy_(policy),
         ends_(cost),
         descent_(cost),
-        windows_(cost, 1, Windings::ignored) {
+        windows_(cost, 1, Windings::ignored),
+        window_(cost, 1, Windings::ignored) {
     rebuild();
   }
   /// Plays baked strips (baked.hpp): split_record and collapse_record are then copied, while in step. Every other
@@ -224,7 +225,7 @@ class Keeper {
   std::size_t triangles_ = 0;  // while there is a locator
   std::vector<Triangle> patch_;
   // For other ones.
-  EndSearch ends_;     // after an operation
+  EndSearch ends_;  // after an operation
   // In the background.
   Descent descent_;
   Triangle next_ = 0;          // of the descent
@@ -232,6 +233,7 @@ class Keeper {
   WindowRounds windows_;
   detail::PassedColors<Mesh> passed_;
   ColoringChange change_;
+  Window window_;  // after an operation and its search
   // For operations that do not tell.
   detail::Surroundings<Mesh> around_;
 };

@@ -156,7 +156,10 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::search_from_ends(const Step& step
   auto&& sides = by_sides(*mesh_);
   if (plan_.from == IndexPlan::From::ring) add_rings(*mesh_, passed_.start(), 1);
   ColoringChange change = passed_.change();
+  // What is new comes first.
+  const Triangle middle = passed_.start().empty() ? none : passed_.start().front();
   change += ends_.run(sides, passed_.start(), plan_.limits);
+  if (plan_.window != 0 && middle != none) change += window_.around(sides, middle, {.triangles = plan_.window}).change;
   return counted(done, change);
 }
 
