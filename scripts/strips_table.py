@@ -19,8 +19,8 @@ import subprocess
 import sys
 import tempfile
 
-WAYS = ["local", "linked", "quick", "full", "full --states 1024", "baked"]
-INDEX_WAYS = ["local", "linked", "quick", "full"]
+WAYS = ["local", "linked", "quick", "full", "best", "baked"]
+INDEX_WAYS = ["local", "linked", "quick", "full", "best"]
 BRIEF_WAYS = ["local", "linked", "quick", "full", "baked"]
 CYCLE_WAYS = ["linked", "quick", "full"]
 SHOWN_CYCLES = [1, 2, 50, 100]

@@ -28,7 +28,8 @@ constexpr const char* stages[] = {
     "*StripLocatorOf.AgreesAfterRewrites*:*StripLocatorOf.AgreesWhere*:Adopt.Leaves*:Operations.LargeFans*:"
     "LinkedRules.*ForAll*:Baked.OutOfOrder*:Baked.RoundTrips*:StripBuffer.Short*",
     "StripBuffer.WritesLittle*:StripBuffer.Nothing*:StripifyF*:Tunnel.Each*:Tunnel.Looks*:Keeper.Changes*:"
-    "Refine.Keepers*:InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:KeeperByCost.Tells*",
+    "Refine.Keepers*:InvalidColorings.*:Moves.*:Descent.*:EndMoves.*:EndSearch.*:KeeperByCost.Tells*:"
+    "Window.IsTheLeast*",
 };
 constexpr std::size_t last_stage = std::size(stages);
 

@@ -144,8 +144,9 @@ Subcommand add_replay(CLI::App& app) {
   add_policy_option(*sub, command.way);
   sub->add_option(
          "--states", command.states,
-         "states per search for quick and full, fixed; more keep fewer strips and take longer (default: the policy's "
-         "own, fewer where strips are long enough); with --cost indices: strip ends looked at after each operation")
+         "states per search for quick, full and best, fixed; more keep fewer strips and take longer (default: the "
+         "policy's own, fewer where strips are long enough); with --cost indices: strip ends looked at after each "
+         "operation")
       ->check(CLI::Range(1, 1'000'000));
   add_cost_option(*sub, command.cost);
   CLI::Option* walk =

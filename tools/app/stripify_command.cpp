@@ -152,18 +152,18 @@ Subcommand add_stripify(CLI::App& app) {
                                                  : word == "best" ? restrip::Effort::best
                                                                   : restrip::Effort::fast;
                               },
-                              "fast: one pass; full: a search or annealing; best: ten times longer; file: the strips "
-                              "that the file has")
+                              "fast: one pass; full: a search or annealing; best: ten times longer, with windows "
+                              "solved exactly under --cost indices; file: the strips that the file has")
                            ->check(CLI::IsMember({"fast", "full", "best", "file"}))
                            ->default_str("fast");
   add_cost_option(*sub, command.cost);
   const auto* limit =
       sub->add_option("--limit", command.limit,
                       "of --effort full and best, for each triangle: states of searches with --cost strips (default: "
-                      "40, 1000), moves of annealing with --cost indices (100, 1000)")
+                      "40, 1000), moves of annealing and what windows try with --cost indices (100, 1000)")
           ->check(CLI::Range(1, 1'000'000));
   const auto* seed =
-      sub->add_option("--seed", command.seed, "of annealing")->check(whole_number())->capture_default_str();
+      sub->add_option("--seed", command.seed, "of annealing and windows")->check(whole_number())->capture_default_str();
   sub->add_option_function<std::string>(
          "--order", [&command](const std::string& word) { command.order_for_cache = word == "cache"; },
          "of the strips: that of the triangles, or one that a vertex cache of 16 misses less often; as many indices")

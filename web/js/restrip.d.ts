@@ -11,7 +11,7 @@
 
 /** How far an operation looks to keep the strips good. 'baked': not at all, the strips of each level were decided by
  * `restrip bake`; for meshes opened by Restrip.baked. */
-export type Policy = 'bare' | 'rules' | 'local' | 'linked' | 'quick' | 'full' | 'baked';
+export type Policy = 'bare' | 'rules' | 'local' | 'linked' | 'quick' | 'full' | 'best' | 'baked';
 /** What is kept low: a weight for each strip, each swap (a repeated index), each isolated triangle; 0 to 1000. */
 export type Cost = 'strips' | 'indices' | { restart: number; swap: number; isolated?: number };
 export type Family = 'split' | 'collapse' | 'open-split' | 'open-collapse' | 'boundary-split' | 'boundary-collapse' | 'flip';

@@ -8,7 +8,7 @@ import { fanPicture, listed, representative, ringPicture, ruleName } from './pat
 
 const by = (id) => document.getElementById(id);
 /// Operations in a frame, so that a frame stays short under every policy.
-const operationsPerFrame = { local: 1500, linked: 1500, quick: 500, full: 100, baked: 1500 };
+const operationsPerFrame = { local: 1500, linked: 1500, quick: 500, full: 100, best: 30, baked: 1500 };
 
 class Viewer {
   camera = new Camera();

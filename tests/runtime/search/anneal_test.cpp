@@ -130,6 +130,13 @@ TEST(Anneal, ColdItNeverAcceptsWhatCosts) {
   EXPECT_LE(anneal(mesh, Cost::indices(), {100, 1, 5, 1000}), before);
 }
 
+// Strips of thousands of triangles, whose ends trees know: they are not those of the colours that it goes back to.
+TEST(Anneal, GoesBackToLongStrips) {
+  StripMesh mesh = sample::torus(60, 20);
+  EXPECT_EQ(stripify(mesh, Effort::best, {1, 0, 1}), 1U);
+  EXPECT_TRUE(check_coloring(mesh).valid);
+}
+
 TEST(Anneal, DependsOnItsArgumentsAlone) {
   const auto order = [](std::uint64_t seed) {
     StripMesh mesh = sample::torus(30, 20);
