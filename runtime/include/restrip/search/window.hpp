@@ -9,8 +9,8 @@
 // for each edge on its frontier: dashed, or else how the strip turns in front of it, and where it comes from: from
 // another edge of the frontier, or from a strip's end, and whether a strip written from there would begin with the
 // wrong turn. Of all colourings that agree in this the cheapest is kept (a dynamic program over a path decomposition).
-// A frontier is about eight edges long in a ball of 40 triangles. Walks along the strips outside tell which edges out
-// of the window they join, so a window sees solid cycles wherever they would close.
+// Walks along the strips outside tell which edges out of the window they join, so a window sees solid cycles wherever
+// they would close.
 //
 //   Window window(Cost::indices(), 1);
 //   const WindowChange change = window.around(mesh, triangle, {.triangles = 40});
