@@ -70,7 +70,7 @@ class Window {
 
   /// Equal seeds and equal calls give equal results, on every machine.
   explicit Window(Cost cost = Cost::indices(), std::uint64_t seed = 1, Windings windings = Windings::priced) noexcept
-      : cost_(cost), windings_(windings), random_(seed), search_(cost, windings == Windings::priced) {}
+      : cost_(cost), random_(seed), search_(cost, windings == Windings::priced) {}
 
   /// A ball around a triangle, which must be alive. The mesh must have a valid colouring, and has one after each single
   /// change of a colour. The price of the whole mesh never rises. Time: that of the search, which depends on the limits
@@ -98,7 +98,6 @@ class Window {
   void color(Mesh& mesh, bool solid) const;
 
   Cost cost_;
-  Windings windings_;
   detail::PseudoRandom random_;
   std::vector<Triangle> ball_;
   detail::LocalNumbers in_ball_;

@@ -279,7 +279,7 @@ inline void WindowSearch::expand(std::span<const WindowTriangle> step, const Lim
 inline void WindowSearch::offer(const State& state, unsigned opened, PseudoRandom& random) {
   least_ = std::min(least_, state.price);
   if (next_.size() * 2 >= table_.size()) rehash();
-  std::size_t at = state.frontier.hash() & (table_.size() - 1);
+  std::size_t at = static_cast<std::size_t>(state.frontier.hash()) & (table_.size() - 1);
   while (table_[at] != 0 && !(next_[table_[at] - 1].frontier == state.frontier)) at = (at + 1) & (table_.size() - 1);
   const Node node{state.node, static_cast<std::uint8_t>(opened)};
   if (table_[at] == 0) {
@@ -305,7 +305,7 @@ inline void WindowSearch::offer(const State& state, unsigned opened, PseudoRando
 inline void WindowSearch::rehash() {
   table_.assign(table_.size() * 2, 0);
   for (std::uint32_t i = 0; i < next_.size(); ++i) {
-    std::size_t at = next_[i].frontier.hash() & (table_.size() - 1);
+    std::size_t at = static_cast<std::size_t>(next_[i].frontier.hash()) & (table_.size() - 1);
     while (table_[at] != 0) at = (at + 1) & (table_.size() - 1);
     table_[at] = i + 1;
   }
