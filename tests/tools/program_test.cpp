@@ -44,7 +44,7 @@ TEST_F(Program, WrongUsageIsTwo) {
                                 "replay --levels 1 --built-in",
                                 "replay x.obj --built-in",
                                 "stats /no/such/mesh.obj",
-                                "replay --policy best --built-in",
+                                "replay --policy better --built-in",
                                 "replay --states 9 --built-in",
                                 "replay --states 9 --policy local --built-in",
                                 "replay --tie-break indices --built-in",
