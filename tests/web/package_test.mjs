@@ -385,20 +385,62 @@ function readsFormats() {
   points.forEach((c, i) => glb.writeFloatLE(c, 28 + padded.length + 4 * i));
   tetrahedron.forEach((v, i) => glb.writeUInt16LE(v, 28 + padded.length + 48 + 2 * i));
   assert.deepEqual(readMesh('t.glb', glb), { points, triangles: tetrahedron });
-  // Strips: those that the native program writes, in each of its two forms.
-  for (const form of ['restart', 'strips']) {
-    const strips = join(scratch, `${form}.glb`);
-    execFileSync(program, ['stripify', join(folder, 'hare.obj'), '--gltf', form, '-o', strips]);
-    const list = readMesh('hare.obj', readFileSync(join(folder, 'hare.obj')));
-    const there = readMesh('hare.glb', readFileSync(strips));
-    const number = new Map();  // of a place, in both files
-    const renumbered = (mesh) => sorted(mesh.triangles.map((v) => {
-      const place = [0, 1, 2].map((n) => Math.fround(mesh.points[3 * v + n])).join();
-      if (!number.has(place)) number.set(place, number.size);
-      return number.get(place);
-    }));
-    assert.deepEqual(renumbered(there), renumbered(list), form);
+  // The same triangles as in another file, by their places.
+  const sameMesh = (one, other, what) => {
+    const byPlaces = (mesh) => {
+      const triangles = [];
+      for (let i = 0; i < mesh.triangles.length; i += 3) {
+        const places = [0, 1, 2].map((n) => [0, 1, 2].map((c) => Math.fround(mesh.points[3 * mesh.triangles[i + n] + c]) + 0).join(' '));
+        const least = places.indexOf([...places].sort()[0]);
+        triangles.push([0, 1, 2].map((n) => places[(least + n) % 3]).join());
+      }
+      return triangles.sort();
+    };
+    assert.deepEqual(byPlaces(one), byPlaces(other), what);
+  };
+  // Strips: those that the native program writes, in each of its forms.
+  const list = readMesh('hare.obj', readFileSync(join(folder, 'hare.obj')));
+  for (const strips of ['restart.glb', 'strips.glb', 'strips.ply']) {
+    const form = strips === 'restart.glb' ? ['--gltf', 'restart'] : [];
+    execFileSync(program, ['stripify', join(folder, 'hare.obj'), ...form, '-o', join(scratch, strips)]);
+    const bytes = readFileSync(join(scratch, strips));
+    assert.ok(bytes.includes(strips.endsWith('.ply') ? 'tristrips' : '"mode":5'), `${strips} has no strips`);
+    sameMesh(readMesh(strips, bytes), list, strips);
   }
+  // Nodes: a mesh moved, turned, mirrored and used twice, positions quantized, beside what the native program reads.
+  const scene = (nodes, more = {}, count = 4) => {
+    const text = JSON.stringify({ asset: { version: '2.0' }, extensionsUsed: ['KHR_mesh_quantization'], extensionsRequired: ['KHR_mesh_quantization'],
+      scene: 1, scenes: [{ nodes: [0] }, { nodes: [1, 3] }], nodes,
+      meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }, { mode: 5, attributes: { POSITION: 2 } }] }],
+      accessors: [{ bufferView: 0, componentType: 5122, type: 'VEC3', count: 4, min: [-32767, 0, 0], max: [32767, 32767, 32767], ...more },
+        { bufferView: 1, componentType: 5121, type: 'SCALAR', count: 12 }, { bufferView: 2, componentType: 5120, type: 'VEC3', count, min: [-2, 0, 0], max: [5, 5, 7] }],
+      bufferViews: [{ buffer: 0, byteOffset: 0, byteLength: 32, byteStride: 8 }, { buffer: 0, byteOffset: 32, byteLength: 12 }, { buffer: 0, byteOffset: 44, byteLength: 16, byteStride: 4 }],
+      buffers: [{ byteLength: 60 }] });
+    const padded = text.padEnd(Math.ceil(text.length / 4) * 4);
+    const out = Buffer.alloc(28 + padded.length + 60);
+    [0x46546c67, 2, out.length, padded.length].forEach((n, i) => out.writeUInt32LE(n, 4 * i));
+    out.write('JSON', 16);
+    out.write(padded, 20);
+    out.writeUInt32LE(60, 20 + padded.length);
+    out.write('BIN\0', 24 + padded.length, 'latin1');
+    const at = 28 + padded.length;
+    points.forEach((c, i) => out.writeInt16LE(i === 3 ? -32767 : c * 32767, at + 8 * Math.floor(i / 3) + 2 * (i % 3)));
+    tetrahedron.forEach((v, i) => out.writeUInt8(v, at + 32 + i));
+    [[3, 3, 3], [5, 3, 3], [-2, 5, 3], [5, 5, 7]].flat().forEach((c, i) => out.writeInt8(c, at + 44 + 4 * Math.floor(i / 3) + i % 3));
+    return out;
+  };
+  const nodes = [{ mesh: 0, translation: [100, 0, 0] }, { translation: [8, 0, -4], rotation: [0, 1, 0, 0], children: [2, 4] }, { mesh: 0, scale: [2, -0.5, 4] },
+    { mesh: 0, matrix: [0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 32, 16, 8, 1] }, { mesh: 0, translation: [0, 64, 0] }];
+  for (const more of [{ normalized: true }, {}]) {
+    const glb = scene(nodes, more);
+    writeFileSync(join(scratch, 'nodes.glb'), glb);
+    execFileSync(program, ['convert', join(scratch, 'nodes.glb'), '--no-attributes', '-o', join(scratch, 'nodes.obj')]);
+    const native = readMesh('nodes.obj', readFileSync(join(scratch, 'nodes.obj')));
+    assert.equal(native.triangles.length, 3 * 3 * 6);
+    sameMesh(readMesh('nodes.glb', glb), native, `nodes, ${JSON.stringify(more)}`);
+  }
+  assert.throws(() => readMesh('t.glb', scene([nodes[0], { children: [2, 2] }, nodes[2], nodes[3]])), /node 2 is in the scene twice/);
+  assert.throws(() => readMesh('t.glb', scene(nodes).subarray(0, -30)), /damaged or cut off/);
   // A fan of two triangles, and strips restarted, with indices of 8 bits.
   const small = (mode, indices) => {
     const padTo4 = (n) => Math.ceil(n / 4) * 4;
