@@ -2,7 +2,8 @@
 // pixel, the one drawn from a plain list of the mesh's triangles: at several levels, under policies and costs, in the
 // view-dependent modes and after a random walk of the slider. The copy of the index buffer on the graphics card is the
 // live one. The figures on the page are those of `restrip replay` for the same way. A frame does no more operations than
-// its budget. A dropped mesh is shown, a file that is none is refused with a sentence. Nothing is said on the console.
+// its budget. A dropped mesh is shown, a file that is none is refused with a sentence. The page is no higher and no wider
+// than its content: on a desktop the panel scrolls, on a telephone the page does. Nothing is said on the console.
 //   node viewer_test.mjs WEB_FOLDER CHROMIUM RESTRIP SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -178,6 +179,26 @@ try {
   await agrees(phone, 'on a telephone');
   writeFileSync(join(scratch, 'viewer-phone.png'), await phone.screenshot());
   quiet(phone);
+
+  // No blank room below the content, at any size, with the panel scrolled to its end.
+  for (const [width, height, panel] of [[1280, 800, true], [840, 520, true], [390, 844, false], [360, 640, false]]) {
+    const sized = await browser.page(width, height);
+    await sized.open(address);
+    await settled(sized);
+    const found = await sized.run(() => {
+      const [root, aside] = [document.documentElement, document.querySelector('aside')];
+      aside.scrollTop = 1e6;
+      const lowest = Math.max(...[...aside.children].map((child) => child.getBoundingClientRect().bottom + scrollY));
+      return { height: root.scrollHeight, width: root.scrollWidth, content: document.querySelector('main').getBoundingClientRect().bottom + scrollY,
+        scrolls: aside.scrollHeight > aside.clientHeight, blank: aside.getBoundingClientRect().bottom + scrollY - lowest };
+    });
+    assert.equal(found.width, width, `at ${width} x ${height} the page sticks out sideways`);
+    assert.ok(Math.abs(found.height - found.content) <= 1, `at ${width} x ${height} the page is higher than its content`);
+    if (panel) assert.equal(found.height, height);
+    assert.equal(found.scrolls, panel);
+    assert.ok(found.blank < 60, `at ${width} x ${height} the panel ends ${found.blank} pixels after its content`);
+    quiet(sized);
+  }
 } finally {
   await browser.stop();
 }
