@@ -2,7 +2,7 @@
 //
 //   print_tables DIRECTORY < dump
 //
-// The dump is text (docs/certificate.md, "Table dump"): `restrip-table-dump 3`, then for each table its header and one
+// The dump is text (docs/certificate.md, "Table dump"): `restrip-table-dump 4`, then for each table its header and one
 // line `before ports after kept` for each configuration, ascending by (before, ports), hexadecimal, `before ports -`
 // for no answer; at last `end N`, N the number of configuration lines. Only the flip keeps other ports than there were;
 // the mask of its answer is after | kept << 1. A table of linked rules has a line `ports (recolouring partners)+` for
@@ -258,7 +258,7 @@ std::string read_lists(std::istream& in, const Header& header) {
 
 void print_all(std::istream& in, const std::string& directory) {
   std::string line;
-  if (!std::getline(in, line) || line != "restrip-table-dump 3") fail("not a table dump");
+  if (!std::getline(in, line) || line != "restrip-table-dump 4") fail("not a table dump");
   std::size_t lines = 0;
   std::map<std::string, File> files;
   std::vector<std::string> families;  // in the order of the dump

@@ -261,7 +261,7 @@ std::vector<std::array<std::string, n>> names_of(const JsonValue& value, const s
   return all;
 }
 
-Side side_of(const JsonValue& value, PatchGraph graph) {
+Side side_of(const JsonValue& value, PatchGraph& graph) {
   Side side{graph.triangles, std::move(graph.edges), std::move(graph.owner_of_port), {}};
   if (side.ports() == 0 || side.ports() > most_ports_of_a_graph)
     value.fail_found(fmt::format("expected 1 to {} ports, found {}", most_ports_of_a_graph, side.ports()));
@@ -284,8 +284,9 @@ Sides read_surface(const JsonValue& description) {
     for (const auto& names : *side) vertices.insert(names.begin(), names.end());
   try {
     SurfaceGraphs graphs = graphs_of(surface);
-    return {side_of(description.required("before"), std::move(graphs.before)),
-            side_of(description.required("after"), std::move(graphs.after)), static_cast<unsigned>(vertices.size())};
+    return {side_of(description.required("before"), graphs.before),
+            side_of(description.required("after"), graphs.after), static_cast<unsigned>(vertices.size()),
+            std::move(graphs.before.placed), std::move(graphs.after.placed)};
   } catch (const SurfaceFault& fault) {
     const JsonValue member = description.required(fault.member);
     (fault.element ? member.item(*fault.element) : member).fail_found(fault.what);
@@ -298,7 +299,8 @@ Sides read_sides(const JsonValue& description, const NamedNumbers& numbers) {
   if (description.required("before").is_list()) return read_surface(description);
   if (const std::optional<JsonValue> boundary = description.member("boundary"))
     boundary->fail_found("expected patches that are given by their triangles where there is this member");
-  return {read_side(description.required("before"), numbers), read_side(description.required("after"), numbers), 0};
+  return {
+      read_side(description.required("before"), numbers), read_side(description.required("after"), numbers), 0, {}, {}};
 }
 
 Side read_side(const JsonValue& value, const NamedNumbers& numbers) {
