@@ -3,9 +3,9 @@ import ctypes
 import sys
 from ctypes import POINTER, byref, c_char_p, c_int32, c_size_t, c_uint16, c_uint32, c_uint64, c_void_p
 
-lib = ctypes.CDLL(sys.argv[1] if len(sys.argv) > 1 else "librestrip_c.so.1")
+lib = ctypes.CDLL(sys.argv[1] if len(sys.argv) > 1 else "librestrip_c.so.2")
 NONE = 0xFFFFFFFF
-EFFORT_FULL, POLICY_LINKED = 1, 2
+EFFORT_FULL, POLICY_LINKED = 1, 3
 
 
 class Change(ctypes.Structure):
@@ -41,7 +41,7 @@ flip = checked("mesh_flip", c_void_p, c_uint32, POINTER(Change))
 indices_u16 = checked("mesh_strip_indices_u16", c_void_p, POINTER(c_uint16), c_size_t, POINTER(c_size_t))
 find = declare("mesh_find", c_uint32, c_void_p, c_uint32, c_uint32)
 free = declare("mesh_free", None, c_void_p)
-if declare("abi_version", c_uint32)() != 1:
+if declare("abi_version", c_uint32)() != 2:
     sys.exit("the library has another interface")
 
 

@@ -45,7 +45,7 @@ extern "C" {
 
 /* ---- Version ----------------------------------------------------------------------------------- */
 
-/* The number of this interface. It is part of the name of the shared library (librestrip_c.so.1) and goes up when a
+/* The number of this interface. It is part of the name of the shared library (librestrip_c.so.2) and goes up when a
  * program that was compiled with an older header can no longer use the library. New functions and new codes do not
  * change it. */
 #define RESTRIP_ABI_VERSION 2
@@ -211,9 +211,9 @@ RESTRIP_API restrip_status restrip_mesh_stripify(restrip_mesh* mesh, int32_t eff
 enum {
   RESTRIP_POLICY_BARE = 0,   /* strips are not kept: dual edges of triangles that change become dashed */
   RESTRIP_POLICY_RULES = 1,  /* the proven rules, at the patch alone; about twice */
-  RESTRIP_POLICY_LOCAL = 2,  /* the same, and ends of strips that meet are joined; some three times */
-  RESTRIP_POLICY_LINKED = 3, /* along the strips that touch the patch; some four times */
-  RESTRIP_POLICY_QUICK = 4,  /* small searches; some twenty times */
+  RESTRIP_POLICY_LOCAL = 2,  /* the same, and ends of strips that meet are joined; two to three times */
+  RESTRIP_POLICY_LINKED = 3, /* along the strips that touch the patch; some six times */
+  RESTRIP_POLICY_QUICK = 4,  /* small searches; some thirty times */
   RESTRIP_POLICY_FULL = 5,   /* large searches; some hundred times */
   RESTRIP_POLICY_BAKED = 6   /* of restrip_baked_read: what was stored is played; restrip_mesh_keep refuses it */
 };
@@ -286,7 +286,7 @@ typedef struct restrip_split_request {
   uint32_t v_t; /* all of a batch name it, or none does (else RESTRIP_MIXED_NAMES) */
 } restrip_split_request;
 /* Many splits, or many collapses (each given by v_s -> v_t), in parallel: all are done or none is. The result is that
- * of doing them one by one in their order, by the rules of RESTRIP_POLICY_LOCAL without adoption whatever the policy,
+ * of doing them one by one in their order, by the policy RESTRIP_POLICY_RULES whatever the mesh's own policy,
  * and does not depend on `threads` (1: this one alone; 0: as many as the machine runs). No two may overlap: a split
  * takes the triangles of its vertex, a collapse those of both and its apexes (RESTRIP_OVERLAP). `changes` may be null,
  * or has room for `count` and receives what each did. `fault` may be null, or receives after a refusal the place of the

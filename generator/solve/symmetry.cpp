@@ -114,7 +114,7 @@ class PatchGraph {
 };
 
 /// All permutations that these generate, ascending.
-std::vector<Permutation> closure(const std::vector<Permutation>& generators, unsigned n) {
+std::vector<Permutation> closure(const std::vector<Permutation>& generating, unsigned n) {
   Permutation identity(n);
   std::iota(identity.begin(), identity.end(), 0U);
   std::set<Permutation> group{identity};
@@ -122,7 +122,7 @@ std::vector<Permutation> closure(const std::vector<Permutation>& generators, uns
   while (!fresh.empty()) {
     std::vector<Permutation> next;
     for (const auto& p : fresh) {
-      for (const auto& q : generators) {
+      for (const auto& q : generating) {
         Permutation composed(n);
         for (unsigned i = 0; i < n; ++i) composed[i] = q[p[i]];
         if (group.insert(composed).second) next.push_back(composed);

@@ -85,7 +85,7 @@ TEST(LiveMesh, OperationsByVerticesAndRefusals) {
 }
 
 TEST(StripsOf, ListInStripsOut) {
-  const StripMesh mesh = sample::sphere(8);
+  const StripMesh mesh = sample::sphere(4);
   BuildReport report;
   std::vector<std::uint32_t> list = list_of(mesh);
   list.insert(list.end(), {0, 0, 1});
