@@ -111,7 +111,7 @@ class TableJudge {
     const Operation& operation = *table_.operation;
     compare(answer.strips, "strips", strips_of(operation.before, configuration),
             strips_of(operation.after, answer.colors));
-    if (answer.isolated)
+    if (answer.isolated.has_value())
       compare(answer.isolated, "isolated triangles", static_cast<int>(isolated_of(operation.before, configuration)),
               static_cast<int>(isolated_of(operation.after, answer.colors)));
   }
