@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "automaton/served.hpp"
 #include "count.hpp"
 #include "dump.hpp"
 #include "files/system_calls.hpp"
@@ -105,20 +106,30 @@ int main(int argc, char** argv) {
   auto* automaton_command =
       app.add_subcommand("automaton", "Write the automaton that answers fans of every valence, and its certificate");
   automaton_command->add_option("--out", automaton.out, "Directory that receives them")->required();
+  std::vector<std::string> served;
+  auto* served_option = automaton_command->add_option(
+      "--operation", served,
+      "Write the look-up of families of your own (operation files) that the shipped automaton answers, instead");
   automaton_command
       ->add_option(
           "--cost", automaton.cost,
           "What is best: strips (fewest strips, then fewest isolated triangles), indices (3 for a strip, 1 for "
           "a swap), or R,S,I, the weights of a strip, a swap and an isolated triangle")
-      ->capture_default_str();
-  automaton_command->add_option("--json", automaton.json,
-                                "Write its figures to this file; - for standard output, in place of the text");
-  automaton_command->add_option("--classes", automaton.classes,
-                                "Write every class with a best colouring of each case to this JSON file, for pictures");
+      ->capture_default_str()
+      ->excludes(served_option);
+  automaton_command
+      ->add_option("--json", automaton.json,
+                   "Write its figures to this file; - for standard output, in place of the text")
+      ->excludes(served_option);
+  automaton_command
+      ->add_option("--classes", automaton.classes,
+                   "Write every class with a best colouring of each case to this JSON file, for pictures")
+      ->excludes(served_option);
   automaton_command->footer(
       "\nExamples:\n"
       "  restrip-generate automaton --cost strips --out /tmp/automaton\n"
-      "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n");
+      "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n"
+      "  restrip-generate automaton --operation my-family.json --out /tmp/automaton\n");
 
   RulesOptions rules;
   auto* rules_command = app.add_subcommand("rules",
@@ -197,7 +208,8 @@ int main(int argc, char** argv) {
     if (!tables_languages.empty()) tables.languages = {tables_languages.begin(), tables_languages.end()};
     if (!rules_languages.empty()) rules.languages = {rules_languages.begin(), rules_languages.end()};
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
-    if (*automaton_command) make_automaton_files(automaton);
+    if (*automaton_command)
+      served.empty() ? make_automaton_files(automaton) : make_served_headers(served, automaton.out);
     if (*merge_command) merge_shards(merge_in, merge_out);
     if (*rules_command) make_rules(rules);
     if (*dump_command) {

@@ -1,6 +1,7 @@
 #include "operations/description.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -121,12 +122,33 @@ Side side_at(const SidePattern& pattern, const PositionNumbers& place) {
   return side;
 }
 
-Side side_at(const std::variant<Side, SidePattern>& form, const Position& position, const char* member) {
+Side side_at(const SideForm& form, const Position& position, const char* member) {
   if (const Side* side = std::get_if<Side>(&form)) return *side;
   try {
     return side_at(std::get<SidePattern>(form), position.numbers());
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("{}: {}: {}", name_of(position), member, error.what()));
+  }
+}
+
+/// Of a family that is given by its triangles.
+SurfacePatch triangles_at(const Position& position) {
+  const Description& family = *position.family;
+  NamedPatch named;
+  try {
+    named = named_at(std::get<TrianglePatterns>(family.before), std::get<TrianglePatterns>(family.after),
+                     family.boundary, position.numbers());
+    return surface_patch(named);
+  } catch (const PatchFault& fault) {
+    std::string where = fault.member;
+    if (fault.element >= 0 && fault.member != "boundary")
+      where = fmt::format(
+          "{} {}", where,
+          fmt::join((fault.member == "before" ? named.before : named.after).at(static_cast<std::size_t>(fault.element)),
+                    " "));
+    throw std::runtime_error(fmt::format("{}: {}: {}", name_of(position), where, fault.what()));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", name_of(position), error.what()));
   }
 }
 
@@ -195,11 +217,16 @@ std::vector<Position> positions(const Description& family, unsigned k) {
 }
 
 Patch make_patch(const Position& position) {
+  if (position.family->has_triangle_patterns()) return triangles_at(position).patch;
   Patch patch{side_at(position.family->before, position, "before"), side_at(position.family->after, position, "after")};
   if (patch.before.ports() != patch.after.ports())
     throw std::runtime_error(
         fmt::format("{}: {} ports before and {} after", name_of(position), patch.before.ports(), patch.after.ports()));
   return patch;
+}
+
+Surface surface_at(const Position& position) {
+  return position.family->has_triangle_patterns() ? triangles_at(position).surface : position.family->surface;
 }
 
 Patch patch_of_rows(const Position& position) {

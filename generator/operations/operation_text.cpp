@@ -39,54 +39,72 @@ std::string triangles(const std::vector<SurfaceTriangle>& met) {
   return "    {{\n" + numbers(words) + "    }},\n";
 }
 
-/// The table of an operation, from its name on.
-std::string operation_table(const OperationLayout& layout) {
-  const Description& named = layout.named();
+/// Of all positions, one after another.
+struct Triangles {
+  std::vector<SurfaceTriangle> before;
+  std::vector<SurfaceTriangle> after;
+  std::string positions;  ///< for each how many vertices there are, and where its triangles begin
+  unsigned vertices = 0;  ///< of the last one
+
+  explicit Triangles(const OperationLayout& layout) {
+    for (const OperationLayout::At& at : layout.positions) {
+      const Surface surface = surface_at(at.position);
+      vertices = surface.vertices;
+      positions += fmt::format("    {{{}, {}, {}}},\n", vertices, before.size(), after.size());
+      before.insert(before.end(), surface.before.begin(), surface.before.end());
+      after.insert(after.end(), surface.after.begin(), surface.after.end());
+    }
+  }
+  [[nodiscard]] std::string counts() const { return fmt::format(", {}, {}", before.size(), after.size()); }
+  [[nodiscard]] std::string text() const { return triangles(before) + triangles(after) + "};\n"; }
+};
+
+/// What stands before the number of positions or triangles.
+std::string first_arguments(const OperationLayout& layout) {
+  return fmt::format("std::uint{}_t, {}", layout.width, layout.entries.size());
+}
+
+/// The table of an operation, from its type on.
+std::string operation_table(const OperationLayout& layout, const std::string& name) {
   const Patch& patch = layout.positions[0].patch;
-  const Surface& surface = named.surface;
-  const bool has_surface = !surface.before.empty();
-  const std::string triangle_counts =
-      has_surface ? fmt::format(", {}, {}", surface.before.size(), surface.after.size()) : std::string();
-  std::string text = fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{\n",
-                                 has_surface ? "SurfaceOperation" : "OperationTable", layout.width,
-                                 layout.entries.size(), triangle_counts, identifier(named.name));
-  text += fmt::format("    {}{},\n    {},\n    {},\n    {},\n    {{\n", has_surface ? "{" : "", sizes(patch)[0],
-                      sizes(patch)[1], patch.before.owner.size(), layout.matching());
-  text += numbers(layout.entries);
-  return text + (has_surface ? fmt::format("    }}}},\n    {},\n{}{}}};\n", surface.vertices, triangles(surface.before),
-                                           triangles(surface.after))
-                             : "    }};\n");
+  const std::string rules =
+      fmt::format("{},\n    {},\n    {},\n    {},\n    {{\n{}    }}}}", sizes(patch)[0], sizes(patch)[1],
+                  patch.before.ports(), layout.matching(), numbers(layout.entries));
+  if (layout.named().is_graph_only())
+    return fmt::format("OperationTable<{}> {}{{\n    {};\n", first_arguments(layout), name, rules);
+  const Triangles surface(layout);
+  return fmt::format("SurfaceOperation<{}{}> {}{{\n    {{{},\n    {},\n{}", first_arguments(layout), surface.counts(),
+                     name, rules, surface.vertices, surface.text());
 }
 
 /// The same of a family.
-std::string family_table(const OperationLayout& layout) {
+std::string family_table(const OperationLayout& layout, const std::string& name) {
   std::string positions;
   for (const OperationLayout::At& at : layout.positions) {
     const auto& [before, after] = sizes(at.patch);
     positions += fmt::format("    {{{{{}}}, {}, {}, {}, {}}},\n", fmt::join(at.position.numbers(), ", "), before, after,
                              at.patch.before.ports(), at.first);
   }
-  return fmt::format(
-      "inline constexpr OperationFamily<std::uint{}_t, {}, {}> {}{{\n    {},\n    {},\n    {{{{\n{}    }}}},\n    "
-      "{{\n{}    }}}};\n",
-      layout.width, layout.entries.size(), layout.positions.size(), identifier(layout.named().name), layout.matching(),
-      quoted_place(layout.named()), positions, numbers(layout.entries));
+  const std::string rules = fmt::format("{},\n    {},\n    {{{{\n{}    }}}},\n    {{\n{}    }}}}", layout.matching(),
+                                        quoted_place(layout.named()), positions, numbers(layout.entries));
+  const std::string arguments = fmt::format("{}, {}", first_arguments(layout), layout.positions.size());
+  if (layout.named().is_graph_only()) return fmt::format("OperationFamily<{}> {}{{\n    {};\n", arguments, name, rules);
+  const Triangles surface(layout);
+  return fmt::format("SurfaceFamily<{}{}> {}{{\n    {{{},\n    {{{{\n{}    }}}},\n{}", arguments, surface.counts(),
+                     name, rules, surface.positions, surface.text());
 }
 
 }  // namespace
 
 std::string operation_header(const OperationLayout& layout) {
   const Description& named = layout.named();
-  std::string text = fmt::format(
+  const std::string name = identifier(named.name);
+  return fmt::format(
       "// {}\n// Written by `restrip-generate rules` from the operation file of {}. Do not edit.\n// Explained in "
       "restrip/tables/operation_format.hpp.\n#pragma once\n\n#include \"restrip/tables/operation_format.hpp\"\n\n"
-      "namespace restrip::tables {{\n\n",
-      named.about.empty() ? named.name : named.about, named.name);
-  if (named.numbers.empty())
-    text += operation_table(layout);
-  else
-    text += family_table(layout);
-  return text + "\n}  // namespace restrip::tables\n";
+      "namespace restrip::tables {{\n\ninline constexpr {}\n}}  // namespace restrip::tables\n",
+      named.about.empty() ? named.name : named.about, named.name,
+      named.numbers.empty() ? operation_table(layout, name) : family_table(layout, name));
 }
 
 std::string operation_certificate_path(const std::string& name) { return "certificates/operations/" + name + ".cert"; }

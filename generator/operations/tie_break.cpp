@@ -36,9 +36,9 @@ Mask edges_at(const Side& side, Mask nodes, int ends) {
 
 Criterion tie_break(const Position& position, const Side& after, Sight sight, Goal goal) {
   const Description& family = *position.family;
-  if (!family.is_pattern() || family.own_cost || family.constraint.most_edges != 2) return {};
+  if (family.own_cost || family.constraint.most_edges != 2) return {};
   // Where one of two ports has to be given up, either will do: this has been the flip's choice from the start.
-  if (family.numbers.empty()) return {{Count::kept, -1, 0b0101}};
+  if (family.numbers.empty()) return family.is_pattern() ? Criterion{{Count::kept, -1, 0b0101}} : Criterion{};
   const Weights& weight = sight == Sight::patch ? of_local_rules : of_linked_rules;
   Mask fan = 0;
   for (const unsigned owner : after.owner) fan |= Mask{1} << owner;
@@ -51,7 +51,7 @@ Criterion tie_break(const Position& position, const Side& after, Sight sight, Go
                   {Count::joined, weight.joined_pair},
                   {Count::solid, weight.solid_at_new, edges_at(after, added, 1)},
                   {Count::solid, 2 * std::int64_t{weight.solid_at_new}, edges_at(after, added, 2)}};
-  if (!std::get<SidePattern>(family.after).chords.empty()) {
+  if (family.is_pattern() && !std::get<SidePattern>(family.after).chords.empty()) {
     const Mask chord = Mask{1} << (after.edges.size() - 1);
     const Mask first_arc = (Mask{2} << position.at) - 1;
     terms.push_back({Count::solid, weight.solid_chord, chord});

@@ -23,9 +23,6 @@
 namespace restrip::generator {
 namespace {
 
-/// Whether the patch was given as a graph, so that it may be no operation on a mesh.
-bool is_graph_only(const Section& section) { return section.position.family->surface.before.empty(); }
-
 /// All sections of one certificate, solved.
 struct Certificate {
   std::vector<Section> sections;
@@ -126,7 +123,7 @@ nlohmann::ordered_json figures(const Certificate& made) {
           {"worst_strips", claims.worst_strips},
           {"worst_isolated", claims.worst_isolated},
           {"bytes", made.bytes},
-          {"graph_only", is_graph_only(first)}};
+          {"graph_only", first.position.family->is_graph_only()}};
 }
 
 /// The lines about it for people.
@@ -135,10 +132,11 @@ std::string told(const Certificate& made) {
   if (first.linked)
     return fmt::format("{:<24} {:>6} {}\n", first.certificate, made.rows, plural(made.rows, "alternative"));
   const std::size_t configurations = made.claims.configurations;
-  return fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", first.certificate, configurations,
-                     plural(configurations, "configuration"), made.rows, plural(made.rows, "rule"), made.bytes,
-                     plural(made.bytes, "byte"),
-                     is_graph_only(first) ? "  graph only: not checked to be an operation on a mesh\n" : "");
+  return fmt::format(
+      "{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", first.certificate, configurations,
+      plural(configurations, "configuration"), made.rows, plural(made.rows, "rule"), made.bytes,
+      plural(made.bytes, "byte"),
+      first.position.family->is_graph_only() ? "  graph only: not checked to be an operation on a mesh\n" : "");
 }
 
 }  // namespace

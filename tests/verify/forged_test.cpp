@@ -252,12 +252,13 @@ TEST(ForgedDump, WrongAnswers) {
 TEST(ForgedDump, Form) {
   const ForgedDump bisect("bisect-costs");
   bisect.expect_refused("table bisect-costs", "table split-face", "line 2: \"table split-face\" is no table");
-  bisect.expect_refused("0 1 7 1", "",
-                        "expected \"0 1 \" and \"-\" or two masks, 4 and 4 bits at most, and the change in strips, found \"0 2 e 2 ");
+  bisect.expect_refused(
+      "0 1 7 1", "",
+      "expected \"0 1 \" and \"-\" or two masks, 4 and 4 bits at most, and the change in strips, found \"0 2 e 2 ");
   bisect.expect_refused("0 1 7 1", "0 1 7", "expected \"0 1 \" and \"-\" or two masks, 4 and 4 bits at most");
   bisect.expect_refused("0 1 7 1", "0 1 17 1", "two masks, 4 and 4 bits at most");
   bisect.expect_refused("0 1 7 1", "0 1 7  1", "two masks, 4 and 4 bits at most");
-  bisect.expect_refused("0 1 7 1", "0 1 7 1 0", "and the change in strips, found");
+  bisect.expect_refused("0 1 7 1", "0 1 7 1 -1 0", "and the change in strips, found");
   bisect.expect_refused("0 1 7 1", "0 1 7 1 ", "two masks, 4 and 4 bits at most");
   bisect.expect_refused("0 1 7 1", "0 1 07 1", "two masks, 4 and 4 bits at most");
   bisect.expect_refused("end 32", "end 31", "expected \"end 32\", found \"end 31\"");

@@ -103,6 +103,46 @@ inline constexpr OperationFamily<std::uint8_t, 10, 2> fan_turns{
 )"};
 }
 
+/// And one of triangles where those of each position begin.
+Header family_of_triangles() {
+  return {R"family({"restrip_operation": 1, "name": "fan-stays", "numbers": ["k"], "where": "1 <= k, k <= 2",
+    "before": [["v", "u[i]", "u[i+1]", "i[0,k)"]], "after": [["v", "u[i]", "u[i+1]", "i[0,k)"]]})family",
+          R"(// fan-stays
+// Written by `restrip-generate rules` from the operation file of fan-stays. Do not edit.
+// Explained in restrip/tables/operation_format.hpp.
+#pragma once
+
+#include "restrip/tables/operation_format.hpp"
+
+namespace restrip::tables {
+
+inline constexpr SurfaceFamily<std::uint8_t, 40, 2, 3, 3> fan_stays{
+    {false,
+    "k {0}",
+    {{
+    {{1, 0, 0}, {1, 0}, {1, 0}, 3, 0},
+    {{2, 0, 0}, {2, 1}, {2, 1}, 4, 8},
+    }},
+    {
+    0, 1, 2, 3, 4, 5, 6, 255, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
+    12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31,
+    }},
+    {{
+    {3, 0, 0},
+    {4, 1, 1},
+    }},
+    {{
+    {0, 0, {0, 1, 2}, {64, 65, 66}}, {0, 0, {0, 1, 2}, {64, 65, 0}}, {0, 2, {0, 2, 3}, {0, 66, 67}},
+    }},
+    {{
+    {0, 0, {0, 1, 2}, {64, 65, 66}}, {0, 0, {0, 1, 2}, {64, 65, 0}}, {0, 2, {0, 2, 3}, {0, 66, 67}},
+    }},
+};
+
+}  // namespace restrip::tables
+)"};
+}
+
 TEST(OperationHeader, ShippedOnesAreTables) {
   for (const std::string name : {"bisect", "bisect-boundary", "merge", "merge-matching", "split-face"}) {
     const Header shipped(name);
@@ -111,6 +151,7 @@ TEST(OperationHeader, ShippedOnesAreTables) {
   }
   EXPECT_EQ(graph().complaint(graph().text), "");
   EXPECT_EQ(family().complaint(family().text), "");
+  EXPECT_EQ(family_of_triangles().complaint(family_of_triangles().text), "");
 }
 
 TEST(OperationHeader, OfAFamilyHasItsPositions) {
@@ -124,12 +165,29 @@ TEST(OperationHeader, OfAFamilyHasItsPositions) {
     EXPECT_NE(family().with(what, other), "") << what;
 }
 
+// Of the second position the triangles are two, the vertices four, the ports four.
+TEST(OperationHeader, OfAFamilyHasTheTrianglesOfItsPositions) {
+  const Header header = family_of_triangles();
+  const std::string second = "{0, 2, {0, 2, 3}, {0, 66, 67}},";
+  for (const std::string other :
+       {"{1, 0, {3, 3, 3}, {255, 255, 255}},", "{0, 2, {0, 3, 2}, {0, 66, 67}},", "{2, 2, {0, 2, 3}, {0, 66, 67}},",
+        "{0, 2, {0, 2, 4}, {0, 66, 67}},", "{0, 2, {0, 2, 3}, {1, 66, 67}},", "{0, 2, {0, 2, 3}, {0, 66, 68}},", ""})
+    EXPECT_NE(header.with(second, other), "") << other;
+  const std::string first = "{0, 0, {0, 1, 2}, {64, 65, 66}},";
+  for (const std::string other : {"{1, 0, {0, 1, 2}, {64, 65, 66}},", "{0, 0, {0, 1, 3}, {64, 65, 66}},",
+                                  "{0, 0, {0, 1, 2}, {64, 65, 0}},", "{0, 0, {0, 1, 2}, {64, 65, 67}},"})
+    EXPECT_NE(header.with(first, other), "") << other;
+  for (const std::string other : {"{3, 1, 0}", "{4, 0, 0}"}) EXPECT_NE(header.with("{3, 0, 0}", other), "") << other;
+  EXPECT_NE(header.with("{4, 1, 1}", "{4, 1, 2}"), "");
+  EXPECT_NE(header.with("3, 3>", "3, 2>"), "");
+}
+
 TEST(OperationHeader, OfAnotherOperationIsNot) {
   EXPECT_EQ(Header("bisect").complaint(Header("merge").text).substr(0, 30), "h:1: expected \"// A new vertex");
 }
 
 TEST(OperationHeader, AnyByteThatIsNoDigitOfATableIsMissed) {
-  for (const Header& header : {Header("bisect"), graph(), family()})
+  for (const Header& header : {Header("bisect"), graph(), family(), family_of_triangles()})
     for (std::size_t at = 0; at < header.text.size(); ++at) {
       for (const char c : std::string_view("x\"\n\r\\(;#/ \0", 11)) {
         std::string altered = header.text;

@@ -20,7 +20,7 @@ Require Import Spec Graph Locality Strips Table Rows Linked Sequences WholeMesh.
 Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped LowerBound.
 Require EveryFan EverySplit EveryCollapse EveryOpen EveryBoundary EverySize EveryFigures.
 Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects.
-Require Told ToldNumbers.
+Require Told ToldNumbers Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
 
 (** ** Graphs *)
 Theorem locality : forall p, sensible p (before p) -> sensible p (after p) -> forall s c x,
@@ -297,6 +297,21 @@ Print Assumptions automaton_told.
 Theorem wrong_automata_refused : forallb (fun H => negb (Meetings.header_ok H)) AutomatonRejects.wrong_automata = true.
 Proof. exact AutomatonRejects.wrong_automata_refused. Qed.
 Print Assumptions wrong_automata_refused.
+
+(** ** What answers tell
+
+    What the headers tell of strips and isolated triangles, for fans of up to five triangles and for flips; [Told.v] says
+    what is listed. [sequence_told] below speaks of the changes that are told. *)
+Theorem answers_tell :
+  Forall (fun at_ => Told.tells false (Told.of_two split at_) (Told.two Tables_split.table at_) (Told.two ToldNumbers.split at_)) Told.arcs /\
+  Forall (fun at_ => Told.tells false (Told.of_two collapse at_) (Told.two Tables_collapse.table at_) (Told.two ToldNumbers.collapse at_)) Told.arcs /\
+  Forall (fun at_ => Told.tells false (Told.of_three open_split at_) (Told.three Tables_open_split.table at_) (Told.three ToldNumbers.open_split at_)) Told.gap_pairs /\
+  Forall (fun at_ => Told.tells false (Told.of_three open_collapse at_) (Told.three Tables_open_collapse.table at_) (Told.three ToldNumbers.open_collapse at_)) Told.gap_pairs /\
+  Forall (fun at_ => Told.tells false (Told.of_two boundary_split at_) (Told.two Tables_boundary_split.table at_) (Told.two ToldNumbers.boundary_split at_)) Told.gaps /\
+  Forall (fun at_ => Told.tells false (Told.of_two boundary_collapse at_) (Told.two Tables_boundary_collapse.table at_) (Told.two ToldNumbers.boundary_collapse at_)) Told.gaps /\
+  Told.tells true flip (Tables_flip.table []) (ToldNumbers.flip []).
+Proof. exact Told.answers_tell. Qed.
+Print Assumptions answers_tell.
 
 (** ** Linked rules
 

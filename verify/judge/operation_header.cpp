@@ -16,7 +16,7 @@ namespace restrip::verify {
 namespace {
 
 /// All ones.
-constexpr std::uint64_t largest_of(unsigned width) { return (std::uint64_t{1} << width) - 1; }
+constexpr std::uint64_t largest_of(unsigned width) { return wide_mask_count(width) - 1; }
 
 /// How many configurations the table of an operation answers.
 std::uint64_t entries_of(const Operation& operation) {
@@ -97,6 +97,16 @@ class HeaderReader {
     for (const Operation& operation : operations_) all += entries_of(operation);
     return all;
   }
+  /// Of all positions.
+  [[nodiscard]] std::string triangle_counts() const {
+    unsigned before = 0;
+    unsigned after = 0;
+    for (const Operation& operation : operations_) {
+      before += operation.before.triangles;
+      after += operation.after.triangles;
+    }
+    return fmt::format(", {}, {}", before, after);
+  }
   [[nodiscard]] std::string variable() const {
     std::string name = description_.name;
     std::replace(name.begin(), name.end(), '-', '_');
@@ -123,8 +133,7 @@ class HeaderReader {
     const bool surface = first().on_a_mesh();
     return {
         fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{", surface ? "SurfaceOperation" : "OperationTable",
-                    width(), entries(),
-                    surface ? fmt::format(", {}, {}", before.triangles, after.triangles) : std::string(), variable()),
+                    width(), entries(), surface ? triangle_counts() : std::string(), variable()),
         fmt::format("    {}{{{}, {}}},", surface ? "{" : "", before.triangles, before.inner_edges()),
         fmt::format("    {{{}, {}}},", after.triangles, after.inner_edges()),
         fmt::format("    {},", first().ports()),
@@ -134,10 +143,11 @@ class HeaderReader {
 
   /// The same of a family.
   [[nodiscard]] std::vector<std::string> lines_of_family() const {
-    std::vector<std::string> lines{fmt::format("inline constexpr OperationFamily<std::uint{}_t, {}, {}> {}{{", width(),
-                                               entries(), operations_.size(), variable()),
-                                   fmt::format("    {},", is_matching()), fmt::format("    \"{}\",", position()),
-                                   "    {{"};
+    const bool surface = first().on_a_mesh();
+    std::vector<std::string> lines{
+        fmt::format("inline constexpr {}<std::uint{}_t, {}, {}{}> {}{{", surface ? "SurfaceFamily" : "OperationFamily",
+                    width(), entries(), operations_.size(), surface ? triangle_counts() : std::string(), variable()),
+        fmt::format("    {}{},", surface ? "{" : "", is_matching()), fmt::format("    \"{}\",", position()), "    {{"};
     std::uint64_t begin = 0;
     for (const Operation& operation : operations_) {
       Numbers numbers = operation.numbers;
@@ -230,19 +240,35 @@ class HeaderReader {
   }
 
   bool take_surface() {
-    return expect("    }},") && expect(fmt::format("    {},", first().vertices)) &&
-           take_triangles(first().placed_before) && take_triangles(first().placed_after) && expect("};");
+    return expect("    }},") && (is_family() ? expect_all(triangles_of_positions()) : expect(vertices_of(first()))) &&
+           take_triangles(&Operation::placed_before) && take_triangles(&Operation::placed_after) && expect("};");
   }
 
-  bool take_triangles(const std::vector<PlacedTriangle>& placed) {
+  static std::string vertices_of(const Operation& operation) { return fmt::format("    {},", operation.vertices); }
+  /// For each position how many vertices there are, and where its triangles begin.
+  [[nodiscard]] std::vector<std::string> triangles_of_positions() const {
+    std::vector<std::string> lines{"    {{"};
+    unsigned before = 0;
+    unsigned after = 0;
+    for (const Operation& operation : operations_) {
+      lines.push_back(fmt::format("    {{{}, {}, {}}},", operation.vertices, before, after));
+      before += operation.before.triangles;
+      after += operation.after.triangles;
+    }
+    lines.emplace_back("    }},");
+    return lines;
+  }
+
+  bool take_triangles(std::vector<PlacedTriangle> Operation::*of) {
     std::vector<std::string> texts;
-    for (const MetTriangle& met : met_triangles(placed))
-      texts.push_back(fmt::format("{{{}, {}, {{{}}}, {{{}}}}}", met.from, met.from_side,
-                                  fmt::join(met.placed.vertex, ", "), fmt::join(met.placed.side, ", ")));
-    auto text = texts.begin();
+    for (const Operation& operation : operations_)
+      for (const MetTriangle& met : met_triangles(operation.*of))
+        texts.push_back(fmt::format("{{{}, {}, {{{}}}, {{{}}}}}", met.from, met.from_side,
+                                    fmt::join(met.placed.vertex, ", "), fmt::join(met.placed.side, ", ")));
+    std::size_t taken = 0;
+    const auto take_one = [&](std::string_view& line) { return take(line, texts[taken++]); };
     return expect("    {{") &&
-           take_elements(texts.size(), fmt::format("the triangles {}", fmt::join(texts, ", ")),
-                         [&](std::string_view& line) { return take(line, *text++); }) &&
+           take_elements(texts.size(), fmt::format("the triangles {}", fmt::join(texts, ", ")), take_one) &&
            expect("    }},");
   }
 

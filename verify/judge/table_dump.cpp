@@ -192,7 +192,6 @@ class DumpReader {
     prefix_ += ' ';
     const std::string_view line = next_line(prefix_);
     ++result_.lines;
-    const bool with_isolated = expected_.tells_isolated;
     if (line.starts_with(prefix_)) {
       std::string_view rest = line.substr(prefix_.size());
       if (rest == "-") return {};
@@ -201,8 +200,8 @@ class DumpReader {
         rest.remove_prefix(1);
         const std::optional<Mask> kept = taken_mask(rest, operation.ports());
         const std::optional<int> strips = taken_change(rest);
-        const std::optional<int> isolated = with_isolated ? taken_change(rest) : std::nullopt;
-        if (kept && strips && isolated.has_value() == with_isolated && rest.empty())
+        const std::optional<int> isolated = taken_change(rest);
+        if (kept && strips && (isolated || !expected_.tells_isolated) && rest.empty())
           return Answer{{*inner, *kept}, strips, isolated};
       }
     }
@@ -211,7 +210,7 @@ class DumpReader {
                     "in strips{}, "
                     "found \"{}\"",
                     lines_.number(), operation.name(), prefix_, operation.after.inner_edges(), operation.ports(),
-                    with_isolated ? " and in isolated triangles" : "", line));
+                    expected_.tells_isolated ? " and in isolated triangles" : "", line));
   }
 
   void lists_of(const ExpectedLists& lists) {

@@ -39,13 +39,13 @@ struct ExpectedLists {
 
 struct ExpectedDump {
   bool with_digests = false;   ///< whether digests of the answers are wanted; of shipped operations
-  bool tells_isolated = true;  ///< whether the answers tell the change in isolated triangles
+  bool tells_isolated = true;  ///< whether every answer tells the change in isolated triangles, or those that want to
   std::vector<ExpectedTable> tables;
   std::vector<ExpectedLists> lists;
 };
 
 /// What a table says of a valid configuration: the colours after the operation, and what they change. Compiled tables
-/// tell the change in strips; those of fans and of triangles also tell that in isolated triangles of the patch.
+/// tell the change in strips; the shipped headers also tell that in isolated triangles of the patch, and others may.
 struct Answer {
   Colors colors;
   std::optional<int> strips;

@@ -172,6 +172,8 @@ class DescriptionReader {
       if (description.position.find(fmt::format("{{{}}}", number)) == std::string::npos)
         value.required("position").fail(fmt::format("each number in braces, also \"{{{}}}\"", number));
     description.section = words_of(value, "section", description.position);
+    if (!description.numbers.empty() && value.required("before").is_list() && description.serves_every_position())
+      value.required("section").fail_found("expected all numbers: triangles may be numbered anew at each position");
     if (const auto linked = value.member("linked")) description.linked = linked->boolean("whether it has linked rules");
     read_one_position(description);
     return description;
