@@ -238,6 +238,7 @@ function(restrip_verify_tables target)
 
   # What the compiled headers answer is printed by a program of this build, if it can be run.
   set(dump "")
+  set(automaton_dump "")
   if(CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
     message(STATUS "restrip_verify_tables: ${target}: the compiled tables are not judged; for that set CMAKE_CROSSCOMPILING_EMULATOR")
   else()
@@ -249,10 +250,12 @@ function(restrip_verify_tables target)
     target_link_libraries(${target}_dump PRIVATE ${target})
     _restrip_command_of(${target}_dump command)
     set(dump --dump-command ${command})
+    set(automaton_dump --dump-command "${command} --automaton")
   endif()
   add_test(NAME ${target}.rules COMMAND $<TARGET_FILE:restrip::verify> --tables-dir ${folder} --max-k ${max_k} --all ${dump})
   add_test(NAME ${target}.automaton
-           COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8)
+           COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8
+                   ${automaton_dump})
   get_target_property(operations ${target} RESTRIP_OPERATIONS)
   if(operations)
     foreach(file IN LISTS operations)

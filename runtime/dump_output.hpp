@@ -20,6 +20,10 @@ class Output {
   }
   void text(char c) { text_ += c; }
   void hex(Word value, char after) {
+    hex(value);
+    text_ += after;
+  }
+  void hex(Word value) {
     char digits[16];
     int n = 0;
     do {
@@ -27,7 +31,16 @@ class Output {
       value >>= 4;
     } while (value != 0);
     while (n > 0) text_ += digits[--n];
-    text_ += after;
+  }
+  /// Instead of an answer.
+  void nothing() { text_ += "-\n"; }
+  /// What an answer tells: the changes in strips and in isolated triangles, and the end of the line.
+  void told(int strips, int isolated) {
+    for (const int change : {strips, isolated}) {
+      text_ += ' ';
+      text_ += std::to_string(change);
+    }
+    text_ += '\n';
   }
   /// After each entry line.
   void entry_done() {

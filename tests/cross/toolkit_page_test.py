@@ -59,6 +59,13 @@ def main():
         (folder / TABLE).write_text(altered, encoding="utf-8")
         if "pair-flip" not in run(proof, folder, may_fail=True):
             raise SystemExit("the altered table was refused without a word on it")
+        # Also where nobody compiled it anew: the verifier reads the header itself.
+        (folder / TABLE).write_text(table, encoding="utf-8")
+        run(proof, folder)
+        (folder / TABLE).write_text(altered, encoding="utf-8")
+        judging = re.sub(r"^.*-o print-pair-flip\n", "", proof, flags=re.M)
+        if "the header's text" not in run(judging, folder, may_fail=True):
+            raise SystemExit("the altered header was accepted where the program was compiled before")
 
 
 main()

@@ -66,8 +66,8 @@ const reached = new Set();
       if (position) rows = rowsOf(`split-${position.k}-${position.a}.html`);
       continue;
     }
-    if (!position || words.length !== 4 || words[2] === '-') continue;
-    const [loop, ports, inner] = words.map((word) => BigInt(`0x${word}`));
+    if (!position || words.length !== 6) continue;
+    const [loop, ports, inner] = words.slice(0, 3).map((word) => BigInt(`0x${word}`));
     const { k, a } = position;
     const key = representative(k, a, loop, ports);
     const name = `split-${k}-${a}-${key.ports.toString(16)}-${key.joined.toString(16)}`;
@@ -122,7 +122,7 @@ console.log(`${[...counted.values()].reduce((a, b) => a + b)} rules, ${configura
       if (nodes.includes('D')) position.edges.push(['A', 'D']);
       continue;
     }
-    if (!position || words.length !== 4 || words[2] === '-') continue;
+    if (!position || words.length !== 6) continue;
     const [inner, ports] = words.map((word) => parseInt(word, 16));
     const solid = position.edges.filter((_, n) => inner >> n & 1);
     const reached = (from) => {

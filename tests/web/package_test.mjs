@@ -320,6 +320,7 @@ function sameRules(library = restrip) {
     else if (position.family === 'flip')
       assert.deepEqual([rule.valid, rule.colors, rule.ports], [true, mask(words[2]), mask(words[3])]);
     else assert.deepEqual([rule.valid, rule.colors], [true, mask(words[2])]);
+    if (rule.valid) assert.equal(rule.strips, +words[4], line);
     ++compared;
   });
   assert.ok(compared > 10000, `only ${compared} rules were compared`);

@@ -3,7 +3,7 @@
     Each is stated with the words of [Spec.v] alone, apart from the tables: [Split.full k a] and its like are the
     shipped tables, [Split.by_key k a] and its like the reduced tables of the certificates. The words for other things come
     from other files: lists of linked rules from [Linked.v], the look-up in the automaton from [Header.v], whole meshes
-    from [Sequences.v], [WholeMesh.v] and [LowerBound.v]. For each family:
+    from [Sequences.v], [WholeMesh.v] and [LowerBound.v], what answers tell from [Told.v]. For each family:
 
     - _rules_: the table answers exactly the valid configurations, and its answer is legal and best;
     - _safe_: every answer keeps every mesh around the patch valid;
@@ -20,6 +20,7 @@ Require Import Spec Graph Locality Strips Table Rows Linked Sequences WholeMesh.
 Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped LowerBound.
 Require EveryFan EverySplit EveryCollapse EveryOpen EveryBoundary EverySize EveryFigures.
 Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects.
+Require Told ToldNumbers Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
 
 (** ** Graphs *)
 Theorem locality : forall p, sensible p (before p) -> sensible p (after p) -> forall s c x,
@@ -286,9 +287,31 @@ Theorem automaton_looked_up : map fst AutomatonNumbers.digests = Header.position
   forallb (fun d => N.eqb (Header.digest_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d)) AutomatonNumbers.digests = true.
 Proof. exact Automaton.looked_up. Qed.
 Print Assumptions automaton_looked_up.
+(** What it tells of them: solid inner edges, and isolated triangles. *)
+Theorem automaton_told :
+  map fst (filter (Automaton.small 5) AutomatonNumbers.told_digests) = Header.positions 5 /\
+  forallb (fun d => N.eqb (Automaton.told_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d))
+    (filter (Automaton.small 5) AutomatonNumbers.told_digests) = true.
+Proof. exact Automaton.looked_up_told. Qed.
+Print Assumptions automaton_told.
 Theorem wrong_automata_refused : forallb (fun H => negb (Meetings.header_ok H)) AutomatonRejects.wrong_automata = true.
 Proof. exact AutomatonRejects.wrong_automata_refused. Qed.
 Print Assumptions wrong_automata_refused.
+
+(** ** What answers tell
+
+    What the headers tell of strips and isolated triangles, for fans of up to five triangles and for flips; [Told.v] says
+    what is listed. [sequence_told] below speaks of the changes that are told. *)
+Theorem answers_tell :
+  Forall (fun at_ => Told.tells false (Told.of_two split at_) (Told.two Tables_split.table at_) (Told.two ToldNumbers.split at_)) Told.arcs /\
+  Forall (fun at_ => Told.tells false (Told.of_two collapse at_) (Told.two Tables_collapse.table at_) (Told.two ToldNumbers.collapse at_)) Told.arcs /\
+  Forall (fun at_ => Told.tells false (Told.of_three open_split at_) (Told.three Tables_open_split.table at_) (Told.three ToldNumbers.open_split at_)) Told.gap_pairs /\
+  Forall (fun at_ => Told.tells false (Told.of_three open_collapse at_) (Told.three Tables_open_collapse.table at_) (Told.three ToldNumbers.open_collapse at_)) Told.gap_pairs /\
+  Forall (fun at_ => Told.tells false (Told.of_two boundary_split at_) (Told.two Tables_boundary_split.table at_) (Told.two ToldNumbers.boundary_split at_)) Told.gaps /\
+  Forall (fun at_ => Told.tells false (Told.of_two boundary_collapse at_) (Told.two Tables_boundary_collapse.table at_) (Told.two ToldNumbers.boundary_collapse at_)) Told.gaps /\
+  Told.tells true flip (Tables_flip.table []) (ToldNumbers.flip []).
+Proof. exact Told.answers_tell. Qed.
+Print Assumptions answers_tell.
 
 (** ** Linked rules
 

@@ -127,6 +127,7 @@ for i in "${!theorems[@]}"; do
     valid_is_stripped) files=(Graph Strips) ;;
     valid_* | costing_*) files=(Figures) ;;
     wrong_automata_refused) files=(AutomatonRejects) ;;
+    answers_tell | answers_counted) files=(Told) ;;
     automaton_*) files=(Arcs Rings Closings Header Kinds Ends Meetings Played Neighbours Keys Walks WalkFamilies WalkOpen Served Automaton) ;;
     wrong_* | careless_*) files=(Rejects) ;;
     answers) files=(Answers) ;;

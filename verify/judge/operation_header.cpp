@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "model/input.hpp"
@@ -13,9 +15,52 @@
 namespace restrip::verify {
 namespace {
 
-/// Sides of triangles as `restrip/tables/operation_format.hpp` numbers them, beside inner edges.
-constexpr std::uint64_t first_port_side = 64;
-constexpr std::uint64_t boundary_side = 255;
+/// All ones.
+constexpr std::uint64_t largest_of(unsigned width) { return wide_mask_count(width) - 1; }
+
+/// How many configurations the table of an operation answers.
+std::uint64_t entries_of(const Operation& operation) {
+  return wide_mask_count(operation.ports() +
+                         (operation.constraint == Constraint::matching ? 0 : operation.before.inner_edges()));
+}
+
+/// A triangle of a header: over which side of an earlier one it is met, and itself.
+struct MetTriangle {
+  unsigned from = 0;
+  unsigned from_side = 0;
+  PlacedTriangle placed;
+};
+
+/// The triangle with another corner first.
+PlacedTriangle turned(const PlacedTriangle& triangle, unsigned by) {
+  PlacedTriangle result;
+  for (unsigned s = 0; s < 3; ++s) {
+    result.vertex[s] = triangle.vertex[(s + by) % 3];
+    result.side[s] = triangle.side[(s + by) % 3];
+  }
+  return result;
+}
+
+/// The triangles of a side as one meets them from the first side of the first: over the sides of each in turn.
+std::vector<MetTriangle> met_triangles(const std::vector<PlacedTriangle>& placed) {
+  std::vector<MetTriangle> met{{0, 0, placed.front()}};
+  const auto is_known = [&](const PlacedTriangle& one) {
+    return std::any_of(met.begin(), met.end(), [&](const MetTriangle& other) {
+      for (unsigned by = 0; by < 3; ++by)
+        if (turned(one, by) == other.placed) return true;
+      return false;
+    });
+  };
+  for (unsigned i = 0; i < met.size(); ++i)
+    for (unsigned s = 0; s < 3; ++s) {
+      const unsigned edge = met[i].placed.side[s];
+      if (edge >= first_port_side) continue;
+      for (const PlacedTriangle& other : placed)
+        for (unsigned by = 0; by < 3; ++by)
+          if (other.side[by] == edge && !is_known(other)) met.push_back({i, s, turned(other, by)});
+    }
+  return met;
+}
 
 class HeaderReader {
  public:
@@ -46,9 +91,6 @@ class HeaderReader {
     for (const Operation& operation : operations_)
       bits = std::max(bits, operation.after.inner_edges() + operation.ports());
     return bits < 8 ? 8 : (bits < 16 ? 16 : 32);
-  }
-  [[nodiscard]] std::uint64_t entries_of(const Operation& operation) const {
-    return std::uint64_t{1} << (operation.ports() + (is_matching() ? 0 : operation.before.inner_edges()));
   }
   [[nodiscard]] std::uint64_t entries() const {
     std::uint64_t all = 0;
@@ -183,15 +225,23 @@ class HeaderReader {
   }
 
   bool take_entries() {
-    const std::uint64_t largest = (std::uint64_t{1} << width()) - 1;
-    return take_elements(entries(), fmt::format("numbers up to {}", largest), [&](std::string_view& line) {
-      return take_number(line, [&](std::uint64_t number) { return number <= largest; });
+    check_.width = width();
+    const std::uint64_t none = largest_of(width());
+    auto operation = operations_.begin();
+    std::uint64_t left = entries_of(*operation);
+    return take_elements(entries(), fmt::format("rules of the operation, or {}", none), [&](std::string_view& line) {
+      for (; left == 0; left = entries_of(*operation)) ++operation;
+      --left;
+      return take_number(line, [&](std::uint64_t number) {
+        check_.entries.push_back(static_cast<std::uint32_t>(number));
+        return number == none || number < wide_mask_count(operation->after.inner_edges() + operation->ports());
+      });
     });
   }
 
   bool take_surface() {
     return expect("    }},") && (is_family() ? expect_all(triangles_of_positions()) : expect(vertices_of(first()))) &&
-           take_triangles(&Operation::before) && take_triangles(&Operation::after) && expect("};");
+           take_triangles(&Operation::placed_before) && take_triangles(&Operation::placed_after) && expect("};");
   }
 
   static std::string vertices_of(const Operation& operation) { return fmt::format("    {},", operation.vertices); }
@@ -209,33 +259,17 @@ class HeaderReader {
     return lines;
   }
 
-  bool take_triangles(Side Operation::*of) {
-    // Which operation each of the triangles belongs to.
-    std::vector<const Operation*> owners;
-    for (const Operation& operation : operations_) owners.insert(owners.end(), (operation.*of).triangles, &operation);
+  bool take_triangles(std::vector<PlacedTriangle> Operation::*of) {
+    std::vector<std::string> texts;
+    for (const Operation& operation : operations_)
+      for (const MetTriangle& met : met_triangles(operation.*of))
+        texts.push_back(fmt::format("{{{}, {}, {{{}}}, {{{}}}}}", met.from, met.from_side,
+                                    fmt::join(met.placed.vertex, ", "), fmt::join(met.placed.side, ", ")));
     std::size_t taken = 0;
+    const auto take_one = [&](std::string_view& line) { return take(line, texts[taken++]); };
     return expect("    {{") &&
-           take_elements(owners.size(), "triangles",
-                         [&](std::string_view& line) {
-                           const Operation& operation = *owners[taken++];
-                           return take_triangle(line, operation.*of, operation.vertices);
-                         }) &&
+           take_elements(texts.size(), fmt::format("the triangles {}", fmt::join(texts, ", ")), take_one) &&
            expect("    }},");
-  }
-
-  static bool take_triangle(std::string_view& line, const Side& side, unsigned vertices) {
-    const auto below = [](std::uint64_t count) { return [=](std::uint64_t number) { return number < count; }; };
-    const auto is_side = [&](std::uint64_t number) {
-      return number < side.inner_edges() || number == boundary_side ||
-             (number >= first_port_side && number < first_port_side + side.ports());
-    };
-    const auto take_three = [](std::string_view& rest, const auto& fits) {
-      return take(rest, "{") && take_number(rest, fits) && take(rest, ", ") && take_number(rest, fits) &&
-             take(rest, ", ") && take_number(rest, fits) && take(rest, "}");
-    };
-    return take(line, "{") && take_number(line, below(side.triangles)) && take(line, ", ") &&
-           take_number(line, below(3)) && take(line, ", ") && take_three(line, below(vertices)) && take(line, ", ") &&
-           take_three(line, is_side) && take(line, "}");
   }
 
   void fail(const std::string& expected, std::string_view found) {
@@ -257,6 +291,25 @@ HeaderCheck check_operation_header(const std::string& file, std::string_view tex
   HeaderCheck check;
   HeaderReader(file, text, description, max_k, check).read();
   return check;
+}
+
+DumpComparison compare_header(const HeaderCheck& header, const ExpectedDump& expected) {
+  std::map<const Operation*, std::uint64_t> first;
+  std::map<Numbers, const Operation*> in_order;
+  for (const ExpectedTable& table : expected.tables) in_order[table.operation->numbers] = table.operation;
+  std::uint64_t entries = 0;
+  for (const auto& [numbers, operation] : in_order) {
+    first[operation] = entries;
+    entries += entries_of(*operation);
+  }
+  return compare_answers(expected, [&](const Operation& operation, Colors configuration) -> std::optional<Answer> {
+    const Mask place = operation.constraint == Constraint::matching
+                           ? configuration.ports
+                           : concatenated(configuration.inner, configuration.ports, operation.ports());
+    const std::uint32_t entry = header.entries.at(first.at(&operation) + place);
+    if (entry == largest_of(header.width)) return {};
+    return Answer{{high_part(entry, operation.ports()), low_part(entry, operation.ports())}, {}, {}};
+  });
 }
 
 }  // namespace restrip::verify

@@ -222,6 +222,8 @@ Operation Description::at(const Numbers& values) const {
   operation.before = std::move(sides.before);
   operation.after = std::move(sides.after);
   operation.vertices = sides.vertices;
+  operation.placed_before = std::move(sides.placed_before);
+  operation.placed_after = std::move(sides.placed_after);
   const JsonValue after = value.required("after");
   if (operation.after.ports() != operation.before.ports())
     after.member("ports").value_or(after).fail_found(fmt::format("expected as many ports as before, {}, found {}",

@@ -253,7 +253,8 @@ Sides read_sides(const JsonValue& description, const NamedNumbers& numbers) {
   if (description.required("before").is_list()) return read_surface(description, numbers);
   if (const std::optional<JsonValue> boundary = description.member("boundary"))
     boundary->fail_found("expected patches that are given by their triangles where there is this member");
-  return {read_side(description.required("before"), numbers), read_side(description.required("after"), numbers), 0};
+  return {
+      read_side(description.required("before"), numbers), read_side(description.required("after"), numbers), 0, {}, {}};
 }
 
 Side read_side(const JsonValue& value, const NamedNumbers& numbers) {

@@ -17,6 +17,8 @@ struct Sides {
   Side before;
   Side after;
   unsigned vertices = 0;  ///< of triangles with named vertices; 0 for the other forms
+  std::vector<PlacedTriangle> placed_before;
+  std::vector<PlacedTriangle> placed_after;
 };
 
 inline constexpr unsigned most_ports_of_a_graph = 8;

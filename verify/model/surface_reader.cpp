@@ -36,8 +36,9 @@ class SurfaceReader {
       for (const auto& names : *side) vertices.insert(names.begin(), names.end());
     try {
       SurfaceGraphs graphs = graphs_of(surface);
-      return {side_of(description_.required("before"), std::move(graphs.before)),
-              side_of(description_.required("after"), std::move(graphs.after)), static_cast<unsigned>(vertices.size())};
+      return {side_of(description_.required("before"), graphs.before),
+              side_of(description_.required("after"), graphs.after), static_cast<unsigned>(vertices.size()),
+              std::move(graphs.before.placed), std::move(graphs.after.placed)};
     } catch (const SurfaceFault& fault) {
       const JsonValue member = description_.required(fault.member);
       if (!fault.element) member.fail_found(fault.what + position());
@@ -122,7 +123,7 @@ class SurfaceReader {
     }
   }
 
-  Side side_of(const JsonValue& value, PatchGraph graph) const {
+  Side side_of(const JsonValue& value, PatchGraph& graph) const {
     Side side{graph.triangles, std::move(graph.edges), std::move(graph.owner_of_port), {}};
     if (side.ports() == 0 || side.ports() > most_ports_of_a_graph)
       value.fail_found(

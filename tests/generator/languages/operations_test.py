@@ -86,12 +86,12 @@ class Operation:
             if inner == 0 and ports == 0:
                 tables.append(f"table {self.name}{self.position(at)}\n")
             if not self.table["matching"] or inner == 0:
-                tables[-1] += f"{inner:x} {ports:x} " + (f"{colors:x} {kept:x}\n" if valid else "-\n")
+                tables[-1] += f"{inner:x} {ports:x} " + (f"{colors:x} {kept:x} {strips}\n" if valid else "-\n")
                 of_matching[ports] = (valid, colors, kept)
             elif of_matching[ports] != (valid, colors, kept):
                 raise SystemExit(f"{self.name}: the rule of a matching depends on its inner edges")
         lines = sum(table.count("\n") - 1 for table in tables)
-        return "restrip-table-dump 3\n" + "".join(tables) + f"end {lines}\n"
+        return "restrip-table-dump 4\n" + "".join(tables) + f"end {lines}\n"
 
     def position(self, at):
         pattern = json.loads(self.file.read_text(encoding="utf-8")).get("position", " ".join(f"{name} {{{name}}}" for name in self.table["numbers"]))

@@ -132,6 +132,27 @@ struct OperationRule {
   }
 };
 
+/// Some of the inner edges and the ports of a patch, such as the solid ones: edge i is bit i, port i is bit 32 + i.
+using PatchEdges = std::uint64_t;
+
+constexpr PatchEdges patch_edges(std::uint32_t edges, std::uint32_t ports) noexcept {
+  return PatchEdges{ports} << 32 | edges;
+}
+/// That of a side of a PatchTriangle; for the boundary, which is dashed, a bit of no port.
+constexpr PatchEdges edge_of(std::uint8_t side) noexcept {
+  static_assert(PatchTriangle::port_side == 64 && PatchTriangle::boundary_side == 255);
+  return PatchEdges{1} << ((side & 31U) | (side >> 1 & 32U));
+}
+
+/// The isolated triangles of one side of a patch.
+template <class Triangles>
+[[nodiscard]] constexpr int isolated_among(const Triangles& triangles, PatchEdges solid) noexcept {
+  int isolated = 0;
+  for (const auto& [from, from_side, vertex, side] : triangles)
+    isolated += (solid & (edge_of(side[0]) | edge_of(side[1]) | edge_of(side[2]))) == 0 ? 1 : 0;
+  return isolated;
+}
+
 /// The rule of a configuration: `inner` has before.edges bits, `ports` has ports bits; higher bits are a programming
 /// error. Constant time. Not valid: dash everything, or look for the fault. A matching's table cannot tell whether
 /// `inner` is valid and answers as if it were.

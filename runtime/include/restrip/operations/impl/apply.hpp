@@ -42,18 +42,10 @@ auto read_sides(const Mesh& mesh, const Triangles& triangles, Halfedge where) {
   return patch;
 }
 
-/// Some of the inner edges and the ports of a patch, such as the solid ones: edge i is bit i, port i is bit 32 + i.
-using PatchEdges = std::uint64_t;
+using tables::edge_of;
+using tables::patch_edges;
+using tables::PatchEdges;
 inline constexpr PatchEdges all_ports = ~PatchEdges{0} << 32;
-
-constexpr PatchEdges patch_edges(std::uint32_t edges, std::uint32_t ports) noexcept {
-  return PatchEdges{ports} << 32 | edges;
-}
-/// That of a side, which is numbered as in tables::PatchTriangle; for the boundary, which is dashed, a bit of no port.
-constexpr PatchEdges edge_of(std::uint8_t side) noexcept {
-  static_assert(tables::PatchTriangle::port_side == 64 && tables::PatchTriangle::boundary_side == 255);
-  return PatchEdges{1} << ((side & 31U) | (side >> 1 & 32U));
-}
 
 template <class Mesh, class Sides>
 PatchEdges solid_edges(const Mesh& mesh, const Sides& patch) {
@@ -72,14 +64,6 @@ void for_each_edge(const Sides& patch, PatchEdges edges, Visit&& visit) {
       if ((edges & edge) != 0) visit(patch.side[t][s]);
       edges &= ~edge;
     }
-}
-
-template <class Triangles>
-constexpr int isolated_among(const Triangles& triangles, PatchEdges solid) noexcept {
-  int isolated = 0;
-  for (const auto& [from, from_side, vertex, side] : triangles)
-    isolated += (solid & (edge_of(side[0]) | edge_of(side[1]) | edge_of(side[2]))) == 0 ? 1 : 0;
-  return isolated;
 }
 
 template <SurfaceTable Table>
@@ -103,7 +87,7 @@ class PendingApply {
     solid_ = detail::patch_edges(rule.colors, rule.ports);
     strips_ = rule.strips;
     isolated_ =
-        detail::isolated_among(table.triangles_after, solid_) - detail::isolated_among(table.triangles_before, before);
+        tables::isolated_among(table.triangles_after, solid_) - tables::isolated_among(table.triangles_before, before);
     if (const detail::PatchEdges given_up = before & ~solid_ & detail::all_ports; given_up != 0) {
       std::array<Halfedge, most_ports> behind;  // not {}: a handle's default constructor may be explicit
       std::size_t count = 0;
