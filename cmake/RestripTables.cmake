@@ -104,13 +104,8 @@ function(restrip_generate_tables)
       message(FATAL_ERROR "restrip_generate_tables: LANGUAGE ${language}: expected one of ${expected}")
     endif()
   endforeach()
-  # What other languages do not have would be left out without a word.
   if(DEFINED arg_LANGUAGE)
-    list(REMOVE_ITEM arg_LANGUAGE c++)
-  endif()
-  if(arg_LANGUAGE AND DEFINED arg_OPERATION)
-    message(FATAL_ERROR "restrip_generate_tables: OPERATION with LANGUAGE ${arg_LANGUAGE}: tables of operations are written in "
-                        "C++ only; leave one of them out, or make two targets")
+    list(REMOVE_ITEM arg_LANGUAGE c++)  # is always made
   endif()
 
   set(operations "")
@@ -136,21 +131,26 @@ function(restrip_generate_tables)
     COMMENT "Generating the tables of ${arg_TARGET}"
     VERBATIM)
   set(made ${folder}/MANIFEST)
+  set(arguments ${operations})
+  list(TRANSFORM arguments PREPEND --operation=)
   # Other languages have a folder of their own, because the MANIFEST lists all that is in that of the tables.
   if(arg_LANGUAGE)
     list(TRANSFORM arg_LANGUAGE PREPEND --language=)
+    set(operations_too "")
+    if(operations)
+      set(operations_too COMMAND restrip::generate rules --out ${folder}-languages ${arguments} ${arg_LANGUAGE})
+    endif()
     add_custom_command(
       OUTPUT ${folder}-languages.made
       COMMAND restrip::generate tables --out ${folder}-languages --threads 0 ${options} ${arg_LANGUAGE}
+      ${operations_too}
       COMMAND ${CMAKE_COMMAND} -E touch ${folder}-languages.made
-      DEPENDS ${folder}.options $<TARGET_FILE:restrip::generate>
+      DEPENDS ${folder}.options ${operations} $<TARGET_FILE:restrip::generate>
       COMMENT "Generating the tables of ${arg_TARGET} in other languages"
       VERBATIM)
     list(APPEND made ${folder}-languages.made)
   endif()
   if(operations)
-    set(arguments ${operations})
-    list(TRANSFORM arguments PREPEND --operation=)
     add_custom_command(
       OUTPUT ${folder}-operations.made
       COMMAND restrip::generate rules --out ${folder}-operations ${arguments}

@@ -121,19 +121,29 @@ int main(int argc, char** argv) {
       "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n");
 
   RulesOptions rules;
-  auto* rules_command =
-      app.add_subcommand("rules", "Write the table and the certificate of operations of your own (operation files)");
+  auto* rules_command = app.add_subcommand("rules",
+                                           "Write the table and the certificate of operations of your own (operation "
+                                           "files), or the table in another language");
   rules_command->add_option("--operation", rules.files, "Operation file, as docs/operation-file.md describes it")
       ->required();
   rules_command->add_option("--out", rules.out, "Directory that receives them")->required();
   rules_command
       ->add_option("--max-k", rules.max_k, "Families: positions whose first number is at most this, by default 8")
       ->check(CLI::Range(3, 10));
+  std::vector<std::string> rules_languages;
+  rules_command
+      ->add_option("--language", rules_languages,
+                   "c++ (the default: header and certificate), c, rust, json, glsl or wgsl: "
+                   "table and look-up; may be given several times")
+      ->check(CLI::IsMember(language_files()))
+      ->allow_extra_args(false);
   rules_command->add_option("--json", rules.json,
                             "Write the figures to this file; - for standard output, in place of the text");
   rules_command->footer(
-      "\nExample, from the top of the source tree:\n"
-      "  restrip-generate rules --operation tables/operations/bisect.json --out /tmp/rules\n");
+      "\nExamples, from the top of the source tree; the second writes restrip_bisect.h and restrip_bisect.rs:\n"
+      "  restrip-generate rules --operation tables/operations/bisect.json --out /tmp/rules\n"
+      "  restrip-generate rules --operation tables/operations/bisect.json --language c --language rust --out "
+      "/tmp/rules\n");
 
   std::string family = "split";
   unsigned k = 0;
@@ -185,6 +195,7 @@ int main(int argc, char** argv) {
   try {
     if (tables.threads == 0) tables.threads = std::max(1U, std::thread::hardware_concurrency());
     if (!tables_languages.empty()) tables.languages = {tables_languages.begin(), tables_languages.end()};
+    if (!rules_languages.empty()) rules.languages = {rules_languages.begin(), rules_languages.end()};
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
     if (*automaton_command) make_automaton_files(automaton);
     if (*merge_command) merge_shards(merge_in, merge_out);

@@ -84,10 +84,10 @@ void expect_triangles(const Side& side) {
   std::vector<unsigned> degree(side.nodes, 0);
   for (std::size_t e = 0; e < side.edges.size(); ++e) {
     const auto [u, v] = side.edges[e];
-    if (u == v ||
-        std::any_of(side.edges.begin(), side.edges.begin() + static_cast<std::ptrdiff_t>(e), [&](const Edge& x) {
-          return x == Edge{u, v} || x == Edge{v, u};
-        }))
+    const Edge turned{v, u};
+    const auto before = side.edges.begin() + static_cast<std::ptrdiff_t>(e);
+    const auto is_there = [&](const Edge& edge) { return std::find(side.edges.begin(), before, edge) != before; };
+    if (u == v || is_there(side.edges[e]) || is_there(turned))
       throw std::runtime_error(fmt::format("triangles {} and {} cannot be joined by this edge", u, v));
     ++degree[u];
     ++degree[v];

@@ -3,7 +3,7 @@ colours and ports, valid or not. Digests of the answers are compared, a line for
 can be computed wherever the look-up runs. That a wrong rule shows is tested with one number altered at a time: exactly the
 operations that read it must differ. The example of docs/languages.md is run and prints what stands there.
 
-  language_test.py LANGUAGE --answers PROGRAM --tables FOLDER --scratch FOLDER --root FOLDER --with PROGRAM…
+  language_test.py LANGUAGE --answers PROGRAM --tables FOLDER --scratch FOLDER --with PROGRAM…
 
 --answers is answers.cpp, compiled; --tables is the folder of restrip-generate's files; --with names what the language
 needs, in the order of its class below. Software devices for shaders are asked less (first_collapses), unless
@@ -18,6 +18,7 @@ import subprocess
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
 MAX_K = 8
 # The operations that read the rules of a family, by their numbers in the lines of answers.cpp.
 READERS = {"split": "0", "collapse": "1", "open_split": "2", "fan_collapse": "35", "boundary_split": "4", "flip": "6"}
@@ -220,7 +221,7 @@ class Shader:
         return self.others
 
     def example(self, text, folder, scratch):
-        return self.run(self.shader(folder, scratch, text), scratch, "example", folder / "restrip_tables.bin")
+        return self.run(self.shader(folder, scratch, text), scratch, "words", 4, folder / "restrip_tables.bin")
 
     def more(self, folder, scratch, expected):
         """The first word of the data is the checksum of the others, which the look-up names."""
@@ -299,29 +300,42 @@ def against(schema, value, whole):
 
 LANGUAGES = {"c": C, "json": Json, "rust": Rust, "glsl": Glsl, "wgsl": Wgsl}
 
-parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-parser.add_argument("language", choices=LANGUAGES)
-for option in ("answers", "tables", "scratch", "root"):
-    parser.add_argument("--" + option, required=True, type=Path)
-parser.add_argument("--with", required=True, nargs="+", dest="programs")
-ARGUMENTS = parser.parse_args()
-ROOT = ARGUMENTS.root
+
+def arguments(doc, *options):
+    """Of the command line; language and programs are made into the language's object."""
+    parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("language", choices=LANGUAGES)
+    for option in ("scratch", *options):
+        parser.add_argument("--" + option, required=True, type=Path)
+    parser.add_argument("--with", required=True, nargs="+", dest="programs")
+    given = parser.parse_args()
+    shutil.rmtree(given.scratch, ignore_errors=True)
+    given.scratch.mkdir(parents=True)
+    return given
 
 
-def expected_answers(max_k):
-    return run(ARGUMENTS.answers, max_k)
+def example_of(page, block):
+    """A program of a page, and what it prints."""
+    example = re.search(rf"```{block}\n(.+?)```\n\n[^\n]*:\n\n```text\n(.+?)```", page, re.S)
+    if not example:
+        raise SystemExit(f"docs/languages.md has no ```{block} block followed by a line that ends with a colon and a ```text block")
+    return example[1], example[2]
 
 
 def main():
-    language = LANGUAGES[ARGUMENTS.language](*ARGUMENTS.programs)
-    shutil.rmtree(ARGUMENTS.scratch, ignore_errors=True)
-    (ARGUMENTS.scratch / "altered").mkdir(parents=True)
+    given = arguments(__doc__, "answers", "tables")
+    language = LANGUAGES[given.language](*given.programs)
+    (given.scratch / "altered").mkdir()
+
+    def expected_answers(max_k):
+        return run(given.answers, max_k)
+
     all_answers = language.wanted(expected_answers(MAX_K))
-    must_be_equal(language.file, language.answers(ARGUMENTS.tables, ARGUMENTS.scratch, MAX_K), all_answers)
+    must_be_equal(language.file, language.answers(given.tables, given.scratch, MAX_K), all_answers)
 
     few_answers = expected_answers(4)
     noticed = 0
-    for family, answers in language.altered_answers(ARGUMENTS.tables, ARGUMENTS.scratch).items():
+    for family, answers in language.altered_answers(given.tables, given.scratch).items():
         differ = compare("altered", answers, few_answers)
         if differ != READERS[family]:
             raise SystemExit(f"a rule of {family} was altered, and operations {differ} differ, not {READERS[family]}")
@@ -329,15 +343,13 @@ def main():
     if noticed != len(READERS):
         raise SystemExit(f"{noticed} altered rules were asked for, not {len(READERS)}")
 
-    page = (ROOT / "docs/languages.md").read_text(encoding="utf-8")
-    example = re.search(rf"```{language.block}\n(.+?)```\n\n[^\n]*:\n\n```text\n(.+?)```", page, re.S)
-    if not example:
-        raise SystemExit(f"docs/languages.md has no ```{language.block} block followed by a line that ends with a colon and a ```text block")
-    printed = language.example(example[1], ARGUMENTS.tables, ARGUMENTS.scratch)
-    if printed != example[2]:
-        raise SystemExit(f"the example of docs/languages.md prints\n{printed}instead of\n{example[2]}")
-    language.more(ARGUMENTS.tables, ARGUMENTS.scratch, expected_answers)
+    text, wanted = example_of((ROOT / "docs/languages.md").read_text(encoding="utf-8"), language.block)
+    printed = language.example(text, given.tables, given.scratch)
+    if printed != wanted:
+        raise SystemExit(f"the example of docs/languages.md prints\n{printed}instead of\n{wanted}")
+    language.more(given.tables, given.scratch, expected_answers)
     print(f"{language.file}: {len(all_answers.splitlines())} digests agree, {noticed} altered rules were noticed")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,14 +1,15 @@
-// The tables as a Rust module that needs nothing but core. Its functions are const, so rules can be looked up when a
-// program is compiled.
-#include <fmt/format.h>
-
-#include "languages/languages.hpp"
-#include "number_lines.hpp"
-
-namespace restrip::generator {
-namespace {
-
-constexpr const char* rust_declarations = R"(//!
+//! restrip's rule tables up to k = @max_k@: @bytes@ bytes of data, and the look-up.
+//! SPDX-License-Identifier: MIT
+//! Copyright (c) 2026 The restrip authors
+//! Written by `restrip-generate tables --language rust --max-k @max_k@`. Do not edit: change the generator.
+//!
+@operations@
+//!
+//! Each function takes the colours of a patch before an operation and returns the best colours after it: sound
+//! whatever lies outside the patch, with the fewest strips, and of those with the fewest isolated triangles. Colours
+//! are masks, bit 0 the lowest, 1 = solid, 0 = dashed; restrip's docs/notation.md says which bit is which edge. Each
+//! takes O(k) steps.
+//!
 //! Put this file beside yours and write `mod restrip_tables;`. It needs nothing but `core`, allocates nothing and has no
 //! `unsafe`. The functions are `const`.
 //!
@@ -283,17 +284,7 @@ const fn closed_key(patch: Patch, inner: u32, ports: u32) -> u32 {
 const fn open_key(patch: Patch, inner: u32, ports: u32) -> u32 {
     OPEN_ROWS[(1 << patch.k | ports) as usize] as u32 + patch.joined(inner, ports)
 }
-)";
 
-}  // namespace
-
-std::string rust_module(const TableLayout& layout) {
-  std::string text = language_banner("//!", "rust", layout) + language_manual("//!") + rust_declarations;
-  text += fmt::format("\n/// The largest valence that the tables answer.\npub const MAX_K: u32 = {};\n", layout.max_k);
-  for (const TableArray& array : layout.arrays)
-    text += fmt::format("\nconst {}: &[u{}; {}] = &[\n{}];\n", capitals(array.name), array.bits, array.values.size(),
-                        numbers(array.values));
-  return text;
-}
-
-}  // namespace restrip::generator
+/// The largest valence that the tables answer.
+pub const MAX_K: u32 = @max_k@;
+@arrays@

@@ -1,14 +1,15 @@
-// The tables as a C99 header of the usual kind for one file: declarations, and the data and bodies in the one source
-// that asks for them.
-#include <fmt/format.h>
-
-#include "languages/languages.hpp"
-#include "number_lines.hpp"
-
-namespace restrip::generator {
-namespace {
-
-constexpr const char* c_manual = R"(//
+// restrip's rule tables up to k = @max_k@: @bytes@ bytes of data, and the look-up.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 The restrip authors
+// Written by `restrip-generate tables --language c --max-k @max_k@`. Do not edit: change the generator.
+//
+@operations@
+//
+// Each function takes the colours of a patch before an operation and returns the best colours after it: sound
+// whatever lies outside the patch, with the fewest strips, and of those with the fewest isolated triangles. Colours
+// are masks, bit 0 the lowest, 1 = solid, 0 = dashed; restrip's docs/notation.md says which bit is which edge. Each
+// takes O(k) steps.
+//
 // Include this file wherever you need the declarations. In exactly one source file write
 //     #define RESTRIP_TABLES_IMPLEMENTATION
 // before the include: there are the data and the bodies. Nothing is allocated, no library is called, nothing is written.
@@ -19,16 +20,16 @@ constexpr const char* c_manual = R"(//
 #ifndef RESTRIP_TABLES_H
 #define RESTRIP_TABLES_H
 
-)"
-                                 "#include <stdbool.h>\n#include <stdint.h>\n"
-                                 R"(
+#include <stdbool.h>
+#include <stdint.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-)";
+// The largest valence that the tables answer.
+#define RESTRIP_TABLES_MAX_K @max_k@
 
-constexpr const char* c_declarations = R"(
 // `colors` are the inner edges after the operation, `strips` the change in the number of strips.
 typedef struct restrip_rule {
   uint32_t colors;
@@ -64,9 +65,8 @@ restrip_flip_rule restrip_flip(uint32_t inner, uint32_t ports);
 // The rules of an operation depend on its position and on the key (ports, joined). The cell of a key is
 //     rules[first[k] + place * cells[k] + rows[1 << k | ports] + joined]
 // with one packing, `closed_rows` or `open_rows`, for all rules of closed and of open fans.
-)";
+@arrays@
 
-constexpr const char* c_bodies = R"(
 // The patch before an operation as a row of elements: the k triangles of the fan in order, with A at element `a` and D
 // at element `d`, or restrip_nowhere. Inner edge m joins elements m and m + 1; in a ring the last edge joins the last
 // element and the first. The chord A - D has the bit behind the edges.
@@ -270,20 +270,4 @@ restrip_flip_rule restrip_flip(uint32_t inner, uint32_t ports) {
   rule.valid = true;
   return rule;
 }
-)";
-
-}  // namespace
-
-std::string c_header(const TableLayout& layout) {
-  std::string text = language_banner("//", "c", layout) + language_manual("//") + c_manual;
-  text +=
-      fmt::format("// The largest valence that the tables answer.\n#define RESTRIP_TABLES_MAX_K {}\n", layout.max_k);
-  text += c_declarations;
-  for (const TableArray& array : layout.arrays)
-    text += fmt::format("static const uint{}_t restrip_{}[{}] = {{\n{}}};\n", array.bits, array.name,
-                        array.values.size(), numbers(array.values));
-  text += c_bodies;
-  return text + "#endif  // RESTRIP_TABLES_IMPLEMENTATION\n";
-}
-
-}  // namespace restrip::generator
+#endif  // RESTRIP_TABLES_IMPLEMENTATION

@@ -1,12 +1,30 @@
-// The look-up in GLSL, for data in a storage buffer.
-#include <fmt/format.h>
+// restrip's rule tables up to k = @max_k@: @bytes@ bytes of data, and the look-up.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 The restrip authors
+// Written by `restrip-generate tables --language glsl --max-k @max_k@`. Do not edit: change the generator.
+//
+@operations@
+//
+// Each function takes the colours of a patch before an operation and returns the best colours after it: sound
+// whatever lies outside the patch, with the fewest strips, and of those with the fewest isolated triangles. Colours
+// are masks, bit 0 the lowest, 1 = solid, 0 = dashed; restrip's docs/notation.md says which bit is which edge. Each
+// takes O(k) steps.
+//
+// The data are in restrip_tables.bin, written by the same command: @words@ words of 32 bits, little-endian, to be
+// copied into a storage buffer as they are. If restrip_words[0] is not RESTRIP_CHECKSUM, file and data do not
+// belong together.
+//
+// Bad input: for colours that no valid stripification has (three solid edges at a triangle, a solid cycle, bits
+// outside the patch), and for positions that the tables do not hold (k > RESTRIP_MAX_K, a or gaps out of range),
+// every member of the answer is 0 and `valid` is false.
+//
+// It is for GLSL 4.30 or GLSL ES 3.10 and later. Declare before it, with whatever binding you like:
+//     layout(std430, set = 0, binding = 0) readonly buffer RestripTables { uint restrip_words[]; };
 
-#include "languages/languages.hpp"
+const uint RESTRIP_MAX_K = @max_k@u;
+const uint RESTRIP_CHECKSUM = @checksum@u;
+@arrays@
 
-namespace restrip::generator {
-namespace {
-
-constexpr const char* glsl_text = R"(
 // `colors` are the inner edges after the operation, `strips` the change in the number of strips.
 struct RestripRule {
   uint colors;
@@ -201,21 +219,3 @@ RestripFlipRule restrip_flip(uint inner, uint ports) {
   if (entry == 255u) return RestripFlipRule(0u, 0u, 0, false);
   return RestripFlipRule(entry >> 4u, entry & 15u, bitCount(inner) + bitCount(ports) - bitCount(entry), true);
 }
-)";
-
-}  // namespace
-
-std::string glsl_source(const TableLayout& layout) {
-  const TableWords data = table_words(layout);
-  std::string text = language_banner("//", "glsl", layout) + language_manual("//") + shader_manual("//", data);
-  text +=
-      "// It is for GLSL 4.30 or GLSL ES 3.10 and later. Declare before it, with whatever binding you like:\n"
-      "//     layout(std430, set = 0, binding = 0) readonly buffer RestripTables { uint restrip_words[]; };\n\n";
-  text += fmt::format("const uint RESTRIP_MAX_K = {}u;\nconst uint RESTRIP_CHECKSUM = {:#010x}u;\n", layout.max_k,
-                      data.words[0]);
-  for (const TableWords::Array& array : data.arrays)
-    text += fmt::format("const uvec2 RESTRIP_{} = uvec2({}u, {}u);\n", array.name, array.word, array.bits);
-  return text + glsl_text;
-}
-
-}  // namespace restrip::generator

@@ -1,12 +1,30 @@
-// The look-up in WGSL, for data in a storage buffer.
-#include <fmt/format.h>
+// restrip's rule tables up to k = @max_k@: @bytes@ bytes of data, and the look-up.
+// SPDX-License-Identifier: MIT
+// Copyright (c) 2026 The restrip authors
+// Written by `restrip-generate tables --language wgsl --max-k @max_k@`. Do not edit: change the generator.
+//
+@operations@
+//
+// Each function takes the colours of a patch before an operation and returns the best colours after it: sound
+// whatever lies outside the patch, with the fewest strips, and of those with the fewest isolated triangles. Colours
+// are masks, bit 0 the lowest, 1 = solid, 0 = dashed; restrip's docs/notation.md says which bit is which edge. Each
+// takes O(k) steps.
+//
+// The data are in restrip_tables.bin, written by the same command: @words@ words of 32 bits, little-endian, to be
+// copied into a storage buffer as they are. If restrip_words[0] is not RESTRIP_CHECKSUM, file and data do not
+// belong together.
+//
+// Bad input: for colours that no valid stripification has (three solid edges at a triangle, a solid cycle, bits
+// outside the patch), and for positions that the tables do not hold (k > RESTRIP_MAX_K, a or gaps out of range),
+// every member of the answer is 0 and `valid` is false.
+//
+// Declare in the same module, with whatever binding you like:
+//     @group(0) @binding(0) var<storage, read> restrip_words: array<u32>;
 
-#include "languages/languages.hpp"
+const RESTRIP_MAX_K = @max_k@u;
+const RESTRIP_CHECKSUM = @checksum@u;
+@arrays@
 
-namespace restrip::generator {
-namespace {
-
-constexpr const char* wgsl_text = R"(
 // `colors` are the inner edges after the operation, `strips` the change in the number of strips.
 struct RestripRule {
   colors: u32,
@@ -253,20 +271,3 @@ fn restrip_flip(inner: u32, ports: u32) -> RestripFlipRule {
   let strips = i32(countOneBits(inner)) + i32(countOneBits(ports)) - i32(countOneBits(entry));
   return RestripFlipRule(entry >> 4u, entry & 15u, strips, true);
 }
-)";
-
-}  // namespace
-
-std::string wgsl_source(const TableLayout& layout) {
-  const TableWords data = table_words(layout);
-  std::string text = language_banner("//", "wgsl", layout) + language_manual("//") + shader_manual("//", data);
-  text +=
-      "// Declare in the same module, with whatever binding you like:\n"
-      "//     @group(0) @binding(0) var<storage, read> restrip_words: array<u32>;\n\n";
-  text += fmt::format("const RESTRIP_MAX_K = {}u;\nconst RESTRIP_CHECKSUM = {:#010x}u;\n", layout.max_k, data.words[0]);
-  for (const TableWords::Array& array : data.arrays)
-    text += fmt::format("const RESTRIP_{} = vec2<u32>({}u, {}u);\n", array.name, array.word, array.bits);
-  return text + wgsl_text;
-}
-
-}  // namespace restrip::generator
