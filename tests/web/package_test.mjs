@@ -293,6 +293,18 @@ function simplifies() {
   assert.deepEqual(sorted(mesh.triangles), sorted(soup.triangles));
   assert.ok(mesh.indexBound <= mesh.plainIndices);
   mesh.close();
+  // In steps it comes to the same, and tells how far it is; one may go away in between.
+  const steps = restrip.simplifying(soup, 0.1);
+  const shares = [];
+  let last;
+  while (!(last = steps.next()).done) shares.push(last.value);
+  assert.ok(shares.length > 2 && shares.every((share, n) => share >= (shares[n - 1] ?? 0) && share < 1), shares.join());
+  assert.deepEqual(last.value.splits, restrip.simplified(soup, 0.1).splits);
+  last.value.close();
+  for (const share of restrip.simplifying(soup, 0.1)) {
+    assert.ok(share > 0);
+    break;
+  }
 }
 
 /// The rules are those of the native dump: every fourth line, and all of the flip.

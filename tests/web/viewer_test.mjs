@@ -1,8 +1,10 @@
 // The viewer in headless Chromium, opened from the file system. The picture drawn from the live strips is, pixel for
 // pixel, the one drawn from a plain list of the mesh's triangles: at several levels, under policies and costs, in the
 // view-dependent modes and after a random walk of the slider. The copy of the index buffer on the graphics card is the
-// live one. The figures on the page are those of `restrip replay` for the same way. A frame does no more operations than
-// its budget. A dropped mesh is shown, a file that is none is refused with a sentence. The page is no higher and no wider
+// live one. The figures on the page are those of `restrip replay` for the same way. A frame does as many operations as fit
+// into its budget of time, by a clock that the test turns. Strips in colours take one draw call. A dropped mesh is prepared
+// in a worker and shown, a file that is none is refused with a sentence. Without WebGL or JavaScript, and when the context is
+// lost, the page says so. The page is no higher and no wider
 // than its content: on a desktop the panel scrolls, on a telephone the page does. Nothing is said on the console.
 //   node viewer_test.mjs WEB_FOLDER CHROMIUM RESTRIP SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
@@ -99,10 +101,9 @@ try {
   });
   await agrees(page, 'mended');
 
-  // A random walk of the slider (seed 7), every frame within its budget.
+  // A random walk of the slider (seed 7).
   let seed = 7;
   const random = (n) => (seed = seed * 48271 % 2147483647) % n;
-  await page.run(() => { restripViewer.mostOperations = 0; });
   for (let i = 0; i < 5; ++i) {
     await choose(page, { level: random(levels + 1) });
     await settled(page);
@@ -110,8 +111,56 @@ try {
   const walked = await agrees(page, 'after a random walk');
   assert.ok(walked.operations > levels, `only ${walked.operations} operations`);
   assert.ok(walked.inOrder);
-  const most = await page.run('restripViewer.mostOperations');
-  assert.ok(most > 0 && most <= 500, `${most} operations in a frame`);
+
+  // Four operations take a millisecond of this clock, and a frame has twelve: after the first frame, which has 256, 48 each.
+  await choose(page, { level: 0 });
+  await settled(page);
+  await page.run(() => {
+    const { mesh } = restripViewer;
+    restripViewer.pace = 256;
+    let clock = 0;
+    window.parts = [];
+    window.now = performance.now;
+    performance.now = () => clock;
+    mesh.moveTo = (level, most) => {
+      const done = Object.getPrototypeOf(mesh).moveTo.call(mesh, level, most);
+      clock += done / 4;
+      window.parts.push(done);
+      return done;
+    };
+  });
+  await choose(page, { level: 4000 });
+  await settled(page);
+  const parts = await page.run(() => {
+    performance.now = window.now;
+    delete restripViewer.mesh.moveTo;
+    return window.parts;
+  });
+  assert.equal(parts.reduce((sum, n) => sum + n), 4000);
+  assert.deepEqual(new Set(parts.slice(1, -1)), new Set([48]), `${parts}`);
+
+  // Strips in colours: one draw call, the pixels of the surface, and a colour for each strip that is seen.
+  const coloured = await page.run(() => {
+    const viewer = window.restripViewer;
+    const gl = document.getElementById('canvas').getContext('webgl2');
+    let calls = 0;
+    const drawing = ['drawArrays', 'drawElements', 'drawArraysInstanced'];
+    for (const name of drawing) gl[name] = (...given) => (++calls, Object.getPrototypeOf(gl)[name].apply(gl, given));
+    const covered = () => {
+      const pixels = viewer.scene.pixels();
+      return pixels.filter((_, n) => n % 4 === 0).map((_, n) => (pixels[4 * n] !== pixels[0] || pixels[4 * n + 1] !== pixels[1] || pixels[4 * n + 2] !== pixels[2] ? 1 : 0));
+    };
+    viewer.draw({ style: 'strips', patch: false });
+    const made = calls;
+    for (const name of drawing) delete gl[name];
+    const one = covered();
+    viewer.draw({ style: 'shaded', patch: false, list: true });
+    const other = covered();
+    return { made, different: one.reduce((sum, n, i) => sum + (n !== other[i] ? 1 : 0), 0), shown: one.reduce((sum, n) => sum + n, 0),
+      strips: viewer.figures.strips, runs: viewer.mesh.runs.length / 3 };
+  });
+  assert.ok(coloured.strips > 10 && coloured.runs >= coloured.strips && coloured.shown > 10000);
+  assert.deepEqual([coloured.made, coloured.different], [1, 0]);
 
   // View-dependent.
   for (const mode of ['cursor', 'silhouette']) {
@@ -135,6 +184,8 @@ try {
   assert.match(one.text, /^Vertex split, .*rule split-/);
   writeFileSync(join(scratch, 'viewer-lines.png'), await page.screenshot());
 
+  await choose(page, { style: 'strips' });  // arrows take seconds a frame without a graphics card
+
   // Baked strips are lost out of order, and there again when the level moves in order.
   await choose(page, { policy: 'baked', level: 600 });
   await settled(page);
@@ -153,6 +204,23 @@ try {
   await open('own.obj', readFileSync(join(folder, 'hare.obj'), 'utf8'));
   const own = await agrees(page, 'a mesh of the visitor');
   assert.ok(own.triangles > 500);
+  assert.ok(await page.run('document.getElementById("working").hidden'));
+  // Dropped on the panel; the page goes on while the worker is at work, and says how far it is.
+  await page.run((text) => {
+    const files = new DataTransfer();
+    files.items.add(new File([text], 'dropped.obj'));
+    const seen = window.seen = { shares: [], frames: 0 };
+    const frame = () => { ++seen.frames; if (window.restripViewer.source.name !== 'dropped.obj') requestAnimationFrame(frame); };
+    const watch = new MutationObserver(() => seen.shares.push(document.getElementById('progress').value));
+    watch.observe(document.getElementById('progress'), { attributes: true });
+    document.querySelector('aside').dispatchEvent(new DragEvent('drop', { bubbles: true, cancelable: true, dataTransfer: files }));
+    frame();
+  }, readFileSync(join(folder, 'hare.obj'), 'utf8'));
+  await page.until('restripViewer.source.name === "dropped.obj"');
+  const dropped = await page.run(() => ({ shares: window.seen.shares.filter((share) => share > 0), frames: window.seen.frames }));
+  assert.ok(dropped.shares.length >= 2 && dropped.frames >= 2, JSON.stringify(dropped));
+  dropped.shares.reduce((before, share) => assert.ok(share >= before && share <= 1) ?? share);
+  await agrees(page, 'a dropped mesh');
   assert.deepEqual(await page.run(() => [document.querySelector('[value=baked]').disabled, document.getElementById('policy').value]), [true, 'quick']);
   const openBytes = (name, bytes) => page.run((file, content) => restripViewer.open(new File([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))], file)),
     name, bytes.toString('base64'));
@@ -164,6 +232,40 @@ try {
   assert.ok((await agrees(page, 'a baked mesh of the visitor')).baked);
   assert.ok(await page.run('document.getElementById("fault").hidden'));
   quiet(page);
+
+  // The context is lost, the level moves meanwhile, and the context comes back.
+  assert.match(await page.run(async () => {
+    const canvas = document.getElementById('canvas');
+    const event = (name) => new Promise((done) => canvas.addEventListener(name, done, { once: true }));
+    const extension = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+    const lost = event('webglcontextlost');
+    extension.loseContext();
+    await lost;
+    const said = document.getElementById('fault').textContent;
+    window.restripViewer.step(-1);
+    await new Promise((done) => setTimeout(done, 100));
+    const restored = event('webglcontextrestored');
+    extension.restoreContext();
+    await restored;
+    return said;
+  }), /^The browser has taken the graphics card/);
+  await agrees(page, 'the context restored');
+  assert.ok(await page.run('document.getElementById("fault").hidden'));
+  assert.deepEqual(page.faults.filter((fault) => !/CONTEXT_LOST_WEBGL|context lost/i.test(fault)), []);
+
+  // No WebGL, and no JavaScript: a sentence and a picture.
+  const still = () => [...document.images].filter((image) => image.checkVisibility() && image.naturalWidth > 100).length;
+  const flat = await browser.page(900, 600);
+  await flat.send('Page.addScriptToEvaluateOnNewDocument', { source: 'HTMLCanvasElement.prototype.getContext = () => null;' });
+  await flat.open(address);
+  await flat.until(() => !document.getElementById('fault').hidden);
+  assert.match(await flat.run('document.getElementById("fault").textContent'), /offers no WebGL 2/);
+  assert.equal(await flat.run(still), 1);
+  const plain = await browser.page(900, 600, { scripts: false });
+  await plain.open(address);
+  writeFileSync(join(scratch, 'viewer-plain.png'), await plain.screenshot());
+  assert.equal(await plain.run(still), 1);
+  assert.match(await plain.run('document.getElementById("stage").innerText'), /needs JavaScript and WebGL 2/);
 
   // A telephone, in the dark: nothing sticks out sideways, one finger turns the mesh.
   const phone = await browser.page(400, 760, { dark: true });

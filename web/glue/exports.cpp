@@ -63,17 +63,26 @@ Page* restrip_open(const float* points, std::uint32_t point_count, const std::ui
   page->left_out = page->session->base_report();
   return page;
 }
-RESTRIP_EXPORT(restrip_simplify)
-Page* restrip_simplify(const float* points, std::uint32_t point_count, const std::uint32_t* triangles,
-                       std::uint32_t triangle_count, std::uint32_t wanted) {
+RESTRIP_EXPORT(restrip_simplify_begin)
+Simplifier* restrip_simplify_begin(const float* points, std::uint32_t point_count, const std::uint32_t* triangles,
+                                   std::uint32_t triangle_count) {
   std::vector<Corners> corners(triangle_count);
   for (std::size_t i = 0; i < triangle_count; ++i)
     corners[i] = {triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]};
+  return new Simplifier(std::vector<float>(points, points + 3 * std::size_t{point_count}), corners);
+}
+/// Triangles too many after at most `most` attempts; 0 when it has ended.
+RESTRIP_EXPORT(restrip_simplify_run)
+std::uint32_t restrip_simplify_run(Simplifier* simplifier, std::uint32_t wanted, std::uint32_t most) {
+  return static_cast<std::uint32_t>(simplifier->run(wanted, most));
+}
+/// The mesh that it has come to; the simplifier is gone.
+RESTRIP_EXPORT(restrip_simplify_end)
+Page* restrip_simplify_end(Simplifier* simplifier) {
+  const std::unique_ptr<Simplifier> owned(simplifier);
   auto* page = new Page;
-  Simplifier simplifier({points, 3 * std::size_t{point_count}}, corners);
-  page->left_out = simplifier.report();
-  page->session = std::make_unique<Session>(simplifier.run(wanted),
-                                            std::vector<float>(points, points + 3 * std::size_t{point_count}));
+  page->left_out = owned->report();
+  page->session = std::make_unique<Session>(owned->result(), owned->points());
   return page;
 }
 RESTRIP_EXPORT(restrip_open_baked)

@@ -34,6 +34,8 @@ export class Restrip {
   /** Simplifies a mesh to that share of its triangles, from 0 to 1, by quadric errors; boundary vertices stay. Takes
    * seconds for a million triangles. */
   simplified(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): StripMesh;
+  /** The same in steps: a generator of the share that is done, from 0 to 1, which returns the mesh. */
+  simplifying(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): Generator<number, StripMesh, void>;
   /** A baked mesh, from the bytes of the file that `restrip bake` wrote. Throws when they are truncated, altered, or no
    * mesh. */
   baked(bytes: ArrayBuffer | ArrayBufferView): StripMesh;

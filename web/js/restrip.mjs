@@ -90,14 +90,30 @@ export class Restrip {
       (p, b, s) => this.#wasm.restrip_open(p, count, b, corners.length / 3, s, records.length / 4)), places);
   }
   /// A mesh, simplified here to `share` of its triangles.
-  simplified({ points, triangles }, share = 0.02) {
+  simplified(source, share) {
+    const steps = this.simplifying(source, share);
+    for (;;) {
+      const { done, value } = steps.next();
+      if (done) return value;
+    }
+  }
+  /// The same in steps of some thousand attempts.
+  *simplifying({ points, triangles }, share = 0.02) {
     if (!(share >= 0 && share <= 1)) throw new RangeError(`share is ${String(share)}; it must be from 0 to 1`);
     const places = coordinates(points);
     const count = places.length / 3;
     const corners = vertices('triangle', triangles, 3, count);
     const wanted = Math.max(4, Math.round(corners.length / 3 * share));
-    return this.#opened(this.#with([places, corners],
-      (p, t) => this.#wasm.restrip_simplify(p, count, t, corners.length / 3, wanted)), places);
+    const simplifier = this.#with([places, corners], (p, t) => this.#wasm.restrip_simplify_begin(p, count, t, corners.length / 3));
+    let page = 0;
+    try {
+      const all = Math.max(1, corners.length / 3 - wanted);
+      for (let left; (left = this.#wasm.restrip_simplify_run(simplifier, wanted, 4000)) > 0;) yield 1 - left / all;
+      page = this.#wasm.restrip_simplify_end(simplifier);
+    } finally {
+      if (page === 0) this.#wasm.restrip_close(this.#wasm.restrip_simplify_end(simplifier));  // nobody waits for the end
+    }
+    return this.#opened(page, places);
   }
 
   /// A baked mesh, from the bytes of its file.

@@ -4,16 +4,20 @@ import { multiply } from './camera.mjs';
 
 const surfaceVertex = `#version 300 es
 uniform mat4 view, projection;
-in vec3 place;
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec4 tint;
 out vec3 seen;
-void main() { vec4 at = view * vec4(place, 1.0); seen = at.xyz; gl_Position = projection * at; }`;
+out vec4 own;
+void main() { vec4 at = view * vec4(place, 1.0); seen = at.xyz; own = tint; gl_Position = projection * at; }`;
 const surfaceFragment = `#version 300 es
 precision highp float;
-uniform vec4 color;
+uniform vec4 paint;
 uniform float flatness;
 in vec3 seen;
+in vec4 own;
 out vec4 pixel;
 void main() {
+  vec4 color = paint * own;
   vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
   float light = 0.42 + 0.5 * max(dot(normal, normalize(vec3(0.3, 0.5, 0.8))), 0.0) + 0.16 * max(dot(normal, vec3(-0.7, 0.2, 0.3)), 0.0);
   pixel = vec4(mix(color.rgb * light, color.rgb, flatness) * color.a, color.a);
@@ -22,7 +26,7 @@ void main() {
 const lineVertex = `#version 300 es
 uniform mat4 all;
 uniform vec2 size;
-uniform float width, lift;
+uniform float width;
 in vec4 start;
 in vec4 end;
 flat out float strip;
@@ -34,18 +38,16 @@ void main() {
   vec4 at = corner.x < 0.5 ? a : b;
   float broad = end.w > 0.5 ? (corner.x < 0.5 ? 3.6 : 0.0) : 1.0;
   at.xy += vec2(-along.y, along.x) * corner.y * broad * width / size * at.w * 2.0;
-  at.z -= lift * at.w;
+  at.z -= 0.0004 * at.w;  // over the surface
   strip = start.w;
   gl_Position = at;
 }`;
 const lineFragment = `#version 300 es
 precision highp float;
-uniform vec4 color;
-uniform float own;
 flat in float strip;
 out vec4 pixel;
 vec3 hue(float h) { return clamp(abs(mod(h * 6.0 + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0); }
-void main() { pixel = own > 0.5 ? vec4(mix(vec3(0.5), hue(fract(strip * 0.6180339887)), 0.62) * 0.8, 1.0) : color; }`;
+void main() { pixel = vec4(mix(vec3(0.5), hue(fract(strip * 0.6180339887)), 0.62) * 0.8, 1.0); }`;
 
 /// A colour for each strip: hues by the golden ratio.
 export function stripColor(strip) {
@@ -67,7 +69,7 @@ export class Scene {
 
   constructor(canvas) {
     const gl = canvas.getContext('webgl2', { antialias: true, preserveDrawingBuffer: true });
-    if (!gl) throw new Error('This browser offers no WebGL 2, which the picture needs.');
+    if (!gl) throw new Error('This browser offers no WebGL 2, so the mesh cannot be shown. The picture is a still one.');
     this.#gl = gl;
     this.canvas = canvas;
     for (const [name, vertex, fragment] of [['surface', surfaceVertex, surfaceFragment], ['line', lineVertex, lineFragment]])
@@ -76,12 +78,20 @@ export class Scene {
     this.live = gl.createBuffer();
     this.other = gl.createBuffer();
     this.segments = gl.createBuffer();
-    this.surface = gl.createVertexArray();
-    gl.bindVertexArray(this.surface);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.points);
-    const place = gl.getAttribLocation(this.#programs.surface.program, 'place');
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
+    this.corners = gl.createBuffer();
+    // Places alone, and all of one colour; or places with a colour each.
+    gl.vertexAttrib4f(1, 1, 1, 1, 1);
+    [this.surface, this.coloured] = [[this.points, 0], [this.corners, 16]].map(([buffer, stride]) => {
+      const array = gl.createVertexArray();
+      gl.bindVertexArray(array);
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.enableVertexAttribArray(0);
+      gl.vertexAttribPointer(0, 3, gl.FLOAT, false, stride, 0);
+      if (stride === 0) return array;
+      gl.enableVertexAttribArray(1);
+      gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, stride, 12);
+      return array;
+    });
     this.lines = gl.createVertexArray();
     gl.bindVertexArray(this.lines);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.segments);
@@ -106,6 +116,7 @@ export class Scene {
     return { program, at: (name) => gl.getUniformLocation(program, name) };
   }
 
+  get lost() { return this.#gl.isContextLost(); }
   setPoints(points) {
     const gl = this.#gl;
     gl.bindBuffer(gl.ARRAY_BUFFER, this.points);
@@ -130,9 +141,42 @@ export class Scene {
     }
   }
 
-  /// `style`: shaded, strips (`runs` in colours of their own), lines (`segments` over the surface). `patch`: triangles
-  /// to be marked. `list`: draws these triangles instead of the live buffer, to compare with it.
-  draw(camera, { style, length, runs, segments, patch, list, ink, paper }) {
+  /// The strips in colours of their own, for one draw call: vertices are shared among strips, so that each triangle has
+  /// three corners of its own here, read from the runs of the live buffer.
+  paint(points, indices, runs) {
+    const gl = this.#gl;
+    const places = new Float32Array(4 * 3 * indices.length);
+    const colors = new Uint32Array(places.buffer);
+    let end = 0;
+    for (let r = 0; r < runs.length; r += 3) {
+      const [red, green, blue] = stripColor(runs[r + 2]).map((channel) => Math.round(255 * channel));
+      const color = (0xff000000 | blue << 16 | green << 8 | red) >>> 0;
+      for (let i = runs[r] + 2; i < runs[r] + runs[r + 1]; ++i) {
+        const [a, b, c] = [indices[i - 2], indices[i - 1], indices[i]];
+        if (a === b || b === c || c === a) continue;
+        for (const v of [a, b, c]) {
+          for (let n = 0; n < 3; ++n) places[end + n] = points[3 * v + n];
+          colors[end + 3] = color;
+          end += 4;
+        }
+      }
+    }
+    this.painted = end / 4;
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.corners);
+    gl.bufferData(gl.ARRAY_BUFFER, places.subarray(0, end), gl.DYNAMIC_DRAW);
+  }
+  /// The strips as lines: start with the strip as its fourth number, end with the mark of a strip's end.
+  setLines(lines) {
+    const gl = this.#gl;
+    for (let i = 0; i < lines.length; i += 8) lines.set([lines[i + 6], lines[i + 3], lines[i + 4], lines[i + 5]], i + 3);
+    this.drawnLines = lines.length / 8;
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.segments);
+    gl.bufferData(gl.ARRAY_BUFFER, lines, gl.DYNAMIC_DRAW);
+  }
+
+  /// `style`: shaded, strips (as they were painted), lines (over the surface). `patch`: triangles to be marked. `list`:
+  /// draws these triangles instead of the live buffer, to compare with it.
+  draw(camera, { style, length, patch, list, ink, paper }) {
     const gl = this.#gl;
     const { width, height } = this.canvas;
     const view = camera.view();
@@ -149,7 +193,7 @@ export class Scene {
     gl.uniformMatrix4fv(surface.at('view'), false, view);
     gl.uniformMatrix4fv(surface.at('projection'), false, projection);
     gl.uniform1f(surface.at('flatness'), 0);
-    const color = surface.at('color');
+    const color = surface.at('paint');
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1, 1);
     if (list) {
@@ -159,11 +203,11 @@ export class Scene {
       gl.drawElements(gl.TRIANGLES, list.length, gl.UNSIGNED_INT, 0);
     } else {
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
-      if (style === 'strips' && runs) {
-        for (let i = 0; i < runs.length; i += 3) {
-          gl.uniform4f(color, ...stripColor(runs[i + 2]));
-          gl.drawElements(gl.TRIANGLE_STRIP, runs[i + 1], gl.UNSIGNED_INT, 4 * runs[i]);
-        }
+      if (style === 'strips') {
+        gl.bindVertexArray(this.coloured);
+        gl.uniform4f(color, 1, 1, 1, 1);
+        gl.drawArrays(gl.TRIANGLES, 0, this.painted);
+        gl.bindVertexArray(this.surface);
       } else {
         gl.uniform4f(color, ...ink, 1);
         gl.drawElements(gl.TRIANGLE_STRIP, length, gl.UNSIGNED_INT, 0);
@@ -171,7 +215,7 @@ export class Scene {
     }
     gl.disable(gl.POLYGON_OFFSET_FILL);
     if (patch && patch.length > 0) this.#drawPatch(patch, camera, surface, color);
-    if (segments && style === 'lines') this.#drawSegments(segments, multiply(projection, view), 1.5 * (window.devicePixelRatio || 1), 0.0004, true);
+    if (style === 'lines' && !list) this.#drawLines(multiply(projection, view), 1.5 * (window.devicePixelRatio || 1));
   }
   #drawPatch(patch, camera, surface, color) {
     const gl = this.#gl;
@@ -191,25 +235,15 @@ export class Scene {
     gl.depthFunc(gl.LESS);
     gl.disable(gl.BLEND);
   }
-  #drawSegments(segments, all, width, lift, own) {
+  #drawLines(all, width) {
     const gl = this.#gl;
     const line = this.#programs.line;
-    // Three numbers of the end, then the mark: start has the strip as its fourth.
-    const packed = new Float32Array(segments.length);
-    for (let i = 0; i < segments.length; i += 8) {
-      packed.set([segments[i], segments[i + 1], segments[i + 2], segments[i + 6], segments[i + 3], segments[i + 4], segments[i + 5], segments[i + 7]], i);
-    }
     gl.useProgram(line.program);
     gl.bindVertexArray(this.lines);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.segments);
-    gl.bufferData(gl.ARRAY_BUFFER, packed, gl.STREAM_DRAW);
     gl.uniformMatrix4fv(line.at('all'), false, all);
     gl.uniform2f(line.at('size'), this.canvas.width, this.canvas.height);
     gl.uniform1f(line.at('width'), width);
-    gl.uniform1f(line.at('lift'), lift);
-    gl.uniform1f(line.at('own'), own ? 1 : 0);
-    gl.uniform4f(line.at('color'), 0, 0, 0, 1);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, packed.length / 8);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.drawnLines);
   }
   /// What the card has of the live buffer.
   copyOnCard(length) {

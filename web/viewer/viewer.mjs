@@ -1,14 +1,15 @@
 // The viewer: a progressive mesh whose strips are kept in WebAssembly, drawn from the live index buffer.
-import { load } from '../js/restrip.mjs';
-import { readMesh } from '../js/formats.mjs';
+import { load, none } from '../js/restrip.mjs';
+import { prepared } from './prepare.mjs';
 import { embedded } from './embedded.mjs';
 import { Camera } from './camera.mjs';
 import { Scene } from './scene.mjs';
 import { fanPicture, listed, representative, ringPicture, ruleName } from './patch.mjs';
 
 const by = (id) => document.getElementById(id);
-/// Operations in a frame, so that a frame stays short under every policy.
-const operationsPerFrame = { local: 1500, linked: 1500, quick: 500, full: 100, best: 30, baked: 1500 };
+/// Milliseconds that the operations of a frame may take, and how many there are at first, before their speed is known.
+const frameBudget = 12;
+const firstPace = 256;
 
 class Viewer {
   camera = new Camera();
@@ -19,12 +20,13 @@ class Viewer {
   lastFrame = { operations: 0, bytes: 0, whole: 0 };
   #asked = false;
   #told = -1;  // the operations that the last one was told of
-  mostOperations = 0;  // of any frame
+  pace = firstPace;  // operations of the next frame, at most
   #moved = true;
   #done = true;
 
-  constructor(restrip) {
+  constructor(restrip, wasm) {
     this.restrip = restrip;
+    this.wasm = wasm;  // its bytes, for workers
     this.scene = new Scene(by('canvas'));
     this.camera.listen(by('canvas'), () => this.#changed());
     by('canvas').addEventListener('pointermove', (event) => {
@@ -51,77 +53,95 @@ class Viewer {
       if (event.key === ',') this.step(-1);
     });
     const stage = by('stage');
-    stage.addEventListener('dragover', (event) => { event.preventDefault(); stage.classList.add('over'); });
-    stage.addEventListener('dragleave', () => stage.classList.remove('over'));
-    stage.addEventListener('drop', (event) => {
+    document.addEventListener('dragover', (event) => { event.preventDefault(); stage.classList.add('over'); });
+    document.addEventListener('dragleave', (event) => { if (!event.relatedTarget) stage.classList.remove('over'); });
+    document.addEventListener('drop', (event) => {
       event.preventDefault();
       stage.classList.remove('over');
       if (event.dataTransfer.files.length) this.open(event.dataTransfer.files[0]);
+    });
+    by('canvas').addEventListener('webglcontextlost', (event) => {
+      event.preventDefault();  // so that it may come back
+      this.fault('The browser has taken the graphics card from this page. The picture returns when it gives it back; else load the page again.');
+    });
+    by('canvas').addEventListener('webglcontextrestored', () => {
+      this.scene = new Scene(by('canvas'));
+      this.scene.setPoints(this.mesh.points);
+      this.scene.upload(this.mesh.indices, []);
+      this.painted = null;
+      by('fault').hidden = true;
+      this.ask();
     });
     new ResizeObserver(() => this.#resize()).observe(stage);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.ask());
   }
 
   // ---- meshes
+  /// Prepares a file in a worker and shows it; a file that is opened meanwhile takes its place.
   async open(file) {
+    this.worker?.terminate();
+    this.workerAddress ??= URL.createObjectURL(new Blob([by('worker').textContent], { type: 'text/javascript' }));
+    const worker = this.worker = new Worker(this.workerAddress);
+    this.working(`${file.name} …`);
     try {
-      await this.show(readMesh(file.name, await file.arrayBuffer()), file.name);
+      const bytes = await file.arrayBuffer();
+      const mesh = await new Promise((resolve, reject) => {
+        worker.onmessage = ({ data }) => {
+          if (data.fault !== undefined) reject(new Error(data.fault));
+          else if (data.mesh) resolve(data.mesh);
+          else if (this.worker === worker) this.working(`${file.name}: ${Math.floor(100 * data.share)} % simplified`, data.share);
+        };
+        worker.onerror = (event) => reject(new Error(event.message ?? 'the worker of this page did not start'));
+        worker.postMessage({ wasm: this.wasm, name: file.name, bytes }, [bytes]);
+      });
+      if (this.worker === worker) this.show(mesh);
     } catch (error) {
-      this.fault(error.message.startsWith(file.name) ? error.message : `${file.name}: ${error.message}`);
+      if (this.worker === worker) this.fault(error.message.startsWith(file.name) ? error.message : `${file.name}: ${error.message}`);
+    } finally {
+      worker.terminate();
+      if (this.worker === worker) this.working(null);
     }
   }
-  async show(source, name) {
-    const mesh = source.baked ? this.restrip.baked(source.baked)
-      : source.base ? this.restrip.progressive(source) : this.restrip.simplified(source);
-    if (mesh.levels === 0) {
-      mesh.close();
-      throw new Error(`${name}: no edge of it can be collapsed, so it has one level only`);
-    }
+  /// What is being prepared, and the share that is done where it is known.
+  working(text, share) {
+    by('working').hidden = text === null;
+    by('working-text').textContent = text ?? '';
+    if (share === undefined) by('progress').removeAttribute('value');
+    else by('progress').value = share;
+  }
+  /// `source`: of prepared().
+  show(source) {
+    const mesh = source.baked ? this.restrip.baked(source.baked) : this.restrip.progressive(source);
     this.mesh?.close();
     this.mesh = mesh;
-    this.file = source.baked;
+    this.source = source;
     const baked = by('policy').querySelector('[value=baked]');
     baked.disabled = baked.hidden = !mesh.hasBakedStrips;
     if (baked.disabled && by('policy').value === 'baked') by('policy').value = 'quick';
     by('fault').hidden = true;
-    this.splits = mesh.splits;
+    this.splits = source.splits;
+    this.normals = source.normals;
     this.camera.fit(mesh.points);
     this.scene.setPoints(mesh.points);
-    mesh.begin({ policy: 'local' }).moveTo(mesh.levels);
-    this.normals = this.#normalsOf(mesh.triangles);
-    const left = mesh.leftOut;
-    by('mesh-text').textContent = `${name}: ${mesh.figures.triangles.toLocaleString('en')} triangles, ${mesh.levels.toLocaleString('en')} levels below.` +
+    const left = source.leftOut;
+    let triangles = source.base.length / 3;
+    for (let i = 0; i < this.splits.length; i += 4) triangles += this.splits[i + 2] !== none && this.splits[i + 3] !== none ? 2 : 1;
+    by('mesh-text').textContent = `${source.name}: ${triangles.toLocaleString('en')} triangles, ${mesh.levels.toLocaleString('en')} levels below.` +
       (left.triangles ? ` ${left.triangles} degenerate triangles were left out.` : '') +
       (left.nonManifoldVertices ? ` The mesh is not a manifold at ${left.nonManifoldVertices} vertices, which stay as they are.` : '');
     by('level').max = mesh.levels;
     this.level = Math.round(mesh.levels * 0.35);
     this.begin();
   }
-  #normalsOf(triangles) {
-    const p = this.mesh.points;
-    const normals = new Float32Array(p.length);
-    for (let i = 0; i < triangles.length; i += 3) {
-      const [a, b, c] = [3 * triangles[i], 3 * triangles[i + 1], 3 * triangles[i + 2]];
-      const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
-      const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
-      const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-      for (const v of [a, b, c]) for (let k = 0; k < 3; ++k) normals[v + k] += n[k];
-    }
-    for (let v = 0; v < normals.length; v += 3) {
-      const length = Math.hypot(normals[v], normals[v + 1], normals[v + 2]) || 1;
-      for (let k = 0; k < 3; ++k) normals[v + k] /= length;
-    }
-    return normals;
-  }
-  /// The base with strips from scratch, then the way up under the chosen policy: what is seen does not depend on what
-  /// was seen before.
+  /// The base with strips from scratch; the frames that follow go up under the chosen policy. What is seen then does not
+  /// depend on what was seen before.
   begin() {
     this.mesh.begin({ policy: by('policy').value, cost: by('cost').value });
     by('cost').disabled = by('policy').value === 'baked';
     this.timed = { operations: 0, milliseconds: 0 };
     this.#told = -1;
+    this.pace = firstPace;
     this.#upload();
-    this.mesh.moveTo(Math.min(this.level, this.mesh.levels));
     this.#changed();
   }
 
@@ -180,6 +200,7 @@ class Viewer {
   #upload() {
     const ranges = this.mesh.update();  // may move the indices
     this.scene.upload(this.mesh.indices, ranges);
+    this.painted = null;
   }
   frame() {
     const started = performance.now();
@@ -187,16 +208,18 @@ class Viewer {
     const { mesh, scene } = this;
     if (!mesh) return;
     if (this.#moved || !this.#done) {
-      const most = operationsPerFrame[by('policy').value];
+      const most = this.pace;
       const wanted = by('mode').value === 'level' ? null : this.#wanted();
       const before = performance.now();
       const done = wanted ? mesh.approach(wanted, most) : mesh.moveTo(this.level, most);
-      this.timed.milliseconds += performance.now() - before;
+      const took = performance.now() - before;
+      // The next frame does as many as fit into its budget, if they take as long; the clock may be a coarse one.
+      if (done > 0 && (done === most || took > frameBudget)) this.pace = Math.max(1, Math.min(4 * most, Math.floor(done * frameBudget / Math.max(took, 0.1))));
+      this.timed.milliseconds += took;
       this.timed.operations += done;
       if (this.timed.operations > 20000) for (const key in this.timed) this.timed[key] /= 2;
       this.#moved = false;
       this.#done = done < most;
-      this.mostOperations = Math.max(this.mostOperations, done);
       scene.bytesUploaded = 0;
       this.#upload();
       if (done > 0 || scene.bytesUploaded > 0)
@@ -215,9 +238,15 @@ class Viewer {
   /// `list`: draws the triangles of the mesh one by one, from no strips.
   draw({ style = by('style').value, list = false, patch = true } = {}) {
     const { mesh } = this;
+    if (this.scene.lost) return;
     const marked = patch && this.marked ? this.marked : null;
+    // What a style shows beside the buffer is made when the buffer has changed, not when the camera moves.
+    if (!list && style !== 'shaded' && this.painted !== style) {
+      if (style === 'strips') this.scene.paint(mesh.points, mesh.indices, mesh.runs);
+      else this.scene.setLines(mesh.lines);
+      this.painted = style;
+    }
     this.scene.draw(this.camera, { style, length: mesh.indices.length, ...this.colors(), patch: marked,
-      runs: style === 'strips' && !list ? mesh.runs : null, segments: style === 'lines' && !list ? mesh.lines : null,
       list: list ? mesh.triangles : null });
   }
 
@@ -301,14 +330,21 @@ class Viewer {
     by('compare').disabled = true;
     const rows = [];
     const cost = by('cost').value;
-    const source = { points: this.mesh.points, base: this.#baseOf(), splits: this.splits };
-    for (const policy of ['local', 'linked', 'quick', 'full', ...(this.file ? ['baked'] : [])]) {
-      by('compared').textContent = `${policy} …`;
-      await new Promise((done) => setTimeout(done, 30));
-      const mesh = (policy === 'baked' ? this.restrip.baked(this.file) : this.restrip.progressive(source)).begin({ policy, cost });
-      const before = performance.now();
-      mesh.moveTo(mesh.levels);
-      const each = (performance.now() - before) * 1000 / mesh.levels;
+    const { source } = this;
+    for (const policy of ['local', 'linked', 'quick', 'full', ...(source.baked ? ['baked'] : [])]) {
+      const mesh = (policy === 'baked' ? this.restrip.baked(source.baked) : this.restrip.progressive(source)).begin({ policy, cost });
+      let took = 0;
+      for (let most = firstPace;;) {  // in parts, so that the page goes on
+        by('compared').textContent = `${policy}: ${Math.floor(100 * mesh.figures.played / mesh.levels)} %`;
+        await new Promise((rested) => setTimeout(rested, 0));
+        const before = performance.now();
+        const done = mesh.moveTo(mesh.levels, most);
+        const part = performance.now() - before;
+        took += part;
+        if (done < most) break;
+        most = Math.max(1, Math.min(4 * most, Math.floor(done * 50 / Math.max(part, 0.1))));
+      }
+      const each = took * 1000 / mesh.levels;
       const { triangles, strips, addingStrip } = mesh.figures;
       rows.push([policy, strips, (mesh.plainIndices / triangles).toFixed(3), `${(100 * addingStrip / mesh.levels).toFixed(1)} %`, each.toFixed(1)]);
       if (policy === 'full') this.bound = mesh.indexBound / triangles;
@@ -320,21 +356,15 @@ class Viewer {
     by('compare').disabled = false;
     this.ask();
   }
-  #baseOf() {
-    const { policy, cost } = { policy: by('policy').value, cost: by('cost').value };
-    this.mesh.begin({ policy: 'local' });
-    const base = this.mesh.triangles;
-    this.mesh.begin({ policy, cost });
-    this.begin();
-    return base;
-  }
 }
 
 try {
-  const restrip = await load(await embedded('wasm'));
-  const viewer = new Viewer(restrip);
+  const wasm = await embedded('wasm');
+  const restrip = await load(wasm);
+  const viewer = new Viewer(restrip, wasm);
   window.restripViewer = viewer;  // for the console, and for tests
-  await viewer.show(readMesh('hare.baked', await embedded('mesh')), 'hare');
+  by('still').hidden = true;
+  viewer.show({ ...prepared(restrip, 'hare.baked', await embedded('mesh')).next().value, name: 'hare' });
 } catch (error) {
   by('fault').textContent = error.message;
   by('fault').hidden = false;
