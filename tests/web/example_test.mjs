@@ -91,7 +91,9 @@ try {
   }, about.name);
   assert.ok(found.list > 5000, `the list covers ${found.list} pixels`);
   assert.ok(found.coarse > 1000 && found.lower > 100, `levels look alike: ${found.coarse} and ${found.lower} pixels differ`);
-  assert.deepEqual([found.grown, found.again, found.error], [0, 0, 0]);
+  // Colours that are interpolated from another corner of a triangle may round differently.
+  assert.ok(Math.max(found.grown, found.again) <= found.list / 1000, JSON.stringify(found));
+  assert.equal(found.error, 0);
   assert.ok(found.storages >= 2 && found.ranges > 2 && found.ended === 0, JSON.stringify(found));
   assert.deepEqual(page.faults, []);
 } finally {
