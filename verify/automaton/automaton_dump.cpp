@@ -41,9 +41,10 @@ FanKey key_numbered(const FanPlace& place, std::uint64_t n) {
   return key;
 }
 
-class Reader {
+class AutomatonDumpReader {
  public:
-  Reader(std::FILE* stream, const AutomatonCertificate& certificate, unsigned max_k, AutomatonDumpCheck& check)
+  AutomatonDumpReader(std::FILE* stream, const AutomatonCertificate& certificate, unsigned max_k,
+                      AutomatonDumpCheck& check)
       : lines_(stream), certificate_(certificate), max_k_(max_k), check_(check) {}
 
   void run() {
@@ -187,7 +188,7 @@ class Reader {
 AutomatonDumpCheck check_automaton_dump(std::FILE* stream, const AutomatonCertificate& certificate, unsigned max_k) {
   AutomatonDumpCheck check;
   try {
-    Reader(stream, certificate, max_k, check).run();
+    AutomatonDumpReader(stream, certificate, max_k, check).run();
   } catch (const BadDump& bad) {
     check.fault = bad.what();
   }

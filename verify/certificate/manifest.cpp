@@ -55,7 +55,7 @@ std::size_t rows_of(const std::string& tables_dir, const std::string& path) {
   if (path.ends_with(".cert")) return rows_at_end(read_file(tables_dir + "/" + path));
   std::size_t rows = 0;
   for (const std::string& certificate : certificates_of(path))
-    if (fs::is_regular_file(tables_dir + "/" + certificate)) rows += rows_of(tables_dir, certificate);
+    if (fs::is_regular_file(fs::path(tables_dir) / certificate)) rows += rows_of(tables_dir, certificate);
   return rows;
 }
 
