@@ -165,7 +165,7 @@ class AutomatonDumpReader {
         const FanKey key = key_numbered(place, n);
         const Mask inner = certified.answer(place, key).inner;
         digest = digest * 1000003 + inner;
-        told = told * 1000003 + 64 * solid_count(inner) + isolated_of(patch, {inner, key.ports});
+        told = told * 1000003 + std::uint64_t{64} * solid_count(inner) + isolated_of(patch, {inner, key.ports});
       }
       check_.keys += keys;
       if (const std::string right = fmt::format("{}{:x} told {:x}", head, digest, told); line != right)
