@@ -101,10 +101,11 @@ int main(int argc, char** argv) {
   }
   if (options.max_k > restrip::verify::largest_fan &&
       (options.headers_only || !options.linked_dump_command.empty() || !options.digest_commands.empty())) {
-    fmt::print(stderr,
-               "restrip-verify: --max-k {}: --headers, --linked-dump-command and --digest-command judge fans of up to {} "
-               "triangles\n",
-               options.max_k, restrip::verify::largest_fan);
+    fmt::print(
+        stderr,
+        "restrip-verify: --max-k {}: --headers, --linked-dump-command and --digest-command judge fans of up to {} "
+        "triangles\n",
+        options.max_k, restrip::verify::largest_fan);
     return bad_input;
   }
   if (options.headers_only && options.dump_command.empty() && options.linked_dump_command.empty()) {

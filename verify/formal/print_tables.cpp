@@ -10,10 +10,10 @@
 //
 // A table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read, and
 // Linked.v how the lists of linked rules are. What the answers of fans of up to told_max_k triangles and of the flip
-// tell becomes ToldNumbers.v, which Told.v reads. At the end of a file stands the function from positions, lists of numbers
-// such as [8; 3], to the family's tables. Printed to the standard output: each family, how many positions it has, and
-// how many answers (of linked rules: lists).
-// Anything unexpected ends the program with a message and exit code 1.
+// tell becomes ToldNumbers.v, which Told.v reads. At the end of a file stands the function from positions, lists of
+// numbers such as [8; 3], to the family's tables. Printed to the standard output: each family, how many positions it
+// has, and how many answers (of linked rules: lists). Anything unexpected ends the program with a message and exit
+// code 1.
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -225,8 +225,8 @@ class ToldFile {
   }
   void add(const Header& header, const std::string& digits) {
     if (header.ports > told_max_k) return;
-    const std::string texts =
-        print_texts(out_, "text_" + header.family + (header.position.empty() ? "" : "_") + header.joined_by("_"), digits);
+    const std::string texts = print_texts(
+        out_, "text_" + header.family + (header.position.empty() ? "" : "_") + header.joined_by("_"), digits);
     cases_[header.family] += "  | [" + header.joined_by("; ") + "]%nat => [" + texts + "]\n";
   }
   void close() {

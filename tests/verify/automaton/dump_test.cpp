@@ -19,7 +19,7 @@ constexpr unsigned max_k = 3;
 /// What the shipped program prints of the shipped header.
 std::string shipped_dump() {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(popen(RESTRIP_DUMP " --automaton --max-k 3", "r"),
-                                                              pclose);
+                                                               pclose);
   std::string text;
   for (int c = std::fgetc(stream.get()); c != EOF; c = std::fgetc(stream.get())) text += static_cast<char>(c);
   return text;
@@ -53,8 +53,8 @@ TEST(AutomatonDump, ShippedNumbersAreTheCertificates) {
   EXPECT_EQ(found.keys, 4U * 3 + 9U * 7 + 27U * 14);
 }
 
-// Other numbers in place of every fifth, and all the rest of the lines. Those that nothing asks for may be anything; the
-// format has 0 there, and 255 where a letter is not allowed.
+// Other numbers in place of every fifth, and all the rest of the lines. Those that nothing asks for may be anything;
+// the format has 0 there, and 255 where a letter is not allowed.
 TEST(AutomatonDump, EveryOtherNumberIsNoticed) {
   const Shipped shipped;
   std::vector<std::string> lines;
