@@ -110,7 +110,7 @@ function sameAsBaked() {
     const shown = sorted(mesh.triangles);
     assert.deepEqual(shown, sorted(straight.triangles));
     assert.deepEqual(sorted(drawn(mesh.indices)), shown);
-    // The strips of a level are the same from both sides: so are its runs, named by their lowest triangle.
+    // The strips of a level are the same from both sides: so are its lines, named by their lowest triangle.
     const lines = mesh.lines;
     if (buffers.has(triangles)) assert.deepEqual(lines, buffers.get(triangles));
     else buffers.set(triangles, lines);
@@ -135,9 +135,24 @@ function sameAsBaked() {
   mesh.moveTo(mesh.levels);
   mesh.update();
   assert.ok(!mesh.figures.baked && mesh.valid);
-  assert.equal(mesh.figures.strips, new Set(Array.from(mesh.runs).filter((_, n) => n % 3 === 2)).size);
+  assert.equal(mesh.figures.strips, new Set(Array.from(mesh.ribbon).filter((_, n) => n % 9 === 8)).size);
   assert.equal(mesh.figures.refused, 0);
   mesh.begin({ policy: 'baked' }).moveTo(mesh.levels);
+  // Strips from scratch draw the same triangles, and leave those that are kept; so does the list, whole or by its slots.
+  const anew = mesh.fromScratch({ cost: 'indices' });
+  assert.deepEqual(sorted(drawn(anew.indices)), sorted(mesh.triangles));
+  assert.equal(new Set(Array.from(anew.ribbon).filter((_, n) => n % 9 === 8)).size, anew.indices.filter((index) => index === restartIndex).length + 1);
+  const written = () => mesh.updateList().reduce((sum, { count }) => sum + count, 0);
+  mesh.updateList({ whole: true });
+  assert.equal(mesh.moveTo(mesh.levels - 1), 1);
+  assert.ok(written() < 100);
+  assert.deepEqual(sorted(mesh.listIndices.slice()), sorted(mesh.triangles));
+  mesh.moveTo(mesh.levels);
+  // Nothing can be split at the finest level; one step below, one record.
+  assert.equal(mesh.ready.length, 0);
+  mesh.moveTo(mesh.levels - 1);
+  assert.deepEqual([...mesh.ready], [mesh.levels - 1]);
+  mesh.moveTo(mesh.levels);
   assert.ok(mesh.figures.baked);
   assert.equal(mesh.figures.strips, native.levels.at(-1).strips);
   // An operation that is none of the records ends it as well, even where it adds the next vertex.
@@ -541,8 +556,8 @@ function misuseThrows() {
   const mesh = restrip.progressive(source);
   const needStrips = {
     moveTo: () => mesh.moveTo(1), approach: () => mesh.approach([1]), split: () => mesh.split(4, 6, 0, 1), collapse: () => mesh.collapse(4, 5),
-    flip: () => mesh.flip(0, 1), update: () => mesh.update(), pick: () => mesh.pick([0, 0, 0], [0, 0, 1]),
-    ...Object.fromEntries(['indices', 'triangles', 'figures', 'plainIndices', 'indexBound', 'valid', 'runs', 'lines', 'last'].map((name) => [name, () => mesh[name]])) };
+    flip: () => mesh.flip(0, 1), update: () => mesh.update(), updateList: () => mesh.updateList(), fromScratch: () => mesh.fromScratch(), pick: () => mesh.pick([0, 0, 0], [0, 0, 1]),
+    ...Object.fromEntries(['indices', 'triangles', 'figures', 'plainIndices', 'indexBound', 'valid', 'ribbon', 'lines', 'last', 'ready', 'listIndices'].map((name) => [name, () => mesh[name]])) };
   const others = { begin: () => mesh.begin(), splits: () => mesh.splits, leftOut: () => mesh.leftOut, hasBakedStrips: () => mesh.hasBakedStrips };
   // No method is forgotten here.
   const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesh)).filter((name) => !['constructor', 'close', 'levels'].includes(name));

@@ -1,6 +1,6 @@
 // The viewer in headless Chromium, opened from the file system. The picture drawn from the live strips is, pixel for
 // pixel, the one drawn from a plain list of the mesh's triangles: at several levels, under policies and costs, in the
-// view-dependent modes and after a random walk of the slider. The copy of the index buffer on the graphics card is the
+// view-dependent modes, after 60 cuts and after a random walk of the slider. The copy of the index buffer on the graphics card is the
 // live one. The figures on the page are those of `restrip replay` for the same way. A frame does as many operations as fit
 // into its budget of time, by a clock that the test turns. Strips in colours take one draw call. A dropped mesh is prepared
 // in a worker and shown, a file that is none is refused with a sentence. Without WebGL or JavaScript, and when the context is
@@ -129,14 +129,14 @@ try {
       return done;
     };
   });
-  await choose(page, { level: 4000 });
+  await choose(page, { level: 1000 });
   await settled(page);
   const parts = await page.run(() => {
     performance.now = window.now;
     delete restripViewer.mesh.moveTo;
     return window.parts;
   });
-  assert.equal(parts.reduce((sum, n) => sum + n), 4000);
+  assert.equal(parts.reduce((sum, n) => sum + n), 1000);
   assert.deepEqual(new Set(parts.slice(1, -1)), new Set([48]), `${parts}`);
 
   // Strips in colours: one draw call, the pixels of the surface, and a colour for each strip that is seen.
@@ -157,10 +157,120 @@ try {
     viewer.draw({ style: 'shaded', patch: false, list: true });
     const other = covered();
     return { made, different: one.reduce((sum, n, i) => sum + (n !== other[i] ? 1 : 0), 0), shown: one.reduce((sum, n) => sum + n, 0),
-      strips: viewer.figures.strips, runs: viewer.mesh.runs.length / 3 };
+      strips: viewer.figures.strips, ribbons: viewer.ribbon.strips.length };
   });
-  assert.ok(coloured.strips > 10 && coloured.runs >= coloured.strips && coloured.shown > 10000);
+  assert.ok(coloured.strips > 10 && coloured.ribbons === coloured.strips && coloured.shown > 10000);
   assert.deepEqual([coloured.made, coloured.different], [1, 0]);
+
+  // A wall is dark where the library's colours do not join two triangles, and only there; a strip keeps its colour.
+  await choose(page, { policy: 'quick', cost: 'strips', level: 101 });
+  await settled(page);
+  const names = await page.run('[...restripViewer.ribbon.names]');
+  await choose(page, { level: 100 });
+  await settled(page);
+  const kept = await page.run((before) => {
+    const { names } = restripViewer.ribbon;
+    return names.filter((name, t) => name >= 0 && name === before[t]).length / names.filter((name) => name >= 0).length;
+  }, names);
+  assert.ok(kept > 0.6, `${kept} of the triangles keep their colour`);
+  const walls = await page.run(() => {
+    const viewer = window.restripViewer;
+    const { camera, mesh, ribbon, scene } = viewer;
+    const { width, height } = scene.canvas;
+    viewer.draw({ patch: false });
+    const pixels = scene.pixels();
+    const [view, projection] = [camera.view(), camera.projection(width / height)];
+    const turned = (m, p) => [0, 1, 2, 3].map((r) => m[r] * p[0] + m[4 + r] * p[1] + m[8 + r] * p[2] + m[12 + r] * (p[3] ?? 1));
+    const onScreen = (p) => { const [x, y, , w] = turned(projection, turned(view, p)); return [(x / w + 1) / 2 * width, (y / w + 1) / 2 * height]; };
+    const light = (p, away) => {
+      const [x, y] = onScreen(p).map(Math.floor);
+      let least = Infinity;
+      for (let dx = -away; dx <= away; ++dx)
+        for (let dy = -away; dy <= away; ++dy) {
+          const at = 4 * ((y + dy) * width + x + dx);
+          least = Math.min(least, 0.3 * pixels[at] + 0.6 * pixels[at + 1] + 0.1 * pixels[at + 2]);
+        }
+      return least;
+    };
+    const seen = (p) => { const hit = mesh.pick(camera.eye, p.map((c, n) => c - camera.eye[n])); return hit && Math.hypot(...hit.map((c, n) => c - p[n])) < 2e-3 * camera.size; };
+    const point = (v) => [...mesh.points.subarray(3 * v, 3 * v + 3)];
+    const mean = (...all) => [0, 1, 2].map((n) => all.reduce((sum, p) => sum + p[n] / all.length, 0));
+    const counts = { walls: 0, brightWalls: 0, joined: 0, darkJoined: 0 };
+    for (let i = 0; i < ribbon.count; ++i) {
+      for (let side = 0; side < 3; ++side) {
+        const j = ribbon.place[ribbon.beyond(i, side)];
+        if (j < i) continue;
+        const [here, there] = [i, j].map((t) => [...ribbon.corners(t)].map(point));
+        const ends = [side, (side + 1) % 3].map((n) => here[n]);
+        const [from, to] = ends.map(onScreen);
+        const area = ([a, b, c]) => ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+        const long = Math.hypot(to[0] - from[0], to[1] - from[1]);
+        // Long edges between broad triangles that face the camera.
+        if (long < 20 || [here, there].some((corners) => area(corners.map(onScreen)) < 10 * long)) continue;
+        const places = [mean(...ends), mean(...here), mean(...there)];
+        if (!places.every(seen)) continue;
+        const share = light(places[0], 1) / Math.min(light(places[1], 0), light(places[2], 0));
+        if (ribbon.joined(i, side)) ++counts.joined, counts.darkJoined += share < 0.6 ? 1 : 0;
+        else ++counts.walls, counts.brightWalls += share > 0.5 ? 1 : 0;
+      }
+    }
+    return counts;
+  });
+  assert.ok(walls.walls >= 8 && walls.joined >= 8, JSON.stringify(walls));
+  assert.deepEqual([walls.brightWalls, walls.darkJoined], [0, 0], JSON.stringify(walls));
+  writeFileSync(join(scratch, 'viewer-ribbon.png'), await page.screenshot());
+
+  // Cut it: after each of 60 clicks the two new triangles are in view while the strips are cut, and not before.
+  await choose(page, { policy: 'baked', level: 768 });
+  await settled(page);
+  const cuts = await page.run(() => {
+    const viewer = window.restripViewer;
+    const { width, height } = viewer.scene.canvas;
+    const fresh = () => {
+      const p = viewer.scene.pixels();
+      let count = 0;
+      for (let i = 0; i < p.length; i += 4) if (p[i] > 70 && Math.abs(p[i + 1] / p[i] - 0.76) < 0.08 && p[i + 2] / p[i] < 0.25) ++count;
+      return count;
+    };
+    let seed = 11;
+    const random = () => (seed = seed * 48271 % 2147483647) / 2147483647;
+    const found = [];
+    while (found.length < 60) {
+      viewer.camera.place = viewer.home;
+      if (!viewer.cut.click(viewer.camera.ray(2 * random() - 1, 2 * random() - 1, width / height))) continue;
+      const counts = ['before', 'cut'].map((step) => {
+        viewer.cut.show(step);
+        viewer.draw({ now: 0 });
+        return fresh();
+      });
+      found.push(counts);
+    }
+    return { found, valid: viewer.mesh.valid, clicks: viewer.clicks.length, ...viewer.mesh.figures };
+  });
+  const out = cuts.found.filter(([before, cut]) => before > 0 || cut < 60);
+  assert.deepEqual(out, [], `${out.length} of 60 cuts are not in view`);
+  assert.ok(cuts.valid && cuts.played === 768 + 60 && cuts.clicks === 60 && cuts.refused === 0);
+  assert.ok(cuts.strips <= 1 + 60 && !cuts.baked);
+  await page.run(() => { location.hash = '#part=cut'; });
+  await page.until(() => !document.getElementById('part-cut').hidden);
+  assert.equal(await page.run('document.querySelectorAll("#last-pictures svg [data-face]").length > 0 && document.querySelectorAll("#steps [aria-pressed=true]").length'), 1);
+  writeFileSync(join(scratch, 'viewer-cut.png'), await page.screenshot());
+  await page.run(() => document.querySelector('#steps [value=mended]').click());
+  await agrees(page, 'after 60 cuts');
+  // The link of what is seen shows the same.
+  await page.until(() => location.hash.includes('cut='));
+  const state = await page.run(() => ({ hash: location.hash, strips: restripViewer.figures.strips, clicks: restripViewer.clicks, place: restripViewer.camera.place }));
+  const again = await browser.page(840, 520);
+  await again.open(address + state.hash);
+  await settled(again);
+  const there = await again.run(() => ({ strips: restripViewer.figures.strips, clicks: restripViewer.clicks, yaw: restripViewer.camera.yaw, cut: !document.getElementById('part-cut').hidden }));
+  assert.deepEqual([there.strips, there.clicks, there.cut], [state.strips, state.clicks, true]);
+  assert.ok(Math.abs(there.yaw - state.place.yaw) < 0.01);
+  quiet(again);
+  await page.send('Page.bringToFront');  // a page behind another one gets no frames
+  await page.run(() => { document.getElementById('whole').click(); location.hash = '#part=ribbon'; });
+  await settled(page);
+  assert.equal(await page.run('restripViewer.figures.strips'), 1);
 
   // View-dependent.
   for (const mode of ['cursor', 'silhouette']) {
@@ -180,7 +290,7 @@ try {
     pictures: document.querySelectorAll('#last-pictures svg').length }));
   assert.equal(one.operations, 1);
   assert.ok(one.bytes > 0 && one.bytes < one.whole / 4, `${one.bytes} of ${one.whole} bytes`);
-  assert.ok(one.marked >= 3 && one.pictures === 2);
+  assert.ok(one.marked >= 3 && one.pictures === 3);
   assert.match(one.text, /^Vertex split, .*rule split-/);
   writeFileSync(join(scratch, 'viewer-lines.png'), await page.screenshot());
 

@@ -116,6 +116,8 @@ export class StripMesh implements Disposable {
   moveTo(level: number, most?: number): number;
   /** The same towards the records marked 1 in `wanted`, a byte each, and those that they need: a view-dependent mesh. */
   approach(wanted: Uint8Array, most?: number): number;
+  /** The records that can be split now: all that they need are split. Linear time. */
+  readonly ready: Uint32Array;
   /** Single operations by vertices; vT needs a point. Null when done, else a sentence that says why the mesh refuses. */
   split(vS: number, vT: number, vL: number, vR: number): string | null;
   collapse(vS: number, vT: number): string | null;
@@ -124,6 +126,14 @@ export class StripMesh implements Disposable {
   /** Brings the index buffer in step; returns the ranges to upload. The buffer may have become longer than its storage
    * on the graphics card. Time linear in what changed. */
   update(): Range[];
+  /** In place of update(), for a policy such as 'bare' that keeps no strips: a triangle list, in which an operation writes
+   * the slots of the triangles that it changed alone; or, if it is to be so, the list as a whole. */
+  updateList(options?: { whole?: boolean }): Range[];
+  /** That list, 3 indices a triangle. A view, not a copy. */
+  readonly listIndices: Uint32Array;
+  /** Strips of the mesh as it is, made anew by the fastest way there is here; those that are kept do not change. Copies of
+   * their index buffer and of their triangles, as in `ribbon`. Linear time. */
+  fromScratch(options?: { cost?: Cost }): { indices: Uint32Array; ribbon: Uint32Array };
   /** The index buffer: one triangle strip with restarts. A view, not a copy. */
   readonly indices: Uint32Array;
   /** A copy of the triangles, 3 numbers each. */
@@ -137,8 +147,10 @@ export class StripMesh implements Disposable {
   /** Checks the colouring from its definition. Linear time. */
   readonly valid: boolean;
 
-  /** The runs of the index buffer: first, count, and a number that names the strip. Linear time. */
-  readonly runs: Uint32Array;
+  /** The triangles, strip by strip and in the order of their strips, 9 numbers each: the triangle, its three corners, the
+   * triangles beyond its three sides (`none` at the boundary), a mask of the sides where its strip goes on, and the strip,
+   * named by its lowest triangle. Side 0 is from the first corner to the second. Linear time. */
+  readonly ribbon: Uint32Array;
   /** The strips as lines, 8 numbers a segment: two points, the strip, 1 at its end. Linear time. */
   readonly lines: Float32Array;
   /** Where a ray meets the mesh first, or null. Linear time. */

@@ -67,6 +67,13 @@ function vertices(what, list, width, count, or = NaN) {
       throw new RangeError(`${what} ${Math.floor(i / width)} names vertex ${String(list[i])}; there are ${count}`);
   return Uint32Array.from(list);
 }
+function weights(cost) {
+  const own = typeof cost === 'string' && Object.hasOwn(costs, cost) ? costs[cost] : cost;
+  if (typeof own !== 'object' || own === null)
+    throw new RangeError(`there is no cost ${String(cost)}; there are ${Object.keys(costs).join(', ')}, and weights of one's own`);
+  const { restart, swap, isolated = 0 } = own;
+  return Object.entries({ restart, swap, isolated }).map(([name, weight]) => whole(`the weight ${name}`, weight, 1000));
+}
 function mask(what, bits) {
   const out = BigInt(bits);
   if (BigInt.asUintN(64, out) !== out) throw new RangeError(`${what} is ${out}; it must have bits 0 to 63 only`);
@@ -240,12 +247,7 @@ export class StripMesh {
     const policies = policiesOf(this.#wasm);
     const number = policies.indexOf(policy);
     if (number < 0) throw new RangeError(`there is no policy ${policy}; there are ${policies.join(', ')}, and baked for baked meshes`);
-    const weights = typeof cost === 'string' && Object.hasOwn(costs, cost) ? costs[cost] : cost;
-    if (typeof weights !== 'object' || weights === null)
-      throw new RangeError(`there is no cost ${String(cost)}; there are ${Object.keys(costs).join(', ')}, and weights of one's own`);
-    const { restart, swap, isolated = 0 } = weights;
-    this.#wasm.restrip_begin(this.#open, number, whole('the weight restart', restart, 1000), whole('the weight swap', swap, 1000),
-      whole('the weight isolated', isolated, 1000));
+    this.#wasm.restrip_begin(this.#open, number, ...weights(cost));
     this.#begun = true;
     return this;
   }
@@ -272,8 +274,17 @@ export class StripMesh {
     return textAt(this.#wasm, this.#wasm.restrip_describe(refusal));
   }
 
-  update() {
-    const flat = listAt(this.#wasm, this.#wasm.restrip_update(this.#kept), Uint32Array, 2);
+  get ready() { return listAt(this.#wasm, this.#wasm.restrip_ready(this.#kept), Uint32Array, 1).slice(); }
+
+  update() { return this.#ranges(this.#wasm.restrip_update(this.#kept)); }
+  updateList({ whole: all = false } = {}) { return this.#ranges(this.#wasm.restrip_update_list(this.#kept, all ? 1 : 0)); }
+  get listIndices() { return listAt(this.#wasm, this.#wasm.restrip_list(this.#kept), Uint32Array, 1); }
+  fromScratch({ cost = 'strips' } = {}) {
+    const indices = listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost)), Uint32Array, 1).slice();
+    return { indices, ribbon: listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 1), Uint32Array, 9).slice() };
+  }
+  #ranges(address) {
+    const flat = listAt(this.#wasm, address, Uint32Array, 2);
     const ranges = [];
     for (let i = 0; i < flat.length; i += 2) ranges.push({ first: flat[i], count: flat[i + 1] });
     return ranges;
@@ -291,7 +302,7 @@ export class StripMesh {
   get indexBound() { return this.#wasm.restrip_index_bound(this.#kept); }
   get valid() { return this.#wasm.restrip_valid(this.#kept) === 1; }
 
-  get runs() { return listAt(this.#wasm, this.#wasm.restrip_runs(this.#kept), Uint32Array, 3).slice(); }
+  get ribbon() { return listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 0), Uint32Array, 9).slice(); }
   get lines() { return listAt(this.#wasm, this.#wasm.restrip_lines(this.#kept), Float32Array, 1).slice(); }
   pick(from, along) {
     for (const [what, place] of [['from', from], ['along', along]])

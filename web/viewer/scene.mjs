@@ -5,22 +5,64 @@ import { multiply } from './camera.mjs';
 const surfaceVertex = `#version 300 es
 uniform mat4 view, projection;
 layout(location = 0) in vec3 place;
-layout(location = 1) in vec4 tint;
 out vec3 seen;
-out vec4 own;
-void main() { vec4 at = view * vec4(place, 1.0); seen = at.xyz; own = tint; gl_Position = projection * at; }`;
+void main() { vec4 at = view * vec4(place, 1.0); seen = at.xyz; gl_Position = projection * at; }`;
+const shade = `
+float shade(vec3 seen) {
+  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
+  return 0.46 + 0.5 * max(dot(normal, normalize(vec3(0.3, 0.5, 0.8))), 0.0) + 0.16 * max(dot(normal, vec3(-0.7, 0.2, 0.3)), 0.0);
+}`;
 const surfaceFragment = `#version 300 es
 precision highp float;
 uniform vec4 paint;
 uniform float flatness;
 in vec3 seen;
-in vec4 own;
 out vec4 pixel;
+${shade}
+void main() { pixel = vec4(mix(paint.rgb * shade(seen), paint.rgb, flatness) * paint.a, paint.a); }`;
+// Ribbons: dark walls at the sides where a strip does not go on, thin edges within it, and a light that runs along it.
+const ribbonVertex = `#version 300 es
+uniform mat4 view, projection;
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec4 tint;
+layout(location = 2) in vec2 way;
+out vec3 seen, inside;
+out vec2 along;
+out vec3 own;
+flat out vec3 wall;
 void main() {
-  vec4 color = paint * own;
-  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
-  float light = 0.42 + 0.5 * max(dot(normal, normalize(vec3(0.3, 0.5, 0.8))), 0.0) + 0.16 * max(dot(normal, vec3(-0.7, 0.2, 0.3)), 0.0);
-  pixel = vec4(mix(color.rgb * light, color.rgb, flatness) * color.a, color.a);
+  vec4 at = view * vec4(place, 1.0);
+  seen = at.xyz;
+  own = tint.rgb;
+  along = way;
+  int corner = gl_VertexID % 3, walls = int(tint.a * 255.0 + 0.5);
+  inside = vec3(corner == 0, corner == 1, corner == 2);
+  wall = vec3(walls >> 1 & 1, walls >> 2 & 1, walls & 1);  // by the corner that lies opposite
+  gl_Position = projection * at;
+}`;
+const ribbonFragment = `#version 300 es
+precision highp float;
+uniform float time, density;
+in vec3 seen, inside, own;
+in vec2 along;
+flat in vec3 wall;
+out vec4 pixel;
+${shade}
+void main() {
+  vec3 color = own * shade(seen);
+  if (time >= 0.0 && along.y > 2.5) {
+    float tail = clamp(along.y * 0.05, 2.0, 60.0), lasts = clamp(along.y / 150.0, 2.0, 12.0);
+    float behind = fract(time / lasts) * (along.y + 3.0 * tail) - along.x;
+    color = mix(color, vec3(1.0, 0.99, 0.92), behind > -0.6 ? 0.85 * exp(-max(behind, 0.0) / tail) : 0.0);
+  }
+  vec3 step = fwidth(inside) * density;
+  vec3 thick = (1.0 - smoothstep(vec3(0.6), vec3(1.7), inside / step)) * wall;
+  vec3 thin = 1.0 - smoothstep(vec3(0.0), vec3(0.9), inside / step);
+  // Lines fade where triangles are hardly larger than they.
+  vec3 room = smoothstep(vec3(2.0), vec3(9.0), 1.0 / step);
+  color *= 1.0 - 0.22 * max(max(thin.x * room.x, thin.y * room.y), thin.z * room.z);
+  thick *= 0.35 + 0.55 * room;
+  pixel = vec4(mix(color, vec3(0.05, 0.06, 0.09), max(max(thick.x, thick.y), thick.z)), 1.0);
 }`;
 // Each segment is a quad of some width on the screen; one that ends a strip is an arrow head.
 const lineVertex = `#version 300 es
@@ -49,17 +91,6 @@ out vec4 pixel;
 vec3 hue(float h) { return clamp(abs(mod(h * 6.0 + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0); }
 void main() { pixel = vec4(mix(vec3(0.5), hue(fract(strip * 0.6180339887)), 0.62) * 0.8, 1.0); }`;
 
-/// A colour for each strip: hues by the golden ratio.
-export function stripColor(strip) {
-  const hue = strip * 0.618033988749895 % 1;
-  const light = 0.60 + 0.09 * (strip % 3);
-  const channel = (n) => {
-    const k = (n + hue * 12) % 12;
-    return light - 0.62 * Math.min(light, 1 - light) * Math.max(-1, Math.min(k - 3, 9 - k, 1));
-  };
-  return [channel(0), channel(8), channel(4), 1];
-}
-
 export class Scene {
   bytesUploaded = 0;  // of the index buffer, since it was asked last
   wholeUploads = 0;
@@ -72,25 +103,18 @@ export class Scene {
     if (!gl) throw new Error('This browser offers no WebGL 2, so the mesh cannot be shown. The picture is a still one.');
     this.#gl = gl;
     this.canvas = canvas;
-    for (const [name, vertex, fragment] of [['surface', surfaceVertex, surfaceFragment], ['line', lineVertex, lineFragment]])
+    for (const [name, vertex, fragment] of [['surface', surfaceVertex, surfaceFragment], ['ribbon', ribbonVertex, ribbonFragment], ['line', lineVertex, lineFragment]])
       this.#programs[name] = this.#program(vertex, fragment);
     this.points = gl.createBuffer();
     this.live = gl.createBuffer();
     this.other = gl.createBuffer();
     this.segments = gl.createBuffer();
-    this.corners = gl.createBuffer();
-    // Places alone, and all of one colour; or places with a colour each.
-    gl.vertexAttrib4f(1, 1, 1, 1, 1);
-    [this.surface, this.coloured] = [[this.points, 0], [this.corners, 16]].map(([buffer, stride]) => {
-      const array = gl.createVertexArray();
-      gl.bindVertexArray(array);
-      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-      gl.enableVertexAttribArray(0);
-      gl.vertexAttribPointer(0, 3, gl.FLOAT, false, stride, 0);
-      if (stride === 0) return array;
-      gl.enableVertexAttribArray(1);
-      gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, stride, 12);
-      return array;
+    this.surface = this.#array(this.points, 0, [[0, 3, gl.FLOAT, false, 0]]);
+    // Ribbons of one mesh, or of two beside each other.
+    this.ribbons = [0, 1].map(() => {
+      const buffer = gl.createBuffer();
+      const array = this.#array(buffer, 24, [[0, 3, gl.FLOAT, false, 0], [1, 4, gl.UNSIGNED_BYTE, true, 12], [2, 2, gl.FLOAT, false, 16]]);
+      return { buffer, array, size: 0 };
     });
     this.lines = gl.createVertexArray();
     gl.bindVertexArray(this.lines);
@@ -101,6 +125,17 @@ export class Scene {
       gl.vertexAttribPointer(at, 4, gl.FLOAT, false, 32, offset);
       gl.vertexAttribDivisor(at, 1);
     }
+  }
+  #array(buffer, stride, attributes) {
+    const gl = this.#gl;
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    for (const [at, size, type, normalized, offset] of attributes) {
+      gl.enableVertexAttribArray(at);
+      gl.vertexAttribPointer(at, size, type, normalized, stride, offset);
+    }
+    return array;
   }
   #program(vertex, fragment) {
     const gl = this.#gl;
@@ -141,29 +176,14 @@ export class Scene {
     }
   }
 
-  /// The strips in colours of their own, for one draw call: vertices are shared among strips, so that each triangle has
-  /// three corners of its own here, read from the runs of the live buffer.
-  paint(points, indices, runs) {
+  /// Vertices of a Ribbon, for one draw call: vertices of the mesh are shared among strips, so that each triangle has three
+  /// corners of its own here.
+  paint(vertices, which = 0) {
     const gl = this.#gl;
-    const places = new Float32Array(4 * 3 * indices.length);
-    const colors = new Uint32Array(places.buffer);
-    let end = 0;
-    for (let r = 0; r < runs.length; r += 3) {
-      const [red, green, blue] = stripColor(runs[r + 2]).map((channel) => Math.round(255 * channel));
-      const color = (0xff000000 | blue << 16 | green << 8 | red) >>> 0;
-      for (let i = runs[r] + 2; i < runs[r] + runs[r + 1]; ++i) {
-        const [a, b, c] = [indices[i - 2], indices[i - 1], indices[i]];
-        if (a === b || b === c || c === a) continue;
-        for (const v of [a, b, c]) {
-          for (let n = 0; n < 3; ++n) places[end + n] = points[3 * v + n];
-          colors[end + 3] = color;
-          end += 4;
-        }
-      }
-    }
-    this.painted = end / 4;
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.corners);
-    gl.bufferData(gl.ARRAY_BUFFER, places.subarray(0, end), gl.DYNAMIC_DRAW);
+    const ribbon = this.ribbons[which];
+    ribbon.size = vertices.length / 6;
+    gl.bindBuffer(gl.ARRAY_BUFFER, ribbon.buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.DYNAMIC_DRAW);
   }
   /// The strips as lines: start with the strip as its fourth number, end with the mark of a strip's end.
   setLines(lines) {
@@ -174,56 +194,84 @@ export class Scene {
     gl.bufferData(gl.ARRAY_BUFFER, lines, gl.DYNAMIC_DRAW);
   }
 
-  /// `style`: shaded, strips (as they were painted), lines (over the surface). `patch`: triangles to be marked. `list`:
-  /// draws these triangles instead of the live buffer, to compare with it.
-  draw(camera, { style, length, patch, list, ink, paper }) {
+  /// The mesh alone. `style`: shaded, strips (the ribbon as it was painted), lines (over the surface). `patch`: triangles to be
+  /// marked. `list`: draws these triangles instead of the live buffer, to compare with it. `time`: of the light that runs
+  /// along strips, in seconds; less than 0: none.
+  draw(camera, { style, length, patch, list, ink, paper, time = -1 }) {
     const gl = this.#gl;
-    const { width, height } = this.canvas;
-    const view = camera.view();
-    const projection = camera.projection(width / height);
-    gl.viewport(0, 0, width, height);
+    this.#clear(paper, 0, this.canvas.width);
+    const { view, projection } = this.#seen(camera, this.canvas.width);
+    if (style === 'strips' && !list) {
+      this.#drawRibbon(this.ribbons[0], view, projection, time);
+    } else {
+      const color = this.#surfaceProgram(view, projection, 0);
+      gl.uniform4f(color, ...ink, 1);
+      if (list) {
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.other);
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, list, gl.STREAM_DRAW);
+        gl.drawElements(gl.TRIANGLES, list.length, gl.UNSIGNED_INT, 0);
+      } else {
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
+        gl.drawElements(gl.TRIANGLE_STRIP, length, gl.UNSIGNED_INT, 0);
+      }
+    }
+    gl.disable(gl.POLYGON_OFFSET_FILL);
+    if (patch && patch.length > 0) this.#drawPatch(patch, this.#surfaceProgram(view, projection, 1));
+    if (style === 'lines' && !list) this.#drawLines(multiply(projection, view), 1.5 * (window.devicePixelRatio || 1));
+  }
+  /// Both ribbons side by side.
+  drawPair(camera, { paper, time = -1 }) {
+    const half = this.canvas.width >> 1;
+    this.#clear(paper, 0, this.canvas.width);
+    this.ribbons.forEach((ribbon, n) => {
+      this.#gl.viewport(n * half, 0, half, this.canvas.height);
+      const { view, projection } = this.#seen(camera, half);
+      this.#drawRibbon(ribbon, view, projection, time);
+    });
+    this.#gl.disable(this.#gl.POLYGON_OFFSET_FILL);
+  }
+  #clear(paper, left, width) {
+    const gl = this.#gl;
+    gl.viewport(left, 0, width, this.canvas.height);
     gl.clearColor(...paper, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);
     gl.disable(gl.CULL_FACE);
-    const surface = this.#programs.surface;
-    gl.useProgram(surface.program);
-    gl.bindVertexArray(this.surface);
-    gl.uniformMatrix4fv(surface.at('view'), false, view);
-    gl.uniformMatrix4fv(surface.at('projection'), false, projection);
-    gl.uniform1f(surface.at('flatness'), 0);
-    const color = surface.at('paint');
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1, 1);
-    if (list) {
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.other);
-      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, list, gl.STREAM_DRAW);
-      gl.uniform4f(color, ...ink, 1);
-      gl.drawElements(gl.TRIANGLES, list.length, gl.UNSIGNED_INT, 0);
-    } else {
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
-      if (style === 'strips') {
-        gl.bindVertexArray(this.coloured);
-        gl.uniform4f(color, 1, 1, 1, 1);
-        gl.drawArrays(gl.TRIANGLES, 0, this.painted);
-        gl.bindVertexArray(this.surface);
-      } else {
-        gl.uniform4f(color, ...ink, 1);
-        gl.drawElements(gl.TRIANGLE_STRIP, length, gl.UNSIGNED_INT, 0);
-      }
-    }
-    gl.disable(gl.POLYGON_OFFSET_FILL);
-    if (patch && patch.length > 0) this.#drawPatch(patch, camera, surface, color);
-    if (style === 'lines' && !list) this.#drawLines(multiply(projection, view), 1.5 * (window.devicePixelRatio || 1));
   }
-  #drawPatch(patch, camera, surface, color) {
+  #seen(camera, width) {
+    return { view: camera.view(), projection: camera.projection(width / this.canvas.height) };
+  }
+  #drawRibbon({ array, size }, view, projection, time) {
+    const gl = this.#gl;
+    const { program, at } = this.#programs.ribbon;
+    gl.useProgram(program);
+    gl.bindVertexArray(array);
+    gl.uniformMatrix4fv(at('view'), false, view);
+    gl.uniformMatrix4fv(at('projection'), false, projection);
+    gl.uniform1f(at('time'), time);
+    gl.uniform1f(at('density'), Math.min(window.devicePixelRatio || 1, 2));
+    gl.drawArrays(gl.TRIANGLES, 0, size);
+  }
+  /// Where its colour goes.
+  #surfaceProgram(view, projection, flatness) {
+    const gl = this.#gl;
+    const { program, at } = this.#programs.surface;
+    gl.useProgram(program);
+    gl.bindVertexArray(this.surface);
+    gl.uniformMatrix4fv(at('view'), false, view);
+    gl.uniformMatrix4fv(at('projection'), false, projection);
+    gl.uniform1f(at('flatness'), flatness);
+    return at('paint');
+  }
+  #drawPatch(patch, color) {
     const gl = this.#gl;
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthFunc(gl.LEQUAL);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.other);
-    gl.uniform1f(surface.at('flatness'), 1);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, patch, gl.STREAM_DRAW);
     gl.uniform4f(color, 1, 0.72, 0.1, 0.55);
     gl.drawElements(gl.TRIANGLES, patch.length, gl.UNSIGNED_INT, 0);

@@ -1,12 +1,17 @@
-// The viewer: a progressive mesh whose strips are kept in WebAssembly, drawn from the live index buffer.
+// The page: a progressive mesh whose strips are kept in WebAssembly, drawn from the live index buffer or as ribbons, and
+// the parts that play with it.
 import { load, none } from '../js/restrip.mjs';
 import { prepared } from './prepare.mjs';
 import { embedded } from './embedded.mjs';
 import { Camera } from './camera.mjs';
 import { Scene } from './scene.mjs';
-import { fanPicture, listed, representative, ringPicture, ruleName } from './patch.mjs';
+import { Ribbon } from './ribbon.mjs';
+import { Cut } from './cut.mjs';
+import { placeOf, placeText, readLink, writeLink } from './link.mjs';
 
 const by = (id) => document.getElementById(id);
+const parts = ['ribbon', 'cut'];
+const still = matchMedia('(prefers-reduced-motion: reduce)');
 /// Milliseconds that the operations of a frame may take, and how many there are at first, before their speed is known.
 const frameBudget = 12;
 const firstPace = 256;
@@ -15,6 +20,9 @@ class Viewer {
   camera = new Camera();
   cursor = null;
   level = 0;
+  clicks = [];  // records that are split beyond the level, in order
+  part = 'ribbon';
+  pointed = null;  // a triangle that is pointed at
   // How many recent operations there were, and how long they took.
   timed = { operations: 0, milliseconds: 0 };
   lastFrame = { operations: 0, bytes: 0, whole: 0 };
@@ -23,18 +31,35 @@ class Viewer {
   pace = firstPace;  // operations of the next frame, at most
   #moved = true;
   #done = true;
+  #waiting = false;  // the frame that was asked for is for more than the light
 
   constructor(restrip, wasm) {
     this.restrip = restrip;
     this.wasm = wasm;  // its bytes, for workers
     this.scene = new Scene(by('canvas'));
-    this.camera.listen(by('canvas'), () => this.#changed());
-    by('canvas').addEventListener('pointermove', (event) => {
-      const box = by('canvas').getBoundingClientRect();
-      this.cursor = [(event.clientX - box.left) / box.width * 2 - 1, 1 - (event.clientY - box.top) / box.height * 2];
-      if (by('mode').value === 'cursor' && event.buttons === 0) this.#changed();
+    this.cut = new Cut(this, by);
+    this.light = !still.matches;
+    by('light').setAttribute('aria-pressed', String(this.light));
+    by('light').addEventListener('click', () => {
+      this.light = !this.light;
+      by('light').setAttribute('aria-pressed', String(this.light));
+      this.ask();
     });
-    by('level').addEventListener('input', () => { this.level = +by('level').value; this.#changed(); });
+    by('picture').addEventListener('click', () => this.savePicture());
+    this.camera.listen(by('canvas'), () => this.#changed(), (event) => {
+      if (this.part === 'cut') this.cut.click(this.#rayAt(event));
+    });
+    by('canvas').addEventListener('keydown', (event) => {
+      if (event.key === 'Enter' && this.part === 'cut') this.cut.click(this.#ray(0, 0));
+    });
+    addEventListener('hashchange', () => this.goTo(readLink(location.hash)));
+    by('canvas').addEventListener('pointermove', (event) => {
+      this.cursor = this.#windowPlace(event);
+      if (event.buttons !== 0) return;
+      if (by('mode').value === 'cursor') this.#changed();
+      else if (this.part === 'cut' && this.cut.shown) this.cut.pointFrom(this.#rayAt(event));
+    });
+    by('level').addEventListener('input', () => this.moveTo(+by('level').value));
     by('down').addEventListener('click', () => this.step(-1));
     by('up').addEventListener('click', () => this.step(1));
     for (const id of ['policy', 'cost']) by(id).addEventListener('change', () => this.begin());
@@ -68,7 +93,7 @@ class Viewer {
       this.scene = new Scene(by('canvas'));
       this.scene.setPoints(this.mesh.points);
       this.scene.upload(this.mesh.indices, []);
-      this.painted = null;
+      this.painted = null;  // the ribbon goes on
       by('fault').hidden = true;
       this.ask();
     });
@@ -122,6 +147,7 @@ class Viewer {
     this.splits = source.splits;
     this.normals = source.normals;
     this.camera.fit(mesh.points);
+    this.home = this.camera.place;
     this.scene.setPoints(mesh.points);
     const left = source.leftOut;
     let triangles = source.base.length / 3;
@@ -130,13 +156,16 @@ class Viewer {
       (left.triangles ? ` ${left.triangles} degenerate triangles were left out.` : '') +
       (left.nonManifoldVertices ? ` The mesh is not a manifold at ${left.nonManifoldVertices} vertices, which stay as they are.` : '');
     by('level').max = mesh.levels;
-    this.level = Math.round(mesh.levels * 0.35);
+    this.level = Math.round(mesh.levels * 0.1);
     this.begin();
   }
   /// The base with strips from scratch; the frames that follow go up under the chosen policy. What is seen then does not
   /// depend on what was seen before.
   begin() {
     this.mesh.begin({ policy: by('policy').value, cost: by('cost').value });
+    this.clicks = [];
+    this.cut.end();
+    this.ribbon = null;
     by('cost').disabled = by('policy').value === 'baked';
     this.timed = { operations: 0, milliseconds: 0 };
     this.#told = -1;
@@ -148,19 +177,56 @@ class Viewer {
   // ---- single steps
   step(by_) {
     by('mode').value = 'level';
-    this.level = Math.max(0, Math.min(this.mesh.levels, this.level + by_));
-    this.#changed();
+    this.moveTo(Math.max(0, Math.min(this.mesh.levels, this.level + by_)));
   }
+  moveTo(level) {
+    this.level = level;
+    this.cut.end();
+    // Out of order baked strips are lost; the base has them again.
+    const lost = this.clicks.length > 0 && by('policy').value === 'baked';
+    this.clicks = [];
+    if (lost) this.begin();
+    else this.#changed();
+  }
+  /// Splits one record beyond the level, whose needs are split already.
+  splitRecord(record) {
+    this.arrive();
+    const before = this.#paintedRibbon();
+    this.clicks.push(record);
+    this.#advance(1);
+    this.ribbon = new Ribbon(this.mesh.ribbon, before);
+    this.stale = false;
+    this.marked = null;
+    this.cut.begin(before, this.ribbon);
+    this.ask();
+  }
+  /// What is left of the way to the level, at once.
+  arrive() {
+    if (this.#moved || !this.#done) this.#advance(Infinity);
+  }
+  /// The level without what was clicked, seen as a whole.
+  afresh() {
+    this.begin();
+    this.camera.fly(this.home, this.moves ? 700 : 0);
+  }
+
+  // ---- frames
+  /// Things may move by themselves.
+  get moves() { return !still.matches; }
   /// Nothing is left to be done.
-  get settled() { return !this.#asked && !this.#moved && this.#done; }
+  get settled() { return !(this.#asked && this.#waiting) && !this.#moved && this.#done; }
   #changed() {
     this.#moved = true;
     this.ask();
   }
   ask() {
+    this.#waiting = true;
+    this.#askFrame();
+  }
+  #askFrame() {
     if (this.#asked) return;
     this.#asked = true;
-    requestAnimationFrame(() => this.frame());
+    requestAnimationFrame((now) => this.frame(now));
   }
   #resize() {
     const box = by('stage').getBoundingClientRect();
@@ -170,15 +236,21 @@ class Viewer {
     this.ask();
   }
 
-  // ---- a frame
+  #windowPlace(event) {
+    const box = by('canvas').getBoundingClientRect();
+    return [(event.clientX - box.left) / box.width * 2 - 1, 1 - (event.clientY - box.top) / box.height * 2];
+  }
+  #ray(x, y) { return this.camera.ray(x, y, by('canvas').width / by('canvas').height); }
+  #rayAt(event) { return this.#ray(...this.#windowPlace(event)); }
   /// Which records are wanted in the view-dependent modes: the level everywhere, all of them where one looks.
   #wanted() {
     const mode = by('mode').value;
     const { points, levels } = this.mesh;
     const wanted = new Uint8Array(levels).fill(1, 0, this.level);
-    const canvas = by('canvas');
+    for (const record of this.clicks) wanted[record] = 1;
+    if (mode === 'level') return this.clicks.length > 0 ? wanted : null;
     if (mode === 'cursor') {
-      const { from, along } = this.camera.ray(...(this.cursor ?? [0, 0]), canvas.width / canvas.height);
+      const { from, along } = this.#ray(...(this.cursor ?? [0, 0]));
       const hit = this.mesh.pick(from, along);
       if (!hit) return wanted;
       const near = (0.22 * this.camera.size) ** 2;
@@ -200,54 +272,123 @@ class Viewer {
   #upload() {
     const ranges = this.mesh.update();  // may move the indices
     this.scene.upload(this.mesh.indices, ranges);
+    this.stale = true;
     this.painted = null;
   }
-  frame() {
-    const started = performance.now();
-    this.#asked = false;
+  /// Towards what is wanted, with at most so many operations.
+  #advance(most) {
     const { mesh, scene } = this;
-    if (!mesh) return;
-    if (this.#moved || !this.#done) {
-      const most = this.pace;
-      const wanted = by('mode').value === 'level' ? null : this.#wanted();
-      const before = performance.now();
-      const done = wanted ? mesh.approach(wanted, most) : mesh.moveTo(this.level, most);
-      const took = performance.now() - before;
-      // The next frame does as many as fit into its budget, if they take as long; the clock may be a coarse one.
-      if (done > 0 && (done === most || took > frameBudget)) this.pace = Math.max(1, Math.min(4 * most, Math.floor(done * frameBudget / Math.max(took, 0.1))));
-      this.timed.milliseconds += took;
-      this.timed.operations += done;
-      if (this.timed.operations > 20000) for (const key in this.timed) this.timed[key] /= 2;
-      this.#moved = false;
-      this.#done = done < most;
-      scene.bytesUploaded = 0;
-      this.#upload();
-      if (done > 0 || scene.bytesUploaded > 0)
-        this.lastFrame = { operations: done, bytes: scene.bytesUploaded, whole: 4 * mesh.indices.length };
-      this.figures = mesh.figures;
-      this.showLast();
-    }
-    this.draw();
-    this.showFigures(performance.now() - started);
-    if (!this.#done) this.ask();
+    const wanted = this.#wanted();
+    const before = performance.now();
+    const done = wanted ? mesh.approach(wanted, most) : mesh.moveTo(this.level, most);
+    const took = performance.now() - before;
+    // The next frame does as many as fit into its budget, if they take as long; the clock may be a coarse one.
+    if (most <= this.pace && done > 0 && (done === most || took > frameBudget))
+      this.pace = Math.max(1, Math.min(4 * most, Math.floor(done * frameBudget / Math.max(took, 0.1))));
+    this.timed.milliseconds += took;
+    this.timed.operations += done;
+    if (this.timed.operations > 20000) for (const key in this.timed) this.timed[key] /= 2;
+    this.#moved = false;
+    this.#done = done < most || this.clicks.length > 0;
+    scene.bytesUploaded = 0;
+    this.#upload();
+    if (done > 0 || scene.bytesUploaded > 0)
+      this.lastFrame = { operations: done, bytes: scene.bytesUploaded, whole: 4 * mesh.indices.length };
+    this.figures = mesh.figures;
+    this.showLast();
   }
+  frame(now) {
+    const started = performance.now();
+    this.#asked = this.#waiting = false;
+    if (!this.mesh) return;
+    if (this.#moved || !this.#done) this.#advance(this.pace);
+    const flying = this.camera.step(now);
+    const going = this.cut.advance(now);
+    this.draw({ now });
+    this.showFigures(performance.now() - started);
+    this.#tellLink();
+    if (!this.#done || flying) this.ask();
+    else if (going || this.#lit) this.#askFrame();
+  }
+  get #lit() { return this.light && by('style').value === 'strips' && !document.hidden; }
   colors() {
     const dark = matchMedia('(prefers-color-scheme: dark)').matches;
     return dark ? { ink: [0.62, 0.66, 0.72], paper: [0.051, 0.059, 0.071] } : { ink: [0.86, 0.87, 0.88], paper: [0.914, 0.929, 0.945] };
   }
+  /// The ribbon of the mesh as it is.
+  #paintedRibbon() {
+    if (this.stale || !this.ribbon) this.ribbon = new Ribbon(this.mesh.ribbon, this.ribbon);
+    this.stale = false;
+    return this.ribbon;
+  }
   /// `list`: draws the triangles of the mesh one by one, from no strips.
-  draw({ style = by('style').value, list = false, patch = true } = {}) {
+  draw({ style = by('style').value, list = false, patch = true, now = -1 } = {}) {
     const { mesh } = this;
     if (this.scene.lost) return;
-    const marked = patch && this.marked ? this.marked : null;
+    const step = patch ? this.cut.seen(now) : null;
+    if (step) style = 'strips';
+    const marked = this.pointed ?? (patch && !this.cut.shown ? this.marked : null);
     // What a style shows beside the buffer is made when the buffer has changed, not when the camera moves.
-    if (!list && style !== 'shaded' && this.painted !== style) {
-      if (style === 'strips') this.scene.paint(mesh.points, mesh.indices, mesh.runs);
+    const what = step ? `step ${this.cut.step}` : style;
+    if (!list && style !== 'shaded' && this.painted !== what) {
+      if (style === 'strips') this.scene.paint((step?.ribbon ?? this.#paintedRibbon()).vertices(mesh.points, step?.moved));
       else this.scene.setLines(mesh.lines);
-      this.painted = style;
+      this.painted = what;
     }
     this.scene.draw(this.camera, { style, length: mesh.indices.length, ...this.colors(), patch: marked,
-      list: list ? mesh.triangles : null });
+      list: list ? mesh.triangles : null, time: this.light && now >= 0 ? now / 1000 : -1 });
+  }
+
+  // ---- the link
+  /// What a link names, and what it does not name stays; false where the mesh has changed.
+  goTo(state) {
+    this.part = parts.includes(state.part) ? state.part : 'ribbon';
+    for (const id of ['policy', 'cost', 'mode', 'style']) {
+      const option = state[id] === undefined ? null : [...by(id).options].find(({ value, disabled }) => value === state[id] && !disabled);
+      if (option && by(id).value !== option.value) {
+        by(id).value = option.value;
+        if (id === 'policy' || id === 'cost') this.begin();
+      }
+    }
+    const level = Number(state.level ?? NaN);
+    if (Number.isInteger(level) && level >= 0 && level <= this.mesh.levels && level !== this.level) this.moveTo(level);
+    for (const record of (state.cut ?? '').split(',').filter(Boolean).map(Number))
+      if (!this.clicks.includes(record) && this.#canSplit(record)) this.splitRecord(record);
+    const place = placeOf(state.view);
+    if (place) this.camera.place = place;
+    this.showPart();
+    this.ask();
+  }
+  #canSplit(record) {
+    this.arrive();
+    return this.mesh.ready.includes(record);
+  }
+  #tellLink() {
+    clearTimeout(this.telling);
+    if (!this.settled) return;
+    this.telling = setTimeout(() => {
+      const view = placeText(this.camera.place);
+      const given = (id, usual) => (by(id).value === usual ? undefined : by(id).value);
+      writeLink({ part: this.part, level: this.level, policy: by('policy').value, cost: given('cost', 'strips'), mode: given('mode', 'level'),
+        style: given('style', 'strips'), cut: this.clicks.join(','), view: view === placeText(this.home) ? undefined : view });
+    }, 250);
+  }
+  showPart() {
+    for (const part of parts) {
+      by(`part-${part}`).hidden = part !== this.part;
+      const link = by('parts').querySelector(`[href="#part=${part}"]`);
+      if (part === this.part) link.setAttribute('aria-current', 'page');
+      else link.removeAttribute('aria-current');
+    }
+    by('hint').textContent = this.part === 'cut' ? 'Click the mesh to cut it. Drag to turn.' : 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, GLB, PM, baked.';
+  }
+  savePicture() {
+    this.draw();
+    by('canvas').toBlob((blob) => {
+      const link = Object.assign(document.createElement('a'), { href: URL.createObjectURL(blob), download: `restrip-${this.part}-${this.level}.png` });
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+    });
   }
 
   // ---- what is said
@@ -260,6 +401,9 @@ class Viewer {
     const number = (n) => n.toLocaleString('en');
     const bytes = (n) => (n < 1e6 ? `${(n / 1000).toFixed(1)} kB` : `${(n / 1e6).toFixed(2)} MB`);
     by('level').value = this.level;
+    const name = this.source.name === 'hare' ? 'this hare' : 'this mesh';
+    by('claim').textContent = f.strips === 1 ? `All ${number(f.triangles)} triangles of ${name} are one strip. Move the level.`
+      : `${number(f.triangles)} triangles of ${name} in ${number(f.strips)} strips. Move the level.`;
     by('level-text').textContent = `${number(f.played)} of ${number(this.mesh.levels)} splits`;
     by('f-triangles').textContent = number(f.triangles);
     by('f-strips').textContent = number(f.strips);
@@ -288,43 +432,7 @@ class Viewer {
         this.ask();
       }, 500);
     }
-    if (!last) return;
-    const change = last.strips === 0 ? 'the number of strips is the same' :
-      `${Math.abs(last.strips)} strip${Math.abs(last.strips) === 1 ? '' : 's'} ${last.strips > 0 ? 'more' : 'fewer'}`;
-    const what = { split: 'Vertex split', collapse: 'Edge collapse', flip: 'Edge flip' }[last.kind];
-    if (!last.closed) {
-      by('last-text').textContent = `${what} at the boundary of the mesh: ${change}.`;
-      by('last-pictures').replaceChildren();
-      return;
-    }
-    const { k, a, ports } = last;
-    const place = `${what}, a vertex of ${k} triangles (k = ${k}, a = ${a}): ${change}.`;
-    // A split leads from a fan to a ring with chord, a collapse back.
-    const [from, to] = last.kind === 'split' ? [fanPicture, ringPicture] : [ringPicture, fanPicture];
-    const pictures = [[from(k, a, last.before, ports, 'before'), 'before']];
-    const { colors } = this.restrip.rule({ family: last.kind, k, a, edges: last.before, ports });
-    const asRule = colors === last.after && last.portsAfter === ports;
-    if (this.figures.baked) {
-      by('last-text').textContent = `${place} No rule was looked up: \`restrip bake\` decided these strips beforehand, with long searches.`;
-    } else if (by('cost').value === 'indices' && by('policy').value !== 'baked') {
-      by('last-text').textContent = `${place} To keep indices low no rule is looked up: the new triangles continue the strips ` +
-        'on which they land, and small changes follow as long as they save indices.';
-    } else {
-      const rule = `rule${this.#nameOf(last)}`;
-      by('last-text').innerHTML = asRule ? `${place} That is its ${rule}.`
-        : `${place} Its ${rule} keeps the ports; the policy then changed colours further.`;
-      if (!asRule) pictures.push([to(k, a, colors, ports, 'after the rule'), 'the rule']);
-    }
-    pictures.push([to(k, a, last.after, last.portsAfter, 'after'), 'after']);
-    by('last-pictures').innerHTML = pictures.map(([svg, caption]) => `<figure>${svg}<figcaption>${caption}</figcaption></figure>`).join('');
-  }
-  /// A link to the rule of a split that the atlas has.
-  #nameOf({ kind, k, a, before, ports }) {
-    if (kind !== 'split' || k > 8) return '';
-    const seen = listed(k, a, before, ports);
-    const key = representative(k, seen.a, seen.loop, seen.ports);
-    const id = ruleName(k, seen.a, key);
-    return ` <a href="atlas/split-${k}-${seen.a}.html#${id}">${id}</a>`;
+    this.cut.tell();
   }
   async compare() {
     by('compare').disabled = true;
@@ -365,6 +473,7 @@ try {
   window.restripViewer = viewer;  // for the console, and for tests
   by('still').hidden = true;
   viewer.show({ ...prepared(restrip, 'hare.baked', await embedded('mesh')).next().value, name: 'hare' });
+  viewer.goTo(readLink(location.hash));
 } catch (error) {
   by('fault').textContent = error.message;
   by('fault').hidden = false;
