@@ -89,6 +89,10 @@ REPORTS = {
     "beyond": [
         Line(r"^\d+ patches of each operation, k = \d+ \.\.\. (?P<k>\d+)$", ["Linked"], RANDOM, "compiled linked look-up", FANS),
     ],
+    "run": [
+        Line(r"^  judged: (?P<operation>[a-z ]+): \d+, k <= \d+$", ["Sound", "Locally optimal", "Told"],
+             "the operations of a run, judged by functions extracted from Coq", "a trace", k="those met"),
+    ],
     "theorem": [
         Line(THEOREM.format(f"{FAMILY}_rules"), RULE, COQ, TABLES),
         Line(THEOREM.format(f"{FAMILY}_facts"), ["Bounded"], COQ, TABLES),
@@ -123,9 +127,11 @@ def operations_of(line, found, report):
 
 
 def k_of(line, found, report):
-    """"every", or the largest; 0 where there is none, as of operation files."""
+    """"every", or the largest; 0 where there is none, as of operation files, or where no k is covered whole."""
     if line.k == "every":
         return line.k
+    if line.k == "those met":
+        return 0
     if "k" in found.groupdict():
         return int(found["k"] or 0)
     words = {"told": r"^what answers tell .*k <= (\d+)", "looked up": r"^what the automaton answers .*k <= (\d+)"}.get(line.k, r"(?:^|[ ,])k (?:<=|= \d+ \.\.\.) (\d+)")

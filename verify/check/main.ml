@@ -33,7 +33,8 @@ let rec options found = function
       options { found with json = Some file } rest
   | [ "--json" ] -> wrong_use "--json wants a file"
   | word :: _ when String.length word > 1 && word.[0] = '-' -> wrong_use ("unknown option " ^ word)
-  | file :: rest -> if found.trace <> None then wrong_use ("unexpected " ^ file) else options { found with trace = Some file } rest
+  | file :: _ when found.trace <> None -> wrong_use ("unexpected " ^ file)
+  | file :: rest -> options { found with trace = Some file } rest
 
 let json_string text =
   let quoted = Buffer.create (String.length text + 2) in
@@ -48,7 +49,9 @@ let json_string text =
   Buffer.add_char quoted '"';
   Buffer.contents quoted
 
-let json members = "{\n" ^ String.concat ",\n" (List.map (fun (name, value) -> Printf.sprintf "  %s: %s" (json_string name) value) members) ^ "\n}\n"
+let json members =
+  let line (name, value) = Printf.sprintf "  %s: %s" (json_string name) value in
+  "{\n" ^ String.concat ",\n" (List.map line members) ^ "\n}\n"
 
 (* Whole or not at all. *)
 let write_file file text =
@@ -81,6 +84,8 @@ let optimality (result : Run.result) =
 let accepted options trace (result : Run.result) =
   let account = result.account in
   let operations = Run.operations account in
+  let judged = List.map (fun name -> (name, Run.judged_of account name)) Patch.families in
+  let judged = List.filter (fun (_, (n, _)) -> n > 0) judged in
   let text =
     String.concat ""
       [
@@ -89,10 +94,13 @@ let accepted options trace (result : Run.result) =
           (counted account.flips "flip") account.others;
         Printf.sprintf "  at the end %s in %s, %d of them isolated\n" (counted result.mesh.triangles "triangle")
           (counted (Mesh.strips result.mesh) "strip") result.mesh.isolated;
-        Printf.sprintf "accepted: the trace was read to its end; after each of %s the colouring is valid and what was told is true; %s\n"
+        String.concat "" (List.map (fun (name, (n, k)) -> Printf.sprintf "  judged: %s: %d, k <= %d\n" name n k) judged);
+        Printf.sprintf
+          "accepted: the trace was read to its end; after each of %s the colouring is valid and what was told is true; %s\n"
           (counted operations "operation") (optimality result);
       ]
   in
+  let number (name, (n, _)) = Printf.sprintf "%s: %d" (json_string name) n in
   report options ~text
     ~members:
       [
@@ -104,6 +112,7 @@ let accepted options trace (result : Run.result) =
         ("collapses", string_of_int account.collapses);
         ("flips", string_of_int account.flips);
         ("others", string_of_int account.others);
+        ("judged", "{" ^ String.concat ", " (List.map number judged) ^ "}");
         ("triangles", string_of_int result.mesh.triangles);
         ("strips", string_of_int (Mesh.strips result.mesh));
         ("isolated", string_of_int result.mesh.isolated);
@@ -111,7 +120,13 @@ let accepted options trace (result : Run.result) =
 
 let refused options trace line fault =
   report options ~text:""
-    ~members:[ ("trace", json_string trace); ("accepted", "false"); ("line", string_of_int line); ("fault", json_string fault) ];
+    ~members:
+      [
+        ("trace", json_string trace);
+        ("accepted", "false");
+        ("line", string_of_int line);
+        ("fault", json_string fault);
+      ];
   Printf.eprintf "%s: line %d: %s\n" trace line fault;
   exit 1
 

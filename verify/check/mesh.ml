@@ -58,16 +58,16 @@ let compare_triangles ((a, b, c) : triangle) ((x, y, z) : triangle) =
 
 (* ---- one change at a time *)
 
-let add_triangle mesh ((a, b, c) as t : triangle) =
+let add_triangle mesh ((a, b, c) : triangle) =
   if a = b || b = c || c = a then refuse "triangle %d %d %d has a corner twice" a b c;
   List.iter
-    (fun (u, v) -> if has_left mesh u v then refuse "triangle %d %d %d lies beside edge %d %d, where there is one already" a b c u v)
+    (fun (u, v) ->
+      if has_left mesh u v then refuse "triangle %d %d %d lies beside edge %d %d, where there is one already" a b c u v)
     [ (a, b); (b, c); (c, a) ];
   Edges.replace mesh.third (directed a b) c;
   Edges.replace mesh.third (directed b c) a;
   Edges.replace mesh.third (directed c a) b;
-  mesh.triangles <- mesh.triangles + 1;
-  ignore t
+  mesh.triangles <- mesh.triangles + 1
 
 let remove_triangle mesh ((a, b, c) as t : triangle) =
   if not (has_triangle mesh t) then refuse "triangle %d %d %d goes, but the mesh has no such triangle" a b c;
@@ -77,7 +77,8 @@ let remove_triangle mesh ((a, b, c) as t : triangle) =
   mesh.triangles <- mesh.triangles - 1
 
 let expect_both_sides mesh u v =
-  if not (has_left mesh u v && has_left mesh v u) then refuse "edge %d %d is solid, but it has no triangle on one side" u v
+  if not (has_left mesh u v && has_left mesh v u) then
+    refuse "edge %d %d is solid, but it has no triangle on one side" u v
 
 let make_solid mesh (u, v) =
   if is_solid mesh u v then refuse "edge %d %d becomes solid, but it is solid already" u v;
@@ -119,7 +120,8 @@ let rec expect_paths mesh = function
             | Some next ->
                 let met = canonical next in
                 if same_triangle met t then refuse "the solid edges through triangle %d %d %d form a cycle" a b c;
-                follow other next (if List.exists (same_triangle met) others then List.filter (fun t -> not (same_triangle met t)) others else others)
+                let pending = List.exists (same_triangle met) others in
+                follow other next (if pending then List.filter (fun t -> not (same_triangle met t)) others else others)
           in
           (* As entered from beyond [two] and from beyond [one]. *)
           expect_paths mesh (follow two one others)
@@ -156,5 +158,6 @@ let expect_whole mesh =
   (* Every path has been walked from both of its ends. *)
   if (2 * !isolated) + !passed <> 2 * !triangles then refuse "some solid edges form a cycle";
   if !triangles <> mesh.triangles then refuse "there are %d triangles, but %d were counted" !triangles mesh.triangles;
-  if (2 * strips mesh) <> (2 * !isolated) + !ends then refuse "there are %d strips, but %d were counted" (!isolated + (!ends / 2)) (strips mesh);
+  if 2 * strips mesh <> (2 * !isolated) + !ends then
+    refuse "there are %d strips, but %d were counted" (!isolated + (!ends / 2)) (strips mesh);
   !isolated

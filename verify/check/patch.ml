@@ -25,7 +25,9 @@ let fan_from mesh c x =
 
 (* The spoke from which all triangles of c are met: on the boundary the first one, else x. *)
 let first_spoke mesh c x =
-  let rec back at = match left_of mesh at c with Some (_, _, w) when w <> x -> back w | Some _ -> (x, true) | None -> (at, false) in
+  let rec back at =
+    match left_of mesh at c with Some (_, _, w) when w <> x -> back w | Some _ -> (x, true) | None -> (at, false)
+  in
   back x
 
 let rec without_last = function [] | [ _ ] -> [] | x :: rest -> x :: without_last rest
@@ -37,7 +39,8 @@ let around mesh s t =
     let w = match left_of mesh u v with Some (_, _, w) -> w | None -> cannot s t in
     let first, _ = first_spoke mesh v w in
     let before = without_last (fan_from mesh v first) and after = List.tl (fan_from mesh u v) in
-    { triangles = before @ after @ [ (u, v, w) ]; valence = List.length before + List.length after; at = End (List.length before) }
+    let i = List.length before in
+    { triangles = before @ after @ [ (u, v, w) ]; valence = i + List.length after; at = End i }
   in
   match (left_of mesh s t, left_of mesh t s) with
   | None, None -> cannot s t
@@ -48,7 +51,7 @@ let around mesh s t =
       let opened closed first o =
         (* Around the vertex o on the boundary; [closed] is the other one. *)
         let rec part before = function
-          | ((_, _, y) as x) :: (((_, z, _) as y') :: rest) when y = closed && z = closed -> (List.rev before, x, y', rest)
+          | ((_, _, y) as a) :: (((_, z, _) as d) :: rest) when y = closed && z = closed -> (List.rev before, a, d, rest)
           | x :: rest -> part (x :: before) rest
           | [] -> cannot s t
         in
@@ -60,7 +63,8 @@ let around mesh s t =
       match (s_closed, t_closed) with
       | true, true ->
           let of_s = inner (fan_from mesh s t) and of_t = inner (fan_from mesh t s) in
-          { triangles = of_s @ of_t @ [ a; d ]; valence = List.length of_s + List.length of_t; at = Ring (List.length of_s) }
+          let i = List.length of_s in
+          { triangles = of_s @ of_t @ [ a; d ]; valence = i + List.length of_t; at = Ring i }
       | true, false -> opened s first_t t
       | false, true -> opened t first_s s
       | false, false -> cannot s t)
@@ -70,6 +74,17 @@ let rec take n = function x :: rest when n > 0 -> x :: take (n - 1) rest | _ -> 
 (* The other side: the vertex is s again, and the new triangles are not there. *)
 let smaller s larger = List.map (fun (_, x, y) -> (s, x, y)) (take larger.valence larger.triangles)
 let ports larger = List.map (fun (_, x, y) -> (x, y)) (take larger.valence larger.triangles)
+
+(* In the words of docs/notation.md. *)
+let families = [ "split"; "collapse"; "open split"; "open collapse"; "boundary split"; "boundary collapse" ]
+
+let family : Judge.position -> string = function
+  | Split_at _ -> "split"
+  | Collapse_at _ -> "collapse"
+  | Open_split_at _ -> "open split"
+  | Open_collapse_at _ -> "open collapse"
+  | Boundary_split_at _ -> "boundary split"
+  | Boundary_collapse_at _ -> "boundary collapse"
 
 let position kind larger : Judge.position =
   let k = nat larger.valence in

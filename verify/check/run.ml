@@ -1,4 +1,5 @@
-(* Goes through a trace: applies each operation to the checker's own mesh and compares what was told with what happened. *)
+(* Goes through a trace: applies each operation to the checker's own mesh, compares what was told with what happened, and
+   asks Judge about its patch. *)
 
 open Mesh
 open Trace
@@ -8,7 +9,10 @@ type account = {
   mutable collapses : int;
   mutable flips : int;
   mutable others : int;
+  judged : (string, int * int) Hashtbl.t; (* by family: how many, and the largest valence *)
 }
+
+let judged_of account family = Option.value (Hashtbl.find_opt account.judged family) ~default:(0, 0)
 
 let operations account = account.splits + account.collapses + account.flips + account.others
 
@@ -28,9 +32,11 @@ let isolated_among mesh triangles = List.fold_left (fun n t -> if expect_degree 
 
 let expect_told what told found = if told <> found then refuse "told of %s: %+d, found: %+d" what told found
 
+let sides ((a, b, c) : triangle) = [ (a, b); (b, c); (c, a) ]
+
 let apply mesh operation =
   List.iter
-    (fun ((a, b, c) as t) -> if not (has_triangle mesh t) then refuse "triangle %d %d %d goes, but the mesh has no such triangle" a b c)
+    (fun ((a, b, c) as t) -> if not (has_triangle mesh t) then refuse "triangle %d %d %d goes, but is not there" a b c)
     operation.gone;
   let strips_before = strips mesh in
   let isolated_before = isolated_among mesh (touched mesh operation.gone operation) in
@@ -39,7 +45,7 @@ let apply mesh operation =
   List.iter (add_triangle mesh) operation.come;
   List.iter (make_solid mesh) operation.solid;
   List.iter
-    (fun (a, b, c) -> List.iter (fun (u, v) -> if is_solid mesh u v then expect_both_sides mesh u v) [ (a, b); (b, c); (c, a) ])
+    (fun t -> List.iter (fun (u, v) -> if is_solid mesh u v then expect_both_sides mesh u v) (sides t))
     operation.gone;
   let after = touched mesh operation.come operation in
   let isolated_change = isolated_among mesh after - isolated_before in
@@ -50,20 +56,23 @@ let apply mesh operation =
 
 (* ---- optimality *)
 
-let expect_there found ((a, b, c) as t) = if not (found t) then refuse "triangle %d %d %d of the patch is not in the mesh" a b c
+let expect_there found ((a, b, c) as t) =
+  if not (found t) then refuse "triangle %d %d %d of the patch is not in the mesh" a b c
+
 let same_way ((u, v) : int * int) (x, y) = u = x && v = y
 let same_edge e ((x, y) as f) = same_way e f || same_way e (y, x)
-let sides (a, b, c) = [ (a, b); (b, c); (c, a) ]
 
 (* After an operation: what Judge.judge says of the patch. Of the mesh before it is known what has changed since. *)
-let judged mesh operation kind (larger : Patch.larger) =
+let judged account mesh operation kind (larger : Patch.larger) =
+  let position = Patch.position kind larger in
   let there_before t =
     let t = canonical t in
     let among list = List.exists (fun u -> same_triangle t (canonical u)) list in
     among operation.gone || (has_triangle mesh t && not (among operation.come))
   in
   let was e =
-    List.exists (same_edge e) operation.dashed || (is_solid mesh (fst e) (snd e) && not (List.exists (same_edge e) operation.solid))
+    List.exists (same_edge e) operation.dashed
+    || (is_solid mesh (fst e) (snd e) && not (List.exists (same_edge e) operation.solid))
   in
   let is (u, v) = is_solid mesh u v in
   let beside_before (u, v) =
@@ -77,32 +86,39 @@ let judged mesh operation kind (larger : Patch.larger) =
   List.iter (expect_there (has_triangle mesh)) news;
   let corners = List.map (fun (a, b, c) -> ((a, b), c)) in
   let verdict =
-    Judge.judge Int.equal (Patch.position kind larger) (corners olds) (corners news) (Patch.ports larger) was is beside_before beside
+    Judge.judge Int.equal position (corners olds) (corners news) (Patch.ports larger) was is beside_before beside
       (operation.dashed @ operation.solid)
   in
   match verdict with
-  | None -> refuse "the operation is no %s of vertex %d" (match kind with `Split -> "split" | `Collapse -> "collapse") operation.from
-  | Some verdict -> (verdict, List.length news - List.length olds)
+  | None ->
+      let word = match kind with `Split -> "split" | `Collapse -> "collapse" in
+      refuse "the operation is no %s of vertex %d" word operation.from
+  | Some verdict ->
+      let count, valence = judged_of account (Patch.family position) in
+      Hashtbl.replace account.judged (Patch.family position) (count + 1, max valence larger.valence);
+      (verdict, List.length news - List.length olds)
 
 (* What was told is true; is it as good as the best? *)
 let expect_good claim operation ((verdict : Judge.verdict), more_triangles) =
   let strips = more_triangles - (Patch.int verdict.solid_best - Patch.int verdict.solid_before) in
   let isolated = Patch.int verdict.alone_best - Patch.int verdict.alone_before in
   let worse = operation.strips > strips || (operation.strips = strips && operation.isolated > isolated) in
-  if worse then refuse "changes strips by %+d and isolated triangles by %+d; a sound recolouring of the patch by %+d and %+d"
-    operation.strips operation.isolated strips isolated;
-  if claim = Best && not verdict.chosen then refuse "is not one of the best sound recolourings of the patch and nothing else"
+  if worse then
+    refuse "changes strips by %+d and isolated triangles by %+d; a sound recolouring of the patch by %+d and %+d"
+      operation.strips operation.isolated strips isolated;
+  if claim = Best && not verdict.chosen then
+    refuse "is not one of the best sound recolourings of the patch and nothing else"
 
-let apply_judged claim mesh operation =
+let apply_judged account claim mesh operation =
   match (claim, operation.kind) with
   | Valid, _ | _, (Flip | Other) -> apply mesh operation
   | _, Split ->
       apply mesh operation;
-      expect_good claim operation (judged mesh operation `Split (Patch.around mesh operation.from operation.into))
+      expect_good claim operation (judged account mesh operation `Split (Patch.around mesh operation.from operation.into))
   | _, Collapse ->
       let larger = Patch.around mesh operation.from operation.into in
       apply mesh operation;
-      expect_good claim operation (judged mesh operation `Collapse larger)
+      expect_good claim operation (judged account mesh operation `Collapse larger)
 
 let count account = function
   | Split -> account.splits <- account.splits + 1
@@ -116,13 +132,15 @@ type result = { claim : claim; account : account; mesh : Mesh.t; largest : int (
 let check reader =
   let claim = head reader in
   let mesh = empty () in
-  let account = { splits = 0; collapses = 0; flips = 0; others = 0 } in
+  let account = { splits = 0; collapses = 0; flips = 0; others = 0; judged = Hashtbl.create 8 } in
   let largest = ref 0 in
   let expect_end n =
     if n <> operations account then refuse "the end tells of %d operations, but there are %d" n (operations account);
     if next reader <> None then refuse "there is something after the end"
   in
-  let read () = match next reader with Some text -> line_of text | None -> refuse "the trace ends without its last line" in
+  let read () =
+    match next reader with Some text -> line_of text | None -> refuse "the trace ends without its last line"
+  in
   (* Triangles, then solid edges, then operations. *)
   let rec triangles_first () =
     match read () with
@@ -140,14 +158,15 @@ let check reader =
         operations_then line
   and operations_then = function
     | Operation operation ->
-        apply_judged claim mesh operation;
+        apply_judged account claim mesh operation;
         count account operation.kind;
         largest := max !largest mesh.triangles;
         operations_then (read ())
     | End n ->
         expect_end n;
         let isolated = expect_whole mesh in
-        if isolated <> mesh.isolated then refuse "there are %d isolated triangles, but %d were counted" isolated mesh.isolated
+        if isolated <> mesh.isolated then
+          refuse "there are %d isolated triangles, but %d were counted" isolated mesh.isolated
     | Triangle _ | Solid _ -> refuse "the mesh is told before the operations, triangles before edges"
   in
   triangles_first ();

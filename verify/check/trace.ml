@@ -32,8 +32,8 @@ let words line = String.split_on_char ' ' line
 
 let number word =
   let digits = String.length word in
-  if digits = 0 || digits > 10 || (digits > 1 && word.[0] = '0') || not (String.for_all (fun c -> c >= '0' && c <= '9') word)
-  then refuse "%S is not a number" word;
+  let all_digits = String.for_all (fun c -> c >= '0' && c <= '9') word in
+  if digits = 0 || digits > 10 || (digits > 1 && word.[0] = '0') || not all_digits then refuse "%S is not a number" word;
   int_of_string word
 
 let vertex word =
@@ -78,7 +78,17 @@ let operation kind = function
       let solid, rest = list_of "s" pairs rest in
       (match rest with [] -> () | word :: _ -> refuse "unexpected %S" word);
       Operation
-        { kind; from = vertex from; into = vertex into; strips = change strips; isolated = change isolated; gone; come; dashed; solid }
+        {
+          kind;
+          from = vertex from;
+          into = vertex into;
+          strips = change strips;
+          isolated = change isolated;
+          gone;
+          come;
+          dashed;
+          solid;
+        }
   | _ -> refuse "an operation has two vertices and two numbers that it told"
 
 let line_of text =
@@ -107,7 +117,8 @@ let next reader =
 let head reader =
   (match next reader with
   | Some "restrip-trace 1" -> ()
-  | Some text when String.length text >= 13 && String.sub text 0 13 = "restrip-trace" -> refuse "%S is of another version; this program reads version 1" text
+  | Some text when String.length text >= 13 && String.sub text 0 13 = "restrip-trace" ->
+      refuse "%S is of another version; this program reads version 1" text
   | _ -> refuse "the first line of a trace is \"restrip-trace 1\"");
   match Option.map words (next reader) with
   | Some [ "claim"; word ] -> claim_of_word word

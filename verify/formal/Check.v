@@ -40,7 +40,8 @@ Definition course_at (o : position) : course :=
 
 Lemma course_right o : possible o = true ->
   well_formed_side (patch_at o) (before (patch_at o)) = true /\
-  drawn_along (after (patch_at o)) (ports (patch_at o)) (way (course_at o)) (met_first (course_at o)) (met_last (course_at o)) (left_over (course_at o)).
+  drawn_along (after (patch_at o)) (ports (patch_at o)) (way (course_at o))
+    (met_first (course_at o)) (met_last (course_at o)) (left_over (course_at o)).
 Proof.
   destruct o as [k a|k a|k i j|k i j|k i|k i]; cbn [possible patch_at course_at way met_first met_last left_over];
     rewrite ?andb_true_iff, ?Nat.leb_le, ?Nat.ltb_lt; intros H;
@@ -145,7 +146,8 @@ Section Raw.
         end
     end.
 
-  (** The triangles [ts] lie as the side [d]: its inner edges cross the mesh edges [es], its ports [ps], and every other edge of the triangles has no [neighbour], a triangle on its other side. *)
+  (** The triangles [ts] lie as the side [d]: its inner edges cross the mesh edges [es], its ports [ps], and every other
+      edge of the triangles has no [neighbour], a triangle on its other side. *)
   Definition lies (d : side) (ts : list corners) (ps es : list mesh_edge) (neighbour : mesh_edge -> bool) : bool :=
     (length ts =? triangles d) && (length ps =? length (owner d)) && distinct ts &&
     forallb (fun x => match nth_error ts (fst x) with Some t => among (snd x) (rim t) | None => false end)

@@ -63,6 +63,7 @@ grid.write_text("".join(f"v {x} {y} {x * y % 3}\n" for y in range(side) for x in
 for policy in ("rules", "local", "quick"):
     _, facts = traced(f"walk-{policy}", (grid,), "--policy", policy, "--walk", 1500)
     assert min(facts["splits"], facts["collapses"], facts["flips"]) > 100, facts
+    assert len(facts["judged"]) == 6 and sum(facts["judged"].values()) == facts["splits"] + facts["collapses"], facts
 
 shown = scratch / "shown.trace"
 shown.write_text(re.search(r"^(restrip-trace 1\n.*?)^```", document.read_text(), re.M | re.S)[1])
