@@ -20,6 +20,7 @@ struct ReplayOptions {
   std::size_t cycles = 0;   ///< down and up again after the first way up
   enum class Buffer { strips, list };
   Buffer buffer = Buffer::strips;  ///< which index buffer is kept in step
+  std::string* trace = nullptr;    ///< receives a trace of the first way up and the way back (output/trace.hpp)
 };
 
 /// One way down to the base and up again.
