@@ -17,7 +17,7 @@
 Require Import Arith Bool List NArith ZArith.
 Import ListNotations.
 Require Import Spec Graph Locality Strips Table Rows Linked Sequences WholeMesh.
-Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped LowerBound.
+Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped Met LowerBound.
 Require EveryFan EverySplit EveryCollapse EveryOpen EveryBoundary EverySize EveryFigures.
 Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects.
 Require Told ToldNumbers Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
@@ -254,9 +254,10 @@ Print Assumptions correct_tables_cost.
 (** ** The shipped automaton
 
     The numbers of automaton.hpp, and the look-up of [Header.v], which says what arc_walk.hpp does with them. For every k and every
-    position: the table of its answers is correct, keeps every mesh valid, and the answer is a function of the key. The
-    last theorem but one compares what the look-up says with what the compiled one says, for every key of every position
-    with k <= 7; the last one sees automata refused in which one bit was changed. *)
+    position: the table of its answers is correct, keeps every mesh valid, and the answer is a function of the key. No read of
+    the look-up leaves its array ([automaton_inside]). [automaton_looked_up] and [automaton_told] compare what the look-up
+    says with what the compiled one says, for every key of every position with k <= 7 and k <= 5; the last theorem sees
+    automata refused in which one bit was changed or an array is too short. *)
 Definition serves (p : patch) (closed : bool) (answer : coloring -> coloring -> coloring) : Prop :=
   exists T, correct p T /\ safe p T /\ reduces_to p closed T (fun s J => Some (answer s J)).
 Theorem automaton_split : forall k a, 3 <= k -> 1 <= a < k ->
@@ -283,6 +284,15 @@ Theorem automaton_boundary_collapse : forall k i, 1 <= k -> i <= k ->
   serves (boundary_collapse k i) false (Header.fan_collapse_answer Automaton.automaton k).
 Proof. exact (Served.boundary_collapse_served _ Automaton.automaton_ok). Qed.
 Print Assumptions automaton_boundary_collapse.
+(** Whatever is behind the arrays of an automaton, in memory that is not theirs, the answers are the same. *)
+Theorem automaton_inside : forall H, Header.same_inside Automaton.automaton H ->
+  (forall k a s J, 1 <= a < k -> Header.split_answer H k a s J = Header.split_answer Automaton.automaton k a s J) /\
+  (forall k s J, 1 <= k -> Header.collapse_answer H k s J = Header.collapse_answer Automaton.automaton k s J) /\
+  (forall k i j s J, i < j <= k -> Header.open_split_answer H k i j s J = Header.open_split_answer Automaton.automaton k i j s J) /\
+  (forall k i s J, Header.boundary_split_answer H k i s J = Header.boundary_split_answer Automaton.automaton k i s J) /\
+  (forall k s J, Header.fan_collapse_answer H k s J = Header.fan_collapse_answer Automaton.automaton k s J).
+Proof. exact (Served.served_inside _ Automaton.automaton_ok). Qed.
+Print Assumptions automaton_inside.
 Theorem automaton_looked_up : map fst AutomatonNumbers.digests = Header.positions 7 /\
   forallb (fun d => N.eqb (Header.digest_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d)) AutomatonNumbers.digests = true.
 Proof. exact Automaton.looked_up. Qed.
@@ -340,6 +350,12 @@ Print Assumptions linked_collapse_pairs.
     triangles; flips are left out. A valid mesh stays valid, and what the rules say of the number of strips adds up to the
     truth. Where no operation is of an edge on the boundary, or a collapse into a boundary vertex, a mesh without isolated
     triangles stays one, and then it never has more strips than half its triangles. *)
+(** There are such operations: a split in a mesh of five triangles in two strips makes them one. *)
+Theorem operation_met : Shipped.local (split 3 1) (lookup (Split.full 3 1)) /\
+  valid (edges Met.mesh_before) /\ strips_of Met.mesh_before = 2%Z /\
+  operation (split 3 1) (lookup (Split.full 3 1)) Met.mesh_before (-1) Met.mesh_after /\ strips_of Met.mesh_after = 1%Z.
+Proof. exact Met.operation_met. Qed.
+Print Assumptions operation_met.
 Theorem sequence_valid : forall M told M', sequence Shipped.local M told M' -> valid (edges M) -> valid (edges M').
 Proof. exact Shipped.stays_valid. Qed.
 Print Assumptions sequence_valid.

@@ -147,7 +147,7 @@ for i in "${!theorems[@]}"; do
     valid_* | costing_*) files=(Figures) ;;
     wrong_automata_refused) files=(AutomatonRejects) ;;
     answers_tell | answers_counted) files=(Told) ;;
-    automaton_*) files=(Arcs Rings Closings Header Kinds Ends Meetings Played Neighbours Keys Walks WalkFamilies WalkOpen Served Automaton) ;;
+    automaton_*) files=(Arcs Rings Closings Header Kinds Bounds Ends Meetings Played Neighbours Keys Walks WalkFamilies WalkOpen Served Automaton) ;;
     wrong_* | careless_*) files=(Rejects) ;;
     answers) files=(Answers) ;;
     every_sequence_*) files=(Sequences EverySize) ;;
@@ -166,6 +166,7 @@ for i in "${!theorems[@]}"; do
     whole_mesh*) files=(WholeMesh) ;;
     every_*) files=(Frontier Fold Route EveryFan) ;;
     correct_tables_*) files=(EverySize) ;;
+    operation_met) files=(Met) ;;
     sequence_* | strips_counted | half_as_many_strips) files=(Sequences Shipped) ;;
     linked_*) files=(Linked LinkedTables Tables_linked_split Tables_linked_collapse) ;;
     one_strip_* | no_rule_competes) files=(LowerBound) ;;
