@@ -28,7 +28,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
-set(floors_verify files model certificate judge linked automaton|sat)
+set(floors_verify files model certificate judge linked automaton|bound|sat)
 set(floors_tools files|restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.

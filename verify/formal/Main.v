@@ -3,7 +3,8 @@
     Each is stated with the words of [Spec.v] alone, apart from the tables: [Split.full k a] and its like are the
     shipped tables, [Split.by_key k a] and its like the reduced tables of the certificates. The words for other things come
     from other files: lists of linked rules from [Linked.v], the look-up in the automaton from [Header.v], whole meshes
-    from [Sequences.v], [WholeMesh.v] and [LowerBound.v], what answers tell from [Told.v]. For each family:
+    from [Sequences.v], [WholeMesh.v] and [LowerBound.v], index buffers from [FlowBound.v], what answers tell from [Told.v].
+    For each family:
 
     - _rules_: the table answers exactly the valid configurations, and its answer is legal and best;
     - _safe_: every answer keeps every mesh around the patch valid;
@@ -17,7 +18,7 @@
 Require Import Arith Bool List NArith ZArith.
 Import ListNotations.
 Require Import Spec Graph Locality Strips Table Rows Linked Sequences WholeMesh.
-Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped Met LowerBound.
+Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped Met LowerBound FlowBound.
 Require EveryFan EverySplit EveryCollapse EveryOpen EveryBoundary EverySize EveryFigures.
 Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects.
 Require Told ToldNumbers Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
@@ -449,6 +450,18 @@ Theorem one_strip_would_do : forall n, 0 < n -> exists G,
   exists strip, stripped (LowerBound.all_triangles (after (split 4 2)) n) G [strip].
 Proof. exact LowerBound.one_strip_would_do. Qed.
 Print Assumptions one_strip_would_do.
+
+(** ** Indices
+
+    A buffer draws a mesh when its windows of three different vertices are the triangles. Cuts are sets of vertices with
+    multipliers; proper ones are those whose triangles are no multiple of three. *)
+Theorem no_buffer_has_fewer : forall mesh runs cuts unit,
+  FlowBound.draws mesh runs -> Forall (fun run => 3 <= length run) runs -> runs <> [] ->
+  Forall (FlowBound.proper mesh) cuts ->
+  (forall x y, FlowBound.edge mesh x y = true -> FlowBound.load cuts (x, y) <= 2 * unit) ->
+  unit * length mesh + FlowBound.total FlowBound.multiplier cuts <= unit * FlowBound.buffer_length runs.
+Proof. exact FlowBound.no_buffer_has_fewer. Qed.
+Print Assumptions no_buffer_has_fewer.
 
 (** ** The known counts, for k = 3, 4, ... and a = 1, 2, ...: valid configurations, and those that cost a strip *)
 Theorem valid_splits : map (fun k => map (fun a => Figures.valid_configurations k (Split.full k a)) (seq 1 (k / 2))) (seq 3 6) =

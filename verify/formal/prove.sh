@@ -131,7 +131,7 @@ took() {
 }
 say "coqchk (log: $out/coqchk.log)"
 checking=$SECONDS
-modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.WholeMesh Restrip.LowerBound Restrip.Flip
+modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.WholeMesh Restrip.LowerBound Restrip.FlowBound Restrip.Flip
   Restrip.EveryFan Restrip.Check Restrip.Facts Restrip.EveryBoundary Restrip.Served)
 [ "$full" = no ] || modules=(Restrip.Main)
 coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
@@ -170,6 +170,7 @@ for i in "${!theorems[@]}"; do
     sequence_* | strips_counted | half_as_many_strips) files=(Sequences Shipped) ;;
     linked_*) files=(Linked LinkedTables Tables_linked_split Tables_linked_collapse) ;;
     one_strip_* | no_rule_competes) files=(LowerBound) ;;
+    no_buffer_has_fewer) files=(FlowBound) ;;
     split_* | collapse_* | open_split_* | open_collapse_* | boundary_split_* | boundary_collapse_* | flip_*)
       family=${theorem%_*}
       files=("Tables_$family" "$(sed -E 's/(^|_)([a-z])/\u\2/g' <<<"$family")")
