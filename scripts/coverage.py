@@ -90,7 +90,7 @@ REPORTS = {
         Line(r"^\d+ patches of each operation, k = \d+ \.\.\. (?P<k>\d+)$", ["Linked"], RANDOM, "compiled linked look-up", FANS),
     ],
     "run": [
-        Line(r"^  judged: (?P<operation>[a-z ]+): \d+, k <= \d+$", ["Sound", "Locally optimal", "Told"],
+        Line(r"^  judged: (?P<operation>[a-z ]+): \d+(, k <= \d+)?$", ["Sound", "Locally optimal", "Told"],
              "the operations of a run, judged by functions extracted from Coq", "a trace", k="those met"),
     ],
     "theorem": [

@@ -141,7 +141,7 @@ rung compiler "the shipped headers give sound and optimal rules, k <= 4" \
   "C++ compiler, one page of tests/runtime/rules/static_proof_test.cpp" \
   's/.*\[  PASSED  \] (.*)$/\1/p' \
   $bin/runtime_static_proof_test
-rung run "the rules as a program applied them: every colouring valid, every number true, every split and collapse optimal" \
+rung run "the rules as a program applied them: every colouring valid, every number true, every operation optimal" \
   "each operation of a run followed in a mesh of raw triangles; patches judged by functions extracted from Coq" \
   "Coq's extraction, the OCaml compiler, verify/check: the mesh and the walk along strips" \
   's/^accepted: (.*)$/\1/p' \

@@ -1,6 +1,11 @@
 
 type __ = Obj.t
 
+(** val implb : bool -> bool -> bool **)
+
+let implb b1 b2 =
+  if b1 then b2 else true
+
 (** val negb : bool -> bool **)
 
 let negb = function
@@ -192,7 +197,25 @@ let rec seq start = function
 | O -> []
 | S len0 -> start :: (seq (S start) len0)
 
+(** val list_sum : nat list -> nat **)
+
+let list_sum l =
+  fold_right add O l
+
 type edge = nat * nat
+
+type graph = edge list
+
+(** val meets : edge -> nat -> nat **)
+
+let meets e v =
+  add (if Nat.eqb (fst e) v then S O else O)
+    (if Nat.eqb (snd e) v then S O else O)
+
+(** val degree : graph -> nat -> nat **)
+
+let degree g v =
+  list_sum (map (fun e -> meets e v) g)
 
 (** val path_edges : nat list -> edge list **)
 
@@ -213,6 +236,16 @@ let ports p =
 
 type coloring = bool list
 
+(** val solid : edge list -> coloring -> graph **)
+
+let rec solid es c =
+  match es with
+  | [] -> []
+  | e :: es' ->
+    (match c with
+     | [] -> []
+     | b :: c' -> if b then e :: (solid es' c') else solid es' c')
+
 (** val port_edges : side -> edge list **)
 
 let port_edges d =
@@ -225,10 +258,23 @@ let inner_edges d =
   map (fun e -> ((add (length d.owner) (fst e)),
     (add (length d.owner) (snd e)))) d.inner
 
+(** val drawing : side -> coloring -> coloring -> graph **)
+
+let drawing d ports0 inner0 =
+  app (solid (port_edges d) ports0) (solid (inner_edges d) inner0)
+
 (** val solids : coloring -> nat **)
 
 let solids x =
   length (filter (Obj.magic id) x)
+
+(** val isolated : side -> coloring -> coloring -> nat **)
+
+let isolated d s x =
+  length
+    (filter (fun t ->
+      Nat.eqb (degree (drawing d s x) (add (length d.owner) t)) O)
+      (seq O d.triangles))
 
 (** val ring_edges : nat list -> edge list **)
 
@@ -298,6 +344,19 @@ let boundary_split k i =
 
 let boundary_collapse k i =
   { before = (path_with_one k i); after = (open_fan k) }
+
+(** val flip : patch **)
+
+let flip =
+  { before = { triangles = (S (S O)); inner = ((O, (S O)) :: []); owner =
+    (O :: (O :: ((S O) :: ((S O) :: [])))) }; after = { triangles = (S (S
+    O)); inner = ((O, (S O)) :: []); owner = ((S O) :: (O :: (O :: ((S
+    O) :: [])))) } }
+
+(** val lone_or_given_up : coloring -> coloring -> coloring -> nat **)
+
+let lone_or_given_up s s' x =
+  add (isolated flip.after s' x) (sub (solids s) (solids s'))
 
 type state = (nat * nat) list
 
@@ -765,6 +824,84 @@ let weigh o s c x =
       | None -> None)
    | None -> None)
 
+type way_on = coloring * coloring
+
+(** val all_colorings : nat -> coloring list **)
+
+let rec all_colorings = function
+| O -> [] :: []
+| S m ->
+  app (map (fun x -> false :: x) (all_colorings m))
+    (map (fun x -> true :: x) (all_colorings m))
+
+(** val keeps : coloring -> coloring -> bool **)
+
+let keeps s s' =
+  (&&) (Nat.eqb (length s') (length s))
+    (forallb (fun i -> implb (nth i s' false) (nth i s false))
+      (seq O (length s')))
+
+(** val flip_allowed : state -> coloring -> way_on -> bool **)
+
+let flip_allowed st s w =
+  (&&) ((&&) (keeps s (fst w)) (Nat.eqb (length (snd w)) (S O)))
+    (match drawn flip.after (fst w) (snd w) with
+     | Some st' ->
+       forallb (fun i ->
+         forallb (fun j ->
+           implb (Nat.eqb (label_in st' i) (label_in st' j))
+             (Nat.eqb (label_in st i) (label_in st j)))
+           (seq O (S (S (S (S O)))))) (seq O (S (S (S (S O)))))
+     | None -> false)
+
+(** val flip_alone : coloring -> way_on -> nat **)
+
+let flip_alone s w =
+  lone_or_given_up s (fst w) (snd w)
+
+(** val flip_edges : way_on -> nat **)
+
+let flip_edges w =
+  add (solids (fst w)) (solids (snd w))
+
+(** val flip_good : coloring -> way_on -> way_on -> bool **)
+
+let flip_good s v w =
+  (||) (Nat.ltb (flip_edges w) (flip_edges v))
+    ((&&) (Nat.eqb (flip_edges w) (flip_edges v))
+      ((||) (Nat.ltb (flip_alone s v) (flip_alone s w))
+        ((&&) (Nat.eqb (flip_alone s v) (flip_alone s w))
+          (Nat.leb (solids (fst w)) (solids (fst v))))))
+
+(** val ways_on : state -> coloring -> way_on list **)
+
+let ways_on st s =
+  filter (flip_allowed st s)
+    (flat_map (fun s' -> (s', (false :: [])) :: ((s', (true :: [])) :: []))
+      (all_colorings (S (S (S (S O))))))
+
+(** val first_of : coloring -> way_on list -> way_on option **)
+
+let first_of s l =
+  fold_right (fun w o ->
+    match o with
+    | Some v -> if flip_good s v w then Some v else Some w
+    | None -> Some w) None l
+
+(** val weigh_flip : coloring -> coloring -> way_on -> verdict option **)
+
+let weigh_flip s c w =
+  match drawn flip.before s c with
+  | Some st ->
+    (match first_of s (ways_on st s) with
+     | Some v ->
+       Some { solid_before = (add (solids s) (solids c)); alone_before =
+         (isolated flip.before s c); solid_best = (flip_edges v);
+         alone_best = (flip_alone s v); chosen =
+         ((&&) (flip_allowed st s w) (flip_good s w v)) }
+     | None -> None)
+  | None -> None
+
 type 'v corners = ('v * 'v) * 'v
 
 type 'v mesh_edge = 'v * 'v
@@ -882,3 +1019,33 @@ let judge same0 o olds news ps was is beside beside' altered =
         else None
       | None -> None)
    | None -> None)
+
+(** val judge_flip :
+    ('a1 -> 'a1 -> bool) -> 'a1 corners list -> 'a1 corners list -> 'a1
+    mesh_edge list -> ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) ->
+    ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) -> 'a1 mesh_edge list
+    -> verdict option **)
+
+let judge_flip same0 olds news ps was is beside beside' altered =
+  match crossed same0 olds flip.before.inner with
+  | Some es ->
+    (match crossed same0 news flip.after.inner with
+     | Some fs ->
+       if (&&) (lies same0 flip.before olds ps es beside)
+            (lies same0 flip.after news ps fs beside')
+       then (match weigh_flip (map was ps) (map was es) ((map is ps),
+                     (map is fs)) with
+             | Some v ->
+               let inside =
+                 forallb (fun e ->
+                   (||)
+                     ((||) (either_way same0 e ps) (either_way same0 e es))
+                     (either_way same0 e fs)) altered
+               in
+               Some { solid_before = v.solid_before; alone_before =
+               v.alone_before; solid_best = v.solid_best; alone_best =
+               v.alone_best; chosen = ((&&) v.chosen inside) }
+             | None -> None)
+       else None
+     | None -> None)
+  | None -> None

@@ -1,6 +1,8 @@
 
 type __ = Obj.t
 
+val implb : bool -> bool -> bool
+
 val negb : bool -> bool
 
 type nat =
@@ -60,7 +62,15 @@ val skipn : nat -> 'a1 list -> 'a1 list
 
 val seq : nat -> nat -> nat list
 
+val list_sum : nat list -> nat
+
 type edge = nat * nat
+
+type graph = edge list
+
+val meets : edge -> nat -> nat
+
+val degree : graph -> nat -> nat
 
 val path_edges : nat list -> edge list
 
@@ -72,11 +82,17 @@ val ports : patch -> nat
 
 type coloring = bool list
 
+val solid : edge list -> coloring -> graph
+
 val port_edges : side -> edge list
 
 val inner_edges : side -> edge list
 
+val drawing : side -> coloring -> coloring -> graph
+
 val solids : coloring -> nat
+
+val isolated : side -> coloring -> coloring -> nat
 
 val ring_edges : nat list -> edge list
 
@@ -101,6 +117,10 @@ val open_collapse : nat -> nat -> nat -> patch
 val boundary_split : nat -> nat -> patch
 
 val boundary_collapse : nat -> nat -> patch
+
+val flip : patch
+
+val lone_or_given_up : coloring -> coloring -> coloring -> nat
 
 type state = (nat * nat) list
 
@@ -246,6 +266,26 @@ type verdict = { solid_before : nat; alone_before : nat; solid_best :
 
 val weigh : position -> coloring -> coloring -> coloring -> verdict option
 
+type way_on = coloring * coloring
+
+val all_colorings : nat -> coloring list
+
+val keeps : coloring -> coloring -> bool
+
+val flip_allowed : state -> coloring -> way_on -> bool
+
+val flip_alone : coloring -> way_on -> nat
+
+val flip_edges : way_on -> nat
+
+val flip_good : coloring -> way_on -> way_on -> bool
+
+val ways_on : state -> coloring -> way_on list
+
+val first_of : coloring -> way_on list -> way_on option
+
+val weigh_flip : coloring -> coloring -> way_on -> verdict option
+
 type 'v corners = ('v * 'v) * 'v
 
 type 'v mesh_edge = 'v * 'v
@@ -278,5 +318,11 @@ val lies :
 val judge :
   ('a1 -> 'a1 -> bool) -> position -> 'a1 corners list -> 'a1 corners list ->
   'a1 mesh_edge list -> ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) ->
+  ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) -> 'a1 mesh_edge list ->
+  verdict option
+
+val judge_flip :
+  ('a1 -> 'a1 -> bool) -> 'a1 corners list -> 'a1 corners list -> 'a1
+  mesh_edge list -> ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) ->
   ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) -> 'a1 mesh_edge list ->
   verdict option

@@ -73,9 +73,9 @@ let report options ~text ~members =
       print_string text
   | None -> print_string text
 
-(* What was decided besides, about splits and collapses alone. *)
+(* What was decided besides, of all but other operations. *)
 let optimality (result : Run.result) =
-  let judged = counted result.account.splits "split" ^ " and " ^ counted result.account.collapses "collapse" in
+  let judged = counted (Run.operations result.account - result.account.others) "operation" ^ " judged" in
   match result.claim with
   | Valid -> "whether recolourings are optimal was not claimed and not looked at"
   | No_worse -> judged ^ ": none does worse than the best sound recolouring of its patch"
@@ -86,6 +86,9 @@ let accepted options trace (result : Run.result) =
   let operations = Run.operations account in
   let judged = List.map (fun name -> (name, Run.judged_of account name)) Patch.families in
   let judged = List.filter (fun (_, (n, _)) -> n > 0) judged in
+  let line_of name n k =
+    Printf.sprintf "  judged: %s: %d%s\n" name n (if name = "flip" then "" else Printf.sprintf ", k <= %d" k)
+  in
   let text =
     String.concat ""
       [
@@ -94,9 +97,10 @@ let accepted options trace (result : Run.result) =
           (counted account.flips "flip") account.others;
         Printf.sprintf "  at the end %s in %s, %d of them isolated\n" (counted result.mesh.triangles "triangle")
           (counted (Mesh.strips result.mesh) "strip") result.mesh.isolated;
-        String.concat "" (List.map (fun (name, (n, k)) -> Printf.sprintf "  judged: %s: %d, k <= %d\n" name n k) judged);
+        String.concat "" (List.map (fun (name, (n, k)) -> line_of name n k) judged);
         Printf.sprintf
-          "accepted: the trace was read to its end; after each of %s the colouring is valid and what was told is true; %s\n"
+          "accepted: the trace was read to its end; after each of %s the colouring is valid and what was told is \
+           true; %s\n"
           (counted operations "operation") (optimality result);
       ]
   in

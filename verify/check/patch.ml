@@ -1,5 +1,5 @@
-(* The patch of a split or a collapse, found in the checker's mesh by walking around its vertices. Nothing here need be
-   trusted: Judge.judge refuses triangles that do not lie as the patch that it is told. *)
+(* The patch of an operation, found in the checker's mesh by walking around its vertices. Nothing here need be trusted:
+   Judge refuses triangles that do not lie as the patch that it is told. *)
 
 open Mesh
 
@@ -69,6 +69,13 @@ let around mesh s t =
       | false, true -> opened t first_s s
       | false, false -> cannot s t)
 
+(* The triangles of a flip before and after, and its ports. *)
+let flip mesh u v =
+  match (left_of mesh u v, left_of mesh v u) with
+  | Some (_, _, l), Some (_, _, r) ->
+      ([ (u, v, l); (v, u, r) ], [ (l, u, r); (r, v, l) ], [ (v, l); (l, u); (u, r); (r, v) ])
+  | _ -> refuse "edge %d %d has no triangle on one side" u v
+
 let rec take n = function x :: rest when n > 0 -> x :: take (n - 1) rest | _ -> []
 
 (* The other side: the vertex is s again, and the new triangles are not there. *)
@@ -76,7 +83,7 @@ let smaller s larger = List.map (fun (_, x, y) -> (s, x, y)) (take larger.valenc
 let ports larger = List.map (fun (_, x, y) -> (x, y)) (take larger.valence larger.triangles)
 
 (* In the words of docs/notation.md. *)
-let families = [ "split"; "collapse"; "open split"; "open collapse"; "boundary split"; "boundary collapse" ]
+let families = [ "split"; "collapse"; "open split"; "open collapse"; "boundary split"; "boundary collapse"; "flip" ]
 
 let family : Judge.position -> string = function
   | Split_at _ -> "split"

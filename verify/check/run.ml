@@ -62,9 +62,9 @@ let expect_there found ((a, b, c) as t) =
 let same_way ((u, v) : int * int) (x, y) = u = x && v = y
 let same_edge e ((x, y) as f) = same_way e f || same_way e (y, x)
 
-(* After an operation: what Judge.judge says of the patch. Of the mesh before it is known what has changed since. *)
-let judged account mesh operation kind (larger : Patch.larger) =
-  let position = Patch.position kind larger in
+(* After an operation: what Judge says of the patch. Of the mesh before it is known what has changed since. [ask] is one
+   of the functions of Judge, still to be told of the mesh. *)
+let judged account mesh operation ~family ~valence ~olds ~news ~ports ask =
   let there_before t =
     let t = canonical t in
     let among list = List.exists (fun u -> same_triangle t (canonical u)) list in
@@ -80,23 +80,22 @@ let judged account mesh operation kind (larger : Patch.larger) =
     has operation.gone || (has_left mesh v u && not (has operation.come))
   in
   let beside (u, v) = has_left mesh v u in
-  let smaller = Patch.smaller operation.from larger in
-  let olds, news = match kind with `Split -> (smaller, larger.triangles) | `Collapse -> (larger.triangles, smaller) in
   List.iter (expect_there there_before) olds;
   List.iter (expect_there (has_triangle mesh)) news;
   let corners = List.map (fun (a, b, c) -> ((a, b), c)) in
-  let verdict =
-    Judge.judge Int.equal position (corners olds) (corners news) (Patch.ports larger) was is beside_before beside
-      (operation.dashed @ operation.solid)
-  in
-  match verdict with
-  | None ->
-      let word = match kind with `Split -> "split" | `Collapse -> "collapse" in
-      refuse "the operation is no %s of vertex %d" word operation.from
+  match ask (corners olds) (corners news) ports was is beside_before beside (operation.dashed @ operation.solid) with
+  | None -> refuse "the operation is no %s of %d and %d" family operation.from operation.into
   | Some verdict ->
-      let count, valence = judged_of account (Patch.family position) in
-      Hashtbl.replace account.judged (Patch.family position) (count + 1, max valence larger.valence);
+      let count, largest = judged_of account family in
+      Hashtbl.replace account.judged family (count + 1, max valence largest);
       (verdict, List.length news - List.length olds)
+
+let judged_fan account mesh operation kind (larger : Patch.larger) =
+  let smaller = Patch.smaller operation.from larger in
+  let olds, news = match kind with `Split -> (smaller, larger.triangles) | `Collapse -> (larger.triangles, smaller) in
+  let position = Patch.position kind larger in
+  judged account mesh operation ~family:(Patch.family position) ~valence:larger.valence ~olds ~news
+    ~ports:(Patch.ports larger) (Judge.judge Int.equal position)
 
 (* What was told is true; is it as good as the best? *)
 let expect_good claim operation ((verdict : Judge.verdict), more_triangles) =
@@ -111,14 +110,20 @@ let expect_good claim operation ((verdict : Judge.verdict), more_triangles) =
 
 let apply_judged account claim mesh operation =
   match (claim, operation.kind) with
-  | Valid, _ | _, (Flip | Other) -> apply mesh operation
+  | Valid, _ | _, Other -> apply mesh operation
   | _, Split ->
       apply mesh operation;
-      expect_good claim operation (judged account mesh operation `Split (Patch.around mesh operation.from operation.into))
+      let larger = Patch.around mesh operation.from operation.into in
+      expect_good claim operation (judged_fan account mesh operation `Split larger)
   | _, Collapse ->
       let larger = Patch.around mesh operation.from operation.into in
       apply mesh operation;
-      expect_good claim operation (judged account mesh operation `Collapse larger)
+      expect_good claim operation (judged_fan account mesh operation `Collapse larger)
+  | _, Flip ->
+      let olds, news, ports = Patch.flip mesh operation.from operation.into in
+      apply mesh operation;
+      expect_good claim operation
+        (judged account mesh operation ~family:"flip" ~valence:4 ~olds ~news ~ports (Judge.judge_flip Int.equal))
 
 let count account = function
   | Split -> account.splits <- account.splits + 1

@@ -1,10 +1,10 @@
 (** * Checking a run
 
-    What [restrip-check] decides of one split or collapse of a run (docs/trace.md). [judge] is extracted; the reader around
-    it is written by hand. It is given the raw triangles of the patch before and after, by their vertices, the mesh edges
-    where the ports are, and what the mesh says of colours and neighbours. It makes sure that the triangles lie as a patch
-    of [Spec.v], and answers how good a recolouring of that patch can be, and whether the one at hand is a best one
-    ([judge_right]). *)
+    What [restrip-check] decides of one operation of a run (docs/trace.md). [judge] and, for flips, [judge_flip] are
+    extracted; the reader around them is written by hand. They are given the raw triangles of the patch before and after,
+    by their vertices, the mesh edges where the ports are, and what the mesh says of colours and neighbours. They make sure
+    that the triangles lie as a patch of [Spec.v], and answer how good a recolouring of that patch can be, and whether the
+    one at hand is a best one ([judge_right], [judge_flip_right]). *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
 Require Import Spec Graph Strips Locality Drawing Checker Rows Symmetry Frontier Fold Route EveryFan.
@@ -113,6 +113,122 @@ Proof.
       specialize (Bx y Ly'). unfold as_good in Bx. lia.
 Qed.
 
+(** ** Flips
+
+    There are at most 32 ways to go on: any subset of the solid ports kept, the new edge solid or dashed. A verdict counts
+    the ports among the edges, and each port given up among the isolated triangles, as [flip_as_good] does. *)
+Definition way_on := (coloring * coloring)%type.
+Fixpoint all_colorings (n : nat) : list coloring :=
+  match n with 0 => [[]] | S m => map (cons false) (all_colorings m) ++ map (cons true) (all_colorings m) end.
+Definition keeps (s s' : coloring) : bool :=
+  (length s' =? length s) && forallb (fun i => implb (nth i s' false) (nth i s false)) (seq 0 (length s')).
+Definition flip_allowed (st : state) (s : coloring) (w : way_on) : bool :=
+  keeps s (fst w) && (length (snd w) =? 1) &&
+  match drawn (after flip) (fst w) (snd w) with
+  | Some st' => forallb (fun i => forallb (fun j =>
+      implb (label_in st' i =? label_in st' j) (label_in st i =? label_in st j)) (seq 0 4)) (seq 0 4)
+  | None => false
+  end.
+Definition flip_alone (s : coloring) (w : way_on) : nat := lone_or_given_up s (fst w) (snd w).
+Definition flip_edges (w : way_on) : nat := solids (fst w) + solids (snd w).
+Definition flip_good (s : coloring) (v w : way_on) : bool :=
+  (flip_edges w <? flip_edges v) ||
+  ((flip_edges w =? flip_edges v) &&
+   ((flip_alone s v <? flip_alone s w) || ((flip_alone s v =? flip_alone s w) && (solids (fst w) <=? solids (fst v))))).
+Definition ways_on (st : state) (s : coloring) : list way_on :=
+  filter (flip_allowed st s) (flat_map (fun s' => [(s', [false]); (s', [true])]) (all_colorings 4)).
+Definition first_of (s : coloring) (l : list way_on) : option way_on :=
+  fold_right (fun w o => match o with Some v => if flip_good s v w then Some v else Some w | None => Some w end) None l.
+
+(** Of a flip with the ports [s] and the inner edge [c] before, [w] being what was done. *)
+Definition weigh_flip (s c : coloring) (w : way_on) : option verdict :=
+  match drawn (before flip) s c with
+  | None => None
+  | Some st =>
+      match first_of s (ways_on st s) with
+      | None => None
+      | Some v => Some (Verdict (solids s + solids c) (isolated (before flip) s c) (flip_edges v) (flip_alone s v)
+                                (flip_allowed st s w && flip_good s w v))
+      end
+  end.
+
+Lemma all_colorings_all n : forall c, length c = n -> In c (all_colorings n).
+Proof.
+  induction n as [|n IH]; intros [|b c] L; try discriminate; [now left|]. injection L as L. cbn [all_colorings].
+  apply in_or_app. destruct b; [right|left]; apply in_map, IH, L.
+Qed.
+Lemma keeps_kept s s' : keeps s s' = true <-> kept s s'.
+Proof.
+  unfold keeps, kept. rewrite andb_true_iff, Nat.eqb_eq, forallb_forall. split; intros [L K]; split; auto.
+  - intros i H. destruct (Nat.lt_ge_cases i (length s')) as [B|B]; [|rewrite nth_overflow in H by exact B; discriminate].
+    specialize (K i (proj2 (in_seq _ _ _) (conj (Nat.le_0_l _) B))). now rewrite H in K.
+  - intros i _. specialize (K i). destruct (nth i s' false); [now rewrite K|reflexivity].
+Qed.
+Lemma flip_good_spec s v w : flip_good s v w = true <-> flip_as_good s (fst v) (snd v) (fst w) (snd w).
+Proof.
+  unfold flip_good, flip_as_good, flip_edges, flip_alone.
+  rewrite orb_true_iff, andb_true_iff, orb_true_iff, andb_true_iff, !Nat.ltb_lt, !Nat.eqb_eq, Nat.leb_le. intuition lia.
+Qed.
+Lemma flip_good_total s v w : flip_good s v w = false -> flip_good s w v = true.
+Proof. intros F. apply not_true_iff_false in F. rewrite flip_good_spec in *. unfold flip_as_good in *. lia. Qed.
+Lemma flip_good_trans s u v w : flip_good s u v = true -> flip_good s v w = true -> flip_good s u w = true.
+Proof. rewrite !flip_good_spec. unfold flip_as_good. lia. Qed.
+Lemma first_of_ok s l : match first_of s l with
+  | Some v => In v l /\ forall w, In w l -> flip_good s v w = true | None => l = [] end.
+Proof.
+  induction l as [|w l IH]; [reflexivity|]. simpl. destruct (first_of s l) as [v|].
+  - destruct IH as [I B]. destruct (flip_good s v w) eqn:G.
+    + split; [now right|]. intros x [<-|X]; [exact G|now apply B].
+    + apply flip_good_total in G. split; [now left|].
+      assert (R : flip_good s w w = true) by (apply flip_good_spec; unfold flip_as_good; lia).
+      intros x [<-|X]; [exact R|]. eapply flip_good_trans; [exact G|now apply B].
+  - subst. split; [now left|]. intros x [<-|[]]. apply flip_good_spec. unfold flip_as_good. lia.
+Qed.
+
+Lemma flip_allowed_right st s c w : describes (size (before flip)) st (drawing (before flip) s c) -> length s = 4 ->
+  (flip_allowed st s w = true <-> flip_legal s c (fst w) (snd w)).
+Proof.
+  intros (_ & _ & K) Ls. destruct w as [s' x]. cbn [fst snd]. unfold flip_allowed, flip_legal, sound. cbn [fst snd].
+  rewrite !andb_true_iff, keeps_kept, Nat.eqb_eq.
+  pose proof (drawn_ok flip (after flip) s' x eq_refl) as D. change (size (before flip)) with 6 in K.
+  destruct (drawn (after flip) s' x) as [st'|].
+  - destruct D as [(_ & _ & K') V]. change (size (after flip)) with 6 in K'. rewrite forallb_forall. split.
+    + intros [[Ke Lx] F]. split; [exact Ke|]. split; [exact Lx|]. split; [exact V|]. intros i j Hi Hj L.
+      change (ports flip) with 4 in Hi, Hj.
+      specialize (F i (proj2 (in_seq 4 0 i) ltac:(lia))). rewrite forallb_forall in F.
+      specialize (F j (proj2 (in_seq 4 0 j) ltac:(lia))).
+      apply (K' i j) in L; [|lia|lia]. apply Nat.eqb_eq in L. rewrite L in F. cbn [implb] in F. apply Nat.eqb_eq in F.
+      apply K; [lia|lia|exact F].
+    + intros [Ke (Lx & _ & J)]. split; [split; [exact Ke|exact Lx]|]. intros i Hi. apply in_seq in Hi. rewrite forallb_forall.
+      intros j Hj. apply in_seq in Hj. destruct (Nat.eqb_spec (label_in st' i) (label_in st' j)) as [E|E]; [|reflexivity].
+      cbn [implb]. apply Nat.eqb_eq. apply (K i j); [lia|lia|]. change (ports flip) with 4 in J. apply J; [lia|lia|].
+      apply (K' i j); [lia|lia|exact E].
+  - split; [intros [_ F]; discriminate|]. intros [_ (_ & V & _)]. contradiction.
+Qed.
+
+Theorem weigh_flip_right s c w v : length s = 4 -> weigh_flip s c w = Some v ->
+  valid (drawing (before flip) s c) /\
+  solid_before v = solids s + solids c /\ alone_before v = isolated (before flip) s c /\
+  (exists t y, flip_best s c t y /\ solids t + solids y = solid_best v /\ lone_or_given_up s t y = alone_best v) /\
+  (chosen v = true <-> flip_best s c (fst w) (snd w)).
+Proof.
+  intros Ls E. unfold weigh_flip in E. pose proof (drawn_ok flip (before flip) s c eq_refl) as D.
+  destruct (drawn (before flip) s c) as [st|]; [|discriminate]. destruct D as [D V].
+  pose proof (fun u => flip_allowed_right st s c u D Ls) as A. pose proof (first_of_ok s (ways_on st s)) as F.
+  assert (All : forall t y, flip_legal s c t y -> In (t, y) (ways_on st s)).
+  { intros t y L. apply filter_In. split; [|now apply A]. destruct L as [[Lt _] (Ly & _)]. apply in_flat_map. exists t.
+    split; [apply all_colorings_all; congruence|]. destruct y as [|[|] [|? ?]]; try discriminate; [right; now left|now left]. }
+  destruct (first_of s (ways_on st s)) as [[t y]|]; [|discriminate]. injection E as <-.
+  cbn [solid_before alone_before solid_best alone_best chosen]. destruct F as [I B].
+  assert (Best : flip_best s c t y).
+  { split; [apply (A (t, y)); apply filter_In in I; tauto|]. intros u z L. apply All, B in L. now apply flip_good_spec in L. }
+  split; [exact V|]. split; [reflexivity|]. split; [reflexivity|]. split; [now exists t, y|].
+  rewrite andb_true_iff, A. split.
+  - intros [L G]. split; [exact L|]. intros u z Lu. apply All, B in Lu.
+    apply (flip_good_spec s w (u, z)). eapply flip_good_trans; [exact G|exact Lu].
+  - intros [L G]. split; [exact L|]. destruct Best as [Lt _]. apply flip_good_spec. now apply G.
+Qed.
+
 (** ** Raw triangles
 
     [V] are the vertices, of which nothing is known but [same]. A mesh edge is named in the direction in which the triangle
@@ -210,6 +326,50 @@ Section Raw.
     split; [now apply B4|]. split.
     - apply map_ext_in. intros e I. apply K in I. now apply eqb_prop in I.
     - intros e I. apply In' in I. now apply orb_prop in I.
+  Qed.
+
+  (** The same of a flip; its ports may change. *)
+  Definition judge_flip (olds news : list corners) (ps : list mesh_edge) (was is beside beside' : mesh_edge -> bool)
+      (altered : list mesh_edge) : option verdict :=
+    match crossed olds (inner (before flip)), crossed news (inner (after flip)) with
+    | Some es, Some fs =>
+        if lies (before flip) olds ps es beside && lies (after flip) news ps fs beside' then
+          match weigh_flip (map was ps) (map was es) (map is ps, map is fs) with
+          | Some v =>
+              let inside := forallb (fun e => either_way e ps || either_way e es || either_way e fs) altered in
+              Some (Verdict (solid_before v) (alone_before v) (solid_best v) (alone_best v) (chosen v && inside))
+          | None => None
+          end
+        else None
+    | _, _ => None
+    end.
+
+  Theorem judge_flip_right olds news ps was is beside beside' altered v :
+    judge_flip olds news ps was is beside beside' altered = Some v ->
+    exists es fs,
+      crossed olds (inner (before flip)) = Some es /\ crossed news (inner (after flip)) = Some fs /\
+      lies (before flip) olds ps es beside = true /\ lies (after flip) news ps fs beside' = true /\
+      let s := map was ps in let c := map was es in
+      valid (drawing (before flip) s c) /\
+      solid_before v = solids s + solids c /\ alone_before v = isolated (before flip) s c /\
+      (exists t y, flip_best s c t y /\ solids t + solids y = solid_best v /\ lone_or_given_up s t y = alone_best v) /\
+      (chosen v = true ->
+        flip_best s c (map is ps) (map is fs) /\
+        forall e, In e altered -> either_way e ps = true \/ either_way e es = true \/ either_way e fs = true).
+  Proof.
+    intros E. unfold judge_flip in E.
+    destruct (crossed olds (inner (before flip))) as [es|]; [|discriminate].
+    destruct (crossed news (inner (after flip))) as [fs|]; [|discriminate].
+    destruct (lies (before flip) olds ps es beside && lies (after flip) news ps fs beside') eqn:L; [|discriminate].
+    destruct (weigh_flip (map was ps) (map was es) (map is ps, map is fs)) as [w|] eqn:Wg; [|discriminate].
+    injection E as <-. apply andb_prop in L as [Le Lf]. exists es, fs. repeat (split; [reflexivity || assumption|]).
+    cbn [solid_before alone_before solid_best alone_best chosen].
+    assert (Lp : length (map was ps) = 4).
+    { rewrite map_length. unfold lies in Le. rewrite !andb_true_iff in Le. destruct Le as [[[[_ Le] _] _] _].
+      now apply Nat.eqb_eq in Le. }
+    destruct (weigh_flip_right _ _ _ _ Lp Wg) as (V0 & B1 & B2 & B3 & B4). repeat (split; [assumption|]).
+    rewrite andb_true_iff, forallb_forall. intros [Ch In']. split; [now apply B4|].
+    intros e I. apply In' in I. rewrite !orb_true_iff in I. tauto.
   Qed.
 End Raw.
 

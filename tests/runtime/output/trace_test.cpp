@@ -131,7 +131,8 @@ TEST(Trace, IsWhatTheDocumentShows) {
   watched.changed().clear();
   watched.set_solid(mesh.spoke(2, 3), false);
   watched.turn_edge(mesh.spoke(2, 3));
-  trace.add(watched, watched.changed(), {Traced::Kind::flip, 2, 3, 1, 1});
+  watched.set_solid(mesh.spoke(1, 4), true);
+  trace.add(watched, watched.changed(), {Traced::Kind::flip, 2, 3, 0, 0});
   trace.end();
   EXPECT_EQ(trace.text(),
             "restrip-trace 1\n"
@@ -141,7 +142,7 @@ TEST(Trace, IsWhatTheDocumentShows) {
             "t 2 3 4\n"
             "s 1 2\n"
             "other 0 0 -1 -1 s 2 3\n"
-            "flip 2 3 1 1 - 1 3 2 2 3 4 + 1 3 4 1 4 2 d 2 3\n"
+            "flip 2 3 0 0 - 1 3 2 2 3 4 + 1 3 4 1 4 2 d 2 3 s 1 4\n"
             "end 2\n");
 }
 

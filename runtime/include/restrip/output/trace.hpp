@@ -53,11 +53,11 @@ struct Traced {
 /// Keeps a copy of the triangles and their colours, 16 bytes a triangle, and the text until it is taken.
 class Trace {
  public:
-  /// What the checker is to find of every split and collapse, besides valid colours and true numbers.
+  /// What the checker is to find of every split, collapse and flip, besides valid colours and true numbers.
   enum class Claim : std::uint8_t {
     valid,     ///< nothing more
-    no_worse,  ///< no sound recolouring of the patch alone that keeps its ports would have left fewer strips, or as
-               ///< many and fewer isolated triangles (Policy::local)
+    no_worse,  ///< no recolouring of the patch alone that a rule may choose from would have left fewer strips, or as
+               ///< many and fewer isolated triangles (Policy::local and those that look further)
     best       ///< the recolouring is one of those, and nothing outside the patch has changed (Policy::rules)
   };
 
