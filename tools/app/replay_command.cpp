@@ -143,9 +143,15 @@ Subcommand add_replay(CLI::App& app) {
   sub->add_option("--levels", command.replay.levels, "levels of detail to report")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
-  sub->add_option("--repeats", command.replay.repeats, "timed runs, of which the median counts; 0: no timing")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+  sub->add_option_function<std::size_t>(
+         "--repeats",
+         [&command](std::size_t repeats) {
+           command.replay.repeats = repeats;
+           command.replay.enough_operations = 0;
+         },
+         fmt::format("timed runs, of which the median counts; 0: no timing [{}, and more on small meshes]",
+                     ReplayOptions().repeats))
+      ->check(CLI::Range(0, 1000));
   sub->add_option_function<std::string>(
          "--buffer",
          [&command](const std::string& word) {

@@ -238,9 +238,7 @@ class Replay {
     Medians up_bare;
     Medians down;
     Medians down_bare;
-    // Small meshes are over in a moment: repeat them until there is something to measure.
-    constexpr std::size_t enough_operations = 200'000;
-    const std::size_t repeats = std::max(options_.repeats, enough_operations / splits_.size());
+    const std::size_t repeats = std::max(options_.repeats, options_.enough_operations / splits_.size());
     Progress progress("measuring", repeats);
     for (std::size_t i = 0; i < repeats; ++i) {
       start_from_base();
