@@ -21,7 +21,7 @@ case "${1:-}" in
     ;;
 esac
 
-packages=("${build_packages[@]}" cadical python3 ocaml-nox)
+packages=("${build_packages[@]}" cadical python3 ocaml)
 [ "$coq" = no ] || packages+=(coq make time)
 need "${packages[@]}"
 
