@@ -22,7 +22,7 @@ case "${1:-}" in
 esac
 
 packages=("${build_packages[@]}" cadical python3)
-[ "$coq" = no ] || packages+=(coq make time)
+[ "$coq" = no ] || packages+=(coq make time ocaml-nox)
 need "${packages[@]}"
 
 say "building"

@@ -89,6 +89,22 @@ for line in "${said[@]}"; do
   fi
 done
 
+say "extracting what restrip-check decides"
+mkdir -p "$out/extracted"
+rm -f "$out/extracted"/*
+cp "$root/verify/check/Extract.v" "$out/extracted/"
+(cd "$out/extracted" && coqc -R ../coq Restrip Extract.v >said)
+if [ "$(sort -u "$out/extracted/said")" != "Closed under the global context" ]; then
+  echo "Check.v: a theorem assumes something" >&2
+  false
+fi
+for file in judge.ml judge.mli; do
+  if ! cmp "$out/extracted/$file" "$root/verify/check/$file"; then
+    echo "verify/check/$file is not what Coq extracts from Check.v; copy $out/extracted/$file there" >&2
+    false
+  fi
+done
+
 # What the printer has read, family by family, against what the theorems speak of.
 printf '%s\n' 'From Coq Require Import NArith List.' 'From Restrip Require Import Answers.' 'Set Printing Width 1000.' 'Eval vm_compute in counts.' \
   'From Restrip Require Told AutomatonNumbers.' 'Eval vm_compute in (list_max (map fst Told.arcs),' \
@@ -116,7 +132,7 @@ took() {
 say "coqchk (log: $out/coqchk.log)"
 checking=$SECONDS
 modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.WholeMesh Restrip.LowerBound Restrip.Flip
-  Restrip.EveryFan Restrip.Facts Restrip.EveryBoundary Restrip.Served)
+  Restrip.EveryFan Restrip.Check Restrip.Facts Restrip.EveryBoundary Restrip.Served)
 [ "$full" = no ] || modules=(Restrip.Main)
 coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
 grep -q '^\* Axioms: <none>' "$out/coqchk.log"
