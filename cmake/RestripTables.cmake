@@ -134,6 +134,10 @@ function(restrip_generate_tables)
   set(arguments ${operations})
   list(TRANSFORM arguments PREPEND --operation=)
   # Other languages have a folder of their own, because the MANIFEST lists all that is in that of the tables.
+  set(check "")
+  if(c IN_LIST arg_LANGUAGE)
+    set(check ${folder}-languages/restrip_tables_check.c)
+  endif()
   if(arg_LANGUAGE)
     list(TRANSFORM arg_LANGUAGE PREPEND --language=)
     set(operations_too "")
@@ -142,6 +146,7 @@ function(restrip_generate_tables)
     endif()
     add_custom_command(
       OUTPUT ${folder}-languages.made
+      BYPRODUCTS ${check}
       COMMAND restrip::generate tables --out ${folder}-languages --threads 0 ${options} ${arg_LANGUAGE}
       ${operations_too}
       COMMAND ${CMAKE_COMMAND} -E touch ${folder}-languages.made
@@ -166,7 +171,7 @@ function(restrip_generate_tables)
   target_link_libraries(${arg_TARGET} INTERFACE restrip::restrip)
   # Whoever links this has the folder before that of the shipped tables: see runtime/CMakeLists.txt.
   set_target_properties(${arg_TARGET} PROPERTIES INTERFACE_RESTRIP_TABLES ${folder}/include RESTRIP_FOLDER ${folder}
-                                                 RESTRIP_MAX_K ${arg_MAX_K})
+                                                 RESTRIP_MAX_K ${arg_MAX_K} RESTRIP_C_CHECK "${check}")
   if(arg_LANGUAGE)
     target_include_directories(${arg_TARGET} INTERFACE ${folder}-languages)
   endif()
@@ -246,11 +251,21 @@ function(restrip_verify_tables target)
     if(NOT EXISTS ${sources}/dump_tables.cpp)  # not installed: restrip is a subdirectory
       set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../runtime)
     endif()
-    add_executable(${target}_dump ${sources}/dump_automaton.cpp ${sources}/dump_linked.cpp ${sources}/dump_tables.cpp)
+    add_executable(${target}_dump ${sources}/dump_automaton.cpp ${sources}/dump_digests.cpp ${sources}/dump_linked.cpp ${sources}/dump_tables.cpp)
     target_link_libraries(${target}_dump PRIVATE ${target})
     _restrip_command_of(${target}_dump command)
     set(dump --dump-command ${command})
     set(automaton_dump --dump-command "${command} --automaton")
+    # And what the tables in C answer, by digests, in a project that has a C compiler. The verifier compares up to k = 8.
+    get_target_property(check ${target} RESTRIP_C_CHECK)
+    get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+    if(check AND C IN_LIST languages AND max_k LESS_EQUAL 8)
+      add_executable(${target}_check_c ${check})
+      set_source_files_properties(${check} PROPERTIES GENERATED TRUE)
+      add_dependencies(${target}_check_c ${target}_files)
+      _restrip_command_of(${target}_check_c command)
+      list(APPEND dump --digest-command ${command})
+    endif()
   endif()
   add_test(NAME ${target}.rules COMMAND $<TARGET_FILE:restrip::verify> --tables-dir ${folder} --max-k ${max_k} --all ${dump})
   add_test(NAME ${target}.automaton

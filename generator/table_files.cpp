@@ -203,7 +203,7 @@ std::vector<files::NamedBytes> other_languages(const std::vector<SolvedFamily>& 
     for (const LanguageFile& file : language_files().at(language)) by_name[file.name()] = file.of_tables(layout);
   std::vector<files::NamedBytes> files;
   for (auto& [name, bytes] : by_name) {
-    told += fmt::format("{:<20} {:>8} bytes\n", name, bytes.size());
+    told += fmt::format("{:<25} {:>8} bytes\n", name, bytes.size());
     files.push_back({name, std::move(bytes)});
   }
   if (!files.empty()) told += fmt::format("rules up to k = {}: {} bytes of data\n", options.max_k, layout.bytes());

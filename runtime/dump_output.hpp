@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include "restrip/rules/bits.hpp"
 
@@ -73,5 +74,9 @@ void linked_rules(Output& out, std::size_t max_k);
 
 /// The numbers of the automaton, and a digest of its answers to every key of every position with k <= max_k.
 void automaton(Output& out, std::size_t max_k);
+
+/// Digests of what the look-up answers, to compare with those of other languages; `wanted` has the numbers of the
+/// operations, such as "024". False when not everything could be written.
+bool digests(std::size_t max_k, std::string_view wanted);
 
 }  // namespace restrip::dump

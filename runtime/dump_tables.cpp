@@ -1,6 +1,7 @@
 // restrip-dump-tables: prints what the compiled rules answer to every configuration, valid or not, in every position,
 // so that those who trust neither the generator nor the look-up in the tables can compare (docs/certificate.md, "Table
-// dump"; "Dump of linked rules", the output with --linked; "Dump of the automaton", that with --automaton).
+// dump"; "Dump of linked rules", the output with --linked; "Dump of the automaton", that with --automaton); or, with
+// --digests, only digests of that.
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -163,6 +164,7 @@ std::size_t valence_named(std::string_view word) {
 int main(int argc, char** argv) {
   bool linked = false;
   bool automaton = false;
+  bool digests = false;
   std::size_t max_k = restrip::table_max_k;
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
@@ -170,23 +172,28 @@ int main(int argc, char** argv) {
       linked = true;
     } else if (word == "--automaton") {
       automaton = true;
+    } else if (word == "--digests") {
+      digests = true;
     } else if (word == "--max-k" && i + 1 < argc && valence_named(argv[i + 1]) != 0) {
       max_k = valence_named(argv[++i]);
     } else {
       const bool asked = word == "--help";
       std::fprintf(
           asked ? stdout : stderr,
-          "usage: restrip-dump-tables [--linked | --automaton] [--max-k K]\n"
+          "usage: restrip-dump-tables [--linked | --automaton | --digests] [--max-k K]\n"
           "  what the compiled rules answer; with --linked, what the linked look-up picks; with --automaton, the\n"
-          "  numbers of the automaton and digests of what it answers; 3 <= K <= %u\n",
+          "  numbers of the automaton and digests of what it answers; with --digests, digests of what the rules "
+          "answer;\n"
+          "  3 <= K <= %u\n",
           static_cast<unsigned>(restrip::table_max_k));
       return asked ? 0 : 2;
     }
   }
-  if (linked && automaton) {
-    std::fputs("restrip-dump-tables: choose one of --linked and --automaton\n", stderr);
+  if (linked + automaton + digests > 1) {
+    std::fputs("restrip-dump-tables: choose one of --linked, --automaton and --digests\n", stderr);
     return 2;
   }
+  if (digests) return restrip::dump::digests(max_k, "0123456") ? 0 : 1;
   Output out(stdout);
   if (automaton) {
     out.line("restrip-automaton-dump 2");

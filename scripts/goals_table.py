@@ -90,7 +90,7 @@ def main():
     parser.add_argument("meshes", nargs="+", metavar="MESH.obj")
     parser.add_argument("--tristripper", metavar="FOLDER", default=os.environ.get("RM_TRISTRIPPER"))
     parser.add_argument("--way", action="append", choices=POLICIES, help="only this policy; may be repeated")
-    parser.add_argument("--repeats", type=int, default=1, help="how often times are measured; default 1")
+    parser.add_argument("--repeats", type=int, help="how often times are measured; default: as restrip replay does")
     given = parser.parse_args()
     if not given.tristripper:
         print("rm_tristripper is left out: --tristripper FOLDER names its sources", file=sys.stderr)

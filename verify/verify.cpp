@@ -283,6 +283,7 @@ ClaimListener counting(Totals& totals, const ClaimListener& listener) {
 
 Totals verify_tables(const Options& options, const ClaimListener& user_listener) {
   Totals totals;
+  totals.max_k = options.max_k;
   const ClaimListener listener = counting(totals, user_listener);
   const std::vector<Family> all = all_families(options.max_k);
   const std::vector<LinkedFamily> all_linked = linked_families(options.max_k);

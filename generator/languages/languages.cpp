@@ -65,6 +65,12 @@ std::string shader_source(std::string_view source, const char* array, const Tabl
   return filled(source, filling);
 }
 
+/// What does not depend on the tables.
+template <const std::string_view& text>
+std::string as_it_is(const TableLayout& /*layout*/) {
+  return std::string(text);
+}
+
 std::string glsl_source(const TableLayout& layout) {
   return shader_source(tables_glsl, "const uvec2 RESTRIP_{} = uvec2({}u, {}u);\n", layout);
 }
@@ -78,11 +84,20 @@ std::string wgsl_source(const TableLayout& layout) {
 const std::map<std::string, std::vector<LanguageFile>>& language_files() {
   static const std::map<std::string, std::vector<LanguageFile>> files{
       {"c++", {}},
-      {"c", {{".h", c_header, c_operation}}},
-      {"json", {{".json", json_tables, json_operation}}},
-      {"rust", {{".rs", rust_module, rust_operation}}},
-      {"glsl", {{".glsl", glsl_source, glsl_operation}, {".bin", words_file, operation_words_file}}},
-      {"wgsl", {{".wgsl", wgsl_source, wgsl_operation}, {".bin", words_file, operation_words_file}}},
+      {"c", {{".h", c_header, c_operation}, {"_check.c", as_it_is<tables_check_c>}}},
+      {"json",
+       {{".json", json_tables, json_operation},
+        {".mjs", as_it_is<tables_mjs>},
+        {"_check.mjs", as_it_is<tables_check_mjs>}}},
+      {"rust", {{".rs", rust_module, rust_operation}, {"_check.rs", as_it_is<tables_check_rs>}}},
+      {"glsl",
+       {{".glsl", glsl_source, glsl_operation},
+        {".bin", words_file, operation_words_file},
+        {"_check.comp", as_it_is<tables_check_comp>}}},
+      {"wgsl",
+       {{".wgsl", wgsl_source, wgsl_operation},
+        {".bin", words_file, operation_words_file},
+        {"_check.wgsl", as_it_is<tables_check_wgsl>}}},
   };
   return files;
 }

@@ -1,6 +1,7 @@
-// The rule tables in other languages than C++: one file for each, with the data and a look-up, which is the
-// fixed text of a template (templates.hpp). All look-ups offer the same seven functions, one for each operation, from
-// the colours before it, in every position with k <= max_k (docs/languages.md).
+// The rule tables in other languages than C++: a file for each, with the data and a look-up, which is the
+// fixed text of a template (templates.hpp); and a program that asks the look-up everything and prints digests. All
+// look-ups offer the same seven functions, one for each operation, from the colours before it, in every position with k
+// <= max_k (docs/languages.md).
 #pragma once
 
 #include <map>
@@ -16,7 +17,7 @@ namespace restrip::generator {
 struct LanguageFile {
   std::string extension;  ///< ".h"
   std::string (*of_tables)(const TableLayout& layout) = nullptr;
-  std::string (*of_operation)(const OperationLayout& layout) = nullptr;  ///< of one's own, or a family
+  std::string (*of_operation)(const OperationLayout& layout) = nullptr;  ///< of one's own, or a family; may be none
 
   /// "restrip_tables.h", or of an operation "restrip_bisect.h".
   [[nodiscard]] std::string name(const std::string& what = "tables") const;

@@ -67,7 +67,8 @@ std::set<std::filesystem::path> paths_of(const Description& description, const s
   std::set<std::filesystem::path> paths;
   for (const std::string& language : languages) {
     if (language == "c++") paths.insert(operation_header_path(description.name));
-    for (const LanguageFile& file : language_files().at(language)) paths.insert(file.name(description.name));
+    for (const LanguageFile& file : language_files().at(language))
+      if (file.of_operation != nullptr) paths.insert(file.name(description.name));
   }
   return paths;
 }
@@ -101,7 +102,7 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
   for (const std::string& language : languages) {
     if (language == "c++") files[operation_header_path(description.name)] = operation_header(layout);
     for (const LanguageFile& file : language_files().at(language))
-      files[file.name(description.name)] = file.of_operation(layout);
+      if (file.of_operation != nullptr) files[file.name(description.name)] = file.of_operation(layout);
   }
   return files;
 }

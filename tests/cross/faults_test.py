@@ -138,7 +138,7 @@ def dump_program(copy, scratch):
     """The dump program, compiled from the headers of the copy; or what the compiler said."""
     program = scratch / (copy.name + "-dump")
     done = run(ARGUMENTS.compiler, "-std=c++20", "-O0", "-I", copy / "runtime/include", "-I", copy / "tables/include",
-               *(ROOT / f"runtime/dump_{part}.cpp" for part in ("automaton", "linked", "tables")), "-o", program)
+               *(ROOT / f"runtime/dump_{part}.cpp" for part in ("automaton", "digests", "linked", "tables")), "-o", program)
     return program if done.returncode == 0 else done
 
 
@@ -209,7 +209,7 @@ def check_files(scratch):
 
 
 class Language:
-    """How the driver of a language is built from a folder of tables, and run."""
+    """How the program that checks a language is built from a folder of tables, and run."""
 
     def __init__(self, scratch):
         self.scratch = scratch
@@ -217,7 +217,7 @@ class Language:
         if ARGUMENTS.rustc:
             self.drivers["rust"] = self.rust
         if ARGUMENTS.node:
-            self.drivers["json"] = lambda folder: f"'{ARGUMENTS.node}' '{DRIVERS}/driver.mjs' '{folder}/restrip_tables.json' {MAX_K}"
+            self.drivers["json"] = lambda folder: f"'{ARGUMENTS.node}' '{folder}/restrip_tables_check.mjs'"
         if ARGUMENTS.glslang and ARGUMENTS.vulkan:
             self.drivers["glsl"] = self.glsl
         if ARGUMENTS.node and ARGUMENTS.chromium:
@@ -230,21 +230,20 @@ class Language:
             raise SystemExit(f"{command}: {done.stdout}{done.stderr}")
 
     def c(self, folder):
-        self.built(ARGUMENTS.c_compiler, "-std=c99", "-I", folder, DRIVERS / "driver.c", DRIVERS / "data.c", "-o", folder / "driver")
-        return f"'{folder}/driver' {MAX_K}"
+        self.built(ARGUMENTS.c_compiler, "-std=c99", folder / "restrip_tables_check.c", "-o", folder / "check")
+        return f"'{folder}/check'"
 
     def rust(self, folder):
-        shutil.copy(DRIVERS / "driver.rs", folder)
-        self.built(ARGUMENTS.rustc, "--edition", "2021", folder / "driver.rs", "-o", folder / "driver")
-        return f"'{folder}/driver' {MAX_K}"
+        self.built(ARGUMENTS.rustc, "--edition", "2021", folder / "restrip_tables_check.rs", "-o", folder / "check")
+        return f"'{folder}/check'"
 
     def glsl(self, folder):
-        self.built(ARGUMENTS.glslang, "-V", f"-I{folder}", DRIVERS / "driver.comp", "-o", folder / "shader.spv")
+        self.built(ARGUMENTS.glslang, "-V", f"-I{folder}", folder / "restrip_tables_check.comp", "-o", folder / "shader.spv")
         return f"'{ARGUMENTS.vulkan}' '{folder}/shader.spv' {MAX_K} '{folder}/restrip_tables.bin'"
 
     def wgsl(self, folder):
         (folder / "shader.wgsl").write_text((folder / "restrip_tables.wgsl").read_text(encoding="utf-8") +
-                                            (DRIVERS / "driver.wgsl").read_text(encoding="utf-8"), encoding="utf-8")
+                                            (folder / "restrip_tables_check.wgsl").read_text(encoding="utf-8"), encoding="utf-8")
         return (f"'{ARGUMENTS.node}' '{DRIVERS}/driver_wgsl.mjs' '{ARGUMENTS.chromium}' '{folder}' '{folder}/shader.wgsl' {MAX_K} "
                 f"'{folder}/restrip_tables.bin'")
 

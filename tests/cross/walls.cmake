@@ -19,6 +19,7 @@ set(door_parallel_ranges "<tbb/.*>")
 set(door_sat "\"files/(output|system_calls).hpp\"")
 # The C header that the generator writes includes what programs of C need.
 set(door_templates "<std(bool|int).h>")
+set(door_check "<(stdio|stdlib|string).h>|\"restrip_tables.h\"")
 set(never_in_tools "restrip/tables/")
 # Bodies are private to the floor whose manual lies beside them; see below.
 set(never_in_examples "/impl/")
@@ -27,7 +28,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
-set(floors_verify files model certificate judge linked automaton|sat)
+set(floors_verify files model certificate judge linked automaton|bound|sat)
 set(floors_tools files|restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
@@ -89,6 +90,7 @@ function(judge room source line out)
      OR source MATCHES "/parallel_ranges" AND what MATCHES "^(${door_parallel_ranges})$"
      OR source MATCHES "/verify/sat/" AND what MATCHES "^(${door_sat})$"
      OR source MATCHES "/generator/languages/templates/" AND what MATCHES "^(${door_templates})$"
+     OR source MATCHES "/generator/languages/templates/tables_check.c$" AND what MATCHES "^(${door_check})$"
      OR what MATCHES "^(${allowed_in_${room}})$")
     set(${out} FALSE PARENT_SCOPE)
     return()

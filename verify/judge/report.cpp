@@ -69,11 +69,13 @@ std::string line_of(const ClaimResult& result) {
 
 std::string last_line(const Totals& totals) {
   return answers_line("proved", totals.answers) + answers_line("NOT compared", totals.not_compared) +
-         fmt::format("{}: {}, {}, {}, {} tried, {}{}; read: {}\n", totals.failed == 0 ? "verified" : "NOT verified",
-                     quantity_grouped(totals.rules, "rule"), quantity_grouped(totals.alternatives, "alternative"),
+         fmt::format("{}: {}, {}, {}, {} tried, {}{}, k <= {}; read: {}\n",
+                     totals.failed == 0 ? "verified" : "NOT verified", quantity_grouped(totals.rules, "rule"),
+                     quantity_grouped(totals.alternatives, "alternative"),
                      quantity_grouped(totals.configurations, "configuration"),
                      quantity_grouped(totals.pairs, "recolouring"), quantity(totals.claims, "claim"),
-                     totals.failed == 0 ? "" : fmt::format(" of which {} failed", totals.failed), text_of(totals.read));
+                     totals.failed == 0 ? "" : fmt::format(" of which {} failed", totals.failed), totals.max_k,
+                     text_of(totals.read));
 }
 
 std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals) {

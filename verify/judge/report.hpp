@@ -44,6 +44,7 @@ struct Sources {
 std::string text_of(const Sources& sources);
 
 struct Totals {
+  unsigned max_k = 0;                ///< of the largest fans
   std::uint64_t rules = 0;           ///< rows, copies included
   std::uint64_t alternatives = 0;    ///< rows of linked families
   std::uint64_t configurations = 0;  ///< valid ones, all families and positions

@@ -197,10 +197,10 @@ RESTRIP_EXPORT(restrip_plain_indices)
 std::uint32_t restrip_plain_indices(const Page* page) {
   return static_cast<std::uint32_t>(page->session->plain_indices());
 }
-/// The fewest indices that any strips of this mesh can have.
+/// No index buffer of this mesh has fewer indices. The quick bound: a page waits for it.
 RESTRIP_EXPORT(restrip_index_bound)
 std::uint32_t restrip_index_bound(const Page* page) {
-  return static_cast<std::uint32_t>(strip_index_lower_bound(page->session->mesh()));
+  return static_cast<std::uint32_t>(strip_index_lower_bound(page->session->mesh(), 0).indices);
 }
 /// 1: the colouring is valid, checked from its definition.
 RESTRIP_EXPORT(restrip_valid)

@@ -142,7 +142,7 @@ export class StripMesh implements Disposable {
   readonly figures: Figures;
   /** Indices of a buffer written from scratch, without gaps. Linear time. */
   readonly plainIndices: number;
-  /** No strips of this mesh have fewer indices. Linear time. */
+  /** No index buffer of this mesh has fewer indices. Some eighty passes over the mesh. */
   readonly indexBound: number;
   /** Checks the colouring from its definition. Linear time. */
   readonly valid: boolean;

@@ -460,7 +460,7 @@ class Viewer {
     }
     by('compared').innerHTML = '<table><thead><tr><th>policy<th>strips<th>indices per triangle<th>splits that add a strip<th>µs a split</tr></thead><tbody>' +
       rows.map((row) => `<tr>${row.map((cell) => `<td>${typeof cell === 'number' ? cell.toLocaleString('en') : cell}`).join('')}</tr>`).join('') +
-      `</tbody></table><p>At the finest level. No strips of this mesh have fewer than ${this.bound.toFixed(3)} indices per triangle; a triangle list has 3.</p>`;
+      `</tbody></table><p>At the finest level. No index buffer of this mesh has fewer than ${this.bound.toFixed(3)} indices per triangle; a triangle list has 3.</p>`;
     by('compare').disabled = false;
     this.ask();
   }

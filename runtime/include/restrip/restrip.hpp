@@ -43,6 +43,7 @@
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/output/trace.hpp"
 #include "restrip/output/triangle_list_buffer.hpp"
 #include "restrip/output/vertex_cache.hpp"
 #include "restrip/precondition.hpp"

@@ -1,6 +1,6 @@
 // Runs a compute shader on the first Vulkan device (VK_ICD_FILENAMES chooses it) with tables in binding 0, an output in
 // binding 1 and positions in binding 2, and prints what it puts out.
-//   driver_vulkan SHADER.spv K TABLES.bin…    the lines of answers.cpp, up to k = K for the first tables and up to k =
+//   driver_vulkan SHADER.spv K TABLES.bin…    the lines of digests, up to k = K for the first tables and up to k =
 //   4
 //                                             for the others, a line "== FILE" before each of those
 //   driver_vulkan SHADER.spv words N TABLES.bin     the N numbers that one invocation puts out
@@ -41,7 +41,7 @@ struct Position {
   std::uint32_t operation, k, p, q;
 };
 
-/// Those of answers.cpp, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
+/// All that digests are printed of, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
 /// RESTRIP_EVERY_POSITION is set.
 std::vector<Position> positions_up_to(std::uint32_t max_k) {
   const bool every = std::getenv("RESTRIP_EVERY_POSITION") != nullptr;

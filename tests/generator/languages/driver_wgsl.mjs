@@ -8,7 +8,7 @@ import { Browser } from '../../web/browser.mjs';
 
 const [chromium, scratch, shader, upTo, ...rest] = process.argv.slice(2);
 
-/// Those of answers.cpp, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
+/// All that digests are printed of, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
 /// RESTRIP_EVERY_POSITION is set.
 function positionsUpTo(maxK) {
   const every = 'RESTRIP_EVERY_POSITION' in process.env;

@@ -34,9 +34,9 @@ struct AnnealOptions {
 ///
 /// The mesh keeps the colours it has unless others cost less. Returns the cost of the colours that it has afterwards.
 /// They depend on the mesh, its colours and the arguments alone, and are the same on every machine. Time: O(log n) for
-/// each change tried, for n triangles, and some 20 microseconds for each window. Memory while it runs: 15 bytes a
-/// triangle, 29 where strips get longer than 500.
-/// May throw std::bad_alloc; nothing has changed then, unless the mesh is watched.
+/// each change tried, for n triangles, and O(n) for the windows, of which one takes some 20 microseconds. Memory while
+/// it runs: 15 bytes a triangle, 29 where strips get longer than 500. May throw std::bad_alloc; nothing has changed
+/// then, unless the mesh is watched.
 template <NumberedMesh Mesh>
 std::uint64_t anneal(Mesh& mesh, Cost cost, const AnnealOptions& options = {});
 
@@ -57,7 +57,8 @@ std::uint64_t anneal(Mesh& mesh, Cost cost, const AnnealOptions& options) {
     annealing.keep();
   }
   annealing.go_back();
-  WindowRounds(cost, options.seed).run(annealing.colors(), WindowRounds::no_limit, {.triangles = 20});
+  WindowRounds windows(cost, options.seed);
+  windows.run(annealing.colors(), WindowRounds::round_budget(annealing.triangle_count()), {.triangles = 20});
   annealing.keep();
   annealing.go_back();
   annealing.give(sides);

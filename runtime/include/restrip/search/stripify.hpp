@@ -95,7 +95,7 @@ std::size_t stripify(Mesh& mesh, Effort effort, Cost cost, std::uint64_t limit, 
     cool(limit != 0 && effort == Effort::full ? limit : 100 * triangles, 100);
     annealing.go_back();
     WindowRounds windows(cost, seed);
-    windows.run(annealing.colors(), WindowRounds::no_limit, {.triangles = 20});
+    windows.run(annealing.colors(), WindowRounds::round_budget(triangles), {.triangles = 20});
     annealing.keep();
     if (effort == Effort::best) {
       // Small meshes take next to no time, so they are searched until luck does not matter.

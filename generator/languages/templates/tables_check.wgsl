@@ -1,5 +1,6 @@
-// Asks the look-up everything, as answers.cpp asks that of C++: one row of invocations adds up the digest of a position
-// (operation, k, p, q). Operation 7 counts rules where there must be none.
+// Asks the look-up, restrip_tables.wgsl put before this, everything: one row of 64 invocations or a multiple adds up the
+// digest of a position (operation, k, p, q), as `restrip-dump-tables --digests` prints it. Operation 7 counts rules where
+// there must be none. digests must be 0 before.
 @group(0) @binding(0) var<storage, read> restrip_words: array<u32>;
 @group(0) @binding(1) var<storage, read_write> digests: array<atomic<u32>>;
 @group(0) @binding(2) var<storage, read> positions: array<vec4<u32>>;

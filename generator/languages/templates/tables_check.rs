@@ -1,4 +1,6 @@
-//! Asks restrip_tables.rs everything, as answers.cpp asks the C++ look-up, and prints the same lines.
+//! Asks restrip_tables.rs everything, and prints digests of what it answers, as `restrip-dump-tables --digests` does.
+//!   rustc -O restrip_tables_check.rs && ./restrip_tables_check [K]
+//! A line for each operation, 0 to 6, and position: "operation k p q digest".
 //! The position of a split or collapse of a closed fan is p = a; in an open fan p = i and q = j; unused ones are 0.
 mod restrip_tables;
 use restrip_tables::*;

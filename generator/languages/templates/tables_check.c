@@ -1,9 +1,12 @@
-/* Asks restrip_tables.h everything, as answers.cpp asks the C++ look-up, and prints the same lines.
-   The position of a split or collapse of a closed fan is p = a; in an open fan p = i and q = j; unused ones are 0. */
+/* Asks restrip_tables.h everything, and prints digests of what it answers, as `restrip-dump-tables --digests` does.
+     cc restrip_tables_check.c && ./a.out [K [OPERATIONS]]
+   A line for each operation, 0 to 6, and position: "operation k p q digest". The position of a split or collapse of a
+   closed fan is p = a; in an open fan p = i and q = j; unused ones are 0. The look-up is compiled into this program. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#define RESTRIP_TABLES_IMPLEMENTATION
 #include "restrip_tables.h"
 
 static const char* wanted = "0123456"; /* operations */

@@ -1,6 +1,7 @@
 #version 450
-// Asks the look-up everything, as answers.cpp asks that of C++: one row of invocations adds up the digest of a position
-// (operation, k, p, q). Operation 7 counts rules where there must be none.
+// Asks the look-up everything: one row of 64 invocations or a multiple adds up the digest of a position (operation, k,
+// p, q), as `restrip-dump-tables --digests` prints it. Operation 7 counts rules where there must be none. digests must
+// be 0 before.
 #extension GL_GOOGLE_include_directive : require
 layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer RestripTables { uint restrip_words[]; };

@@ -1,10 +1,11 @@
-// Asks restrip_tables.json everything, as answers.cpp asks the C++ look-up, and prints the same lines.
-//   driver.mjs restrip_tables.json [K]
+// Reads restrip_tables.json by restrip_tables.mjs, asks everything, and prints digests of what it answers, as
+// `restrip-dump-tables --digests` does: a line for each operation, 0 to 6, and position: "operation k p q digest".
+//   node restrip_tables_check.mjs [K]
 import { readFileSync } from 'node:fs';
-import { Tables } from './read_tables.mjs';
+import { Tables } from './restrip_tables.mjs';
 
-const tables = new Tables(JSON.parse(readFileSync(process.argv[2], 'utf8')));
-const maxK = Number(process.argv[3] ?? tables.json.max_k);
+const tables = new Tables(JSON.parse(readFileSync(new URL('restrip_tables.json', import.meta.url), 'utf8')));
+const maxK = Number(process.argv[2] ?? tables.json.max_k);
 
 function mix(before, ports, answer) {
   let h = answer ^ Math.imul(before, 0x9e3779b1) ^ Math.imul(ports, 0x85ebca77);
