@@ -99,6 +99,7 @@ int run(const StripifyCommand& command) {
   const IndexBound bound = bound_for(command, mesh);
   if (certificate_file) {
     std::vector<Corners> triangles;
+    triangles.reserve(origin.size());
     for (const std::uint32_t t : origin) triangles.push_back(soup.triangles[t]);
     certificate_file->write(bound_certificate(bound, triangles, soup.points.size()));
   }
