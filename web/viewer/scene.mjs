@@ -110,12 +110,8 @@ export class Scene {
     this.other = gl.createBuffer();
     this.segments = gl.createBuffer();
     this.surface = this.#array(this.points, 0, [[0, 3, gl.FLOAT, false, 0]]);
-    // Ribbons of one mesh, or of two beside each other.
-    this.ribbons = [0, 1].map(() => {
-      const buffer = gl.createBuffer();
-      const array = this.#array(buffer, 24, [[0, 3, gl.FLOAT, false, 0], [1, 4, gl.UNSIGNED_BYTE, true, 12], [2, 2, gl.FLOAT, false, 16]]);
-      return { buffer, array, size: 0 };
-    });
+    const corners = gl.createBuffer();
+    this.ribbon = { buffer: corners, array: this.#array(corners, 24, [[0, 3, gl.FLOAT, false, 0], [1, 4, gl.UNSIGNED_BYTE, true, 12], [2, 2, gl.FLOAT, false, 16]]), size: 0 };
     this.lines = gl.createVertexArray();
     gl.bindVertexArray(this.lines);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.segments);
@@ -178,11 +174,10 @@ export class Scene {
 
   /// Vertices of a Ribbon, for one draw call: vertices of the mesh are shared among strips, so that each triangle has three
   /// corners of its own here.
-  paint(vertices, which = 0) {
+  paint(vertices) {
     const gl = this.#gl;
-    const ribbon = this.ribbons[which];
-    ribbon.size = vertices.length / 6;
-    gl.bindBuffer(gl.ARRAY_BUFFER, ribbon.buffer);
+    this.ribbon.size = vertices.length / 6;
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.ribbon.buffer);
     gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.DYNAMIC_DRAW);
   }
   /// The strips as lines: start with the strip as its fourth number, end with the mark of a strip's end.
@@ -194,15 +189,16 @@ export class Scene {
     gl.bufferData(gl.ARRAY_BUFFER, lines, gl.DYNAMIC_DRAW);
   }
 
-  /// The mesh alone. `style`: shaded, strips (the ribbon as it was painted), lines (over the surface). `patch`: triangles to be
+  /// `style`: shaded, strips (the ribbon as it was painted), lines (over the surface). `patch`: triangles to be
   /// marked. `list`: draws these triangles instead of the live buffer, to compare with it. `time`: of the light that runs
   /// along strips, in seconds; less than 0: none.
   draw(camera, { style, length, patch, list, ink, paper, time = -1 }) {
     const gl = this.#gl;
-    this.#clear(paper, 0, this.canvas.width);
-    const { view, projection } = this.#seen(camera, this.canvas.width);
+    this.#clear(paper);
+    const view = camera.view();
+    const projection = camera.projection(this.canvas.width / this.canvas.height);
     if (style === 'strips' && !list) {
-      this.#drawRibbon(this.ribbons[0], view, projection, time);
+      this.#drawRibbon(view, projection, time);
     } else {
       const color = this.#surfaceProgram(view, projection, 0);
       gl.uniform4f(color, ...ink, 1);
@@ -219,20 +215,9 @@ export class Scene {
     if (patch && patch.length > 0) this.#drawPatch(patch, this.#surfaceProgram(view, projection, 1));
     if (style === 'lines' && !list) this.#drawLines(multiply(projection, view), 1.5 * (window.devicePixelRatio || 1));
   }
-  /// Both ribbons side by side.
-  drawPair(camera, { paper, time = -1 }) {
-    const half = this.canvas.width >> 1;
-    this.#clear(paper, 0, this.canvas.width);
-    this.ribbons.forEach((ribbon, n) => {
-      this.#gl.viewport(n * half, 0, half, this.canvas.height);
-      const { view, projection } = this.#seen(camera, half);
-      this.#drawRibbon(ribbon, view, projection, time);
-    });
-    this.#gl.disable(this.#gl.POLYGON_OFFSET_FILL);
-  }
-  #clear(paper, left, width) {
+  #clear(paper) {
     const gl = this.#gl;
-    gl.viewport(left, 0, width, this.canvas.height);
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(...paper, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
@@ -241,11 +226,9 @@ export class Scene {
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1, 1);
   }
-  #seen(camera, width) {
-    return { view: camera.view(), projection: camera.projection(width / this.canvas.height) };
-  }
-  #drawRibbon({ array, size }, view, projection, time) {
+  #drawRibbon(view, projection, time) {
     const gl = this.#gl;
+    const { array, size } = this.ribbon;
     const { program, at } = this.#programs.ribbon;
     gl.useProgram(program);
     gl.bindVertexArray(array);
