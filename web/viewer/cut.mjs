@@ -94,9 +94,7 @@ export class Cut {
     const { points } = mesh;
     const { splits } = this.viewer;
     let [best, least] = [null, Infinity];
-    for (const record of mesh.ready) {
-      // Those at the boundary have no drawing.
-      if (splits[4 * record + 2] === none || splits[4 * record + 3] === none) continue;
+    for (const record of this.#ready()) {
       const v = 3 * splits[4 * record];
       const far = Math.hypot(points[v] - hit[0], points[v + 1] - hit[1], points[v + 2] - hit[2]);
       if (far < least) [best, least] = [record, far];
@@ -105,11 +103,15 @@ export class Cut {
     this.viewer.splitRecord(best);
     return true;
   }
+  /// The records that can be split and drawn: those at the boundary have no drawing.
+  #ready() {
+    const { mesh, splits } = this.viewer;
+    return [...mesh.ready].filter((record) => splits[4 * record + 2] !== none && splits[4 * record + 3] !== none);
+  }
   /// At a place that turns with each call.
   anywhere() {
-    const { mesh, splits } = this.viewer;
     this.viewer.arrive();
-    const ready = [...mesh.ready].filter((record) => splits[4 * record + 2] !== none && splits[4 * record + 3] !== none);
+    const ready = this.#ready();
     if (ready.length > 0) this.viewer.splitRecord(ready[this.viewer.clicks.length * 7919 % ready.length]);
   }
 
