@@ -108,8 +108,8 @@ class CutPacking {
 
  private:
   struct Row {
-    std::size_t border;    // where they begin
-    std::size_t vertices;  //
+    std::size_t border;    // where its border begins
+    std::size_t vertices;  // where its vertices begin
     std::uint8_t lacking;
   };
 
