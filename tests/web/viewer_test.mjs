@@ -117,7 +117,7 @@ try {
   await settled(page);
   await page.run(() => {
     const { mesh } = restripViewer;
-    restripViewer.pace = 256;
+    restripViewer.pace.most = 256;
     let clock = 0;
     window.parts = [];
     window.now = performance.now;
@@ -308,7 +308,7 @@ try {
   assert.match(await page.run('document.getElementById("last-text").textContent'), /decided these strips beforehand/);
 
   // Meshes of a visitor.
-  const open = (name, text) => page.run((file, content) => restripViewer.open(new File([content], file)), name, text);
+  const open = (name, text) => page.run((file, content) => restripViewer.files.open(new File([content], file)), name, text);
   await open('nothing.obj', 'v 0 0 0\n');
   assert.match(await page.run('document.getElementById("fault").textContent'), /nothing.obj: has no triangles/);
   await open('own.obj', readFileSync(join(folder, 'hare.obj'), 'utf8'));
@@ -332,7 +332,7 @@ try {
   dropped.shares.reduce((before, share) => assert.ok(share >= before && share <= 1) ?? share);
   await agrees(page, 'a dropped mesh');
   assert.deepEqual(await page.run(() => [document.querySelector('[value=baked]').disabled, document.getElementById('policy').value]), [true, 'quick']);
-  const openBytes = (name, bytes) => page.run((file, content) => restripViewer.open(new File([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))], file)),
+  const openBytes = (name, bytes) => page.run((file, content) => restripViewer.files.open(new File([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))], file)),
     name, bytes.toString('base64'));
   const bytes = readFileSync(join(folder, 'hare.baked'));
   await openBytes('cut.baked', bytes.subarray(0, 5000));
