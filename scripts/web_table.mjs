@@ -30,7 +30,7 @@ async function inChromium(code, argument) {
 
 function sizes() {
   const files = [['the library', 'package/restrip.wasm'], ['the same, tables up to k = 6', 'package/restrip-small.wasm'],
-    ['its JavaScript', 'package/restrip.mjs'], ['the viewer, with its mesh', 'viewer.html'],
+    ['the readers of files', 'package/restrip-readers.wasm'], ['its JavaScript', 'package/restrip.mjs'], ['the viewer, with its mesh', 'viewer.html'],
     ['the atlas: index', 'atlas/index.html'], ['the atlas: splits, k = 6, a = 3', 'atlas/split-6-3.html'], ['the painter', 'atlas/paint.html']];
   table([['', 'bytes', 'gzip', 'Brotli'], ...files.map(([what, file]) => {
     const bytes = readFileSync(join(folder, file));

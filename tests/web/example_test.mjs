@@ -30,8 +30,9 @@ try {
   await page.open(`http://127.0.0.1:${server.address().port}/`);
   const found = await page.run(async (name) => {
     const { show } = await import('/example.mjs');
-    const { readMesh } = await import(`${name}/formats`);
-    const { points, triangles } = readMesh('hare.obj', await (await fetch('/hare.obj')).arrayBuffer());
+    const { loadReaders } = await import(`${name}/formats`);
+    const readMesh = await loadReaders();
+    const { points, triangles } = await readMesh('hare.obj', await (await fetch('/hare.obj')).arrayBuffer());
     const gl = document.getElementById('canvas').getContext('webgl2', { antialias: false });
     const program = gl.createProgram();
     for (const [type, source] of [[gl.VERTEX_SHADER, `in vec3 place; out vec3 seen;

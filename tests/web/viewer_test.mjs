@@ -310,7 +310,7 @@ try {
   // Meshes of a visitor.
   const open = (name, text) => page.run((file, content) => restripViewer.files.open(new File([content], file)), name, text);
   await open('nothing.obj', 'v 0 0 0\n');
-  assert.match(await page.run('document.getElementById("fault").textContent'), /nothing.obj: has no triangles/);
+  assert.match(await page.run('document.getElementById("fault").textContent'), /nothing.obj: 1 vertex but no triangles/);
   await open('own.obj', readFileSync(join(folder, 'hare.obj'), 'utf8'));
   const own = await agrees(page, 'a mesh of the visitor');
   assert.ok(own.triangles > 500);

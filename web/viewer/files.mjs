@@ -1,4 +1,6 @@
 // Meshes of a visitor: chosen or dropped, prepared in a worker, and shown.
+import { embedded } from './embedded.mjs';
+
 export class Files {
   #worker = null;
   #address = null;  // of the worker's script
@@ -24,7 +26,7 @@ export class Files {
     const worker = this.#worker = new Worker(this.#address);
     this.#working(`${file.name} …`);
     try {
-      const bytes = await file.arrayBuffer();
+      const [bytes, readers] = await Promise.all([file.arrayBuffer(), embedded('readers')]);
       const mesh = await new Promise((resolve, reject) => {
         worker.onmessage = ({ data }) => {
           if (data.fault !== undefined) reject(new Error(data.fault));
@@ -32,7 +34,7 @@ export class Files {
           else if (this.#worker === worker) this.#working(`${file.name}: ${Math.floor(100 * data.share)} % simplified`, data.share);
         };
         worker.onerror = (event) => reject(new Error(event.message ?? 'the worker of this page did not start'));
-        worker.postMessage({ wasm: this.wasm, name: file.name, bytes }, [bytes]);
+        worker.postMessage({ wasm: this.wasm, readers, name: file.name, bytes }, [bytes]);
       });
       if (this.#worker === worker) this.show(mesh);
     } catch (error) {

@@ -1,7 +1,7 @@
 // The parts of the page, and what it shows as the part of its address behind #, so that a link shows it to others.
 
 /// A part, and what can be done on the picture while it is shown.
-const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, GLB, PM, baked.';
+const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, STL, glTF, PM, baked.';
 const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.' };
 
 /// The state that an address names; numbers and lists are checked where they are used.

@@ -250,7 +250,7 @@ try {
   const viewer = new Viewer(restrip, wasm);
   window.restripViewer = viewer;  // for the console, and for tests
   by('still').hidden = true;
-  viewer.show({ ...prepared(restrip, 'hare.baked', await embedded('mesh')).next().value, name: 'hare' });
+  viewer.show({ ...prepared(restrip, 'hare', { baked: new Uint8Array(await embedded('mesh')) }).next().value });
   viewer.link.follow();
 } catch (error) {
   by('fault').textContent = error.message;
