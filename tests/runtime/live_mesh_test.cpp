@@ -84,16 +84,5 @@ TEST(LiveMesh, OperationsByVerticesAndRefusals) {
   EXPECT_FALSE(without.undo());
 }
 
-TEST(StripsOf, ListInStripsOut) {
-  const StripMesh mesh = sample::sphere(4);
-  BuildReport report;
-  std::vector<std::uint32_t> list = list_of(mesh);
-  list.insert(list.end(), {0, 0, 1});
-  const auto indices = strips_of(list, mesh.vertex_bound(), Effort::full, Cost::indices(), &report);
-  EXPECT_EQ(report.degenerate_triangles, 1U);
-  EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), triangles_of(mesh));
-  EXPECT_LT(indices.size(), 2 * mesh.triangle_count());
-}
-
 }  // namespace
 }  // namespace restrip
