@@ -79,11 +79,12 @@ async function bytes() {
     const { mesh, scene } = viewer;
     const out = [];
     for (const cost of ['strips', 'indices'])
-      for (const policy of cost === 'strips' ? [...names, 'baked'] : names) {
+      for (const policy of cost === 'strips' ? [...names, 'baked'] : [...names, 'bare']) {
         mesh.begin({ policy, cost });
+        // Under `bare`, which keeps no strips, the list with slots.
         const follow = () => {
-          const ranges = mesh.update();
-          scene.upload(mesh.indices, ranges);
+          const ranges = policy === 'bare' ? mesh.updateList() : mesh.update();
+          scene.upload(policy === 'bare' ? mesh.listIndices : mesh.indices, ranges);
         };
         follow();
         let [steps, uploaded, whole, list] = [0, 0, 0, 0];
@@ -93,7 +94,7 @@ async function bytes() {
           follow();
           ++steps;
           uploaded += scene.bytesUploaded;
-          whole += 4 * mesh.indices.length;
+          whole += 4 * (policy === 'bare' ? mesh.listIndices : mesh.indices).length;
           list += 12 * mesh.figures.triangles;
         };
         for (let percent = 1; percent <= 100; ++percent) step(percent);
@@ -102,9 +103,9 @@ async function bytes() {
       }
     return out;
   }, policies);
-  table([['policy', 'cost', 'bytes uploaded for 1 %', 'the whole strip buffer', 'the whole triangle list', 'of the list'],
+  table([['policy', 'cost', 'bytes uploaded for 1 %', 'the whole buffer', 'a whole triangle list', 'of the list'],
     ...measured.map(([policy, cost, uploaded, whole, list]) =>
-      [`\`${policy}\``, cost, grouped(uploaded), grouped(whole), grouped(list), `${(100 * uploaded / list).toFixed(0)} %`])]);
+      [...(policy === 'bare' ? ['a list with slots', '–'] : [`\`${policy}\``, cost]), grouped(uploaded), grouped(whole), grouped(list), `${(100 * uploaded / list).toFixed(0)} %`])]);
 }
 
 const commands = { sizes, speed, bytes };

@@ -141,8 +141,8 @@ function sameAsBaked() {
   mesh.begin({ policy: 'baked' }).moveTo(mesh.levels);
   // Strips from scratch draw the same triangles, and leave those that are kept; so does the list, whole or by its slots.
   const anew = mesh.fromScratch({ cost: 'indices' });
-  assert.deepEqual(sorted(drawn(anew.indices)), sorted(mesh.triangles));
-  assert.equal(new Set(Array.from(anew.ribbon).filter((_, n) => n % 9 === 8)).size, anew.indices.filter((index) => index === restartIndex).length + 1);
+  assert.deepEqual(sorted(drawn(anew)), sorted(mesh.triangles));
+  assert.equal(new Set(Array.from(mesh.scratchRibbon).filter((_, n) => n % 9 === 8)).size, anew.filter((index) => index === restartIndex).length + 1);
   const written = () => mesh.updateList().reduce((sum, { count }) => sum + count, 0);
   mesh.updateList({ whole: true });
   assert.equal(mesh.moveTo(mesh.levels - 1), 1);
@@ -401,6 +401,19 @@ function asDependency() {
     mesh.update();
     console.log(mesh.indices.join());`);
   assert.equal(execFileSync(process.execPath, ['main.mjs'], { cwd: project, encoding: 'utf8' }).trim(), '0,1,2,4294967295');
+  // The example runs as it is installed, and says what the mesh and its buffers say.
+  const example = (...words) => execFileSync(process.execPath, [join(installed, 'example.mjs'), ...words], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+  const printed = [...example(join(folder, 'hare.pm')).matchAll(/^(.+): (\d+) bytes written, \d+ ms, (\d+) indices draw (\d+) triangles$/gm)]
+    .map(([, name, ...numbers]) => [name, ...numbers.map(Number)]);
+  assert.deepEqual(printed.map(([name]) => name), ['strips kept', 'strips from scratch', 'list with slots']);
+  const fine = restrip.progressive(source).begin({ policy: 'bare' });
+  fine.moveTo(fine.levels);
+  const { triangles } = fine.figures;
+  assert.deepEqual(printed.map(([, , , count]) => count), [triangles, triangles, triangles]);
+  assert.deepEqual([printed[1][2], printed[2][2]], [fine.fromScratch({ cost: 'indices' }).length, 3 * triangles]);
+  assert.ok(printed[0][2] < 2 * triangles && printed.every(([, bytes, indices]) => bytes > 4 * indices / 2), JSON.stringify(printed));
+  fine.close();
+  assert.throws(() => example(), /usage: node example.mjs MESH/);
   for (const { types, default: code } of Object.values(about.exports).filter((path) => typeof path === 'object'))
     for (const path of [types, code]) assert.ok(about.files.includes(path.slice(2)), path);
   // The types, where a compiler for them is at hand: what is right compiles, what is marked as wrong does not.
@@ -449,7 +462,7 @@ function misuseThrows() {
   const needStrips = {
     moveTo: () => mesh.moveTo(1), approach: () => mesh.approach([1]), split: () => mesh.split(4, 6, 0, 1), collapse: () => mesh.collapse(4, 5),
     flip: () => mesh.flip(0, 1), update: () => mesh.update(), updateList: () => mesh.updateList(), fromScratch: () => mesh.fromScratch(), pick: () => mesh.pick([0, 0, 0], [0, 0, 1]),
-    ...Object.fromEntries(['indices', 'triangles', 'figures', 'plainIndices', 'indexBound', 'valid', 'ribbon', 'lines', 'last', 'ready', 'listIndices'].map((name) => [name, () => mesh[name]])) };
+    ...Object.fromEntries(['indices', 'triangles', 'figures', 'plainIndices', 'indexBound', 'valid', 'ribbon', 'scratchRibbon', 'lines', 'last', 'ready', 'listIndices'].map((name) => [name, () => mesh[name]])) };
   const others = { begin: () => mesh.begin(), splits: () => mesh.splits, leftOut: () => mesh.leftOut, hasBakedStrips: () => mesh.hasBakedStrips };
   // No method is forgotten here.
   const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesh)).filter((name) => !['constructor', 'close', 'levels'].includes(name));

@@ -4,16 +4,18 @@
 // live one. The figures on the page are those of `restrip replay` for the same way. A frame does as many operations as fit
 // into its budget of time, by a clock that the test turns. Strips in colours take one draw call. A dropped mesh is prepared
 // in a worker and shown, a file that is none is refused with a sentence. Without WebGL or JavaScript, and when the context is
-// lost, the page says so. The page is no higher and no wider
+// lost, the page says so. The race holds what race_check.mjs says, the picture of README.md what picture_check.mjs says.
+// The page is no higher and no wider
 // than its content: on a desktop the panel scrolls, on a telephone the page does. Nothing is said on the console.
 //   node viewer_test.mjs WEB_FOLDER CHROMIUM RESTRIP SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-import { pngOf, ribbonPicture } from '../../scripts/ribbon_picture.mjs';
+import { pathToFileURL } from 'node:url';
 import { Browser } from './browser.mjs';
+import { pictureIsFresh } from './picture_check.mjs';
+import { raceHolds } from './race_check.mjs';
 
 const [folder, chromium, program, scratch] = process.argv.slice(2);
 mkdirSync(scratch, { recursive: true });
@@ -27,10 +29,7 @@ const choose = (page, choices) => page.run((wanted) => {
     element.dispatchEvent(new Event(element.type === 'range' ? 'input' : 'change'));
   }
 }, choices);
-const settled = (page) => page.until(() => {
-  const viewer = window.restripViewer;
-  return viewer?.figures !== undefined && viewer.settled;
-});
+const settled = (page) => page.until(() => window.restripViewer?.settled === true);
 /// How many pixels differ between strips and list, how many show the mesh, and whether the card has the live buffer.
 const compare = (page) => page.run(() => {
   const viewer = window.restripViewer;
@@ -273,6 +272,9 @@ try {
   await settled(page);
   assert.equal(await page.run('restripViewer.figures.strips'), 1);
 
+  await raceHolds(page, { folder, scratch, choose, settled });
+  await agrees(page, 'after the race');
+
   // View-dependent.
   for (const mode of ['cursor', 'silhouette']) {
     await page.run(() => { restripViewer.cursor = [0.1, 0]; });
@@ -364,21 +366,7 @@ try {
   assert.ok(await page.run('document.getElementById("fault").hidden'));
   assert.deepEqual(page.faults.filter((fault) => !/CONTEXT_LOST_WEBGL|context lost/i.test(fault)), []);
 
-  // The picture of README.md is what its command draws now, but for how this Chromium rounds; one that is turned is not.
-  const picture = await ribbonPicture(browser, address);
-  assert.deepEqual(picture.figures.map(({ strips }) => strips), [1, 1, 1]);
-  const [near, far] = await page.run(async (...files) => {
-    const [a, b] = await Promise.all(files.map(async (file) => {
-      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${file}`)).blob());
-      const sheet = new OffscreenCanvas(image.width, image.height).getContext('2d');
-      sheet.drawImage(image, 0, 0);
-      return sheet.getImageData(0, 0, image.width, image.height);
-    }));
-    const mean = (other) => (a.width !== b.width || a.height !== b.height ? Infinity
-      : a.data.reduce((sum, n, i) => sum + Math.abs(n - b.data[other(i)]), 0) / a.data.length);
-    return [mean((i) => i), mean((i) => a.data.length - 4 - i + 2 * (i % 4))];
-  }, pngOf(picture).toString('base64'), readFileSync(fileURLToPath(new URL('../../docs/ribbon.png', import.meta.url))).toString('base64'));
-  assert.ok(near < 1 && far > 5, `docs/ribbon.png: colours differ by ${near}, those of a turned picture by ${far}; scripts/ribbon_picture.mjs makes it anew`);
+  await pictureIsFresh(browser, page, address);
 
   // No WebGL, and no JavaScript: a sentence and a picture.
   const still = () => [...document.images].filter((image) => image.checkVisibility() && image.naturalWidth > 100).length;
@@ -410,9 +398,9 @@ try {
   quiet(phone);
 
   // No blank room below the content, at any size, with the panel scrolled to its end.
-  for (const [width, height, panel] of [[1280, 800, true], [840, 520, true], [390, 844, false], [360, 640, false]]) {
+  for (const [width, height, panel, part] of [[1280, 800, true, 'race'], [840, 520, true, 'ribbon'], [390, 844, false, 'ribbon'], [360, 640, false, 'race']]) {
     const sized = await browser.page(width, height);
-    await sized.open(address);
+    await sized.open(`${address}#part=${part}`);
     await settled(sized);
     const found = await sized.run(() => {
       const [root, aside] = [document.documentElement, document.querySelector('aside')];

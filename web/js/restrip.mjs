@@ -269,8 +269,7 @@ export class StripMesh {
   updateList({ whole: all = false } = {}) { return this.#ranges(this.#wasm.restrip_update_list(this.#kept, all ? 1 : 0)); }
   get listIndices() { return listAt(this.#wasm, this.#wasm.restrip_list(this.#kept), Uint32Array, 1); }
   fromScratch({ cost = 'strips' } = {}) {
-    const indices = listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost)), Uint32Array, 1).slice();
-    return { indices, ribbon: listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 1), Uint32Array, 9).slice() };
+    return listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost)), Uint32Array, 1).slice();
   }
   #ranges(address) {
     const flat = listAt(this.#wasm, address, Uint32Array, 2);
@@ -292,6 +291,7 @@ export class StripMesh {
   get valid() { return this.#wasm.restrip_valid(this.#kept) === 1; }
 
   get ribbon() { return listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 0), Uint32Array, 9).slice(); }
+  get scratchRibbon() { return listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 1), Uint32Array, 9).slice(); }
   get lines() { return listAt(this.#wasm, this.#wasm.restrip_lines(this.#kept), Float32Array, 1).slice(); }
   pick(from, along) {
     for (const [what, place] of [['from', from], ['along', along]])

@@ -1,5 +1,4 @@
 // What the visitor's hands do: pointers, keys, buttons and choices.
-import { compare } from './compare.mjs';
 
 export function listen(viewer, by) {
   by('light').setAttribute('aria-pressed', String(viewer.light));
@@ -32,7 +31,6 @@ export function listen(viewer, by) {
     else viewer.changed();
   });
   by('style').addEventListener('change', () => viewer.ask());
-  by('compare').addEventListener('click', () => compare(by, viewer.restrip, viewer.source, by('cost').value));
   document.addEventListener('keydown', (event) => {
     if (['SELECT', 'INPUT'].includes(event.target.tagName)) return;
     if (event.key === '.') viewer.step(1);

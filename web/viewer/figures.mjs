@@ -1,33 +1,36 @@
 // The mesh that is shown and its figures, as text.
 import { none } from '../js/restrip.mjs';
 
-const number = (n) => n.toLocaleString('en');
-const bytes = (n) => (n < 1e6 ? `${(n / 1000).toFixed(1)} kB` : `${(n / 1e6).toFixed(2)} MB`);
+export const asNumber = (n) => n.toLocaleString('en');
+export const asKilobytes = (bytes) => (bytes < 99950 ? (bytes / 1000).toFixed(bytes < 1000 ? 2 : 1) : asNumber(Math.round(bytes / 1000)));
 
-export function showFigures(by, { figures: f, source, mesh, level, lastFrame, timed }, milliseconds) {
+/// `level`: that of the slider, to which the splits may still be on their way.
+export function showLevel(by, played, levels, level) {
   by('level').value = level;
-  const name = source.name === 'hare' ? 'this hare' : 'this mesh';
-  by('claim').textContent = f.strips === 1 ? `All ${number(f.triangles)} triangles of ${name} are one strip. Move the level.`
-    : `${number(f.triangles)} triangles of ${name} in ${number(f.strips)} strips. Move the level.`;
-  by('level-text').textContent = `${number(f.played)} of ${number(mesh.levels)} splits`;
-  by('f-triangles').textContent = number(f.triangles);
-  by('f-strips').textContent = number(f.strips);
-  by('f-length').textContent = (f.triangles / f.strips).toFixed(1);
-  by('f-indices').textContent = (f.bufferIndices / f.triangles).toFixed(3);
-  by('f-operations').textContent = number(lastFrame.operations);
-  by('f-bytes').textContent = bytes(lastFrame.bytes);
-  by('f-whole').textContent = bytes(lastFrame.whole);
-  by('f-time').textContent = timed.operations > 50 ? `${(1000 * timed.milliseconds / timed.operations).toFixed(1)} µs` : '–';
-  by('f-frame').textContent = `${milliseconds.toFixed(1)} ms`;
+  by('level-text').textContent = `${asNumber(played)} of ${asNumber(levels)} splits`;
   by('down').disabled = level === 0;
-  by('up').disabled = level === mesh.levels;
+  by('up').disabled = level === levels;
 }
 
-/// `source`: of prepared().
-export function showMesh(by, { name, base, splits, leftOut }, { levels }) {
+export function showFigures(by, { figures: { triangles, strips }, source }) {
+  const name = source.name === 'hare' ? 'this hare' : 'this mesh';
+  by('claim').textContent = strips === 1 ? `All ${asNumber(triangles)} triangles of ${name} are one strip. Move the level.`
+    : `${asNumber(triangles)} triangles of ${name} in ${asNumber(strips)} strips. Move the level.`;
+  by('f-triangles').textContent = asNumber(triangles);
+  by('f-strips').textContent = asNumber(strips);
+  by('f-length').textContent = (triangles / strips).toFixed(1);
+}
+
+/// How many the finest level has. `source`: of prepared().
+export function fineTriangles({ base, splits }) {
   let triangles = base.length / 3;
   for (let i = 0; i < splits.length; i += 4) triangles += splits[i + 2] !== none && splits[i + 3] !== none ? 2 : 1;
-  by('mesh-text').textContent = `${name}: ${number(triangles)} triangles, ${number(levels)} levels below.` +
+  return triangles;
+}
+
+export function showMesh(by, source, { levels }) {
+  const { name, leftOut } = source;
+  by('mesh-text').textContent = `${name}: ${asNumber(fineTriangles(source))} triangles, ${asNumber(levels)} levels below.` +
     (leftOut.triangles ? ` ${leftOut.triangles} degenerate triangles were left out.` : '') +
     (leftOut.nonManifoldVertices ? ` The mesh is not a manifold at ${leftOut.nonManifoldVertices} vertices, which stay as they are.` : '');
 }

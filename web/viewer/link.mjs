@@ -2,7 +2,11 @@
 
 /// A part, and what can be done on the picture while it is shown.
 const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, STL, glTF, PM, baked.';
-const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.' };
+const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.',
+  race: 'Drag to turn both.' };
+
+/// Choices that an address names, but for these values.
+const usualChoices = { policy: null, cost: 'strips', mode: 'level', style: 'strips', rival: 'scratch', 'race-policy': 'quick', 'race-cost': 'indices', stride: '0.01' };
 
 /// The state that an address names; numbers and lists are checked where they are used.
 export const readLink = (hash) => Object.fromEntries(new URLSearchParams(hash.replace(/^#/, '')));
@@ -37,12 +41,11 @@ export class Link {
     const { by, viewer } = this;
     const state = readLink(location.hash);
     viewer.part = Object.hasOwn(parts, state.part ?? '') ? state.part : 'ribbon';
-    for (const id of ['policy', 'cost', 'mode', 'style']) {
+    for (const id of Object.keys(usualChoices)) {
       const option = state[id] === undefined ? null : [...by(id).options].find(({ value, disabled }) => value === state[id] && !disabled);
-      if (option && by(id).value !== option.value) {
-        by(id).value = option.value;
-        if (id === 'policy' || id === 'cost') viewer.begin();
-      }
+      if (!option || by(id).value === option.value) continue;
+      by(id).value = option.value;
+      by(id).dispatchEvent(new Event('change'));
     }
     const level = Number(state.level ?? NaN);
     if (Number.isInteger(level) && level >= 0 && level <= viewer.mesh.levels && level !== viewer.level) viewer.moveTo(level);
@@ -62,6 +65,10 @@ export class Link {
       else link.removeAttribute('aria-current');
     }
     by('hint').textContent = parts[viewer.part];
+    const racing = viewer.part === 'race';
+    by('canvas').hidden = racing;
+    by('tracks').hidden = !racing;
+    if (viewer.part !== 'cut') by(`part-${viewer.part}`).querySelector('.claim').after(by('level-row'));
   }
 
   /// Brings the address in step, a moment after things have settled.
@@ -71,9 +78,9 @@ export class Link {
     this.#telling = setTimeout(() => {
       const { by, viewer } = this;
       const view = placeText(viewer.camera.place);
-      const given = (id, ordinary) => (by(id).value === ordinary ? undefined : by(id).value);
-      writeLink({ part: viewer.part, level: viewer.level, policy: by('policy').value, cost: given('cost', 'strips'), mode: given('mode', 'level'),
-        style: given('style', 'strips'), cut: viewer.clicks.join(','), view: view === placeText(viewer.home) ? undefined : view });
+      const choices = Object.entries(usualChoices).map(([id, ordinary]) => [id, by(id).value === ordinary ? undefined : by(id).value]);
+      writeLink({ part: viewer.part, level: viewer.level, ...Object.fromEntries(choices), cut: viewer.clicks.join(','),
+        view: view === placeText(viewer.home) ? undefined : view });
     }, 250);
   }
 }

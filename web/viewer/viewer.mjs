@@ -8,10 +8,11 @@ import { Pane } from './pane.mjs';
 import { Pace } from './pace.mjs';
 import { Ribbon } from './ribbon.mjs';
 import { Cut } from './cut.mjs';
+import { Race } from './race.mjs';
 import { Files } from './files.mjs';
 import { Link } from './link.mjs';
 import { listen } from './controls.mjs';
-import { showFigures, showMesh } from './figures.mjs';
+import { showFigures, showLevel, showMesh } from './figures.mjs';
 import { wantedRecords } from './detail.mjs';
 
 const by = (id) => document.getElementById(id);
@@ -24,8 +25,6 @@ class Viewer {
   clicks = [];  // records that are split beyond the level, in order
   part = 'ribbon';
   pointed = null;  // a triangle that is pointed at
-  // How many recent operations there were, and how long they took.
-  timed = { operations: 0, milliseconds: 0 };
   lastFrame = { operations: 0, bytes: 0, whole: 0 };
   #asked = false;
   #told = -1;  // the operations that the last one was told of
@@ -38,16 +37,16 @@ class Viewer {
     this.light = !still.matches;
     this.pane = new Pane(by('canvas'), this.camera, {
       changed: () => this.ask(),
-      lost: () => this.fault('The browser has taken the graphics card from this page. The picture returns when it gives it back; else load the page again.'),
+      lost: () => this.lost(),
       restored: () => {
         this.scene.setPoints(this.mesh.points);
         this.scene.upload(this.mesh.indices, []);
         this.painted = null;  // the ribbon goes on
-        by('fault').hidden = true;
-        this.ask();
+        this.found();
       },
     });
     this.cut = new Cut(this, by);
+    this.race = new Race(this, by);
     this.link = new Link(this, by);
     this.files = new Files(by, wasm, { show: (source) => this.show(source), fault: (message) => this.fault(message) });
     listen(this, by);
@@ -74,6 +73,7 @@ class Viewer {
     showMesh(by, source, mesh);
     by('level').max = mesh.levels;
     this.level = Math.round(mesh.levels * 0.1);
+    this.race.end();
     this.begin();
   }
   /// The base with strips from scratch; the frames that follow go up under the chosen policy. What is seen then does not
@@ -84,7 +84,6 @@ class Viewer {
     this.cut.end();
     this.ribbon = null;
     by('cost').disabled = by('policy').value === 'baked';
-    this.timed = { operations: 0, milliseconds: 0 };
     this.#told = -1;
     this.pace = new Pace();
     this.#upload();
@@ -135,7 +134,7 @@ class Viewer {
   /// Things may move by themselves.
   get moves() { return !still.matches; }
   /// Nothing is left to be done.
-  get settled() { return !(this.#asked && this.#waiting) && !this.#moved && this.#done; }
+  get settled() { return !(this.#asked && this.#waiting) && (this.part === 'race' ? this.race.settled : !this.#moved && this.#done); }
   changed() {
     this.#moved = true;
     this.ask();
@@ -165,9 +164,6 @@ class Viewer {
     const done = wanted ? mesh.approach(wanted, most) : mesh.moveTo(this.level, most);
     const took = performance.now() - before;
     this.pace.learn(done, most, took);
-    this.timed.milliseconds += took;
-    this.timed.operations += done;
-    if (this.timed.operations > 20000) for (const key in this.timed) this.timed[key] /= 2;
     this.#moved = false;
     this.#done = done < most || this.clicks.length > 0;
     scene.bytesUploaded = 0;
@@ -178,17 +174,22 @@ class Viewer {
     this.showLast();
   }
   frame(now) {
-    const started = performance.now();
     this.#asked = this.#waiting = false;
     if (!this.mesh) return;
-    if (this.#moved || !this.#done) this.#advance(this.pace.most);
     const flying = this.camera.step(now);
+    const going = this.part === 'race' ? this.race.frame(now) : this.#frameAlone(now);
+    this.link.tell();
+    if (!this.settled || flying) this.ask();
+    else if (going) this.#askFrame();
+  }
+  /// Of the one mesh that all parts but the race show.
+  #frameAlone(now) {
+    if (this.#moved || !this.#done) this.#advance(this.pace.most);
     const going = this.cut.advance(now);
     this.draw({ now });
-    showFigures(by, this, performance.now() - started);
-    this.link.tell();
-    if (!this.#done || flying) this.ask();
-    else if (going || this.#lit) this.#askFrame();
+    showLevel(by, this.figures.played, this.mesh.levels, this.level);
+    showFigures(by, this);
+    return going || this.#lit;
   }
   get #lit() { return this.light && by('style').value === 'strips' && !document.hidden; }
   /// The ribbon of the mesh as it is.
@@ -221,6 +222,14 @@ class Viewer {
   }
 
   // ---- what is said
+  /// The browser has taken the graphics card, or has given it back.
+  lost() {
+    this.fault('The browser has taken the graphics card from this page. The picture returns when it gives it back; else load the page again.');
+  }
+  found() {
+    by('fault').hidden = true;
+    this.ask();
+  }
   fault(message) {
     by('fault').textContent = message;
     by('fault').hidden = false;
