@@ -2,7 +2,7 @@
 
 /// A part, and what can be done on the picture while it is shown.
 const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, GLB, PM, baked.';
-const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.' };
+const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.', turn: '' };
 
 /// The state that an address names; numbers and lists are checked where they are used.
 export const readLink = (hash) => Object.fromEntries(new URLSearchParams(hash.replace(/^#/, '')));
@@ -51,6 +51,7 @@ export class Link {
     const place = placeOf(state.view);
     if (place) viewer.camera.place = place;
     this.#showPart();
+    viewer.turn.goTo(state);
     viewer.ask();
   }
   #showPart() {
@@ -61,19 +62,20 @@ export class Link {
       if (part === viewer.part) link.setAttribute('aria-current', 'page');
       else link.removeAttribute('aria-current');
     }
+    document.body.dataset.part = viewer.part;
     by('hint').textContent = parts[viewer.part];
   }
 
-  /// Brings the address in step, a moment after things have settled.
+  /// Brings the address in step with what has settled, at most once in a while: with the light on every frame calls this.
   tell() {
-    clearTimeout(this.#telling);
-    if (!this.viewer.settled) return;
-    this.#telling = setTimeout(() => {
+    this.#telling ||= setTimeout(() => {
       const { by, viewer } = this;
+      this.#telling = 0;
+      if (!viewer.settled) return;
       const view = placeText(viewer.camera.place);
       const given = (id, ordinary) => (by(id).value === ordinary ? undefined : by(id).value);
       writeLink({ part: viewer.part, level: viewer.level, policy: by('policy').value, cost: given('cost', 'strips'), mode: given('mode', 'level'),
-        style: given('style', 'strips'), cut: viewer.clicks.join(','), view: view === placeText(viewer.home) ? undefined : view });
-    }, 250);
+        style: given('style', 'strips'), cut: viewer.clicks.join(','), view: view === placeText(viewer.home) ? undefined : view, ...viewer.turn.state });
+    }, 400);
   }
 }

@@ -8,6 +8,7 @@ import { Pane } from './pane.mjs';
 import { Pace } from './pace.mjs';
 import { Ribbon } from './ribbon.mjs';
 import { Cut } from './cut.mjs';
+import { Turn } from './turn.mjs';
 import { Files } from './files.mjs';
 import { Link } from './link.mjs';
 import { listen } from './controls.mjs';
@@ -48,6 +49,7 @@ class Viewer {
       },
     });
     this.cut = new Cut(this, by);
+    this.turn = new Turn(this, by);
     this.link = new Link(this, by);
     this.files = new Files(by, wasm, { show: (source) => this.show(source), fault: (message) => this.fault(message) });
     listen(this, by);
@@ -190,7 +192,7 @@ class Viewer {
     if (!this.#done || flying) this.ask();
     else if (going || this.#lit) this.#askFrame();
   }
-  get #lit() { return this.light && by('style').value === 'strips' && !document.hidden; }
+  get #lit() { return this.light && by('style').value === 'strips' && this.part !== 'turn' && !document.hidden; }
   /// The ribbon of the mesh as it is.
   #paintedRibbon() {
     if (this.stale || !this.ribbon) this.ribbon = new Ribbon(this.mesh.ribbon, this.ribbon);
