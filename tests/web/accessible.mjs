@@ -1,6 +1,8 @@
 // What a program can check of a page that is to serve everybody. Each control that can be seen has a name, by the browser's
 // own tree. Ids are unique, and labels are for something. Headings leave out no level. Text has a contrast of 4.5 to 1.
 import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 
 const roles = ['button', 'link', 'textbox', 'spinbutton', 'slider', 'combobox', 'checkbox', 'DisclosureTriangle', 'img', 'image', 'Canvas'];
 
@@ -50,8 +52,33 @@ export async function faultsOf(page) {
   return [...nameless, ...others.faults];
 }
 
+/// Every part of the viewer: wide and light, narrow and dark; there nothing sticks out sideways, and the page ends with its content.
+export async function checkParts(browser, address, scratch) {
+  const page = await browser.page(1280, 800);
+  await page.open(address);
+  await page.until(() => window.restripViewer?.figures !== undefined && window.restripViewer.settled);
+  const parts = await page.run(() => [...document.querySelectorAll('#parts a')].map((link) => link.hash.replace('#part=', '')));
+  assert.ok(parts.length >= 4);
+  for (const [width, height, dark] of [[1280, 800, false], [360, 640, true]]) {
+    await page.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: false });
+    await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' },
+      { name: 'prefers-reduced-motion', value: 'reduce' }] });
+    for (const part of parts) {
+      await page.run((name) => { location.hash = `#part=${name}`; }, part);
+      await page.until((name) => document.body.dataset.part === name && restripViewer.settled, part);
+      assert.deepEqual(await faultsOf(page), [], `${part}, ${width} pixels wide`);
+      const sizes = await page.run(() => [document.documentElement.scrollWidth,
+        Math.abs(document.documentElement.scrollHeight - document.querySelector('main').getBoundingClientRect().bottom - scrollY) <= 1]);
+      assert.deepEqual(sizes, [width, true], part);
+      writeFileSync(join(scratch, `part-${part}-${width}.png`), await page.screenshot());
+    }
+  }
+  await noticesFaults(page);
+  assert.deepEqual(page.faults, []);
+}
+
 /// The checks notice what they are for.
-export async function noticesFaults(page) {
+async function noticesFaults(page) {
   await page.run(() => {
     document.querySelector('aside').insertAdjacentHTML('beforeend', `<div id="wrong"><button></button><h6>deep</h6>
       <p style="color: #999; background: #fff">pale</p><label for="nowhere">lost</label><i id="wrong"></i></div>`);

@@ -13,6 +13,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { Browser } from './browser.mjs';
+import { checkParts } from './accessible.mjs';
 import { checkTurn } from './turn_checks.mjs';
 
 const [folder, chromium, program, scratch] = process.argv.slice(2);
@@ -394,6 +395,7 @@ try {
   quiet(phone);
 
   await checkTurn(browser, address, scratch);
+  await checkParts(browser, address, scratch);
 
   // No blank room below the content, at any size, with the panel scrolled to its end.
   for (const [width, height, panel] of [[1280, 800, true], [840, 520, true], [390, 844, false], [360, 640, false]]) {

@@ -2,7 +2,7 @@
 
 /// A part, and what can be done on the picture while it is shown.
 const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, GLB, PM, baked.';
-const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.', turn: '' };
+const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.', turn: '', use: usual };
 
 /// The state that an address names; numbers and lists are checked where they are used.
 export const readLink = (hash) => Object.fromEntries(new URLSearchParams(hash.replace(/^#/, '')));

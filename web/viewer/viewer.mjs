@@ -186,7 +186,7 @@ class Viewer {
     if (this.#moved || !this.#done) this.#advance(this.pace.most);
     const flying = this.camera.step(now);
     const going = this.cut.advance(now);
-    this.draw({ now });
+    if (this.part !== 'turn') this.draw({ now });  // which covers it
     showFigures(by, this, performance.now() - started);
     this.link.tell();
     if (!this.#done || flying) this.ask();
