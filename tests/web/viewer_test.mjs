@@ -11,7 +11,8 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { pngOf, ribbonPicture } from '../../scripts/ribbon_picture.mjs';
 import { Browser } from './browser.mjs';
 import { checkParts } from './accessible.mjs';
 import { checkTurn } from './turn_checks.mjs';
@@ -364,6 +365,22 @@ try {
   await agrees(page, 'the context restored');
   assert.ok(await page.run('document.getElementById("fault").hidden'));
   assert.deepEqual(page.faults.filter((fault) => !/CONTEXT_LOST_WEBGL|context lost/i.test(fault)), []);
+
+  // The picture of README.md is what its command draws now, but for how this Chromium rounds; one that is turned is not.
+  const picture = await ribbonPicture(browser, address);
+  assert.deepEqual(picture.figures.map(({ strips }) => strips), [1, 1, 1]);
+  const [near, far] = await page.run(async (...files) => {
+    const [a, b] = await Promise.all(files.map(async (file) => {
+      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${file}`)).blob());
+      const sheet = new OffscreenCanvas(image.width, image.height).getContext('2d');
+      sheet.drawImage(image, 0, 0);
+      return sheet.getImageData(0, 0, image.width, image.height);
+    }));
+    const mean = (other) => (a.width !== b.width || a.height !== b.height ? Infinity
+      : a.data.reduce((sum, n, i) => sum + Math.abs(n - b.data[other(i)]), 0) / a.data.length);
+    return [mean((i) => i), mean((i) => a.data.length - 4 - i + 2 * (i % 4))];
+  }, pngOf(picture).toString('base64'), readFileSync(fileURLToPath(new URL('../../docs/ribbon.png', import.meta.url))).toString('base64'));
+  assert.ok(near < 1 && far > 5, `docs/ribbon.png: colours differ by ${near}, those of a turned picture by ${far}; scripts/ribbon_picture.mjs makes it anew`);
 
   // No WebGL, and no JavaScript: a sentence and a picture.
   const still = () => [...document.images].filter((image) => image.checkVisibility() && image.naturalWidth > 100).length;
