@@ -118,6 +118,18 @@ export async function checkTurn(browser, address, scratch) {
   await wide.run(() => { restripViewer.light = true; location.hash = '#part=cut'; });
   await wide.until('/part=cut&level/.test(location.hash)');
   await wide.run('restripViewer.light = false');
+  // An address that comes when the old state is about to be told is followed, and not overwritten.
+  await wide.run(async () => {
+    await new Promise((passed) => setTimeout(passed, 500));
+    const later = window.setTimeout;
+    let tell;
+    window.setTimeout = (call) => { tell = call; return 1; };
+    restripViewer.link.tell();
+    window.setTimeout = later;
+    location.hash = '#part=ribbon';
+    tell();
+  });
+  await wide.until('document.body.dataset.part === "ribbon"');
   await wide.run(() => { location.hash = '#part=turn'; });
   await wide.until('document.body.dataset.part === "turn" && restripViewer.settled');
   writeFileSync(join(scratch, 'turn.png'), await wide.screenshot());

@@ -20,20 +20,28 @@ export class Puzzle {
   /// Strips, counted inside the patch: before the split, and after it with these inner edges if they close no cycle.
   get before() { return this.k - bitsIn(this.loop); }
   after(inner) { return this.k + 2 - bitsIn(inner); }
+  /// The solid inner edges of each triangle.
+  around(inner) {
+    const solid = Number(inner);  // a picture has no room for more edges than a number has bits
+    const edges = this.names.map(() => []);
+    this.edges.forEach(([i, j], edge) => {
+      if ((solid >> edge & 1) === 0) return;
+      edges[i].push(edge);
+      edges[j].push(edge);
+    });
+    return edges;
+  }
+  hasPort(node) { return node < this.k && has(this.ports, node); }
   /// The triangles that no solid edge leads away from.
   alone(inner) {
-    return this.names.map((_, node) => node).filter((node) => !(node < this.k && has(this.ports, node)) && this.at(inner, node).length === 0);
-  }
-  /// The solid inner edges of a triangle.
-  at(inner, node) {
-    return this.edges.flatMap((ends, edge) => (has(inner, edge) && ends.includes(node) ? [edge] : []));
+    return this.around(inner).flatMap((edges, node) => (edges.length === 0 && !this.hasPort(node) ? [node] : []));
   }
   /// What is wrong with a colouring: { kind, triangles, edges, ports }, or null where it is sound. `kind` is 'branch' (a
   /// triangle has three solid edges), 'cycle' (inside) or 'join' (two ports that were not joined before).
   fault(inner) {
-    for (let node = 0; node < this.k + 2; ++node) {
-      const edges = this.at(inner, node);
-      const ports = node < this.k && has(this.ports, node) ? [node] : [];
+    const around = this.around(inner);
+    for (const [node, edges] of around.entries()) {
+      const ports = this.hasPort(node) ? [node] : [];
       if (edges.length + ports.length > 2) return { kind: 'branch', triangles: [node], edges, ports };
     }
     // Every triangle has two solid edges at most, so that from an end each way is a strip, and what has no end a cycle.
@@ -42,7 +50,7 @@ export class Puzzle {
       const way = { triangles: [from], edges: [] };
       seen.add(from);
       for (let node = from;;) {
-        const edge = this.at(inner, node).find((e) => !way.edges.includes(e));
+        const edge = around[node].find((e) => !way.edges.includes(e));
         if (edge === undefined) return way;
         way.edges.push(edge);
         node = this.edges[edge].find((end) => end !== node);
@@ -51,13 +59,13 @@ export class Puzzle {
         way.triangles.push(node);
       }
     };
-    for (let node = 0; node < this.k + 2; ++node) {
-      if (seen.has(node) || this.at(inner, node).length > 1) continue;
+    for (const [node, edges] of around.entries()) {
+      if (seen.has(node) || edges.length > 1) continue;
       const way = follow(node);
-      const ports = [...new Set([way.triangles[0], way.triangles.at(-1)])].filter((end) => end < this.k && has(this.ports, end));
+      const ports = [...new Set([way.triangles[0], way.triangles.at(-1)])].filter((end) => this.hasPort(end));
       if (ports.length === 2 && !this.pairs.some((pair) => ports.every((port) => pair.includes(port)))) return { kind: 'join', ...way, ports };
     }
-    for (let node = 0; node < this.k + 2; ++node)
+    for (const node of around.keys())
       if (!seen.has(node)) return { kind: 'cycle', ...follow(node), ports: [] };
     return null;
   }

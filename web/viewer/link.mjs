@@ -25,6 +25,7 @@ function placeOf(text) {
 
 export class Link {
   #telling = 0;
+  #known = '';  // the address as it was followed or told
 
   constructor(viewer, by) {
     this.viewer = viewer;
@@ -35,7 +36,8 @@ export class Link {
   /// Shows what the address names; what it does not name stays.
   follow() {
     const { by, viewer } = this;
-    const state = readLink(location.hash);
+    this.#known = location.hash;
+    const state = readLink(this.#known);
     viewer.part = Object.hasOwn(parts, state.part ?? '') ? state.part : 'ribbon';
     for (const id of ['policy', 'cost', 'mode', 'style']) {
       const option = state[id] === undefined ? null : [...by(id).options].find(({ value, disabled }) => value === state[id] && !disabled);
@@ -71,11 +73,12 @@ export class Link {
     this.#telling ||= setTimeout(() => {
       const { by, viewer } = this;
       this.#telling = 0;
-      if (!viewer.settled) return;
+      if (!viewer.settled || location.hash !== this.#known) return;  // another address is about to be followed
       const view = placeText(viewer.camera.place);
       const given = (id, ordinary) => (by(id).value === ordinary ? undefined : by(id).value);
       writeLink({ part: viewer.part, level: viewer.level, policy: by('policy').value, cost: given('cost', 'strips'), mode: given('mode', 'level'),
         style: given('style', 'strips'), cut: viewer.clicks.join(','), view: view === placeText(viewer.home) ? undefined : view, ...viewer.turn.state });
+      this.#known = location.hash;
     }, 400);
   }
 }
