@@ -120,12 +120,14 @@ export async function checkTurn(browser, address, scratch) {
   await wide.run('restripViewer.light = false');
   // An address that comes when the old state is about to be told is followed, and not overwritten.
   await wide.run(async () => {
-    await new Promise((passed) => setTimeout(passed, 500));
     const later = window.setTimeout;
     let tell;
-    window.setTimeout = (call) => { tell = call; return 1; };
-    restripViewer.link.tell();
-    window.setTimeout = later;
+    while (!tell) {  // else it is to be told already
+      window.setTimeout = (call) => { tell = call; return 1; };
+      restripViewer.link.tell();
+      window.setTimeout = later;
+      if (!tell) await new Promise((passed) => setTimeout(passed, 100));
+    }
     location.hash = '#part=ribbon';
     tell();
   });
