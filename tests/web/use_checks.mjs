@@ -48,11 +48,7 @@ async function run(size, real) {
   const { readMesh } = await import('restrip-wasm/formats');
   const { begin } = await import('/use/begin.mjs');
   const { points, triangles } = readMesh('hare.obj', await (await fetch('/hare.obj')).arrayBuffer());
-  const differ = (one, other) => {
-    let count = 0;
-    for (let i = 0; i < one.length; i += 4) count += one[i] !== other[i] || one[i + 1] !== other[i + 1] || one[i + 2] !== other[i + 2];
-    return count;
-  };
+  const { differ, picture, useFlatProgram } = await import('/pictures.mjs');
   /// The pictures at several levels, of strips and of the list; each as pixels that differ.
   const compare = async (mesh, strips, list, empty) => {
     const found = [];
@@ -68,20 +64,7 @@ async function run(size, real) {
     const { draw } = await import('/use/webgl.mjs');
     const mesh = await begin(points, triangles);
     const gl = Object.assign(document.createElement('canvas'), { width: size, height: size }).getContext('webgl2', { antialias: false });
-    const program = gl.createProgram();
-    for (const [type, source] of [[gl.VERTEX_SHADER, `in vec3 place; out vec3 seen;
-      void main() { seen = place; gl_Position = vec4(0.5 * place.xy, 0.3 * place.z, 1.0); }`],
-    [gl.FRAGMENT_SHADER, `precision highp float; in vec3 seen; out vec4 pixel;
-      void main() { pixel = vec4(0.5 + 0.5 * normalize(cross(dFdx(seen), dFdy(seen))), 1.0); }`]]) {
-      const shader = gl.createShader(type);
-      gl.shaderSource(shader, `#version 300 es\n${source}`);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-    }
-    gl.bindAttribLocation(program, 0, 'place');
-    gl.linkProgram(program);
-    gl.useProgram(program);
-    gl.enable(gl.DEPTH_TEST);
+    useFlatProgram(gl);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, mesh.points, gl.STATIC_DRAW);
     const [own, other] = [0, 1].map(() => {
@@ -92,18 +75,14 @@ async function run(size, real) {
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
       return array;
     });
-    const picture = (array, drawing) => {
-      gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    const seen = (array, drawing) => picture(gl, () => {
       gl.bindVertexArray(array);
       drawing();
-      const pixels = new Uint8Array(4 * size * size);
-      gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-      return pixels;
-    };
-    const found = await compare(mesh, () => picture(own, () => draw(gl, mesh)), (list) => picture(other, () => {
+    });
+    const found = await compare(mesh, () => seen(own, () => draw(gl, mesh)), (list) => seen(other, () => {
       gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, list, gl.STREAM_DRAW);
       gl.drawElements(gl.TRIANGLES, list.length, gl.UNSIGNED_INT, 0);
-    }), () => picture(null, () => {}));
+    }), () => seen(null, () => {}));
     return { found, error: gl.getError() };
   };
 
@@ -132,7 +111,7 @@ async function run(size, real) {
     const target = (format, usage) => device.createTexture({ size: [size, size], format, usage: GPUTextureUsage.RENDER_ATTACHMENT | usage });
     const [color, depth] = [target('rgba8unorm', GPUTextureUsage.COPY_SRC), target('depth32float', 0)];
     const read = device.createBuffer({ size: 4 * size * size, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
-    const picture = async (kind, drawing) => {
+    const seen = async (kind, drawing) => {
       const encoder = device.createCommandEncoder();
       const pass = encoder.beginRenderPass({ colorAttachments: [{ view: color.createView(), loadOp: 'clear', storeOp: 'store' }],
         depthStencilAttachment: { view: depth.createView(), depthLoadOp: 'clear', depthStoreOp: 'discard', depthClearValue: 1 } });
@@ -147,10 +126,10 @@ async function run(size, real) {
       read.unmap();
       return pixels;
     };
-    const found = await compare(mesh, () => picture(strips, (pass) => draw(device, pass, mesh)), (indices) => picture(list, (pass) => {
+    const found = await compare(mesh, () => seen(strips, (pass) => draw(device, pass, mesh)), (indices) => seen(list, (pass) => {
       pass.setIndexBuffer(filled(indices, GPUBufferUsage.INDEX), 'uint32');
       pass.drawIndexed(indices.length);
-    }), () => picture(list, () => {}));
+    }), () => seen(list, () => {}));
     return { found, error: errors.join('; ') };
   };
 
@@ -189,16 +168,13 @@ async function run(size, real) {
       const camera = new THREE.OrthographicCamera(-2, 2, 2, -2, -4, 4);
       const gl = renderer.getContext();
       const material = new THREE.MeshNormalMaterial({ flatShading: true, side: THREE.DoubleSide });
-      const picture = (...shapes) => {
+      const seen = (...shapes) => {
         const scene = new THREE.Scene();
         for (const shape of shapes) scene.add(Object.assign(new THREE.Mesh(shape, material), { frustumCulled: false }));
-        renderer.render(scene, camera);
-        const pixels = new Uint8Array(4 * size * size);
-        gl.readPixels(0, 0, size, size, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-        return pixels;
+        return picture(gl, () => renderer.render(scene, camera));
       };
-      found = await compare(mesh, () => { followed(); return picture(geometry); }, (list) => picture(new THREE.BufferGeometry()
-        .setAttribute('position', new THREE.BufferAttribute(mesh.points, 3)).setIndex(new THREE.BufferAttribute(list, 1))), () => picture());
+      found = await compare(mesh, () => { followed(); return seen(geometry); }, (list) => seen(new THREE.BufferGeometry()
+        .setAttribute('position', new THREE.BufferAttribute(mesh.points, 3)).setIndex(new THREE.BufferAttribute(list, 1))), () => seen());
     } else {
       for (const share of [0, 1, 0.9, 0.95]) {
         mesh.moveTo(Math.round(share * mesh.levels));
