@@ -2,7 +2,7 @@
 // The mesh goes from its coarsest level to its finest in steps of 1 %, once for each way to have an index buffer.
 import { readFile } from 'node:fs/promises';
 import { load } from 'restrip-wasm';
-import { readMesh } from 'restrip-wasm/formats';
+import { loadReaders } from 'restrip-wasm/formats';
 
 const [file] = process.argv.slice(2);
 if (!file) {
@@ -10,7 +10,8 @@ if (!file) {
   process.exit(2);
 }
 const restrip = await load();
-const read = readMesh(file, await readFile(file));
+const readMesh = await loadReaders();
+const read = await readMesh(file, await readFile(file));
 const open = () => (read.baked ? restrip.baked(read.baked) : read.base ? restrip.progressive(read) : restrip.simplified(read));
 
 const sum = (ranges) => ranges.reduce((all, { count }) => all + count, 0);
