@@ -21,6 +21,7 @@ struct Sums {
   std::size_t failed = 0;
   std::size_t clauses = 0;
   std::size_t proof_lines = 0;
+  std::size_t core = 0;
   sat::ControlResult controls;
 };
 
@@ -61,6 +62,8 @@ std::string last_line(const Sums& sums, const sat::Options& options) {
       fmt::format("{}: {} positions, {} clauses, {} proof lines checked by {}",
                   sums.failed == 0 ? "proved" : fmt::format("NOT proved ({} failed)", sums.failed), sums.positions,
                   sums.clauses, sums.proof_lines, options.checker.empty() ? "restrip-sat" : options.checker);
+  if (!options.lrat_checker.empty())
+    line += fmt::format(", the {} on which they rest by {}", sums.core, options.lrat_checker);
   if (options.controls)
     line += fmt::format("; {} altered formulas satisfiable; {} of {} cut proofs refused",
                         sums.controls.altered_formulas, sums.controls.refused, sums.controls.cut_proofs);
@@ -79,6 +82,7 @@ int run(const sat::Options& options, bool as_json) {
     sums.failed += result.held() ? 0U : 1U;
     sums.clauses += result.clauses;
     sums.proof_lines += result.proof_lines;
+    sums.core += result.core;
     sums.controls.altered_formulas += result.controls.altered_formulas;
     sums.controls.cut_proofs += result.controls.cut_proofs;
     sums.controls.refused += result.controls.refused;
@@ -127,9 +131,13 @@ int main(int argc, char** argv) {
   app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
   app.add_option("--family", options.families, "Only this certificate, such as split; may be repeated");
   app.add_option("--solver", options.solver, "Called as SOLVER -q --no-binary FORMULA PROOF")->capture_default_str();
-  app.add_option("--checker", options.checker,
-                 "Another proof checker, such as drat-trim, called as CHECKER FORMULA PROOF");
-  app.add_option("--out", options.out, "Keep formulas and proofs in this folder");
+  auto* const checker = app.add_option("--checker", options.checker,
+                                       "Another proof checker, such as drat-trim, called as CHECKER FORMULA PROOF");
+  app.add_option("--lrat-checker", options.lrat_checker,
+                 "A checker of LRAT, such as restrip-lrat, that must accept each proof as well; called as CHECKER "
+                 "FORMULA PROOF")
+      ->excludes(checker);
+  app.add_option("--out", options.out, "Keep formulas and proofs, as DRAT and as LRAT, in this folder");
   auto* const controls =
       app.add_flag("--controls", options.controls,
                    "Alter rows, which must make the formulas satisfiable, and cut lines out of the proofs");
