@@ -1,21 +1,25 @@
 // The example in the package's README runs as it is printed, in a page that a server gives out, and draws: at the finest
 // level its picture is that of the triangle list, pixel for pixel, also after the buffer has outgrown its storage and
-// after ranges were uploaded alone. Other levels look different.
+// after ranges were uploaded alone. Other levels look different. In the same page run the lines that the viewer prints.
 //   node example_test.mjs WEB_FOLDER CHROMIUM
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { join } from 'node:path';
 import { Browser } from './browser.mjs';
+import { checkUse, gpuFlags, printed } from './use_checks.mjs';
 
 const [folder, chromium] = process.argv.slice(2);
 const inPackage = (name) => readFileSync(join(folder, 'package', name));
 const about = JSON.parse(inPackage('package.json'));
 const [, example] = /```js\n(.*?)```/s.exec(inPackage('README.md').toString()) ?? assert.fail('README.md has no example');
+const use = printed(folder);
 const imports = Object.fromEntries(Object.entries(about.exports).map(([name, to]) => [`${about.name}${name.slice(1)}`, `/package/${(to.default ?? to).slice(2)}`]));
+Object.assign(imports, use.imports);
 const files = new Map([
   ['/', ['text/html', `<!doctype html><meta charset="utf-8"><title>t</title><link rel="icon" href="data:,"><script type="importmap">${JSON.stringify({ imports })}</script>
     <canvas id="canvas" width="300" height="300"></canvas>`]],
+  ...use.files,
   ['/example.mjs', ['text/javascript', example]], ['/hare.obj', ['text/plain', readFileSync(join(folder, 'hare.obj'))]],
   ...about.files.map((name) => [`/package/${name}`, [name.endsWith('.wasm') ? 'application/wasm' : 'text/javascript', inPackage(name)]])]);
 const server = createServer((request, answer) => {
@@ -24,7 +28,7 @@ const server = createServer((request, answer) => {
 });
 await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
 
-const browser = await Browser.start(chromium);
+const browser = await Browser.start(chromium, ...gpuFlags);
 try {
   const page = await browser.page(400, 400);
   await page.open(`http://127.0.0.1:${server.address().port}/`);
@@ -95,6 +99,7 @@ try {
   assert.ok(Math.max(found.grown, found.again) <= found.list / 1000, JSON.stringify(found));
   assert.equal(found.error, 0);
   assert.ok(found.storages >= 2 && found.ranges > 2 && found.ended === 0, JSON.stringify(found));
+  await checkUse(page);
   assert.deepEqual(page.faults, []);
 } finally {
   await browser.stop();

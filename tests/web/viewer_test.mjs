@@ -13,9 +13,11 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { checkParts } from './accessible.mjs';
 import { Browser } from './browser.mjs';
 import { pictureIsFresh } from './picture_check.mjs';
 import { raceHolds } from './race_check.mjs';
+import { checkTurn } from './turn_checks.mjs';
 
 const [folder, chromium, program, scratch] = process.argv.slice(2);
 mkdirSync(scratch, { recursive: true });
@@ -396,6 +398,9 @@ try {
   await agrees(phone, 'on a telephone');
   writeFileSync(join(scratch, 'viewer-phone.png'), await phone.screenshot());
   quiet(phone);
+
+  await checkTurn(browser, address, scratch);
+  await checkParts(browser, address, scratch);
 
   // No blank room below the content, at any size, with the panel scrolled to its end.
   for (const [width, height, panel, part] of [[1280, 800, true, 'race'], [840, 520, true, 'ribbon'], [390, 844, false, 'ribbon'], [360, 640, false, 'race']]) {

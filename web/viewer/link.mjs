@@ -2,8 +2,7 @@
 
 /// A part, and what can be done on the picture while it is shown.
 const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, GLB, PM, baked.';
-const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.',
-  race: 'Drag to turn both.' };
+const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.', turn: '', race: 'Drag to turn both.', use: usual };
 
 /// Choices that an address names, but for these values.
 const usualChoices = { policy: null, cost: 'strips', mode: 'level', style: 'strips', rival: 'scratch', 'race-policy': 'quick', 'race-cost': 'indices', stride: '0.01' };
@@ -29,6 +28,7 @@ function placeOf(text) {
 
 export class Link {
   #telling = 0;
+  #known = '';  // the address as it was followed or told
 
   constructor(viewer, by) {
     this.viewer = viewer;
@@ -39,7 +39,8 @@ export class Link {
   /// Shows what the address names; what it does not name stays.
   follow() {
     const { by, viewer } = this;
-    const state = readLink(location.hash);
+    this.#known = location.hash;
+    const state = readLink(this.#known);
     viewer.part = Object.hasOwn(parts, state.part ?? '') ? state.part : 'ribbon';
     for (const id of Object.keys(usualChoices)) {
       const option = state[id] === undefined ? null : [...by(id).options].find(({ value, disabled }) => value === state[id] && !disabled);
@@ -54,6 +55,7 @@ export class Link {
     const place = placeOf(state.view);
     if (place) viewer.camera.place = place;
     this.#showPart();
+    viewer.turn.goTo(state);
     viewer.ask();
   }
   #showPart() {
@@ -64,23 +66,22 @@ export class Link {
       if (part === viewer.part) link.setAttribute('aria-current', 'page');
       else link.removeAttribute('aria-current');
     }
+    document.body.dataset.part = viewer.part;
     by('hint').textContent = parts[viewer.part];
-    const racing = viewer.part === 'race';
-    by('canvas').hidden = racing;
-    by('tracks').hidden = !racing;
-    if (viewer.part !== 'cut') by(`part-${viewer.part}`).querySelector('.claim').after(by('level-row'));
+    if (['ribbon', 'race'].includes(viewer.part)) by(`part-${viewer.part}`).querySelector('.claim').after(by('level-row'));
   }
 
-  /// Brings the address in step, a moment after things have settled.
+  /// Brings the address in step with what has settled, at most once in a while: with the light on every frame calls this.
   tell() {
-    clearTimeout(this.#telling);
-    if (!this.viewer.settled) return;
-    this.#telling = setTimeout(() => {
+    this.#telling ||= setTimeout(() => {
       const { by, viewer } = this;
+      this.#telling = 0;
+      if (!viewer.settled || location.hash !== this.#known) return;  // another address is about to be followed
       const view = placeText(viewer.camera.place);
       const choices = Object.entries(usualChoices).map(([id, ordinary]) => [id, by(id).value === ordinary ? undefined : by(id).value]);
       writeLink({ part: viewer.part, level: viewer.level, ...Object.fromEntries(choices), cut: viewer.clicks.join(','),
-        view: view === placeText(viewer.home) ? undefined : view });
-    }, 250);
+        view: view === placeText(viewer.home) ? undefined : view, ...viewer.turn.state });
+      this.#known = location.hash;
+    }, 400);
   }
 }

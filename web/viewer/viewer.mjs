@@ -8,6 +8,7 @@ import { Pane } from './pane.mjs';
 import { Pace } from './pace.mjs';
 import { Ribbon } from './ribbon.mjs';
 import { Cut } from './cut.mjs';
+import { Turn } from './turn.mjs';
 import { Race } from './race.mjs';
 import { Files } from './files.mjs';
 import { Link } from './link.mjs';
@@ -46,6 +47,7 @@ class Viewer {
       },
     });
     this.cut = new Cut(this, by);
+    this.turn = new Turn(this, by);
     this.race = new Race(this, by);
     this.link = new Link(this, by);
     this.files = new Files(by, wasm, { show: (source) => this.show(source), fault: (message) => this.fault(message) });
@@ -186,12 +188,12 @@ class Viewer {
   #frameAlone(now) {
     if (this.#moved || !this.#done) this.#advance(this.pace.most);
     const going = this.cut.advance(now);
-    this.draw({ now });
+    if (this.part !== 'turn') this.draw({ now });  // which covers it
     showLevel(by, this.figures.played, this.mesh.levels, this.level);
     showFigures(by, this);
     return going || this.#lit;
   }
-  get #lit() { return this.light && by('style').value === 'strips' && !document.hidden; }
+  get #lit() { return this.light && by('style').value === 'strips' && this.part !== 'turn' && !document.hidden; }
   /// The ribbon of the mesh as it is.
   #paintedRibbon() {
     if (this.stale || !this.ribbon) this.ribbon = new Ribbon(this.mesh.ribbon, this.ribbon);
