@@ -2,8 +2,7 @@
 
 /// A part, and what can be done on the picture while it is shown.
 const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, STL, glTF, PM, baked.';
-const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.', turn: '',
-  race: 'Drag to turn both.', use: usual };
+const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.', turn: '', race: 'Drag to turn both.', use: usual };
 
 /// Choices that an address names, but for these values.
 const usualChoices = { policy: null, cost: 'strips', mode: 'level', style: 'strips', rival: 'scratch', 'race-policy': 'quick', 'race-cost': 'indices', stride: '0.01' };
@@ -69,10 +68,7 @@ export class Link {
     }
     document.body.dataset.part = viewer.part;
     by('hint').textContent = parts[viewer.part];
-    const racing = viewer.part === 'race';
-    by('canvas').hidden = racing;
-    by('tracks').hidden = !racing;
-    if (racing || viewer.part === 'ribbon') by(`part-${viewer.part}`).querySelector('.claim').after(by('level-row'));
+    if (['ribbon', 'race'].includes(viewer.part)) by(`part-${viewer.part}`).querySelector('.claim').after(by('level-row'));
   }
 
   /// Brings the address in step with what has settled, at most once in a while: with the light on every frame calls this.

@@ -8,8 +8,8 @@ import { Pane } from './pane.mjs';
 import { Pace } from './pace.mjs';
 import { Ribbon } from './ribbon.mjs';
 import { Cut } from './cut.mjs';
-import { Race } from './race.mjs';
 import { Turn } from './turn.mjs';
+import { Race } from './race.mjs';
 import { Files } from './files.mjs';
 import { Link } from './link.mjs';
 import { listen } from './controls.mjs';
@@ -47,8 +47,8 @@ class Viewer {
       },
     });
     this.cut = new Cut(this, by);
-    this.race = new Race(this, by);
     this.turn = new Turn(this, by);
+    this.race = new Race(this, by);
     this.link = new Link(this, by);
     this.files = new Files(by, wasm, { show: (source) => this.show(source), fault: (message) => this.fault(message) });
     listen(this, by);
