@@ -70,6 +70,7 @@ def sections(text):
 def whole(title, body, style, up=""):
     return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
             f'<meta name="color-scheme" content="light dark">\n<title>{escaped(title)}</title>\n'
+            f'<meta property="og:title" content="{escaped(title)}">\n<meta property="og:image" content="{up}ribbon.png">\n'
             f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n<nav><a href="{up}index.html">restrip</a> <a href="{up}viewer.html">Viewer</a> '
             f'<a href="{up}atlas/index.html">Atlas of rules</a></nav>\n<main class="prose">{body}</main>\n</body>\n</html>\n')
 

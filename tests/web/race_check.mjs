@@ -51,7 +51,8 @@ export async function raceHolds(page, { folder, scratch, choose, settled }) {
     await choose(page, { rival });
     await page.run(() => restripViewer.step(1));
     await settled(page);
-    const seen = await page.run(() => restripViewer.race.tracks.map(({ lane, written, pane: { scene, camera, colors } }) => {
+    const seen = await page.run(() => restripViewer.race.tracks.map((track) => {
+      const { lane, written, pane: { scene, camera, colors } } = track;
       const picture = (how) => {
         scene.draw(camera, { style: lane.isList ? 'list' : 'shaded', length: lane.indices.length, ...colors, ...how });
         return scene.pixels();
@@ -59,11 +60,15 @@ export async function raceHolds(page, { folder, scratch, choose, settled }) {
       const [own, list, lit] = [{}, { list: lane.mesh.triangles }, { glow: { triangles: written, strength: 1 } }].map(picture);
       const count = (differs) => { let sum = 0; for (let i = 0; i < own.length; i += 4) sum += differs(i) ? 1 : 0; return sum; };
       const other = (one, two, i) => one[i] !== two[i] || one[i + 1] !== two[i + 1] || one[i + 2] !== two[i + 2];
+      // As it is shown, in ribbons or not, the picture has the same outline.
+      track.draw(0);
+      const ribbons = scene.pixels();
+      const inside = (picture, i) => picture[i] !== picture[0] || picture[i + 1] !== picture[1] || picture[i + 2] !== picture[2];
       const card = scene.copyOnCard(lane.indices.length);
-      return { different: count((i) => other(own, list, i)), shown: count((i) => own[i] !== own[0] || own[i + 1] !== own[1] || own[i + 2] !== own[2]),
+      return { different: count((i) => other(own, list, i)), shown: count((i) => inside(own, i)), outline: count((i) => inside(own, i) !== inside(ribbons, i)),
         lit: count((i) => other(own, lit, i)), same: lane.indices.every((index, i) => index === card[i]) };
     }));
-    for (const { different, shown, same } of seen) assert.ok(different === 0 && shown > 5000 && same, `${rival}: ${JSON.stringify(seen)}`);
+    for (const { different, outline, shown, same } of seen) assert.ok(different === 0 && outline === 0 && shown > 5000 && same, `${rival}: ${JSON.stringify(seen)}`);
     const [all, some] = [seen[0].lit > 0.95 * seen[0].shown, seen[1].lit < 0.5 * seen[1].shown];
     assert.deepEqual([all, some], [rival !== 'slots', true], `${rival}: ${JSON.stringify(seen)}`);
   }

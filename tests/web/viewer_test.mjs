@@ -289,9 +289,12 @@ try {
   // One operation: its patch is marked, its rule is named and shown, little is uploaded.
   await choose(page, { mode: 'level', policy: 'local', cost: 'strips', level: 1500, style: 'lines' });
   await settled(page);
-  await page.run(() => document.getElementById('up').click());
+  await page.run(() => {
+    restripViewer.scene.bytesUploaded = 0;
+    document.getElementById('up').click();
+  });
   await settled(page);
-  const one = await page.run(() => ({ ...restripViewer.lastFrame, marked: restripViewer.marked?.length, text: document.getElementById('last-text').textContent,
+  const one = await page.run(() => ({ operations: restripViewer.lastDone, bytes: restripViewer.scene.bytesUploaded, whole: 4 * restripViewer.mesh.indices.length, marked: restripViewer.marked?.length, text: document.getElementById('last-text').textContent,
     pictures: document.querySelectorAll('#last-pictures svg').length }));
   assert.equal(one.operations, 1);
   assert.ok(one.bytes > 0 && one.bytes < one.whole / 4, `${one.bytes} of ${one.whole} bytes`);

@@ -156,7 +156,7 @@ export class Race {
     const rows = Object.values(lanes).map(({ way, last, total, strips, indices }) => ({ name: ways[way], cells: [
       [last.bytes, asKilobytes(last.bytes)], [total.bytes, asKilobytes(total.bytes)],
       // The clock of a page may tick every tenth of a millisecond.
-      total.milliseconds >= 1 ? [total.milliseconds, asNumber(Math.round(1000 * total.milliseconds / total.steps))] : [Infinity, '–'],
+      total.steps >= 10 ? [total.milliseconds, asNumber(Math.round(1000 * total.milliseconds / total.steps))] : [Infinity, '–'],
       strips > 0 ? [strips, asNumber(strips)] : [Infinity, '–'], [indices.length, asNumber(indices.length)]] }));
     const least = rows[0].cells.map((_, c) => Math.min(...rows.map(({ cells }) => cells[c][0])));
     by('lanes').innerHTML = rows.map(({ name, cells }) =>

@@ -26,7 +26,7 @@ class Viewer {
   clicks = [];  // records that are split beyond the level, in order
   part = 'ribbon';
   pointed = null;  // a triangle that is pointed at
-  lastFrame = { operations: 0, bytes: 0, whole: 0 };
+  lastDone = 0;  // operations of the last frame that had any
   #asked = false;
   #told = -1;  // the operations that the last one was told of
   #moved = true;
@@ -158,7 +158,7 @@ class Viewer {
   }
   /// Towards what is wanted, with at most so many operations.
   #advance(most) {
-    const { mesh, scene } = this;
+    const { mesh } = this;
     const look = this.pane.ray(...(this.cursor ?? [0, 0]));
     const { level, clicks, splits, normals, camera } = this;
     const wanted = wantedRecords({ mode: by('mode').value, mesh, level, clicks, splits, normals, camera, look });
@@ -168,10 +168,8 @@ class Viewer {
     this.pace.learn(done, most, took);
     this.#moved = false;
     this.#done = done < most || this.clicks.length > 0;
-    scene.bytesUploaded = 0;
     this.#upload();
-    if (done > 0 || scene.bytesUploaded > 0)
-      this.lastFrame = { operations: done, bytes: scene.bytesUploaded, whole: 4 * mesh.indices.length };
+    if (done > 0) this.lastDone = done;
     this.figures = mesh.figures;
     this.showLast();
   }
@@ -241,7 +239,7 @@ class Viewer {
     this.#told = this.figures.operations;
     const last = this.figures.operations > 0 ? this.mesh.last : null;
     this.marked = null;
-    if (last && this.lastFrame.operations === 1) {
+    if (last && this.lastDone === 1) {
       // First as it was, a moment later as it is.
       const { operations } = this.figures;
       this.marked = last.trianglesBefore;
