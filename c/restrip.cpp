@@ -149,7 +149,8 @@ static_assert(RESTRIP_POLICY_BARE == static_cast<int>(Policy::bare) &&
               RESTRIP_POLICY_LOCAL == static_cast<int>(Policy::local) &&
               RESTRIP_POLICY_LINKED == static_cast<int>(Policy::linked) &&
               RESTRIP_POLICY_QUICK == static_cast<int>(Policy::quick) &&
-              RESTRIP_POLICY_FULL == static_cast<int>(Policy::full) && RESTRIP_POLICY_BAKED == policies.size());
+              RESTRIP_POLICY_FULL == static_cast<int>(Policy::full) &&
+              RESTRIP_POLICY_BEST == static_cast<int>(Policy::best) && RESTRIP_POLICY_BAKED == policies.size());
 
 }  // namespace
 
@@ -281,7 +282,7 @@ restrip_status restrip_mesh_keep(restrip_mesh* mesh, std::int32_t policy, const 
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   Policy how{};
   Cost what;
-  if (!restrip::c::named(policy, Policy::full, how) || !restrip::c::cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
+  if (!restrip::c::named(policy, Policy::best, how) || !restrip::c::cost_of(cost, what)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
     mesh->keeper = restrip_mesh::Keeper(mesh->mesh, how, what);
     mesh->policy = policy;

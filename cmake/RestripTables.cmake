@@ -104,13 +104,8 @@ function(restrip_generate_tables)
       message(FATAL_ERROR "restrip_generate_tables: LANGUAGE ${language}: expected one of ${expected}")
     endif()
   endforeach()
-  # What other languages do not have would be left out without a word.
   if(DEFINED arg_LANGUAGE)
-    list(REMOVE_ITEM arg_LANGUAGE c++)
-  endif()
-  if(arg_LANGUAGE AND DEFINED arg_OPERATION)
-    message(FATAL_ERROR "restrip_generate_tables: OPERATION with LANGUAGE ${arg_LANGUAGE}: tables of operations are written in "
-                        "C++ only; leave one of them out, or make two targets")
+    list(REMOVE_ITEM arg_LANGUAGE c++)  # is always made
   endif()
 
   set(operations "")
@@ -136,21 +131,31 @@ function(restrip_generate_tables)
     COMMENT "Generating the tables of ${arg_TARGET}"
     VERBATIM)
   set(made ${folder}/MANIFEST)
+  set(arguments ${operations})
+  list(TRANSFORM arguments PREPEND --operation=)
   # Other languages have a folder of their own, because the MANIFEST lists all that is in that of the tables.
+  set(check "")
+  if(c IN_LIST arg_LANGUAGE)
+    set(check ${folder}-languages/restrip_tables_check.c)
+  endif()
   if(arg_LANGUAGE)
     list(TRANSFORM arg_LANGUAGE PREPEND --language=)
+    set(operations_too "")
+    if(operations)
+      set(operations_too COMMAND restrip::generate rules --out ${folder}-languages ${arguments} ${arg_LANGUAGE})
+    endif()
     add_custom_command(
       OUTPUT ${folder}-languages.made
+      BYPRODUCTS ${check}
       COMMAND restrip::generate tables --out ${folder}-languages --threads 0 ${options} ${arg_LANGUAGE}
+      ${operations_too}
       COMMAND ${CMAKE_COMMAND} -E touch ${folder}-languages.made
-      DEPENDS ${folder}.options $<TARGET_FILE:restrip::generate>
+      DEPENDS ${folder}.options ${operations} $<TARGET_FILE:restrip::generate>
       COMMENT "Generating the tables of ${arg_TARGET} in other languages"
       VERBATIM)
     list(APPEND made ${folder}-languages.made)
   endif()
   if(operations)
-    set(arguments ${operations})
-    list(TRANSFORM arguments PREPEND --operation=)
     add_custom_command(
       OUTPUT ${folder}-operations.made
       COMMAND restrip::generate rules --out ${folder}-operations ${arguments}
@@ -166,7 +171,7 @@ function(restrip_generate_tables)
   target_link_libraries(${arg_TARGET} INTERFACE restrip::restrip)
   # Whoever links this has the folder before that of the shipped tables: see runtime/CMakeLists.txt.
   set_target_properties(${arg_TARGET} PROPERTIES INTERFACE_RESTRIP_TABLES ${folder}/include RESTRIP_FOLDER ${folder}
-                                                 RESTRIP_MAX_K ${arg_MAX_K})
+                                                 RESTRIP_MAX_K ${arg_MAX_K} RESTRIP_C_CHECK "${check}")
   if(arg_LANGUAGE)
     target_include_directories(${arg_TARGET} INTERFACE ${folder}-languages)
   endif()
@@ -238,6 +243,7 @@ function(restrip_verify_tables target)
 
   # What the compiled headers answer is printed by a program of this build, if it can be run.
   set(dump "")
+  set(automaton_dump "")
   if(CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
     message(STATUS "restrip_verify_tables: ${target}: the compiled tables are not judged; for that set CMAKE_CROSSCOMPILING_EMULATOR")
   else()
@@ -245,14 +251,26 @@ function(restrip_verify_tables target)
     if(NOT EXISTS ${sources}/dump_tables.cpp)  # not installed: restrip is a subdirectory
       set(sources ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../runtime)
     endif()
-    add_executable(${target}_dump ${sources}/dump_automaton.cpp ${sources}/dump_linked.cpp ${sources}/dump_tables.cpp)
+    add_executable(${target}_dump ${sources}/dump_automaton.cpp ${sources}/dump_digests.cpp ${sources}/dump_linked.cpp ${sources}/dump_tables.cpp)
     target_link_libraries(${target}_dump PRIVATE ${target})
     _restrip_command_of(${target}_dump command)
     set(dump --dump-command ${command})
+    set(automaton_dump --dump-command "${command} --automaton")
+    # And what the tables in C answer, by digests, in a project that has a C compiler. The verifier compares up to k = 8.
+    get_target_property(check ${target} RESTRIP_C_CHECK)
+    get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+    if(check AND C IN_LIST languages AND max_k LESS_EQUAL 8)
+      add_executable(${target}_check_c ${check})
+      set_source_files_properties(${check} PROPERTIES GENERATED TRUE)
+      add_dependencies(${target}_check_c ${target}_files)
+      _restrip_command_of(${target}_check_c command)
+      list(APPEND dump --digest-command ${command})
+    endif()
   endif()
   add_test(NAME ${target}.rules COMMAND $<TARGET_FILE:restrip::verify> --tables-dir ${folder} --max-k ${max_k} --all ${dump})
   add_test(NAME ${target}.automaton
-           COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8)
+           COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8
+                   ${automaton_dump})
   get_target_property(operations ${target} RESTRIP_OPERATIONS)
   if(operations)
     foreach(file IN LISTS operations)

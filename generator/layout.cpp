@@ -5,14 +5,6 @@
 namespace restrip::generator {
 namespace {
 
-template <class Number>
-TableArray array_of(const std::string& name, const std::vector<Number>& values) {
-  TableArray array{name, 8, {values.begin(), values.end()}};
-  const std::uint32_t largest = array.values.empty() ? 0 : *std::max_element(array.values.begin(), array.values.end());
-  if (largest > 0xff) array.bits = largest > 0xffff ? 32 : 16;
-  return array;
-}
-
 /// What does not depend on the position can be read off any.
 LookUp look_up_of(const Description& family) {
   const Patch patch = make_patch(positions(family, smallest_valence(family)).at(0));

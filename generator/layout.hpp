@@ -2,6 +2,7 @@
 // the numbers mean is in tables/include/restrip/tables/format.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -18,6 +19,15 @@ struct TableArray {
 
   [[nodiscard]] std::size_t bytes() const { return values.size() * bits / 8; }
 };
+
+/// With the fewest bits.
+template <class Number>
+[[nodiscard]] TableArray array_of(const std::string& name, const std::vector<Number>& values) {
+  TableArray array{name, 8, {values.begin(), values.end()}};
+  const std::uint32_t largest = array.values.empty() ? 0 : *std::max_element(array.values.begin(), array.values.end());
+  if (largest > 0xff) array.bits = largest > 0xffff ? 32 : 16;
+  return array;
+}
 
 struct TableLayout {
   unsigned max_k = 0;

@@ -12,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "automaton/served.hpp"
+#include "compare/compare_command.hpp"
 #include "count.hpp"
 #include "dump.hpp"
 #include "files/system_calls.hpp"
@@ -105,35 +107,55 @@ int main(int argc, char** argv) {
   auto* automaton_command =
       app.add_subcommand("automaton", "Write the automaton that answers fans of every valence, and its certificate");
   automaton_command->add_option("--out", automaton.out, "Directory that receives them")->required();
+  std::vector<std::string> served;
+  auto* served_option = automaton_command->add_option(
+      "--operation", served,
+      "Write the look-up of families of your own (operation files) that the shipped automaton answers, instead");
   automaton_command
       ->add_option(
           "--cost", automaton.cost,
           "What is best: strips (fewest strips, then fewest isolated triangles), indices (3 for a strip, 1 for "
           "a swap), or R,S,I, the weights of a strip, a swap and an isolated triangle")
-      ->capture_default_str();
-  automaton_command->add_option("--json", automaton.json,
-                                "Write its figures to this file; - for standard output, in place of the text");
-  automaton_command->add_option("--classes", automaton.classes,
-                                "Write every class with a best colouring of each case to this JSON file, for pictures");
+      ->capture_default_str()
+      ->excludes(served_option);
+  automaton_command
+      ->add_option("--json", automaton.json,
+                   "Write its figures to this file; - for standard output, in place of the text")
+      ->excludes(served_option);
+  automaton_command
+      ->add_option("--classes", automaton.classes,
+                   "Write every class with a best colouring of each case to this JSON file, for pictures")
+      ->excludes(served_option);
   automaton_command->footer(
       "\nExamples:\n"
       "  restrip-generate automaton --cost strips --out /tmp/automaton\n"
-      "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n");
+      "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n"
+      "  restrip-generate automaton --operation my-family.json --out /tmp/automaton\n");
 
   RulesOptions rules;
-  auto* rules_command =
-      app.add_subcommand("rules", "Write the table and the certificate of operations of your own (operation files)");
+  auto* rules_command = app.add_subcommand("rules",
+                                           "Write the table and the certificate of operations of your own (operation "
+                                           "files), or the table in another language");
   rules_command->add_option("--operation", rules.files, "Operation file, as docs/operation-file.md describes it")
       ->required();
   rules_command->add_option("--out", rules.out, "Directory that receives them")->required();
   rules_command
       ->add_option("--max-k", rules.max_k, "Families: positions whose first number is at most this, by default 8")
       ->check(CLI::Range(3, 10));
+  std::vector<std::string> rules_languages;
+  rules_command
+      ->add_option("--language", rules_languages,
+                   "c++ (the default: header and certificate), c, rust, json, glsl or wgsl: "
+                   "table and look-up; may be given several times")
+      ->check(CLI::IsMember(language_files()))
+      ->allow_extra_args(false);
   rules_command->add_option("--json", rules.json,
                             "Write the figures to this file; - for standard output, in place of the text");
   rules_command->footer(
-      "\nExample, from the top of the source tree:\n"
-      "  restrip-generate rules --operation tables/operations/bisect.json --out /tmp/rules\n");
+      "\nExamples, from the top of the source tree; the second writes restrip_bisect.h and restrip_bisect.rs:\n"
+      "  restrip-generate rules --operation tables/operations/bisect.json --out /tmp/rules\n"
+      "  restrip-generate rules --operation tables/operations/bisect.json --language c --language rust --out "
+      "/tmp/rules\n");
 
   std::string family = "split";
   unsigned k = 0;
@@ -177,6 +199,9 @@ int main(int argc, char** argv) {
   count_command->add_option("--max-k", count_max_k, "Largest valence")->check(CLI::Range(3, 12))->capture_default_str();
   count_command->add_flag("--json", json, "Print JSON");
 
+  const Subcommand compare_command = add_compare(app);
+
+  int code = 0;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -185,8 +210,10 @@ int main(int argc, char** argv) {
   try {
     if (tables.threads == 0) tables.threads = std::max(1U, std::thread::hardware_concurrency());
     if (!tables_languages.empty()) tables.languages = {tables_languages.begin(), tables_languages.end()};
+    if (!rules_languages.empty()) rules.languages = {rules_languages.begin(), rules_languages.end()};
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
-    if (*automaton_command) make_automaton_files(automaton);
+    if (*automaton_command)
+      served.empty() ? make_automaton_files(automaton) : make_served_headers(served, automaton.out);
     if (*merge_command) merge_shards(merge_in, merge_out);
     if (*rules_command) make_rules(rules);
     if (*dump_command) {
@@ -204,10 +231,11 @@ int main(int argc, char** argv) {
                  operation_file_text(position_of(family_named(described_family), numbers, place_options), constraint));
     }
     if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
+    if (*compare_command.line) code = compare_command.run();
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");
   } catch (const std::exception& error) {
     fmt::print(stderr, "restrip-generate: {}\n", error.what());
     return 2;
   }
-  return 0;
+  return code;
 }

@@ -12,7 +12,7 @@
 
 namespace restrip::generator {
 
-/// Whether somebody waits for a piece of work by itself, and not for many of its kind.
+/// Whether a piece of work shows its own progress, or counts as one of many of its kind.
 enum class Watched { no, yes };
 
 /// One line on standard error, "solved 3 of 7 sections", which goes when the work is done; nothing where standard error

@@ -89,7 +89,7 @@ Weights weights_named(const std::string& cost) {
 files::OutputSet table_files(const std::string& out, const std::set<std::string>& wanted) {
   std::set<std::filesystem::path> names;
   for (const std::string& language : wanted)
-    for (const LanguageFile& file : language_files().at(language)) names.insert(file.name);
+    for (const LanguageFile& file : language_files().at(language)) names.insert(file.name());
   if (!wanted.contains("c++")) return files::OutputSet(out, {names.begin(), names.end()});
   names.insert({headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"), certificate_path("automaton")});
   for (const Section& section : sections_of(families(), 3)) {
@@ -200,10 +200,10 @@ std::vector<files::NamedBytes> other_languages(const std::vector<SolvedFamily>& 
   std::map<std::string, std::string> by_name;
   const TableLayout layout = table_layout(families, packings.closed, packings.open, options.max_k);
   for (const std::string& language : options.languages)
-    for (const LanguageFile& file : language_files().at(language)) by_name[file.name] = file.bytes(layout);
+    for (const LanguageFile& file : language_files().at(language)) by_name[file.name()] = file.of_tables(layout);
   std::vector<files::NamedBytes> files;
   for (auto& [name, bytes] : by_name) {
-    told += fmt::format("{:<20} {:>8} bytes\n", name, bytes.size());
+    told += fmt::format("{:<25} {:>8} bytes\n", name, bytes.size());
     files.push_back({name, std::move(bytes)});
   }
   if (!files.empty()) told += fmt::format("rules up to k = {}: {} bytes of data\n", options.max_k, layout.bytes());

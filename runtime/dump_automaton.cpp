@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "dump_output.hpp"
 #include "restrip/rules/exact.hpp"
@@ -40,15 +41,20 @@ void answers(Output& out, const std::string& family, std::initializer_list<std::
   std::uint64_t keys = 1;
   for (std::size_t i = 0; i < k; ++i) keys *= 3;
   std::uint64_t digest = 0;
+  std::uint64_t told = 0;
   for (std::uint64_t n = 0; n < keys; ++n) {
     const KeyMasks key(k, n);
-    digest = digest * 1000003 + best(key.ports, key.joined).colors;
+    const exact::Recoloring found = best(key.ports, key.joined);
+    digest = digest * 1000003 + found.colors;
+    told = told * 1000003 + static_cast<std::uint64_t>(64 * found.value.solid + found.value.isolated);
   }
   std::string words = "answers " + family;
   for (const std::size_t number : position) words += ' ' + std::to_string(number);
   words += " keys " + std::to_string(keys) + " digest ";
   for (const char c : words) out.text(c);
-  out.hex(digest, '\n');
+  out.hex(digest, ' ');
+  for (const char c : std::string_view("told ")) out.text(c);
+  out.hex(told, '\n');
   out.entry_done();
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include "restrip/rules/bits.hpp"
 
@@ -20,6 +21,10 @@ class Output {
   }
   void text(char c) { text_ += c; }
   void hex(Word value, char after) {
+    hex(value);
+    text_ += after;
+  }
+  void hex(Word value) {
     char digits[16];
     int n = 0;
     do {
@@ -27,7 +32,16 @@ class Output {
       value >>= 4;
     } while (value != 0);
     while (n > 0) text_ += digits[--n];
-    text_ += after;
+  }
+  /// Instead of an answer.
+  void nothing() { text_ += "-\n"; }
+  /// What an answer tells: the changes in strips and in isolated triangles, and the end of the line.
+  void told(int strips, int isolated) {
+    for (const int change : {strips, isolated}) {
+      text_ += ' ';
+      text_ += std::to_string(change);
+    }
+    text_ += '\n';
   }
   /// After each entry line.
   void entry_done() {
@@ -60,5 +74,9 @@ void linked_rules(Output& out, std::size_t max_k);
 
 /// The numbers of the automaton, and a digest of its answers to every key of every position with k <= max_k.
 void automaton(Output& out, std::size_t max_k);
+
+/// Digests of what the look-up answers, to compare with those of other languages; `wanted` has the numbers of the
+/// operations, such as "024". False when not everything could be written.
+bool digests(std::size_t max_k, std::string_view wanted);
 
 }  // namespace restrip::dump

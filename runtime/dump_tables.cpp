@@ -1,6 +1,7 @@
 // restrip-dump-tables: prints what the compiled rules answer to every configuration, valid or not, in every position,
 // so that those who trust neither the generator nor the look-up in the tables can compare (docs/certificate.md, "Table
-// dump"; "Dump of linked rules", the output with --linked; "Dump of the automaton", that with --automaton).
+// dump"; "Dump of linked rules", the output with --linked; "Dump of the automaton", that with --automaton); or, with
+// --digests, only digests of that.
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -15,38 +16,34 @@ using restrip::Word;
 
 using restrip::dump::Output;
 
-void configuration(Output& out, Word before, Word ports, const restrip::Rule& rule) {
-  out.hex(before, ' ');
-  out.hex(ports, ' ');
-  if (rule.valid) {
-    out.hex(rule.colors, ' ');
-    out.hex(ports, '\n');
-  } else {
-    out.text('-');
-    out.text('\n');
-  }
-  out.entry_done();
+/// The colours that an answer gives and the ports that it keeps, then what it tells.
+void answer(Output& out, Word colors, Word kept, int strips, int isolated) {
+  out.hex(colors, ' ');
+  out.hex(kept);
+  out.told(strips, isolated);
 }
 
-void flip(Output& out, bool inner, unsigned ports, const restrip::FlipRule& rule) {
-  out.hex(inner ? 1 : 0, ' ');
-  out.hex(ports, ' ');
-  if (rule.valid) {
-    out.hex(rule.inner ? 1 : 0, ' ');
-    out.hex(rule.ports, '\n');
-  } else {
-    out.text('-');
-    out.text('\n');
-  }
-  out.entry_done();
-}
-
-/// Every pair of masks, in ascending order.
-template <class Rule>
-void all(Output& out, std::size_t before_bits, std::size_t port_bits, Rule&& rule) {
+/// Every pair of masks, in ascending order: what `rule` answers, and the isolated triangles that it makes of those
+/// before.
+template <class RuleOf, class IsolatedBy>
+void all(Output& out, std::size_t before_bits, std::size_t port_bits, RuleOf&& rule_of, IsolatedBy&& isolated_by) {
   for (Word before = 0; before < restrip::bit(before_bits); ++before)
-    for (Word ports = 0; ports < restrip::bit(port_bits); ++ports)
-      configuration(out, before, ports, rule(before, ports));
+    for (Word ports = 0; ports < restrip::bit(port_bits); ++ports) {
+      out.hex(before, ' ');
+      out.hex(ports, ' ');
+      if (const auto rule = rule_of(before, ports); rule.valid)
+        answer(out, rule.colors, ports, rule.strips, isolated_by(before, ports, rule));
+      else
+        out.nothing();
+      out.entry_done();
+    }
+}
+
+/// The isolated triangles that an operation with these patches tells.
+auto isolated_between(const restrip::detail::Layout& before, const restrip::detail::Layout& after) {
+  return [=](Word colors, Word ports, const restrip::Rule& rule) {
+    return restrip::detail::answer(before, colors, after, rule, ports).isolated;
+  };
 }
 
 template <class Table>
@@ -63,54 +60,96 @@ void lists(Output& out, const std::string& heading, const Table& table, std::siz
   }
 }
 
+/// Closed fans have code of their own that counts isolated triangles, which is what split() and collapse() tell.
+void closed_fan(Output& out, bool collapse, restrip::SplitPosition at) {
+  using restrip::detail::isolated_closed;
+  using restrip::detail::isolated_ring;
+  const auto [k, a] = at;
+  const auto made = [k = k, a = a](Word loop, Word ring, Word ports) {
+    return restrip::count_difference(isolated_ring(k, a, ring, ports), isolated_closed(k, loop, ports));
+  };
+  if (collapse)
+    all(
+        out, k + 3, k, [&](Word ring, Word ports) { return collapse_rule(at, ring, ports); },
+        [&](Word ring, Word ports, const restrip::Rule& rule) { return -made(rule.colors, ring, ports); });
+  else
+    all(
+        out, k, k, [&](Word loop, Word ports) { return split_rule(at, loop, ports); },
+        [&](Word loop, Word ports, const restrip::Rule& rule) { return made(loop, rule.colors, ports); });
+}
+
+void open_fan(Output& out, bool collapse, restrip::GapPair at) {
+  const auto [k, i, j] = at;
+  const auto fan = restrip::detail::open_fan(k);
+  const auto path = restrip::detail::path_with_chord(k, i, j);
+  if (collapse)
+    all(
+        out, k + 2, k, [&](Word inner, Word ports) { return open_collapse_rule(at, inner, ports); },
+        isolated_between(path, fan));
+  else
+    all(
+        out, k - 1, k, [&](Word loop, Word ports) { return open_split_rule(at, loop, ports); },
+        isolated_between(fan, path));
+}
+
+void boundary(Output& out, bool collapse, restrip::Gap at) {
+  const auto [k, i] = at;
+  const auto fan = restrip::detail::open_fan(k);
+  const auto path = restrip::detail::path(k, i);
+  if (collapse)
+    all(
+        out, k, k, [&](Word inner, Word ports) { return boundary_collapse_rule(at, inner, ports); },
+        isolated_between(path, fan));
+  else
+    all(
+        out, k - 1, k, [&](Word loop, Word ports) { return boundary_split_rule(at, loop, ports); },
+        isolated_between(fan, path));
+}
+
+void flip(Output& out) {
+  out.line("table flip");
+  for (const bool inner : {false, true})
+    for (unsigned ports = 0; ports < 16; ++ports) {
+      out.hex(inner ? 1 : 0, ' ');
+      out.hex(ports, ' ');
+      if (const restrip::FlipRule rule = restrip::flip_rule(inner, ports); rule.valid)
+        answer(out, rule.inner ? 1 : 0, rule.ports, rule.strips, restrip::detail::isolated_by_flip(inner, ports, rule));
+      else
+        out.nothing();
+      out.entry_done();
+    }
+}
+
 void tables(Output& out, std::size_t max_k) {
   using std::to_string;
-  for (const bool collapse : {false, true}) {
-    for (std::size_t k = 3; k <= max_k; ++k) {
+  for (const bool collapse : {false, true})
+    for (std::size_t k = 3; k <= max_k; ++k)
       for (std::size_t a = 1; a < k; ++a) {
         out.line((collapse ? "table collapse k " : "table split k ") + to_string(k) + " a " + to_string(a));
-        const restrip::SplitPosition at{k, a};
-        all(out, collapse ? k + 3 : k, k, [&](Word before, Word ports) {
-          return collapse ? collapse_rule(at, before, ports) : split_rule(at, before, ports);
-        });
+        closed_fan(out, collapse, {k, a});
       }
-    }
-  }
-  for (const bool collapse : {false, true}) {
-    for (std::size_t k = 1; k <= max_k; ++k) {
-      for (std::size_t i = 0; i <= k; ++i) {
+  for (const bool collapse : {false, true})
+    for (std::size_t k = 1; k <= max_k; ++k)
+      for (std::size_t i = 0; i <= k; ++i)
         for (std::size_t j = i + 1; j <= k; ++j) {
           out.line((collapse ? "table open-collapse k " : "table open-split k ") + to_string(k) + " gaps " +
                    to_string(i) + " " + to_string(j));
-          const restrip::GapPair at{k, i, j};
-          all(out, collapse ? k + 2 : k - 1, k, [&](Word before, Word ports) {
-            return collapse ? open_collapse_rule(at, before, ports) : open_split_rule(at, before, ports);
-          });
+          open_fan(out, collapse, {k, i, j});
         }
-      }
-    }
-  }
-  for (const bool collapse : {false, true}) {
-    for (std::size_t k = 1; k <= max_k; ++k) {
+  for (const bool collapse : {false, true})
+    for (std::size_t k = 1; k <= max_k; ++k)
       for (std::size_t i = 0; i <= k; ++i) {
         out.line((collapse ? "table boundary-collapse k " : "table boundary-split k ") + to_string(k) + " gap " +
                  to_string(i));
-        const restrip::Gap at{k, i};
-        all(out, collapse ? k : k - 1, k, [&](Word before, Word ports) {
-          return collapse ? boundary_collapse_rule(at, before, ports) : boundary_split_rule(at, before, ports);
-        });
+        boundary(out, collapse, {k, i});
       }
-    }
-  }
   for (std::size_t k = 3; k <= max_k; ++k)
     for (std::size_t a = 1; a <= k / 2; ++a)
       lists(out, "table linked-split k " + to_string(k) + " a " + to_string(a), restrip::tables::linked_split, k,
             a - 1);
   for (std::size_t k = 3; k <= max_k; ++k)
     lists(out, "table linked-collapse k " + to_string(k), restrip::tables::linked_collapse, k, 0);
-  out.line("table flip");
-  for (const bool inner : {false, true})
-    for (unsigned ports = 0; ports < 16; ++ports) flip(out, inner, ports, restrip::flip_rule(inner, ports));
+  flip(out);
 }
 
 /// The number from 3 to table_max_k that a word says; 0 for any other word.
@@ -125,6 +164,7 @@ std::size_t valence_named(std::string_view word) {
 int main(int argc, char** argv) {
   bool linked = false;
   bool automaton = false;
+  bool digests = false;
   std::size_t max_k = restrip::table_max_k;
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
@@ -132,32 +172,37 @@ int main(int argc, char** argv) {
       linked = true;
     } else if (word == "--automaton") {
       automaton = true;
+    } else if (word == "--digests") {
+      digests = true;
     } else if (word == "--max-k" && i + 1 < argc && valence_named(argv[i + 1]) != 0) {
       max_k = valence_named(argv[++i]);
     } else {
       const bool asked = word == "--help";
       std::fprintf(
           asked ? stdout : stderr,
-          "usage: restrip-dump-tables [--linked | --automaton] [--max-k K]\n"
+          "usage: restrip-dump-tables [--linked | --automaton | --digests] [--max-k K]\n"
           "  what the compiled rules answer; with --linked, what the linked look-up picks; with --automaton, the\n"
-          "  numbers of the automaton and digests of what it answers; 3 <= K <= %u\n",
+          "  numbers of the automaton and digests of what it answers; with --digests, digests of what the rules "
+          "answer;\n"
+          "  3 <= K <= %u\n",
           static_cast<unsigned>(restrip::table_max_k));
       return asked ? 0 : 2;
     }
   }
-  if (linked && automaton) {
-    std::fputs("restrip-dump-tables: choose one of --linked and --automaton\n", stderr);
+  if (linked + automaton + digests > 1) {
+    std::fputs("restrip-dump-tables: choose one of --linked, --automaton and --digests\n", stderr);
     return 2;
   }
+  if (digests) return restrip::dump::digests(max_k, "0123456") ? 0 : 1;
   Output out(stdout);
   if (automaton) {
-    out.line("restrip-automaton-dump 1");
+    out.line("restrip-automaton-dump 2");
     restrip::dump::automaton(out, max_k);
   } else if (linked) {
     out.line("restrip-linked-dump 1");
     restrip::dump::linked_rules(out, max_k);
   } else {
-    out.line("restrip-table-dump 3");
+    out.line("restrip-table-dump 4");
     tables(out, max_k);
   }
   return out.finish() ? 0 : 1;

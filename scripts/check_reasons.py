@@ -10,7 +10,7 @@ The second line is for an operation of one's own, by docs/operation-file.md: its
 reasons (strips or forests, fewest strips first). Its rows must be those of all valid configurations; "configurations", "valid"
 and "keys" are recounted.
 
-Prints a line for each file. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot be read.
+Prints a line for each file, and what was read. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot be read.
 Every section must be there, with each claim once and its rows in ascending order. Of splits and the flip the rows must be
 those of all valid configurations, of linked rules all lists must be there. Claims are recounted as far as this takes no
 walk over the configurations of collapses: "configurations" in all families, "valid" of splits and the flip, all of
@@ -482,6 +482,7 @@ if __name__ == "__main__":
         else:
             for name in sys.argv[1:]:
                 print(check(name))
+            print("k <= 8; read: certificates only; no header was read")
     except Wrong as wrong:
         sys.exit("check_reasons.py: " + str(wrong))
     except OSError as error:

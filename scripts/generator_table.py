@@ -169,11 +169,12 @@ def print_matchings(generate):
                  [str(max(row["worst_isolated"] for row in rows))] + [f"{sum(row[what] for row in rows):,}" for what in ("keys", "bytes")])
 
 
-FILE_LINE = re.compile(r"^(restrip_tables\.\S+) +(\d+) bytes$", re.M)
+FILE_LINE = re.compile(r"^(restrip_tables\S+) +(\d+) bytes$", re.M)
 DATA_LINE = re.compile(r"^rules up to k = \d+: (\d+) bytes of data$", re.M)
 FILE_HOLDS = {"restrip_tables.h": "C99 header: data and look-up", "restrip_tables.glsl": "GLSL: look-up", "restrip_tables.wgsl": "WGSL: look-up",
               "restrip_tables.bin": "data for GLSL and WGSL", "restrip_tables.rs": "Rust module: data and look-up",
-              "restrip_tables.json": "data; its schema is [tables.schema.json](tables.schema.json)"}
+              "restrip_tables.json": "data; its schema is [tables.schema.json](tables.schema.json)",
+              "restrip_tables.mjs": "JavaScript module: look-up in the JSON file"}
 LANGUAGE_NAMES = ("c", "json", "rust", "glsl", "wgsl")
 
 
@@ -184,7 +185,7 @@ def print_languages(generate):
         told = subprocess.check_output([generate, "tables", "--threads", "2", "--out", folder, *wanted], text=True)
     data = int(DATA_LINE.search(told)[1])
     for name, size in FILE_LINE.findall(told):
-        line([f"`{name}`", FILE_HOLDS[name], f"{int(size):,}", f"{data:,}" if name.endswith((".h", ".rs", ".bin")) else ""])
+        line([f"`{name}`", FILE_HOLDS.get(name, "program that prints digests"), f"{int(size):,}", f"{data:,}" if name in ("restrip_tables.h", "restrip_tables.rs", "restrip_tables.bin") else ""])
 
 
 def section_bytes(path, pattern):

@@ -86,6 +86,18 @@ def side_of_pattern(given, numbers):
     return Side(tuple(e if isinstance(e, str) else f"{e[0]}{e[1]}" for e in order), tuple(edges), tuple(owners))
 
 
+def triangles_at(given, numbers):
+    """Triangles of a family at one position: "u[i+1]" is u_3 where i is 2."""
+    def vertex(word, known):
+        name, index = re.fullmatch(r"(\w+)(?:\[(.+)\])?", word).groups()
+        return name if index is None else f"{name}_{sum_of(index, known)}"
+
+    for *corners, last in (words if len(words) == 4 else (*words, None) for words in given):
+        name, low, high = re.fullmatch(r"([a-z]+)\[(.+),(.+)\)", last).groups() if last else ("", "0", "1")
+        for i in range(sum_of(low, numbers), sum_of(high, numbers)):
+            yield [vertex(word, {**numbers, name: i}) for word in corners]
+
+
 def sides_of(corners):
     return [(corners[n], corners[(n + 1) % 3]) for n in range(3)]
 
@@ -157,7 +169,11 @@ class Description:
     def sides(self, numbers):
         before, after = self.given["before"], self.given["after"]
         if isinstance(before, list) and isinstance(after, list):
-            return sides_of_triangles(before, after, self.given.get("boundary", []))
+            boundary = self.given.get("boundary", [])
+            if numbers:
+                before, after = (list(triangles_at(side, numbers)) for side in (before, after))
+                boundary = [ends[:2] for ends in triangles_at(([*ends, ends[1]] for ends in boundary), numbers)]
+            return sides_of_triangles(before, after, boundary)
         return [side_of_graph(side) if "triangles" in side else side_of_pattern(side, numbers) for side in (before, after)]
 
     def positions(self, largest):
@@ -166,7 +182,7 @@ class Description:
         for chosen in itertools.product(range(largest + 1), repeat=len(words)):
             numbers = dict(zip(words, chosen))
             if max(chosen, default=0) == (chosen or (0,))[0] and all(holds(self.given.get(m), numbers) for m in ("where", "listed")):
-                text = filled(self.given.get("position", self.name), numbers)
+                text = filled(self.given.get("position", " ".join(f"{word} {{{word}}}" for word in words) or self.name), numbers)
                 section = filled(self.given.get("section", text), numbers)
                 yield Position(self, text, section, *self.sides(numbers))
 

@@ -34,7 +34,7 @@ web_packages=(python3 clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt
 # Wanted by tests alone.
 test_packages=(git libcgal-dev libtbb-dev cadical python3 clang-14 libclang-rt-14-dev clang-tidy-14 clang-format-14 xz-utils
   parallel openmpi-bin g++-multilib lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32 nodejs rustc glslang-tools
-  libvulkan-dev dpkg-dev file make pkgconf)
+  libvulkan-dev dpkg-dev file make pkgconf ocaml)
 command -v chromium >/dev/null || test_packages+=(chromium)  # Ubuntu has no such package: install another Chromium there
 command -v npm >/dev/null || test_packages+=(npm)  # a Node.js that is not the system's brings its own
 # Wanted by the benchmarks: performance.sh measures with them, test.sh sees that they run.

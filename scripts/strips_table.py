@@ -19,8 +19,8 @@ import subprocess
 import sys
 import tempfile
 
-WAYS = ["local", "linked", "quick", "full", "full --states 1024", "baked"]
-INDEX_WAYS = ["local", "linked", "quick", "full"]
+WAYS = ["local", "linked", "quick", "full", "best", "baked"]
+INDEX_WAYS = ["local", "linked", "quick", "full", "best"]
 BRIEF_WAYS = ["local", "linked", "quick", "full", "baked"]
 CYCLE_WAYS = ["linked", "quick", "full"]
 SHOWN_CYCLES = [1, 2, 50, 100]
@@ -43,8 +43,9 @@ class Program:
     def replay(self, mesh, way, *options, repeats=None):
         """From 2 % of the triangles to all of them and back; a file of baked strips is played as it is."""
         base = [] if mesh.endswith(".baked") else ["--base", "0.02"]
-        report = self.run("replay", mesh, *base, "--policy", *way.split(), "--repeats",
-                          str(self.repeats if repeats is None else repeats), *options)
+        repeats = self.repeats if repeats is None else repeats
+        timing = [] if repeats is None else ["--repeats", str(repeats)]
+        report = self.run("replay", mesh, *base, "--policy", *way.split(), *timing, *options)
         if not report["valid"]:
             sys.exit(f"{mesh}, {way}: {report['faults']}")
         return report
@@ -264,7 +265,7 @@ def main():
     parser.add_argument("program", help="restrip")
     parser.add_argument("meshes", nargs="+", metavar="MESH")
     parser.add_argument("--way", action="append", help="levels, brief, cycles: only this policy; may be repeated")
-    parser.add_argument("--repeats", type=int, default=3, help="how often times are measured; default 3")
+    parser.add_argument("--repeats", type=int, help="how often times are measured; default: as restrip replay does")
     arguments = parser.parse_args()
     if arguments.table in ("brief", "cycles", "bolder") and len(arguments.meshes) != 1:
         parser.error(f"{arguments.table} takes one mesh")

@@ -55,7 +55,7 @@ if compgen -G "${RESTRIP_MESHES:-}/*.xz" >/dev/null; then
 fi
 [ -z "${RESTRIP_MESHES:-}" ] || export RESTRIP_MESHES
 
-check_format() { git ls-files '*.cpp' '*.hpp' '*.c' '*.h' ':!tables/include' ':!tests/generator/languages' | xargs clang-format-14 --dry-run --Werror; }
+check_format() { git ls-files '*.cpp' '*.hpp' '*.c' '*.h' ':!tables/include' ':!generator/languages/templates' ':!tests/generator/languages' | xargs clang-format-14 --dry-run --Werror; }
 part "checking the format of the sources" check_format
 
 # The preset test has the benchmarks as well: bench.quick_run shows that each of them runs and that their page can be rendered.
@@ -66,7 +66,7 @@ part "building with GCC" cmake --build --preset test
 
 # No test file is forgotten: each is compiled, but for those that a test compiles itself.
 mapfile -t units < <(find build/test -name 'unity_*.cxx')
-for source in $(git ls-files 'tests/*.cpp' ':!tests/cross/consumer' ':!tests/cross/toolkit/main.cpp' ':!tests/generator/wide_tables.cpp'); do
+for source in $(git ls-files 'tests/*.cpp' ':!tests/cross/consumer' ':!tests/cross/toolkit/main.cpp' ':!tests/generator/wide_tables.cpp' ':!tests/runtime/mesh/lacks_a_member.cpp'); do
   grep -qF "/$source\"" build/test/compile_commands.json "${units[@]}" || { echo "test.sh: no test has $source" >&2; false; }
 done
 

@@ -61,10 +61,15 @@ int main(int argc, char** argv) {
       ->needs(operation);
   app.add_option("--tables-dir", options.tables_dir, "The folder with MANIFEST and certificates/")
       ->capture_default_str();
-  app.add_option("--dump-command", options.dump_command,
-                 "A program that prints the compiled tables; they are compared with the certificates");
+  CLI::Option* const dump_command =
+      app.add_option("--dump-command", options.dump_command,
+                     "A program that prints the compiled tables; they are compared with the certificates");
   app.add_option("--linked-dump-command", options.linked_dump_command,
                  "A program that prints what the linked look-up picks; all of it is judged");
+  app.add_option("--digest-command", options.digest_commands,
+                 "A program that prints digests of the answers of a look-up in another language (docs/languages.md); "
+                 "may be repeated. They are compared with those of what --dump-command prints")
+      ->needs(dump_command);
   app.add_flag("--headers", options.headers_only,
                "Read no certificates: judge what the dump commands print in every position by itself");
   app.add_option(
@@ -81,8 +86,9 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   for (CLI::Option* option : app.get_options())
-    if (const std::string name = option->get_name();
-        name == "--tables-dir" || name == "--linked-dump-command" || name == "--headers" || name == "--family")
+    if (const std::string name = option->get_name(); name == "--tables-dir" || name == "--linked-dump-command" ||
+                                                     name == "--digest-command" || name == "--headers" ||
+                                                     name == "--family")
       operation->excludes(option);
   try {
     app.parse(argc, argv);
@@ -93,10 +99,13 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "restrip-verify: --operation needs --certificate, --header or both\n");
     return bad_input;
   }
-  if (options.max_k > restrip::verify::largest_fan && (options.headers_only || !options.linked_dump_command.empty())) {
-    fmt::print(stderr,
-               "restrip-verify: --max-k {}: --headers and --linked-dump-command judge fans of up to {} triangles\n",
-               options.max_k, restrip::verify::largest_fan);
+  if (options.max_k > restrip::verify::largest_fan &&
+      (options.headers_only || !options.linked_dump_command.empty() || !options.digest_commands.empty())) {
+    fmt::print(
+        stderr,
+        "restrip-verify: --max-k {}: --headers, --linked-dump-command and --digest-command judge fans of up to {} "
+        "triangles\n",
+        options.max_k, restrip::verify::largest_fan);
     return bad_input;
   }
   if (options.headers_only && options.dump_command.empty() && options.linked_dump_command.empty()) {
@@ -109,12 +118,13 @@ int main(int argc, char** argv) {
       fmt::print(stderr, "restrip-verify: --headers reads no certificates, so {} has no effect; leave it out\n", name);
       return bad_input;
     }
-  if (!options.families.empty() && !options.linked_dump_command.empty()) {
-    fmt::print(stderr,
-               "restrip-verify: --linked-dump-command judges all linked rules, so --family has no effect on it; "
-               "run them one after the other\n");
-    return bad_input;
-  }
+  for (const char* name : {"--linked-dump-command", "--digest-command"})
+    if (!options.families.empty() && !app.get_option(name)->empty()) {
+      fmt::print(stderr,
+                 "restrip-verify: {} judges all rules, so --family has no effect on it; run them one after the other\n",
+                 name);
+      return bad_input;
+    }
 
   try {
     if (own.operation.empty())

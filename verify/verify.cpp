@@ -36,35 +36,18 @@ CertificateFile certificate_of(const Options& options, const std::string& family
   return {path, read_file(path)};
 }
 
-void check_manifest(const Options& options, const std::vector<ManifestLine>& manifest, const ClaimListener& listener) {
+void check_manifest(const Options& options, const ClaimListener& listener) {
   const double start = thread_seconds();
-  Failures failures;
-  for (const std::string& fault : manifest_faults(options.tables_dir, manifest)) failures.add(fault);
-  listener({"files", "the files are those of the MANIFEST", "SHA-256, sizes, no file unlisted", manifest.size(),
-            thread_seconds() - start, failures.count, failures.first});
-}
-
-struct FamilyRows {
-  std::string family;
-  std::size_t rows;
-};
-
-/// The manifest's row counts, for the certificates that were read.
-void check_row_counts(const Options& options, const std::vector<ManifestLine>& manifest,
-                      const std::vector<FamilyRows>& found, const ClaimListener& listener) {
-  Failures failures;
-  for (const FamilyRows& certificate : found) {
-    const std::string path = certificate_path(certificate.family);
-    const auto line =
-        std::find_if(manifest.begin(), manifest.end(), [&](const ManifestLine& entry) { return entry.path == path; });
-    if (line == manifest.end())
-      failures.add(fmt::format("{}/MANIFEST: {} is not listed", options.tables_dir, path));
-    else if (line->rows != certificate.rows)
-      failures.add(fmt::format("{}/MANIFEST:{}: {} listed, {} found", options.tables_dir, line->line,
-                               quantity(line->rows, "row"), certificate.rows));
-  }
-  listener({"files", "the certificates have as many rows as listed", "counted", found.size(), 0, failures.count,
-            failures.first});
+  const std::vector<ManifestLine> manifest = read_manifest(options.tables_dir);
+  const auto report = [&](const char* claim, const char* method, const std::vector<std::string>& faults,
+                          double seconds) {
+    Failures failures;
+    for (const std::string& fault : faults) failures.add(fault);
+    listener({"files", claim, method, manifest.size(), seconds, failures.count, failures.first});
+  };
+  const std::vector<std::string> faults = manifest_faults(options.tables_dir, manifest);
+  report("the files are those of the MANIFEST", "SHA-256, sizes, no file unlisted", faults, thread_seconds() - start);
+  report("the files have as many rows as listed", "counted", row_faults(options.tables_dir, manifest), 0);
 }
 
 /// A linked family that was chosen, with the rows of its local family.
@@ -94,7 +77,8 @@ std::vector<std::vector<std::string>> check_linked_family(const LinkedInput& inp
 
 /// Makes a claim of each way in which the answers of a dump program were compared.
 template <class Compare>
-void check_dump(const std::string& subject, const Compare& compare, const ClaimListener& listener, Totals& totals) {
+void check_dump(const std::string& subject, const std::string& how_read, const Compare& compare,
+                const ClaimListener& listener, Totals& totals) {
   const double start = thread_seconds();
   const DumpComparison comparison = compare();
   double seconds = thread_seconds() - start;
@@ -107,13 +91,19 @@ void check_dump(const std::string& subject, const Compare& compare, const ClaimL
     listener({subject, claim, fmt::format("{}, {}", method, quantity(count.positions, "position")), count.entries,
               std::exchange(seconds, 0), failures.count, failures.first});
   };
-  report(listed.sum(), listed.differences, "every answer is the certificate's row, in its positions", "their dump");
+  report(listed.sum(), listed.differences, "every answer is the certificate's row, in its positions", how_read.c_str());
+  const Compared::Count judged{listed.sum().positions + unlisted.sum().positions,
+                               listed.sum().entries + unlisted.sum().entries};
   Failures wrong = listed.wrong;
   wrong.add(unlisted.wrong);
-  report({listed.sum().positions + unlisted.sum().positions, listed.sum().entries + unlisted.sum().entries}, wrong,
-         "every answer is sound and best", "worlds, all recolourings");
+  report(judged, wrong, "every answer is sound and best", "worlds, all recolourings");
+  if (comparison.tells_changes) {
+    Failures told = listed.told;
+    told.add(unlisted.told);
+    report(judged, told, "every answer tells what it changes", "counted before and after");
+  }
   const Compared& lists = comparison.of_lists(Against::certificate);
-  report(lists.sum(), lists.differences, "their lists of alternatives are the certificates'", "their dump");
+  report(lists.sum(), lists.differences, "their lists of alternatives are the certificates'", how_read.c_str());
   for (const Compared* compared : {&listed, &unlisted})
     for (const auto& [family, count] : compared->families) {
       if (compared->differences.count + compared->wrong.count != 0 || !comparison.fault.empty()) continue;
@@ -127,14 +117,31 @@ void check_dump(const std::string& subject, const Compare& compare, const ClaimL
     }
 }
 
-/// Reads the header of an operation. Whoever compiled it runs what it says, so code in it would be run with the dump.
-bool check_header(const std::string& file, const Description& description, unsigned max_k,
-                  const ClaimListener& listener) {
+/// Compares digests of the answers of another look-up with those of the answers that were judged.
+void check_digests(const std::string& command, const AnswerDigests& digests, const ClaimListener& listener) {
   const double start = thread_seconds();
-  const HeaderCheck header = check_operation_header(file, read_file(file), description, max_k);
-  listener({description.name, "the header is the text of a table and nothing else", "line by line, all but its numbers",
+  const DigestComparison found = compare_digests_of(command, digests);
+  Failures failures = found.differences;
+  if (!found.fault.empty()) failures.add(fmt::format("{}: {}", command, found.fault));
+  if (found.positions == 0 && failures.count == 0) failures.add("nothing was compared");
+  listener({"other languages", "the answers are those of the headers", "digests, " + command, found.positions,
+            thread_seconds() - start, failures.count, failures.first});
+}
+
+/// Reads the header of an operation, and judges the table that its text says. Whoever compiled the header runs what it
+/// says, so code in it would be run with the dump; false when there may be any.
+bool check_header(const OperationOptions& options, const Description& description, const ExpectedDump& expected,
+                  const ClaimListener& listener, Totals& totals) {
+  const double start = thread_seconds();
+  const HeaderCheck header =
+      check_operation_header(options.header, read_file(options.header), description, options.max_k);
+  listener({description.name, "the header is the text of a table and nothing else", "line by line, all but its entries",
             header.lines, thread_seconds() - start, header.wrong.count, header.wrong.first});
-  return header.wrong.count == 0;
+  totals.read.of_headers.emplace_back("header texts");
+  if (header.wrong.count != 0) return false;
+  check_dump(
+      description.name, "the header's text", [&] { return compare_header(header, expected); }, listener, totals);
+  return true;
 }
 
 /// Runs the dump program of linked rules and claims that what it picks is the best.
@@ -186,7 +193,6 @@ struct Certificates {
   std::vector<const Family*> families;
   std::vector<Certificate> rules;  ///< one for each of them
   std::vector<LinkedInput> linked;
-  std::vector<FamilyRows> found;
 };
 
 Certificates read_certificates(const Options& options, const std::vector<Family>& all,
@@ -197,7 +203,6 @@ Certificates read_certificates(const Options& options, const std::vector<Family>
     const CertificateFile file = certificate_of(options, family.name);
     read.families.push_back(&family);
     read.rules.push_back(parse_certificate(file.path, file.text, family));
-    read.found.push_back({family.name, read.rules.back().rows});
     totals.rules += read.rules.back().rows;
   }
   for (const LinkedFamily& family : all_linked) {
@@ -206,7 +211,6 @@ Certificates read_certificates(const Options& options, const std::vector<Family>
     const CertificateFile local = certificate_of(options, family.local.name);
     read.linked.push_back({&family, parse_linked_certificate(file.path, file.text, family),
                            parse_certificate(local.path, local.text, family.local)});
-    read.found.push_back({family.name, read.linked.back().certificate.rows});
     totals.alternatives += read.linked.back().certificate.rows;
   }
   return read;
@@ -279,6 +283,7 @@ ClaimListener counting(Totals& totals, const ClaimListener& listener) {
 
 Totals verify_tables(const Options& options, const ClaimListener& user_listener) {
   Totals totals;
+  totals.max_k = options.max_k;
   const ClaimListener listener = counting(totals, user_listener);
   const std::vector<Family> all = all_families(options.max_k);
   const std::vector<LinkedFamily> all_linked = linked_families(options.max_k);
@@ -287,20 +292,32 @@ Totals verify_tables(const Options& options, const ClaimListener& user_listener)
   Certificates read;
   LinesOfSections lines;
   if (!options.headers_only) {
-    const std::vector<ManifestLine> manifest = read_manifest(options.tables_dir);
-    check_manifest(options, manifest, listener);
+    check_manifest(options, listener);
     read = read_certificates(options, all, all_linked, totals);
-    check_row_counts(options, manifest, read.found, listener);
     check_families(read.families, read.rules, options.second_formulation, options.threads, options.show_progress,
                    listener, totals);
     lines = check_linked_families(read, options.max_k, listener);
+    totals.read.certificates = true;
     for (std::size_t i = 0; i < read.families.size(); ++i) expect_rows(expected, *read.families[i], read.rules[i]);
     expect_lists(expected, all_linked, lines);
   }
-  if (!options.linked_dump_command.empty()) check_linked_picks(options, listener, totals);
-  if (!options.dump_command.empty())
-    check_dump(
-        "shipped headers", [&] { return compare_dump_of(options.dump_command, expected); }, listener, totals);
+  if (!options.linked_dump_command.empty()) {
+    check_linked_picks(options, listener, totals);
+    totals.read.of_headers.emplace_back("compiled linked look-up");
+  }
+  if (!options.dump_command.empty()) {
+    expected.with_digests = !options.digest_commands.empty();
+    AnswerDigests digests;
+    const auto compare = [&] {
+      DumpComparison comparison = compare_dump_of(options.dump_command, expected);
+      digests = comparison.digests;
+      return comparison;
+    };
+    check_dump("shipped headers", "their dump", compare, listener, totals);
+    totals.read.of_headers.emplace_back("compiled tables");
+    for (const std::string& command : options.digest_commands) check_digests(command, digests, listener);
+    if (expected.with_digests) totals.read.of_headers.emplace_back("digests of other languages");
+  }
   return totals;
 }
 
@@ -336,14 +353,19 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& us
     totals.alternatives = input.certificate.rows;
     lines = check_linked_family(input, options.max_k, listener);
   }
-  const bool is_table =
-      options.header.empty() || check_header(options.header, descriptions.front(), options.max_k, listener);
-  if (options.dump_command.empty()) return totals;
+  totals.read.certificates = !options.certificate.empty();
   ExpectedDump expected;
+  expected.tells_isolated = false;
   for (const Section& section : family.sections)
     for (const Operation& operation : section.operations) expect_judged(operation, Against::own_patch, expected);
   for (const Operation& operation : family.unlisted) expect_judged(operation, Against::own_patch, expected);
   if (!certificates.empty()) expect_rows(expected, family, certificates.front());
+  const bool is_table =
+      options.header.empty() || check_header(options, descriptions.front(), expected, listener, totals);
+  if (options.dump_command.empty()) return totals;
+  totals.read.of_headers.emplace_back("compiled tables");
+  totals.answers.clear();  // those of the header's text are the same
+  totals.not_compared.clear();
   const auto is_linked = [](const Description& one) { return one.linked; };
   if (options.header.empty() && std::any_of(descriptions.begin(), descriptions.end(), is_linked))
     for (std::size_t i = 0; i < family.sections.size(); ++i)
@@ -355,7 +377,7 @@ Totals verify_operation(const OperationOptions& options, const ClaimListener& us
     not_run.fault = "was not run, because the header is not that of a table";
     return not_run;
   };
-  check_dump(family.name, compare, listener, totals);
+  check_dump(family.name, "its dump", compare, listener, totals);
   return totals;
 }
 
@@ -380,7 +402,8 @@ std::string last_line_of(const OperationOptions& options, const Totals& totals) 
   if (sum(totals.answers) != 0) text += fmt::format(", {} of the table", quantity(sum(totals.answers), "answer"));
   if (sum(totals.not_compared) != 0) text += fmt::format(", {} more NOT compared", sum(totals.not_compared));
   text += ", " + quantity(totals.claims, "claim");
-  return text + (totals.failed == 0 ? "\n" : fmt::format(" of which {} failed\n", totals.failed));
+  if (totals.failed != 0) text += fmt::format(" of which {} failed", totals.failed);
+  return text + fmt::format("; read: {}\n", text_of(totals.read));
 }
 
 }  // namespace restrip::verify

@@ -11,7 +11,9 @@ namespace restrip::verify {
 
 struct Options {
   std::string tables_dir = "tables";
-  std::string dump_command;           ///< prints the compiled tables; empty: not compared
+  std::string dump_command;  ///< prints the compiled tables; empty: not compared
+  /// Each prints digests of the answers of a look-up in another language, which are compared with those of the tables.
+  std::vector<std::string> digest_commands;
   std::string linked_dump_command;    ///< prints what the linked look-up picks; empty: not judged
   bool headers_only = false;          ///< no certificates are read: the dumps are judged by themselves
   std::vector<std::string> families;  ///< of certificates; empty: all

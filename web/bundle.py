@@ -2,9 +2,9 @@
 """Makes one page of one file each, that opens from the file system: styles, scripts, the WebAssembly module and the mesh
 are put inside.
 
-bundle.py PAGE.html OUT.html [--style FILE…] [--script FILE…] [--put NAME=FILE…]
+bundle.py PAGE.html OUT.html [--style FILE…] [--script FILE…] [--worker FILE…] [--put NAME=FILE…]
 Scripts are ES modules in the order in which they need each other; their import and export words are taken out, so that
-names at their top levels must differ. --put replaces <!--NAME--> by the file, compressed and in base64."""
+names at their top levels must differ; those of a worker are put together in the same way. --put replaces <!--NAME--> by the file, compressed and in base64."""
 import argparse
 import base64
 import gzip
@@ -37,10 +37,13 @@ def main():
     parser.add_argument("out")
     parser.add_argument("--style", nargs="*", default=[])
     parser.add_argument("--script", nargs="*", default=[])
+    parser.add_argument("--worker", nargs="*", default=[])
     parser.add_argument("--put", nargs="*", default=[])
     given = parser.parse_args()
     page = Path(given.page).read_text(encoding="utf-8")
-    parts = {"/*STYLE*/": "".join(Path(s).read_text(encoding="utf-8") for s in given.style), "/*SCRIPT*/": inlined(given.script)}
+    parts = {"/*STYLE*/": "".join(Path(s).read_text(encoding="utf-8") for s in given.style), "/*SCRIPT*/": inlined(given.script),
+             # Browsers start a page from the file system no worker that is a module, and only modules have an address.
+             "/*WORKER*/": inlined(given.worker).replace("import.meta.url", "'file:///'")}
     for put in given.put:
         name, file = put.split("=", 1)
         parts[f"<!--{name}-->"] = base64.b64encode(gzip.compress(Path(file).read_bytes(), 9, mtime=0)).decode("ascii")

@@ -2,7 +2,7 @@
 """Makes the project's page of README.md, with the plots of docs/: project_page.py ROOT OUT_FOLDER --style FILE…
 
 Knows as much Markdown as README.md has. What the page leaves out: how to build and use the library.
-Documents are named, not linked."""
+Documents are linked, as pages with their text."""
 import argparse
 import re
 import shutil
@@ -23,6 +23,8 @@ def inline(text):
     text = re.sub(r"!\[([^\]]*)\]\(docs/([^)]*)\)", r'<img src="\2" alt="\1">', text)
     text = re.sub(r"\[([^\]]*)\]\((?:http[^)]*)\)", r"\1", text)
     text = re.sub(r"\[([^\]]*)\]\((#[^)]*)\)", r'<a href="\2">\1</a>', text)
+    text = re.sub(r"\[([^\]]*)\]\(docs/([\w-]+)\.md[^)]*\)", r'<a href="docs/\2.html">\1</a>', text)
+    text = re.sub(r"(?<![>/\w])docs/([\w-]+)\.md", r'<a href="docs/\1.html">\g<0></a>', text)
     text = re.sub(r"\[([^\]]*)\]\(([^)#]*)[^)]*\)", lambda link: link[1] if link[1] == link[2] else f"{link[1]} (<code>{link[2]}</code>)", text)
     text = re.sub(r"\(([^()]*) \((<code>[^<]*</code>)\)\)", r"(\1: \2)", text)
     text = re.sub(r"`([^`]*)`", r"<code>\1</code>", text)
@@ -65,6 +67,13 @@ def sections(text):
     return found
 
 
+def whole(title, body, style, up=""):
+    return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+            f'<meta name="color-scheme" content="light dark">\n<title>{escaped(title)}</title>\n'
+            f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n<nav><a href="{up}index.html">restrip</a> <a href="{up}viewer.html">Viewer</a> '
+            f'<a href="{up}atlas/index.html">Atlas of rules</a></nav>\n<main class="prose">{body}</main>\n</body>\n</html>\n')
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("root", type=Path)
@@ -80,17 +89,17 @@ def main():
     for name in SECTIONS[1:]:
         parts.append(f"<h2 id=\"{name.lower().replace(' ', '-')}\">{escaped(name)}</h2>\n{blocks(found[name])}")
     for file, caption in PLOTS:
-        parts.append(f'<figure class="plot"><img src="{file}" alt="{escaped(caption)}"><figcaption>{escaped(caption)}</figcaption></figure>')
+        parts.append(f'<figure class="plot"><img src="{file}" alt="{escaped(caption)}"><figcaption>{inline(caption)}</figcaption></figure>')
     given.out.mkdir(parents=True, exist_ok=True)
     body = "\n".join(parts)
     for name in re.findall(r'<img src="([^"]*)"', body):
         shutil.copyfile(given.root / "docs" / name, given.out / name)
     style = "".join(Path(s).read_text(encoding="utf-8") for s in given.style)
-    (given.out / "index.html").write_text(
-        '<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        '<meta name="color-scheme" content="light dark">\n<title>restrip: triangle strips kept while the mesh changes</title>\n'
-        f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n<nav><a href="index.html">restrip</a> <a href="viewer.html">Viewer</a> '
-        f'<a href="atlas/index.html">Atlas of rules</a></nav>\n<main class="prose">{body}</main>\n</body>\n</html>\n', encoding="utf-8")
+    (given.out / "index.html").write_text(whole("restrip: triangle strips kept while the mesh changes", body, style), encoding="utf-8")
+    (given.out / "docs").mkdir(exist_ok=True)
+    for name in sorted(set(re.findall(r'href="docs/([\w-]+)\.html"', body))):
+        text = (given.root / f"docs/{name}.md").read_text(encoding="utf-8")
+        (given.out / f"docs/{name}.html").write_text(whole(f"docs/{name}.md – restrip", f'<pre class="document">{escaped(text)}</pre>', style, "../"), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -215,7 +215,8 @@ enum {
   RESTRIP_POLICY_LINKED = 3, /* along the strips that touch the patch; some six times */
   RESTRIP_POLICY_QUICK = 4,  /* small searches; some thirty times */
   RESTRIP_POLICY_FULL = 5,   /* large searches; some hundred times */
-  RESTRIP_POLICY_BAKED = 6   /* of restrip_baked_read: what was stored is played; restrip_mesh_keep refuses it */
+  RESTRIP_POLICY_BEST = 6,   /* the largest; some five hundred times */
+  RESTRIP_POLICY_BAKED = 7   /* of restrip_baked_read: what was stored is played; restrip_mesh_keep refuses it */
 };
 /* From now on operations keep the strips by this policy, for this cost (docs/strips.md has figures). O(T). A baked mesh
  * leaves its levels by it. After an error the policy is what it was. */

@@ -1,6 +1,9 @@
-// The tables as JSON; docs/tables.schema.json is the schema.
+// The tables as JSON; docs/tables.schema.json is the schema. The table of an operation as docs/languages.md says.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <cstddef>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "languages/languages.hpp"
@@ -55,6 +58,28 @@ std::string json_tables(const TableLayout& layout) {
     between = ",\n";
   }
   return text + "\n},\n" + json_numbers(*layout.find("flip_rules"), "flip") + "\n}\n";
+}
+
+std::string json_operation(const OperationLayout& layout) {
+  const Description& named = layout.named();
+  const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };
+  std::vector<std::string> positions;
+  for (const OperationLayout::At& at : layout.positions) {
+    const PositionNumbers all = at.position.numbers();
+    const auto size = [](const Side& side) {
+      return fmt::format("{{\"triangles\": {}, \"edges\": {}}}", side.nodes, side.edges.size());
+    };
+    positions.push_back(
+        fmt::format("    {{\"numbers\": [{}], \"before\": {}, \"after\": {}, \"ports\": {}, \"first\": {}}}",
+                    fmt::join(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(named.numbers.size()), ", "),
+                    size(at.patch.before), size(at.patch.after), at.patch.before.ports(), at.first));
+  }
+  return fmt::format(
+      "{{\n\"format\": \"restrip-operation-table\",\n\"version\": 1,\n"
+      "\"command\": \"restrip-generate rules --language json\",\n\"name\": {},\n\"about\": {},\n\"matching\": {},\n"
+      "\"numbers\": {},\n\"positions\": [\n{}\n],\n\"none\": {},\n{}\n}}\n",
+      quoted(named.name), quoted(named.about), layout.matching(), nlohmann::json(named.numbers).dump(),
+      fmt::join(positions, ",\n"), layout.none(), json_numbers({"entries", layout.width, layout.entries}, "entries"));
 }
 
 }  // namespace restrip::generator

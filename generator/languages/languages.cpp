@@ -7,45 +7,18 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "languages/templates.hpp"
+#include "number_lines.hpp"
+
 namespace restrip::generator {
 namespace {
 
-/// The words as a file, little-endian.
-std::string words_file(const TableLayout& layout) {
-  std::string bytes;
-  for (const std::uint32_t word : table_words(layout).words)
-    for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
-  return bytes;
-}
-
-}  // namespace
-
-const std::map<std::string, std::vector<LanguageFile>>& language_files() {
-  static const std::map<std::string, std::vector<LanguageFile>> files{
-      {"c++", {}},
-      {"c", {{"restrip_tables.h", c_header}}},
-      {"json", {{"restrip_tables.json", json_tables}}},
-      {"rust", {{"restrip_tables.rs", rust_module}}},
-      {"glsl", {{"restrip_tables.glsl", glsl_source}, {"restrip_tables.bin", words_file}}},
-      {"wgsl", {{"restrip_tables.wgsl", wgsl_source}, {"restrip_tables.bin", words_file}}},
-  };
-  return files;
-}
-
-std::string language_banner(const std::string& comment, const std::string& language, const TableLayout& layout) {
-  return fmt::format(
-      "{0} restrip's rule tables up to k = {2}: {3} bytes of data, and the look-up.\n"
-      "{0} SPDX-License-Identifier: MIT\n"
-      "{0} Copyright (c) 2026 The restrip authors\n"
-      "{0} Written by `restrip-generate tables --language {1} --max-k {2}`. Do not edit: change the generator.\n",
-      comment, language, layout.max_k, layout.bytes());
-}
-
-std::string language_manual(const std::string& comment) {
+/// The operations, a line each, in lines that begin with `comment`.
+std::string operation_lines(const std::string& comment) {
   const auto bits = [](int more) {
     return more == 0 ? std::string("k bits") : fmt::format("k {} {} bits", more < 0 ? '-' : '+', std::abs(more));
   };
-  std::string text = fmt::format("{0}\n{0}   {1:<19}{2:<26}{3:<19}{4:<9}{5}\n", comment, "operation", "position",
+  std::string text = fmt::format("{0}   {1:<19}{2:<26}{3:<19}{4:<9}{5}\n", comment, "operation", "position",
                                  "colours before", "ports", "colours after");
   for (const LookUp& look_up : look_ups()) {
     const bool flip = look_up.position.empty();
@@ -53,16 +26,89 @@ std::string language_manual(const std::string& comment) {
                         (look_up.from_fan ? "loop, " : "inner, ") + (flip ? "1 bit" : bits(look_up.before_bits)),
                         flip ? "4 bits" : "k bits", flip ? "inner, 1 bit; ports, 4 bits" : bits(look_up.after_bits));
   }
-  text += fmt::format("{}\n", comment);
-  for (const char* line :
-       {"Each function takes the colours of a patch before an operation and returns the best colours after it: sound",
-        "whatever lies outside the patch, with the fewest strips, and of those with the fewest isolated triangles. "
-        "Colours",
-        "are masks, bit 0 the lowest, 1 = solid, 0 = dashed; restrip's docs/notation.md says which bit is which edge. "
-        "Each",
-        "takes O(k) steps."})
-    text += fmt::format("{} {}\n", comment, line);
   return text;
+}
+
+/// What every template of the tables names; `arrays` is in the language.
+Filling tables_filling(const std::string& comment, const TableLayout& layout, const std::string& arrays) {
+  return {{"max_k", std::to_string(layout.max_k)},
+          {"bytes", std::to_string(layout.bytes())},
+          {"operations", operation_lines(comment)},
+          {"arrays", arrays}};
+}
+
+std::string c_header(const TableLayout& layout) {
+  std::string arrays;
+  for (const TableArray& array : layout.arrays)
+    arrays += fmt::format("static const uint{}_t restrip_{}[{}] = {{\n{}}};\n", array.bits, array.name,
+                          array.values.size(), numbers(array.values));
+  return filled(tables_h, tables_filling("//", layout, arrays));
+}
+
+std::string rust_module(const TableLayout& layout) {
+  std::string arrays;
+  for (const TableArray& array : layout.arrays)
+    arrays += fmt::format("\nconst {}: &[u{}; {}] = &[\n{}];\n", capitals(array.name), array.bits, array.values.size(),
+                          numbers(array.values));
+  return filled(tables_rs, tables_filling("//!", layout, arrays));
+}
+
+/// `array` is how the language writes where an array is: its name, the word with which it begins, bits of an element.
+std::string shader_source(std::string_view source, const char* array, const TableLayout& layout) {
+  const TableWords data = table_words(layout);
+  std::string arrays;
+  for (const TableWords::Array& one : data.arrays)
+    arrays += fmt::format(fmt::runtime(array), one.name, one.word, one.bits);
+  Filling filling = tables_filling("//", layout, arrays);
+  filling["words"] = std::to_string(data.words.size());
+  filling["checksum"] = fmt::format("{:#010x}", data.words[0]);
+  return filled(source, filling);
+}
+
+/// What does not depend on the tables.
+template <const std::string_view& text>
+std::string as_it_is(const TableLayout& /*layout*/) {
+  return std::string(text);
+}
+
+std::string glsl_source(const TableLayout& layout) {
+  return shader_source(tables_glsl, "const uvec2 RESTRIP_{} = uvec2({}u, {}u);\n", layout);
+}
+
+std::string wgsl_source(const TableLayout& layout) {
+  return shader_source(tables_wgsl, "const RESTRIP_{} = vec2<u32>({}u, {}u);\n", layout);
+}
+
+}  // namespace
+
+const std::map<std::string, std::vector<LanguageFile>>& language_files() {
+  static const std::map<std::string, std::vector<LanguageFile>> files{
+      {"c++", {}},
+      {"c", {{".h", c_header, c_operation}, {"_check.c", as_it_is<tables_check_c>}}},
+      {"json",
+       {{".json", json_tables, json_operation},
+        {".mjs", as_it_is<tables_mjs>},
+        {"_check.mjs", as_it_is<tables_check_mjs>}}},
+      {"rust", {{".rs", rust_module, rust_operation}, {"_check.rs", as_it_is<tables_check_rs>}}},
+      {"glsl",
+       {{".glsl", glsl_source, glsl_operation},
+        {".bin", words_file, operation_words_file},
+        {"_check.comp", as_it_is<tables_check_comp>}}},
+      {"wgsl",
+       {{".wgsl", wgsl_source, wgsl_operation},
+        {".bin", words_file, operation_words_file},
+        {"_check.wgsl", as_it_is<tables_check_wgsl>}}},
+  };
+  return files;
+}
+
+std::string LanguageFile::name(const std::string& what) const { return "restrip_" + identifier(what) + extension; }
+
+std::string words_file(const TableLayout& layout) {
+  std::string bytes;
+  for (const std::uint32_t word : table_words(layout).words)
+    for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xff);
+  return bytes;
 }
 
 TableWords table_words(const TableLayout& layout) {
@@ -79,24 +125,6 @@ TableWords table_words(const TableLayout& layout) {
   for (std::size_t i = 1; i < data.words.size(); ++i) checksum = (checksum ^ data.words[i]) * 0x01000193;
   data.words[0] = checksum;
   return data;
-}
-
-std::string shader_manual(const std::string& comment, const TableWords& data) {
-  return fmt::format(
-      "{0}\n"
-      "{0} The data are in restrip_tables.bin, written by the same command: {1} words of 32 bits, little-endian, to "
-      "be\n"
-      "{0} copied into a storage buffer as they are. If restrip_words[0] is not RESTRIP_CHECKSUM, file and data do "
-      "not\n"
-      "{0} belong together.\n"
-      "{0}\n"
-      "{0} Bad input: for colours that no valid stripification has (three solid edges at a triangle, a solid cycle, "
-      "bits\n"
-      "{0} outside the patch), and for positions that the tables do not hold (k > RESTRIP_MAX_K, a or gaps out of "
-      "range),\n"
-      "{0} every member of the answer is 0 and `valid` is false.\n"
-      "{0}\n",
-      comment, data.words.size());
 }
 
 std::string capitals(std::string name) {

@@ -1,6 +1,7 @@
-// The rule tables in other languages than C++: one file for each, with the data and a look-up written by hand. All
-// look-ups offer the same seven functions, one for each operation, from the colours before it, in every position with
-// k <= max_k (docs/languages.md).
+// The rule tables in other languages than C++: a file for each, with the data and a look-up, which is the
+// fixed text of a template (templates.hpp); and a program that asks the look-up everything and prints digests. All
+// look-ups offer the same seven functions, one for each operation, from the colours before it, in every position with k
+// <= max_k (docs/languages.md).
 #pragma once
 
 #include <map>
@@ -8,27 +9,25 @@
 #include <vector>
 
 #include "layout.hpp"
+#include "operations/operation_layout.hpp"
 
 namespace restrip::generator {
 
 /// A file of a language, and what writes its bytes.
 struct LanguageFile {
-  std::string name;
-  std::string (*bytes)(const TableLayout& layout) = nullptr;
+  std::string extension;  ///< ".h"
+  std::string (*of_tables)(const TableLayout& layout) = nullptr;
+  std::string (*of_operation)(const OperationLayout& layout) = nullptr;  ///< of one's own, or a family; may be none
+
+  /// "restrip_tables.h", or of an operation "restrip_bisect.h".
+  [[nodiscard]] std::string name(const std::string& what = "tables") const;
 };
 
-/// The files of each language, by its name on the command line; none for "c++", which emit.hpp writes. The shading
-/// languages share a file.
+/// The files of each language, by its name on the command line; none for "c++", which emit.hpp and
+/// operations/operation_text.hpp write. The shading languages share a file.
 [[nodiscard]] const std::map<std::string, std::vector<LanguageFile>>& language_files();
 
 // ---- What the emitters share ----
-
-/// The first lines of a file: what it is, its licence, the command that wrote it. Each begins with `comment`.
-[[nodiscard]] std::string language_banner(const std::string& comment, const std::string& language,
-                                          const TableLayout& layout);
-
-/// What a user of every look-up must know: operations, bits and limits, in lines that begin with `comment`.
-[[nodiscard]] std::string language_manual(const std::string& comment);
 
 /// All arrays as one run of 32-bit words, for buffers of shaders. Elements of 8 and 16 bits fill a word from its lowest
 /// bit, and each array begins with a word. The first word is the checksum of the others.
@@ -43,18 +42,21 @@ struct TableWords {
 };
 [[nodiscard]] TableWords table_words(const TableLayout& layout);
 
-/// What a user of a shader must know beside language_manual().
-[[nodiscard]] std::string shader_manual(const std::string& comment, const TableWords& data);
-
 /// In capitals, for constants.
 [[nodiscard]] std::string capitals(std::string name);
 
-// ---- One emitter a language ----
+/// Every word as four bytes, little-endian.
+[[nodiscard]] std::string words_file(const TableLayout& layout);
 
-[[nodiscard]] std::string c_header(const TableLayout& layout);
 [[nodiscard]] std::string json_tables(const TableLayout& layout);
-[[nodiscard]] std::string rust_module(const TableLayout& layout);
-[[nodiscard]] std::string glsl_source(const TableLayout& layout);
-[[nodiscard]] std::string wgsl_source(const TableLayout& layout);
+[[nodiscard]] std::string json_operation(const OperationLayout& layout);
+
+// The table of an operation of one's own, or a family (operation_files.cpp).
+
+[[nodiscard]] std::string c_operation(const OperationLayout& layout);
+[[nodiscard]] std::string rust_operation(const OperationLayout& layout);
+[[nodiscard]] std::string glsl_operation(const OperationLayout& layout);
+[[nodiscard]] std::string wgsl_operation(const OperationLayout& layout);
+[[nodiscard]] std::string operation_words_file(const OperationLayout& layout);
 
 }  // namespace restrip::generator

@@ -1,6 +1,7 @@
 #include "operations/description.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -84,10 +85,10 @@ void expect_triangles(const Side& side) {
   std::vector<unsigned> degree(side.nodes, 0);
   for (std::size_t e = 0; e < side.edges.size(); ++e) {
     const auto [u, v] = side.edges[e];
-    if (u == v ||
-        std::any_of(side.edges.begin(), side.edges.begin() + static_cast<std::ptrdiff_t>(e), [&](const Edge& x) {
-          return x == Edge{u, v} || x == Edge{v, u};
-        }))
+    const Edge turned{v, u};
+    const auto before = side.edges.begin() + static_cast<std::ptrdiff_t>(e);
+    const auto is_there = [&](const Edge& edge) { return std::find(side.edges.begin(), before, edge) != before; };
+    if (u == v || is_there(side.edges[e]) || is_there(turned))
       throw std::runtime_error(fmt::format("triangles {} and {} cannot be joined by this edge", u, v));
     ++degree[u];
     ++degree[v];
@@ -121,12 +122,33 @@ Side side_at(const SidePattern& pattern, const PositionNumbers& place) {
   return side;
 }
 
-Side side_at(const std::variant<Side, SidePattern>& form, const Position& position, const char* member) {
+Side side_at(const SideForm& form, const Position& position, const char* member) {
   if (const Side* side = std::get_if<Side>(&form)) return *side;
   try {
     return side_at(std::get<SidePattern>(form), position.numbers());
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(fmt::format("{}: {}: {}", name_of(position), member, error.what()));
+  }
+}
+
+/// Of a family that is given by its triangles.
+SurfacePatch triangles_at(const Position& position) {
+  const Description& family = *position.family;
+  NamedPatch named;
+  try {
+    named = named_at(std::get<TrianglePatterns>(family.before), std::get<TrianglePatterns>(family.after),
+                     family.boundary, position.numbers());
+    return surface_patch(named);
+  } catch (const PatchFault& fault) {
+    std::string where = fault.member;
+    if (fault.element >= 0 && fault.member != "boundary")
+      where = fmt::format(
+          "{} {}", where,
+          fmt::join((fault.member == "before" ? named.before : named.after).at(static_cast<std::size_t>(fault.element)),
+                    " "));
+    throw std::runtime_error(fmt::format("{}: {}: {}", name_of(position), where, fault.what()));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(fmt::format("{}: {}", name_of(position), error.what()));
   }
 }
 
@@ -195,11 +217,16 @@ std::vector<Position> positions(const Description& family, unsigned k) {
 }
 
 Patch make_patch(const Position& position) {
+  if (position.family->has_triangle_patterns()) return triangles_at(position).patch;
   Patch patch{side_at(position.family->before, position, "before"), side_at(position.family->after, position, "after")};
   if (patch.before.ports() != patch.after.ports())
     throw std::runtime_error(
         fmt::format("{}: {} ports before and {} after", name_of(position), patch.before.ports(), patch.after.ports()));
   return patch;
+}
+
+Surface surface_at(const Position& position) {
+  return position.family->has_triangle_patterns() ? triangles_at(position).surface : position.family->surface;
 }
 
 Patch patch_of_rows(const Position& position) {

@@ -11,7 +11,7 @@
 
 #include "operations/formula.hpp"
 #include "operations/operation.hpp"
-#include "operations/triangles.hpp"
+#include "operations/triangle_pattern.hpp"
 
 namespace restrip::generator {
 
@@ -27,6 +27,9 @@ struct SidePattern {
   std::vector<std::array<Stretch, 2>> chords;
   std::vector<Stretch> ports;  ///< who owns them; where there are none, each triangle with an index has one
 };
+
+/// A side in one of the forms that a file can give it in; triangles without indices are read into a Side.
+using SideForm = std::variant<Side, SidePattern, TrianglePatterns>;
 
 struct Description {
   std::string name;  ///< "open-collapse"
@@ -44,11 +47,15 @@ struct Description {
   std::string place;                 ///< "k {k} gaps {i} {j}", as dumps write a position; empty where there is but one
   std::string section;               ///< as certificates write it: "k {k}", where it leaves some numbers out
   bool linked = false;               ///< there are linked rules as well
-  std::variant<Side, SidePattern> before;
-  std::variant<Side, SidePattern> after;
-  Surface surface;  ///< of a patch given by its triangles; empty for the others
+  SideForm before;
+  SideForm after;
+  std::vector<StretchPattern> boundary;  ///< of triangle patterns
+  Surface surface;  ///< of the only position, where that is given by its triangles; empty for the others
 
   [[nodiscard]] bool is_pattern() const { return std::holds_alternative<SidePattern>(after); }
+  [[nodiscard]] bool has_triangle_patterns() const { return std::holds_alternative<TrianglePatterns>(after); }
+  /// Nothing tells whether it is an operation on a mesh.
+  [[nodiscard]] bool is_graph_only() const { return !has_triangle_patterns() && surface.before.empty(); }
 };
 
 /// The families of the shipped file, in its order.
@@ -85,6 +92,9 @@ struct Position {
 
 /// Throws std::runtime_error that names the position where a pattern makes no patch of triangles.
 [[nodiscard]] Patch make_patch(const Position& position);
+
+/// The triangles of a position; none where is_graph_only().
+[[nodiscard]] Surface surface_at(const Position& position);
 
 /// The position of the rows that serve this one: numbers that its section leaves out are 0.
 [[nodiscard]] Position position_of_rows(Position position);

@@ -118,10 +118,47 @@ auto formula(const JsonValue& value, const std::vector<std::string>& numbers, Pa
   }
 }
 
+IndexedName vertex_from(const JsonValue& value, const std::vector<std::string>& numbers, const std::string& index) {
+  return formula(value, numbers, [&](const std::string& text, const std::vector<std::string>& all) {
+    return parse_vertex(text, all, index);
+  });
+}
+
 std::vector<Stretch> stretches_from(const JsonValue& value, const std::vector<std::string>& numbers) {
   std::vector<Stretch> stretches;
   for (const JsonValue& element : value.elements("triangles"))
     stretches.push_back(formula(element, numbers, parse_stretch));
+  return stretches;
+}
+
+/// Triangles of a family: three vertices, and an index with its values where that stands for several.
+TrianglePatterns triangle_patterns_from(const JsonValue& value, const std::vector<std::string>& numbers) {
+  TrianglePatterns patterns;
+  for (const JsonValue& triangle : value.elements("triangles")) {
+    const std::vector<JsonValue> words = triangle.elements("three vertices");
+    if (words.size() != 3 && words.size() != 4)
+      triangle.refuse("expected three vertices, and an index with its values where they have one");
+    TrianglePattern& pattern = patterns.emplace_back();
+    if (words.size() == 4) {
+      pattern.index = formula(words[3], numbers, parse_stretch);
+      const std::string& name = pattern.index->name;
+      if (!pattern.index->range || std::find(numbers.begin(), numbers.end(), name) != numbers.end() ||
+          !std::all_of(name.begin(), name.end(), [](char c) { return 'a' <= c && c <= 'z'; }))
+        words[3].refuse("expected an index with its values, such as \"i[0,k)\", that no number is named as");
+    }
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      pattern.corners.at(corner) = vertex_from(words[corner], numbers, pattern.index ? pattern.index->name : "");
+  }
+  return patterns;
+}
+
+std::vector<StretchPattern> stretch_patterns_from(const JsonValue& value, const std::vector<std::string>& numbers) {
+  std::vector<StretchPattern> stretches;
+  for (const JsonValue& stretch : value.elements("stretches of the rim")) {
+    const std::vector<JsonValue> ends = stretch.elements("two vertices");
+    if (ends.size() != 2) stretch.refuse("expected two vertices");
+    stretches.push_back({vertex_from(ends[0], numbers, ""), vertex_from(ends[1], numbers, "")});
+  }
   return stretches;
 }
 
@@ -149,7 +186,7 @@ SidePattern pattern_from(const JsonValue& value, const std::vector<std::string>&
   return side;
 }
 
-std::variant<Side, SidePattern> side_from(const JsonValue& value, const std::vector<std::string>& numbers) {
+SideForm side_from(const JsonValue& value, const std::vector<std::string>& numbers) {
   if (numbers.empty() && (value.has("triangles") || value.has("edges"))) return graph_from(value);
   return pattern_from(value, numbers);
 }
@@ -266,7 +303,13 @@ Description description_from(const JsonValue& value, Author author) {
   if (value.has("about")) description.about = sentence_from(value["about"]);
   description.certificate = value.has("certificate") ? name_from(value["certificate"], author) : description.name;
   take_positions(value, description);
-  if (value["before"].is_list()) {
+  if (value["before"].is_list() && !description.numbers.empty()) {
+    description.before = triangle_patterns_from(value["before"], description.numbers);
+    description.after = triangle_patterns_from(value["after"], description.numbers);
+    if (value.has("boundary")) description.boundary = stretch_patterns_from(value["boundary"], description.numbers);
+    if (serves_every_position(description))
+      value["section"].refuse("a family that is given by its triangles has a section for each position");
+  } else if (value["before"].is_list()) {
     SurfacePatch surface = surface_from(value);
     description.before = std::move(surface.patch.before);
     description.after = std::move(surface.patch.after);

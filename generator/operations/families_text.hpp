@@ -1,4 +1,4 @@
-// tables/families.json and docs/taken-names.json as they were when this was built (cmake/EmbedFamilies.cmake).
+// tables/families.json and docs/taken-names.json as they were when this was built (cmake/Embed.cmake).
 #pragma once
 
 #include <string_view>

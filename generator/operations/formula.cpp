@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 namespace restrip::generator {
 namespace {
@@ -13,7 +14,8 @@ namespace {
 /// Reads a formula of certain numbers from left to right.
 class FormulaReader {
  public:
-  FormulaReader(std::string_view text, const std::vector<std::string>& numbers) : text_(text), numbers_(numbers) {}
+  FormulaReader(std::string_view text, const std::vector<std::string>& numbers, std::string index = {})
+      : text_(text), numbers_(numbers), index_(std::move(index)) {}
 
   /// term { ( "+" | "-" ) term }
   Sum sum() {
@@ -60,6 +62,18 @@ class FormulaReader {
     return stretch;
   }
 
+  /// name [ "[" sum "]" ]
+  IndexedName vertex() {
+    IndexedName vertex{run_of([](int c) { return static_cast<int>(std::isalnum(c) != 0 || c == '_'); }), {}};
+    if (vertex.name.empty()) refuse("a name");
+    if (taken("[")) {
+      vertex.index = sum();
+      if (!taken("]")) refuse("\"]\" and the end");
+    }
+    if (at_ != text_.size()) refuse("the end");
+    return vertex;
+  }
+
  private:
   [[noreturn]] void refuse(const std::string& expected) const {
     throw std::runtime_error(fmt::format("\"{}\": expected {} in column {}", text_, expected, at_ + 1));
@@ -93,6 +107,8 @@ class FormulaReader {
     const auto number = std::find(numbers_.begin(), numbers_.end(), name);
     if (name.empty() && !digits.empty())
       sum.constant += factor;
+    else if (!name.empty() && name == index_)
+      sum.of_index += factor;
     else if (number != numbers_.end())
       sum.factors.at(static_cast<std::size_t>(number - numbers_.begin())) += factor;
     else
@@ -101,13 +117,14 @@ class FormulaReader {
 
   std::string_view text_;
   const std::vector<std::string>& numbers_;
+  std::string index_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-int Sum::at(const PositionNumbers& place) const {
-  int sum = constant;
+int Sum::at(const PositionNumbers& place, int index) const {
+  int sum = constant + of_index * index;
   for (std::size_t i = 0; i < place.size(); ++i) sum += factors[i] * static_cast<int>(place[i]);
   return sum;
 }
@@ -128,6 +145,10 @@ Conditions parse_conditions(std::string_view text, const std::vector<std::string
 
 Stretch parse_stretch(std::string_view text, const std::vector<std::string>& numbers) {
   return FormulaReader(text, numbers).stretch();
+}
+
+IndexedName parse_vertex(std::string_view text, const std::vector<std::string>& numbers, const std::string& index) {
+  return FormulaReader(text, numbers, index).vertex();
 }
 
 }  // namespace restrip::generator

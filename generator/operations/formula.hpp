@@ -13,11 +13,12 @@ namespace restrip::generator {
 /// The numbers that say where an operation of a family happens, the valence first; unused ones are 0.
 using PositionNumbers = std::array<unsigned, 3>;
 
-/// "2 a + k - 1": what each number counts, and a constant.
+/// "2 a + k - 1": what each number counts, and a constant; and an index, in what stands for several triangles.
 struct Sum {
   std::array<int, 3> factors{};
+  int of_index = 0;
   int constant = 0;
-  [[nodiscard]] int at(const PositionNumbers& place) const;
+  [[nodiscard]] int at(const PositionNumbers& place, int index = 0) const;
 };
 
 struct Comparison {
@@ -40,8 +41,17 @@ struct Stretch {
   std::optional<Range> range;
 };
 
+/// A vertex: "v", or "u[i+1]".
+struct IndexedName {
+  std::string name;
+  std::optional<Sum> index;
+};
+
 /// These throw std::runtime_error with what was expected, and where in the text.
 [[nodiscard]] Conditions parse_conditions(std::string_view text, const std::vector<std::string>& numbers);
 [[nodiscard]] Stretch parse_stretch(std::string_view text, const std::vector<std::string>& numbers);
+/// `index` is the name of an index, or empty.
+[[nodiscard]] IndexedName parse_vertex(std::string_view text, const std::vector<std::string>& numbers,
+                                       const std::string& index);
 
 }  // namespace restrip::generator

@@ -3,47 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
+#include <vector>
 
+#include "emit.hpp"
 #include "number_lines.hpp"
 
 namespace restrip::generator {
 namespace {
-
-/// As C++ names it.
-std::string variable(std::string name) {
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
-/// Bits of an entry's type: one more at least than a rule has, so that all ones is none.
-unsigned width_of(const std::vector<AnsweredPosition>& positions) {
-  std::size_t bits = 0;
-  for (const auto& [position, section] : positions) {
-    const Side after = make_patch(position).after;
-    bits = std::max(bits, after.edges.size() + after.owner.size());
-  }
-  return bits < 8 ? 8 : bits < 16 ? 16 : 32;
-}
-
-/// Appends the entries of one position.
-void append_entries(const Section& section, const Operation& operation, unsigned width,
-                    std::vector<std::int64_t>& entries) {
-  const Side& before = operation.patch.before;
-  const bool matching = operation.constraint.most_edges == 1;
-  const unsigned ports = before.ports();
-  const std::size_t first = entries.size();
-  // For matchings, whose keys are the ports, entry P serves every colouring.
-  entries.resize(first + (std::size_t{1} << (matching ? ports : before.edges.size() + ports)),
-                 (std::int64_t{1} << width) - 1);
-  for_each_valid(operation, [&](const Configuration& c) {
-    const Row& row = row_of(section, c.ports, c.outcome.joined);
-    entries[first + (matching ? c.ports : std::size_t{c.before} << ports | c.ports)] =
-        std::int64_t{row.recoloring} << ports | row.kept;
-  });
-}
 
 /// Triangles and inner edges before and after.
 std::array<std::string, 2> sizes(const Patch& patch) {
@@ -66,65 +33,85 @@ std::string quoted_place(const Description& family) {
 /// As the header lists them.
 std::string triangles(const std::vector<SurfaceTriangle>& met) {
   std::vector<std::string> words;
+  words.reserve(met.size());
   for (const SurfaceTriangle& t : met)
     words.push_back(fmt::format("{{{}, {}, {{{}}}, {{{}}}}}", t.from, t.from_side, fmt::join(t.vertex, ", "),
                                 fmt::join(t.side, ", ")));
   return "    {{\n" + numbers(words) + "    }},\n";
 }
 
-/// The table of an operation, from its name on.
-std::string operation_table(const Description& named, const Operation& operation, unsigned width,
-                            const std::vector<std::int64_t>& entries) {
-  const Patch& patch = operation.patch;
-  const Surface& surface = named.surface;
-  const bool has_surface = !surface.before.empty();
-  const std::string triangle_counts =
-      has_surface ? fmt::format(", {}, {}", surface.before.size(), surface.after.size()) : std::string();
-  std::string text = fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{\n",
-                                 has_surface ? "SurfaceOperation" : "OperationTable", width, entries.size(),
-                                 triangle_counts, variable(named.name));
-  text += fmt::format("    {}{},\n    {},\n    {},\n    {},\n    {{\n", has_surface ? "{" : "", sizes(patch)[0],
-                      sizes(patch)[1], patch.before.owner.size(), operation.constraint.most_edges == 1);
-  text += numbers(entries);
-  return text + (has_surface ? fmt::format("    }}}},\n    {},\n{}{}}};\n", surface.vertices, triangles(surface.before),
-                                           triangles(surface.after))
-                             : "    }};\n");
+/// Of all positions, one after another.
+struct Triangles {
+  std::vector<SurfaceTriangle> before;
+  std::vector<SurfaceTriangle> after;
+  std::string positions;  ///< for each how many vertices there are, and where its triangles begin
+  unsigned vertices = 0;  ///< of the last one
+
+  explicit Triangles(const OperationLayout& layout) {
+    for (const OperationLayout::At& at : layout.positions) {
+      const Surface surface = surface_at(at.position);
+      vertices = surface.vertices;
+      positions += fmt::format("    {{{}, {}, {}}},\n", vertices, before.size(), after.size());
+      before.insert(before.end(), surface.before.begin(), surface.before.end());
+      after.insert(after.end(), surface.after.begin(), surface.after.end());
+    }
+  }
+  [[nodiscard]] std::string counts() const { return fmt::format(", {}, {}", before.size(), after.size()); }
+  [[nodiscard]] std::string text() const { return triangles(before) + triangles(after) + "};\n"; }
+};
+
+/// What stands before the number of positions or triangles.
+std::string first_arguments(const OperationLayout& layout) {
+  return fmt::format("std::uint{}_t, {}", layout.width, layout.entries.size());
+}
+
+/// The table of an operation, from its type on.
+std::string operation_table(const OperationLayout& layout, const std::string& name) {
+  const Patch& patch = layout.positions[0].patch;
+  const std::string rules =
+      fmt::format("{},\n    {},\n    {},\n    {},\n    {{\n{}    }}}}", sizes(patch)[0], sizes(patch)[1],
+                  patch.before.ports(), layout.matching(), numbers(layout.entries));
+  if (layout.named().is_graph_only())
+    return fmt::format("OperationTable<{}> {}{{\n    {};\n", first_arguments(layout), name, rules);
+  const Triangles surface(layout);
+  return fmt::format("SurfaceOperation<{}{}> {}{{\n    {{{},\n    {},\n{}", first_arguments(layout), surface.counts(),
+                     name, rules, surface.vertices, surface.text());
+}
+
+/// The same of a family.
+std::string family_table(const OperationLayout& layout, const std::string& name) {
+  std::string positions;
+  for (const OperationLayout::At& at : layout.positions) {
+    const auto& [before, after] = sizes(at.patch);
+    positions += fmt::format("    {{{{{}}}, {}, {}, {}, {}}},\n", fmt::join(at.position.numbers(), ", "), before, after,
+                             at.patch.before.ports(), at.first);
+  }
+  const std::string rules = fmt::format("{},\n    {},\n    {{{{\n{}    }}}},\n    {{\n{}    }}}}", layout.matching(),
+                                        quoted_place(layout.named()), positions, numbers(layout.entries));
+  const std::string arguments = fmt::format("{}, {}", first_arguments(layout), layout.positions.size());
+  if (layout.named().is_graph_only()) return fmt::format("OperationFamily<{}> {}{{\n    {};\n", arguments, name, rules);
+  const Triangles surface(layout);
+  return fmt::format("SurfaceFamily<{}{}> {}{{\n    {{{},\n    {{{{\n{}    }}}},\n{}", arguments, surface.counts(),
+                     name, rules, surface.positions, surface.text());
 }
 
 }  // namespace
 
-OperationHeader operation_header(const std::vector<AnsweredPosition>& positions) {
-  const Description& named = *positions.at(0).position.family;
-  const unsigned width = width_of(positions);
-  std::vector<std::int64_t> entries;
-  std::string of_positions;
-  for (const auto& [position, section] : positions) {
-    const Operation operation = operation_at(position);
-    const auto& [before, after] = sizes(operation.patch);
-    of_positions += fmt::format("    {{{{{}}}, {}, {}, {}, {}}},\n", fmt::join(position.numbers(), ", "), before, after,
-                                operation.patch.before.ports(), entries.size());
-    append_entries(*section, operation, width, entries);
-  }
-  std::string text = fmt::format(
+std::string operation_header(const OperationLayout& layout) {
+  const Description& named = layout.named();
+  const std::string name = identifier(named.name);
+  return fmt::format(
       "// {}\n// Written by `restrip-generate rules` from the operation file of {}. Do not edit.\n// Explained in "
       "restrip/tables/operation_format.hpp.\n#pragma once\n\n#include \"restrip/tables/operation_format.hpp\"\n\n"
-      "namespace restrip::tables {{\n\n",
-      named.about.empty() ? named.name : named.about, named.name);
-  if (named.numbers.empty())
-    text += operation_table(named, operation_at(positions[0].position), width, entries);
-  else
-    text += fmt::format(
-        "inline constexpr OperationFamily<std::uint{}_t, {}, {}> {}{{\n    {},\n    {},\n    {{{{\n{}    }}}},\n    "
-        "{{\n{}    }}}};\n",
-        width, entries.size(), positions.size(), variable(named.name), named.constraint.most_edges == 1,
-        quoted_place(named), of_positions, numbers(entries));
-  return {text + "\n}  // namespace restrip::tables\n", entries.size() * width / 8};
+      "namespace restrip::tables {{\n\ninline constexpr {}\n}}  // namespace restrip::tables\n",
+      named.about.empty() ? named.name : named.about, named.name,
+      named.numbers.empty() ? operation_table(layout, name) : family_table(layout, name));
 }
 
 std::string operation_certificate_path(const std::string& name) { return "certificates/operations/" + name + ".cert"; }
 
 std::string operation_header_path(const std::string& name) {
-  return "include/restrip/tables/operations/" + variable(name) + ".hpp";
+  return "include/restrip/tables/operations/" + identifier(name) + ".hpp";
 }
 
 }  // namespace restrip::generator

@@ -8,7 +8,7 @@ namespace {
 
 /// What is counted, and how much one of it weighs. The weights were found by climbing from a guess, one or a few
 /// weights at a time, with replays of real meshes from 2 % to 100 % as the judge; docs/tables.md has the figures.
-struct Weights {
+struct TieWeights {
   int solid_chord;         ///< the chord is solid
   int joined_pair;         ///< two ports are joined inside
   int end_facing_out;      ///< a strip ends at a fan triangle whose port is dashed: it may go on there one day
@@ -20,8 +20,8 @@ struct Weights {
   int solid_in_first_arc;  ///< a solid edge between A and D on the side of the first arc
 };
 
-constexpr Weights of_local_rules{64, -49, -53, -4, 100, -11, -14, 64, 7};
-constexpr Weights of_linked_rules{63, -102, -37, 0, 101, 85, 11, 57, 11};
+constexpr TieWeights of_local_rules{64, -49, -53, -4, 100, -11, -14, 64, 7};
+constexpr TieWeights of_linked_rules{63, -102, -37, 0, 101, 85, 11, 57, 11};
 
 /// Inner edges with this many ends among the nodes.
 Mask edges_at(const Side& side, Mask nodes, int ends) {
@@ -36,10 +36,10 @@ Mask edges_at(const Side& side, Mask nodes, int ends) {
 
 Criterion tie_break(const Position& position, const Side& after, Sight sight, Goal goal) {
   const Description& family = *position.family;
-  if (!family.is_pattern() || family.own_cost || family.constraint.most_edges != 2) return {};
+  if (family.own_cost || family.constraint.most_edges != 2) return {};
   // Where one of two ports has to be given up, either will do: this has been the flip's choice from the start.
-  if (family.numbers.empty()) return {{Count::kept, -1, 0b0101}};
-  const Weights& weight = sight == Sight::patch ? of_local_rules : of_linked_rules;
+  if (family.numbers.empty()) return family.is_pattern() ? Criterion{{Count::kept, -1, 0b0101}} : Criterion{};
+  const TieWeights& weight = sight == Sight::patch ? of_local_rules : of_linked_rules;
   Mask fan = 0;
   for (const unsigned owner : after.owner) fan |= Mask{1} << owner;
   const Mask added = ((Mask{1} << after.nodes) - 1) & ~fan;
@@ -51,7 +51,7 @@ Criterion tie_break(const Position& position, const Side& after, Sight sight, Go
                   {Count::joined, weight.joined_pair},
                   {Count::solid, weight.solid_at_new, edges_at(after, added, 1)},
                   {Count::solid, 2 * std::int64_t{weight.solid_at_new}, edges_at(after, added, 2)}};
-  if (!std::get<SidePattern>(family.after).chords.empty()) {
+  if (family.is_pattern() && !std::get<SidePattern>(family.after).chords.empty()) {
     const Mask chord = Mask{1} << (after.edges.size() - 1);
     const Mask first_arc = (Mask{2} << position.at) - 1;
     terms.push_back({Count::solid, weight.solid_chord, chord});

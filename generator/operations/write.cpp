@@ -5,27 +5,27 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "certificate_text.hpp"
 #include "counted.hpp"
 #include "files/output.hpp"
+#include "languages/languages.hpp"
 #include "operations/description_file.hpp"
 #include "operations/operation_text.hpp"
 
 namespace restrip::generator {
 namespace {
 
-/// Whether the patch was given as a graph, so that it may be no operation on a mesh.
-bool is_graph_only(const Section& section) { return section.position.family->surface.before.empty(); }
-
-/// All sections of one certificate, solved, with its text.
+/// All sections of one certificate, solved.
 struct Certificate {
   std::vector<Section> sections;
-  std::string text;
   std::size_t bytes = 0;  ///< of the tables
   Claims claims;          ///< of all sections; linked ones have none
   std::size_t rows = 0;
@@ -45,23 +45,37 @@ void expect_within_limits(const Section& section) {
 }
 
 Certificate solved_certificate(std::vector<Section> sections) {
-  Certificate made{std::move(sections), {}, 0, {}, 0};
+  Certificate made{std::move(sections), 0, {}, 0};
   std::vector<Claims> parts;
-  made.text = certificate_head(made.sections[0].certificate);
   for (Section& section : made.sections) {
     solve(section, Watched::yes);
-    made.text += section_text(section, Watched::yes);
     if (!section.linked) parts.push_back(sum(section.claims));
     made.rows += section.rows.size();
   }
-  made.text = sealed(std::move(made.text), made.rows);
   if (!parts.empty()) made.claims = sum(parts);
   return made;
 }
 
-/// The header of a description whose certificate is made. Positions that the certificate leaves out, because they are
-/// images of others, are solved for it.
-OperationHeader header_of(const Description& description, const std::vector<Section>& solved, unsigned max_k) {
+std::string text_of(const Certificate& made) {
+  std::string text = certificate_head(made.sections[0].certificate);
+  for (const Section& section : made.sections) text += section_text(section, Watched::yes);
+  return sealed(std::move(text), made.rows);
+}
+
+/// The files of a description.
+std::set<std::filesystem::path> paths_of(const Description& description, const std::set<std::string>& languages) {
+  std::set<std::filesystem::path> paths;
+  for (const std::string& language : languages) {
+    if (language == "c++") paths.insert(operation_header_path(description.name));
+    for (const LanguageFile& file : language_files().at(language))
+      if (file.of_operation != nullptr) paths.insert(file.name(description.name));
+  }
+  return paths;
+}
+
+/// Their bytes. Positions that the certificate leaves out, because they are images of others, are solved for them.
+std::map<std::filesystem::path, std::string> files_of(const Description& description, Certificate& solved,
+                                                      const std::set<std::string>& languages, unsigned max_k) {
   std::vector<Description> every{description};
   every[0].listed.clear();
   every[0].section = description.place.empty() ? description.name : description.place;
@@ -75,14 +89,22 @@ OperationHeader header_of(const Description& description, const std::vector<Sect
         return served.family == &description && served.numbers() == position.numbers();
       });
     };
-    const auto found = std::find_if(solved.begin(), solved.end(), serves);
-    if (found == solved.end()) {
+    const auto found = std::find_if(solved.sections.begin(), solved.sections.end(), serves);
+    if (found == solved.sections.end()) {
       expect_within_limits(section);
       solve(section, Watched::yes);
     }
-    positions.push_back({position, found == solved.end() ? &section : &*found});
+    positions.push_back({position, found == solved.sections.end() ? &section : &*found});
   }
-  return operation_header(positions);
+  const OperationLayout layout = operation_layout(positions);
+  solved.bytes += layout.bytes();
+  std::map<std::filesystem::path, std::string> files;
+  for (const std::string& language : languages) {
+    if (language == "c++") files[operation_header_path(description.name)] = operation_header(layout);
+    for (const LanguageFile& file : language_files().at(language))
+      if (file.of_operation != nullptr) files[file.name(description.name)] = file.of_operation(layout);
+  }
+  return files;
 }
 
 nlohmann::ordered_json figures(const Certificate& made) {
@@ -102,7 +124,7 @@ nlohmann::ordered_json figures(const Certificate& made) {
           {"worst_strips", claims.worst_strips},
           {"worst_isolated", claims.worst_isolated},
           {"bytes", made.bytes},
-          {"graph_only", is_graph_only(first)}};
+          {"graph_only", first.position.family->is_graph_only()}};
 }
 
 /// The lines about it for people.
@@ -111,10 +133,11 @@ std::string told(const Certificate& made) {
   if (first.linked)
     return fmt::format("{:<24} {:>6} {}\n", first.certificate, made.rows, plural(made.rows, "alternative"));
   const std::size_t configurations = made.claims.configurations;
-  return fmt::format("{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", first.certificate, configurations,
-                     plural(configurations, "configuration"), made.rows, plural(made.rows, "rule"), made.bytes,
-                     plural(made.bytes, "byte"),
-                     is_graph_only(first) ? "  graph only: not checked to be an operation on a mesh\n" : "");
+  return fmt::format(
+      "{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", first.certificate, configurations,
+      plural(configurations, "configuration"), made.rows, plural(made.rows, "rule"), made.bytes,
+      plural(made.bytes, "byte"),
+      first.position.family->is_graph_only() ? "  graph only: not checked to be an operation on a mesh\n" : "");
 }
 
 }  // namespace
@@ -137,18 +160,20 @@ void make_rules(const RulesOptions& options) {
     throw std::runtime_error(
         fmt::format("{}: there is no family, so --max-k has no effect; leave it out", fmt::join(options.files, ", ")));
   std::vector<std::vector<Section>> certificates;
-  std::vector<std::filesystem::path> paths;
+  std::set<std::filesystem::path> paths;
   const unsigned max_k = options.max_k.value_or(most_ports);
+  const bool certified = options.languages.contains("c++");
   for (Section& section : sections_of(descriptions, max_k)) {
+    if (section.linked && !certified) continue;  // other languages have no linked rules
     expect_within_limits(section);
     if (certificates.empty() || certificates.back()[0].certificate != section.certificate) {
       certificates.emplace_back();
-      paths.emplace_back(operation_certificate_path(section.certificate));
+      if (certified) paths.insert(operation_certificate_path(section.certificate));
     }
     certificates.back().push_back(std::move(section));
   }
-  for (const Description& description : descriptions) paths.emplace_back(operation_header_path(description.name));
-  files::OutputSet out(options.out, paths);
+  for (const Description& description : descriptions) paths.merge(paths_of(description, options.languages));
+  files::OutputSet out(options.out, {paths.begin(), paths.end()});
   std::optional<files::Output> json_out;
   if (!options.json.empty() && options.json != "-") json_out.emplace(options.json, files::OutputRules{{".json"}, {}});
 
@@ -158,12 +183,11 @@ void make_rules(const RulesOptions& options) {
   for (std::vector<Section>& sections : certificates) {
     Certificate made = solved_certificate(std::move(sections));
     const std::string& name = made.sections[0].certificate;
-    texts.push_back({operation_certificate_path(name), made.text});
+    if (certified) texts.push_back({operation_certificate_path(name), text_of(made)});
     for (const Description& description : descriptions) {
       if (description.certificate != name) continue;
-      const OperationHeader header = header_of(description, made.sections, max_k);
-      texts.push_back({operation_header_path(description.name), header.text});
-      made.bytes += header.bytes;
+      for (auto& [path, bytes] : files_of(description, made, options.languages, max_k))
+        texts.push_back({path, std::move(bytes)});
     }
     json["operations"].push_back(figures(made));
     text += told(made);

@@ -2,16 +2,18 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace restrip::generator {
 
 struct RulesOptions {
-  std::vector<std::string> files;  ///< operation files
-  std::string out;                 ///< the folder that receives header and certificate of each
-  std::optional<unsigned> max_k;   ///< of families, the largest first number; otherwise 8
-  std::string json;                ///< file for the figures, "-" for standard output in place of the text, or empty
+  std::vector<std::string> files;          ///< operation files
+  std::string out;                         ///< the folder that receives the files of each
+  std::optional<unsigned> max_k;           ///< of families, the largest first number; otherwise 8
+  std::set<std::string> languages{"c++"};  ///< of language_files(); that of C++ are header and certificate
+  std::string json;  ///< file for the figures, "-" for standard output in place of the text, or empty
 };
 
 /// Solves every operation and writes its files, all at once. Says on standard output what it wrote. Throws

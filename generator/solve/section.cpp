@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -54,23 +55,27 @@ class Copier {
 
   [[nodiscard]] bool done(std::size_t row) const { return done_[row]; }
 
+  /// Images that are no rows are gone through as well: the keys of a section that serves several positions need not
+  /// have all of an orbit.
   void copy(std::size_t representative) {
     std::vector<Row>& rows = section_.rows;
     struct Reached {
-      std::size_t row;
+      Key key;
       PatchMap map;  ///< from there to the representative
     };
     done_[representative] = true;
-    std::vector<Reached> orbit{{representative, identity(maps_.empty() ? PatchMap{} : maps_[0])}};
+    std::vector<Reached> orbit{{rows[representative].key, identity(maps_.empty() ? PatchMap{} : maps_[0])}};
+    std::set<Key> no_rows;
     for (std::size_t i = 0; i < orbit.size(); ++i)
       for (std::size_t s = 0; s < maps_.size(); ++s) {
-        const Key& key = rows[orbit[i].row].key;
         const std::vector<unsigned>& back = port_backwards_[s];
-        const auto row = find_row(rows, {permute(key.ports, back), key.joined.moved(back)});
+        const Key key{permute(orbit[i].key.ports, back), orbit[i].key.joined.moved(back)};
+        const auto row = find_row(rows, key);
         const auto place = static_cast<std::size_t>(row - rows.begin());
-        if (row == rows.end() || done_[place]) continue;
+        if (row == rows.end() ? !no_rows.insert(key).second : done_[place]) continue;
+        orbit.push_back({key, then(maps_[s], orbit[i].map)});
+        if (row == rows.end()) continue;
         done_[place] = true;
-        orbit.push_back({place, then(maps_[s], orbit[i].map)});
         const PatchMap& map = orbit.back().map;
         static_cast<Choice&>(*row) = rows[representative];
         row->recoloring = permute(row->recoloring, inverse(map.after));

@@ -197,6 +197,7 @@ Symmetries symmetries(const Operation& operation) {
   Symmetries found;
   const auto maps_of = [&](const std::vector<Permutation>& permutations) {
     std::vector<PatchMap> maps;
+    maps.reserve(permutations.size());
     for (const Permutation& p : permutations)
       maps.push_back({{p.begin(), p.begin() + operation.patch.before.ports()},
                       on_edges(operation.patch.before, p, graph.first_before()),
@@ -226,6 +227,7 @@ std::vector<unsigned> inverse(const std::vector<unsigned>& to) {
 Orbits::Orbits(const Patch& patch, const std::vector<PatchMap>& maps)
     : ports_(patch.before.owner.size()), other_(std::size_t{1} << (patch.before.edges.size() + ports_)) {
   std::vector<std::pair<MaskMap, MaskMap>> images;
+  images.reserve(maps.size());
   for (const PatchMap& map : maps) images.emplace_back(map.before, map.port);
   const Mask all_ports = patch.before.all_ports();
   std::vector<std::size_t> orbit;

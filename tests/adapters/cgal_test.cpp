@@ -31,6 +31,7 @@ class Foreign {
   bool exists(Halfedge h) const { return h.is_valid() && !mesh_.is_border(h); }
   Vertex from(Halfedge h) const { return mesh_.source(h); }
   Vertex to(Halfedge h) const { return mesh_.target(h); }
+  static std::uint32_t number(Vertex v) { return static_cast<std::uint32_t>(v.idx()); }
   template <class Visit>
   void for_each_triangle(Visit&& visit) const {
     for (const auto f : mesh_.faces()) visit(mesh_.halfedge(f));

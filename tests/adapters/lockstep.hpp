@@ -1,18 +1,21 @@
 // The same random operations by keepers of a StripMesh and of a foreign mesh through its adapter: afterwards both have
 // the same triangles, and each keeper knows what its mesh counts. Where the policy does not search, colours are the
-// same edge by edge; searches take the sides of triangles in the mesh's own order. An index buffer of theirs draws the
-// same.
+// same edge by edge; searches take the sides of triangles in the mesh's own order. Index buffers of theirs draw the
+// same: one made anew, and one kept by updates from the list of changes that Watched makes.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <random>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "restrip/mesh/checks.hpp"
+#include "restrip/mesh/watched.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
@@ -21,7 +24,8 @@
 namespace restrip {
 
 /// `Foreign` wraps an adapter with what the test needs of its mesh:
-///   Adapter& strips();  Vertex add_vertex_name(Vertex after split);  Halfedge find(Vertex, Vertex);
+///   Adapter& strips();  Vertex vertex(Vertex of the StripMesh);  std::uint32_t number(Vertex);
+///   Halfedge find(Vertex, Vertex), Halfedge() if there is none;  bool exists(Halfedge): and has it a triangle;
 ///   Vertex from(Halfedge), to(Halfedge);  void for_each_triangle(visit(Halfedge));
 template <class Foreign>
 class Lockstep {
@@ -29,8 +33,10 @@ class Lockstep {
   Lockstep(StripMesh start, Foreign& foreign, Policy policy, Cost cost, unsigned seed)
       : mesh_(std::move(start)),
         foreign_(foreign),
+        watched_(foreign.strips()),
         mine_(mesh_, policy, cost),
-        theirs_(foreign.strips(), policy, cost),
+        theirs_(watched_, policy, cost),
+        buffer_(watched_),
         exact_(policy <= Policy::linked && cost == Cost::strips()),
         random_(seed) {
     for (Vertex v = 0; v < mesh_.vertex_bound(); ++v) name_.push_back(foreign.vertex(v));
@@ -48,6 +54,7 @@ class Lockstep {
         mine_.improve(300);
         theirs_.improve(300);
       }
+      if (n % 4 == 3 || n < 200) update_buffer();
       if (n % 50 == 0 || n < 200) compare();
       if (testing::Test::HasFatalFailure()) return;
     }
@@ -96,7 +103,7 @@ class Lockstep {
     const Halfedge h = any();
     if (check_collapse(mesh_, h) != Refusal::granted) return;
     const auto theirs = there(h);
-    ASSERT_TRUE(theirs.is_valid());
+    ASSERT_TRUE(theirs != ForeignHalfedge());
     const auto mine = mine_.collapse(h);
     const auto yours = theirs_.collapse(theirs);
     expect_same(mine, yours, 1);
@@ -107,7 +114,7 @@ class Lockstep {
     const Halfedge h = any();
     if (check_flip(mesh_, h) != Refusal::granted) return;
     const auto theirs = there(h);
-    ASSERT_TRUE(theirs.is_valid());
+    ASSERT_TRUE(theirs != ForeignHalfedge());
     const auto mine = mine_.flip(h);
     const auto yours = theirs_.flip(theirs);
     expect_same(mine, yours, 2);
@@ -153,8 +160,13 @@ class Lockstep {
     compare_buffers();
   }
 
+  void update_buffer() {
+    buffer_.update(watched_, watched_.changed());
+    watched_.changed().clear();
+  }
   /// In their vertices.
   void compare_buffers() {
+    update_buffer();
     const auto& strips = foreign_.strips();
     std::vector<DrawnTriangle> expected;
     for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) {
@@ -163,20 +175,21 @@ class Lockstep {
       expected.push_back(detail::lowest_first({number(a), number(b), number(c)}));
     }
     std::sort(expected.begin(), expected.end());
-    const auto drawn = [](const std::vector<std::uint32_t>& indices) {
-      return triangles_of_strips(std::span<const std::uint32_t>(indices));
-    };
+    const auto drawn = [](std::span<const std::uint32_t> indices) { return triangles_of_strips(indices); };
     ASSERT_EQ(triangles_of(strips), expected);
     ASSERT_EQ(drawn(strip_indices(strips)), expected);
     ASSERT_EQ(drawn(strip_indices(strips, extract_strips(strips))), expected);
     ASSERT_TRUE(check_buffer(StripBuffer(strips), strips).right());
+    ASSERT_EQ(drawn(buffer_.indices()), expected);
   }
-  std::uint32_t number(Vertex v) const { return static_cast<std::uint32_t>(name_[v].idx()); }
+  std::uint32_t number(Vertex v) const { return foreign_.number(name_[v]); }
 
   StripMesh mesh_;
   Foreign& foreign_;
+  Watched<std::remove_reference_t<decltype(std::declval<Foreign&>().strips())>> watched_;
   Keeper<StripMesh> mine_;
-  Keeper<std::remove_reference_t<decltype(std::declval<Foreign&>().strips())>> theirs_;
+  Keeper<decltype(watched_)> theirs_;
+  StripBuffer buffer_;
   bool exact_;
   std::mt19937 random_;
   std::vector<typename Foreign::Vertex> name_;

@@ -136,7 +136,7 @@ TEST(CArguments, NumbersOutOfRangeAreCodes) {
   EXPECT_EQ(restrip_mesh_corners(m, 32, corners), RESTRIP_BAD_ARGUMENT);
   for (const std::int32_t wrong : {lowest, -1, 3, highest})
     EXPECT_EQ(restrip_mesh_stripify(m, wrong, nullptr, 0, nullptr), RESTRIP_BAD_ARGUMENT);
-  for (const std::int32_t wrong : {lowest, -1, int{RESTRIP_POLICY_BAKED}, 6, highest})
+  for (const std::int32_t wrong : {lowest, -1, int{RESTRIP_POLICY_BAKED}, 7, highest})
     EXPECT_EQ(restrip_mesh_keep(m, wrong, nullptr), RESTRIP_BAD_ARGUMENT);
   for (const std::int32_t wrong : {lowest, -1, 4, highest})
     EXPECT_EQ(restrip_live_begin(m, wrong), RESTRIP_BAD_ARGUMENT);
@@ -145,8 +145,6 @@ TEST(CArguments, NumbersOutOfRangeAreCodes) {
     EXPECT_EQ(restrip_mesh_keep(m, RESTRIP_POLICY_LOCAL, &wrong), RESTRIP_BAD_ARGUMENT);
   }
   EXPECT_EQ(restrip_mesh_policy(m), RESTRIP_POLICY_LOCAL);
-  ASSERT_EQ(restrip_mesh_keep(m, RESTRIP_POLICY_BARE, nullptr), RESTRIP_OK);
-  EXPECT_EQ(restrip_mesh_improve(m, 10, nullptr), RESTRIP_BAD_ARGUMENT);
   // In no such state.
   const restrip_range* ranges = nullptr;
   const void* data = nullptr;
@@ -306,7 +304,7 @@ std::size_t fail_everywhere(std::int32_t policy, const restrip_cost* cost,
 
 TEST(CArguments, MemoryMayRunOut) {
   constexpr restrip_cost fewest_indices = RESTRIP_FEWEST_INDICES;
-  for (std::int32_t policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_FULL; ++policy)
+  for (std::int32_t policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_BEST; ++policy)
     for (const restrip_cost* cost : {static_cast<const restrip_cost*>(nullptr), &fewest_indices}) {
       std::size_t failures = 0;
       failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {

@@ -88,6 +88,7 @@ TEST(CBaked, EveryLevelIsThatOfThePlayer) {
     EXPECT_EQ(record.v_l, file.splits.back().v_l);
     EXPECT_EQ(restrip_baked_record(m, file.splits.size(), &record), RESTRIP_BAD_ARGUMENT);
     EXPECT_EQ(restrip_baked_move(m, file.splits.size() + 1, 1, nullptr), RESTRIP_BAD_ARGUMENT);
+    EXPECT_EQ(restrip_mesh_improve(m, 10, nullptr), RESTRIP_BAD_ARGUMENT);  // it would leave the baked level
   }
 }
 

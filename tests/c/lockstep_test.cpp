@@ -230,7 +230,7 @@ TEST(CInterface, IsInStepWithTheLibrary) {
   std::mt19937 random(16);
   Told told;
   for (const StripMesh& start : sample::meshes())
-    for (int policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_FULL; ++policy)
+    for (int policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_BEST; ++policy)
       for (const bool by_indices : {false, true}) {
         StripMesh mine = start;
         const Handle mesh = handle_of(start);

@@ -7,10 +7,11 @@ function(run)
 endfunction()
 set(arguments)
 if(WAY STREQUAL "package")
-  foreach(component IN ITEMS runtime c_shared c)
+  foreach(component IN ITEMS runtime c_shared c generator)
     run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/prefix --component ${component})
   endforeach()
-  run(${GENERATE} rules --operation ${ROOT}/examples/own_operation.json --out ${SCRATCH}/rules)
+  run(${SCRATCH}/prefix/bin/restrip-generate rules --operation ${ROOT}/examples/own_operation.json
+      --operation ${ROOT}/examples/own_family.json --out ${SCRATCH}/rules)
   list(APPEND arguments -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix -DRESTRIP_SOURCE=${ROOT} -DRULES=${SCRATCH}/rules/include)
 elseif(WAY STREQUAL "subdirectory")
   list(APPEND arguments -DRESTRIP_SOURCE=${ROOT})
@@ -29,4 +30,9 @@ if(WAY STREQUAL "package")
   run(${SCRATCH}/build/c_consumer)
   run(${SCRATCH}/build/c_static_consumer)
   run(${SCRATCH}/build/own_operation)
+  run(${SCRATCH}/build/own_family)
+  run(${SCRATCH}/prefix/bin/restrip-verify --operation ${ROOT}/examples/own_family.json
+      --certificate ${SCRATCH}/rules/certificates/operations/remove-vertex.cert
+      --header ${SCRATCH}/rules/include/restrip/tables/operations/remove_vertex.hpp
+      --dump-command ${SCRATCH}/build/print_own_family)
 endif()

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Claim: whatever an operation file says, the header made of it is the same tokens as that of a plain file, but for its
-name; what would make it others is refused, by generator and verifier alike, and by both the same files. A dump program
-is not run when the header that it was made of says anything else.
+name, and so are the files in other languages; what would make them others is refused, by generator and verifier alike,
+and by both the same files. A dump program is not run when the header that it was made of says anything else.
 
   hostile_operations_test.py BIN COMPILER ROOT
 """
@@ -14,6 +14,7 @@ import tempfile
 from pathlib import Path
 
 SEEDS = (7, 2024)
+LANGUAGES = ("c++", "c", "rust", "json", "glsl", "wgsl")
 FILES_OF_A_SEED = 90
 PLAIN = {
     "restrip_operation": 1,
@@ -46,13 +47,19 @@ def tokens(text):
     return re.findall(r'"(?:[^"\\\n]|\\.)*"|\w+|[^\w\s]', text)
 
 
+def renamed(words, name):
+    """The tokens of the plain file's files with another name in place of its own."""
+    return [re.sub("(?<![a-z])plain(?![a-z])", name, re.sub("(?<![A-Z])PLAIN(?![A-Z])", name.upper(), word)) for word in words]
+
+
 class Programs:
     def __init__(self, folder, scratch):
         self.folder, self.scratch = folder, scratch
 
     def generate(self, file, out):
         """What the generator says of the file; empty when it takes it."""
-        return self.said([self.folder / "restrip-generate", "rules", "--operation", file, "--out", out], (0, 2))
+        return self.said([self.folder / "restrip-generate", "rules", "--operation", file, "--out", out,
+                          *(f"--language={language}" for language in LANGUAGES)], (0, 2))
 
     def verify(self, file, *more):
         return self.said([self.folder / "restrip-verify", "--operation", file, *more], (0, 1, 2))
@@ -100,31 +107,41 @@ def main():
         headers = out / "include/restrip/tables/operations"
 
         def made_of(name, about):
-            """The header's text, or None when the file is refused."""
+            """The texts of the files but for the data of shaders, by how their names end; or None when the file is refused."""
             file.write_text(json.dumps(dict(PLAIN, name=name, about=about), ensure_ascii=random_numbers.random() < 0.5), encoding="utf-8")
             if refused_alike(programs, file, out):
                 return None
-            header = headers / (name.replace("-", "_") + ".hpp")
+            identifier = name.replace("-", "_")
+            header = headers / (identifier + ".hpp")
             if not json.loads(programs_json(header))["verified"]:
                 raise SystemExit(f"{name!r}, {about!r}: the verifier does not take the header")
-            return header.read_text(encoding="utf-8")
+            texts = {other.suffix: other.read_text(encoding="utf-8") for other in (header, *out.glob(f"restrip_{identifier}.*")) if other.suffix != ".bin"}
+            table = json.loads(texts.pop(".json"))
+            if (table["name"], table["about"]) != (name, about):
+                raise SystemExit(f"{name!r}, {about!r}: {table['name']!r}, {table['about']!r} in JSON")
+            tables.append({member: value for member, value in table.items() if member not in ("name", "about")})
+            return texts
 
         def programs_json(header):
             return subprocess.run([folder / "restrip-verify", "--operation", file, "--header", header, "--json"], capture_output=True, text=True,
                                   check=False).stdout
 
+        tables = []  # of JSON, without its words
         random_numbers = random.Random(0)
-        plain = tokens(made_of("plain", PLAIN["about"]))
+        plain = {ending: tokens(text) for ending, text in made_of("plain", PLAIN["about"]).items()}
         counts = {True: 0, False: 0}
         for seed in SEEDS:
             print("seed", seed)
             random_numbers = random.Random(seed)
             for _ in range(FILES_OF_A_SEED):
                 name, about = hostile(random_numbers)
-                header = made_of(name, about)
-                counts[header is not None] += 1
-                if header is not None and tokens(header) != [name.replace("-", "_") if word == "plain" else word for word in plain]:
-                    raise SystemExit(f"seed {seed}: {name!r}, {about!r}: other tokens:\n{header}")
+                texts = made_of(name, about)
+                counts[texts is not None] += 1
+                for ending, text in (texts or {}).items():
+                    if tokens(text) != renamed(plain[ending], name.replace("-", "_")):
+                        raise SystemExit(f"seed {seed}: {name!r}, {about!r}: other tokens:\n{text}")
+        if len(plain) != len(LANGUAGES) - 1 or len(tables) != counts[True] + 1 or any(table != tables[0] for table in tables):
+            raise SystemExit("there are languages missing, or tables in JSON that differ")
         print(counts[True], "accepted,", counts[False], "refused")
         if min(counts.values()) < 30:
             raise SystemExit("too few to tell anything")
@@ -137,6 +154,10 @@ def main():
                           "".join(f'#include "{headers / name}"\n' for name in names) + "int main() {}\n", encoding="utf-8")
         subprocess.run([compiler, "-std=gnu++20", "-Wall", "-Wextra", "-Wtrigraphs", "-Wcomment", "-Werror", "-fsyntax-only", "-I",
                         root / "tables/include", source], check=True)
+        source = scratch / "all.c"
+        source.write_text("".join(f"#define {file.stem.upper()}_IMPLEMENTATION\n#include \"{file}\"\n" for file in sorted(out.glob("restrip_*.h"))) +
+                          "int main(void) { return 0; }\n", encoding="utf-8")
+        subprocess.run([compiler, "-x", "c", "-std=gnu11", "-Wall", "-Wextra", "-Wtrigraphs", "-Wcomment", "-Werror", "-fsyntax-only", source], check=True)
 
         # The corpus: each is refused by both.
         corpus = sorted((root / "tests/corpus/operations/hostile").glob("*.json"))

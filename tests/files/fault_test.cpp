@@ -47,7 +47,7 @@ SystemCalls with_faults() {
             return fails(ENOSPC) ? -1 : ::write(file, bytes, std::min<std::size_t>(size, 3));
           },
       .fchmod = [](int file, mode_t mode) { return fails(EPERM) ? -1 : ::fchmod(file, mode); },
-      .fsync = [](int file) { return fails(EIO) ? -1 : ::fsync(file); },
+      .fsync = [](int) { return fails(EIO) ? -1 : 0; },  // what a disk has after a loss of power is not tested
       .close =
           [](int file) {
             const bool failed = fails(EIO);  // and closed all the same, as Linux does

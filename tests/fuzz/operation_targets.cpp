@@ -89,8 +89,8 @@ Target operation_certificate_target() {
 
 Target operation_dump_target() {
   const auto family = family_of_one(corpus_text("split-face"));
-  std::string seed = "restrip-table-dump 3\ntable split-face\n";
-  for (Mask ports = 0; ports < 8; ++ports) seed += fmt::format("0 {:x} {}\n", ports, ports == 7 ? "-" : "0 0");
+  std::string seed = "restrip-table-dump 4\ntable split-face\n";
+  for (Mask ports = 0; ports < 8; ++ports) seed += fmt::format("0 {:x} {}\n", ports, ports == 7 ? "-" : "0 0 2 2");
   seed += "end 8\n";
   const auto read = [family](std::string_view bytes) {
     std::string text(bytes);

@@ -95,7 +95,7 @@ Target dump_target() {
     ExpectedDump dump;
   };
   auto expected = std::make_shared<Expected>();
-  std::string seed = "restrip-table-dump 3\n";
+  std::string seed = "restrip-table-dump 4\n";
   std::size_t entries = 0;
   for (const Family& family : expected->families) {
     if (family.name != "flip" && family.name != "split") continue;

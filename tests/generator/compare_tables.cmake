@@ -1,15 +1,26 @@
-# Generates the tables with one thread and with three, and compares every byte with the files checked in.
+# Generates the tables with one thread and with three, and compares every byte with the files checked in. The MANIFEST
+# lists the files that are checked in beside them as well.
+file(GLOB_RECURSE kept RELATIVE ${CHECKED_IN} ${CHECKED_IN}/*)
+list(FILTER kept EXCLUDE REGEX "CMakeLists[.]txt$|[.]cmake$")
+set(beside ${kept})
+list(FILTER beside INCLUDE REGEX "operations/|families[.]json$|/(operation_dump|(automaton_|operation_)?format)[.]hpp$")
+list(LENGTH beside count)
+if(count LESS 30)
+  message(FATAL_ERROR "only ${count} files beside those that the generator writes")
+endif()
+list(REMOVE_ITEM kept ${beside})
 foreach(threads IN ITEMS 1 3)
   file(REMOVE_RECURSE ${SCRATCH})
   execute_process(COMMAND ${GENERATE} tables --out ${SCRATCH} --threads ${threads} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
   file(GLOB_RECURSE made RELATIVE ${SCRATCH} ${SCRATCH}/*)
-  file(GLOB_RECURSE kept RELATIVE ${CHECKED_IN} ${CHECKED_IN}/*)
-  list(REMOVE_ITEM kept CMakeLists.txt families.json)
-  list(FILTER kept EXCLUDE REGEX "operations/")  # test tables.operations_fresh
-  list(FILTER kept EXCLUDE REGEX "/(operation_dump|((index_)?automaton_|operation_)?format)\\.hpp$")  # written by hand
   if(NOT made STREQUAL kept)
     message(FATAL_ERROR "the generator writes [${made}], tables/ has [${kept}]; build the target `regenerate`")
   endif()
+  foreach(file IN LISTS beside)
+    get_filename_component(folder ${file} DIRECTORY)
+    file(COPY ${CHECKED_IN}/${file} DESTINATION ${SCRATCH}/${folder})
+  endforeach()
+  execute_process(COMMAND ${CMAKE_COMMAND} -DTABLES=${SCRATCH} -P ${CHECKED_IN}/list_files.cmake COMMAND_ERROR_IS_FATAL ANY)
   foreach(file IN LISTS made)
     file(SHA256 ${SCRATCH}/${file} now)
     file(SHA256 ${CHECKED_IN}/${file} then)

@@ -1,19 +1,21 @@
 #!/bin/sh
 # Writes the tables up to k = 9, compiles their headers and asks them everything about k = 9. Then asks the same tables in C
 # what those of C++ answer, up to k = 9, but for collapses with a chord, which are most of all questions.
-#   wide_tables.sh restrip-generate COMPILER RUNTIME_INCLUDE TABLES_INCLUDE wide_tables.cpp C_COMPILER LANGUAGES_FOLDER SCRATCH
+#   wide_tables.sh restrip-generate COMPILER RUNTIME_INCLUDE TABLES_INCLUDE wide_tables.cpp C_COMPILER RUNTIME SCRATCH
 set -eu
-generate=$1 compiler=$2 include=$3 format=$4 source=$5 c_compiler=$6 languages=$7 scratch=$8
+generate=$1 compiler=$2 include=$3 format=$4 source=$5 c_compiler=$6 runtime=$7 scratch=$8
 rm -rf "$scratch" "$scratch.c"
 "$generate" tables --max-k 9 --threads 2 --language c++ --language c --out "$scratch"
 mkdir "$scratch.c"
-mv "$scratch/restrip_tables.h" "$scratch.c"  # the folder is to hold what its MANIFEST lists
+mv "$scratch"/restrip_tables* "$scratch.c"  # the folder is to hold what its MANIFEST lists
 cpp="-std=c++20 -O1 -Wall -Wextra -Werror -I $scratch/include -I $include -I $format"
 "$compiler" $cpp "$source" -o "$scratch.program"
 "$scratch.program"
-"$compiler" $cpp "$languages/answers.cpp" -o "$scratch.c/answers"
-"$c_compiler" -std=c99 -O1 -Wall -Wextra -Werror -I "$scratch.c" "$languages/driver.c" "$languages/data.c" -o "$scratch.c/in_c"
-"$scratch.c/answers" 9 02456 >"$scratch.c/answers.txt"
+echo '#include "dump_output.hpp"
+int main() { return restrip::dump::digests(9, "02456") ? 0 : 1; }' >"$scratch.c/answers.cpp"
+"$compiler" $cpp -I "$runtime" "$scratch.c/answers.cpp" "$runtime/dump_digests.cpp" -o "$scratch.c/answers"
+"$c_compiler" -std=c99 -O1 -Wall -Wextra -Werror "$scratch.c/restrip_tables_check.c" -o "$scratch.c/in_c"
+"$scratch.c/answers" >"$scratch.c/answers.txt"
 "$scratch.c/in_c" 9 02456 >"$scratch.c/in_c.txt"
 cmp "$scratch.c/answers.txt" "$scratch.c/in_c.txt"
 grep -q '^4 9 9 0 ' "$scratch.c/in_c.txt"

@@ -48,7 +48,7 @@ std::vector<Vertex> added_vertices(const Mesh& mesh, const Table& table, typenam
   for (const tables::PatchTriangle& t : table.triangles_before) met.insert(t.vertex.begin(), t.vertex.end());
   std::vector<Vertex> added;
   const auto patch = detail::read_sides(mesh, table.triangles_after, first);
-  for (std::size_t t = 0; t < patch.side.size(); ++t)
+  for (std::size_t t = 0; t < patch.sides().size(); ++t)
     for (std::size_t s = 0; s < 3; ++s)
       if (met.insert(table.triangles_after[t].vertex[s]).second) added.push_back(mesh.from(patch.side[t][s]));
   return added;

@@ -19,6 +19,7 @@
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
+#include "restrip/search/window.hpp"
 #include "sample_meshes.hpp"
 #include "step_counter.hpp"
 
@@ -51,7 +52,7 @@ Where middle_of_the_fan(const StripMesh& mesh, Vertex k) {
 }
 
 TEST(Complexity, OperationsAreLinearInTheValenceUnderEveryPolicy) {
-  constexpr Policy policies[] = {Policy::local, Policy::linked, Policy::quick, Policy::full};
+  constexpr Policy policies[] = {Policy::local, Policy::linked, Policy::quick, Policy::full, Policy::best};
   for (const bool zigzags : {true, false}) {
     Work split[std::size(policies)][2];
     Work collapse[std::size(policies)][2];
@@ -254,15 +255,36 @@ TEST(Complexity, SearchesAreLinearInTheirStates) {
   EXPECT_TRUE(grows_at_most(linear, searching[0], searching[1]));
 }
 
+// Windows see strips of few indices, whose length does not depend on the mesh.
+TEST(Complexity, WindowsDoNotDependOnTheSizeOfTheMesh) {
+  Work solving[2];
+  for (const unsigned size : {0U, 1U}) {
+    StripMesh torus = sample::torus(60, 60U << size);
+    stripify(torus, Effort::fast, Cost::indices());
+    Window window;
+    // The largest ones first, so that later ones allocate nothing.
+    for (Triangle t = 0; t < torus.triangle_bound(); t += 40) window.around(torus, t, {.triangles = 60});
+    const std::uint64_t windows = window.counts().windows;
+    const Triangle stride = 6U << size;
+    solving[size] = work_of([&] {
+      for (Triangle t = 0; t < torus.triangle_bound(); t += stride) window.around(torus, t, {.triangles = 25});
+    });
+    EXPECT_EQ(window.counts().windows, windows + 1'200);
+    EXPECT_EQ(window.counts().refused, 0U);
+    EXPECT_EQ(solving[size].allocations, 0U);
+  }
+  EXPECT_TRUE(grows_at_most(constant, solving[0], solving[1]));
+}
+
 TEST(Complexity, OperationsAllocateNothing) {
-  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
+  for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full, Policy::best}) {
     StripMesh mesh = sample::double_cone(40);
     stripify(mesh);
     mesh.reserve(200, 200);
     Keeper keeper(mesh, policy);
     keeper.reserve(200);
     std::uint64_t allocations = 0;
-    for (int round = 0; round < 40; ++round) {
+    for (int round = 0; round < 200; ++round) {
       const Where where{mesh.spoke(0), turn_ccw(mesh, turn_ccw(mesh, mesh.spoke(0))), Where::Spokes::both};
       const Work work = work_of([&] {
         const Halfedge chord = keeper.split(where).halfedge;
@@ -270,7 +292,7 @@ TEST(Complexity, OperationsAllocateNothing) {
         keeper.flip(turned);
         keeper.collapse(chord);
       });
-      if (round >= 20) allocations += work.allocations;
+      if (round >= 150) allocations += work.allocations;  // scratch memory has grown to what the searches need
     }
     EXPECT_EQ(allocations, 0U) << "policy " << static_cast<int>(policy);
   }

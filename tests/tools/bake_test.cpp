@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "common/bad_input.hpp"
+#include "lod/component_strips.hpp"
 #include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/made_mesh.hpp"
@@ -109,17 +110,6 @@ TEST(Bake, ReplayNoticesStripsThatAreNotTheMeshs) {
     if (!top.solid(StripMesh::halfedge(0, side))) baked.records.flips.push_back(StripMesh::halfedge(0, side));
   baked.records.first.back() = static_cast<std::uint32_t>(baked.records.flips.size());
   EXPECT_FALSE(replay(played_from(baked), soup.triangles, options).valid());
-}
-
-TEST(Bake, SomeStripsAreNeededWhateverTheColors) {
-  // A triangle and its three neighbours: three ends, so two strips.
-  const std::vector<Corners> star{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}};
-  EXPECT_EQ(strips_at_least(StripMesh::build(star, 6)), 2U);
-  EXPECT_EQ(strips_at_least(StripMesh::build(tetrahedron().triangles, 4)), 1U);
-  EXPECT_EQ(strips_at_least(StripMesh::build(std::vector<Corners>{{0, 1, 2}, {3, 4, 5}}, 6)), 2U);
-  // A sheet has two corners with one neighbour each: the ends of one strip.
-  const Soup square = sheet(5);
-  EXPECT_EQ(strips_at_least(StripMesh::build(square.triangles, square.points.size())), 1U);
 }
 
 TEST(Bake, IsReproducible) {

@@ -14,6 +14,7 @@
 
 #include "run_program.hpp"
 #include "scratch_folder.hpp"
+#include "support/sanitizers.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -88,7 +89,7 @@ Outcome make_page(const std::string& folder) {
 TEST_F(PaperReport, PageAndFiguresAgree) {
   const std::string mesh = file("a<b>&\"c\",d.ply");  // as awkward as a name may be
   const std::string in_csv = "\"a<b>&\"\"c\"\",d.ply\"";
-  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 3000 -o '{}'", mesh)).code, 0);
+  ASSERT_EQ(run_program(fmt::format("make-mesh --triangles {} -o '{}'", test::large(3000), mesh)).code, 0);
   const Outcome paper = run_program(fmt::format("paper --out '{}' --base 0.05 --json - '{}'", file("one"), mesh));
   ASSERT_EQ(paper.code, 0);
   const auto json = nlohmann::json::parse(paper.out);

@@ -44,7 +44,7 @@ TEST_F(Program, WrongUsageIsTwo) {
                                 "replay --levels 1 --built-in",
                                 "replay x.obj --built-in",
                                 "stats /no/such/mesh.obj",
-                                "replay --policy best --built-in",
+                                "replay --policy better --built-in",
                                 "replay --states 9 --built-in",
                                 "replay --states 9 --policy local --built-in",
                                 "replay --tie-break indices --built-in",
@@ -91,8 +91,9 @@ TEST_F(Program, LargerSearchesKeepFewerStrips) {
 
 TEST_F(Program, ReplaysKeepIndicesFewWhereTheyAreTheCost) {
   const auto indices_per_triangle = [](const char* policy, const char* cost) {
-    const Outcome replay = run_program(
-        fmt::format("replay --built-in --triangles 6000 --repeats 0 --policy {} --cost {} --json -", policy, cost));
+    const Outcome replay =
+        run_program(fmt::format("replay --built-in --triangles {} --repeats 0 --policy {} --cost {} --json -",
+                                test::large(6000), policy, cost));
     EXPECT_EQ(replay.code, 0);
     const auto json = nlohmann::json::parse(replay.out);
     EXPECT_EQ(json.at("cost"), cost);
@@ -162,8 +163,8 @@ TEST_F(Program, StripifyTellsWhatIndicesCost) {
 
 TEST_F(Program, PoliciesKeepLongerStrips) {
   const auto strips_under = [&](const char* policy) {
-    const Outcome run = run_program(
-        fmt::format("replay --built-in --triangles 6000 --repeats 0 --cycles 1 --policy {} --json -", policy));
+    const Outcome run = run_program(fmt::format(
+        "replay --built-in --triangles {} --repeats 0 --cycles 1 --policy {} --json -", test::large(6000), policy));
     EXPECT_EQ(run.code, 0) << policy;
     return nlohmann::json::parse(run.out).at("levels").back().at("strips").get<int>();
   };

@@ -218,11 +218,15 @@ struct ForgedDump {
     return verdict_on(corpus_path(forgery.name), with_certificate ? std::optional(forgery.good_text()) : std::nullopt,
                       dump);
   }
+  /// With something else for the beginning of a line. What it tells behind it stays, unless nothing is answered any
+  /// more.
   std::string replaced(const std::string& line, const std::string& replacement) const {
-    std::string text = good;
-    const std::size_t place = text.find('\n' + line + '\n');
-    EXPECT_NE(place, std::string::npos) << line << '\n' << good;
-    return text.replace(place + 1, line.size() + 1, replacement.empty() ? "" : replacement + '\n');
+    const std::size_t place = std::min(good.find('\n' + line + ' '), good.find('\n' + line + '\n')) + 1;
+    EXPECT_NE(place, 0U) << line << '\n' << good;
+    const std::size_t end = good.find('\n', place);
+    std::string told = good.substr(place + line.size(), end + 1 - place - line.size());
+    if (replacement.ends_with('-')) told = "\n";
+    return good.substr(0, place) + (replacement.empty() ? "" : replacement + told) + good.substr(end + 1);
   }
   void expect_refused(const std::string& line, const std::string& replacement, const std::string& sentence) const {
     const Verdict found = verdict(replaced(line, replacement));
@@ -239,19 +243,22 @@ TEST(ForgedDump, WrongAnswers) {
   bisect.expect_refused("0 2 e 2", "0 2 e 0", "port 1 is given up and may not be");
   bisect.expect_refused("0 1 7 1", "0 1 7 5", "port 2 was dashed and becomes solid");
   bisect.expect_refused("0 0 7 0", "0 0 -", "no answer to a valid configuration");
-  bisect.expect_refused("1 3 -", "1 3 e 3", "an answer to a configuration that is not valid: triangle 0 has 3 solid");
-  ForgedDump("merge-face").expect_refused("7 0 -", "7 0 0 0", "not valid: solid inner edges close a cycle");
+  bisect.expect_refused("1 3 -", "1 3 e 3 0", "an answer to a configuration that is not valid: triangle 0 has 3 solid");
+  bisect.expect_refused("0 1 7 1 -1", "0 1 7 1 1", "the table tells +1 strips, there are ");
+  ForgedDump("merge-face").expect_refused("7 0 -", "7 0 0 0 0", "not valid: solid inner edges close a cycle");
   ForgedDump("merge-face-matching").expect_refused("0 1 0 1", "0 1 0 0", "not best: isolated + given_up is 2");
 }
 
 TEST(ForgedDump, Form) {
   const ForgedDump bisect("bisect-costs");
   bisect.expect_refused("table bisect-costs", "table split-face", "line 2: \"table split-face\" is no table");
-  bisect.expect_refused("0 1 7 1", "",
-                        "expected \"0 1 \" and \"-\" or two masks, 4 and 4 bits at most, found \"0 2 e 2\"");
+  bisect.expect_refused(
+      "0 1 7 1", "",
+      "expected \"0 1 \" and \"-\" or two masks, 4 and 4 bits at most, and the change in strips, found \"0 2 e 2 ");
   bisect.expect_refused("0 1 7 1", "0 1 7", "expected \"0 1 \" and \"-\" or two masks, 4 and 4 bits at most");
   bisect.expect_refused("0 1 7 1", "0 1 17 1", "two masks, 4 and 4 bits at most");
   bisect.expect_refused("0 1 7 1", "0 1 7  1", "two masks, 4 and 4 bits at most");
+  bisect.expect_refused("0 1 7 1", "0 1 7 1 -1 0", "and the change in strips, found");
   bisect.expect_refused("0 1 7 1", "0 1 7 1 ", "two masks, 4 and 4 bits at most");
   bisect.expect_refused("0 1 7 1", "0 1 07 1", "two masks, 4 and 4 bits at most");
   bisect.expect_refused("end 32", "end 31", "expected \"end 32\", found \"end 31\"");

@@ -91,7 +91,7 @@ TEST(OperationJudge, AFamilyOfOnesOwn) {
       described.replace(described.find("GIVE"), 4, give_up);
       const Family family = families_of(parse_descriptions("f", described), 8).front();
       std::vector<NaiveTable> tables;
-      std::string dump = "restrip-table-dump 3\n";
+      std::string dump = "restrip-table-dump 4\n";
       std::size_t entries = 0;
       const auto add = [&](const NaiveOperation& operation, const NaiveTable& table) {
         const std::string own = dump_text(operation, table);
@@ -122,7 +122,7 @@ TEST(OperationJudge, AFamilyOfOnesOwn) {
       EXPECT_TRUE(verdict_on(path, certificate_text(name, worse), {}).says("not best: strips is"));
       const std::size_t unlisted = dump.find("table wedge k 3 at 3\n0 0 ") + 25;
       std::string altered = dump;
-      altered.replace(unlisted, dump.find('\n', unlisted) - unlisted, "0 0");
+      altered.replace(unlisted, dump.find('\n', unlisted) - unlisted, "0 0 -1");
       const Verdict bad = verdict_on(path, {}, altered);
       EXPECT_TRUE(bad.says("table wedge k 3 at 3, inner 0, ports 0: ")) << bad.text;
       std::remove(path.c_str());

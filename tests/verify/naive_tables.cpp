@@ -116,8 +116,14 @@ std::string certificate_text(const std::string& family, const std::vector<NaiveT
   return with_end(text, rows);
 }
 
+std::string told_text(const NaiveOperation& operation, NaiveColors before, NaiveColors after, bool with_isolated) {
+  std::string text = std::to_string(operation.change(after, before, Count::strips));
+  if (with_isolated) text += fmt::format(" {}", operation.isolated(true, after) - operation.isolated(false, before));
+  return text;
+}
+
 std::string dump_text(const NaiveOperation& operation, const NaiveTable& table) {
-  std::string text = fmt::format("restrip-table-dump 3\ntable {}\n", operation.operation().name());
+  std::string text = fmt::format("restrip-table-dump 4\ntable {}\n", operation.operation().name());
   std::size_t entries = 0;
   for (const NaiveColors& configuration : operation.configurations()) {
     if (operation.operation().constraint == Constraint::matching && configuration.inner != 0) break;
@@ -125,7 +131,8 @@ std::string dump_text(const NaiveOperation& operation, const NaiveTable& table) 
     std::string answer = "-";
     if (operation.valid(false, configuration)) {
       const NaiveColors after = table.rows.at(operation.key(configuration)).after;
-      answer = fmt::format("{:x} {:x}", after.inner, after.ports);
+      answer = fmt::format("{:x} {:x} {}", after.inner, after.ports,
+                           told_text(operation, configuration, after, operation.operation().on_a_mesh()));
     }
     text += fmt::format("{:x} {:x} {}\n", configuration.inner, configuration.ports, answer);
   }

@@ -75,6 +75,9 @@ std::optional<NaiveTable> naive_table(const std::string& family, const NaiveSect
 /// A certificate that holds these sections.
 std::string certificate_text(const std::string& family, const std::vector<NaiveTable>& tables);
 
+/// What an answer tells of its changes, in strips and perhaps in isolated triangles: "1 -2".
+std::string told_text(const NaiveOperation& operation, NaiveColors before, NaiveColors after, bool with_isolated);
+
 /// What a program prints that answers with the rows of a table of one operation.
 std::string dump_text(const NaiveOperation& operation, const NaiveTable& table);
 

@@ -49,10 +49,18 @@ class NaiveAnswers {
 };
 
 std::string table_text(const Operation& operation, const Answers& answers) {
+  const test::NaiveOperation naive(test::operation_by_hand(operation.family, operation.numbers));
+  const auto colors = [](Mask inner, Mask ports) {
+    return test::NaiveColors{static_cast<int>(inner), static_cast<int>(ports)};
+  };
   std::string text = fmt::format("table {}\n", operation.name());
   for (Mask both = 0; both < answers.size(); ++both) {
-    text += fmt::format("{:x} {:x} ", high_part(both, operation.ports()), low_part(both, operation.ports()));
-    text += answers[both] ? fmt::format("{:x} {:x}\n", answers[both]->inner, answers[both]->ports) : "-\n";
+    const Colors before{high_part(both, operation.ports()), low_part(both, operation.ports())};
+    text += fmt::format("{:x} {:x} ", before.inner, before.ports);
+    text += answers[both] ? fmt::format("{:x} {:x} {}\n", answers[both]->inner, answers[both]->ports,
+                                        test::told_text(naive, colors(before.inner, before.ports),
+                                                        colors(answers[both]->inner, answers[both]->ports), true))
+                          : "-\n";
   }
   return text;
 }
@@ -105,7 +113,7 @@ struct Tables {
   }
 
   std::string dump() const {
-    std::string text = "restrip-table-dump 3\n";
+    std::string text = "restrip-table-dump 4\n";
     std::size_t entries = 0;
     for (std::size_t i = 0; i < expected.tables.size(); ++i) {
       text += table_text(*expected.tables[i].operation, answers[i]);
@@ -132,7 +140,7 @@ std::string difference(const Tables& tables, const std::string& text) {
   if (comparison.agrees()) return {};
   for (const auto* all : {&comparison.tables, &comparison.lists})
     for (const Compared& compared : *all)
-      for (const Failures* found : {&compared.differences, &compared.wrong})
+      for (const Failures* found : {&compared.differences, &compared.wrong, &compared.told})
         if (found->count != 0) return found->first;
   return comparison.fault;
 }
@@ -164,7 +172,7 @@ TEST(TableDump, CountsWhatItComparedAndNothingElse) {
   *split = {split->operation, Against::nothing, nullptr};
   std::string altered = tables.dump();
   const std::size_t first = altered.find("table split k 3 a 1\n0 0 ") + 24;
-  altered.replace(first, altered.find('\n', first) - first, "3f 0");
+  altered.replace(first, altered.find('\n', first) - first, "3f 0 9 -9");
   EXPECT_EQ(difference(tables, altered), "");
   const DumpComparison part = comparison_of(tables, altered);
   EXPECT_EQ(part.of(Against::nothing).families.at("split").entries, 64U);
@@ -194,7 +202,7 @@ TEST(TableDump, WhereNoCertificateIsTheRightAnswersAreAccepted) {
       expected.tables.push_back({&operation, Against::own_patch, nullptr});
       const auto wrong = [&](const Answers& answers) {
         std::string text =
-            fmt::format("restrip-table-dump 3\n{}end {}\n", table_text(operation, answers), answers.size());
+            fmt::format("restrip-table-dump 4\n{}end {}\n", table_text(operation, answers), answers.size());
         std::FILE* stream = fmemopen(text.data(), text.size(), "r");
         const DumpComparison comparison = compare_dump(stream, expected);
         std::fclose(stream);
@@ -229,12 +237,33 @@ TEST(TableDump, WrongAnswersWhereNoCertificateIsAreNamed) {
   const auto said = [&](const std::string& other) {
     return difference(tables, replaced(good, first + answer, first + other));
   };
-  const std::string found = said("3 0");
+  const std::string found = said("3 0 0 -1");
   EXPECT_NE(found.find("table split k 3 a 2, inner 0, ports 0: "), std::string::npos) << found;
   EXPECT_NE(found.find("not best: strips is"), std::string::npos) << found;
-  for (const char* other : {"g 0", "03 0", "fffff 0", "3 8", "3", "3 0 0", "3  0", "-1"})
-    EXPECT_NE(said(other).find("expected \"0 0 \" and \"-\" or two masks, 6 and 3 bits at most"), std::string::npos)
+  for (const char* other : {"g 0 0 -1", "03 0 0 -1", "fffff 0 0 -1", "3 8 0 -1", "3", "3 0", "3 0 0", "3 0 0 -1 0",
+                            "3  0 0 -1", "3 0 +0 -1", "3 0 -0 -1", "3 0 0 -01", "3 0 0 99999999999", "-1"})
+    EXPECT_NE(said(other).find("expected \"0 0 \" and \"-\" or two masks, 6 and 3 bits at most, and the change in "
+                               "strips and in isolated triangles"),
+              std::string::npos)
         << other;
+}
+
+// A split of a fan of three without a solid edge: a ring of five has four solid edges, the fifth closes a cycle.
+TEST(TableDump, WhatIsToldIsJudged) {
+  const Tables tables;
+  const std::string good = tables.dump();
+  const std::size_t table = good.find("table split k 3 a 2\n");
+  const std::size_t line = good.find('\n', table) + 1;
+  const std::string answer = good.substr(line, good.find('\n', line) - line);
+  ASSERT_TRUE(answer.ends_with(" -2 -3")) << answer;
+  const auto said = [&](const std::string& told) {
+    return difference(
+        tables, good.substr(0, line) + answer.substr(0, answer.size() - 6) + told + good.substr(line + answer.size()));
+  };
+  EXPECT_EQ(said(" -2 -3"), "");
+  EXPECT_NE(said(" 2 -3").find("the table tells +2 strips, there are 3 before and 1 after"), std::string::npos);
+  EXPECT_NE(said(" -2 0").find("the table tells +0 isolated triangles, there are 3 before and 0 after"),
+            std::string::npos);
 }
 
 TEST(TableDump, EveryAlteredListIsNoticed) {
@@ -265,7 +294,7 @@ TEST(TableDump, FormIsChecked) {
   EXPECT_NE(difference(tables, good.substr(0, good.size() / 2)), "");
   EXPECT_NE(difference(tables, good + "more\n"), "");
   EXPECT_NE(difference(tables, good + "more"), "");
-  EXPECT_NE(difference(tables, replaced(good, "dump 3", "dump 4")), "");
+  EXPECT_NE(difference(tables, replaced(good, "dump 4", "dump 3")), "");
   EXPECT_NE(difference(tables, replaced(good, "table flip", "table flop")), "");
   EXPECT_NE(difference(tables, replaced(good, "table collapse k 3 a 1", "table split k 3 a 1")), "");
   EXPECT_NE(difference(tables, replaced(good, "end ", "end 1")), "");
@@ -273,7 +302,7 @@ TEST(TableDump, FormIsChecked) {
 
 TEST(TableDump, ALineWithoutEndIsRefused) {
   const Tables tables;
-  EXPECT_NE(difference(tables, "restrip-table-dump 3\n" + std::string(1U << 19U, '1')).find("the limit"),
+  EXPECT_NE(difference(tables, "restrip-table-dump 4\n" + std::string(1U << 19U, '1')).find("the limit"),
             std::string::npos);
   EXPECT_NE(compare_dump_of("cat /dev/zero", tables.expected).fault.find("the limit"), std::string::npos);
 }

@@ -50,6 +50,7 @@ def sealed(text):
 def forge(folder, family, section, old, new):
     path = folder / "certificates" / f"{family}.cert"
     text = path.read_text()
+    before = sealed(text)[1]
     at = text.index(section)
     forged, count = re.subn(old, new, text[at:], count=1)
     assert count == 1, f"{path}: {old!r} is not in {section!r}"
@@ -57,8 +58,16 @@ def forge(folder, family, section, old, new):
     path.write_text(text)
     manifest = folder / "MANIFEST"
     line = f"{hashlib.sha256(text.encode()).hexdigest()} {len(text)} {rows} certificates/{family}.cert"
-    lines = [line if old_line.endswith(f" certificates/{family}.cert") else old_line
-             for old_line in manifest.read_text().splitlines()]
+    # The header has the rows of its certificates.
+    header = f" include/restrip/tables/{'linked' if family.startswith('linked') else family.replace('-', '_')}.hpp"
+    more = rows - before
+    lines = []
+    for old_line in manifest.read_text().splitlines():
+        if old_line.endswith(f" certificates/{family}.cert"):
+            old_line = line
+        elif old_line.endswith(header):
+            old_line = re.sub(r" (\d+) include", lambda found: f" {int(found[1]) + more} include", old_line)
+        lines.append(old_line)
     manifest.write_text("\n".join(lines) + "\n")
 
 

@@ -2,7 +2,8 @@
 // leads, by the key that the page's own script computes, to a row whose answer, moved back by the symmetry, costs what
 // the library's answer costs; and each rule of each certificate, of families and operations, has its row. The patch drawn before
 // has, by the library, the rule of its row, and before collapses there are as many such patches as in the dump. The tables are complete
-// without JavaScript. What is painted by clicks has the answer of the library, or a reason why it has none.
+// without JavaScript. Tables show all of each reason, from telephones to desktops, and are printed with all their pictures.
+// What is painted by clicks has the answer of the library, or a reason why it has none.
 //   node atlas_test.mjs WEB_FOLDER CHROMIUM DUMP_TABLES SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
@@ -65,8 +66,8 @@ const reached = new Set();
       if (position) rows = rowsOf(`split-${position.k}-${position.a}.html`);
       continue;
     }
-    if (!position || words.length !== 4 || words[2] === '-') continue;
-    const [loop, ports, inner] = words.map((word) => BigInt(`0x${word}`));
+    if (!position || words.length !== 6) continue;
+    const [loop, ports, inner] = words.slice(0, 3).map((word) => BigInt(`0x${word}`));
     const { k, a } = position;
     const key = representative(k, a, loop, ports);
     const name = `split-${k}-${a}-${key.ports.toString(16)}-${key.joined.toString(16)}`;
@@ -121,7 +122,7 @@ console.log(`${[...counted.values()].reduce((a, b) => a + b)} rules, ${configura
       if (nodes.includes('D')) position.edges.push(['A', 'D']);
       continue;
     }
-    if (!position || words.length !== 4 || words[2] === '-') continue;
+    if (!position || words.length !== 6) continue;
     const [inner, ports] = words.map((word) => parseInt(word, 16));
     const solid = position.edges.filter((_, n) => inner >> n & 1);
     const reached = (from) => {
@@ -208,6 +209,31 @@ try {
     await page.until('document.querySelectorAll("#rules tbody tr:first-child svg.patch").length === 2');
     assert.equal(await page.run('[...document.querySelectorAll("path")].some((path) => /NaN|undefined/.test(path.getAttribute("d")))'), false, other);
   }
+
+  // Nothing of a table is cut off or has to be scrolled for, and each word of a page is explained there.
+  for (const width of [1280, 390, 360]) {
+    const sized = await browser.page(width, 800);
+    for (const [each, words] of [['split-8-4', ['k', 'a', 'A and D', 'orbit']], ['open-split-5-1-3', ['k', 'gap', 'A and D']], ['boundary-split-4-1', ['k', 'gap', 'A']],
+      ['collapse-6', ['k', 'A and D', 'orbit']], ['flip', ['A and D']], ['refine-face', []]]) {
+      await sized.open(address(`atlas/${each}.html`));
+      const found = await sized.run(() => {
+        const table = document.querySelector('.wide');
+        return { words: [...document.querySelectorAll('.words dt')].map((word) => word.textContent).filter((word) => !['p', 'e, f'].includes(word)),
+          over: Math.max(table.scrollWidth - table.clientWidth, document.documentElement.scrollWidth - innerWidth),
+          right: Math.max(...[...document.querySelectorAll('#rules td:last-child')].map((cell) => cell.getBoundingClientRect().right)) };
+      });
+      assert.ok(found.over <= 0 && found.right <= width, `${each} at ${width}: ${JSON.stringify(found)}`);
+      if (each !== 'flip' && each !== 'refine-face') assert.deepEqual(found.words, words, each);
+    }
+    await sized.open(address('atlas/split-8-4.html'));
+    writeFileSync(join(scratch, `atlas-${width}.png`), (await sized.run('document.getElementById("rules").scrollIntoView()'), await sized.screenshot()));
+    assert.deepEqual(sized.faults, []);
+  }
+  await page.open(address('atlas/split-6-3.html'));
+  const undrawn = () => [...document.querySelectorAll('#rules tbody tr')].filter((row) => row.querySelectorAll('svg.patch').length !== 2).length;
+  assert.ok(await page.run(undrawn) > 50);
+  await page.send('Page.printToPDF');
+  assert.equal(await page.run(undrawn), 0, 'rows are printed without their pictures');
 
   // Painting.
   await page.open(address('atlas/paint.html'));

@@ -1,16 +1,16 @@
 // The package keeps exactly the strips that the native program keeps: for each policy and cost, at the base, at the top
 // and back at the base, after an update of the index buffer for every single operation, `restrip replay` and the package
 // tell the same numbers. The index buffer, copied by its ranges alone, draws the mesh. Operations that the mesh refuses
-// change nothing. A view-dependent walk ends, wherever it went, at the triangles that the levels have. Rules are those
-// that the native tables give. The small module gives rules as good.
-//   node package_test.mjs WEB_FOLDER RESTRIP DUMP_TABLES SCRATCH
+// change nothing, and misuse throws a sentence. A view-dependent walk ends, wherever it went, at the triangles that the
+// levels have. Rules are those that the native tables give. The small module gives rules as good.
+//   node package_test.mjs WEB_FOLDER RESTRIP DUMP_TABLES SCRATCH [TSC]
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
-const [folder, program, dumpProgram, scratch] = process.argv.slice(2);
+const [folder, program, dumpProgram, scratch, tsc] = process.argv.slice(2);
 mkdirSync(scratch, { recursive: true });
 const { load, restartIndex, small } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')));
 const { readMesh } = await import(pathToFileURL(join(folder, 'package/formats.mjs')));
@@ -110,7 +110,7 @@ function sameAsBaked() {
     const shown = sorted(mesh.triangles);
     assert.deepEqual(shown, sorted(straight.triangles));
     assert.deepEqual(sorted(drawn(mesh.indices)), shown);
-    // The strips of a level are the same from both sides: so are its runs, named by their lowest triangle.
+    // The strips of a level are the same from both sides: so are its lines, named by their lowest triangle.
     const lines = mesh.lines;
     if (buffers.has(triangles)) assert.deepEqual(lines, buffers.get(triangles));
     else buffers.set(triangles, lines);
@@ -135,9 +135,24 @@ function sameAsBaked() {
   mesh.moveTo(mesh.levels);
   mesh.update();
   assert.ok(!mesh.figures.baked && mesh.valid);
-  assert.equal(mesh.figures.strips, new Set(Array.from(mesh.runs).filter((_, n) => n % 3 === 2)).size);
+  assert.equal(mesh.figures.strips, new Set(Array.from(mesh.ribbon).filter((_, n) => n % 9 === 8)).size);
   assert.equal(mesh.figures.refused, 0);
   mesh.begin({ policy: 'baked' }).moveTo(mesh.levels);
+  // Strips from scratch draw the same triangles, and leave those that are kept; so does the list, whole or by its slots.
+  const anew = mesh.fromScratch({ cost: 'indices' });
+  assert.deepEqual(sorted(drawn(anew.indices)), sorted(mesh.triangles));
+  assert.equal(new Set(Array.from(anew.ribbon).filter((_, n) => n % 9 === 8)).size, anew.indices.filter((index) => index === restartIndex).length + 1);
+  const written = () => mesh.updateList().reduce((sum, { count }) => sum + count, 0);
+  mesh.updateList({ whole: true });
+  assert.equal(mesh.moveTo(mesh.levels - 1), 1);
+  assert.ok(written() < 100);
+  assert.deepEqual(sorted(mesh.listIndices.slice()), sorted(mesh.triangles));
+  mesh.moveTo(mesh.levels);
+  // Nothing can be split at the finest level; one step below, one record.
+  assert.equal(mesh.ready.length, 0);
+  mesh.moveTo(mesh.levels - 1);
+  assert.deepEqual([...mesh.ready], [mesh.levels - 1]);
+  mesh.moveTo(mesh.levels);
   assert.ok(mesh.figures.baked);
   assert.equal(mesh.figures.strips, native.levels.at(-1).strips);
   // An operation that is none of the records ends it as well, even where it adds the next vertex.
@@ -293,6 +308,18 @@ function simplifies() {
   assert.deepEqual(sorted(mesh.triangles), sorted(soup.triangles));
   assert.ok(mesh.indexBound <= mesh.plainIndices);
   mesh.close();
+  // In steps it comes to the same, and tells how far it is; one may go away in between.
+  const steps = restrip.simplifying(soup, 0.1);
+  const shares = [];
+  let last;
+  while (!(last = steps.next()).done) shares.push(last.value);
+  assert.ok(shares.length > 2 && shares.every((share, n) => share >= (shares[n - 1] ?? 0) && share < 1), shares.join());
+  assert.deepEqual(last.value.splits, restrip.simplified(soup, 0.1).splits);
+  last.value.close();
+  for (const share of restrip.simplifying(soup, 0.1)) {
+    assert.ok(share > 0);
+    break;
+  }
 }
 
 /// The rules are those of the native dump: every fourth line, and all of the flip.
@@ -320,6 +347,7 @@ function sameRules(library = restrip) {
     else if (position.family === 'flip')
       assert.deepEqual([rule.valid, rule.colors, rule.ports], [true, mask(words[2]), mask(words[3])]);
     else assert.deepEqual([rule.valid, rule.colors], [true, mask(words[2])]);
+    if (rule.valid) assert.equal(rule.strips, +words[4], line);
     ++compared;
   });
   assert.ok(compared > 10000, `only ${compared} rules were compared`);
@@ -385,20 +413,62 @@ function readsFormats() {
   points.forEach((c, i) => glb.writeFloatLE(c, 28 + padded.length + 4 * i));
   tetrahedron.forEach((v, i) => glb.writeUInt16LE(v, 28 + padded.length + 48 + 2 * i));
   assert.deepEqual(readMesh('t.glb', glb), { points, triangles: tetrahedron });
-  // Strips: those that the native program writes, in each of its two forms.
-  for (const form of ['restart', 'strips']) {
-    const strips = join(scratch, `${form}.glb`);
-    execFileSync(program, ['stripify', join(folder, 'hare.obj'), '--gltf', form, '-o', strips]);
-    const list = readMesh('hare.obj', readFileSync(join(folder, 'hare.obj')));
-    const there = readMesh('hare.glb', readFileSync(strips));
-    const number = new Map();  // of a place, in both files
-    const renumbered = (mesh) => sorted(mesh.triangles.map((v) => {
-      const place = [0, 1, 2].map((n) => Math.fround(mesh.points[3 * v + n])).join();
-      if (!number.has(place)) number.set(place, number.size);
-      return number.get(place);
-    }));
-    assert.deepEqual(renumbered(there), renumbered(list), form);
+  // The same triangles as in another file, by their places.
+  const sameMesh = (one, other, what) => {
+    const byPlaces = (mesh) => {
+      const triangles = [];
+      for (let i = 0; i < mesh.triangles.length; i += 3) {
+        const places = [0, 1, 2].map((n) => [0, 1, 2].map((c) => Math.fround(mesh.points[3 * mesh.triangles[i + n] + c]) + 0).join(' '));
+        const least = places.indexOf([...places].sort()[0]);
+        triangles.push([0, 1, 2].map((n) => places[(least + n) % 3]).join());
+      }
+      return triangles.sort();
+    };
+    assert.deepEqual(byPlaces(one), byPlaces(other), what);
+  };
+  // Strips: those that the native program writes, in each of its forms.
+  const list = readMesh('hare.obj', readFileSync(join(folder, 'hare.obj')));
+  for (const strips of ['restart.glb', 'strips.glb', 'strips.ply']) {
+    const form = strips === 'restart.glb' ? ['--gltf', 'restart'] : [];
+    execFileSync(program, ['stripify', join(folder, 'hare.obj'), ...form, '-o', join(scratch, strips)]);
+    const bytes = readFileSync(join(scratch, strips));
+    assert.ok(bytes.includes(strips.endsWith('.ply') ? 'tristrips' : '"mode":5'), `${strips} has no strips`);
+    sameMesh(readMesh(strips, bytes), list, strips);
   }
+  // Nodes: a mesh moved, turned, mirrored and used twice, positions quantized, beside what the native program reads.
+  const scene = (nodes, more = {}, count = 4) => {
+    const text = JSON.stringify({ asset: { version: '2.0' }, extensionsUsed: ['KHR_mesh_quantization'], extensionsRequired: ['KHR_mesh_quantization'],
+      scene: 1, scenes: [{ nodes: [0] }, { nodes: [1, 3] }], nodes,
+      meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }, { mode: 5, attributes: { POSITION: 2 } }] }],
+      accessors: [{ bufferView: 0, componentType: 5122, type: 'VEC3', count: 4, min: [-32767, 0, 0], max: [32767, 32767, 32767], ...more },
+        { bufferView: 1, componentType: 5121, type: 'SCALAR', count: 12 }, { bufferView: 2, componentType: 5120, type: 'VEC3', count, min: [-2, 0, 0], max: [5, 5, 7] }],
+      bufferViews: [{ buffer: 0, byteOffset: 0, byteLength: 32, byteStride: 8 }, { buffer: 0, byteOffset: 32, byteLength: 12 }, { buffer: 0, byteOffset: 44, byteLength: 16, byteStride: 4 }],
+      buffers: [{ byteLength: 60 }] });
+    const padded = text.padEnd(Math.ceil(text.length / 4) * 4);
+    const out = Buffer.alloc(28 + padded.length + 60);
+    [0x46546c67, 2, out.length, padded.length].forEach((n, i) => out.writeUInt32LE(n, 4 * i));
+    out.write('JSON', 16);
+    out.write(padded, 20);
+    out.writeUInt32LE(60, 20 + padded.length);
+    out.write('BIN\0', 24 + padded.length, 'latin1');
+    const at = 28 + padded.length;
+    points.forEach((c, i) => out.writeInt16LE(i === 3 ? -32767 : c * 32767, at + 8 * Math.floor(i / 3) + 2 * (i % 3)));
+    tetrahedron.forEach((v, i) => out.writeUInt8(v, at + 32 + i));
+    [[3, 3, 3], [5, 3, 3], [-2, 5, 3], [5, 5, 7]].flat().forEach((c, i) => out.writeInt8(c, at + 44 + 4 * Math.floor(i / 3) + i % 3));
+    return out;
+  };
+  const nodes = [{ mesh: 0, translation: [100, 0, 0] }, { translation: [8, 0, -4], rotation: [0, 1, 0, 0], children: [2, 4] }, { mesh: 0, scale: [2, -0.5, 4] },
+    { mesh: 0, matrix: [0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 32, 16, 8, 1] }, { mesh: 0, translation: [0, 64, 0] }];
+  for (const more of [{ normalized: true }, {}]) {
+    const glb = scene(nodes, more);
+    writeFileSync(join(scratch, 'nodes.glb'), glb);
+    execFileSync(program, ['convert', join(scratch, 'nodes.glb'), '--no-attributes', '-o', join(scratch, 'nodes.obj')]);
+    const native = readMesh('nodes.obj', readFileSync(join(scratch, 'nodes.obj')));
+    assert.equal(native.triangles.length, 3 * 3 * 6);
+    sameMesh(readMesh('nodes.glb', glb), native, `nodes, ${JSON.stringify(more)}`);
+  }
+  assert.throws(() => readMesh('t.glb', scene([nodes[0], { children: [2, 2] }, nodes[2], nodes[3]])), /node 2 is in the scene twice/);
+  assert.throws(() => readMesh('t.glb', scene(nodes).subarray(0, -30)), /damaged or cut off/);
   // A fan of two triangles, and strips restarted, with indices of 8 bits.
   const small = (mode, indices) => {
     const padTo4 = (n) => Math.ceil(n / 4) * 4;
@@ -428,12 +498,12 @@ function asDependency() {
   // As another project sees the package: by its name and its exports, with what is packed alone.
   const project = join(scratch, 'project');
   rmSync(project, { recursive: true, force: true });
-  const installed = join(project, 'node_modules/restrip');
-  mkdirSync(installed, { recursive: true });
   const about = JSON.parse(readFileSync(join(folder, 'package/package.json'), 'utf8'));
+  const installed = join(project, 'node_modules', about.name);
+  mkdirSync(installed, { recursive: true });
   for (const packed of ['package.json', ...about.files]) copyFileSync(join(folder, 'package', packed), join(installed, packed));
-  writeFileSync(join(project, 'main.mjs'), `import { load } from 'restrip';
-    import { readMesh } from 'restrip/formats';
+  writeFileSync(join(project, 'main.mjs'), `import { load } from '${about.name}';
+    import { readMesh } from '${about.name}/formats';
     const content = new TextEncoder().encode('v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n');
     const mesh = (await load()).simplified(readMesh('t.obj', content)).begin();
     mesh.update();
@@ -441,11 +511,108 @@ function asDependency() {
   assert.equal(execFileSync(process.execPath, ['main.mjs'], { cwd: project, encoding: 'utf8' }).trim(), '0,1,2,4294967295');
   for (const { types, default: code } of Object.values(about.exports).filter((path) => typeof path === 'object'))
     for (const path of [types, code]) assert.ok(about.files.includes(path.slice(2)), path);
+  // The types, where a compiler for them is at hand: what is right compiles, what is marked as wrong does not.
+  if (tsc) {
+    copyFileSync(fileURLToPath(new URL('types.mts', import.meta.url)), join(project, 'types.mts'));
+    for (const [module, resolution] of [['nodenext', 'nodenext'], ['esnext', 'bundler']])
+      execFileSync(tsc, ['--strict', '--noEmit', '--target', 'es2022', '--module', module, '--moduleResolution', resolution, 'types.mts'],
+        { cwd: project, stdio: 'inherit' });
+    console.log('types: as claimed');
+  }
   // Bundlers for browsers would look for a module of Node that is named in the text.
   assert.doesNotMatch(readFileSync(join(installed, 'restrip.mjs'), 'utf8'), /(import\(|from )[^\n]*'node:/);
 }
 
-for (const test of [asDependency, readsFormats, singleOperations, sameRules, smallIsAsGood, copiesByRanges, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
-  test();
+/// Each wrong argument and each call out of turn throws a sentence, and leaves the mesh as it was.
+function misuseThrows() {
+  const base = [0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5];
+  const points = [1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 1.1];
+  const splits = [4, 6, 0, 1];
+  const source = { points, base, splits };
+  const sentence = /^[^\n]{15,}$/;
+  const throws = (wrong, why) => assert.throws(wrong, (error) => {
+    assert.ok(!(error instanceof WebAssembly.RuntimeError) && !(error instanceof TypeError), `${wrong}: ${error}`);
+    assert.match(error.message, sentence);
+    assert.match(error.message, why, `${wrong}`);
+    return true;
+  });
+  const changed = (list, at, value) => list.map((n, i) => (i === at ? value : n));
+  for (const value of [7, -1, 1.5, NaN, 2 ** 32]) {
+    throws(() => restrip.progressive({ ...source, base: changed(base, 4, value) }), /triangle 1 names vertex .*; there are 7/);
+    throws(() => restrip.simplified({ points, triangles: changed(base, 23, value) }), /triangle 7 names vertex/);
+    throws(() => restrip.progressive({ ...source, splits: changed(splits, 3, value) }), /record 0 names vertex/);
+  }
+  for (const value of [NaN, Infinity, 1e39, undefined]) {
+    throws(() => restrip.progressive({ ...source, points: changed(points, 4, value) }), /vertex 1 has the coordinate/);
+    throws(() => restrip.simplified({ points: changed(points, 20, value), triangles: base }), /vertex 6 has the coordinate/);
+  }
+  throws(() => restrip.progressive({ ...source, points: points.slice(1) }), /points: 20 numbers/);
+  throws(() => restrip.progressive({ ...source, splits: [1] }), /record: 1 numbers/);
+  throws(() => restrip.simplified({ points }), /triangle: no list/);
+  for (const share of [-1, NaN, 2, 'half']) throws(() => restrip.simplified({ points, triangles: base }, share), /share is/);
+  for (const [wrong, why] of [[{ k: NaN }, /k is NaN/], [{ k: 2 ** 32 + 4 }, /k is 4294967300/], [{ a: -2 }, /a is -2/], [{ edges: -1n }, /edges is -1/], [{ ports: 1n << 64n }, /bits 0 to 63/], [{ family: 'fold' }, /no family fold/]])
+    throws(() => restrip.rule({ family: 'split', k: 4, a: 2, edges: 0, ports: 0, ...wrong }), why);
+
+  const mesh = restrip.progressive(source);
+  const needStrips = {
+    moveTo: () => mesh.moveTo(1), approach: () => mesh.approach([1]), split: () => mesh.split(4, 6, 0, 1), collapse: () => mesh.collapse(4, 5),
+    flip: () => mesh.flip(0, 1), update: () => mesh.update(), updateList: () => mesh.updateList(), fromScratch: () => mesh.fromScratch(), pick: () => mesh.pick([0, 0, 0], [0, 0, 1]),
+    ...Object.fromEntries(['indices', 'triangles', 'figures', 'plainIndices', 'indexBound', 'valid', 'ribbon', 'lines', 'last', 'ready', 'listIndices'].map((name) => [name, () => mesh[name]])) };
+  const others = { begin: () => mesh.begin(), splits: () => mesh.splits, leftOut: () => mesh.leftOut, hasBakedStrips: () => mesh.hasBakedStrips };
+  // No method is forgotten here.
+  const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesh)).filter((name) => !['constructor', 'close', 'levels'].includes(name));
+  assert.deepEqual(own.sort(), Object.keys({ ...needStrips, ...others }).sort());
+  for (const call of Object.values(needStrips)) throws(call, /call begin\(\) first/);
+  throws(() => mesh.begin({ cost: 'bytes' }), /no cost bytes/);
+  throws(() => mesh.begin({ cost: { restart: 1, swap: -1 } }), /weight swap is -1/);
+  throws(() => mesh.begin({ policy: 'none' }), /no policy none/);
+  throws(needStrips.update, /call begin\(\) first/);
+
+  mesh.begin({ policy: 'local' });
+  for (const level of [-1, NaN, 0.5, 2, Infinity, '1', undefined]) throws(() => mesh.moveTo(level), /the level is/);
+  for (const most of [-1, NaN, '5']) throws(() => mesh.moveTo(1, most), /the number of operations is/);
+  throws(() => mesh.approach([1, 1]), /there are 2 marks/);
+  throws(() => mesh.split(4, 7, 0, 1), /vT is 7/);
+  for (const wrong of [-1, NaN, 0.5]) {
+    for (let at = 0; at < 4; ++at) throws(() => mesh.split(...changed([4, 6, 0, 1], at, wrong)), /^v[STLR] is/);
+    throws(() => mesh.collapse(4, wrong), /vT is/);
+    throws(() => mesh.flip(wrong, 4), /u is/);
+  }
+  throws(() => mesh.pick([0, 0, NaN], [0, 0, 1]), /from must be three/);
+  assert.deepEqual([mesh.figures.operations, mesh.figures.triangles, mesh.valid], [0, 8, true]);
+  assert.equal(mesh.moveTo(1, Infinity), 1);
+
+  assert.equal(typeof mesh[Symbol.dispose], 'function');
+  mesh[Symbol.dispose]();
+  mesh.close();  // once more does nothing
+  for (const call of [...Object.values(needStrips), ...Object.values(others)]) throws(call, /this mesh is closed/);
+  // A mesh that was refused has not spoiled the library.
+  const next = restrip.progressive(source).begin();
+  assert.equal(next.moveTo(1), 1);
+  next.close();
+}
+
+/// The module gets 2 GB that it does not touch, so that all it takes from then on has addresses above.
+async function worksAboveTwoGigabytes() {
+  const { instantiate } = WebAssembly;
+  let instance;
+  WebAssembly.instantiate = async (...given) => (instance = await instantiate(...given));
+  const high = await load(small);
+  WebAssembly.instantiate = instantiate;
+  instance.exports.restrip_take(1);  // the first call makes all memory that is there then the heap
+  instance.exports.memory.grow(2 ** 15);
+  const mesh = high.progressive(source).begin({ policy: 'linked' });
+  mesh.moveTo(mesh.levels);
+  mesh.update();
+  const { indices } = mesh;
+  assert.ok(indices.byteOffset > 2 ** 31, `the indices are at ${indices.byteOffset}`);
+  assert.ok(mesh.valid);
+  assert.deepEqual(sorted(drawn(indices.slice())), sorted(mesh.triangles));
+  assert.match(mesh.split(0, 0, 1, 2), /[a-z]/);
+  mesh.close();
+}
+
+for (const test of [asDependency, misuseThrows, worksAboveTwoGigabytes, readsFormats, singleOperations, sameRules, smallIsAsGood, copiesByRanges, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
+  await test();
   console.log(`${test.name}: as claimed`);
 }

@@ -27,6 +27,7 @@ LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const
   }
   const std::vector<Corners> drawn = decode_strips(indices);
   std::vector<Point> used_points;
+  used_points.reserve(used.size());
   for (const std::uint32_t v : used) used_points.push_back(points[v]);
   std::vector<Attribute> used_attributes;
   for (const Attribute& attribute : attributes) used_attributes.push_back(selected(attribute, used));

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/level_file.hpp"
@@ -18,6 +19,7 @@
 #include "meshes/soup_builder.hpp"
 #include "meshes/strip_file.hpp"
 #include "replay/replay_text.hpp"
+#include "replay/traced.hpp"
 #include "replay/walk.hpp"
 #include "replay/ways.hpp"
 #include "restrip/search/stripify.hpp"
@@ -41,12 +43,13 @@ struct ReplayCommand {
   std::filesystem::path out;      ///< where a level is written, with its strips; empty: nowhere
   std::size_t out_triangles = 0;  ///< of that level, at least; 0: the finest one
   GltfPrimitives gltf = GltfPrimitives::strips;
+  std::filesystem::path trace;  ///< where the operations are recorded for restrip-check; empty: nowhere
   MendingOptions mending;
   std::string json;
 };
 
-/// In the way of the plan; baked strips go on by the rules where a mesh goes its own ways.
-WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Plan& plan) {
+/// In the way of the plan; baked strips go on by the rules where a mesh goes its own ways. `trace`: may be null.
+WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Plan& plan, std::optional<Trace>* trace) {
   StripMesh mesh;
   if (source.original.empty()) {
     mesh = StripMesh::build(source.mesh.base, source.mesh.points.size());
@@ -56,7 +59,10 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Pl
   }
   stripify(mesh);
   WalkTaken taken{{command.walk_steps, command.seed}, {}};
-  taken.report = walk(mesh, taken.options, [&](StripMesh& on) { return plan.begin(on); });
+  // A walk that fails is repeated on copies, and its trace is dropped.
+  taken.report = walk(mesh, taken.options, [&](StripMesh& on) {
+    return trace != nullptr && &on == &mesh ? traced(on, plan.begin(on), claim_of(plan), *trace) : plan.begin(on);
+  });
   return taken;
 }
 
@@ -64,7 +70,9 @@ int run(const ReplayCommand& command) {
   std::optional<files::Output> level;
   if (!command.out.empty())
     level.emplace(command.out, files::OutputRules{extensions_of(writes_strips), {command.mesh}});
-  const ReportOutput out(command.json, {command.mesh, command.out});
+  std::optional<files::Output> trace;
+  if (!command.trace.empty()) trace.emplace(command.trace, files::OutputRules{{".trace"}, {command.mesh, command.out}});
+  const ReportOutput out(command.json, {command.mesh, command.out, command.trace});
   const MeshFormat* format = level ? &format_to_write(command.out, writes_strips) : nullptr;
   Source source = command.built_in
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
@@ -80,9 +88,14 @@ int run(const ReplayCommand& command) {
   source.subject.search = plan.search();
   source.subject.cost = plan.cost();
   if (plan.baked() != nullptr) source.subject.baked = costs_of(*plan.baked(), plan.seconds_to_bake());
-  const ReplayReport report = replay(plan, source.original, command.replay);
+  std::string text_of_trace;
+  ReplayOptions options = command.replay;
+  if (trace && command.walk_steps == 0) options.trace = &text_of_trace;
+  const ReplayReport report = replay(plan, source.original, options);
   std::optional<WalkTaken> walk;
-  if (command.walk_steps != 0 && report.operations_without_rule == 0) walk = take_walk(source, command, plan);
+  std::optional<Trace> trace_of_walk;
+  if (command.walk_steps != 0 && report.operations_without_rule == 0)
+    walk = take_walk(source, command, plan, trace ? &trace_of_walk : nullptr);
 
   std::string text = as_text(report, source.subject) + (walk ? as_text(*walk) : "");
   if (level && report.valid()) {
@@ -93,8 +106,17 @@ int run(const ReplayCommand& command) {
                         counted(file.strips, "strip")) +
             as_text(file.required_extensions, command.out.string());
   }
+  if (trace_of_walk) {
+    trace_of_walk->end();
+    text_of_trace = std::move(trace_of_walk->text());
+  }
+  const bool valid = report.valid() && (!walk || walk->report.fault.empty());
+  if (trace && valid) {
+    trace->write(text_of_trace);
+    text += fmt::format("\n  {}: to be checked by restrip-check\n", command.trace.string());
+  }
   out.print(text, as_json(report, source.subject, walk));
-  return report.valid() && (!walk || walk->report.fault.empty()) ? 0 : 1;
+  return valid ? 0 : 1;
 }
 
 }  // namespace
@@ -121,9 +143,15 @@ Subcommand add_replay(CLI::App& app) {
   sub->add_option("--levels", command.replay.levels, "levels of detail to report")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
-  sub->add_option("--repeats", command.replay.repeats, "timed runs, of which the median counts; 0: no timing")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+  sub->add_option_function<std::size_t>(
+         "--repeats",
+         [&command](std::size_t repeats) {
+           command.replay.repeats = repeats;
+           command.replay.enough_operations = 0;
+         },
+         fmt::format("timed runs, of which the median counts; 0: no timing [{}, and more on small meshes]",
+                     ReplayOptions().repeats))
+      ->check(CLI::Range(0, 1000));
   sub->add_option_function<std::string>(
          "--buffer",
          [&command](const std::string& word) {
@@ -144,8 +172,9 @@ Subcommand add_replay(CLI::App& app) {
   add_policy_option(*sub, command.way);
   sub->add_option(
          "--states", command.states,
-         "states per search for quick and full, fixed; more keep fewer strips and take longer (default: the policy's "
-         "own, fewer where strips are long enough); with --cost indices: strip ends looked at after each operation")
+         "states per search for quick, full and best, fixed; more keep fewer strips and take longer (default: the "
+         "policy's own, fewer where strips are long enough); with --cost indices: strip ends looked at after each "
+         "operation")
       ->check(CLI::Range(1, 1'000'000));
   add_cost_option(*sub, command.cost);
   CLI::Option* walk =
@@ -153,6 +182,10 @@ Subcommand add_replay(CLI::App& app) {
                       "then that many random splits, collapses and flips on the full mesh, under the policy")
           ->check(whole_number());
   sub->add_option("--seed", command.seed, "of the walk")->needs(walk)->check(whole_number())->capture_default_str();
+  sub->add_option(
+      "--trace", command.trace,
+      "records the first way up and the way back for restrip-check, or with --walk the walk: each operation, "
+      "the colours that it changed and what it told");
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->callback([=, &command] {

@@ -16,6 +16,7 @@
 #include "files/output.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
+#include "meshes/bound_certificate.hpp"
 #include "meshes/file_strips.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/index_bound.hpp"
@@ -41,13 +42,23 @@ struct StripifyCommand {
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;
+  std::filesystem::path certificate;  ///< of the bound on indices; empty: not written
 };
+
+/// Where the colours come quickly, so does the bound.
+IndexBound bound_for(const StripifyCommand& command, const StripMesh& mesh) {
+  const bool quick = command.certificate.empty() && (command.as_in_file || command.effort == Effort::fast);
+  return strip_index_lower_bound(mesh, quick ? 0 : thorough_bound);
+}
 
 int run(const StripifyCommand& command) {
   std::optional<files::Output> strip_file;
   if (!command.out.empty())
     strip_file.emplace(command.out, files::OutputRules{extensions_of(writes_strips), {command.mesh}});
-  const ReportOutput out(command.json, {command.mesh, command.out});
+  std::optional<files::Output> certificate_file;
+  if (!command.certificate.empty())
+    certificate_file.emplace(command.certificate, files::OutputRules{{}, {command.mesh, command.out}});
+  const ReportOutput out(command.json, {command.mesh, command.out, command.certificate});
   const MeshFormat* format = strip_file ? &format_to_write(command.out, writes_strips) : nullptr;
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
@@ -85,7 +96,13 @@ int run(const StripifyCommand& command) {
     const std::vector<Corners> drawn = decode_strips(indices);
     strip_file->write(format->write_strips({soup.points, indices, drawn, soup.attributes}, command.gltf));
   }
-  const std::size_t bound = strip_index_lower_bound(mesh);
+  const IndexBound bound = bound_for(command, mesh);
+  if (certificate_file) {
+    std::vector<Corners> triangles;
+    triangles.reserve(origin.size());
+    for (const std::uint32_t t : origin) triangles.push_back(soup.triangles[t]);
+    certificate_file->write(bound_certificate(bound, triangles, soup.points.size()));
+  }
   const std::vector<std::string> faults = find_faults(mesh);
   const std::size_t left_out = report.degenerate_triangles + report.out_of_range_triangles;
   const double seconds = clock.nanoseconds() * 1e-9;
@@ -99,7 +116,7 @@ int run(const StripifyCommand& command) {
                               {"components", connected_components(mesh)},
                               {"swaps", swaps},
                               {"indices", indices.size()},
-                              {"lower_bound_indices", bound},
+                              {"lower_bound_indices", bound.indices},
                               {"acmr", cache_misses},
                               {"acmr_32", acmr(indices, 32, triangles)},
                               {"seconds", seconds},
@@ -121,7 +138,7 @@ int run(const StripifyCommand& command) {
       "(FIFO 16), {:.3f} seconds\n",
       command.mesh.string(), counted(triangles, "triangle"), counted(left_out, "degenerate one"),
       counted(strips.size(), "strip"), counted(connected_components(mesh), "connected component"),
-      per_triangle(indices.size()), per_triangle(bound), counted(swaps, "swap"), cache_misses, seconds);
+      per_triangle(indices.size()), per_triangle(bound.indices), counted(swaps, "swap"), cache_misses, seconds);
   if (in_file.cut != 0)
     text += fmt::format("strips of the file cut at {}: consecutive triangles share no edge\n",
                         counted(in_file.cut, "place"));
@@ -152,23 +169,26 @@ Subcommand add_stripify(CLI::App& app) {
                                                  : word == "best" ? restrip::Effort::best
                                                                   : restrip::Effort::fast;
                               },
-                              "fast: one pass; full: a search or annealing; best: ten times longer; file: the strips "
-                              "that the file has")
+                              "fast: one pass; full: a search or annealing; best: ten times longer, with windows "
+                              "solved exactly under --cost indices; file: the strips that the file has")
                            ->check(CLI::IsMember({"fast", "full", "best", "file"}))
                            ->default_str("fast");
   add_cost_option(*sub, command.cost);
   const auto* limit =
       sub->add_option("--limit", command.limit,
                       "of --effort full and best, for each triangle: states of searches with --cost strips (default: "
-                      "40, 1000), moves of annealing with --cost indices (100, 1000)")
+                      "40, 1000), moves of annealing and what windows try with --cost indices (100, 1000)")
           ->check(CLI::Range(1, 1'000'000));
   const auto* seed =
-      sub->add_option("--seed", command.seed, "of annealing")->check(whole_number())->capture_default_str();
+      sub->add_option("--seed", command.seed, "of annealing and windows")->check(whole_number())->capture_default_str();
   sub->add_option_function<std::string>(
          "--order", [&command](const std::string& word) { command.order_for_cache = word == "cache"; },
          "of the strips: that of the triangles, or one that a vertex cache of 16 misses less often; as many indices")
       ->check(CLI::IsMember({"triangles", "cache"}))
       ->default_str("triangles");
+  sub->add_option("--bound-certificate", command.certificate,
+                  "Write the proof that no index buffer of these triangles has fewer indices than told, for "
+                  "restrip-verify-bound");
   add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);

@@ -6,11 +6,13 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "common/bad_input.hpp"
 #include "common/progress.hpp"
 #include "common/stopwatch.hpp"
 #include "lod/coloring_check.hpp"
+#include "lod/component_strips.hpp"
 #include "lod/trail_search.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
@@ -165,20 +167,24 @@ class StripBaker final : public Baker {
     constexpr std::size_t states_per_triangle = 1000;
     stripify(base, Effort::full, states_per_triangle * base.triangle_count());
     locator_.rebuild(base);
+    counts_.emplace(base);
   }
 
   void bake_split(const VertexSplit<Halfedge>& where, Vertex v_t) override {
     const std::size_t before = strips();
     split_patch(where, v_t);
-    if (strips() > components() && !join_around(strips() > before)) join_from_afar();
+    add_strips_since(before);
+    if (counts_->can_spare(patch_.front()) && !join_around(strips() > before)) join_from_afar();
   }
 
   void split_patch(const VertexSplit<Halfedge>& where, Vertex v_t) {
     fan_triangles(mesh(), where.spokes == VertexSplit<Halfedge>::Spokes::right_only ? where.right : where.left, patch_);
     locator_.before_patch(mesh(), patch_);
+    counts_->before_split(mesh(), patch_);
     const Halfedge chord = split_plainly(where, v_t).halfedge;
     edge_triangles(mesh(), chord, patch_);
     locator_.after_patch(mesh(), patch_);
+    counts_->after_split(mesh(), patch_);
     // The inserted triangles first: trails from there are the shortest.
     const auto inserted = [&](Triangle t) {
       return t == StripMesh::triangle(chord) || t == StripMesh::triangle(mesh().opposite(chord));
@@ -190,20 +196,26 @@ class StripBaker final : public Baker {
       locator_.link(mesh(), chord);
   }
 
-  /// Short trails from the strip ends in the patch, until the mesh has no strip too many or none is found. False when
-  /// the split has `cost` a strip that they do not save.
+  /// Of the component that the patch lies in.
+  void add_strips_since(std::size_t before) {
+    counts_->add(patch_.front(), static_cast<std::ptrdiff_t>(strips()) - static_cast<std::ptrdiff_t>(before));
+  }
+
+  /// Short trails from the strip ends in the patch, until their component has no strip too many or none is found. False
+  /// when the split has `cost` a strip that they do not save.
   bool join_around(bool cost) {
     bool saved = !cost;
-    while (strips() > components()) {
+    while (counts_->can_spare(patch_.front())) {
       ends_.clear();
       for (const Triangle t : patch_)
         if (mesh().solid_degree(t) < 2) ends_.push_back(t);
       // What earlier splits left behind is worth a short look only: it has been searched for already.
       constexpr std::size_t short_look = 20'000;
       if (ends_.empty() || !join(saved ? std::min(effort_, short_look) : effort_)) break;
+      counts_->add(patch_.front(), -1);
       saved = true;
     }
-    return saved && (strips() <= components() || ++waited_ < wait_);
+    return saved && (!counts_->can_spare(patch_.front()) || ++waited_ < wait_);
   }
 
   /// Unwatched, because the search tries many more colours than it keeps.
@@ -220,14 +232,18 @@ class StripBaker final : public Baker {
   void join_from_afar() {
     const std::vector<Halfedge> flips_before = flips();
     const std::size_t strips_before = strips();
-    const auto states = static_cast<std::uint32_t>(std::min<std::size_t>(effort_ / 16, 1U << 20));
+    const auto states = static_cast<std::uint32_t>(std::min<std::size_t>(effort_ / 4, 1U << 20));
     for (const Triangle t : patch_)
       if (mesh().solid_degree(t) < 2) tunnel_.join(mesh(), locator_, t, states);
+    add_strips_since(strips_before);
     if (strips() == strips_before && ++waited_ >= wait_) {
-      rounds_.run(mesh(), locator_, tunnel_, effort_ / 8, components());
-      // Where nothing is found, the next try can wait, and the longer the more often that was so.
+      rounds_.run(mesh(), locator_, tunnel_, effort_ / 4, counts_->needed(),
+                  [this](Triangle t) { return counts_->can_spare(t); });
+      if (strips() < strips_before) counts_->recount(mesh());
+      // Where little is found, the next try can wait, and the longer the more often that was so.
+      const bool poor = 64 * (strips_before - strips()) <= strips_before - counts_->needed();
       waited_ = 0;
-      wait_ = strips() < strips_before ? 1 : std::min<std::size_t>(2 * wait_, 1024);
+      wait_ = poor ? std::min<std::size_t>(2 * wait_, 1024) : 1;
     }
     if (strips() < strips_before) return;
     // Searches that found nothing have wandered, and those flips need not be played.
@@ -243,6 +259,7 @@ class StripBaker final : public Baker {
 
   std::size_t effort_;
   StripLocator locator_;
+  std::optional<ComponentStrips> counts_;  // of the mesh; from begin() on
   TrailSearch trails_;
   Tunnel tunnel_;
   TunnelRounds rounds_{256, 4096};
@@ -256,7 +273,7 @@ class StripBaker final : public Baker {
 class IndexBaker final : public Baker {
  public:
   IndexBaker(BakedMesh& baked, const BakeOptions& options) : Baker(baked), search_(options.cost) {
-    constexpr std::size_t effort_of_a_look = 500;
+    constexpr std::size_t effort_of_a_look = 125;
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
     limits_ = {.looks = static_cast<std::uint32_t>(std::min(options.effort / effort_of_a_look, most)),
                .length = EndSearch::max_length,
@@ -286,29 +303,6 @@ class IndexBaker final : public Baker {
 };
 
 }  // namespace
-
-std::size_t strips_at_least(const StripMesh& mesh) {
-  std::vector<bool> met(mesh.triangle_bound(), false);
-  std::vector<Triangle> component;
-  std::size_t strips = 0;
-  for (Triangle start = 0; start < mesh.triangle_bound(); ++start) {
-    if (!mesh.alive(start) || met[start]) continue;
-    component.assign(1, start);
-    met[start] = true;
-    std::size_t ends = 0;
-    for (std::size_t i = 0; i < component.size(); ++i) {
-      unsigned neighbors = 0;
-      for_each_neighbor(mesh, component[i], [&](Triangle t) {
-        ++neighbors;
-        if (!met[t]) component.push_back(t);
-        met[t] = true;
-      });
-      ends += neighbors < 2 ? 1U : 0U;
-    }
-    strips += std::max<std::size_t>(1, (ends + 1) / 2);
-  }
-  return strips;
-}
 
 BakedMesh bake(ProgressiveMesh mesh, const BakeOptions& options, BakeReport* report) {
   BakedMesh baked;

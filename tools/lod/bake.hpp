@@ -14,8 +14,8 @@ namespace restrip::tools {
 
 struct BakeOptions {
   /// Fewest strips: work for a record that would add one, in edges walked by the search for short trails, some 30 ns
-  /// each. Other costs: 500 of it are one look at a strip end (end_search.hpp), of which each record has so many.
-  std::size_t effort = 1'000'000;
+  /// each. Other costs: 125 of it are one look at a strip end (end_search.hpp), of which each record has so many.
+  std::size_t effort = 250'000;
   Cost cost = Cost::strips();  ///< what is to be low at every level
 };
 
@@ -33,21 +33,17 @@ struct BakeReport {
   std::size_t most_strips = 0;    ///< of all levels, every record counted
   std::size_t top_strips = 0;     ///< of the finest level
   std::size_t top_indices = 0;    ///< of a buffer of its strips
-  std::size_t top_at_least = 0;   ///< strips_at_least() there
+  std::size_t top_at_least = 0;   ///< strips_at_least() there (component_strips.hpp)
   std::size_t fewest_levels = 0;  ///< levels with as many strips as components
   std::size_t flips = 0;
   std::size_t states = 0;  ///< searched
   double seconds = 0;
 };
 
-/// No colouring has fewer strips: each connected component takes at least one strip, and a triangle with at most one
-/// neighbour is the end of a strip. Linear time.
-[[nodiscard]] std::size_t strips_at_least(const StripMesh& mesh);
-
-/// Stripifies the base and walks up. After each split it looks for the fewest flips that leave one strip for each
-/// connected component: first around the split, and where that fails, by tunnelling from further away. Under another
-/// cost it lowers the cost around each split by chains of moves at strip ends.
-/// Throws BadInput when a split cannot be done, naming it. Deterministic but for `seconds`.
+/// Stripifies the base and walks up. After each split whose connected component has more strips than it is known to
+/// need it looks for the fewest flips that leave one strip less: first around the split, and where that fails, by
+/// tunnelling from further away. Under another cost it lowers the cost around each split by chains of moves at strip
+/// ends. Throws BadInput when a split cannot be done, naming it. Deterministic but for `seconds`.
 [[nodiscard]] BakedMesh bake(ProgressiveMesh mesh, const BakeOptions& options = {}, BakeReport* report = nullptr);
 
 }  // namespace restrip::tools

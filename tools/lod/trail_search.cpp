@@ -2,16 +2,11 @@
 
 #include <algorithm>
 
-#include "restrip/mesh/walks.hpp"
-
 namespace restrip::tools {
 namespace {
 
-constexpr std::uint8_t far = 255;
-static_assert(2 * TrailSearch::longest + 1 < far);
-
-// Up to here measuring distances costs more than it saves.
-constexpr unsigned short_trail = 7;
+// Trails of so many solid edges are measured at first, then twice as many.
+constexpr unsigned first_radius = 4;
 
 }  // namespace
 
@@ -20,54 +15,95 @@ bool TrailSearch::join(StripMesh& mesh, StripLocator& locator, const std::vector
   mesh_ = &mesh;
   locator_ = &locator;
   const std::size_t bound = mesh.triangle_bound();
-  if (distance_.size() < bound) {
-    distance_.resize(bound + bound / 2, far);
-    on_trail_.resize(4 * distance_.size(), 0);
+  if (ways_.size() < bound) {
+    ways_.resize(bound + bound / 2);
+    on_trail_.resize(4 * ways_.size(), 0);
   }
   trail_.clear();
   last_state_ = states_ + max_states;
   bool joined = false;
-  pruning_ = false;
+  unsigned radius = 0;
   for (unsigned solid = 0; solid <= longest && !joined && states_ < last_state_; ++solid) {
-    if (solid == short_trail + 1) measure_distances(ends);
+    if (solid == 0 || solid > radius) {
+      radius = std::min(longest, std::max(first_radius, 2 * radius));
+      measure(ends, radius);
+    }
     for (const Triangle end : ends) {
-      joined = mesh.solid_degree(end) < 2 && walk_on(end, solid);
+      if (mesh.solid_degree(end) > 1) continue;
+      not_to_ = mesh.solid_degree(end) == 1 ? end : none;
+      joined = solid_edges_from(end) <= solid && walk_on(end, solid);
       if (joined) break;
     }
   }
-  for (const Triangle t : measured_) distance_[t] = far;
-  measured_.clear();
+  forget_ways();
   if (joined) commit();
   return joined;
 }
 
-// Distances to the strip ends within reach of the longest trail from `ends`.
-void TrailSearch::measure_distances(const std::vector<Triangle>& ends) {
-  pruning_ = true;
-  std::vector<Triangle> targets;
-  const auto spread = [&](const std::vector<Triangle>& from) {
-    for (const Triangle t : measured_) distance_[t] = far;
-    measured_.clear();
-    for (const Triangle t : from) {
-      if (distance_[t] == 0) continue;
-      distance_[t] = 0;
-      measured_.push_back(t);
-    }
-    for (std::size_t i = 0; i < measured_.size(); ++i) {
-      const Triangle t = measured_[i];
-      if (distance_[t] == 2 * longest + 1) break;
-      for_each_neighbor(*mesh_, t, [&](Triangle u) {
-        if (distance_[u] != far) return;
-        distance_[u] = static_cast<std::uint8_t>(distance_[t] + 1);
-        measured_.push_back(u);
-      });
-    }
-  };
-  spread(ends);
-  for (const Triangle t : measured_)
-    if (mesh_->solid_degree(t) < 2) targets.push_back(t);
-  spread(targets);
+// ---- how far the ends are
+
+// Calls visit(x) for each triangle beside t across an edge that is solid, or dashed.
+template <class Visit>
+void TrailSearch::for_each_beside(Triangle t, bool solid, Visit&& visit) const {
+  const unsigned sides = solid ? mesh_->solid_sides(t) : 7U & ~mesh_->solid_sides(t);
+  for (unsigned side = 0; side < 3; ++side) {
+    if ((sides >> side & 1U) == 0) continue;
+    const Halfedge there = mesh_->opposite(StripMesh::halfedge(t, side));
+    if (!StripMesh::on_boundary(there) && StripMesh::triangle(there) != t) visit(StripMesh::triangle(there));
+  }
 }
+
+// For each triangle that a trail of at most `radius` solid edges from one of `ends` leaves across a dashed edge: how
+// many more solid edges it takes at least. Alternating walks are measured, which may pass an edge twice, so
+// breadth-first searches do: one from `ends`, which finds the ends that trails can lead to, and one back from there.
+void TrailSearch::measure(const std::vector<Triangle>& ends, unsigned radius) {
+  forget_ways();
+  targets_.clear();
+  const auto reach = [this](Triangle t, unsigned solid) {
+    if (ways_[t].here != far) return;
+    ways_[t].here = static_cast<std::uint8_t>(solid);
+    met_.push_back(t);
+  };
+  for (const Triangle end : ends)
+    if (mesh_->solid_degree(end) < 2) reach(end, 0);
+  for (std::size_t i = 0; i < met_.size() && states_ < last_state_; ++i, ++states_) {
+    const Triangle y = met_[i];
+    for_each_beside(y, false, [&](Triangle x) {
+      if (mesh_->solid_degree(x) < 2) targets_.push_back(x);
+      if (ways_[y].here < radius) for_each_beside(x, true, [&](Triangle z) { reach(z, ways_[y].here + 1U); });
+    });
+  }
+  std::sort(targets_.begin(), targets_.end());
+  targets_.erase(std::unique(targets_.begin(), targets_.end()), targets_.end());
+  back_.clear();
+  const auto lead = [&](Triangle t, unsigned solid, Triangle target) {
+    Way& way = ways_[t];
+    if (way.here + solid > radius || way.second != far || (way.first != far && way.target == target)) return;
+    if (way.first == far) way.target = target;
+    (way.first == far ? way.first : way.second) = static_cast<std::uint8_t>(solid);
+    back_.push_back({t, target, solid});
+  };
+  for (const Triangle target : targets_) for_each_beside(target, false, [&](Triangle y) { lead(y, 0, target); });
+  for (std::size_t i = 0; i < back_.size() && states_ < last_state_; ++i, ++states_) {
+    const Arrival at = back_[i];
+    for_each_beside(at.triangle, true, [&](Triangle x) {
+      for_each_beside(x, false, [&](Triangle y) { lead(y, at.solid + 1, at.target); });
+    });
+  }
+}
+
+void TrailSearch::forget_ways() {
+  for (const Triangle t : met_) ways_[t] = {};
+  met_.clear();
+}
+
+// A trail may come back to the end that it begins at if this is an isolated triangle alone.
+unsigned TrailSearch::solid_edges_from(Triangle t) const {
+  const Way& way = ways_[t];
+  return way.target == not_to_ ? way.second : way.first;
+}
+
+// ---- trails
 
 // All trails that go on from `end` with at most that many solid edges more. True with the trail in trail_.
 bool TrailSearch::walk_on(Triangle end, unsigned solid_left) {
@@ -87,7 +123,7 @@ bool TrailSearch::walk_on(Triangle end, unsigned solid_left) {
       const Halfedge cut = StripMesh::halfedge(x, (StripMesh::side(there) + turn) % 3);
       if (!mesh_->solid(cut) || on_trail_[cut.id] != 0) continue;
       const Triangle y = StripMesh::triangle(mesh_->opposite(cut));
-      if (pruning_ && distance_[y] > 2 * solid_left - 1) continue;
+      if (solid_edges_from(y) >= solid_left) continue;
       toggle(cut);
       if (walk_on(y, solid_left - 1)) return true;
       take_back();

@@ -5,7 +5,9 @@
 // was but for the two ends, so the mesh has one strip less, if only no cycle is solid then. This search walks trails
 // depth first, shortest first, and asks about cycles only where one arrives; in between, cycles may come and go. That
 // is what it has over tunnelling (tunnel.hpp), whose every move keeps paths: it finds shorter trails, with fewer flips,
-// and is the slower the longer they are. (Alternating paths: Berge, "Two theorems in graph theory", 1957.)
+// and is the slower the longer they are. How far the ends are is measured beforehand, along walks that alternate in the
+// same way, so that no trail is followed that must get too long. (Alternating paths: Berge, "Two theorems in graph
+// theory", 1957.)
 #pragma once
 
 #include <cstddef>
@@ -24,7 +26,8 @@ class TrailSearch {
   /// Trails of at most this many solid edges are tried.
   static constexpr unsigned longest = 32;
 
-  /// Joins two strips by the shortest trail from one of `ends` that it can find within `max_states` edges walked. True
+  /// Joins two strips by the shortest trail from one of `ends` that it can find within `max_states` edges walked or
+  /// triangles measured. True
   /// when it did: then colours and locator are changed, and flips() are the edges of the trail. Deterministic.
   bool join(StripMesh& mesh, StripLocator& locator, const std::vector<Triangle>& ends, std::size_t max_states);
 
@@ -33,7 +36,25 @@ class TrailSearch {
   [[nodiscard]] std::size_t states() const noexcept { return states_; }
 
  private:
-  void measure_distances(const std::vector<Triangle>& ends);
+  static constexpr std::uint8_t far = 255;
+  static_assert(longest < far);
+  /// Of a triangle that a trail leaves across a dashed edge, in solid edges.
+  struct Way {
+    std::uint8_t here = far;    // from the nearest beginning
+    std::uint8_t first = far;   // from here to the nearest end
+    std::uint8_t second = far;  // to the nearest other one
+    Triangle target = none;     // that nearest end
+  };
+  struct Arrival {
+    Triangle triangle;
+    Triangle target;
+    unsigned solid;
+  };
+  template <class Visit>
+  void for_each_beside(Triangle t, bool solid, Visit&& visit) const;
+  void measure(const std::vector<Triangle>& ends, unsigned radius);
+  void forget_ways();
+  [[nodiscard]] unsigned solid_edges_from(Triangle t) const;
   bool walk_on(Triangle end, unsigned solid_left);
   [[nodiscard]] bool closes_no_cycle();
   void toggle(Halfedge h);
@@ -44,10 +65,11 @@ class TrailSearch {
   StripLocator* locator_ = nullptr;
   std::vector<std::uint8_t> on_trail_;  // by halfedge
   std::vector<Halfedge> trail_;
-  // How far the nearest strip end is, in steps across edges; `far` where none is near enough for any trail.
-  std::vector<std::uint8_t> distance_;
-  std::vector<Triangle> measured_;
-  bool pruning_ = false;
+  std::vector<Way> ways_;      // by triangle
+  std::vector<Triangle> met_;  // those whose way is known
+  std::vector<Triangle> targets_;
+  std::vector<Arrival> back_;
+  Triangle not_to_ = none;  // the end that the trail begins at, where it must not come back to it
   std::size_t states_ = 0;
   std::size_t last_state_ = 0;
 

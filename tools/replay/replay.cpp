@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "common/progress.hpp"
 #include "common/stopwatch.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
+#include "replay/traced.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strips.hpp"
@@ -33,9 +36,11 @@ class Replay {
   }
 
   ReplayReport run(const std::vector<Corners>& original) {
+    if (options_.trace != nullptr) upkeep_ = traced(mesh_, std::move(upkeep_), claim_of(plan_), trace_);
     watch_the_way_up();
     if (report_.operations_without_rule == 0) {
       watch_the_way_down();
+      if (trace_) take_trace();
       if (plan_.way().local && plan_.cost() == Cost::strips())
         report_.boldness = count_bolder(plan_.mesh(), plan_.base());
       measure_buffer();
@@ -91,6 +96,12 @@ class Replay {
       progress.at(splits_.size() - i);
     }
     std::reverse(report_.levels_down.begin(), report_.levels_down.end());
+  }
+
+  void take_trace() {
+    trace_->end();
+    *options_.trace = std::move(trace_->text());
+    upkeep_ = plan_.begin(mesh_);
   }
 
   // ---- what a renderer would have to upload, kept in step after every operation
@@ -227,9 +238,7 @@ class Replay {
     Medians up_bare;
     Medians down;
     Medians down_bare;
-    // Small meshes are over in a moment: repeat them until there is something to measure.
-    constexpr std::size_t enough_operations = 200'000;
-    const std::size_t repeats = std::max(options_.repeats, enough_operations / splits_.size());
+    const std::size_t repeats = std::max(options_.repeats, options_.enough_operations / splits_.size());
     Progress progress("measuring", repeats);
     for (std::size_t i = 0; i < repeats; ++i) {
       start_from_base();
@@ -312,6 +321,7 @@ class Replay {
   const std::vector<Record>& splits_;
   ReplayOptions options_;
   StripMesh mesh_;
+  std::optional<Trace> trace_;  // written by the upkeep
   std::unique_ptr<Upkeep> upkeep_;
   std::unique_ptr<Upkeep> bare_;  // on the same mesh
   std::size_t strips_now_ = 0;

@@ -16,10 +16,13 @@ namespace restrip::tools {
 
 struct ReplayOptions {
   std::size_t levels = 12;  ///< at which strips are counted, base and finest level among them, at least 2
-  std::size_t repeats = 5;  ///< of each timed run, at least; 0: no timing
+  std::size_t repeats = 5;  ///< of each timed run; 0: no timing
   std::size_t cycles = 0;   ///< down and up again after the first way up
   enum class Buffer { strips, list };
   Buffer buffer = Buffer::strips;  ///< which index buffer is kept in step
+  std::string* trace = nullptr;    ///< receives a trace of the first way up and the way back (output/trace.hpp)
+  /// Small meshes are over in a moment: there are more repeats, until so many operations have been timed.
+  std::size_t enough_operations = 200'000;
 };
 
 /// One way down to the base and up again.

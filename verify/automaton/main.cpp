@@ -23,9 +23,10 @@ int run(const restrip::verify::AutomatonOptions& options) {
     fmt::print("{}", line_of(result));
     std::fflush(stdout);
   });
-  fmt::print("{}: {}, {}, {} of arcs, {} of which {} failed\n", totals.failed == 0 ? "verified" : "NOT verified",
-             quantity(totals.classes, "class", "es"), quantity(totals.rows, "row"), quantity(totals.kinds, "kind"),
-             quantity(totals.claims, "claim"), totals.failed);
+  fmt::print("{}: {}, {}, {} of arcs, {} of which {} failed; read: {}\n",
+             totals.failed == 0 ? "verified" : "NOT verified", quantity(totals.classes, "class", "es"),
+             quantity(totals.rows, "row"), quantity(totals.kinds, "kind"), quantity(totals.claims, "claim"),
+             totals.failed, text_of(totals.read));
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw std::runtime_error("standard output: what was found could not be written");
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
@@ -42,10 +43,16 @@ int main(int argc, char** argv) {
       "Exit code: 0 every claim holds, 1 some claim fails, 2 bad input.\n\n"
       "Example, from the top of the source tree:\n"
       "  build/release/bin/restrip-verify-automaton --tables-dir tables\n"
+      "The compiled automaton as well:\n"
+      "  build/release/bin/restrip-verify-automaton --tables-dir tables \\\n"
+      "    --dump-command \"build/release/bin/restrip-dump-tables --automaton\"\n"
       "An automaton of another cost, alone in its folder:\n"
       "  build/release/bin/restrip-verify-automaton --tables-dir DIR");
   app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
-  app.add_option("--tables-max-k", options.tables_max_k, "The largest fans of the other certificates in the folder")
+  app.add_option("--dump-command", options.dump_command,
+                 "A program that prints the compiled automaton; its numbers and answers are compared");
+  app.add_option("--tables-max-k", options.tables_max_k,
+                 "The largest fans of the other certificates in the folder, and of the dump")
       ->capture_default_str()
       ->check(CLI::Range(3U, restrip::verify::largest_judged_fan));
   app.add_option("--max-k", options.max_k,
@@ -65,7 +72,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
   // What the other options ask for is then not done: that is no way to ignore them.
-  for (const char* name : {"--tables-dir", "--tables-max-k", "--max-k", "--every"})
+  for (const char* name : {"--tables-dir", "--dump-command", "--tables-max-k", "--max-k", "--every"})
     if (facts && !app.get_option(name)->empty()) {
       fmt::print(stderr,
                  "restrip-verify-automaton: --facts reads and searches nothing, so {} has no effect; leave it out\n",

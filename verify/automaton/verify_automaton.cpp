@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "automaton/automaton_dump.hpp"
 #include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
 #include "judge/position_check.hpp"
@@ -49,6 +50,7 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
   ClaimTeller teller(totals, listener);
   const std::string path = certificate_of(options, "automaton");
   const AutomatonCertificate certificate = parse_automaton(path, read_file(path));
+  totals.read.certificates = true;
   const bool turns = certificate.weights.tells_turns();
   totals.classes += certificate.classes.size();
   totals.rows += certificate.rows;
@@ -58,6 +60,15 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
     teller.tell(claim.claim, claim.method, claim.cases, claim.failures);
   // Answers are read through steps and meetings that belong together only if all of that holds.
   if (totals.failed != 0) return totals;
+
+  if (!options.dump_command.empty()) {
+    totals.read.of_headers.emplace_back("compiled automaton");
+    AutomatonDumpCheck dump = check_automaton_dump_of(options.dump_command, certificate, options.tables_max_k);
+    if (!dump.fault.empty()) dump.wrong_numbers.add(dump.fault);
+    teller.tell("every number of the header is the certificate's", "its dump", dump.numbers, dump.wrong_numbers);
+    teller.tell("every answer of the header is the certificate's",
+                fmt::format("k <= {}, digests of its dump", options.tables_max_k), dump.keys, dump.wrong_answers);
+  }
 
   for (const Family& family : all_families(options.tables_max_k)) {
     if (certificate.weights != strips_weights || family.sections.front().operations.front().may_give_up != 0) continue;

@@ -10,7 +10,8 @@ namespace restrip::verify {
 
 struct AutomatonOptions {
   std::string tables_dir = "tables";
-  unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, which are compared
+  std::string dump_command;             ///< prints the compiled automaton; empty: it is not read
+  unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, and of the answers of the dump
   /// The largest fans that are searched; 0: 10, or 6 where swaps have a price, which makes many more keys.
   unsigned max_k = 0;
   /// Only every n-th place of the fans with k > 8 is checked; where swaps have a price, of those with k > 5 and of the
@@ -23,6 +24,7 @@ struct AutomatonTotals {
   std::uint64_t failed = 0;
   std::uint64_t classes = 0;
   std::uint64_t rows = 0;
+  Sources read;
   std::uint64_t kinds = 0;  ///< of arcs, told apart by what is best for each case, ports and class
 };
 

@@ -4,10 +4,13 @@
 #include <openssl/evp.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 #include <set>
 
+#include "model/families_text.hpp"
 #include "model/input.hpp"
+#include "model/quantity.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -24,14 +27,36 @@ std::size_t natural(const LineReader& reader, std::size_t index) {
   return static_cast<std::size_t>(value);
 }
 
-/// What lies among the tables without being made with them: the build's own file, the families, the explanations of the
-/// layout, and operations with tables of their own, which `restrip-verify --operation` judges.
-bool made_otherwise(const std::string& path) {
-  return path == "CMakeLists.txt" || path == "families.json" || path == "include/restrip/tables/format.hpp" ||
-         path == "include/restrip/tables/automaton_format.hpp" ||
-         path == "include/restrip/tables/operation_format.hpp" || path == "include/restrip/tables/operation_dump.hpp" ||
-         path.starts_with("operations/") || path.starts_with("certificates/operations/") ||
-         path.starts_with("include/restrip/tables/operations/");
+/// What lies among the tables and is no part of them.
+bool needs_no_line(const std::string& path) {
+  return path == "MANIFEST" || path.ends_with("CMakeLists.txt") || path.ends_with(".cmake");
+}
+
+/// The number in the last line of a certificate, "end NUMBER …"; 0 when it has no such line.
+std::size_t rows_at_end(const std::string& text) {
+  const std::size_t line = text.rfind("\nend ");
+  std::size_t rows = 0;
+  if (line != std::string::npos) std::from_chars(text.data() + line + 5, text.data() + text.size(), rows);
+  return rows;
+}
+
+/// The certificates of which a header is made. Those of operations lie in a folder of their own on both sides.
+std::vector<std::string> certificates_of(const std::string& path) {
+  constexpr std::string_view headers = "include/restrip/tables/";
+  if (!path.starts_with(headers) || !path.ends_with(".hpp")) return {};
+  std::string name = path.substr(headers.size(), path.size() - headers.size() - 4);
+  std::replace(name.begin(), name.end(), '_', '-');
+  if (name == "linked") return {"certificates/linked-collapse.cert", "certificates/linked-split.cert"};
+  return {"certificates/" + name + ".cert"};
+}
+
+/// How many rows a file has.
+std::size_t rows_of(const std::string& tables_dir, const std::string& path) {
+  if (path.ends_with(".cert")) return rows_at_end(read_file(tables_dir + "/" + path));
+  std::size_t rows = 0;
+  for (const std::string& certificate : certificates_of(path))
+    if (fs::is_regular_file(fs::path(tables_dir) / certificate)) rows += rows_of(tables_dir, certificate);
+  return rows;
 }
 
 bool stays_inside(const fs::path& path) {
@@ -92,13 +117,27 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
     if (const std::string found = sha256_of(bytes); found != line.sha256)
       fault(fmt::format("wrong checksum: {} listed, {} found", line.sha256, found));
   }
+  if (const std::string families = tables_dir + "/families.json";
+      fs::is_regular_file(families) && read_file(families) != families_text)
+    faults.push_back(families + ": other families than those that this program was built with");
   std::set<std::string> unlisted;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(tables_dir)) {
     if (entry.is_directory()) continue;
     const std::string path = fs::relative(entry.path(), tables_dir).generic_string();
-    if (path != "MANIFEST" && !made_otherwise(path) && !listed.contains(path)) unlisted.insert(path);
+    if (!needs_no_line(path) && !listed.contains(path)) unlisted.insert(path);
   }
   for (const std::string& path : unlisted) faults.push_back(fmt::format("{}/{}: unlisted file", tables_dir, path));
+  return faults;
+}
+
+std::vector<std::string> row_faults(const std::string& tables_dir, const std::vector<ManifestLine>& lines) {
+  std::vector<std::string> faults;
+  for (const ManifestLine& line : lines) {
+    if (!fs::is_regular_file(tables_dir + "/" + line.path)) continue;
+    if (const std::size_t found = rows_of(tables_dir, line.path); found != line.rows)
+      faults.push_back(fmt::format("{}/MANIFEST:{}: {}: {} listed, {} found", tables_dir, line.line, line.path,
+                                   quantity(line.rows, "row"), found));
+  }
   return faults;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// tables/MANIFEST: the list of generated files with their SHA-256, sizes and numbers of rules.
+// tables/MANIFEST: the list of the files of the tables with their SHA-256, sizes and numbers of rules.
 
 #include <cstddef>
 #include <string>
@@ -23,7 +23,11 @@ std::vector<ManifestLine> read_manifest(const std::string& tables_dir);
 std::string sha256_of(const std::string& bytes);
 
 /// What is wrong with the files below the folder, one sentence each, empty when they are exactly those listed.
-/// MANIFEST itself and what is written by hand (CMakeLists.txt, *format.hpp) need no line.
+/// MANIFEST itself and files of CMake need no line. Families that are there must be those that this program knows.
 std::vector<std::string> manifest_faults(const std::string& tables_dir, const std::vector<ManifestLine>& lines);
+
+/// The files that are there and listed with another number of rows than they have, one sentence each. A certificate has
+/// as many as its last line says, a header as many as the certificates of which it was made, other files none.
+std::vector<std::string> row_faults(const std::string& tables_dir, const std::vector<ManifestLine>& lines);
 
 }  // namespace restrip::verify

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -58,5 +59,20 @@ class StreamLines {
   std::size_t end_ = 0;
   std::uint64_t number_ = 0;
 };
+
+/// Runs a program and has `read` check what it prints. A program that fails is a fault of what is found.
+template <class Read>
+auto checked_output_of(const std::string& program, const Read& read) {
+  decltype(read(static_cast<std::FILE*>(nullptr))) found{};
+  std::FILE* const stream = popen(program.c_str(), "r");
+  if (stream == nullptr) {
+    found.fault = "cannot run " + program;
+    return found;
+  }
+  found = read(stream);
+  const int status = pclose(stream);
+  if (found.fault.empty() && status != 0) found.fault = program + " failed";
+  return found;
+}
 
 }  // namespace restrip::verify

@@ -1,6 +1,7 @@
 (** * Automata that must be refused
 
-    One number of the header is changed at a time. That a header which serves something wrong is refused is proved; here it is
+    One number of the header is changed at a time, or an array ends before an index that is asked; there [Header.read] finds the
+    0 that stood there. That a header which serves something wrong is refused is proved; here it is
     seen. *)
 Require Import Arith Bool List NArith FMapPositive.
 Import ListNotations.
@@ -15,7 +16,10 @@ Definition wrong_automata : list header :=
       [Header (changed next 5 (other_bit 0)) before closed first second meet meetings width;
        Header next (changed before 4 (other_bit 2)) closed first second meet meetings width;
        Header next before (changed closed 5 (other_bit 0)) first second meet meetings width;
-       Header next before closed first second meet (changed meetings 3 (other_bit 8)) width]
+       Header next before closed first second meet (changed meetings 3 (other_bit 8)) width;
+       Header next before closed first second (PositiveMap.remove (N.succ_pos 0) meet) meetings width]
   end.
+Theorem zero_was_there : read (meet_index automaton) 0 = 0%N.
+Proof. vm_cast_no_check (eq_refl 0%N). Qed.
 Theorem wrong_automata_refused : forallb (fun H => negb (header_ok H)) wrong_automata = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.

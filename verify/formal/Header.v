@@ -12,8 +12,17 @@ Definition array := PositiveMap.t N.
 Definition array_of (l : list N) : array :=
   fst (fold_left (fun '(t, p) n => (PositiveMap.add p n t, Pos.succ p)) l (PositiveMap.empty N, 1%positive)).
 Definition read (t : array) (n : N) : N := match PositiveMap.find (N.succ_pos n) t with Some x => x | None => 0 end.
+(** Beyond its end an array of C++ has no value, and here 0. [Bounds.v] proves that the look-up does not go there: it answers
+    alike whatever lies behind the arrays. *)
+Definition inside_array (t : array) (n : N) : bool := match PositiveMap.find (N.succ_pos n) t with Some _ => true | None => false end.
 Record header := Header { next_class : array; before_case : array; closed_case : array; first_row : array; second_column : array;
   meet_index : array; meetings : array; seconds : N }.
+
+Definition longer (t t' : array) : Prop := forall n x, PositiveMap.find n t = Some x -> PositiveMap.find n t' = Some x.
+Definition same_inside (H H' : header) : Prop :=
+  longer (next_class H) (next_class H') /\ longer (before_case H) (before_case H') /\ longer (closed_case H) (closed_case H') /\
+  longer (first_row H) (first_row H') /\ longer (second_column H) (second_column H') /\ longer (meet_index H) (meet_index H') /\
+  longer (meetings H) (meetings H') /\ seconds H' = seconds H.
 
 Definition number (l : letter) : N := match l with Plain => 0 | Alone => 1 | Joined => 2 | Edge => 3 end.
 Definition solid_link (e : N) : bool := negb (N.land e 3 =? 0).

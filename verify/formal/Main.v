@@ -3,7 +3,8 @@
     Each is stated with the words of [Spec.v] alone, apart from the tables: [Split.full k a] and its like are the
     shipped tables, [Split.by_key k a] and its like the reduced tables of the certificates. The words for other things come
     from other files: lists of linked rules from [Linked.v], the look-up in the automaton from [Header.v], whole meshes
-    from [Sequences.v], [WholeMesh.v] and [LowerBound.v]. For each family:
+    from [Sequences.v], [WholeMesh.v] and [LowerBound.v], index buffers from [FlowBound.v], what answers tell from [Told.v].
+    For each family:
 
     - _rules_: the table answers exactly the valid configurations, and its answer is legal and best;
     - _safe_: every answer keeps every mesh around the patch valid;
@@ -17,9 +18,10 @@
 Require Import Arith Bool List NArith ZArith.
 Import ListNotations.
 Require Import Spec Graph Locality Strips Table Rows Linked Sequences WholeMesh.
-Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped LowerBound.
+Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse Flip Figures Rejects Answers LinkedTables Shipped Met LowerBound FlowBound.
 Require EveryFan EverySplit EveryCollapse EveryOpen EveryBoundary EverySize EveryFigures.
 Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects.
+Require Told ToldNumbers Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
 
 (** ** Graphs *)
 Theorem locality : forall p, sensible p (before p) -> sensible p (after p) -> forall s c x,
@@ -253,9 +255,10 @@ Print Assumptions correct_tables_cost.
 (** ** The shipped automaton
 
     The numbers of automaton.hpp, and the look-up of [Header.v], which says what arc_walk.hpp does with them. For every k and every
-    position: the table of its answers is correct, keeps every mesh valid, and the answer is a function of the key. The
-    last theorem but one compares what the look-up says with what the compiled one says, for every key of every position
-    with k <= 7; the last one sees automata refused in which one bit was changed. *)
+    position: the table of its answers is correct, keeps every mesh valid, and the answer is a function of the key. No read of
+    the look-up leaves its array ([automaton_inside]). [automaton_looked_up] and [automaton_told] compare what the look-up
+    says with what the compiled one says, for every key of every position with k <= 7 and k <= 5; the last theorem sees
+    automata refused in which one bit was changed or an array is too short. *)
 Definition serves (p : patch) (closed : bool) (answer : coloring -> coloring -> coloring) : Prop :=
   exists T, correct p T /\ safe p T /\ reduces_to p closed T (fun s J => Some (answer s J)).
 Theorem automaton_split : forall k a, 3 <= k -> 1 <= a < k ->
@@ -282,13 +285,44 @@ Theorem automaton_boundary_collapse : forall k i, 1 <= k -> i <= k ->
   serves (boundary_collapse k i) false (Header.fan_collapse_answer Automaton.automaton k).
 Proof. exact (Served.boundary_collapse_served _ Automaton.automaton_ok). Qed.
 Print Assumptions automaton_boundary_collapse.
+(** Whatever is behind the arrays of an automaton, in memory that is not theirs, the answers are the same. *)
+Theorem automaton_inside : forall H, Header.same_inside Automaton.automaton H ->
+  (forall k a s J, 1 <= a < k -> Header.split_answer H k a s J = Header.split_answer Automaton.automaton k a s J) /\
+  (forall k s J, 1 <= k -> Header.collapse_answer H k s J = Header.collapse_answer Automaton.automaton k s J) /\
+  (forall k i j s J, i < j <= k -> Header.open_split_answer H k i j s J = Header.open_split_answer Automaton.automaton k i j s J) /\
+  (forall k i s J, Header.boundary_split_answer H k i s J = Header.boundary_split_answer Automaton.automaton k i s J) /\
+  (forall k s J, Header.fan_collapse_answer H k s J = Header.fan_collapse_answer Automaton.automaton k s J).
+Proof. exact (Served.served_inside _ Automaton.automaton_ok). Qed.
+Print Assumptions automaton_inside.
 Theorem automaton_looked_up : map fst AutomatonNumbers.digests = Header.positions 7 /\
   forallb (fun d => N.eqb (Header.digest_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d)) AutomatonNumbers.digests = true.
 Proof. exact Automaton.looked_up. Qed.
 Print Assumptions automaton_looked_up.
+(** What it tells of them: solid inner edges, and isolated triangles. *)
+Theorem automaton_told :
+  map fst (filter (Automaton.small 5) AutomatonNumbers.told_digests) = Header.positions 5 /\
+  forallb (fun d => N.eqb (Automaton.told_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d))
+    (filter (Automaton.small 5) AutomatonNumbers.told_digests) = true.
+Proof. exact Automaton.looked_up_told. Qed.
+Print Assumptions automaton_told.
 Theorem wrong_automata_refused : forallb (fun H => negb (Meetings.header_ok H)) AutomatonRejects.wrong_automata = true.
 Proof. exact AutomatonRejects.wrong_automata_refused. Qed.
 Print Assumptions wrong_automata_refused.
+
+(** ** What answers tell
+
+    What the headers tell of strips and isolated triangles, for fans of up to five triangles and for flips; [Told.v] says
+    what is listed. [sequence_told] below speaks of the changes that are told. *)
+Theorem answers_tell :
+  Forall (fun at_ => Told.tells false (Told.of_two split at_) (Told.two Tables_split.table at_) (Told.two ToldNumbers.split at_)) Told.arcs /\
+  Forall (fun at_ => Told.tells false (Told.of_two collapse at_) (Told.two Tables_collapse.table at_) (Told.two ToldNumbers.collapse at_)) Told.arcs /\
+  Forall (fun at_ => Told.tells false (Told.of_three open_split at_) (Told.three Tables_open_split.table at_) (Told.three ToldNumbers.open_split at_)) Told.gap_pairs /\
+  Forall (fun at_ => Told.tells false (Told.of_three open_collapse at_) (Told.three Tables_open_collapse.table at_) (Told.three ToldNumbers.open_collapse at_)) Told.gap_pairs /\
+  Forall (fun at_ => Told.tells false (Told.of_two boundary_split at_) (Told.two Tables_boundary_split.table at_) (Told.two ToldNumbers.boundary_split at_)) Told.gaps /\
+  Forall (fun at_ => Told.tells false (Told.of_two boundary_collapse at_) (Told.two Tables_boundary_collapse.table at_) (Told.two ToldNumbers.boundary_collapse at_)) Told.gaps /\
+  Told.tells true flip (Tables_flip.table []) (ToldNumbers.flip []).
+Proof. exact Told.answers_tell. Qed.
+Print Assumptions answers_tell.
 
 (** ** Linked rules
 
@@ -317,6 +351,12 @@ Print Assumptions linked_collapse_pairs.
     triangles; flips are left out. A valid mesh stays valid, and what the rules say of the number of strips adds up to the
     truth. Where no operation is of an edge on the boundary, or a collapse into a boundary vertex, a mesh without isolated
     triangles stays one, and then it never has more strips than half its triangles. *)
+(** There are such operations: a split in a mesh of five triangles in two strips makes them one. *)
+Theorem operation_met : Shipped.local (split 3 1) (lookup (Split.full 3 1)) /\
+  valid (edges Met.mesh_before) /\ strips_of Met.mesh_before = 2%Z /\
+  operation (split 3 1) (lookup (Split.full 3 1)) Met.mesh_before (-1) Met.mesh_after /\ strips_of Met.mesh_after = 1%Z.
+Proof. exact Met.operation_met. Qed.
+Print Assumptions operation_met.
 Theorem sequence_valid : forall M told M', sequence Shipped.local M told M' -> valid (edges M) -> valid (edges M').
 Proof. exact Shipped.stays_valid. Qed.
 Print Assumptions sequence_valid.
@@ -410,6 +450,18 @@ Theorem one_strip_would_do : forall n, 0 < n -> exists G,
   exists strip, stripped (LowerBound.all_triangles (after (split 4 2)) n) G [strip].
 Proof. exact LowerBound.one_strip_would_do. Qed.
 Print Assumptions one_strip_would_do.
+
+(** ** Indices
+
+    A buffer draws a mesh when its windows of three different vertices are the triangles. Cuts are sets of vertices with
+    multipliers; proper ones are those whose triangles are no multiple of three. *)
+Theorem no_buffer_has_fewer : forall mesh runs cuts unit,
+  FlowBound.draws mesh runs -> Forall (fun run => 3 <= length run) runs -> runs <> [] ->
+  Forall (FlowBound.proper mesh) cuts ->
+  (forall x y, FlowBound.edge mesh x y = true -> FlowBound.load cuts (x, y) <= 2 * unit) ->
+  unit * length mesh + FlowBound.total FlowBound.multiplier cuts <= unit * FlowBound.buffer_length runs.
+Proof. exact FlowBound.no_buffer_has_fewer. Qed.
+Print Assumptions no_buffer_has_fewer.
 
 (** ** The known counts, for k = 3, 4, ... and a = 1, 2, ...: valid configurations, and those that cost a strip *)
 Theorem valid_splits : map (fun k => map (fun a => Figures.valid_configurations k (Split.full k a)) (seq 1 (k / 2))) (seq 3 6) =

@@ -1,7 +1,7 @@
 (** * Every meeting of two kinds, and every closing of one *)
 Require Import Arith Bool List NArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Arcs Rings Header Kinds Ends.
+Require Import Spec Checker Frontier Fold Arcs Rings Header Kinds Ends Bounds.
 
 Definition colors : list bool := [false; true].
 Lemma in_colors b : In b colors.
@@ -99,7 +99,6 @@ Section Meetings.
       else (about K, [K]) :: gs) Ks [].
   Definition known_books (Ks : list kind) : list frontier :=
     map (fun e => fst (fst e)) (gather (flat_map (fun K => map (fun e => (fst (fst e), (0, 0))) (entries K)) Ks)).
-  Definition rimless (K : kind) : bool := negb (rim (about K)).
   (** Every kind is in the group of its ports. *)
   Definition all_grouped (Ks : list kind) (gs : list (info * list kind)) : bool :=
     forallb (fun K => existsb (fun g => like (fst g) (about K) && existsb (same_kind K) (snd g)) gs) Ks.
@@ -255,5 +254,5 @@ Section Meetings.
   (** Whether the header passes. *)
   Definition header_ok : bool :=
     let R := found H in
-    if closed H R then if closings_ok (listed R) then meetings_ok (listed R) else false else false.
+    if closed H R then if bounds_ok H (listed R) then if closings_ok (listed R) then meetings_ok (listed R) else false else false else false.
 End Meetings.

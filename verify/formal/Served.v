@@ -1,18 +1,19 @@
 (** * What a header that passes serves *)
 Require Import Arith Bool List NArith.
 Import ListNotations.
-Require Import Spec Header Kinds Meetings Walks WalkFamilies WalkOpen.
+Require Import Spec Header Kinds Bounds Meetings Walks WalkFamilies WalkOpen.
 
 (** What the header's check has found is never looked into here. *)
-Local Opaque found closed closings_ok meetings_ok.
-Lemma all_three (a b c : bool) : (if a then if b then c else false else false) = true -> a = true /\ c = true /\ b = true.
-Proof. destruct a, b, c; auto. Qed.
+Local Opaque found closed bounds_ok closings_ok meetings_ok.
+Lemma all_four (a b c d : bool) : (if a then if b then if c then d else false else false else false) = true ->
+  (a = true /\ d = true /\ c = true) /\ b = true.
+Proof. destruct a, b, c, d; auto. Qed.
 
 Section Served.
   Variable H : header.
   Hypothesis ok : header_ok H = true.
   Lemma parts_ok : closed H (found H) = true /\ meetings_ok H (listed (found H)) = true /\ closings_ok H (listed (found H)) = true.
-  Proof. exact (all_three _ _ _ ok). Qed.
+  Proof. exact (proj1 (all_four _ _ _ _ ok)). Qed.
 
   Theorem split_served k a : 3 <= k -> 1 <= a < k -> serves_keys (split k a) true (split_answer H k a).
   Proof.
@@ -38,4 +39,13 @@ Section Served.
   Proof.
     intros Hk Hi. destruct parts_ok as (F & M & S). apply (served _ _ _ of_open); [exact (boundary_collapse_walked H (found H) F S k i Hk Hi)|]. intros s J lab Ls. apply open_clean. exact Ls.
   Qed.
+
+  (** Whatever lies behind the arrays, the answers are the same. *)
+  Theorem served_inside H' : same_inside H H' ->
+    (forall k a s J, 1 <= a < k -> split_answer H' k a s J = split_answer H k a s J) /\
+    (forall k s J, 1 <= k -> collapse_answer H' k s J = collapse_answer H k s J) /\
+    (forall k i j s J, i < j <= k -> open_split_answer H' k i j s J = open_split_answer H k i j s J) /\
+    (forall k i s J, boundary_split_answer H' k i s J = boundary_split_answer H k i s J) /\
+    (forall k s J, fan_collapse_answer H' k s J = fan_collapse_answer H k s J).
+  Proof. exact (answers_inside H (found H) (proj1 parts_ok) (proj2 (all_four _ _ _ _ ok)) H'). Qed.
 End Served.

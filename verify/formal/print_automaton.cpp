@@ -2,9 +2,10 @@
 //
 //   print_automaton DIRECTORY < dump
 //
-// The dump is text: `restrip-automaton-dump 1`; for each array `array NAME SIZE` and its numbers, hexadecimal, one a
-// line; for each position `answers FAMILY POSITION keys N digest D`; at last `end N`, N the number of lines that are
-// numbers or answers. The answers become a list of families, positions and digests; Header.v says what is digested.
+// The dump is text: `restrip-automaton-dump 2`; for each array `array NAME SIZE` and its numbers, hexadecimal, one a
+// line; for each position `answers FAMILY POSITION keys N digest D told T`; at last `end N`, N the number of lines that
+// are numbers or answers. The answers become lists of families, positions and digests; Header.v and Told.v say what is
+// digested.
 // Anything unexpected ends the program with a message and exit code 1.
 #include <cstddef>
 #include <cstdlib>
@@ -46,31 +47,40 @@ void print_array(std::istream& in, std::ostream& out, std::istringstream& words,
   out << "]%N.\n";
 }
 
-std::string read_answers(std::istringstream& words) {
+// Families and positions with the digests of answers, and of what they tell.
+struct Digests {
+  std::vector<std::string> answers;
+  std::vector<std::string> told;
+};
+
+void read_answers(std::istringstream& words, Digests& digests) {
   static const std::map<std::string, std::string> families = {{"split", "Splits"},
                                                               {"collapse", "Collapses"},
                                                               {"open-split", "OpenSplits"},
                                                               {"boundary-split", "BoundarySplits"},
                                                               {"fan-collapse", "FanCollapses"}};
-  std::string family, word, position, keys, digest, rest;
+  std::string family, word, position, keys, digest, behind, told, rest;
   words >> family;
   while (words >> word && word != "keys") {
     if (word.find_first_not_of("0123456789") != std::string::npos) fail("bad position: " + words.str());
     position += (position.empty() ? "" : "; ") + word;
   }
   if (families.count(family) == 0 || !(words >> keys >> word >> digest) || word != "digest" ||
-      !is_hexadecimal(digest) || words >> rest)
+      !is_hexadecimal(digest) || !(words >> behind >> told) || behind != "told" || !is_hexadecimal(told) ||
+      words >> rest)
     fail("bad answers: " + words.str());
-  return "(" + families.at(family) + ", [" + position + "], 0x" + digest + "%N)";
+  const std::string place = "(" + families.at(family) + ", [" + position + "], 0x";
+  digests.answers.push_back(place + digest + "%N)");
+  digests.told.push_back(place + told + "%N)");
 }
 
 void print_all(std::istream& in, const std::string& directory) {
-  if (next_line(in) != "restrip-automaton-dump 1") fail("not a dump of the automaton");
+  if (next_line(in) != "restrip-automaton-dump 2") fail("not a dump of the automaton");
   const std::string path = directory + "/AutomatonNumbers.v";
   std::ofstream out(path);
   out << "(* Printed by print_automaton from the dump of the shipped header. *)\n"
          "Require Import NArith List.\nImport ListNotations.\nRequire Import Header.\n";
-  std::vector<std::string> answers;
+  Digests digests;
   std::size_t lines = 0;
   for (std::string line = next_line(in);; line = next_line(in)) {
     std::istringstream words(line);
@@ -79,7 +89,7 @@ void print_all(std::istream& in, const std::string& directory) {
     if (kind == "array") {
       print_array(in, out, words, lines);
     } else if (kind == "answers") {
-      answers.push_back(read_answers(words));
+      read_answers(words, digests);
       ++lines;
     } else if (line == "end " + std::to_string(lines)) {
       break;
@@ -89,8 +99,12 @@ void print_all(std::istream& in, const std::string& directory) {
   }
   std::string rest;
   if (std::getline(in, rest)) fail("something follows the end: " + rest);
-  out << "Definition digests : list (walked_family * list nat * N) := [\n";
-  for (std::size_t i = 0; i < answers.size(); ++i) out << answers[i] << (i + 1 < answers.size() ? ";\n" : "].\n");
+  const auto print = [&](const char* name, const std::vector<std::string>& all) {
+    out << "Definition " << name << " : list (walked_family * list nat * N) := [\n";
+    for (std::size_t i = 0; i < all.size(); ++i) out << all[i] << (i + 1 < all.size() ? ";\n" : "].\n");
+  };
+  print("digests", digests.answers);
+  print("told_digests", digests.told);
   out.close();
   if (!out) fail("cannot write " + path);
 }

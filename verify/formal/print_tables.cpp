@@ -2,17 +2,18 @@
 //
 //   print_tables DIRECTORY < dump
 //
-// The dump is text (docs/certificate.md, "Table dump"): `restrip-table-dump 3`, then for each table its header and one
-// line `before ports after kept` for each configuration, ascending by (before, ports), hexadecimal, `before ports -`
-// for no answer; at last `end N`, N the number of configuration lines. Only the flip keeps other ports than there were;
-// the mask of its answer is after | kept << 1. A table of linked rules has a line `ports (recolouring partners)+` for
-// each port mask.
+// The dump is text (docs/certificate.md, "Table dump"): `restrip-table-dump 4`, then for each table its header and one
+// line `before ports after kept strips isolated` for each configuration, ascending by (before, ports), masks
+// hexadecimal, changes decimal, `before ports -` for no answer; at last `end N`, N the number of configuration lines.
+// Only the flip keeps other ports than there were; the mask of its answer is after | kept << 1. A table of linked rules
+// has a line `ports (recolouring partners)+` for each port mask.
 //
 // A table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read, and
-// Linked.v how the lists of linked rules are. At the end of a file stands the function from positions, lists of numbers
-// such as [8; 3], to the family's tables. Printed to the standard output: each family, how many positions it has, and
-// how many answers (of linked rules: lists).
-// Anything unexpected ends the program with a message and exit code 1.
+// Linked.v how the lists of linked rules are. What the answers of fans of up to told_max_k triangles and of the flip
+// tell becomes ToldNumbers.v, which Told.v reads. At the end of a file stands the function from positions, lists of
+// numbers such as [8; 3], to the family's tables. Printed to the standard output: each family, how many positions it
+// has, and how many answers (of linked rules: lists). Anything unexpected ends the program with a message and exit
+// code 1.
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -105,6 +106,16 @@ class Masks {
     at_ += static_cast<std::size_t>(stop - begin);
     return mask;
   }
+  // A decimal number, perhaps negative.
+  int change() {
+    begin_word();
+    const char* const begin = line_.data() + at_;
+    int number = 0;
+    const auto [stop, error] = std::from_chars(begin, line_.data() + line_.size(), number);
+    if (error != std::errc{} || number < -128 || number > 127) fail("bad line: " + line_);
+    at_ += static_cast<std::size_t>(stop - begin);
+    return number;
+  }
   // Is all that remains a -?
   bool none() const { return line_.compare(at_, std::string::npos, " -") == 0; }
   bool done() const { return at_ == line_.size(); }
@@ -144,10 +155,16 @@ class Table {
       answer |= kept << 1;
     else if (kept != ports)
       fail(header_.family + ": a port changes: " + line);
+    const int strips = masks.change();
+    const int isolated = masks.change();
     masks.end();
+    told_ += hexadecimal(static_cast<std::size_t>(256 * (strips + 128) + isolated + 128), 4);
     if (answer >> header_.after != 0) fail(header_.family + ": answer too wide: " + line);
     answers_[number] = static_cast<long>(answer);
   }
+
+  // What the answers tell, four digits each, in the order of their lines: 256 (strips + 128) + isolated + 128.
+  const std::string& told() const { return told_; }
 
   // The nodes, eight digits each.
   std::string digits() {
@@ -181,9 +198,50 @@ class Table {
   }
 
   Header header_;
+  std::string told_;
   std::vector<long> answers_;  // index before << number of ports | ports
   std::vector<Node> nodes_;    // node n is nodes_[n - 1]; node 0 has no answer
   std::map<Node, long> numbers_;
+};
+
+// Prints digits as texts of that name, cut into pieces; their names, for a list.
+std::string print_texts(std::ostream& out, const std::string& name, const std::string& digits) {
+  constexpr std::size_t piece = 2000;
+  std::string texts;
+  for (std::size_t at = 0; at < digits.size(); at += piece) {
+    const std::string text = name + "_" + std::to_string(at / piece);
+    out << "Definition " << text << " : Number.uint := 0x1" << digits.substr(at, piece) << ".\n";
+    texts += (at == 0 ? "" : "; ") + text;
+  }
+  return texts;
+}
+
+// What answers tell, by family: a function from positions to lists of texts.
+class ToldFile {
+ public:
+  explicit ToldFile(const std::string& directory) : path_(directory + "/ToldNumbers.v"), out_(path_) {
+    out_ << "(* Printed by print_tables from a table dump. *)\n"
+            "Require Import List Number.\nImport ListNotations.\nLocal Open Scope hex_uint_scope.\n";
+  }
+  void add(const Header& header, const std::string& digits) {
+    if (header.ports > told_max_k) return;
+    const std::string texts = print_texts(
+        out_, "text_" + header.family + (header.position.empty() ? "" : "_") + header.joined_by("_"), digits);
+    cases_[header.family] += "  | [" + header.joined_by("; ") + "]%nat => [" + texts + "]\n";
+  }
+  void close() {
+    for (const auto& [family, cases] : cases_)
+      out_ << "Definition " << family << " (position : list nat) : list Number.uint :=\n  match position with\n"
+           << cases << "  | _ => []\n  end.\n";
+    out_.close();
+    if (!out_) fail("cannot write " + path_);
+  }
+
+ private:
+  static constexpr unsigned told_max_k = 5;
+  std::string path_;
+  std::ofstream out_;
+  std::map<std::string, std::string> cases_;
 };
 
 // The file of one family. A table is a text of hexadecimal digits, cut into pieces, and what is made of it.
@@ -203,14 +261,8 @@ class File {
   }
   // `digits` becomes the list of texts that `reader` is given.
   void add(const Header& header, const std::string& digits, const std::string& reader) {
-    constexpr std::size_t piece = 2000;
     const std::string name = header.joined_by("_");
-    std::string texts;
-    for (std::size_t at = 0; at < digits.size(); at += piece) {
-      const std::string text = "text_" + name + "_" + std::to_string(at / piece);
-      out_ << "Definition " << text << " : Number.uint := 0x1" << digits.substr(at, piece) << ".\n";
-      texts += (at == 0 ? "" : "; ") + text;
-    }
+    const std::string texts = print_texts(out_, "text_" + name, digits);
     out_ << "Definition table_" << name << " : " << type_ << " := " << reader << " [" << texts << "].\n";
     cases_ += "  | [" + header.joined_by("; ") + "]%nat => table_" + name + "\n";
     ++positions_;
@@ -258,9 +310,10 @@ std::string read_lists(std::istream& in, const Header& header) {
 
 void print_all(std::istream& in, const std::string& directory) {
   std::string line;
-  if (!std::getline(in, line) || line != "restrip-table-dump 3") fail("not a table dump");
+  if (!std::getline(in, line) || line != "restrip-table-dump 4") fail("not a table dump");
   std::size_t lines = 0;
   std::map<std::string, File> files;
+  ToldFile told(directory);
   std::vector<std::string> families;  // in the order of the dump
   while (std::getline(in, line) && line.rfind("table ", 0) == 0) {
     const Header header = read_header(line);
@@ -278,9 +331,11 @@ void print_all(std::istream& in, const std::string& directory) {
       table.read_line(i, line);
     }
     file.add(header, table.digits(), "table_of " + std::to_string(header.after) + "%nat");
+    told.add(header, table.told());
   }
   if (line != "end " + std::to_string(lines)) fail("the dump does not end with `end " + std::to_string(lines) + "`");
   for (auto& [family, file] : files) file.close();
+  told.close();
   for (const std::string& family : families) std::cout << family << ' ' << files.at(family).counts() << '\n';
 }
 

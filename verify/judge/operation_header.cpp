@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
+#include <optional>
 #include <vector>
 
 #include "model/input.hpp"
@@ -13,9 +15,52 @@
 namespace restrip::verify {
 namespace {
 
-/// Sides of triangles as `restrip/tables/operation_format.hpp` numbers them, beside inner edges.
-constexpr std::uint64_t first_port_side = 64;
-constexpr std::uint64_t boundary_side = 255;
+/// All ones.
+constexpr std::uint64_t largest_of(unsigned width) { return wide_mask_count(width) - 1; }
+
+/// How many configurations the table of an operation answers.
+std::uint64_t entries_of(const Operation& operation) {
+  return wide_mask_count(operation.ports() +
+                         (operation.constraint == Constraint::matching ? 0 : operation.before.inner_edges()));
+}
+
+/// A triangle of a header: over which side of an earlier one it is met, and itself.
+struct MetTriangle {
+  unsigned from = 0;
+  unsigned from_side = 0;
+  PlacedTriangle placed;
+};
+
+/// The triangle with another corner first.
+PlacedTriangle turned(const PlacedTriangle& triangle, unsigned by) {
+  PlacedTriangle result;
+  for (unsigned s = 0; s < 3; ++s) {
+    result.vertex[s] = triangle.vertex[(s + by) % 3];
+    result.side[s] = triangle.side[(s + by) % 3];
+  }
+  return result;
+}
+
+/// The triangles of a side as one meets them from the first side of the first: over the sides of each in turn.
+std::vector<MetTriangle> met_triangles(const std::vector<PlacedTriangle>& placed) {
+  std::vector<MetTriangle> met{{0, 0, placed.front()}};
+  const auto is_known = [&](const PlacedTriangle& one) {
+    return std::any_of(met.begin(), met.end(), [&](const MetTriangle& other) {
+      for (unsigned by = 0; by < 3; ++by)
+        if (turned(one, by) == other.placed) return true;
+      return false;
+    });
+  };
+  for (unsigned i = 0; i < met.size(); ++i)
+    for (unsigned s = 0; s < 3; ++s) {
+      const unsigned edge = met[i].placed.side[s];
+      if (edge >= first_port_side) continue;
+      for (const PlacedTriangle& other : placed)
+        for (unsigned by = 0; by < 3; ++by)
+          if (other.side[by] == edge && !is_known(other)) met.push_back({i, s, turned(other, by)});
+    }
+  return met;
+}
 
 class HeaderReader {
  public:
@@ -47,13 +92,20 @@ class HeaderReader {
       bits = std::max(bits, operation.after.inner_edges() + operation.ports());
     return bits < 8 ? 8 : (bits < 16 ? 16 : 32);
   }
-  [[nodiscard]] std::uint64_t entries_of(const Operation& operation) const {
-    return std::uint64_t{1} << (operation.ports() + (is_matching() ? 0 : operation.before.inner_edges()));
-  }
   [[nodiscard]] std::uint64_t entries() const {
     std::uint64_t all = 0;
     for (const Operation& operation : operations_) all += entries_of(operation);
     return all;
+  }
+  /// Of all positions.
+  [[nodiscard]] std::string triangle_counts() const {
+    unsigned before = 0;
+    unsigned after = 0;
+    for (const Operation& operation : operations_) {
+      before += operation.before.triangles;
+      after += operation.after.triangles;
+    }
+    return fmt::format(", {}, {}", before, after);
   }
   [[nodiscard]] std::string variable() const {
     std::string name = description_.name;
@@ -81,8 +133,7 @@ class HeaderReader {
     const bool surface = first().on_a_mesh();
     return {
         fmt::format("inline constexpr {}<std::uint{}_t, {}{}> {}{{", surface ? "SurfaceOperation" : "OperationTable",
-                    width(), entries(),
-                    surface ? fmt::format(", {}, {}", before.triangles, after.triangles) : std::string(), variable()),
+                    width(), entries(), surface ? triangle_counts() : std::string(), variable()),
         fmt::format("    {}{{{}, {}}},", surface ? "{" : "", before.triangles, before.inner_edges()),
         fmt::format("    {{{}, {}}},", after.triangles, after.inner_edges()),
         fmt::format("    {},", first().ports()),
@@ -92,10 +143,11 @@ class HeaderReader {
 
   /// The same of a family.
   [[nodiscard]] std::vector<std::string> lines_of_family() const {
-    std::vector<std::string> lines{fmt::format("inline constexpr OperationFamily<std::uint{}_t, {}, {}> {}{{", width(),
-                                               entries(), operations_.size(), variable()),
-                                   fmt::format("    {},", is_matching()), fmt::format("    \"{}\",", position()),
-                                   "    {{"};
+    const bool surface = first().on_a_mesh();
+    std::vector<std::string> lines{
+        fmt::format("inline constexpr {}<std::uint{}_t, {}, {}{}> {}{{", surface ? "SurfaceFamily" : "OperationFamily",
+                    width(), entries(), operations_.size(), surface ? triangle_counts() : std::string(), variable()),
+        fmt::format("    {}{},", surface ? "{" : "", is_matching()), fmt::format("    \"{}\",", position()), "    {{"};
     std::uint64_t begin = 0;
     for (const Operation& operation : operations_) {
       Numbers numbers = operation.numbers;
@@ -173,33 +225,51 @@ class HeaderReader {
   }
 
   bool take_entries() {
-    const std::uint64_t largest = (std::uint64_t{1} << width()) - 1;
-    return take_elements(entries(), fmt::format("numbers up to {}", largest), [&](std::string_view& line) {
-      return take_number(line, [&](std::uint64_t number) { return number <= largest; });
+    check_.width = width();
+    const std::uint64_t none = largest_of(width());
+    auto operation = operations_.begin();
+    std::uint64_t left = entries_of(*operation);
+    return take_elements(entries(), fmt::format("rules of the operation, or {}", none), [&](std::string_view& line) {
+      for (; left == 0; left = entries_of(*operation)) ++operation;
+      --left;
+      return take_number(line, [&](std::uint64_t number) {
+        check_.entries.push_back(static_cast<std::uint32_t>(number));
+        return number == none || number < wide_mask_count(operation->after.inner_edges() + operation->ports());
+      });
     });
   }
 
   bool take_surface() {
-    return expect("    }},") && expect(fmt::format("    {},", first().vertices)) && take_triangles(first().before) &&
-           take_triangles(first().after) && expect("};");
+    return expect("    }},") && (is_family() ? expect_all(triangles_of_positions()) : expect(vertices_of(first()))) &&
+           take_triangles(&Operation::placed_before) && take_triangles(&Operation::placed_after) && expect("};");
   }
 
-  bool take_triangles(const Side& side) {
-    const auto below = [](std::uint64_t count) { return [=](std::uint64_t number) { return number < count; }; };
-    const auto is_side = [&](std::uint64_t number) {
-      return number < side.inner_edges() || number == boundary_side ||
-             (number >= first_port_side && number < first_port_side + side.ports());
-    };
-    const auto take_three = [](std::string_view& line, const auto& fits) {
-      return take(line, "{") && take_number(line, fits) && take(line, ", ") && take_number(line, fits) &&
-             take(line, ", ") && take_number(line, fits) && take(line, "}");
-    };
-    const auto take_triangle = [&](std::string_view& line) {
-      return take(line, "{") && take_number(line, below(side.triangles)) && take(line, ", ") &&
-             take_number(line, below(3)) && take(line, ", ") && take_three(line, below(first().vertices)) &&
-             take(line, ", ") && take_three(line, is_side) && take(line, "}");
-    };
-    return expect("    {{") && take_elements(side.triangles, "triangles", take_triangle) && expect("    }},");
+  static std::string vertices_of(const Operation& operation) { return fmt::format("    {},", operation.vertices); }
+  /// For each position how many vertices there are, and where its triangles begin.
+  [[nodiscard]] std::vector<std::string> triangles_of_positions() const {
+    std::vector<std::string> lines{"    {{"};
+    unsigned before = 0;
+    unsigned after = 0;
+    for (const Operation& operation : operations_) {
+      lines.push_back(fmt::format("    {{{}, {}, {}}},", operation.vertices, before, after));
+      before += operation.before.triangles;
+      after += operation.after.triangles;
+    }
+    lines.emplace_back("    }},");
+    return lines;
+  }
+
+  bool take_triangles(std::vector<PlacedTriangle> Operation::*of) {
+    std::vector<std::string> texts;
+    for (const Operation& operation : operations_)
+      for (const MetTriangle& met : met_triangles(operation.*of))
+        texts.push_back(fmt::format("{{{}, {}, {{{}}}, {{{}}}}}", met.from, met.from_side,
+                                    fmt::join(met.placed.vertex, ", "), fmt::join(met.placed.side, ", ")));
+    std::size_t taken = 0;
+    const auto take_one = [&](std::string_view& line) { return take(line, texts[taken++]); };
+    return expect("    {{") &&
+           take_elements(texts.size(), fmt::format("the triangles {}", fmt::join(texts, ", ")), take_one) &&
+           expect("    }},");
   }
 
   void fail(const std::string& expected, std::string_view found) {
@@ -221,6 +291,25 @@ HeaderCheck check_operation_header(const std::string& file, std::string_view tex
   HeaderCheck check;
   HeaderReader(file, text, description, max_k, check).read();
   return check;
+}
+
+DumpComparison compare_header(const HeaderCheck& header, const ExpectedDump& expected) {
+  std::map<const Operation*, std::uint64_t> first;
+  std::map<Numbers, const Operation*> in_order;
+  for (const ExpectedTable& table : expected.tables) in_order[table.operation->numbers] = table.operation;
+  std::uint64_t entries = 0;
+  for (const auto& [numbers, operation] : in_order) {
+    first[operation] = entries;
+    entries += entries_of(*operation);
+  }
+  return compare_answers(expected, [&](const Operation& operation, Colors configuration) -> std::optional<Answer> {
+    const Mask place = operation.constraint == Constraint::matching
+                           ? configuration.ports
+                           : concatenated(configuration.inner, configuration.ports, operation.ports());
+    const std::uint32_t entry = header.entries.at(first.at(&operation) + place);
+    if (entry == largest_of(header.width)) return {};
+    return Answer{{high_part(entry, operation.ports()), low_part(entry, operation.ports())}, {}, {}};
+  });
 }
 
 }  // namespace restrip::verify

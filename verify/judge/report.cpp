@@ -44,6 +44,16 @@ std::string json_of_answers(const std::map<std::string, Totals::Answers>& answer
 
 }  // namespace
 
+std::string text_of(const Sources& sources) {
+  std::vector<std::string> all = sources.of_headers;
+  if (sources.certificates) all.insert(all.begin(), "certificates");
+  if (all.empty()) return "nothing";
+  std::string text = all.front();
+  for (std::size_t i = 1; i < all.size(); ++i) text += (i + 1 < all.size() ? ", " : " and ") + all[i];
+  if (!sources.certificates) return text + " only; no certificate was read";
+  return sources.of_headers.empty() ? text + " only; no header was read" : text;
+}
+
 std::string heading() {
   return fmt::format("{:<6} {:<15} {:<58} {:<48} {:>15} {:>8}\n", "", "family", "claim", "method", "cases", "seconds");
 }
@@ -59,11 +69,13 @@ std::string line_of(const ClaimResult& result) {
 
 std::string last_line(const Totals& totals) {
   return answers_line("proved", totals.answers) + answers_line("NOT compared", totals.not_compared) +
-         fmt::format("{}: {}, {}, {}, {} tried, {}{}\n", totals.failed == 0 ? "verified" : "NOT verified",
-                     quantity_grouped(totals.rules, "rule"), quantity_grouped(totals.alternatives, "alternative"),
+         fmt::format("{}: {}, {}, {}, {} tried, {}{}, k <= {}; read: {}\n",
+                     totals.failed == 0 ? "verified" : "NOT verified", quantity_grouped(totals.rules, "rule"),
+                     quantity_grouped(totals.alternatives, "alternative"),
                      quantity_grouped(totals.configurations, "configuration"),
                      quantity_grouped(totals.pairs, "recolouring"), quantity(totals.claims, "claim"),
-                     totals.failed == 0 ? "" : fmt::format(" of which {} failed", totals.failed));
+                     totals.failed == 0 ? "" : fmt::format(" of which {} failed", totals.failed), totals.max_k,
+                     text_of(totals.read));
 }
 
 std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals) {
@@ -79,10 +91,10 @@ std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals
   return text + fmt::format(
                     "\n  ],\n  \"rules\": {},\n  \"alternatives\": {},\n  \"configurations\": {},\n  \"recolorings\": "
                     "{},\n  \"answers_proved\": {},\n  \"answers_not_compared\": {},\n  \"graph_only\": {},\n"
-                    "  \"failed\": {},\n  \"verified\": {}\n}}\n",
+                    "  \"read\": {},\n  \"failed\": {},\n  \"verified\": {}\n}}\n",
                     totals.rules, totals.alternatives, totals.configurations, totals.pairs,
                     json_of_answers(totals.answers), json_of_answers(totals.not_compared), totals.graph_only,
-                    totals.failed, totals.failed == 0);
+                    quoted(text_of(totals.read)), totals.failed, totals.failed == 0);
 }
 
 }  // namespace restrip::verify

@@ -35,13 +35,23 @@ struct ClaimResult {
   bool held() const { return failures == 0; }
 };
 
+/// What a program has read to come to its result.
+struct Sources {
+  bool certificates = false;
+  std::vector<std::string> of_headers;  ///< "compiled tables"
+};
+/// "certificates and compiled tables", or "certificates only; no header was read".
+std::string text_of(const Sources& sources);
+
 struct Totals {
+  unsigned max_k = 0;                ///< of the largest fans
   std::uint64_t rules = 0;           ///< rows, copies included
   std::uint64_t alternatives = 0;    ///< rows of linked families
   std::uint64_t configurations = 0;  ///< valid ones, all families and positions
   std::uint64_t pairs = 0;           ///< (configuration with a sound row, recolouring)
   std::uint64_t claims = 0;
   std::uint64_t failed = 0;
+  Sources read;
   bool graph_only = false;  ///< an operation that is not checked to be one on a mesh
   struct Answers {
     std::uint64_t positions = 0;
@@ -59,7 +69,7 @@ using ClaimListener = std::function<void(const ClaimResult&)>;
 std::string heading();
 std::string line_of(const ClaimResult& result);
 /// The answers of the shipped headers, a line each for what was proved and what was not compared, if there is any; then
-/// "verified: …" or "NOT verified: …".
+/// "verified: …" or "NOT verified: …", and at its end what was read.
 std::string last_line(const Totals& totals);
 std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals);
 

@@ -24,8 +24,9 @@ std::string fault_of_copy(const Row& row, const CheckedSection& checked, const S
   return {};
 }
 
-/// The smallest key of each orbit of the keys that have rows, by the place of the row. Images without a row are looked
-/// at as well: such a row is missing, which another claim says.
+/// For each row the smallest key that has a row, in the orbit of its own. Images without a row are gone through as
+/// well: where a section serves several positions, no configuration may have them. That a row is missing, another claim
+/// says.
 std::vector<Key> smallest_keys(const SectionRows& rows, const Symmetries& symmetries) {
   std::map<Key, Key> smallest;
   std::vector<Key> result;
@@ -36,7 +37,9 @@ std::vector<Key> smallest_keys(const SectionRows& rows, const Symmetries& symmet
       for (std::size_t i = 0; i < orbit.size(); ++i)
         for (const Symmetry& symmetry : symmetries.generators())
           if (const Key image = moved(orbit[i], symmetry.ports); seen.insert(image).second) orbit.push_back(image);
-      for (const Key& key : orbit) smallest.emplace(key, *seen.begin());
+      const Key first =
+          *std::find_if(seen.begin(), seen.end(), [&](const Key& key) { return rows.row_of(key) != nullptr; });
+      for (const Key& key : orbit) smallest.emplace(key, first);
     }
     result.push_back(smallest.at(row.key));
   }

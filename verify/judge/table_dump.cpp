@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
+#include <charconv>
 #include <optional>
 #include <string_view>
 
@@ -13,7 +13,7 @@
 namespace restrip::verify {
 namespace {
 
-constexpr std::string_view title = "restrip-table-dump 3";
+constexpr std::string_view title = "restrip-table-dump 4";
 
 void append_mask(std::string& text, Mask mask) {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -37,6 +37,28 @@ std::optional<Mask> taken_mask(std::string_view& line, unsigned bits) {
   return mask;
 }
 
+/// Takes a space and a decimal number off the beginning of a line, as a program prints an int.
+std::optional<int> taken_change(std::string_view& line) {
+  if (!line.starts_with(' ')) return {};
+  int change = 0;
+  const char* const begin = line.data() + 1;
+  const auto [end, error] = std::from_chars(begin, line.data() + line.size(), change);
+  const std::string_view word(begin, static_cast<std::size_t>(end - begin));
+  if (error != std::errc{} || std::to_string(change) != word) return {};
+  line.remove_prefix(1 + word.size());
+  return change;
+}
+
+/// Every configuration, in the order of a dump: of a matching every colouring of the ports, because it serves every
+/// colouring of the inner edges alike.
+template <class Visit>
+void for_each_configuration(const Operation& operation, const Visit& visit) {
+  const Mask inner_masks =
+      operation.constraint == Constraint::matching ? 1 : mask_count(operation.before.inner_edges());
+  for (Mask inner = 0; inner < inner_masks; ++inner)
+    for (Mask ports = 0; ports < mask_count(operation.ports()); ++ports) visit(Colors{inner, ports});
+}
+
 /// Judges the answers of one table.
 class TableJudge {
  public:
@@ -47,7 +69,7 @@ class TableJudge {
         row_of_class_.push_back(table.rows->row_of(judge_.key_of_class(number)));
   }
 
-  void entry(std::uint64_t line, Colors configuration, std::optional<Colors> answer) {
+  void entry(std::uint64_t line, Colors configuration, const std::optional<Answer>& answer) {
     const Operation& operation = *table_.operation;
     const auto where = [&] {
       return fmt::format("line {}, table {}, inner {:x}, ports {:x}: ", line, operation.name(), configuration.inner,
@@ -63,24 +85,49 @@ class TableJudge {
       return;
     }
     if (!valid) return;
-    if (const Judged judged = judge_.judged(configuration, *answer); judged.verdict != Verdict::right)
-      compared_.wrong.add(compared_.wrong.count != 0
-                              ? std::string()
-                              : fmt::format("{}\n{}", where(), judge_.explained(configuration, *answer, judged)));
+    if (const Judged judged = judge_.judged(configuration, answer->colors); judged.verdict != Verdict::right)
+      compared_.wrong.add(
+          compared_.wrong.count != 0
+              ? std::string()
+              : fmt::format("{}\n{}", where(), judge_.explained(configuration, answer->colors, judged)));
+    told(configuration, *answer, where);
     if (table_.rows == nullptr) return;
     const Row* const row = row_of_class_[judge_.before().class_of(configuration)];
-    if (row == nullptr || row->after != *answer)
+    if (row == nullptr || row->after != answer->colors)
       compared_.differences.add(fmt::format(
-          "{}the table answers \"{:x} {:x}\", the certificate has {}\n", where(), answer->inner, answer->ports,
-          row == nullptr ? "no row" : fmt::format("\"{}\" in line {}", row->text(), row->line)));
+          "{}the table answers \"{:x} {:x}\", the certificate has {}\n", where(), answer->colors.inner,
+          answer->colors.ports, row == nullptr ? "no row" : fmt::format("\"{}\" in line {}", row->text(), row->line)));
   }
 
  private:
+  /// What the answer tells must be what its colours change.
+  template <class Where>
+  void told(Colors configuration, const Answer& answer, const Where& where) {
+    const auto compare = [&](const std::optional<int>& told, const char* what, int before, int after) {
+      if (told && *told != after - before)
+        compared_.told.add(fmt::format("{}the table tells {:+d} {}, there are {} before and {} after\n", where(), *told,
+                                       what, before, after));
+    };
+    const Operation& operation = *table_.operation;
+    compare(answer.strips, "strips", strips_of(operation.before, configuration),
+            strips_of(operation.after, answer.colors));
+    if (answer.isolated.has_value())
+      compare(answer.isolated, "isolated triangles", static_cast<int>(isolated_of(operation.before, configuration)),
+              static_cast<int>(isolated_of(operation.after, answer.colors)));
+  }
+
   const ExpectedTable& table_;
   RuleJudge judge_;
   Compared& compared_;
   std::vector<const Row*> row_of_class_;
 };
+
+/// Where the entries of a table are counted.
+void count(Compared& compared, const std::string& family, std::uint64_t entries) {
+  Compared::Count& count = compared.families[family];
+  ++count.positions;
+  count.entries += entries;
+}
 
 class DumpReader {
  public:
@@ -122,33 +169,22 @@ class DumpReader {
     }
   }
 
-  /// Where the entries of a table are counted.
-  static void count(Compared& compared, const std::string& family, std::uint64_t entries) {
-    Compared::Count& count = compared.families[family];
-    ++count.positions;
-    count.entries += entries;
-  }
-
   void table_of(const ExpectedTable& table) {
     Compared& compared = result_.tables[static_cast<std::size_t>(table.against)];
     const Operation& operation = *table.operation;
     const std::uint64_t lines_before = result_.lines;
     std::optional<TableJudge> judge;
     if (table.against != Against::nothing) judge.emplace(table, tables_, compared);
-    // A matching serves every colouring of the inner edges alike.
-    const Mask inner_masks =
-        operation.constraint == Constraint::matching ? 1 : mask_count(operation.before.inner_edges());
-    for (Mask inner = 0; inner < inner_masks; ++inner)
-      for (Mask ports = 0; ports < mask_count(operation.ports()); ++ports) {
-        const Colors configuration{inner, ports};
-        const std::optional<Colors> answer = answer_to(configuration, operation);
-        if (judge) judge->entry(lines_.number(), configuration, answer);
-      }
+    for_each_configuration(operation, [&](Colors configuration) {
+      const std::optional<Answer> answer = answer_to(configuration, operation);
+      if (judge) judge->entry(lines_.number(), configuration, answer);
+      if (expected_.with_digests) result_.digests.add(operation, configuration, answer);
+    });
     count(compared, operation.family, result_.lines - lines_before);
   }
 
   /// What the next line answers; nullopt when it says that there is nothing to answer.
-  std::optional<Colors> answer_to(Colors configuration, const Operation& operation) {
+  std::optional<Answer> answer_to(Colors configuration, const Operation& operation) {
     prefix_.clear();
     append_mask(prefix_, configuration.inner);
     prefix_ += ' ';
@@ -162,13 +198,19 @@ class DumpReader {
       const std::optional<Mask> inner = taken_mask(rest, operation.after.inner_edges());
       if (inner && rest.starts_with(' ')) {
         rest.remove_prefix(1);
-        if (const std::optional<Mask> kept = taken_mask(rest, operation.ports()); kept && rest.empty())
-          return Colors{*inner, *kept};
+        const std::optional<Mask> kept = taken_mask(rest, operation.ports());
+        const std::optional<int> strips = taken_change(rest);
+        const std::optional<int> isolated = taken_change(rest);
+        if (kept && strips && (isolated || !expected_.tells_isolated) && rest.empty())
+          return Answer{{*inner, *kept}, strips, isolated};
       }
     }
-    throw BadDump(fmt::format(
-        "line {}: table {}: expected \"{}\" and \"-\" or two masks, {} and {} bits at most, found \"{}\"",
-        lines_.number(), operation.name(), prefix_, operation.after.inner_edges(), operation.ports(), line));
+    throw BadDump(
+        fmt::format("line {}: table {}: expected \"{}\" and \"-\" or two masks, {} and {} bits at most, and the change "
+                    "in strips{}, "
+                    "found \"{}\"",
+                    lines_.number(), operation.name(), prefix_, operation.after.inner_edges(), operation.ports(),
+                    expected_.tells_isolated ? " and in isolated triangles" : "", line));
   }
 
   void lists_of(const ExpectedLists& lists) {
@@ -207,7 +249,9 @@ Compared::Count Compared::sum() const {
 }
 
 bool DumpComparison::agrees() const {
-  const auto none = [](const Compared& compared) { return compared.differences.count + compared.wrong.count == 0; };
+  const auto none = [](const Compared& compared) {
+    return compared.differences.count + compared.wrong.count + compared.told.count == 0;
+  };
   return fault.empty() && std::all_of(tables.begin(), tables.end(), none) &&
          std::all_of(lists.begin(), lists.end(), none);
 }
@@ -222,17 +266,27 @@ DumpComparison compare_dump(std::FILE* stream, const ExpectedDump& expected) {
   return result;
 }
 
-DumpComparison compare_dump_of(const std::string& program, const ExpectedDump& expected) {
+DumpComparison compare_answers(const ExpectedDump& expected, const AnswerOf& answer) {
   DumpComparison result;
-  std::FILE* const stream = popen(program.c_str(), "r");
-  if (stream == nullptr) {
-    result.fault = "cannot run " + program;
-    return result;
+  result.tells_changes = false;
+  FitTables tables;
+  for (const ExpectedTable& table : expected.tables) {
+    Compared& compared = result.tables[static_cast<std::size_t>(table.against)];
+    std::optional<TableJudge> judge;
+    if (table.against != Against::nothing) judge.emplace(table, tables, compared);
+    std::uint64_t entries = 0;
+    for_each_configuration(*table.operation, [&](Colors configuration) {
+      ++entries;
+      if (judge) judge->entry(entries, configuration, answer(*table.operation, configuration));
+    });
+    count(compared, table.operation->family, entries);
+    result.lines += entries;
   }
-  result = compare_dump(stream, expected);
-  const int status = pclose(stream);
-  if (result.fault.empty() && status != 0) result.fault = program + " failed";
   return result;
+}
+
+DumpComparison compare_dump_of(const std::string& program, const ExpectedDump& expected) {
+  return checked_output_of(program, [&](std::FILE* stream) { return compare_dump(stream, expected); });
 }
 
 }  // namespace restrip::verify

@@ -5,11 +5,14 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "certificate/certificate.hpp"
+#include "judge/answer_digests.hpp"
 #include "judge/report.hpp"
 
 namespace restrip::verify {
@@ -35,8 +38,18 @@ struct ExpectedLists {
 };
 
 struct ExpectedDump {
+  bool with_digests = false;   ///< whether digests of the answers are wanted; of shipped operations
+  bool tells_isolated = true;  ///< whether every answer tells the change in isolated triangles, or those that want to
   std::vector<ExpectedTable> tables;
   std::vector<ExpectedLists> lists;
+};
+
+/// What a table says of a valid configuration: the colours after the operation, and what they change. Compiled tables
+/// tell the change in strips; the shipped headers also tell that in isolated triangles of the patch, and others may.
+struct Answer {
+  Colors colors;
+  std::optional<int> strips;
+  std::optional<int> isolated;
 };
 
 /// How much was compared, by the word that the headers of the tables begin with: "open-collapse".
@@ -48,25 +61,32 @@ struct Compared {
   std::map<std::string, Count> families;
   Failures differences;  ///< from the rows of a certificate, or between lists
   Failures wrong;        ///< answers that are not sound, or not the best
+  Failures told;         ///< answers that tell another change than there is
 
   Count sum() const;
 };
 
 struct DumpComparison {
   std::uint64_t lines = 0;                     ///< entry lines read
+  bool tells_changes = true;                   ///< whether answers told what they change, so that it could be judged
   std::array<Compared, against_count> tables;  ///< by Against; those compared with nothing have no differences
   std::array<Compared, against_count> lists;   ///< likewise; never against own_patch
+  AnswerDigests digests;                       ///< of all tables, where they are wanted
   std::string fault;                           ///< why the dump could not be read to its end; empty when it could
 
   const Compared& of(Against against) const { return tables[static_cast<std::size_t>(against)]; }
   const Compared& of_lists(Against against) const { return lists[static_cast<std::size_t>(against)]; }
-  /// No difference and no fault.
+  /// Nothing wrong and no fault.
   bool agrees() const;
 };
 
 /// Reads a dump to its end. Every expected table must occur exactly once, in any order. Goes on after a difference, but
 /// not after a line that has no place in a dump.
 DumpComparison compare_dump(std::FILE* stream, const ExpectedDump& expected);
+
+/// The same of tables that are at hand; `answer` says what the table of an operation answers, and tells no changes.
+using AnswerOf = std::function<std::optional<Answer>(const Operation& operation, Colors configuration)>;
+DumpComparison compare_answers(const ExpectedDump& expected, const AnswerOf& answer);
 
 /// Runs the program and compares what it prints; a program that fails is a fault.
 DumpComparison compare_dump_of(const std::string& program, const ExpectedDump& expected);

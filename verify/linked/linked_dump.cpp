@@ -150,16 +150,7 @@ LinkedDumpCheck check_linked_dump(std::FILE* stream, unsigned max_k) {
 }
 
 LinkedDumpCheck check_linked_dump_of(const std::string& program, unsigned max_k) {
-  std::FILE* stream = popen(program.c_str(), "r");
-  LinkedDumpCheck check;
-  if (stream == nullptr) {
-    check.fault = "cannot run " + program;
-    return check;
-  }
-  check = check_linked_dump(stream, max_k);
-  const int status = pclose(stream);
-  if (check.fault.empty() && status != 0) check.fault = fmt::format("{} failed", program);
-  return check;
+  return checked_output_of(program, [&](std::FILE* stream) { return check_linked_dump(stream, max_k); });
 }
 
 }  // namespace restrip::verify

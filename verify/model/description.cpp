@@ -172,6 +172,8 @@ class DescriptionReader {
       if (description.position.find(fmt::format("{{{}}}", number)) == std::string::npos)
         value.required("position").fail(fmt::format("each number in braces, also \"{{{}}}\"", number));
     description.section = words_of(value, "section", description.position);
+    if (!description.numbers.empty() && value.required("before").is_list() && description.serves_every_position())
+      value.required("section").fail_found("expected all numbers: triangles may be numbered anew at each position");
     if (const auto linked = value.member("linked")) description.linked = linked->boolean("whether it has linked rules");
     read_one_position(description);
     return description;
@@ -220,6 +222,8 @@ Operation Description::at(const Numbers& values) const {
   operation.before = std::move(sides.before);
   operation.after = std::move(sides.after);
   operation.vertices = sides.vertices;
+  operation.placed_before = std::move(sides.placed_before);
+  operation.placed_after = std::move(sides.placed_after);
   const JsonValue after = value.required("after");
   if (operation.after.ports() != operation.before.ports())
     after.member("ports").value_or(after).fail_found(fmt::format("expected as many ports as before, {}, found {}",

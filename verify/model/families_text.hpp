@@ -1,5 +1,5 @@
 #pragma once
-// tables/families.json and docs/taken-names.json as they were when this was built (cmake/EmbedFamilies.cmake).
+// tables/families.json and docs/taken-names.json as they were when this was built (cmake/Embed.cmake).
 
 #include <string_view>
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace restrip::verify {
@@ -15,6 +16,8 @@ using Mask = std::uint32_t;
 constexpr Mask single(unsigned i) { return Mask{1} << i; }
 constexpr bool is_solid(Mask mask, unsigned i) { return (mask >> i & 1U) != 0; }
 constexpr unsigned solid_count(Mask mask) { return static_cast<unsigned>(std::popcount(mask)); }
+/// The lowest solid one alone.
+constexpr Mask lowest(Mask mask) { return mask & (~mask + 1); }
 constexpr bool is_subset(Mask part, Mask whole) { return (part & ~whole) == 0; }
 
 /// How many masks of `bits` bits there are; also the first number that is no such mask.
@@ -25,6 +28,9 @@ constexpr std::uint64_t wide_mask_count(unsigned bits) { return std::uint64_t{1}
 constexpr Mask concatenated(Mask high, Mask low, unsigned low_bits) { return high << low_bits | low; }
 constexpr Mask high_part(Mask both, unsigned low_bits) { return both >> low_bits; }
 constexpr Mask low_part(Mask both, unsigned low_bits) { return both & (mask_count(low_bits) - 1); }
+
+/// Four bits of a number, place 0 the lowest ones.
+constexpr std::uint64_t four_bits(std::uint64_t number, std::uint64_t place) { return number >> 4 * place & 15U; }
 
 /// A set of unordered pairs of ports, at most eleven ports: bit j(j-1)/2 + i stands for {i, j}, i < j.
 struct PortPairs {
@@ -45,6 +51,20 @@ struct PortPairs {
   friend constexpr bool operator==(PortPairs, PortPairs) = default;
   friend constexpr auto operator<=>(PortPairs, PortPairs) = default;
 };
+
+/// What a digest of answers takes in of one: its colours, and the change in strips.
+struct AnswerBits {
+  Mask colors = 0;
+  int strips = 0;
+};
+/// A configuration with its answer, if there is one, as docs/certificate.md, "Digests of answers", mixes them.
+constexpr std::uint32_t mixed(Mask before, Mask ports, const std::optional<AnswerBits>& answer) {
+  std::uint32_t h = answer ? 0x80000000U | static_cast<std::uint32_t>(answer->strips + 8) << 16U | answer->colors : 0;
+  h ^= before * 0x9e3779b1U ^ ports * 0x85ebca77U;
+  h = (h ^ h >> 16U) * 0x85ebca6bU;
+  h = (h ^ h >> 13U) * 0xc2b2ae35U;
+  return h ^ h >> 16U;
+}
 
 /// Up to 256 bits in a row, to be compared as a whole.
 struct BitRow {

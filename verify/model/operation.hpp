@@ -63,6 +63,8 @@ struct Operation {
   /// Names of vertices on both sides together, where it is given by its triangles and was found to be an operation on a
   /// mesh; otherwise 0.
   unsigned vertices = 0;
+  std::vector<PlacedTriangle> placed_before;  ///< its triangles in the order of the file
+  std::vector<PlacedTriangle> placed_after;
   std::vector<Criterion> cost;       ///< the default is written out
   std::optional<int> most_strips;    ///< as the description claims: no rule costs more
   std::optional<int> most_isolated;  ///< the same of isolated triangles

@@ -26,6 +26,19 @@ struct Side {
   unsigned colors() const { return inner_edges() + ports(); }
 };
 
+/// What lies at a side of a triangle, if not an inner edge, whose number it is: a port, the number of the first one
+/// plus its own; or the boundary of the mesh. The same numbers as in restrip/tables/operation_format.hpp.
+inline constexpr unsigned first_port_side = 64;
+inline constexpr unsigned boundary_side = 255;
+
+/// A triangle as its file names it; side s runs from corner s to the next one. Vertices are numbered in the order in
+/// which they are named, those before the operation first.
+struct PlacedTriangle {
+  std::array<unsigned, 3> vertex{};
+  std::array<unsigned, 3> side{};
+  friend bool operator==(const PlacedTriangle&, const PlacedTriangle&) = default;
+};
+
 /// Solid inner edges and solid ports; after the operation the ports are those that stay solid.
 struct Colors {
   Mask inner = 0;

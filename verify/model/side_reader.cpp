@@ -7,13 +7,11 @@
 #include <set>
 #include <stdexcept>
 
-#include "model/triangles.hpp"
+#include "model/surface_reader.hpp"
 
 namespace restrip::verify {
 namespace {
 
-constexpr unsigned most_ports_of_a_graph = 8;
-constexpr unsigned most_colors_of_a_graph = 20;
 constexpr std::size_t most_members = 64;  // of any list in a pattern
 
 /// Puts a side together and holds it against the limits.
@@ -72,6 +70,13 @@ Side read_graph(const JsonValue& value) {
   return side;
 }
 
+/// Names stand in reports.
+void expect_name(const std::string& name) {
+  const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
+  if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
+    throw std::invalid_argument(fmt::format("expected letters and digits as the name, found \"{}\"", name));
+}
+
 /// What an element stands for: one triangle by its name, or x_from … x_(to-1).
 using TriangleNames = std::vector<std::string>;
 
@@ -93,34 +98,12 @@ class ElementReader {
   const std::set<unsigned>& indices(const std::string& name) const { return indices_.at(name); }
 
  private:
-  /// Names stand in reports.
-  static void expect_name(const std::string& name) {
-    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
-    if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
-      throw std::invalid_argument(
-          fmt::format("expected letters and digits as the name of a triangle, found \"{}\"", name));
-  }
-
   TriangleNames element(const std::string& text) {
-    const std::size_t open = text.find('[');
-    if (open == std::string::npos) {
+    if (text.find('[') == std::string::npos) {
       expect_name(text);
       return {text};
     }
-    const std::string name = text.substr(0, open);
-    expect_name(name);
-    const std::size_t comma = text.find(',');
-    if (comma == std::string::npos || comma < open || !text.ends_with(')'))
-      throw std::invalid_argument(fmt::format("expected a range as \"t[0,k)\", found \"{}\"", text));
-    const auto value_of = [&](std::size_t from, std::size_t to) {
-      const std::int64_t sum = Sum(text.substr(from, to - from), numbers_.names).of(numbers_.values);
-      if (sum < 0 || sum > most_triangles)
-        throw std::invalid_argument(
-            fmt::format("expected numbers from 0 to {} in \"{}\", found {}", most_triangles, text, sum));
-      return static_cast<unsigned>(sum);
-    };
-    const unsigned from = value_of(open + 1, comma);
-    const unsigned to = value_of(comma + 1, text.size() - 1);
+    const auto& [name, from, to] = range_of(text, numbers_);
     if (!indices_.contains(name)) indexed_names_.push_back(name);
     std::set<unsigned>& indices = indices_[name];
     TriangleNames element;
@@ -247,58 +230,31 @@ class PatternReader {
   std::map<std::string, unsigned> number_of_;
 };
 
-/// Lists of so many names.
-template <std::size_t n>
-std::vector<std::array<std::string, n>> names_of(const JsonValue& value, const std::string& expected,
-                                                 const std::string& element, std::size_t most) {
-  std::vector<std::array<std::string, n>> all;
-  for (const JsonValue& names : value.list(expected, most)) {
-    const std::vector<JsonValue> each = names.list(element, n);
-    if (each.size() != n) names.fail_found(fmt::format("expected {}", element));
-    all.emplace_back();
-    for (std::size_t i = 0; i < n; ++i) all.back()[i] = each[i].string("the name of a vertex");
-  }
-  return all;
-}
-
-Side side_of(const JsonValue& value, PatchGraph graph) {
-  Side side{graph.triangles, std::move(graph.edges), std::move(graph.owner_of_port), {}};
-  if (side.ports() == 0 || side.ports() > most_ports_of_a_graph)
-    value.fail_found(fmt::format("expected 1 to {} ports, found {}", most_ports_of_a_graph, side.ports()));
-  if (side.colors() > most_colors_of_a_graph)
-    value.fail_found(fmt::format("expected at most {} edges and ports together, found {} and {}",
-                                 most_colors_of_a_graph, side.inner_edges(), side.ports()));
-  return side;
-}
-
-/// The two sides of a patch that is given by its triangles.
-Sides read_surface(const JsonValue& description) {
-  const auto triangles = [&](const char* member) {
-    return names_of<3>(description.required(member), "a list of 1 to 16 triangles", "three vertices", most_triangles);
-  };
-  NamedSurface surface{triangles("before"), triangles("after"), {}};
-  if (const std::optional<JsonValue> boundary = description.member("boundary"))
-    surface.boundary = names_of<2>(*boundary, "a list of stretches", "two vertices", most_colors_of_a_graph);
-  std::set<std::string> vertices;
-  for (const NamedTriangles* side : {&surface.before, &surface.after})
-    for (const auto& names : *side) vertices.insert(names.begin(), names.end());
-  try {
-    SurfaceGraphs graphs = graphs_of(surface);
-    return {side_of(description.required("before"), std::move(graphs.before)),
-            side_of(description.required("after"), std::move(graphs.after)), static_cast<unsigned>(vertices.size())};
-  } catch (const SurfaceFault& fault) {
-    const JsonValue member = description.required(fault.member);
-    (fault.element ? member.item(*fault.element) : member).fail_found(fault.what);
-  }
-}
-
 }  // namespace
 
+NamedRange range_of(const std::string& text, const NamedNumbers& numbers) {
+  const std::size_t open = text.find('[');
+  const std::size_t comma = text.find(',');
+  if (open == std::string::npos || comma == std::string::npos || comma < open || !text.ends_with(')'))
+    throw std::invalid_argument(fmt::format("expected a range as \"t[0,k)\", found \"{}\"", text));
+  const auto value_of = [&](std::size_t from, std::size_t to) {
+    const std::int64_t sum = Sum(text.substr(from, to - from), numbers.names).of(numbers.values);
+    if (sum < 0 || sum > most_triangles)
+      throw std::invalid_argument(
+          fmt::format("expected numbers from 0 to {} in \"{}\", found {}", most_triangles, text, sum));
+    return static_cast<unsigned>(sum);
+  };
+  NamedRange range{text.substr(0, open), value_of(open + 1, comma), value_of(comma + 1, text.size() - 1)};
+  expect_name(range.name);
+  return range;
+}
+
 Sides read_sides(const JsonValue& description, const NamedNumbers& numbers) {
-  if (description.required("before").is_list()) return read_surface(description);
+  if (description.required("before").is_list()) return read_surface(description, numbers);
   if (const std::optional<JsonValue> boundary = description.member("boundary"))
     boundary->fail_found("expected patches that are given by their triangles where there is this member");
-  return {read_side(description.required("before"), numbers), read_side(description.required("after"), numbers), 0};
+  return {
+      read_side(description.required("before"), numbers), read_side(description.required("after"), numbers), 0, {}, {}};
 }
 
 Side read_side(const JsonValue& value, const NamedNumbers& numbers) {

@@ -17,7 +17,21 @@ struct Sides {
   Side before;
   Side after;
   unsigned vertices = 0;  ///< of triangles with named vertices; 0 for the other forms
+  std::vector<PlacedTriangle> placed_before;
+  std::vector<PlacedTriangle> placed_after;
 };
+
+inline constexpr unsigned most_ports_of_a_graph = 8;
+inline constexpr unsigned most_colors_of_a_graph = 20;
+
+/// "t[0,k)": the name before it, and the numbers that it says, of which the last is not meant.
+struct NamedRange {
+  std::string name;
+  unsigned from = 0;
+  unsigned to = 0;
+};
+/// Throws std::invalid_argument with a sentence.
+NamedRange range_of(const std::string& text, const NamedNumbers& numbers);
 
 /// The sides of a description, at one position.
 Sides read_sides(const JsonValue& description, const NamedNumbers& numbers);

@@ -57,19 +57,18 @@ class Complex {
   /// Edges of one triangle, by the vertex that they leave.
   const std::map<Name, Along>& rim() const { return rim_; }
 
-  /// In the order of the later of the two triangles, and of its sides.
-  std::vector<std::array<unsigned, 2>> inner_edges() const {
-    std::map<std::tuple<std::size_t, std::size_t>, std::size_t> first_of_second;
+  /// The triangles at each, in the order of the later one, and of its sides.
+  std::vector<std::array<Along, 2>> inner_edges() const {
+    std::map<std::tuple<std::size_t, std::size_t>, std::array<Along, 2>> by_second;
     for (const auto& [ends, along] : edges_) {
       if (along.size() != 2) continue;
       const auto& [first, second] =
           std::minmax(along[0], along[1], [](const Along& a, const Along& b) { return a.triangle < b.triangle; });
-      first_of_second[{second.triangle, second.side}] = first.triangle;
+      by_second.insert({{second.triangle, second.side}, {first, second}});
     }
-    std::vector<std::array<unsigned, 2>> edges;
-    edges.reserve(first_of_second.size());
-    for (const auto& [second, first] : first_of_second)
-      edges.push_back({static_cast<unsigned>(first), static_cast<unsigned>(std::get<0>(second))});
+    std::vector<std::array<Along, 2>> edges;
+    edges.reserve(by_second.size());
+    for (const auto& edge : by_second) edges.push_back(edge.second);
     return edges;
   }
 
@@ -161,10 +160,31 @@ void expect_among(const std::map<Name, Along>& ports, const Complex& complex, co
                                               from, port.to, complex.member(), other.member()));
 }
 
+/// The numbers of the vertices, in the order in which the file names them.
+std::map<Name, unsigned> numbers_of_vertices(const NamedSurface& surface) {
+  std::map<Name, unsigned> numbers;
+  for (const NamedTriangles* side : {&surface.before, &surface.after})
+    for (const auto& corners : *side)
+      for (const Name& name : corners) numbers.emplace(name, static_cast<unsigned>(numbers.size()));
+  return numbers;
+}
+
 PatchGraph graph_of(const NamedTriangles& triangles, const Complex& complex, const std::map<Name, Along>& ports,
-                    const std::vector<Name>& order) {
-  PatchGraph graph{static_cast<unsigned>(triangles.size()), complex.inner_edges(), {}};
-  for (const Name& from : order) graph.owner_of_port.push_back(static_cast<unsigned>(ports.at(from).triangle));
+                    const std::vector<Name>& order, const std::map<Name, unsigned>& vertices) {
+  PatchGraph graph{static_cast<unsigned>(triangles.size()), {}, {}, {}};
+  for (const auto& [a, b, c] : triangles)
+    graph.placed.push_back(
+        {{vertices.at(a), vertices.at(b), vertices.at(c)}, {boundary_side, boundary_side, boundary_side}});
+  for (const auto& edge : complex.inner_edges()) {
+    for (const Along& along : edge)
+      graph.placed[along.triangle].side[along.side] = static_cast<unsigned>(graph.edges.size());
+    graph.edges.push_back({static_cast<unsigned>(edge[0].triangle), static_cast<unsigned>(edge[1].triangle)});
+  }
+  for (const Name& from : order) {
+    const Along& port = ports.at(from);
+    graph.placed[port.triangle].side[port.side] = first_port_side + static_cast<unsigned>(graph.owner_of_port.size());
+    graph.owner_of_port.push_back(static_cast<unsigned>(port.triangle));
+  }
   return graph;
 }
 
@@ -193,7 +213,9 @@ SurfaceGraphs graphs_of(const NamedSurface& surface) {
       at = before.rim().at(at).to;
     } while (at != first->first);
   }
-  return {graph_of(surface.before, before, ports_before, order), graph_of(surface.after, after, ports_after, order)};
+  const std::map<Name, unsigned> vertices = numbers_of_vertices(surface);
+  return {graph_of(surface.before, before, ports_before, order, vertices),
+          graph_of(surface.after, after, ports_after, order, vertices)};
 }
 
 }  // namespace restrip::verify

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "model/side.hpp"
+
 namespace restrip::verify {
 
 using NamedTriangles = std::vector<std::array<std::string, 3>>;
@@ -22,6 +24,7 @@ struct PatchGraph {
   unsigned triangles = 0;
   std::vector<std::array<unsigned, 2>> edges;
   std::vector<unsigned> owner_of_port;
+  std::vector<PlacedTriangle> placed;
 };
 
 struct SurfaceGraphs {

@@ -64,7 +64,7 @@ std::string last_line(const Sums& sums, const sat::Options& options) {
   if (options.controls)
     line += fmt::format("; {} altered formulas satisfiable; {} of {} cut proofs refused",
                         sums.controls.altered_formulas, sums.controls.refused, sums.controls.cut_proofs);
-  return line + '\n';
+  return line + "; read: certificates only; no header was read\n";
 }
 
 int run(const sat::Options& options, bool as_json) {

@@ -20,14 +20,15 @@ const table = document.getElementById('rules');
 if (table) {
   const patches = JSON.parse(document.getElementById('patches').textContent);
   const rows = [...table.tBodies[0].rows];
+  const draw = (row) => {
+    watcher.unobserve(row);
+    if (row.cells[0].innerHTML === '') row.cells[0].innerHTML = drawRow(row, patches);
+  };
   const watcher = new IntersectionObserver((entries) => {
-    for (const { isIntersecting, target } of entries) {
-      if (!isIntersecting) continue;
-      watcher.unobserve(target);
-      if (target.cells[0].innerHTML === '') target.cells[0].innerHTML = drawRow(target, patches);
-    }
+    for (const { isIntersecting, target } of entries) if (isIntersecting) draw(target);
   }, { rootMargin: '600px' });
   rows.forEach((row) => watcher.observe(row));
+  addEventListener('beforeprint', () => rows.filter((row) => !row.hidden).forEach(draw));
 
   const form = document.getElementById('filter');
   const filter = () => {

@@ -130,6 +130,22 @@ LEGEND = ('<p class="legend"><i class="key solid"></i> same {unit} <i class="key
           '<i class="key fresh"></i> triangles that come or go</p>')
 
 
+def words_of(page, sides):
+    """What the page's own words mean: those of its title, of its drawings and of its table."""
+    title = page.section.text.split()
+    count = int(title[title.index("k") + 1]) if "k" in title else 0
+    fresh = [name for _, names in (side["names"] for side in (*sides[0], sides[1])) for name in names if name in ("A", "D")]
+    meanings = {
+        "k": f"the number of triangles that are there before and after, t0 to t{count - 1}" if "k" in title else "",
+        "a": "how many of them, from t0 on, lie at one end of the new edge; the others lie at the other end" if "a" in title else "",
+        "gap": "a place in an open fan where a triangle comes in: gap i is before ti; gaps 0 and k are at the boundary" if {"gap", "gaps"} & set(title) else "",
+        " and ".join(sorted(set(fresh))): "the triangles that come or go" if fresh else "",
+        "p": "a port, an edge that leads out of the patch",
+        "e, f": "an edge inside the patch, before and after",
+        "orbit": "a rule with its images under the symmetries of the patch; one of them is listed" if page.section.copies else ""}
+    return '<dl class="words">' + "".join(f"<dt><em>{word}</em></dt><dd>{meaning}</dd>" for word, meaning in meanings.items() if meaning) + "</dl>"
+
+
 def legend(page):
     return LEGEND.format(unit=page.made)
 
@@ -165,11 +181,13 @@ def body_of(page, sides, met):
     # What pictures are drawn from as their rows come into sight.
     patches = json.dumps({"before": [{**side, "position": f"{position.description.name} {position.text}"} for side, position in zip(sides[0], page.positions)],
                           "after": sides[1]}, separators=(",", ":")).replace("<", "\\u003c")
-    return (f'<h1>{escaped(page.title)}</h1><div id="names">{names}</div><p>{escaped(" ".join(abouts))}</p><p>{facts}</p><p>{notes}</p>'
+    heads = "".join(f'#rules td:nth-child({n})::before {{ content: "{column}: "; }}' for n, column in enumerate(columns, 1) if column)
+    return (f'<h1>{escaped(page.title)}</h1><div id="names">{names}</div><p>{escaped(" ".join(abouts))}</p>{words_of(page, sides)}<p>{facts}</p><p>{notes}</p>'
             f'{WHY if any(tree is not None for *_, tree in section.rules) else ""}'
             '<p>A solid port leads out of the patch. A rule may join two of them only if they were joined before.</p>'
             f'{legend(page)}<form id="filter" hidden>{filters}{sorting}<label>solid ports <input name="ports" size="10" placeholder="0 3"></label>'
             '<output></output></form>'
+            f'<style>@media (max-width: 700px), print {{ {heads} }}</style>'
             f'<div class="wide"><table id="rules"><thead><tr>{"".join(f"<th>{c}</th>" for c in columns)}</tr></thead><tbody>\n{rows}\n</tbody></table></div>'
             f'<script type="application/json" id="patches">{patches}</script>')
 
@@ -180,6 +198,8 @@ strip goes on and dashed where it does not, so that as few strips as possible re
 like. Each rule here is proved: no recolouring that is safe in every mesh leaves fewer strips, or fewer triangles alone where
 triangles are paired. Most rules keep the <em>ports</em>, the edges that lead out of the patch, and are compared with those that do;
 where a rule may cut a strip at a port, its page says so.</p>
+<p>In the tables <em>k</em> is the number of triangles around the vertex, and <em>a</em> how many of them lie at one end of the new edge.
+A <em>gap</em> is the place in an open fan where a triangle comes in. Each page explains the words that it uses.</p>
 <p>Theorems checked by Coq (<code>verify/formal/Answers.v</code> and <code>Flip.v</code>) say that what the library answers to splits,
 collapses and flips is sound and that nothing sound is preferred to it. The families come first here, single operations follow.</p>"""
 

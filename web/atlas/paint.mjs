@@ -63,7 +63,7 @@ class Painter {
   }
   show() {
     const { k, a, loop, ports } = this;
-    field('before').innerHTML = fanPicture(k, a, loop, ports, 'before the split', true);
+    field('before').innerHTML = fanPicture(k, a, loop, ports, 'before the split', { click: true });
     const rule = this.restrip.rule({ family: 'split', k, a, edges: loop, ports });
     const why = whyInvalid(k, loop, ports);
     if (rule.valid !== (why === null)) throw new Error('page and library disagree on what is valid');

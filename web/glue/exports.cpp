@@ -35,6 +35,11 @@ const List* give(std::span<const Element> elements) {
   return &list;
 }
 
+Cost cost_of(std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) {
+  const auto weight = [](std::uint32_t w) { return static_cast<std::uint16_t>(std::min(w, 1000U)); };
+  return {weight(restart), weight(swap), weight(isolated)};
+}
+
 // What the last operation was: kind, closed, k, a of the patch before, four masks as two numbers each, strips,
 // isolated.
 std::array<std::uint32_t, 14> told;
@@ -63,17 +68,26 @@ Page* restrip_open(const float* points, std::uint32_t point_count, const std::ui
   page->left_out = page->session->base_report();
   return page;
 }
-RESTRIP_EXPORT(restrip_simplify)
-Page* restrip_simplify(const float* points, std::uint32_t point_count, const std::uint32_t* triangles,
-                       std::uint32_t triangle_count, std::uint32_t wanted) {
+RESTRIP_EXPORT(restrip_simplify_begin)
+Simplifier* restrip_simplify_begin(const float* points, std::uint32_t point_count, const std::uint32_t* triangles,
+                                   std::uint32_t triangle_count) {
   std::vector<Corners> corners(triangle_count);
   for (std::size_t i = 0; i < triangle_count; ++i)
     corners[i] = {triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]};
+  return new Simplifier(std::vector<float>(points, points + 3 * std::size_t{point_count}), corners);
+}
+/// Triangles too many after at most `most` attempts; 0 when it has ended.
+RESTRIP_EXPORT(restrip_simplify_run)
+std::uint32_t restrip_simplify_run(Simplifier* simplifier, std::uint32_t wanted, std::uint32_t most) {
+  return static_cast<std::uint32_t>(simplifier->run(wanted, most));
+}
+/// The mesh that it has come to; the simplifier is gone.
+RESTRIP_EXPORT(restrip_simplify_end)
+Page* restrip_simplify_end(Simplifier* simplifier) {
+  const std::unique_ptr<Simplifier> owned(simplifier);
   auto* page = new Page;
-  Simplifier simplifier({points, 3 * std::size_t{point_count}}, corners);
-  page->left_out = simplifier.report();
-  page->session = std::make_unique<Session>(simplifier.run(wanted),
-                                            std::vector<float>(points, points + 3 * std::size_t{point_count}));
+  page->left_out = owned->report();
+  page->session = std::make_unique<Session>(owned->result(), owned->points());
   return page;
 }
 RESTRIP_EXPORT(restrip_open_baked)
@@ -122,8 +136,7 @@ const char* restrip_policy_name(std::uint32_t policy) {
 RESTRIP_EXPORT(restrip_begin)
 void restrip_begin(Page* page, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap,
                    std::uint32_t isolated) {
-  const auto weight = [](std::uint32_t w) { return static_cast<std::uint16_t>(std::min(w, 1000U)); };
-  page->session->begin(policies[policy % policies.size()].policy, {weight(restart), weight(swap), weight(isolated)});
+  page->session->begin(policies[policy % policies.size()].policy, cost_of(restart, swap, isolated));
 }
 RESTRIP_EXPORT(restrip_begin_baked)
 void restrip_begin_baked(Page* page) { page->session->begin_baked(); }
@@ -135,6 +148,8 @@ RESTRIP_EXPORT(restrip_approach)
 std::uint32_t restrip_approach(Page* page, const std::uint8_t* wanted, std::uint32_t most) {
   return static_cast<std::uint32_t>(page->session->approach({wanted, page->session->source().splits.size()}, most));
 }
+RESTRIP_EXPORT(restrip_ready)
+const List* restrip_ready(Page* page) { return give(page->session->ready()); }
 RESTRIP_EXPORT(restrip_split)
 std::uint32_t restrip_split(Page* page, std::uint32_t v_s, std::uint32_t v_t, std::uint32_t v_l, std::uint32_t v_r) {
   return static_cast<std::uint32_t>(page->session->split({v_s, v_t, v_l, v_r}));
@@ -155,6 +170,16 @@ RESTRIP_EXPORT(restrip_update)
 const List* restrip_update(Page* page) { return give(page->session->update()); }
 RESTRIP_EXPORT(restrip_indices)
 const List* restrip_indices(const Page* page) { return give(page->session->indices()); }
+RESTRIP_EXPORT(restrip_update_list)
+const List* restrip_update_list(Page* page, std::uint32_t whole) {
+  return give(page->session->update_list(whole != 0));
+}
+RESTRIP_EXPORT(restrip_list)
+const List* restrip_list(const Page* page) { return give(page->session->list()); }
+RESTRIP_EXPORT(restrip_from_scratch)
+const List* restrip_from_scratch(Page* page, std::uint32_t restart, std::uint32_t swap, std::uint32_t isolated) {
+  return give(page->session->from_scratch(cost_of(restart, swap, isolated)));
+}
 RESTRIP_EXPORT(restrip_triangles)
 const List* restrip_triangles(const Page* page) {
   static std::vector<Corners> corners;
@@ -172,18 +197,21 @@ RESTRIP_EXPORT(restrip_plain_indices)
 std::uint32_t restrip_plain_indices(const Page* page) {
   return static_cast<std::uint32_t>(page->session->plain_indices());
 }
-/// The fewest indices that any strips of this mesh can have.
+/// No index buffer of this mesh has fewer indices. The quick bound: a page waits for it.
 RESTRIP_EXPORT(restrip_index_bound)
 std::uint32_t restrip_index_bound(const Page* page) {
-  return static_cast<std::uint32_t>(strip_index_lower_bound(page->session->mesh()));
+  return static_cast<std::uint32_t>(strip_index_lower_bound(page->session->mesh(), 0).indices);
 }
 /// 1: the colouring is valid, checked from its definition.
 RESTRIP_EXPORT(restrip_valid)
 std::uint32_t restrip_valid(const Page* page) { return check_coloring(page->session->mesh()).valid ? 1 : 0; }
 
 // ---- pictures
-RESTRIP_EXPORT(restrip_runs)
-const List* restrip_runs(Page* page) { return give(page->picture.runs(*page->session)); }
+/// `scratch`: of the strips from scratch.
+RESTRIP_EXPORT(restrip_ribbon)
+const List* restrip_ribbon(Page* page, std::uint32_t scratch) {
+  return give(page->picture.ribbon(scratch != 0 ? page->session->scratch() : page->session->mesh()));
+}
 RESTRIP_EXPORT(restrip_lines)
 const List* restrip_lines(Page* page) { return give(page->picture.lines(*page->session)); }
 RESTRIP_EXPORT(restrip_pick)

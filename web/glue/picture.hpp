@@ -1,38 +1,38 @@
-// What the page draws beside the index buffer: which strip each run of the buffer is part of, the strips as lines, and
-// the triangle under the cursor. Linear in the mesh; asked only while such a picture is shown.
+// What the page draws beside the index buffer: the triangles with their strips, the strips as lines, and the triangle
+// under the cursor. Linear in the mesh; asked only while such a picture is shown.
 #pragma once
 
 #include "session.hpp"
 
 namespace restrip::web {
 
-/// A run of the index buffer and the strip that it is part of, named by the lowest triangle of that strip.
-struct PaintedRun {
-  std::uint32_t first = 0;
-  std::uint32_t count = 0;
-  std::uint32_t strip = 0;
+/// A triangle as it is painted. `beyond` and `joined` are by its sides, side i from corner i to the next one: the
+/// triangle there, `none` at the boundary, and bit i where the strip goes on to it.
+struct PaintedTriangle {
+  Triangle triangle = none;
+  Corners corners{};
+  std::array<Triangle, 3> beyond{};
+  std::uint32_t joined = 0;
+  std::uint32_t strip = 0;  ///< named by its lowest triangle
 };
 
 class Picture {
  public:
-  /// The runs of the buffer.
-  std::span<const PaintedRun> runs(const Session& session) {
-    name_strips(session.mesh());
-    runs_.clear();
-    const auto cells = session.indices();
-    for (std::size_t i = 0; i < cells.size();) {
-      if (cells[i] == StripBuffer::restart) {
-        ++i;
-        continue;
+  /// The triangles, strip by strip, in the order of their strips.
+  std::span<const PaintedTriangle> ribbon(const StripMesh& mesh) {
+    name_strips(mesh);
+    ribbon_.clear();
+    for (std::size_t s = 0; s < strips_.size(); ++s)
+      for (const Triangle t : strips_[s]) {
+        PaintedTriangle& painted = ribbon_.emplace_back(PaintedTriangle{t, mesh.corners(t), {}, 0, strip_of_[t]});
+        for (unsigned side = 0; side < 3; ++side) {
+          const Halfedge h = StripMesh::halfedge(t, side);
+          const Halfedge back = mesh.opposite(h);
+          painted.beyond[side] = StripMesh::on_boundary(back) ? none : StripMesh::triangle(back);
+          if (mesh.solid(h)) painted.joined |= 1U << side;
+        }
       }
-      const std::size_t first = i;
-      Triangle found = none;
-      for (; i < cells.size() && cells[i] != StripBuffer::restart; ++i)
-        if (found == none && i >= first + 2) found = triangle_of(session.mesh(), cells[i - 2], cells[i - 1], cells[i]);
-      runs_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(i - first),
-                       found == none ? 0 : strip_of_[found]});
-    }
-    return runs_;
+    return ribbon_;
   }
 
   /// Segments of the strips' middle lines: two points, the strip, and 1 where the strip ends with this segment: eight
@@ -82,15 +82,6 @@ class Picture {
       const Triangle lowest = *std::min_element(strip.begin(), strip.end());
       for (const Triangle t : strip) strip_of_[t] = lowest;
     }
-  }
-  [[nodiscard]] static Triangle triangle_of(const StripMesh& mesh, Vertex a, Vertex b, Vertex c) {
-    if (a == b || b == c || a == c) return none;
-    for (const auto& [from, to] : {std::array{a, b}, std::array{b, a}}) {
-      const Halfedge h = mesh.spoke(from, to);
-      if (h.id == none || StripMesh::on_boundary(h) || mesh.to(StripMesh::next(h)) != c) continue;
-      return StripMesh::triangle(h);
-    }
-    return none;
   }
   [[nodiscard]] static Point point(const Session& session, Vertex v) noexcept {
     const auto p = session.points().subspan(3 * std::size_t{v}, 3);
@@ -144,7 +135,7 @@ class Picture {
 
   Strips strips_;
   std::vector<Triangle> strip_of_;
-  std::vector<PaintedRun> runs_;
+  std::vector<PaintedTriangle> ribbon_;
   std::vector<float> lines_;
   std::vector<float> hit_;
 };

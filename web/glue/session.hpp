@@ -98,6 +98,17 @@ class Session {
     return done;
   }
 
+  /// The records that can be split now: those that are not, and need no other. Linear in the records.
+  std::span<const std::uint32_t> ready() {
+    ready_.clear();
+    for (std::uint32_t i = 0; i < played_.size(); ++i) {
+      const auto needs = hierarchy_.needs(i);
+      if (played_[i] == 0 && std::all_of(needs.begin(), needs.end(), [&](std::uint32_t n) { return played_[n] != 0; }))
+        ready_.push_back(i);
+    }
+    return ready_;
+  }
+
   // ---- single operations, by vertices. From then on records are checked before they are played.
   Refusal split(const Record& r) {
     const Where where = spokes_of(mesh_, r);
@@ -146,6 +157,29 @@ class Session {
   }
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return buffer_.indices(); }
 
+  // ---- what strips kept can be compared with
+  /// In place of update(): a triangle list, written whole or with a slot for each triangle.
+  std::span<const IndexRange> update_list(bool whole) {
+    if (whole) {
+      list_.rebuild(mesh_);
+      given_ = {{0, list_.indices().size()}};
+    } else {
+      const auto ranges = list_.update(mesh_, changed_);
+      given_.assign(ranges.begin(), ranges.end());
+    }
+    changed_.clear();
+    return given_;
+  }
+  [[nodiscard]] std::span<const std::uint32_t> list() const noexcept { return list_.indices(); }
+  /// Strips of the mesh as it is, made from scratch by the fastest way; its own strips stay. The index buffer.
+  std::span<const std::uint32_t> from_scratch(Cost cost) {
+    scratch_ = mesh_;
+    stripify(scratch_, Effort::fast, cost);
+    scratch_indices_ = strip_indices(scratch_);
+    return scratch_indices_;
+  }
+  [[nodiscard]] const StripMesh& scratch() const noexcept { return scratch_; }
+
   [[nodiscard]] const Figures& figures() {
     figures_.triangles = static_cast<std::uint32_t>(mesh_.triangle_count());
     figures_.strips = static_cast<std::uint32_t>(keeper_->strips());
@@ -189,6 +223,7 @@ class Session {
     mesh_.watch(&changed_);
     buffer_.rebuild(mesh_);
     buffer_.reserve(source_.fine_triangles());
+    list_ = {};
     whole_ = {{0, buffer_.indices().size()}};
   }
   /// From now on the mesh is not what the records expect.
@@ -291,11 +326,15 @@ class Session {
   std::vector<std::uint8_t> played_;       // by record
   std::vector<std::uint32_t> dependents_;  // by record: those played that need it
   std::vector<std::uint32_t> stack_;
+  std::vector<std::uint32_t> ready_;
 
   StripMesh mesh_;
   std::optional<Keeper<StripMesh>> keeper_;
   std::vector<Triangle> changed_;
   StripBuffer buffer_;
+  TriangleListBuffer list_;
+  StripMesh scratch_;
+  std::vector<std::uint32_t> scratch_indices_;
   std::vector<IndexRange> whole_;  // not empty: the next update writes everything
   std::vector<IndexRange> given_;
   Figures figures_;

@@ -43,18 +43,20 @@ struct Quadric {
 class Simplifier {
  public:
   /// `points`: three coordinates each.
-  Simplifier(std::span<const float> points, std::span<const Corners> triangles)
-      : points_(points), mesh_(StripMesh::build(triangles, points.size() / 3, &report_)) {}
-
-  /// Collapses edges until so many triangles are left, or no edge can be collapsed.
-  [[nodiscard]] Progressive run(std::size_t wanted) {
+  Simplifier(std::vector<float> points, std::span<const Corners> triangles)
+      : points_(std::move(points)), mesh_(StripMesh::build(triangles, points_.size() / 3, &report_)) {
     quadrics_.resize(points_.size() / 3);
     version_.resize(points_.size() / 3, 0);
     for (Triangle t = 0; t < mesh_.triangle_bound(); ++t) add_planes(t);
     for (Vertex v = 0; v < mesh_.vertex_bound(); ++v)
       if (mesh_.spoke(v).id != none) propose(v);
-    Progressive out;
+  }
+
+  /// Collapses edges until so many triangles are left, or no edge can be collapsed; at most `most` attempts. Returns
+  /// how many triangles too many there are then; 0 when it has ended.
+  [[nodiscard]] std::size_t run(std::size_t wanted, std::size_t most) {
     while (mesh_.triangle_count() > wanted && !queue_.empty()) {
+      if (most-- == 0) return mesh_.triangle_count() - wanted;
       const Candidate best = queue_.top();
       queue_.pop();
       if (best.version != version_[best.v_t] || mesh_.spoke(best.v_t).id == none) continue;
@@ -64,7 +66,7 @@ class Simplifier {
         if (best.tries + 1 < spoke_count(mesh_, best.v_t)) propose(best.v_t, best.tries + 1);
         continue;
       }
-      out.splits.push_back(
+      splits_.push_back(
           {best.v_s, best.v_t, mesh_.to(StripMesh::next(chord)), mesh_.to(StripMesh::next(mesh_.opposite(chord)))});
       quadrics_[best.v_s].add(quadrics_[best.v_t]);
       mesh_.remove_vertex(chord);
@@ -76,12 +78,16 @@ class Simplifier {
         propose(v);
       }
     }
-    std::reverse(out.splits.begin(), out.splits.end());
+    return 0;
+  }
+  /// What it has come to.
+  [[nodiscard]] Progressive result() const {
+    Progressive out{{}, {splits_.rbegin(), splits_.rend()}, points_.size() / 3};
     for (Triangle t = 0; t < mesh_.triangle_bound(); ++t)
       if (mesh_.alive(t)) out.base.push_back(mesh_.corners(t));
-    out.points = points_.size() / 3;
     return out;
   }
+  [[nodiscard]] const std::vector<float>& points() const noexcept { return points_; }
   [[nodiscard]] const BuildReport& report() const noexcept { return report_; }
 
  private:
@@ -142,9 +148,10 @@ class Simplifier {
     return !turned;
   }
 
-  std::span<const float> points_;
+  std::vector<float> points_;
   BuildReport report_;
   StripMesh mesh_;
+  std::vector<Record> splits_;  // the finest first
   std::vector<Quadric> quadrics_;
   std::vector<std::uint32_t> version_;
   std::priority_queue<Candidate> queue_;

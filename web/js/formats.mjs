@@ -9,7 +9,12 @@ export function readMesh(name, buffer) {
   const readers = { obj: readObj, off: readOff, ply: readPly, glb: readGlb, pm: readPm };
   if (!(extension in readers))
     throw new Error(`${name}: is none of the formats ${[...Object.keys(readers), 'baked'].join(', ').toUpperCase()}`);
-  const mesh = readers[extension](buffer, name);
+  let mesh;
+  try {
+    mesh = readers[extension](buffer, name);
+  } catch (error) {  // one of our sentences, or what the language says of a place that is not there
+    throw error.message.startsWith(name) ? error : new Error(`${name}: is damaged or cut off (${error.message})`);
+  }
   if ((mesh.triangles ?? mesh.base).length === 0) throw new Error(`${name}: has no triangles`);
   const vertices = mesh.points.length / 3;
   for (const corner of mesh.triangles ?? mesh.base)
@@ -107,7 +112,10 @@ function readPly(buffer, name) {
         else at[property.name] = Array.from({ length: read(property.types[0]) }, () => read(property.types[1]));
       }
       if (element.name === 'vertex') points.push(at.x, at.y, at.z);
-      if (element.name === 'face') addPolygon(triangles, at.vertex_indices ?? at.vertex_index ?? []);
+      const corners = at.vertex_indices ?? at.vertex_index ?? [];
+      if (element.name === 'face') addPolygon(triangles, corners);
+      // -1 begins the next strip, as the type of the list is signed.
+      if (element.name === 'tristrips') for (const corner of asTriangles(corners, 5, -1)) triangles.push(corner);
     }
   }
   return { points, triangles };
@@ -143,6 +151,41 @@ function asTriangles(corners, mode, restart) {
   return out;
 }
 
+/// What a node does to points: the images of the three axes and of the origin.
+function mapOf({ matrix, translation = [0, 0, 0], rotation: [x, y, z, w] = [0, 0, 0, 1], scale = [1, 1, 1] }) {
+  if (matrix) return [0, 4, 8, 12].map((at) => matrix.slice(at, at + 3));
+  const turned = [[1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)],
+    [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)], [2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)]];
+  return [...turned.map((axis, n) => axis.map((c) => c * scale[n])), translation];
+}
+const moved = ([x, y, z, origin], p, isPoint) => [0, 1, 2].map((n) => x[n] * p[0] + y[n] * p[1] + z[n] * p[2] + (isPoint ? origin[n] : 0));
+const product = (outer, inner) => inner.map((p, n) => moved(outer, p, n === 3));
+const mirrors = ([x, y, z]) => x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) + x[2] * (y[0] * z[1] - y[1] * z[0]) < 0;
+
+/// The meshes of the scene, each as often as a node has it, with the map of that node.
+function placedMeshes(json, name) {
+  const nodes = json.nodes ?? [];
+  const identity = mapOf({});
+  if (nodes.length === 0) return (json.meshes ?? []).map((mesh) => [mesh, identity]);
+  const children = new Set(nodes.flatMap((node) => node.children ?? []));
+  const tops = json.scenes?.length ? json.scenes[json.scene ?? 0].nodes ?? [] : nodes.map((_, n) => n).filter((n) => !children.has(n));
+  const seen = new Set();
+  const placed = [];
+  const open = tops.map((n) => [n, identity]).reverse();
+  while (open.length > 0) {
+    const [n, outer] = open.pop();
+    if (seen.has(n)) throw new Error(`${name}: node ${n} is in the scene twice; nodes must form trees`);
+    seen.add(n);
+    const map = product(outer, mapOf(nodes[n]));
+    if (nodes[n].mesh !== undefined) placed.push([json.meshes[nodes[n].mesh], map]);
+    for (const child of [...nodes[n].children ?? []].reverse()) open.push([child, map]);
+  }
+  return placed;
+}
+
+const gltfTypes = { 5120: ['Int8', 1, 127], 5121: ['Uint8', 1, 255], 5122: ['Int16', 2, 32767], 5123: ['Uint16', 2, 65535], 5125: ['Uint32', 4],
+  5126: ['Float32', 4] };
+
 function readGlb(buffer, name) {
   const view = new DataView(buffer.buffer ?? buffer, buffer.byteOffset ?? 0, buffer.byteLength);
   if (view.byteLength < 20 || view.getUint32(0, true) !== 0x46546c67) throw new Error(`${name}: is no binary glTF`);
@@ -153,25 +196,32 @@ function readGlb(buffer, name) {
     const accessor = json.accessors[accessorNumber];
     const part = json.bufferViews[accessor.bufferView];
     if (!part || accessor.sparse || part.extensions) throw new Error(`${name}: is compressed or sparse, which is not read`);
-    const [getter, size] = { 5121: ['Uint8', 1], 5123: ['Uint16', 2], 5125: ['Uint32', 4], 5126: ['Float32', 4] }[accessor.componentType];
+    const [getter, size, most] = gltfTypes[accessor.componentType];
     const width = { SCALAR: 1, VEC3: 3 }[accessor.type];
     const stride = part.byteStride ?? size * width;
-    const data = new DataView(view.buffer, binary + (part.byteOffset ?? 0) + (accessor.byteOffset ?? 0));
-    return Array.from({ length: accessor.count * width }, (_, n) =>
-      data[`get${getter}`](Math.floor(n / width) * stride + (n % width) * size, true));
+    const first = binary + (part.byteOffset ?? 0) + (accessor.byteOffset ?? 0);
+    const data = new DataView(view.buffer, first, view.byteOffset + view.byteLength - first);
+    const value = (n) => data[`get${getter}`](Math.floor(n / width) * stride + (n % width) * size, true);
+    // KHR_mesh_quantization: whole numbers, as they are or as shares of the largest.
+    return Array.from({ length: accessor.count * width }, (_, n) => (accessor.normalized ? Math.max(value(n) / most, -1) : value(n)));
   };
   const points = [];
   const triangles = [];
-  for (const mesh of json.meshes ?? []) {
+  for (const [mesh, map] of placedMeshes(json, name)) {
     for (const primitive of mesh.primitives) {
       const mode = primitive.mode ?? 4;
       if (mode < 4) continue;  // points and lines
       const first = points.length / 3;
-      for (const coordinate of read(primitive.attributes.POSITION)) points.push(coordinate);
-      const corners = primitive.indices === undefined
-        ? Array.from({ length: points.length / 3 - first }, (_, n) => n) : read(primitive.indices);
+      const own = read(primitive.attributes.POSITION);
+      for (let v = 0; v < own.length; v += 3) points.push(...moved(map, own.slice(v, v + 3), true));
+      const corners = primitive.indices === undefined ? Array.from({ length: own.length / 3 }, (_, n) => n) : read(primitive.indices);
       const restart = { 5121: 0xff, 5123: 0xffff, 5125: 0xffffffff }[json.accessors[primitive.indices]?.componentType];
-      for (const corner of asTriangles(corners, mode, restart)) triangles.push(first + corner);
+      const list = asTriangles(corners, mode, restart);
+      const turn = mirrors(map);
+      for (let i = 0; i < list.length; i += 3) {
+        const [a, b, c] = [list[i], list[i + 1], list[i + 2]].map((corner) => first + corner);
+        triangles.push(a, ...(turn ? [c, b] : [b, c]));
+      }
     }
   }
   return welded(points, triangles);

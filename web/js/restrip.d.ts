@@ -1,17 +1,14 @@
+/// <reference lib="esnext.disposable" />
 // Triangle strips kept while the mesh changes. A mesh is a progressive mesh: a base and vertex splits, the *records*,
 // that lead from it to the fine mesh. Strips are kept by proven local rules, and further by the policy.
+// README.md has a whole example.
 //
-//   import { load } from 'restrip';
-//   const restrip = await load();
-//   const mesh = restrip.simplified({ points, triangles }).begin({ policy: 'quick', cost: 'indices' });
-//   mesh.moveTo(mesh.levels / 2);
-//   for (const { first, count } of mesh.update())
-//     gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, 4 * first, mesh.indices, first, count);
-//   gl.drawElements(gl.TRIANGLE_STRIP, mesh.indices.length, gl.UNSIGNED_INT, 0);
+// Misuse throws an Error whose message is a sentence: an argument out of its range, a number that is NaN, a call before
+// begin() or after close(). Operations that the mesh refuses are no misuse.
 
 /** How far an operation looks to keep the strips good. 'baked': not at all, the strips of each level were decided by
  * `restrip bake`; for meshes opened by Restrip.baked. */
-export type Policy = 'bare' | 'rules' | 'local' | 'linked' | 'quick' | 'full' | 'baked';
+export type Policy = 'bare' | 'rules' | 'local' | 'linked' | 'quick' | 'full' | 'best' | 'baked';
 /** What is kept low: a weight for each strip, each swap (a repeated index), each isolated triangle; 0 to 1000. */
 export type Cost = 'strips' | 'indices' | { restart: number; swap: number; isolated?: number };
 export type Family = 'split' | 'collapse' | 'open-split' | 'open-collapse' | 'boundary-split' | 'boundary-collapse' | 'flip';
@@ -30,11 +27,15 @@ export const small: URL;
 export function load(source?: string | URL | BufferSource | WebAssembly.Module): Promise<Restrip>;
 
 export class Restrip {
-  /** A progressive mesh. `points`: 3 numbers a vertex; `base`: 3 a triangle; `splits`: 4 a record: v_s, the new v_t,
-   * v_l, v_r (one of the last two is `none` on the boundary). Throws when a record cannot be played. */
+  /** A progressive mesh. `points`: 3 finite numbers a vertex; `base`: 3 a triangle; `splits`: 4 a record: v_s, the new v_t,
+   * v_l, v_r (one of the last two is `none` on the boundary). Vertices are those that have a point. Throws when a record
+   * cannot be played. */
   progressive(source: { points: ArrayLike<number>; base: ArrayLike<number>; splits: ArrayLike<number> }): StripMesh;
-  /** Simplifies a mesh to that share of its triangles, by quadric errors; boundary vertices stay. */
+  /** Simplifies a mesh to that share of its triangles, from 0 to 1, by quadric errors; boundary vertices stay. Takes
+   * seconds for a million triangles. */
   simplified(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): StripMesh;
+  /** The same in steps: a generator of the share that is done, from 0 to 1, which returns the mesh. */
+  simplifying(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): Generator<number, StripMesh, void>;
   /** A baked mesh, from the bytes of the file that `restrip bake` wrote. Throws when they are truncated, altered, or no
    * mesh. */
   baked(bytes: ArrayBuffer | ArrayBufferView): StripMesh;
@@ -97,7 +98,7 @@ export interface LastOperation {
 
 /** Call begin() first; everything else is an error before it. A view of memory (`indices`) is valid until the next
  * call of any method of any mesh. */
-export class StripMesh {
+export class StripMesh implements Disposable {
   readonly points: Float32Array;
   /** Number of records. */
   readonly levels: number;
@@ -110,18 +111,29 @@ export class StripMesh {
   /** Goes to the base, gives it strips from scratch, and keeps them in this way from now on. Policy 'baked' begins with the
    * baked strips instead, whatever the cost. */
   begin(options?: { policy?: Policy; cost?: Cost }): this;
-  /** Splits and collapses until the first `level` records are played, at most `most` operations. Returns their number;
-   * fewer than `most`: done. */
+  /** Splits and collapses until the first `level` records are played, a whole number up to `levels`; at most `most`
+   * operations. Returns their number; fewer than `most`: done. */
   moveTo(level: number, most?: number): number;
   /** The same towards the records marked 1 in `wanted`, a byte each, and those that they need: a view-dependent mesh. */
   approach(wanted: Uint8Array, most?: number): number;
-  /** Single operations by vertices. Null when done, else a sentence that says why the mesh refuses. */
+  /** The records that can be split now: all that they need are split. Linear time. */
+  readonly ready: Uint32Array;
+  /** Single operations by vertices; vT needs a point. Null when done, else a sentence that says why the mesh refuses. */
   split(vS: number, vT: number, vL: number, vR: number): string | null;
   collapse(vS: number, vT: number): string | null;
   flip(u: number, v: number): string | null;
 
-  /** Brings the index buffer in step; returns the ranges to upload. Time linear in what changed. */
+  /** Brings the index buffer in step; returns the ranges to upload. The buffer may have become longer than its storage
+   * on the graphics card. Time linear in what changed. */
   update(): Range[];
+  /** In place of update(), for a policy such as 'bare' that keeps no strips: a triangle list, in which an operation writes
+   * the slots of the triangles that it changed alone; or, if it is to be so, the list as a whole. */
+  updateList(options?: { whole?: boolean }): Range[];
+  /** That list, 3 indices a triangle. A view, not a copy. */
+  readonly listIndices: Uint32Array;
+  /** Strips of the mesh as it is, made anew by the fastest way there is here; those that are kept do not change. Copies of
+   * their index buffer and of their triangles, as in `ribbon`. Linear time. */
+  fromScratch(options?: { cost?: Cost }): { indices: Uint32Array; ribbon: Uint32Array };
   /** The index buffer: one triangle strip with restarts. A view, not a copy. */
   readonly indices: Uint32Array;
   /** A copy of the triangles, 3 numbers each. */
@@ -130,18 +142,21 @@ export class StripMesh {
   readonly figures: Figures;
   /** Indices of a buffer written from scratch, without gaps. Linear time. */
   readonly plainIndices: number;
-  /** No strips of this mesh have fewer indices. Linear time. */
+  /** No index buffer of this mesh has fewer indices. Some eighty passes over the mesh. */
   readonly indexBound: number;
   /** Checks the colouring from its definition. Linear time. */
   readonly valid: boolean;
 
-  /** The runs of the index buffer: first, count, and a number that names the strip. Linear time. */
-  readonly runs: Uint32Array;
+  /** The triangles, strip by strip and in the order of their strips, 9 numbers each: the triangle, its three corners, the
+   * triangles beyond its three sides (`none` at the boundary), a mask of the sides where its strip goes on, and the strip,
+   * named by its lowest triangle. Side 0 is from the first corner to the second. Linear time. */
+  readonly ribbon: Uint32Array;
   /** The strips as lines, 8 numbers a segment: two points, the strip, 1 at its end. Linear time. */
   readonly lines: Float32Array;
   /** Where a ray meets the mesh first, or null. Linear time. */
   pick(from: ArrayLike<number>, along: ArrayLike<number>): [number, number, number] | null;
   readonly last: LastOperation | null;
-  /** Gives the memory back. */
+  /** Gives the memory back. Once is enough; `using mesh = …` does it at the end of the block. */
   close(): void;
+  [Symbol.dispose](): void;
 }

@@ -29,7 +29,55 @@ export async function load(source = new URL('./restrip.wasm', import.meta.url)) 
   }
   const instance = await WebAssembly.instantiate(module, {});
   instance.exports._initialize();
-  return new Restrip(instance.exports);
+  // A number of WebAssembly is signed; ours are addresses, some above 2 GB, and counts.
+  const unsigned = (call) => (typeof call === 'function' ? (...values) => call(...values) >>> 0 : call);
+  return new Restrip(Object.fromEntries(Object.entries(instance.exports).map(([name, each]) => [name, unsigned(each)])));
+}
+
+// ---- arguments: each is as the manual says, or a sentence is thrown
+
+/// A whole number from 0 to `most`.
+function whole(what, n, most = 0xffffffff) {
+  if (Number.isInteger(n) && n >= 0 && n <= most) return n;
+  throw new RangeError(`${what} is ${String(n)}; it must be a whole number from 0 to ${most}`);
+}
+/// How many operations at most; no limit is more than any mesh has.
+function limit(most) {
+  if (typeof most === 'number' && most >= 0) return Math.min(Math.floor(most), 0xffffffff);
+  throw new RangeError(`the number of operations is ${String(most)}; it must be 0 or more`);
+}
+/// So many numbers for each item.
+function groups(what, list, width) {
+  if (typeof list?.length !== 'number' || list.length % width !== 0)
+    throw new RangeError(`${what}: ${list?.length === undefined ? 'no list' : `${list.length} numbers`}; they must be ${width} for each`);
+  return list.length / width;
+}
+function coordinates(list) {
+  groups('points', list, 3);
+  const out = Float32Array.from(list);
+  const wrong = out.findIndex((coordinate) => !Number.isFinite(coordinate));
+  if (wrong >= 0) throw new RangeError(`points: vertex ${Math.floor(wrong / 3)} has the coordinate ${String(list[wrong])}, which no float can hold`);
+  return out;
+}
+/// Vertices, `width` for each `what`; `or`: a number that may stand for none of them.
+function vertices(what, list, width, count, or = NaN) {
+  groups(what, list, width);
+  for (let i = 0; i < list.length; ++i)
+    if (!(Number.isInteger(list[i]) && list[i] >= 0 && list[i] < count) && list[i] !== or)
+      throw new RangeError(`${what} ${Math.floor(i / width)} names vertex ${String(list[i])}; there are ${count}`);
+  return Uint32Array.from(list);
+}
+function weights(cost) {
+  const own = typeof cost === 'string' && Object.hasOwn(costs, cost) ? costs[cost] : cost;
+  if (typeof own !== 'object' || own === null)
+    throw new RangeError(`there is no cost ${String(cost)}; there are ${Object.keys(costs).join(', ')}, and weights of one's own`);
+  const { restart, swap, isolated = 0 } = own;
+  return Object.entries({ restart, swap, isolated }).map(([name, weight]) => whole(`the weight ${name}`, weight, 1000));
+}
+function mask(what, bits) {
+  const out = BigInt(bits);
+  if (BigInt.asUintN(64, out) !== out) throw new RangeError(`${what} is ${out}; it must have bits 0 to 63 only`);
+  return out;
 }
 
 export class Restrip {
@@ -41,42 +89,67 @@ export class Restrip {
 
   /// A progressive mesh as it is.
   progressive({ points, base, splits }) {
-    return this.#opened(this.#with([Float32Array.from(points), Uint32Array.from(base), Uint32Array.from(splits)],
-      (p, b, s) => this.#wasm.restrip_open(p, points.length / 3, b, base.length / 3, s, splits.length / 4)), points);
+    const places = coordinates(points);
+    const count = places.length / 3;
+    const corners = vertices('triangle', base, 3, count);
+    const records = vertices('record', splits, 4, count, none);
+    return this.#opened(this.#with([places, corners, records],
+      (p, b, s) => this.#wasm.restrip_open(p, count, b, corners.length / 3, s, records.length / 4)), places);
   }
   /// A mesh, simplified here to `share` of its triangles.
-  simplified({ points, triangles }, share = 0.02) {
-    const wanted = Math.max(4, Math.round(triangles.length / 3 * share));
-    return this.#opened(this.#with([Float32Array.from(points), Uint32Array.from(triangles)],
-      (p, t) => this.#wasm.restrip_simplify(p, points.length / 3, t, triangles.length / 3, wanted)), points);
+  simplified(source, share) {
+    const steps = this.simplifying(source, share);
+    for (;;) {
+      const { done, value } = steps.next();
+      if (done) return value;
+    }
+  }
+  /// The same in steps of some thousand attempts.
+  *simplifying({ points, triangles }, share = 0.02) {
+    if (!(share >= 0 && share <= 1)) throw new RangeError(`share is ${String(share)}; it must be from 0 to 1`);
+    const places = coordinates(points);
+    const count = places.length / 3;
+    const corners = vertices('triangle', triangles, 3, count);
+    const wanted = Math.max(4, Math.round(corners.length / 3 * share));
+    const simplifier = this.#with([places, corners], (p, t) => this.#wasm.restrip_simplify_begin(p, count, t, corners.length / 3));
+    let page = 0;
+    try {
+      const all = Math.max(1, corners.length / 3 - wanted);
+      for (let left; (left = this.#wasm.restrip_simplify_run(simplifier, wanted, 4000)) > 0;) yield 1 - left / all;
+      page = this.#wasm.restrip_simplify_end(simplifier);
+    } finally {
+      if (page === 0) this.#wasm.restrip_close(this.#wasm.restrip_simplify_end(simplifier));  // nobody waits for the end
+    }
+    return this.#opened(page, places);
   }
 
   /// A baked mesh, from the bytes of its file.
   baked(bytes) {
-    const copy = Uint8Array.from(ArrayBuffer.isView(bytes) ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes));
-    const page = this.#with([copy], (b) => this.#wasm.restrip_open_baked(b, copy.length));
+    const view = ArrayBuffer.isView(bytes) ? new Uint8Array(bytes.buffer, bytes.byteOffset, bytes.byteLength) : new Uint8Array(bytes);
+    const page = this.#with([view], (b) => this.#wasm.restrip_open_baked(b, view.length));
     const damage = textAt(this.#wasm, this.#wasm.restrip_damage(page));
     if (damage !== '') {
       this.#wasm.restrip_close(page);
       throw new Error(`baked mesh: ${damage}`);
     }
-    return this.#opened(page, this.#list(this.#wasm.restrip_points(page), Float32Array));
+    return this.#opened(page, this.#list(this.#wasm.restrip_points(page), Float32Array).slice());
   }
 
   /// The rule of a configuration.
   rule({ family, k = 0, a = 0, i = 0, j = 0, edges, ports }) {
     const number = families.indexOf(family);
     if (number < 0) throw new RangeError(`there is no family ${family}; there are ${families.join(', ')}`);
-    const x = number < 2 ? a : i;
+    const x = number < 2 ? whole('a', a) : whole('i', i);
+    const solid = mask('ports', ports);
     const [valid, strips, low, high, kept] =
-      this.#list(this.#wasm.restrip_rule(number, k, x, j, BigInt(edges), BigInt(ports)), Uint32Array);
+      this.#list(this.#wasm.restrip_rule(number, whole('k', k), x, whole('j', j), mask('edges', edges), solid), Uint32Array);
     return { valid: valid === 1, strips: strips | 0, colors: BigInt(high) << 32n | BigInt(low),
-      ports: family === 'flip' ? BigInt(kept) : BigInt(ports) };
+      ports: family === 'flip' ? BigInt(kept) : solid };
   }
 
   #opened(page, points) {
-    const mesh = new StripMesh(this.#wasm, page, Float32Array.from(points));
-    const refused = this.#wasm.restrip_refused_record(page) >>> 0;
+    const mesh = new StripMesh(this.#wasm, page, points);
+    const refused = this.#wasm.restrip_refused_record(page);
     if (refused !== none) {
       mesh.close();
       throw new Error(`split ${refused} of the progressive mesh cannot be done; all before it can`);
@@ -85,13 +158,10 @@ export class Restrip {
   }
   /// Copies the arrays into the module's memory for the time of the call.
   #with(arrays, call) {
-    const places = arrays.map((array) => {
-      const place = this.#wasm.restrip_take(Math.max(array.byteLength, 1));
-      if (place === 0) throw new RangeError('out of memory');
-      return place;
-    });
-    arrays.forEach((array, n) => new array.constructor(this.#wasm.memory.buffer, places[n], array.length).set(array));
+    const places = [];
     try {
+      for (const { byteLength } of arrays) places.push(taken(this.#wasm, byteLength));
+      arrays.forEach((array, n) => new array.constructor(this.#wasm.memory.buffer, places[n], array.length).set(array));
       return call(...places);
     } finally {
       places.forEach((place) => this.#wasm.restrip_give_back(place));
@@ -100,6 +170,12 @@ export class Restrip {
   #list(address, Type) {
     return listAt(this.#wasm, address, Type, 1);
   }
+}
+
+function taken(wasm, bytes) {
+  const place = wasm.restrip_take(Math.max(bytes, 1));
+  if (place === 0) throw new RangeError(`out of memory: ${bytes} bytes more cannot be had`);
+  return place;
 }
 
 function listAt(wasm, address, Type, width) {
@@ -123,6 +199,7 @@ export class StripMesh {
   #wasm;
   #page;
   #levels;
+  #begun = false;
   #wanted = 0;
   /// Three coordinates a vertex; they never change.
   points;
@@ -138,79 +215,109 @@ export class StripMesh {
     if (this.#page) this.#wasm.restrip_close(this.#page);
     this.#page = this.#wanted = 0;
   }
+  [Symbol.dispose ?? Symbol.for('Symbol.dispose')]() { this.close(); }
+
+  /// The mesh in the module's memory.
+  get #open() {
+    if (this.#page === 0) throw new Error('this mesh is closed: close() gave its memory back');
+    return this.#page;
+  }
+  /// The same, with strips.
+  get #kept() {
+    if (!this.#begun && this.#page !== 0) throw new Error('this mesh has no strips yet; call begin() first');
+    return this.#open;
+  }
 
   get levels() { return this.#levels; }
-  get splits() { return listAt(this.#wasm, this.#wasm.restrip_splits(this.#page), Uint32Array, 4).slice(); }
+  get splits() { return listAt(this.#wasm, this.#wasm.restrip_splits(this.#open), Uint32Array, 4).slice(); }
   get leftOut() {
-    const count = (what) => this.#wasm.restrip_left_out(this.#page, what);
+    const count = (what) => this.#wasm.restrip_left_out(this.#open, what);
     return { triangles: count(0), nonManifoldVertices: count(1), boundaryEdges: count(2) };
   }
 
-  get hasBakedStrips() { return this.#wasm.restrip_has_baked_strips(this.#page) === 1; }
+  get hasBakedStrips() { return this.#wasm.restrip_has_baked_strips(this.#open) === 1; }
 
   begin({ policy = 'quick', cost = 'strips' } = {}) {
     if (policy === 'baked') {
       if (!this.hasBakedStrips) throw new RangeError('this mesh has no baked strips; open the file of a baked mesh');
-      this.#wasm.restrip_begin_baked(this.#page);
+      this.#wasm.restrip_begin_baked(this.#open);
+      this.#begun = true;
       return this;
     }
     const policies = policiesOf(this.#wasm);
     const number = policies.indexOf(policy);
     if (number < 0) throw new RangeError(`there is no policy ${policy}; there are ${policies.join(', ')}, and baked for baked meshes`);
-    const { restart, swap, isolated = 0 } = typeof cost === 'string' ? costs[cost] : cost;
-    this.#wasm.restrip_begin(this.#page, number, restart, swap, isolated);
+    this.#wasm.restrip_begin(this.#open, number, ...weights(cost));
+    this.#begun = true;
     return this;
   }
   moveTo(level, most = 0xffffffff) {
-    return this.#wasm.restrip_move(this.#page, Math.min(level, this.#levels), most);
+    return this.#wasm.restrip_move(this.#kept, whole('the level', level, this.#levels), limit(most));
   }
   approach(wanted, most = 0xffffffff) {
-    if (wanted.length !== this.#levels) throw new RangeError(`${wanted.length} records of ${this.#levels}`);
-    if (!this.#wanted) this.#wanted = this.#wasm.restrip_take(Math.max(1, this.#levels));
+    if (wanted?.length !== this.#levels)
+      throw new RangeError(`there are ${String(wanted?.length ?? 'no')} marks; there must be one for each of the ${this.#levels} records`);
+    const page = this.#kept;
+    if (!this.#wanted) this.#wanted = taken(this.#wasm, this.#levels);
     new Uint8Array(this.#wasm.memory.buffer, this.#wanted, this.#levels).set(wanted);
-    return this.#wasm.restrip_approach(this.#page, this.#wanted, most);
+    return this.#wasm.restrip_approach(page, this.#wanted, limit(most));
   }
-  split(vS, vT, vL, vR) { return this.#done(this.#wasm.restrip_split(this.#page, vS, vT, vL, vR)); }
-  collapse(vS, vT) { return this.#done(this.#wasm.restrip_collapse(this.#page, vS, vT)); }
-  flip(u, v) { return this.#done(this.#wasm.restrip_flip(this.#page, u, v)); }
+  split(vS, vT, vL, vR) {
+    // The new vertex must have a point; of the others the library says whether the mesh has them.
+    whole('vT', vT, this.points.length / 3 - 1);
+    return this.#done(this.#wasm.restrip_split(this.#kept, whole('vS', vS), vT, whole('vL', vL), whole('vR', vR)));
+  }
+  collapse(vS, vT) { return this.#done(this.#wasm.restrip_collapse(this.#kept, whole('vS', vS), whole('vT', vT))); }
+  flip(u, v) { return this.#done(this.#wasm.restrip_flip(this.#kept, whole('u', u), whole('v', v))); }
   #done(refusal) {
     if (refusal === 0) return null;
     return textAt(this.#wasm, this.#wasm.restrip_describe(refusal));
   }
 
-  update() {
-    const flat = listAt(this.#wasm, this.#wasm.restrip_update(this.#page), Uint32Array, 2);
+  get ready() { return listAt(this.#wasm, this.#wasm.restrip_ready(this.#kept), Uint32Array, 1).slice(); }
+
+  update() { return this.#ranges(this.#wasm.restrip_update(this.#kept)); }
+  updateList({ whole: all = false } = {}) { return this.#ranges(this.#wasm.restrip_update_list(this.#kept, all ? 1 : 0)); }
+  get listIndices() { return listAt(this.#wasm, this.#wasm.restrip_list(this.#kept), Uint32Array, 1); }
+  fromScratch({ cost = 'strips' } = {}) {
+    const indices = listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost)), Uint32Array, 1).slice();
+    return { indices, ribbon: listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 1), Uint32Array, 9).slice() };
+  }
+  #ranges(address) {
+    const flat = listAt(this.#wasm, address, Uint32Array, 2);
     const ranges = [];
     for (let i = 0; i < flat.length; i += 2) ranges.push({ first: flat[i], count: flat[i + 1] });
     return ranges;
   }
-  get indices() { return listAt(this.#wasm, this.#wasm.restrip_indices(this.#page), Uint32Array, 1); }
-  get triangles() { return listAt(this.#wasm, this.#wasm.restrip_triangles(this.#page), Uint32Array, 3).slice(); }
+  get indices() { return listAt(this.#wasm, this.#wasm.restrip_indices(this.#kept), Uint32Array, 1); }
+  get triangles() { return listAt(this.#wasm, this.#wasm.restrip_triangles(this.#kept), Uint32Array, 3).slice(); }
 
   get figures() {
-    const raw = new Uint32Array(this.#wasm.memory.buffer, this.#wasm.restrip_figures(this.#page), figureNames.length);
+    const raw = new Uint32Array(this.#wasm.memory.buffer, this.#wasm.restrip_figures(this.#kept), figureNames.length);
     const figures = Object.fromEntries(figureNames.map((name, n) => [name, raw[n]]));
     for (const flag of ['inOrder', 'baked']) figures[flag] = figures[flag] === 1;
     return figures;
   }
-  get plainIndices() { return this.#wasm.restrip_plain_indices(this.#page); }
-  get indexBound() { return this.#wasm.restrip_index_bound(this.#page); }
-  get valid() { return this.#wasm.restrip_valid(this.#page) === 1; }
+  get plainIndices() { return this.#wasm.restrip_plain_indices(this.#kept); }
+  get indexBound() { return this.#wasm.restrip_index_bound(this.#kept); }
+  get valid() { return this.#wasm.restrip_valid(this.#kept) === 1; }
 
-  get runs() { return listAt(this.#wasm, this.#wasm.restrip_runs(this.#page), Uint32Array, 3).slice(); }
-  get lines() { return listAt(this.#wasm, this.#wasm.restrip_lines(this.#page), Float32Array, 1).slice(); }
+  get ribbon() { return listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 0), Uint32Array, 9).slice(); }
+  get lines() { return listAt(this.#wasm, this.#wasm.restrip_lines(this.#kept), Float32Array, 1).slice(); }
   pick(from, along) {
-    const hit = listAt(this.#wasm, this.#wasm.restrip_pick(this.#page, ...from, ...along), Float32Array, 1);
+    for (const [what, place] of [['from', from], ['along', along]])
+      if (place?.length !== 3 || ![...place].every(Number.isFinite)) throw new RangeError(`${what} must be three finite numbers`);
+    const hit = listAt(this.#wasm, this.#wasm.restrip_pick(this.#kept, ...from, ...along), Float32Array, 1);
     return hit.length === 0 ? null : Array.from(hit);
   }
   get last() {
-    const n = listAt(this.#wasm, this.#wasm.restrip_last(this.#page), Uint32Array, 1);
+    const n = listAt(this.#wasm, this.#wasm.restrip_last(this.#kept), Uint32Array, 1);
     if (n[0] === 0) return null;
     const mask = (at) => BigInt(n[at + 1]) << 32n | BigInt(n[at]);
     const told = { kind: families[[0, 0, 1, 6][n[0]]], closed: n[1] === 1, k: n[2], a: n[3],
       before: mask(4), ports: mask(6), after: mask(8), portsAfter: mask(10), strips: n[12] | 0, isolated: n[13] | 0 };
     const triangles = (after) =>
-      listAt(this.#wasm, this.#wasm.restrip_last_triangles(this.#page, after), Uint32Array, 3).slice();
+      listAt(this.#wasm, this.#wasm.restrip_last_triangles(this.#kept, after), Uint32Array, 3).slice();
     return { ...told, trianglesBefore: triangles(0), trianglesAfter: triangles(1) };
   }
 }

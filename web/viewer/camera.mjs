@@ -8,8 +8,8 @@ export const multiply = (a, b) => {
   return out;
 };
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const unit = (a) => { const length = Math.hypot(...a); return a.map((c) => c / length); };
+export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+export const unit = (a) => { const length = Math.hypot(...a) || 1; return a.map((c) => c / length); };
 
 export class Camera {
   yaw = 0.55;
@@ -64,12 +64,46 @@ export class Camera {
     this.pitch = Math.max(-1.5, Math.min(1.5, this.pitch + dy));
   }
   nearer(factor) {
-    this.distance = Math.max(0.3 * this.size, Math.min(20 * this.size, this.distance * factor));
+    this.distance = Math.max(0.05 * this.size, Math.min(20 * this.size, this.distance * factor));
   }
 
-  /// Follows the pointers on an element; changed() after each change.
-  listen(element, changed) {
+  // ---- flights
+  get place() { return { yaw: this.yaw, pitch: this.pitch, distance: this.distance, target: [...this.target] }; }
+  set place({ yaw, pitch, distance, target }) {
+    Object.assign(this, { yaw, pitch, distance, target: [...target] });
+    this.#flight = null;
+  }
+  /// To a place within so many milliseconds; step() moves on.
+  fly(to, milliseconds, now = performance.now()) {
+    if (milliseconds <= 0) {
+      this.place = to;
+      return;
+    }
+    const from = this.place;
+    const turn = to.yaw - from.yaw;
+    from.yaw = to.yaw - (turn - 2 * Math.PI * Math.round(turn / (2 * Math.PI)));  // the shorter way round
+    this.#flight = { from, to, start: now, milliseconds };
+  }
+  /// Whether the flight goes on after this.
+  step(now) {
+    if (!this.#flight) return false;
+    const { from, to, start, milliseconds } = this.#flight;
+    const flight = this.#flight;
+    const share = Math.max(0, Math.min(1, (now - start) / milliseconds));
+    const s = share * share * (3 - 2 * share);
+    const between = (a, b) => a + (b - a) * s;
+    this.place = { yaw: between(from.yaw, to.yaw), pitch: between(from.pitch, to.pitch),
+      distance: from.distance * (to.distance / from.distance) ** s, target: from.target.map((c, i) => between(c, to.target[i])) };
+    if (share < 1) this.#flight = flight;
+    return share < 1;
+  }
+  #flight = null;
+
+  /// Follows the pointers on an element; changed() after each change, clicked(event) where a pointer went up at the place at
+  /// which it came down.
+  listen(element, changed, clicked) {
     const pointers = new Map();
+    let moved = 0;
     const spread = () => {
       const [a, b] = [...pointers.values()];
       return Math.hypot(a.x - b.x, a.y - b.y);
@@ -77,17 +111,24 @@ export class Camera {
     element.addEventListener('pointerdown', (event) => {
       element.setPointerCapture(event.pointerId);
       pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      if (pointers.size === 1) moved = 0;
     });
     element.addEventListener('pointermove', (event) => {
       const before = pointers.get(event.pointerId);
       if (!before) return;
       const apart = pointers.size === 2 ? spread() : 0;
+      moved += Math.hypot(event.clientX - before.x, event.clientY - before.y) + (pointers.size > 1 ? 100 : 0);
+      if (moved < 5) return;
+      this.#flight = null;
       pointers.set(event.pointerId, { x: event.clientX, y: event.clientY });
       if (pointers.size === 1) this.turn((event.clientX - before.x) * 0.008, (event.clientY - before.y) * 0.008);
       else if (pointers.size === 2) this.nearer(apart / Math.max(spread(), 1));
       changed();
     });
-    for (const name of ['pointerup', 'pointercancel']) element.addEventListener(name, (event) => pointers.delete(event.pointerId));
+    for (const name of ['pointerup', 'pointercancel'])
+      element.addEventListener(name, (event) => {
+        if (pointers.delete(event.pointerId) && name === 'pointerup' && moved < 5) clicked(event);
+      });
     element.addEventListener('wheel', (event) => {
       event.preventDefault();
       this.nearer(Math.exp(event.deltaY * 0.001));

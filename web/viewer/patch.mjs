@@ -32,17 +32,28 @@ export class Patch {
     const door = middle(a, b);
     const outside = door.map((d, n) => d + (d - this.nodes[i][n]) * 0.7);
     this.stroke(this.nodes[i], outside, solid);
+    return outside;
+  }
+  /// An edge that can be clicked, and names itself.
+  hit(edge, label, solid, points) {
+    const line = points.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(' ');
+    this.extra += `<polyline class="hit" tabindex="0" role="button" aria-pressed="${solid}" aria-label="${label}" data-edge="${edge}" points="${line}"/>`;
+  }
+  /// A triangle that can be pointed at.
+  face(i, corners) {
+    this.extra += `<path class="face" data-face="${i}" d="M${corners.map((p) => p.map((c) => c.toFixed(1)).join(',')).join('L')}z"/>`;
   }
   svg(description) {
     const dots = this.nodes.map(([x, y]) => `M${x.toFixed(1)},${y.toFixed(1)}h0`).join('');
     const paths = { ...this.faces, ...this.strokes, node: dots };
-    return `<svg class="patch" viewBox="5 5 390 390" role="img" aria-label="${description}">` +
+    // A picture that has buttons in it is a group.
+    return `<svg class="patch" viewBox="5 5 390 390" role="${this.extra.includes('role="button"') ? 'group' : 'img'}" aria-label="${description}">` +
       Object.entries(paths).filter(([, d]) => d).map(([style, d]) => `<path class="${style}" d="${d}"/>`).join('') + this.extra + '</svg>';
   }
 }
 
-/// The closed fan before a split. `click`: edges can be clicked; each is a line of class `hit` that names itself.
-export function fanPicture(k, a, loop, ports, description, click = false) {
+/// The closed fan before a split. `click`: edges can be clicked; `faces`: triangles can be pointed at.
+export function fanPicture(k, a, loop, ports, description, { click = false, faces = false } = {}) {
   const rim = rimOf(k, a);
   const center = [200, 200];
   const patch = new Patch();
@@ -50,36 +61,43 @@ export function fanPicture(k, a, loop, ports, description, click = false) {
   for (let i = 0; i < k; ++i) {
     const across = middle(center, rim[i + 1]);
     patch.join(i, (i + 1) % k, across, has(loop, i));
-    patch.port(i, rim[i], rim[i + 1], has(ports, i));
+    const outside = patch.port(i, rim[i], rim[i + 1], has(ports, i));
+    if (faces) patch.face(i, [center, rim[i], rim[i + 1]]);
     if (!click) continue;
-    const door = middle(rim[i], rim[i + 1]);
-    const outside = door.map((d, n) => d + (d - patch.nodes[i][n]) * 0.7);
-    const next = middle(center, rim[(i + 1) % k], rim[(i + 1) % k + 1]);
-    const line = (points) => points.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(' ');
-    patch.extra += `<polyline class="hit" tabindex="0" role="button" aria-pressed="${has(loop, i)}" aria-label="loop edge ${i}" data-edge="loop ${i}" points="${line([patch.nodes[i], across, next])}"/>` +
-      `<polyline class="hit" tabindex="0" role="button" aria-pressed="${has(ports, i)}" aria-label="port ${i}" data-edge="port ${i}" points="${line([patch.nodes[i], outside])}"/>`;
+    patch.hit(`loop ${i}`, `loop edge ${i}`, has(loop, i), [patch.nodes[i], across, patch.nodes[(i + 1) % k]]);
+    patch.hit(`port ${i}`, `port ${i}`, has(ports, i), [patch.nodes[i], outside]);
   }
   return patch.svg(description);
 }
 
-/// The ring with chord after it.
-export function ringPicture(k, a, inner, ports, description) {
+/// The ring with chord after it, in the same way; its ports cannot be clicked. `marked`: inner edges to point at.
+export function ringPicture(k, a, inner, ports, description, { click = false, faces = false, marked = 0n } = {}) {
   const rim = rimOf(k, a);
   const patch = new Patch();
   const toward = (first, last) => middle(...rim.slice(first, last + 1)).map((c) => 200 + (c - 200) * 0.45);
   const vS = toward(0, a);
   const vT = toward(a, k);
-  for (let i = 0; i < k; ++i) patch.add(i < a ? vS : vT, rim[i], rim[i + 1]);
-  const nodeA = patch.add(vS, vT, rim[0], 'new');
-  const nodeD = patch.add(vT, vS, rim[a], 'new');
-  const ring = [nodeA, ...Array.from({ length: a }, (_, i) => i), nodeD, ...Array.from({ length: k - a }, (_, i) => a + i)];
-  for (let j = 0; j < k + 2; ++j) {
-    const across = middle(j <= a ? vS : vT, rim[j <= a ? j : j - 1]);
-    patch.join(ring[j], ring[(j + 1) % (k + 2)], across, has(inner, j));
-  }
-  patch.join(nodeA, nodeD, middle(vS, vT), has(inner, k + 2));
+  const corners = [...Array.from({ length: k }, (_, i) => [i < a ? vS : vT, rim[i], rim[i + 1]]), [vS, vT, rim[0]], [vT, vS, rim[a]]];
+  corners.forEach((places, i) => {
+    patch.add(...places, i < k ? 'old' : 'new');
+    if (faces) patch.face(i, places);
+  });
+  const names = [...Array.from({ length: k }, (_, i) => `t${i}`), 'A', 'D'];
+  ringEdges(k, a).forEach(([i, j], edge) => {
+    const across = edge === k + 2 ? middle(vS, vT) : middle(edge <= a ? vS : vT, rim[edge <= a ? edge : edge - 1]);
+    patch.join(i, j, across, has(inner, edge));
+    const line = [patch.nodes[i], across, patch.nodes[j]];
+    if (has(marked, edge)) patch.extra += `<polyline class="marked" points="${line.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(' ')}"/>`;
+    if (click) patch.hit(`inner ${edge}`, `edge between ${names[i]} and ${names[j]}`, has(inner, edge), line);
+  });
   for (let i = 0; i < k; ++i) patch.port(i, rim[i], rim[i + 1], has(ports, i));
   return patch.svg(description);
+}
+
+/// The triangles that each inner edge of the ring with chord joins: 0 to k - 1 are t_i, then come A and D.
+export function ringEdges(k, a) {
+  const ring = [k, ...Array.from({ length: a }, (_, i) => i), k + 1, ...Array.from({ length: k - a }, (_, i) => a + i)];
+  return [...ring.map((node, j) => [node, ring[(j + 1) % (k + 2)]]), [k, k + 1]];
 }
 
 /// Pairs of consecutive solid ports that are joined in a closed fan, each as [port, the one that precedes it].

@@ -4,25 +4,71 @@ import { multiply } from './camera.mjs';
 
 const surfaceVertex = `#version 300 es
 uniform mat4 view, projection;
-in vec3 place;
+layout(location = 0) in vec3 place;
 out vec3 seen;
 void main() { vec4 at = view * vec4(place, 1.0); seen = at.xyz; gl_Position = projection * at; }`;
+const shade = `
+float shade(vec3 seen) {
+  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
+  return 0.46 + 0.5 * max(dot(normal, normalize(vec3(0.3, 0.5, 0.8))), 0.0) + 0.16 * max(dot(normal, vec3(-0.7, 0.2, 0.3)), 0.0);
+}`;
 const surfaceFragment = `#version 300 es
 precision highp float;
-uniform vec4 color;
+uniform vec4 paint;
 uniform float flatness;
 in vec3 seen;
 out vec4 pixel;
+${shade}
+void main() { pixel = vec4(mix(paint.rgb * shade(seen), paint.rgb, flatness) * paint.a, paint.a); }`;
+// Ribbons: dark walls at the sides where a strip does not go on, thin edges within it, and a light that runs along it.
+const ribbonVertex = `#version 300 es
+uniform mat4 view, projection;
+layout(location = 0) in vec3 place;
+layout(location = 1) in vec4 tint;
+layout(location = 2) in vec2 way;
+out vec3 seen, inside;
+out vec2 along;
+out vec3 own;
+flat out vec3 wall;
 void main() {
-  vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
-  float light = 0.42 + 0.5 * max(dot(normal, normalize(vec3(0.3, 0.5, 0.8))), 0.0) + 0.16 * max(dot(normal, vec3(-0.7, 0.2, 0.3)), 0.0);
-  pixel = vec4(mix(color.rgb * light, color.rgb, flatness) * color.a, color.a);
+  vec4 at = view * vec4(place, 1.0);
+  seen = at.xyz;
+  own = tint.rgb;
+  along = way;
+  int corner = gl_VertexID % 3, walls = int(tint.a * 255.0 + 0.5);
+  inside = vec3(corner == 0, corner == 1, corner == 2);
+  wall = vec3(walls >> 1 & 1, walls >> 2 & 1, walls & 1);  // by the corner that lies opposite
+  gl_Position = projection * at;
+}`;
+const ribbonFragment = `#version 300 es
+precision highp float;
+uniform float time, density;
+in vec3 seen, inside, own;
+in vec2 along;
+flat in vec3 wall;
+out vec4 pixel;
+${shade}
+void main() {
+  vec3 color = own * shade(seen);
+  if (time >= 0.0 && along.y > 2.5) {
+    float tail = clamp(along.y * 0.05, 2.0, 60.0), lasts = clamp(along.y / 150.0, 2.0, 12.0);
+    float behind = fract(time / lasts) * (along.y + 3.0 * tail) - along.x;
+    color = mix(color, vec3(1.0, 0.99, 0.92), behind > -0.6 ? 0.85 * exp(-max(behind, 0.0) / tail) : 0.0);
+  }
+  vec3 step = fwidth(inside) * density;
+  vec3 thick = (1.0 - smoothstep(vec3(0.6), vec3(1.7), inside / step)) * wall;
+  vec3 thin = 1.0 - smoothstep(vec3(0.0), vec3(0.9), inside / step);
+  // Lines fade where triangles are hardly larger than they.
+  vec3 room = smoothstep(vec3(2.0), vec3(9.0), 1.0 / step);
+  color *= 1.0 - 0.22 * max(max(thin.x * room.x, thin.y * room.y), thin.z * room.z);
+  thick *= 0.35 + 0.55 * room;
+  pixel = vec4(mix(color, vec3(0.05, 0.06, 0.09), max(max(thick.x, thick.y), thick.z)), 1.0);
 }`;
 // Each segment is a quad of some width on the screen; one that ends a strip is an arrow head.
 const lineVertex = `#version 300 es
 uniform mat4 all;
 uniform vec2 size;
-uniform float width, lift;
+uniform float width;
 in vec4 start;
 in vec4 end;
 flat out float strip;
@@ -34,29 +80,16 @@ void main() {
   vec4 at = corner.x < 0.5 ? a : b;
   float broad = end.w > 0.5 ? (corner.x < 0.5 ? 3.6 : 0.0) : 1.0;
   at.xy += vec2(-along.y, along.x) * corner.y * broad * width / size * at.w * 2.0;
-  at.z -= lift * at.w;
+  at.z -= 0.0004 * at.w;  // over the surface
   strip = start.w;
   gl_Position = at;
 }`;
 const lineFragment = `#version 300 es
 precision highp float;
-uniform vec4 color;
-uniform float own;
 flat in float strip;
 out vec4 pixel;
 vec3 hue(float h) { return clamp(abs(mod(h * 6.0 + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0); }
-void main() { pixel = own > 0.5 ? vec4(mix(vec3(0.5), hue(fract(strip * 0.6180339887)), 0.62) * 0.8, 1.0) : color; }`;
-
-/// A colour for each strip: hues by the golden ratio.
-export function stripColor(strip) {
-  const hue = strip * 0.618033988749895 % 1;
-  const light = 0.60 + 0.09 * (strip % 3);
-  const channel = (n) => {
-    const k = (n + hue * 12) % 12;
-    return light - 0.62 * Math.min(light, 1 - light) * Math.max(-1, Math.min(k - 3, 9 - k, 1));
-  };
-  return [channel(0), channel(8), channel(4), 1];
-}
+void main() { pixel = vec4(mix(vec3(0.5), hue(fract(strip * 0.6180339887)), 0.62) * 0.8, 1.0); }`;
 
 export class Scene {
   bytesUploaded = 0;  // of the index buffer, since it was asked last
@@ -67,21 +100,18 @@ export class Scene {
 
   constructor(canvas) {
     const gl = canvas.getContext('webgl2', { antialias: true, preserveDrawingBuffer: true });
-    if (!gl) throw new Error('This browser offers no WebGL 2, which the picture needs.');
+    if (!gl) throw new Error('This browser offers no WebGL 2, so the mesh cannot be shown. The picture is a still one.');
     this.#gl = gl;
     this.canvas = canvas;
-    for (const [name, vertex, fragment] of [['surface', surfaceVertex, surfaceFragment], ['line', lineVertex, lineFragment]])
+    for (const [name, vertex, fragment] of [['surface', surfaceVertex, surfaceFragment], ['ribbon', ribbonVertex, ribbonFragment], ['line', lineVertex, lineFragment]])
       this.#programs[name] = this.#program(vertex, fragment);
     this.points = gl.createBuffer();
     this.live = gl.createBuffer();
     this.other = gl.createBuffer();
     this.segments = gl.createBuffer();
-    this.surface = gl.createVertexArray();
-    gl.bindVertexArray(this.surface);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.points);
-    const place = gl.getAttribLocation(this.#programs.surface.program, 'place');
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, 3, gl.FLOAT, false, 0, 0);
+    this.surface = this.#array(this.points, 0, [[0, 3, gl.FLOAT, false, 0]]);
+    const corners = gl.createBuffer();
+    this.ribbon = { buffer: corners, array: this.#array(corners, 24, [[0, 3, gl.FLOAT, false, 0], [1, 4, gl.UNSIGNED_BYTE, true, 12], [2, 2, gl.FLOAT, false, 16]]), size: 0 };
     this.lines = gl.createVertexArray();
     gl.bindVertexArray(this.lines);
     gl.bindBuffer(gl.ARRAY_BUFFER, this.segments);
@@ -91,6 +121,17 @@ export class Scene {
       gl.vertexAttribPointer(at, 4, gl.FLOAT, false, 32, offset);
       gl.vertexAttribDivisor(at, 1);
     }
+  }
+  #array(buffer, stride, attributes) {
+    const gl = this.#gl;
+    const array = gl.createVertexArray();
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+    for (const [at, size, type, normalized, offset] of attributes) {
+      gl.enableVertexAttribArray(at);
+      gl.vertexAttribPointer(at, size, type, normalized, stride, offset);
+    }
+    return array;
   }
   #program(vertex, fragment) {
     const gl = this.#gl;
@@ -106,6 +147,7 @@ export class Scene {
     return { program, at: (name) => gl.getUniformLocation(program, name) };
   }
 
+  get lost() { return this.#gl.isContextLost(); }
   setPoints(points) {
     const gl = this.#gl;
     gl.bindBuffer(gl.ARRAY_BUFFER, this.points);
@@ -130,56 +172,89 @@ export class Scene {
     }
   }
 
-  /// `style`: shaded, strips (`runs` in colours of their own), lines (`segments` over the surface). `patch`: triangles
-  /// to be marked. `list`: draws these triangles instead of the live buffer, to compare with it.
-  draw(camera, { style, length, runs, segments, patch, list, ink, paper }) {
+  /// Vertices of a Ribbon, for one draw call: vertices of the mesh are shared among strips, so that each triangle has three
+  /// corners of its own here.
+  paint(vertices) {
     const gl = this.#gl;
-    const { width, height } = this.canvas;
+    this.ribbon.size = vertices.length / 6;
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.ribbon.buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.DYNAMIC_DRAW);
+  }
+  /// The strips as lines: start with the strip as its fourth number, end with the mark of a strip's end.
+  setLines(lines) {
+    const gl = this.#gl;
+    for (let i = 0; i < lines.length; i += 8) lines.set([lines[i + 6], lines[i + 3], lines[i + 4], lines[i + 5]], i + 3);
+    this.drawnLines = lines.length / 8;
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.segments);
+    gl.bufferData(gl.ARRAY_BUFFER, lines, gl.DYNAMIC_DRAW);
+  }
+
+  /// `style`: shaded, strips (the ribbon as it was painted), lines (over the surface). `patch`: triangles to be
+  /// marked. `list`: draws these triangles instead of the live buffer, to compare with it. `time`: of the light that runs
+  /// along strips, in seconds; less than 0: none.
+  draw(camera, { style, length, patch, list, ink, paper, time = -1 }) {
+    const gl = this.#gl;
+    this.#clear(paper);
     const view = camera.view();
-    const projection = camera.projection(width / height);
-    gl.viewport(0, 0, width, height);
+    const projection = camera.projection(this.canvas.width / this.canvas.height);
+    if (style === 'strips' && !list) {
+      this.#drawRibbon(view, projection, time);
+    } else {
+      const color = this.#surfaceProgram(view, projection, 0);
+      gl.uniform4f(color, ...ink, 1);
+      if (list) {
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.other);
+        gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, list, gl.STREAM_DRAW);
+        gl.drawElements(gl.TRIANGLES, list.length, gl.UNSIGNED_INT, 0);
+      } else {
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
+        gl.drawElements(gl.TRIANGLE_STRIP, length, gl.UNSIGNED_INT, 0);
+      }
+    }
+    gl.disable(gl.POLYGON_OFFSET_FILL);
+    if (patch && patch.length > 0) this.#drawPatch(patch, this.#surfaceProgram(view, projection, 1));
+    if (style === 'lines' && !list) this.#drawLines(multiply(projection, view), 1.5 * (window.devicePixelRatio || 1));
+  }
+  #clear(paper) {
+    const gl = this.#gl;
+    gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.clearColor(...paper, 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
     gl.enable(gl.DEPTH_TEST);
     gl.disable(gl.BLEND);
     gl.disable(gl.CULL_FACE);
-    const surface = this.#programs.surface;
-    gl.useProgram(surface.program);
-    gl.bindVertexArray(this.surface);
-    gl.uniformMatrix4fv(surface.at('view'), false, view);
-    gl.uniformMatrix4fv(surface.at('projection'), false, projection);
-    gl.uniform1f(surface.at('flatness'), 0);
-    const color = surface.at('color');
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1, 1);
-    if (list) {
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.other);
-      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, list, gl.STREAM_DRAW);
-      gl.uniform4f(color, ...ink, 1);
-      gl.drawElements(gl.TRIANGLES, list.length, gl.UNSIGNED_INT, 0);
-    } else {
-      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
-      if (style === 'strips' && runs) {
-        for (let i = 0; i < runs.length; i += 3) {
-          gl.uniform4f(color, ...stripColor(runs[i + 2]));
-          gl.drawElements(gl.TRIANGLE_STRIP, runs[i + 1], gl.UNSIGNED_INT, 4 * runs[i]);
-        }
-      } else {
-        gl.uniform4f(color, ...ink, 1);
-        gl.drawElements(gl.TRIANGLE_STRIP, length, gl.UNSIGNED_INT, 0);
-      }
-    }
-    gl.disable(gl.POLYGON_OFFSET_FILL);
-    if (patch && patch.length > 0) this.#drawPatch(patch, camera, surface, color);
-    if (segments && style === 'lines') this.#drawSegments(segments, multiply(projection, view), 1.5 * (window.devicePixelRatio || 1), 0.0004, true);
   }
-  #drawPatch(patch, camera, surface, color) {
+  #drawRibbon(view, projection, time) {
+    const gl = this.#gl;
+    const { array, size } = this.ribbon;
+    const { program, at } = this.#programs.ribbon;
+    gl.useProgram(program);
+    gl.bindVertexArray(array);
+    gl.uniformMatrix4fv(at('view'), false, view);
+    gl.uniformMatrix4fv(at('projection'), false, projection);
+    gl.uniform1f(at('time'), time);
+    gl.uniform1f(at('density'), Math.min(window.devicePixelRatio || 1, 2));
+    gl.drawArrays(gl.TRIANGLES, 0, size);
+  }
+  /// Where its colour goes.
+  #surfaceProgram(view, projection, flatness) {
+    const gl = this.#gl;
+    const { program, at } = this.#programs.surface;
+    gl.useProgram(program);
+    gl.bindVertexArray(this.surface);
+    gl.uniformMatrix4fv(at('view'), false, view);
+    gl.uniformMatrix4fv(at('projection'), false, projection);
+    gl.uniform1f(at('flatness'), flatness);
+    return at('paint');
+  }
+  #drawPatch(patch, color) {
     const gl = this.#gl;
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthFunc(gl.LEQUAL);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.other);
-    gl.uniform1f(surface.at('flatness'), 1);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, patch, gl.STREAM_DRAW);
     gl.uniform4f(color, 1, 0.72, 0.1, 0.55);
     gl.drawElements(gl.TRIANGLES, patch.length, gl.UNSIGNED_INT, 0);
@@ -191,25 +266,15 @@ export class Scene {
     gl.depthFunc(gl.LESS);
     gl.disable(gl.BLEND);
   }
-  #drawSegments(segments, all, width, lift, own) {
+  #drawLines(all, width) {
     const gl = this.#gl;
     const line = this.#programs.line;
-    // Three numbers of the end, then the mark: start has the strip as its fourth.
-    const packed = new Float32Array(segments.length);
-    for (let i = 0; i < segments.length; i += 8) {
-      packed.set([segments[i], segments[i + 1], segments[i + 2], segments[i + 6], segments[i + 3], segments[i + 4], segments[i + 5], segments[i + 7]], i);
-    }
     gl.useProgram(line.program);
     gl.bindVertexArray(this.lines);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.segments);
-    gl.bufferData(gl.ARRAY_BUFFER, packed, gl.STREAM_DRAW);
     gl.uniformMatrix4fv(line.at('all'), false, all);
     gl.uniform2f(line.at('size'), this.canvas.width, this.canvas.height);
     gl.uniform1f(line.at('width'), width);
-    gl.uniform1f(line.at('lift'), lift);
-    gl.uniform1f(line.at('own'), own ? 1 : 0);
-    gl.uniform4f(line.at('color'), 0, 0, 0, 1);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, packed.length / 8);
+    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.drawnLines);
   }
   /// What the card has of the live buffer.
   copyOnCard(length) {

@@ -1,9 +1,9 @@
 // restrip: triangle strips kept while the mesh changes, by proven local rules. Header-only, C++20, standard library
 // only.
 //
-// Start with live_mesh.hpp (mesh, strips and index buffer in one object), or with search/keeper.hpp and mesh/mesh.hpp for
-// a mesh of your own (what it must offer). The folders are floors: each includes only those named before it here, and
-// the two of a line do not know each other.
+// Start with live_mesh.hpp (mesh, strips and index buffer in one object), or with search/keeper.hpp and mesh/mesh.hpp
+// for a mesh of your own (what it must offer). The folders are floors: each includes only those named before it here,
+// and the two of a line do not know each other.
 //
 //   rules/                   look a rule up: constexpr, knows no mesh
 //   mesh/                    what a mesh must offer, StripMesh, checks of preconditions, walks
@@ -43,6 +43,7 @@
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
+#include "restrip/output/trace.hpp"
 #include "restrip/output/triangle_list_buffer.hpp"
 #include "restrip/output/vertex_cache.hpp"
 #include "restrip/precondition.hpp"
@@ -61,3 +62,5 @@
 #include "restrip/search/strip_locator.hpp"
 #include "restrip/search/stripify.hpp"
 #include "restrip/search/tunnel.hpp"
+#include "restrip/search/window.hpp"
+#include "restrip/search/window_rounds.hpp"

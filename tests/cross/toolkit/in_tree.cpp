@@ -6,6 +6,8 @@
 #include "restrip/rules/rules.hpp"
 #include "restrip/tables/operations/bisect.hpp"
 #include "restrip/tables/operations/bisect_boundary.hpp"
+#define RESTRIP_BISECT_IMPLEMENTATION
+#include "restrip_bisect.h"
 #define RESTRIP_TABLES_IMPLEMENTATION
 #include "restrip_tables.h"
 
@@ -30,6 +32,15 @@ int main() {
           if (std::popcount(rule.colors) != best.value.solid) return 1;
           ++compared;
         }
+  for (unsigned inner = 0; inner < 2; ++inner)
+    for (unsigned ports = 0; ports < 16; ++ports) {
+      const restrip::tables::OperationRule rule = restrip::tables::rule_of(restrip::tables::bisect, inner, ports);
+      const restrip_operation_rule in_c = restrip_rule_of_bisect(inner, ports);
+      if (in_c.valid != rule.valid || in_c.colors != rule.colors || in_c.ports != rule.ports ||
+          in_c.strips != rule.strips)
+        return 1;
+      ++compared;
+    }
   std::printf("%d rules\n", compared);
-  return compared == 2 * 44 + 3 * 160 + 4 * 572 ? 0 : 1;
+  return compared == 2 * 44 + 3 * 160 + 4 * 572 + 32 ? 0 : 1;
 }

@@ -1,9 +1,9 @@
 // Runs a compute shader on the first Vulkan device (VK_ICD_FILENAMES chooses it) with tables in binding 0, an output in
 // binding 1 and positions in binding 2, and prints what it puts out.
-//   driver_vulkan SHADER.spv K TABLES.bin…    the lines of answers.cpp, up to k = K for the first tables and up to k =
+//   driver_vulkan SHADER.spv K TABLES.bin…    the lines of digests, up to k = K for the first tables and up to k =
 //   4
 //                                             for the others, a line "== FILE" before each of those
-//   driver_vulkan SHADER.spv example TABLES.bin     four numbers that one invocation puts out
+//   driver_vulkan SHADER.spv words N TABLES.bin     the N numbers that one invocation puts out
 #include <vulkan/vulkan.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ struct Position {
   std::uint32_t operation, k, p, q;
 };
 
-/// Those of answers.cpp, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
+/// All that digests are printed of, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
 /// RESTRIP_EVERY_POSITION is set.
 std::vector<Position> positions_up_to(std::uint32_t max_k) {
   const bool every = std::getenv("RESTRIP_EVERY_POSITION") != nullptr;
@@ -214,10 +214,13 @@ class Computer {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) fail("usage: driver_vulkan SHADER.spv K|example TABLES.bin...");
+  if (argc < 4) fail("usage: driver_vulkan SHADER.spv K|words N TABLES.bin...");
   Computer computer(words_of(argv[1]));
-  if (std::string(argv[2]) == "example") {
-    for (const std::uint32_t word : computer.run(words_of(argv[3]), {{0, 0, 0, 0}}, 4, 1)) std::printf("%u\n", word);
+  if (std::string(argv[2]) == "words") {
+    if (argc != 5) fail("words: expected their number and one file of tables");
+    for (const std::uint32_t word :
+         computer.run(words_of(argv[4]), {{0, 0, 0, 0}}, std::strtoul(argv[3], nullptr, 10), 1))
+      std::printf("%u\n", word);
     return 0;
   }
   auto max_k = static_cast<std::uint32_t>(std::strtoul(argv[2], nullptr, 10));

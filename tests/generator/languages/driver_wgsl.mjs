@@ -1,13 +1,14 @@
 // Runs a compute shader on the software device of headless Chromium, with tables in binding 0, an output in binding 1 and
 // positions in binding 2, and prints what it puts out. Arguments and output are those of driver_vulkan.cpp:
-//   driver_wgsl.mjs CHROMIUM SCRATCH SHADER.wgsl K|example TABLES.bin…
+//   driver_wgsl.mjs CHROMIUM SCRATCH SHADER.wgsl K|words N TABLES.bin…
+// but that more shaders, each with a number and a file, may follow behind `words N TABLES.bin`.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser } from '../../web/browser.mjs';
 
-const [chromium, scratch, shader, upTo, ...tables] = process.argv.slice(2);
+const [chromium, scratch, shader, upTo, ...rest] = process.argv.slice(2);
 
-/// Those of answers.cpp, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
+/// All that digests are printed of, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
 /// RESTRIP_EVERY_POSITION is set.
 function positionsUpTo(maxK) {
   const every = 'RESTRIP_EVERY_POSITION' in process.env;
@@ -23,7 +24,7 @@ function positionsUpTo(maxK) {
   return [...all, [6, 0, 0, 0], [7, 0, 0, 0]];
 }
 
-/// In the page: what each job, { words, positions, results, groups }, puts out.
+/// In the page: what each job, { data, positions, results, groups }, puts out.
 async function compute(code, jobs) {
   const adapter = await navigator.gpu?.requestAdapter();
   if (!adapter) throw new Error('this Chromium has no WebGPU adapter');
@@ -40,9 +41,9 @@ async function compute(code, jobs) {
     return made;
   };
   const outputs = [];
-  for (const { words, positions, results, groups } of jobs) {
+  for (const { data, positions, results, groups } of jobs) {
     const output = buffer(new Uint32Array(results), GPUBufferUsage.COPY_SRC);
-    const buffers = [buffer(Uint8Array.from(atob(words), (c) => c.charCodeAt(0))), output];
+    const buffers = [buffer(Uint8Array.from(atob(data), (c) => c.charCodeAt(0))), output];
     if (positions) buffers.push(buffer(new Uint32Array(positions.flat())));
     const read = device.createBuffer({ size: 4 * results, usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ });
     const encoder = device.createCommandEncoder();
@@ -61,26 +62,34 @@ async function compute(code, jobs) {
   return outputs;
 }
 
-const jobs = tables.map((file, i) => {
-  const words = readFileSync(file).toString('base64');
-  if (upTo === 'example') return { words, results: 4, groups: [1] };
-  const positions = positionsUpTo(i === 0 ? Number(upTo) : Math.min(upTo, 4));
-  return { words, positions, results: positions.length, groups: [16, positions.length] };
-});
+const data = (file) => readFileSync(file).toString('base64');
+/// Shaders, each with what it is run on and how its output is printed.
+const runs = [];
+if (upTo === 'words') {
+  for (let i = -1; i + 1 < rest.length; i += 3) {
+    const [code, results, file] = i < 0 ? [shader, ...rest] : rest.slice(i);
+    runs.push({ code, jobs: [{ data: data(file), results: Number(results), groups: [1] }], print: (words) => words.join('\n') });
+  }
+} else {
+  const jobs = rest.map((file, i) => {
+    const positions = positionsUpTo(i === 0 ? Number(upTo) : Math.min(upTo, 4));
+    return { data: data(file), positions, results: positions.length, groups: [16, positions.length] };
+  });
+  const print = (output, i) => [...(i > 0 ? [`== ${rest[i]}`] : []), ...jobs[i].positions.map((position, at) =>
+    position[0] === 7 ? `rules outside the tables: ${output[at]}` : `${position.join(' ')} ${output[at].toString(16).padStart(8, '0')}`)].join('\n');
+  runs.push({ code: shader, jobs, print });
+}
 const page = join(scratch, 'page.html');
 writeFileSync(page, '<!doctype html><title>restrip</title>');
 const browser = await Browser.start(chromium, '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan');
 try {
   const tab = await browser.page(100, 100);
   await tab.open(`file://${page}`);
-  const outputs = await tab.run(compute, readFileSync(shader, 'utf8'), jobs);
-  if (tab.faults.length > 0) throw new Error(tab.faults.join('\n'));
-  outputs.forEach((output, i) => {
-    if (i > 0) console.log(`== ${tables[i]}`);
-    if (upTo === 'example') console.log(output.join('\n'));
-    else jobs[i].positions.forEach((position, at) => console.log(
-      position[0] === 7 ? `rules outside the tables: ${output[at]}` : `${position.join(' ')} ${output[at].toString(16).padStart(8, '0')}`));
-  });
+  for (const { code, jobs, print } of runs) {
+    const outputs = await tab.run(compute, readFileSync(code, 'utf8'), jobs);
+    if (tab.faults.length > 0) throw new Error(tab.faults.join('\n'));
+    outputs.forEach((output, i) => console.log(print(output, i)));
+  }
 } finally {
   await browser.stop();
 }

@@ -1,11 +1,11 @@
 """The tables in another language answer as the C++ look-up does: every operation in every position with k <= 8, all
-colours and ports, valid or not. Digests of the answers are compared, a line for each position (answers.cpp), so that they
-can be computed wherever the look-up runs. That a wrong rule shows is tested with one number altered at a time: exactly the
+colours and ports, valid or not. Digests of the answers are compared, a line for each position, which the programs print
+that the generator writes beside the tables. That a wrong rule shows is tested with one number altered at a time: exactly the
 operations that read it must differ. The example of docs/languages.md is run and prints what stands there.
 
-  language_test.py LANGUAGE --answers PROGRAM --tables FOLDER --scratch FOLDER --root FOLDER --with PROGRAM…
+  language_test.py LANGUAGE --dump-tables PROGRAM --tables FOLDER --scratch FOLDER --with PROGRAM…
 
---answers is answers.cpp, compiled; --tables is the folder of restrip-generate's files; --with names what the language
+--dump-tables is restrip-dump-tables; --tables is the folder of restrip-generate's files; --with names what the language
 needs, in the order of its class below. Software devices for shaders are asked less (first_collapses), unless
 RESTRIP_EVERY_POSITION is set.
 """
@@ -18,8 +18,9 @@ import subprocess
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[2]
 MAX_K = 8
-# The operations that read the rules of a family, by their numbers in the lines of answers.cpp.
+# The operations that read the rules of a family, by their numbers in the lines of digests.
 READERS = {"split": "0", "collapse": "1", "open_split": "2", "fan_collapse": "35", "boundary_split": "4", "flip": "6"}
 
 
@@ -92,8 +93,8 @@ class C(Text):
 
     def compiled(self, folder, scratch, *flags):
         program = scratch / "driver"
-        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", *flags, "-I", folder,
-            HERE / "driver.c", HERE / "data.c", "-o", program)
+        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", *flags,
+            folder / "restrip_tables_check.c", "-o", program)
         return program
 
     def answers(self, folder, scratch, max_k):
@@ -111,11 +112,13 @@ class C(Text):
         """No undefined behaviour, no library, and C++ takes it as well."""
         checked = self.compiled(folder, scratch, "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
         must_be_equal("with sanitizers", run(checked, 6), expected(6))
-        run(self.gcc, "-std=c99", "-O2", "-ffreestanding", "-I", folder, "-c", HERE / "data.c", "-o", scratch / "data.o")
+        data = scratch / "data.c"
+        data.write_text('#define RESTRIP_TABLES_IMPLEMENTATION\n#include "restrip_tables.h"\n', encoding="utf-8")
+        run(self.gcc, "-std=c99", "-O2", "-ffreestanding", "-I", folder, "-c", data, "-o", scratch / "data.o")
         called = run("nm", "--undefined-only", scratch / "data.o")
         if called:
             raise SystemExit(f"the data and bodies call something:\n{called}")
-        run(self.gcc, "-x", "c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I", folder, "-fsyntax-only", HERE / "data.c")
+        run(self.gcc, "-x", "c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I", folder, "-fsyntax-only", data)
 
 
 class Json(Text):
@@ -126,7 +129,7 @@ class Json(Text):
         self.node, self.python = node, python
 
     def answers(self, folder, scratch, max_k):
-        return run(self.node, HERE / "driver.mjs", folder / self.file, max_k)
+        return run(self.node, folder / "restrip_tables_check.mjs", max_k)
 
     def altered(self, text, family):
         return altered_number(text, '"flip": [' if family == "flip" else
@@ -176,7 +179,7 @@ class Rust(Text):
         return work / "program"
 
     def answers(self, folder, scratch, max_k):
-        source = (HERE / "driver.rs").read_text(encoding="utf-8")
+        source = (folder / "restrip_tables_check.rs").read_text(encoding="utf-8")
         flags = ("-C", "opt-level=1") if max_k == MAX_K else ()
         return run(self.compiled(folder, scratch, source, "-C", "overflow-checks=on", *flags), max_k)
 
@@ -199,7 +202,7 @@ class Shader:
 
     def answers(self, folder, scratch, max_k):
         """Of the tables; and, because a device takes long to start, of those with an altered rule."""
-        shader = self.shader(folder, scratch, (HERE / self.driver).read_text(encoding="utf-8"))
+        shader = self.shader(folder, scratch, (folder / self.check).read_text(encoding="utf-8"))
         printed = self.run(shader, scratch, max_k, folder / "restrip_tables.bin", *self.altered_files(folder, scratch))
         answers, *others = re.split("^== .*\n", printed, flags=re.M)
         self.others = dict(zip(READERS, others))
@@ -220,7 +223,7 @@ class Shader:
         return self.others
 
     def example(self, text, folder, scratch):
-        return self.run(self.shader(folder, scratch, text), scratch, "example", folder / "restrip_tables.bin")
+        return self.run(self.shader(folder, scratch, text), scratch, "words", 4, folder / "restrip_tables.bin")
 
     def more(self, folder, scratch, expected):
         """The first word of the data is the checksum of the others, which the look-up names."""
@@ -234,7 +237,7 @@ class Shader:
 
 
 class Wgsl(Shader):
-    file, block, driver = "restrip_tables.wgsl", "wgsl", "driver.wgsl"
+    file, block, check = "restrip_tables.wgsl", "wgsl", "restrip_tables_check.wgsl"
 
     def __init__(self, node, chromium):
         self.node, self.chromium = node, chromium
@@ -248,7 +251,7 @@ class Wgsl(Shader):
 
 
 class Glsl(Shader):
-    file, block, driver = "restrip_tables.glsl", "glsl", "driver.comp"
+    file, block, check = "restrip_tables.glsl", "glsl", "restrip_tables_check.comp"
 
     def __init__(self, glslang, vulkan):
         self.glslang, self.vulkan = glslang, vulkan
@@ -299,29 +302,42 @@ def against(schema, value, whole):
 
 LANGUAGES = {"c": C, "json": Json, "rust": Rust, "glsl": Glsl, "wgsl": Wgsl}
 
-parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-parser.add_argument("language", choices=LANGUAGES)
-for option in ("answers", "tables", "scratch", "root"):
-    parser.add_argument("--" + option, required=True, type=Path)
-parser.add_argument("--with", required=True, nargs="+", dest="programs")
-ARGUMENTS = parser.parse_args()
-ROOT = ARGUMENTS.root
+
+def arguments(doc, *options):
+    """Of the command line; language and programs are made into the language's object."""
+    parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("language", choices=LANGUAGES)
+    for option in ("scratch", *options):
+        parser.add_argument("--" + option, required=True, type=Path)
+    parser.add_argument("--with", required=True, nargs="+", dest="programs")
+    given = parser.parse_args()
+    shutil.rmtree(given.scratch, ignore_errors=True)
+    given.scratch.mkdir(parents=True)
+    return given
 
 
-def expected_answers(max_k):
-    return run(ARGUMENTS.answers, max_k)
+def example_of(page, block):
+    """A program of a page, and what it prints."""
+    example = re.search(rf"```{block}\n(.+?)```\n\n[^\n]*:\n\n```text\n(.+?)```", page, re.S)
+    if not example:
+        raise SystemExit(f"docs/languages.md has no ```{block} block followed by a line that ends with a colon and a ```text block")
+    return example[1], example[2]
 
 
 def main():
-    language = LANGUAGES[ARGUMENTS.language](*ARGUMENTS.programs)
-    shutil.rmtree(ARGUMENTS.scratch, ignore_errors=True)
-    (ARGUMENTS.scratch / "altered").mkdir(parents=True)
+    given = arguments(__doc__, "dump-tables", "tables")
+    language = LANGUAGES[given.language](*given.programs)
+    shutil.copytree(given.tables, given.scratch / "altered")
+
+    def expected_answers(max_k):
+        return run(given.dump_tables, "--digests", "--max-k", max_k)
+
     all_answers = language.wanted(expected_answers(MAX_K))
-    must_be_equal(language.file, language.answers(ARGUMENTS.tables, ARGUMENTS.scratch, MAX_K), all_answers)
+    must_be_equal(language.file, language.answers(given.tables, given.scratch, MAX_K), all_answers)
 
     few_answers = expected_answers(4)
     noticed = 0
-    for family, answers in language.altered_answers(ARGUMENTS.tables, ARGUMENTS.scratch).items():
+    for family, answers in language.altered_answers(given.tables, given.scratch).items():
         differ = compare("altered", answers, few_answers)
         if differ != READERS[family]:
             raise SystemExit(f"a rule of {family} was altered, and operations {differ} differ, not {READERS[family]}")
@@ -329,15 +345,13 @@ def main():
     if noticed != len(READERS):
         raise SystemExit(f"{noticed} altered rules were asked for, not {len(READERS)}")
 
-    page = (ROOT / "docs/languages.md").read_text(encoding="utf-8")
-    example = re.search(rf"```{language.block}\n(.+?)```\n\n[^\n]*:\n\n```text\n(.+?)```", page, re.S)
-    if not example:
-        raise SystemExit(f"docs/languages.md has no ```{language.block} block followed by a line that ends with a colon and a ```text block")
-    printed = language.example(example[1], ARGUMENTS.tables, ARGUMENTS.scratch)
-    if printed != example[2]:
-        raise SystemExit(f"the example of docs/languages.md prints\n{printed}instead of\n{example[2]}")
-    language.more(ARGUMENTS.tables, ARGUMENTS.scratch, expected_answers)
+    text, wanted = example_of((ROOT / "docs/languages.md").read_text(encoding="utf-8"), language.block)
+    printed = language.example(text, given.tables, given.scratch)
+    if printed != wanted:
+        raise SystemExit(f"the example of docs/languages.md prints\n{printed}instead of\n{wanted}")
+    language.more(given.tables, given.scratch, expected_answers)
     print(f"{language.file}: {len(all_answers.splitlines())} digests agree, {noticed} altered rules were noticed")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iostream>
 #include <limits>
 #include <map>
 #include <random>
@@ -222,6 +223,7 @@ int check_linked(std::uint64_t seed, int runs, std::size_t from, std::size_t to)
       bolder += value[1] / 500'000 > value[0] / 500'000 ? 1 : 0;
       if (::testing::Test::HasFailure()) return bolder;
     }
+  std::cout << runs << " patches of each operation, k = " << from << " ... " << to << '\n';
   return bolder;
 }
 

@@ -1,12 +1,18 @@
-// No index buffer of strips is shorter than the bound; a zigzag of triangles reaches it; and the bound is that of the
-// corners, counted triangle by triangle.
+// No index buffer has fewer indices than the bound: all buffers of small meshes are tried, with degenerate triangles
+// and windings of any kind. The bound is never below the sum of ceil(n / 3) over the vertices, counted here; a zigzag
+// of triangles reaches it; and its cuts prove it, added up arrow by arrow.
 #include "restrip/output/index_bound.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "random_colors.hpp"
@@ -17,39 +23,198 @@
 namespace restrip {
 namespace {
 
+using sample::Corners;
+
+// The fewest indices of any buffer that draws each triangle once, found breadth first: what is drawn and the last two
+// indices are all that matters. `no_vertex` stands for no index since the last restart.
+std::size_t fewest_indices_of_any_buffer(const std::vector<Corners>& triangles, Vertex vertices) {
+  struct State {
+    std::size_t drawn;
+    Vertex a;
+    Vertex b;
+  };
+  const Vertex no_vertex = vertices;
+  const std::size_t all = (std::size_t{1} << triangles.size()) - 1;
+  std::map<std::array<Vertex, 3>, std::vector<std::size_t>> with_corners;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    Corners sorted = triangles[t];
+    std::sort(sorted.begin(), sorted.end());
+    with_corners[sorted].push_back(t);
+  }
+  std::vector<bool> met((all + 1) * (vertices + 1) * (vertices + 1), false);
+  std::vector<State> now;
+  std::vector<State> next;
+  const auto reach = [&](std::size_t drawn, Vertex a, Vertex b) {
+    const std::size_t place = (drawn * (vertices + 1) + a) * (vertices + 1) + b;
+    if (!met[place]) next.push_back({drawn, a, b});
+    met[place] = true;
+  };
+  reach(0, no_vertex, no_vertex);
+  for (std::size_t indices = 0;; ++indices) {
+    now.swap(next);
+    next.clear();
+    if (now.empty()) return 0;  // no buffer: fails the test
+    for (const auto& [drawn, a, b] : now) {
+      if (drawn == all) return indices;
+      reach(drawn, no_vertex, no_vertex);  // a restart
+      for (Vertex c = 0; c < vertices; ++c) {
+        if (a == no_vertex || b == no_vertex || a == b || b == c || a == c) {
+          reach(drawn, b, c);
+          continue;
+        }
+        Corners sorted{a, b, c};
+        std::sort(sorted.begin(), sorted.end());
+        const auto found = with_corners.find(sorted);
+        if (found == with_corners.end()) continue;
+        for (const std::size_t t : found->second)
+          if ((drawn >> t & 1U) == 0) reach(drawn | std::size_t{1} << t, b, c);
+      }
+    }
+  }
+}
+
+std::size_t corners_in_threes(const std::vector<Corners>& triangles) {
+  std::map<Vertex, std::size_t> around;
+  for (const Corners& corners : triangles)
+    for (const Vertex v : corners) ++around[v];
+  std::size_t indices = 0;
+  for (const auto& [v, n] : around) indices += (n + 2) / 3;
+  return indices;
+}
+
+// Adds the cuts up from their definition. False when an arrow is loaded by more than one unit.
+bool is_proof(const IndexBound& bound, const std::vector<Corners>& triangles) {
+  std::set<std::pair<Vertex, Vertex>> arrows;
+  std::map<Vertex, std::uint64_t> around;
+  for (const Corners& corners : triangles)
+    for (const Vertex v : corners) {
+      ++around[v];
+      for (const Vertex w : corners)
+        if (v != w) arrows.emplace(v, w);
+    }
+  std::map<std::pair<Vertex, Vertex>, std::uint64_t> twice_the_load;
+  std::uint64_t sum = 0;
+  for (const VertexCut& cut : bound.cuts) {
+    const std::set<Vertex> inside(cut.vertices.begin(), cut.vertices.end());
+    std::uint64_t triangles_of_it = 0;
+    for (const Vertex v : inside) triangles_of_it += around[v];
+    if (triangles_of_it % 3 == 0 || inside.size() != cut.vertices.size() || cut.multiplier == 0) return false;
+    const bool lacks_one = triangles_of_it % 3 == 2;
+    for (const auto& [from, to] : arrows)
+      if (inside.contains(from) != inside.contains(to))
+        twice_the_load[{from, to}] += std::uint64_t{inside.contains(from) == lacks_one ? 1U : 2U} * cut.multiplier;
+    sum += cut.multiplier;
+  }
+  return std::all_of(twice_the_load.begin(), twice_the_load.end(),
+                     [](const auto& load) { return load.second <= 2 * std::uint64_t{IndexBound::denominator}; }) &&
+         bound.arrows == (sum + IndexBound::denominator - 1) / IndexBound::denominator &&
+         bound.triangles == triangles.size() && bound.indices == bound.triangles + bound.arrows + bound.components - 1;
+}
+
+// Lists of at most eight triangles: closed and open, of several components, with vertices that components share,
+// triangles twice, windings that disagree, and any triples at all.
+std::vector<std::pair<std::vector<Corners>, Vertex>> small_lists() {
+  std::vector<std::pair<std::vector<Corners>, Vertex>> all{{{{0, 1, 2}}, 3},
+                                                           {{{0, 1, 2}, {1, 0, 2}}, 3},
+                                                           {{{0, 1, 2}, {0, 1, 2}}, 3},
+                                                           {{{0, 1, 2}, {3, 4, 5}}, 6},
+                                                           {{{0, 1, 2}, {2, 3, 4}}, 5},
+                                                           {{{0, 1, 2}, {2, 3, 4}, {4, 5, 0}, {6, 7, 8}}, 9},
+                                                           {{{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 6}, {0, 7, 8}}, 9},
+                                                           {{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}}, 4},
+                                                           {{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {1, 0, 5}}, 6},
+                                                           {sample::triangles_of(sample::octahedron()), 6},
+                                                           {sample::triangles_of(sample::double_cone(3)), 5},
+                                                           {sample::triangles_of(sample::rectangle(2, 2)), 9},
+                                                           {sample::triangles_of(sample::tube(3, 1)), 6}};
+  std::mt19937 random(31);
+  for (int i = 0; i < 60; ++i) {
+    const Vertex vertices = 4 + static_cast<Vertex>(random() % 4);
+    std::vector<Corners> list(1 + random() % 7);
+    for (Corners& c : list) {
+      std::array<Vertex, 8> order{0, 1, 2, 3, 4, 5, 6, 7};
+      std::shuffle(order.begin(), order.begin() + vertices, random);
+      c = {order[0], order[1], order[2]};
+    }
+    all.emplace_back(list, vertices);
+  }
+  return all;
+}
+
+TEST(IndexBound, IsNotPassedByAnyBufferOfSmallLists) {
+  std::size_t reached = 0;
+  std::size_t above_corners = 0;
+  for (const auto& [triangles, vertices] : small_lists()) {
+    const std::size_t fewest = fewest_indices_of_any_buffer(triangles, vertices);
+    for (const unsigned rounds : {0U, thorough_bound}) {
+      const IndexBound bound = strip_index_lower_bound(triangles, vertices, rounds);
+      EXPECT_LE(bound.indices, fewest) << triangles.size() << " triangles of " << vertices << " vertices";
+      EXPECT_GE(bound.indices, corners_in_threes(triangles) + bound.components - 1);
+      EXPECT_TRUE(is_proof(bound, triangles));
+      reached += bound.indices == fewest ? 1U : 0U;
+      above_corners += bound.indices > corners_in_threes(triangles) + bound.components - 1 ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(reached, 20U) << "a bound of nothing would pass as well";
+  EXPECT_GT(above_corners, 20U);
+}
+
 TEST(IndexBound, IsReachedByAZigzagAndByNoStripsPassed) {
   for (const Vertex triangles : {1U, 2U, 3U, 10U, 101U}) {
-    std::vector<sample::Corners> zigzag;
+    std::vector<Corners> zigzag;
     for (Vertex t = 0; t < triangles; ++t) zigzag.push_back({t + t % 2, t + 1 - t % 2, t + 2});
     StripMesh mesh = StripMesh::build(zigzag, triangles + 2);
-    EXPECT_EQ(strip_index_lower_bound(mesh), triangles + 2);
+    EXPECT_EQ(strip_index_lower_bound(mesh).indices, triangles + 2);
     stripify(mesh);
     EXPECT_EQ(strip_indices(mesh).size(), triangles + 2);
   }
   std::mt19937 random(6);
   for (StripMesh& mesh : sample::meshes()) {
-    const std::size_t bound = strip_index_lower_bound(mesh);
+    const IndexBound bound = strip_index_lower_bound(mesh);
+    EXPECT_TRUE(is_proof(bound, sample::triangles_of(mesh)));
+    EXPECT_GE(bound.indices, corners_in_threes(sample::triangles_of(mesh)) + bound.components - 1);
     for (const double share : {0.0, 0.7, 1.0}) {
       mesh.clear_colors();
       color_at_random(mesh, share, random);
-      EXPECT_GE(strip_indices(mesh).size(), bound);
+      EXPECT_GE(strip_indices(mesh).size(), bound.indices);
     }
     stripify(mesh, Effort::best, Cost::indices());
-    EXPECT_GE(strip_indices(mesh).size(), bound);
-    EXPECT_EQ(strip_index_lower_bound(mesh), bound) << "whatever the colours";
+    EXPECT_GE(strip_indices(mesh).size(), bound.indices);
+    EXPECT_EQ(strip_index_lower_bound(mesh).indices, bound.indices) << "whatever the colours";
   }
 }
 
-TEST(IndexBound, CountsCornersInThrees) {
-  const StripMesh two_pieces = sample::meshes()[5];
-  std::map<Vertex, std::size_t> corners;
-  for (const sample::Corners& c : sample::triangles_of(two_pieces))
-    for (const Vertex v : c) ++corners[v];
-  std::size_t least = 1;  // a restart
-  for (const auto& [v, n] : corners) least += n / 3 + (n % 3 != 0 ? 1 : 0);
-  EXPECT_EQ(strip_index_lower_bound(two_pieces), least);
-  EXPECT_EQ(strip_index_lower_bound(sample::octahedron()), 12U);
-  EXPECT_EQ(strip_index_lower_bound(StripMesh{}), 0U);
+TEST(IndexBound, MoreRoundsProveMore) {
+  const StripMesh mesh = sample::rectangle(30, 20);
+  const IndexBound single = strip_index_lower_bound(mesh, 0);
+  const IndexBound thorough = strip_index_lower_bound(mesh);
+  for (const VertexCut& cut : single.cuts) EXPECT_EQ(cut.vertices.size(), 1U);
+  EXPECT_GT(thorough.indices, single.indices);
+  EXPECT_TRUE(is_proof(thorough, sample::triangles_of(mesh)));
+}
+
+TEST(IndexBound, CountsComponentsByTheirVertices) {
+  EXPECT_EQ(strip_index_lower_bound(sample::meshes()[5]).components, 2U);
+  // Two triangles that share a vertex need no restart between them: 1 2 0 0 3 4.
+  const std::vector<Corners> bow_tie{{0, 1, 2}, {0, 3, 4}};
+  const IndexBound bound = strip_index_lower_bound(bow_tie, 5);
+  EXPECT_EQ(bound.components, 1U);
+  EXPECT_LE(bound.indices, 6U);
+  EXPECT_EQ(fewest_indices_of_any_buffer(bow_tie, 5), 6U);
+  EXPECT_EQ(strip_index_lower_bound(StripMesh{}).indices, 0U);
+}
+
+// A vertex of many triangles: what is looked at stays in proportion to the mesh.
+TEST(IndexBound, TakesVerticesOfAnyValence) {
+  for (const Vertex n : {1000U, 4000U}) {
+    std::vector<Corners> fan;
+    for (Vertex i = 0; i < n; ++i) fan.push_back({0, 1 + i, 1 + (i + 1) % n});
+    const IndexBound bound = strip_index_lower_bound(fan, n + 1);
+    EXPECT_GE(bound.indices, corners_in_threes(fan));
+    std::size_t members = 0;
+    for (const VertexCut& cut : bound.cuts) members += cut.vertices.size();
+    EXPECT_LE(members, 10U * n);
+  }
 }
 
 }  // namespace

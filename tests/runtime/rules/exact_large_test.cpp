@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <iostream>
 #include <new>
 #include <random>
 #include <string>
@@ -147,6 +148,7 @@ void check_many(std::uint64_t seed, int runs, std::size_t from, std::size_t to) 
     ASSERT_NO_FATAL_FAILURE(check(instance));
     if (testing::Test::HasFailure()) return;
   }
+  std::cout << runs << " random fans, k = " << from << " ... " << to - 1 << '\n';
 }
 
 // The second search is right where everything can be enumerated, or at least agrees.

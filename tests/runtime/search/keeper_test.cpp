@@ -17,6 +17,7 @@
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "strip_moves.hpp"
 
 namespace restrip {
 namespace {
@@ -112,7 +113,7 @@ TEST(Keeper, StripsDoNotAge) {
 }
 
 // Those that weigh more than strips.
-constexpr std::array weighing_policies{Policy::local, Policy::linked, Policy::quick, Policy::full};
+constexpr std::array weighing_policies{Policy::local, Policy::linked, Policy::quick, Policy::full, Policy::best};
 
 void expect_counted(const Keeper<StripMesh>& keeper) {
   ASSERT_TRUE(check_coloring(keeper.mesh()).valid);
@@ -152,7 +153,7 @@ TEST(KeeperByCost, TellsWhatEveryOperationChanged) {
 // Random operations make rough meshes; a local minimum of the whole mesh, by chains, is the measure.
 TEST(KeeperByCost, IndicesDoNotAge) {
   std::mt19937 random(22);
-  const std::array<double, 4> allowed{1.25, 1.20, 1.15, 1.10};
+  const std::array<double, 5> allowed{1.25, 1.20, 1.15, 1.10, 1.08};
   for (const Policy policy : weighing_policies) {
     StripMesh mesh = sample::torus(40, 40);
     stripify(mesh, Effort::full, Cost::indices());
@@ -178,15 +179,25 @@ TEST(KeeperByCost, GoesOnInTheBackground) {
   Keeper keeper(mesh, Policy::quick, Cost::indices());
   std::size_t saved = 0;
   const std::size_t before = keeper.cost();
-  const auto priced = [&] { return keeper.counts_of_improve().priced; };
-  for (int i = 0; i < 50; ++i) {
-    const std::uint64_t start = priced();
-    saved += keeper.improve(1000);
-    EXPECT_LE(priced() - start, 1100U);
-  }
-  EXPECT_EQ(before - keeper.cost(), saved);
+  const auto improve_often = [&](int times) {
+    for (int i = 0; i < times; ++i) {
+      const std::uint64_t start = keeper.spent_by_improve();
+      saved += keeper.improve(1000);
+      EXPECT_LE(keeper.spent_by_improve() - start, 2500U) << "the last look or window may go beyond";
+    }
+    expect_counted(keeper);
+    EXPECT_EQ(before - keeper.cost(), saved);
+  };
+  improve_often(50);
   EXPECT_LT(keeper.cost(), before * 4 / 5);
-  expect_counted(keeper);
+  // A descent over all triangles comes to an end; windows find more.
+  StripMesh descended = mesh;
+  Descent descent(Cost::indices());
+  for (int change = -1; change < 0;)
+    change = descent.run(descended, moves::all_triangles(descended), {.tries = 4, .worse = 1}).price(Cost::indices());
+  const auto local_minimum = static_cast<std::size_t>(cost_of(descended).price(Cost::indices()));
+  improve_often(500);
+  EXPECT_LT(keeper.cost(), local_minimum - local_minimum / 20);
 }
 
 TEST(KeeperByCost, SameOperationsSameColours) {

@@ -56,6 +56,20 @@ TEST(TunnelRounds, KeepToTheirBudgetAndGoOnWhereTheyStopped) {
   EXPECT_NE(run(1, 2000), run(1, 1));
 }
 
+TEST(TunnelRounds, BeginOnlyWhereItIsWorthIt) {
+  StripMesh mesh = sample::torus(10, 10);
+  StripLocator locator(mesh);
+  Tunnel tunnel;
+  TunnelRounds rounds;
+  EXPECT_GT(rounds.run(mesh, locator, tunnel, 100, 1, [](Triangle) { return false; }), 0U) << "triangles were passed";
+  EXPECT_EQ(tunnel.counts().searches, 0U);
+  rounds.run(mesh, locator, tunnel, 1'000'000, 1, [](Triangle t) { return t == 0; });
+  EXPECT_LT(locator.strips(), mesh.triangle_count());
+  EXPECT_LT(mesh.solid_degree(0), 3U);
+  EXPECT_GT(mesh.solid_degree(0), 0U);
+  EXPECT_TRUE(agrees(locator, mesh));
+}
+
 TEST(TunnelRounds, EndOnAMeshWithoutTriangles) {
   StripMesh mesh;
   StripLocator locator(mesh);

@@ -24,11 +24,6 @@
 
 namespace restrip {
 
-// Declared in walks.hpp, which is not read yet where a program includes it first: it includes strip_mesh.hpp, and that
-// includes these checks.
-template <class Visit>
-void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
-
 namespace detail {
 
 /// The number of spokes of v, or `most` if there are more: O(most), so that a fan of any size can be asked.
@@ -153,12 +148,6 @@ template <class Shared>
   // The ends of the edge keep enough triangles: where one has three, l and r are neighbours; where it has two, l is r.
   return l == r || mesh.spoke(l, r).id != none ? Refusal::edge_exists : Refusal::granted;
 }
-
-/// May the triangles `in` take the place of `out` (StripMesh::replace)? As the rule above, with these differences: all
-/// vertices must be different, and no mesh edge may be made that there is already. Quadratic in the triangles, and
-/// linear in the valence of the vertices between which there are new edges.
-[[nodiscard]] inline Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
-                                           std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);
 
 }  // namespace restrip
 

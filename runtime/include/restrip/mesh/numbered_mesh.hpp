@@ -3,13 +3,14 @@
 // | function | answers | StripMesh | a mesh of your own |
 // | --- | --- | --- | --- |
 // | `triangle(h)` | the number of the triangle of h | has it | the face index of h |
-// | `halfedge(t)` | any halfedge of triangle t | has it (side 0) | the first halfedge of the face |
+// | `halfedge(t)` | a halfedge of triangle t | has it (side 0) | the first halfedge of the face |
 // | `has_triangle(t)` | is t a triangle of the mesh now? | has it | not deleted |
 // | `triangle_bound()` | triangle numbers are below it | has it | the number of face slots |
 // | `from(h)` | the number of the vertex that h leaves, as the index buffer names it | has it | the vertex index |
 //
 // Numbers should be dense: memory is taken for every number below the bound. A number keeps its meaning until its
-// triangle is removed, and may then be given to another one.
+// triangle is removed, and may then be given to another one. `halfedge(t)` is the same each time, and stays for
+// triangles that an operation does not touch: searches name sides by it.
 #pragma once
 
 #include <concepts>

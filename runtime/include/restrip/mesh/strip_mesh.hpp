@@ -379,8 +379,15 @@ class StripMesh {
                                          Vertex new_vertex);
 [[nodiscard]] inline Refusal check_collapse(const StripMesh& mesh, StripMesh::Halfedge chord);
 [[nodiscard]] inline Refusal check_flip(const StripMesh& mesh, StripMesh::Halfedge h);
+/// May the triangles `in` take the place of `out` (StripMesh::replace)? By the rules of checks.hpp, with these
+/// differences: all vertices must be different, and no mesh edge may be made that there is already. Quadratic in the
+/// triangles, and linear in the valence of the vertices between which there are new edges.
 [[nodiscard]] inline Refusal check_replace(const StripMesh& mesh, std::span<const Triangle> out,
                                            std::span<const StripMesh::Places> in, std::span<const Vertex> vertices);
+
+// Defined in walks.hpp, which the checks use; where a program includes that first, it is read after them.
+template <class Visit>
+void for_each_spoke(const StripMesh& mesh, Vertex v, Visit&& visit);
 
 }  // namespace restrip
 

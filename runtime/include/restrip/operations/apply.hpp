@@ -9,6 +9,11 @@
 // h is a side of the first triangle that the file names under `before`: the one from its first vertex to its second,
 // with the triangle to the left of it. All other triangles are found from there.
 //
+// The header of a family has one table for each of its positions. With hub-goes.json of docs/toolkit.md, at a vertex of
+// k triangles:
+//
+//   apply(mesh, position_of(restrip::tables::hub_goes, {k}), h);
+//
 // A StripMesh is changed as the file says. Any other mesh changes itself, by a function of yours:
 //
 //   apply(mesh, table, h, [&](const auto& patch) {
@@ -33,6 +38,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
 
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/mesh.hpp"
@@ -43,8 +50,8 @@
 
 namespace restrip {
 
-/// A table of rules that comes with the triangles of its operation, tables::SurfaceOperation. (One of an operation that
-/// is given as a graph has none, and cannot be done on a mesh.)
+/// A table of rules that comes with the triangles of its operation: tables::SurfaceOperation, tables::PositionTable.
+/// (One of an operation that is given as a graph has none, and cannot be done on a mesh.)
 template <class Table>
 concept SurfaceTable = requires(const Table& table, std::uint32_t colors) {
   { tables::rule_of(table, colors, colors) } -> std::same_as<tables::OperationRule>;
@@ -53,18 +60,29 @@ concept SurfaceTable = requires(const Table& table, std::uint32_t colors) {
   { table.vertices } -> std::convertible_to<unsigned>;
 };
 
-/// The triangles of a patch where it is in a mesh.
-template <class Halfedge, std::size_t Triangles>
+/// The triangles of a patch where it is in a mesh: as many as Extent says, or std::dynamic_extent.
+template <class Halfedge, std::size_t Extent>
 struct PatchSides {
-  const std::array<tables::PatchTriangle, Triangles>* triangles = nullptr;  ///< of the table
-  std::array<std::array<Halfedge, 3>, Triangles> side;                      ///< of each triangle, as the table has them
+  explicit PatchSides(std::span<const tables::PatchTriangle, Extent> of) : triangles(of) {}
 
+  std::span<const tables::PatchTriangle, Extent> triangles;  ///< of the table
+  /// Three sides of each triangle, as the table has them; what is behind the last triangle means nothing.
+  std::array<std::array<Halfedge, 3>, Extent == std::dynamic_extent ? tables::most_patch_triangles : Extent> side;
+
+  /// `side` as far as there are triangles.
+  [[nodiscard]] std::span<const std::array<Halfedge, 3>> sides() const& {
+    return std::span<const std::array<Halfedge, 3>>(side).first(triangles.size());
+  }
+  void sides() const&& = delete;
   /// The side from one vertex to another, which are numbered from 0 in the order in which the file names them, both
   /// sides of the operation together. One of the triangles must have it.
   [[nodiscard]] Halfedge between(unsigned from, unsigned to) const;
 };
+/// How many triangles a table has on a side of its operation, or std::dynamic_extent.
+template <class Triangles>
+inline constexpr std::size_t patch_extent = decltype(std::span(std::declval<const Triangles&>()))::extent;
 template <class Halfedge, SurfaceTable Table>
-using SidesBefore = PatchSides<Halfedge, std::tuple_size_v<decltype(Table::triangles_before)>>;
+using SidesBefore = PatchSides<Halfedge, patch_extent<decltype(Table::triangles_before)>>;
 
 /// Does the operation, with the best rule for the colours that it finds. Rewrite::halfedge is the side of the first
 /// triangle under `after`, from its first vertex to its second; Rewrite::valence the number of ports.
@@ -91,6 +109,8 @@ class PendingApply;
 template <ColoredMesh Mesh, SurfaceTable Table>
 [[nodiscard]] PendingApply<typename Mesh::Halfedge, Table> before_apply(Mesh& mesh, const Table& table,
                                                                         typename Mesh::Halfedge where);
+template <ColoredMesh Mesh, SurfaceTable Table>
+void before_apply(Mesh& mesh, const Table&& table, typename Mesh::Halfedge where) = delete;  // it would be gone
 /// `first`: what the function above returns.
 template <ColoredMesh Mesh, SurfaceTable Table>
 Rewrite<typename Mesh::Halfedge> after_apply(Mesh& mesh, const PendingApply<typename Mesh::Halfedge, Table>& pending,

@@ -10,8 +10,9 @@
 // mesh alone, in random colours that need not be valid; then all edges are dashed, and split(), collapse(), flip() and
 // the operations of refine.hpp must keep a valid colouring and tell the truth about it.
 //
-// A handle is compared and passed back to the mesh, nothing else. Expected is never asked of the mesh that is tested: a
-// copy of the mesh as it was before an operation says what must be there after it. Not included by restrip.hpp.
+// A handle is compared and passed back to the mesh, nothing else. The mesh is not copied, and what is expected of it is
+// not asked of it: notes on the mesh as it was before an operation say what must be there after it. Not included by
+// restrip.hpp.
 #pragma once
 
 #include <cstddef>
@@ -47,6 +48,7 @@ enum class Contract {
   merged_edges_dashed,       ///< remove_vertex leaves the dual edges of merged edges dashed
   edge_turned,               ///< turn_edge returns r -> l, and its triangles are (r, l, u) and (l, r, v)
   handles_stay,              ///< other halfedges stay valid handles of the same mesh edges
+  numbers_stay,              ///< other triangles keep their numbers, and halfedge(t) is as it was for them
   other_colors_stay,         ///< other dual edges keep their colours
   triangle_count,            ///< an operation adds and removes the triangles that it should
   coloring_stays_valid,      ///< split(), collapse(), flip() and refine.hpp leave a valid colouring

@@ -9,10 +9,10 @@
 // those made from scratch.)
 //
 // Under a cost that weighs swaps or isolated triangles, such as Cost::indices(), an operation passes its colours on as
-// they are, and a search at the strip ends around it (end_search.hpp) mends what it can. The fewest strips cost 15 to
-// 25 % more indices than the best. No rules of such a cost are used: rules recolour a patch as well as can be with its
-// ports as they are, and alone they keep far more indices, because they can neither give ports up nor take others
-// (docs/strips.md, "Fewest indices").
+// they are, and a search at the strip ends around it (end_search.hpp) mends what it can; under Policy::best an exact
+// window (window.hpp) comes after it. The fewest strips cost 15 to 25 % more indices than the best. No rules of such a
+// cost are used: rules recolour a patch as well as can be with its ports as they are, and alone they keep far more
+// indices, because they can neither give ports up nor take others (docs/strips.md, "Fewest indices").
 //
 //   Keeper keeper(mesh, Policy::quick);                // mesh: any NumberedMesh, such as a StripMesh
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
@@ -53,6 +53,7 @@
 #include "restrip/search/sided_mesh.hpp"
 #include "restrip/search/strip_locator.hpp"
 #include "restrip/search/tunnel.hpp"
+#include "restrip/search/window_rounds.hpp"
 
 namespace restrip {
 
@@ -92,7 +93,9 @@ class Keeper {
         plan_(row_of(policy).plan),
         policy_(policy),
         ends_(cost),
-        descent_(cost) {
+        descent_(cost),
+        windows_(cost, 1, Windings::ignored),
+        window_(cost, 1, Windings::ignored) {
     rebuild();
   }
   /// Plays baked strips (baked.hpp): split_record and collapse_record are then copied, while in step. Every other
@@ -148,8 +151,9 @@ class Keeper {
   [[nodiscard]] const Player* baked() const noexcept { return baked_ ? &*baked_ : nullptr; }
 
   /// Background work: goes on with rounds over all strip ends (rounds.hpp), looking at about `budget` states; where
-  /// swaps or isolated triangles cost something, with a descent by chains over all triangles, pricing about `budget`
-  /// moves. Returns the cost it saved.
+  /// swaps or isolated triangles cost something, with a descent by chains over all triangles (descent.hpp), and once
+  /// that has ended, until the next operation, with windows around all strip ends and swaps (window_rounds.hpp), trying
+  /// about `budget` moves and colourings, some 60 ns each. Returns the cost it saved.
   std::size_t improve(std::size_t budget);
 
   /// Reads the mesh anew. Linear time. Throws std::invalid_argument when its colouring is not valid; the keeper must
@@ -176,10 +180,11 @@ class Keeper {
   [[nodiscard]] bool up_to_date() const noexcept { return up_to_date_; }
   /// Null under policies without a locator, and while it is not up to date.
   [[nodiscard]] const StripLocator* locator() const noexcept { return tunnels() && up_to_date_ ? &locator_ : nullptr; }
-  /// Of tunnelling; of the searches at strip ends; of improve() where swaps or isolated triangles cost something.
+  /// Of tunnelling; of the searches at strip ends; what improve() has counted against its budgets where swaps or
+  /// isolated triangles cost something.
   [[nodiscard]] const TunnelCounts& counts() const noexcept { return tunnel_.counts(); }
   [[nodiscard]] const EndSearch& end_search() const noexcept { return ends_; }
-  [[nodiscard]] const DescentCounts& counts_of_improve() const noexcept { return descent_.counts(); }
+  [[nodiscard]] std::uint64_t spent_by_improve() const noexcept { return descent_.counts().priced + windows_.spent(); }
 
  private:
   /// What is more than strips costs something.
@@ -220,11 +225,15 @@ class Keeper {
   std::size_t triangles_ = 0;  // while there is a locator
   std::vector<Triangle> patch_;
   // For other ones.
-  EndSearch ends_;     // after an operation
-  Descent descent_;    // in the background
-  Triangle next_ = 0;  // of improve()
+  EndSearch ends_;  // after an operation
+  // In the background.
+  Descent descent_;
+  Triangle next_ = 0;          // of the descent
+  std::size_t unsettled_ = 0;  // triangles that it has still to pass
+  WindowRounds windows_;
   detail::PassedColors<Mesh> passed_;
   ColoringChange change_;
+  Window window_;  // after an operation and its search
   // For operations that do not tell.
   detail::Surroundings<Mesh> around_;
 };

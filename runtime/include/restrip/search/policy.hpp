@@ -13,7 +13,7 @@
 namespace restrip {
 
 /// Each looks further than the one before it.
-enum class Policy : std::uint8_t { bare, rules, local, linked, quick, full };
+enum class Policy : std::uint8_t { bare, rules, local, linked, quick, full, best };
 
 /// The search from each strip end in a patch, where the cost is that of strips.
 struct Search {
@@ -31,6 +31,7 @@ struct IndexPlan {
   };
   From from = From::patch;
   EndLimits limits{.looks = 0};  ///< without looks there is no search, and the cost is counted but not kept low
+  std::uint32_t window = 0;      ///< triangles of an exact window that is laid around the operation last; 0: none
 };
 
 struct PolicyRow {
@@ -64,7 +65,12 @@ inline constexpr std::array policies{
               "full",
               "the rules, then tunnelling",
               {320, 0},
-              {IndexPlan::From::ring, {.looks = 70, .length = EndSearch::max_length, .worse = 2}}}};
+              {IndexPlan::From::ring, {.looks = 70, .length = EndSearch::max_length, .worse = 2}}},
+    PolicyRow{Policy::best,
+              "best",
+              "the rules, then tunnelling",
+              {1024, 0},
+              {IndexPlan::From::ring, {.looks = 70, .length = EndSearch::max_length, .worse = 2}, 40}}};
 
 [[nodiscard]] constexpr const PolicyRow& row_of(Policy policy) noexcept {
   return policies[static_cast<std::size_t>(policy)];

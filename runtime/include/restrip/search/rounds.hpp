@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,9 +24,11 @@ class TunnelRounds {
   /// Goes on where the last call stopped, until about `budget` states have been looked at (one search may go beyond) or
   /// there are no more than `enough` strips. Returns the number of states looked at. One state of the largest searches
   /// costs a few hundred nanoseconds; walking past triangles inside strips counts as one state for every 64.
-  /// Deterministic: the same calls on the same mesh do the same.
-  template <SidedMesh Mesh>
-  std::size_t run(Mesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget, std::size_t enough = 1) {
+  /// Deterministic: the same calls on the same mesh do the same. `worth(t)` tells whether to search from the end in t;
+  /// from all ends if it is not given.
+  template <SidedMesh Mesh, std::predicate<Triangle> Worth>
+  std::size_t run(Mesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget, std::size_t enough,
+                  Worth&& worth) {
     const std::size_t before = tunnel.counts().states;
     std::size_t passed = 0;
     const auto spent = [&] { return tunnel.counts().states - before + passed / 64; };
@@ -36,11 +39,15 @@ class TunnelRounds {
       }
       const Triangle t = next_++;
       ++passed;
-      if (!mesh.alive(t) || mesh.solid_degree(t) > 1) continue;
+      if (!mesh.alive(t) || mesh.solid_degree(t) > 1 || !worth(t)) continue;
       const auto on_failure = states_ >= last_ ? Tunnel::OnFailure::wander : Tunnel::OnFailure::stay;
       tunnel.join(mesh, locator, t, states_, on_failure);
     }
     return spent();
+  }
+  template <SidedMesh Mesh>
+  std::size_t run(Mesh& mesh, StripLocator& locator, Tunnel& tunnel, std::size_t budget, std::size_t enough = 1) {
+    return run(mesh, locator, tunnel, budget, enough, [](Triangle) { return true; });
   }
 
   /// Starts with small searches again: for a mesh that has changed a lot.

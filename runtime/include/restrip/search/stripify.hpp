@@ -20,6 +20,7 @@
 #include "restrip/search/rounds.hpp"
 #include "restrip/search/strip_locator.hpp"
 #include "restrip/search/tunnel.hpp"
+#include "restrip/search/window_rounds.hpp"
 
 namespace restrip {
 
@@ -28,8 +29,9 @@ enum class Effort {
   fast,  ///< one pass, linear time. Strips: greedy.hpp, about 200 to 700 triangles per strip; otherwise strips of some
          ///< 50 triangles that keep turning left and right, and a few moves at their ends
   full,  ///< strips: then rounds of tunnelling (rounds.hpp), towards one strip for each connected component; otherwise
-         ///< annealing (anneal.hpp), some 10 microseconds a triangle
-  best   ///< strips: larger limits of tunnelling; otherwise annealing for ten times as long
+         ///< annealing (anneal.hpp) and a round of small windows, some 10 microseconds a triangle
+  best   ///< strips: larger limits of tunnelling; otherwise annealing for four times as long again, and larger windows
+         ///< (window_rounds.hpp) for about as long as that
 };
 
 /// Colours the whole mesh anew and returns the number of strips. All triangles are kept; the result depends on the mesh
@@ -38,9 +40,10 @@ enum class Effort {
 ///
 /// `limit` bounds the work of Effort::full and Effort::best; 0 is the default. Where strips alone have a weight it
 /// counts states of searches, a few hundred nanoseconds each: 40 for each triangle, 1,000 with Effort::best; it stops
-/// early when no fewer strips are possible. Otherwise it counts moves tried, some 80 ns each: 100 for each triangle,
-/// 1,000 with Effort::best after those of Effort::full. `seed` chooses another of many colourings that are as good;
-/// fewest strips do not ask for it.
+/// early when no fewer strips are possible. Otherwise it counts what is tried, moves of annealing and colourings of a
+/// triangle in a window, some 60 ns each. With Effort::full these are moves, 100 for each triangle, and the windows are
+/// not counted; with Effort::best they are 1,000 for each triangle after all that Effort::full does by default, two
+/// fifths of them moves. `seed` chooses another of many colourings that are as good; fewest strips do not ask for it.
 template <NumberedMesh Mesh>
 std::size_t stripify(Mesh& mesh, Effort effort, Cost cost, std::uint64_t limit = 0, std::uint64_t seed = 1);
 
@@ -84,23 +87,28 @@ std::size_t stripify(Mesh& mesh, Effort effort, Cost cost, std::uint64_t limit, 
   if (effort != Effort::fast) {
     const auto cool = [&annealing](std::uint64_t moves, std::uint32_t heat) {
       annealing.cool(moves, heat);
-      annealing.settle_windings(4);
       annealing.keep();
     };
     annealing.keep();
     // On regular meshes the strips as they have grown are hard to beat.
     cool(10 * triangles, 0);
     cool(limit != 0 && effort == Effort::full ? limit : 100 * triangles, 100);
+    annealing.go_back();
+    WindowRounds windows(cost, seed);
+    windows.run(annealing.colors(), WindowRounds::round_budget(triangles), {.triangles = 20});
+    annealing.keep();
     if (effort == Effort::best) {
-      // Small meshes take next to no time, so they are annealed until luck does not matter.
-      const std::uint64_t moves = limit != 0 ? limit : 1000 * triangles;
-      const std::uint64_t rounds = limit != 0 ? 1 : 1 + 250'000 / std::max<std::uint64_t>(moves, 1);
-      for (std::uint64_t round = 0; round < rounds; ++round) {
-        cool(moves - moves / 5, 100);
-        annealing.go_back();
-        cool(moves / 5, 25);
-      }
+      // Small meshes take next to no time, so they are searched until luck does not matter.
+      const std::uint64_t budget = limit != 0 ? limit : std::max<std::uint64_t>(1000 * triangles, 250'000);
+      const std::uint64_t moves = budget * 2 / 5;
+      cool(moves, 100);
+      annealing.go_back();
+      const std::uint64_t stop = windows.spent() + (budget - moves);
+      while (windows.spent() < stop && annealing.colors().cost(cost) != 0)
+        windows.run(annealing.colors(), stop - windows.spent(), {.triangles = 60});
+      annealing.keep();
     }
+    // Colours that cost as little as those before stay as they were.
     annealing.go_back();
   }
   annealing.give(sides);

@@ -9,8 +9,8 @@
 //
 // A family has the tables of all its positions one after another (OperationFamily).
 //
-// Where the file gives the triangles with their vertices, the header has them too (SurfaceOperation), for programs that
-// change a mesh; restrip/operations/apply.hpp is one.
+// Where the file gives the triangles with their vertices, the header has them too (SurfaceOperation, SurfaceFamily),
+// for programs that change a mesh; restrip/operations/apply.hpp is one.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace restrip::tables {
 
@@ -78,6 +79,37 @@ struct OperationFamily {
   std::array<Entry, Size> entries;
 };
 
+/// Which triangles of a SurfaceFamily are those of a position.
+struct PositionTriangles {
+  unsigned vertices = 0;
+  std::size_t first_before = 0;
+  std::size_t first_after = 0;
+};
+
+/// With the triangles of all positions, numbered as in SurfaceOperation in each of them.
+template <class Entry, std::size_t Size, std::size_t Positions, std::size_t Before, std::size_t After>
+struct SurfaceFamily : OperationFamily<Entry, Size, Positions> {
+  std::array<PositionTriangles, Positions> position_triangles;  ///< in the order of `positions`
+  std::array<PatchTriangle, Before> triangles_before;
+  std::array<PatchTriangle, After> triangles_after;
+};
+
+/// The most triangles that a side of an operation has.
+inline constexpr std::size_t most_patch_triangles = 16;
+
+/// One position of a SurfaceFamily, to be used like a SurfaceOperation. It refers to the family.
+template <class Entry>
+struct PositionTable {
+  PatchSize before;
+  PatchSize after;
+  unsigned ports = 0;
+  bool matching = false;
+  const Entry* entries = nullptr;
+  unsigned vertices = 0;
+  std::span<const PatchTriangle> triangles_before;
+  std::span<const PatchTriangle> triangles_after;
+};
+
 /// What a rule says. `strips` is the change of the number of strips in the whole mesh; of a matching it is the change
 /// in the number of pairs and single triangles together.
 struct OperationRule {
@@ -100,6 +132,27 @@ struct OperationRule {
   }
 };
 
+/// Some of the inner edges and the ports of a patch, such as the solid ones: edge i is bit i, port i is bit 32 + i.
+using PatchEdges = std::uint64_t;
+
+constexpr PatchEdges patch_edges(std::uint32_t edges, std::uint32_t ports) noexcept {
+  return PatchEdges{ports} << 32 | edges;
+}
+/// That of a side of a PatchTriangle; for the boundary, which is dashed, a bit of no port.
+constexpr PatchEdges edge_of(std::uint8_t side) noexcept {
+  static_assert(PatchTriangle::port_side == 64 && PatchTriangle::boundary_side == 255);
+  return PatchEdges{1} << ((side & 31U) | (side >> 1 & 32U));
+}
+
+/// The isolated triangles of one side of a patch.
+template <class Triangles>
+[[nodiscard]] constexpr int isolated_among(const Triangles& triangles, PatchEdges solid) noexcept {
+  int isolated = 0;
+  for (const auto& [from, from_side, vertex, side] : triangles)
+    isolated += (solid & (edge_of(side[0]) | edge_of(side[1]) | edge_of(side[2]))) == 0 ? 1 : 0;
+  return isolated;
+}
+
 /// The rule of a configuration: `inner` has before.edges bits, `ports` has ports bits; higher bits are a programming
 /// error. Constant time. Not valid: dash everything, or look for the fault. A matching's table cannot tell whether
 /// `inner` is valid and answers as if it were.
@@ -109,19 +162,55 @@ template <class Entry, std::size_t Size>
   return OperationRule::in_entry(table.entries[table.matching ? ports : inner << table.ports | ports],
                                  static_cast<Entry>(-1), table.before, table.after, table.ports, inner, ports);
 }
+/// The same at a position of a family. Not valid where the family has no such position.
+template <class Entry>
+[[nodiscard]] constexpr OperationRule rule_of(const PositionTable<Entry>& table, std::uint32_t inner,
+                                              std::uint32_t ports) noexcept {
+  if (table.entries == nullptr) return {};
+  return OperationRule::in_entry(table.entries[table.matching ? ports : inner << table.ports | ports],
+                                 static_cast<Entry>(-1), table.before, table.after, table.ports, inner, ports);
+}
 
-/// The same at a position of a family, which is searched for in logarithmic time. Not valid where the family has no
-/// such position.
+/// Which of its positions has these numbers: found in logarithmic time, family.positions.size() where there is none.
+template <class Entry, std::size_t Size, std::size_t Positions>
+[[nodiscard]] constexpr std::size_t place_of(const OperationFamily<Entry, Size, Positions>& family,
+                                             const FamilyNumbers& numbers) noexcept {
+  const auto at = std::lower_bound(
+      family.positions.begin(), family.positions.end(), numbers,
+      [](const FamilyPosition& position, const FamilyNumbers& wanted) { return position.numbers < wanted; });
+  return at == family.positions.end() || at->numbers != numbers
+             ? Positions
+             : static_cast<std::size_t>(at - family.positions.begin());
+}
+
+/// The rules and triangles of a position, as a table; one without triangles where the family has no such position.
+template <class Entry, std::size_t Size, std::size_t Positions, std::size_t Before, std::size_t After>
+[[nodiscard]] constexpr PositionTable<Entry> position_of(
+    const SurfaceFamily<Entry, Size, Positions, Before, After>& family, const FamilyNumbers& numbers) noexcept {
+  const std::size_t place = place_of(family, numbers);
+  if (place == Positions) return {};
+  const FamilyPosition& at = family.positions[place];
+  const PositionTriangles& triangles = family.position_triangles[place];
+  return {at.before,
+          at.after,
+          at.ports,
+          family.matching,
+          family.entries.data() + at.first,
+          triangles.vertices,
+          std::span(family.triangles_before).subspan(triangles.first_before, at.before.triangles),
+          std::span(family.triangles_after).subspan(triangles.first_after, at.after.triangles)};
+}
+
+/// The rule of a configuration at a position. Not valid where the family has no such position.
 template <class Entry, std::size_t Size, std::size_t Positions>
 [[nodiscard]] constexpr OperationRule rule_of(const OperationFamily<Entry, Size, Positions>& family,
                                               const FamilyNumbers& numbers, std::uint32_t inner,
                                               std::uint32_t ports) noexcept {
-  const auto at = std::lower_bound(
-      family.positions.begin(), family.positions.end(), numbers,
-      [](const FamilyPosition& position, const FamilyNumbers& wanted) { return position.numbers < wanted; });
-  if (at == family.positions.end() || at->numbers != numbers) return {};
-  return OperationRule::in_entry(family.entries[at->first + (family.matching ? ports : inner << at->ports | ports)],
-                                 static_cast<Entry>(-1), at->before, at->after, at->ports, inner, ports);
+  const std::size_t place = place_of(family, numbers);
+  if (place == Positions) return {};
+  const FamilyPosition& at = family.positions[place];
+  return OperationRule::in_entry(family.entries[at.first + (family.matching ? ports : inner << at.ports | ports)],
+                                 static_cast<Entry>(-1), at.before, at.after, at.ports, inner, ports);
 }
 
 }  // namespace restrip::tables

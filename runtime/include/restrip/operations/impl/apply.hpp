@@ -14,26 +14,26 @@
 
 namespace restrip {
 
-template <class Halfedge, std::size_t Triangles>
-Halfedge PatchSides<Halfedge, Triangles>::between(unsigned from, unsigned to) const {
-  for (std::size_t t = 0; t < Triangles; ++t)
+template <class Halfedge, std::size_t Extent>
+Halfedge PatchSides<Halfedge, Extent>::between(unsigned from, unsigned to) const {
+  for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t s = 0; s < 3; ++s)
-      if ((*triangles)[t].vertex[s] == from && (*triangles)[t].vertex[(s + 1) % 3] == to) return side[t][s];
+      if (triangles[t].vertex[s] == from && triangles[t].vertex[(s + 1) % 3] == to) return side[t][s];
   RESTRIP_ASSERT(false, "PatchSides::between", "no triangle of the patch has this side");
   return side[0][0];
 }
 
 namespace detail {
 
-template <std::size_t Triangles>
-using PatchTriangles = std::array<tables::PatchTriangle, Triangles>;
+template <class Halfedge, class Triangles>
+auto no_sides(const Triangles& triangles) {
+  return PatchSides<Halfedge, patch_extent<Triangles>>(triangles);
+}
 
-template <class Mesh, std::size_t Triangles, class Halfedge = typename Mesh::Halfedge>
-PatchSides<Halfedge, Triangles> read_sides(const Mesh& mesh, const PatchTriangles<Triangles>& triangles,
-                                           Halfedge where) {
-  PatchSides<Halfedge, Triangles> patch;
-  patch.triangles = &triangles;
-  for (std::size_t t = 0; t < Triangles; ++t) {
+template <class Mesh, class Triangles, class Halfedge = typename Mesh::Halfedge>
+auto read_sides(const Mesh& mesh, const Triangles& triangles, Halfedge where) {
+  auto patch = no_sides<Halfedge>(triangles);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
     auto& side = patch.side[t];
     side[0] = t == 0 ? where : mesh.opposite(patch.side[triangles[t].from][triangles[t].from_side]);
     side[1] = mesh.next(side[0]);
@@ -42,46 +42,28 @@ PatchSides<Halfedge, Triangles> read_sides(const Mesh& mesh, const PatchTriangle
   return patch;
 }
 
-/// Some of the inner edges and the ports of a patch, such as the solid ones: edge i is bit i, port i is bit 32 + i.
-using PatchEdges = std::uint64_t;
+using tables::edge_of;
+using tables::patch_edges;
+using tables::PatchEdges;
 inline constexpr PatchEdges all_ports = ~PatchEdges{0} << 32;
 
-constexpr PatchEdges patch_edges(std::uint32_t edges, std::uint32_t ports) noexcept {
-  return PatchEdges{ports} << 32 | edges;
-}
-/// That of a side, which is numbered as in tables::PatchTriangle; for the boundary, which is dashed, a bit of no port.
-constexpr PatchEdges edge_of(std::uint8_t side) noexcept {
-  static_assert(tables::PatchTriangle::port_side == 64 && tables::PatchTriangle::boundary_side == 255);
-  return PatchEdges{1} << ((side & 31U) | (side >> 1 & 32U));
-}
-
-template <class Mesh, std::size_t Triangles, class Halfedge = typename Mesh::Halfedge>
-PatchEdges solid_edges(const Mesh& mesh, const PatchTriangles<Triangles>& triangles,
-                       const PatchSides<Halfedge, Triangles>& patch) {
+template <class Mesh, class Sides>
+PatchEdges solid_edges(const Mesh& mesh, const Sides& patch) {
   PatchEdges solid = 0;
-  for (std::size_t t = 0; t < Triangles; ++t)
-    for (std::size_t s = 0; s < 3; ++s) solid |= mesh.solid(patch.side[t][s]) ? edge_of(triangles[t].side[s]) : 0;
+  for (std::size_t t = 0; t < patch.triangles.size(); ++t)
+    for (std::size_t s = 0; s < 3; ++s) solid |= mesh.solid(patch.side[t][s]) ? edge_of(patch.triangles[t].side[s]) : 0;
   return solid & ~edge_of(tables::PatchTriangle::boundary_side);
 }
 
 /// Calls visit(halfedge) once for each of the edges.
-template <std::size_t Triangles, class Halfedge, class Visit>
-void for_each_edge(const PatchTriangles<Triangles>& triangles, const PatchSides<Halfedge, Triangles>& patch,
-                   PatchEdges edges, Visit&& visit) {
-  for (std::size_t t = 0; t < Triangles && edges != 0; ++t)
+template <class Sides, class Visit>
+void for_each_edge(const Sides& patch, PatchEdges edges, Visit&& visit) {
+  for (std::size_t t = 0; t < patch.triangles.size() && edges != 0; ++t)
     for (std::size_t s = 0; s < 3; ++s) {
-      const PatchEdges edge = edge_of(triangles[t].side[s]);
+      const PatchEdges edge = edge_of(patch.triangles[t].side[s]);
       if ((edges & edge) != 0) visit(patch.side[t][s]);
       edges &= ~edge;
     }
-}
-
-template <std::size_t Triangles>
-constexpr int isolated_among(const PatchTriangles<Triangles>& triangles, PatchEdges solid) noexcept {
-  int isolated = 0;
-  for (const auto& [from, from_side, vertex, side] : triangles)
-    isolated += (solid & (edge_of(side[0]) | edge_of(side[1]) | edge_of(side[2]))) == 0 ? 1 : 0;
-  return isolated;
 }
 
 template <SurfaceTable Table>
@@ -100,29 +82,27 @@ class PendingApply {
   template <class Mesh>
   PendingApply(Mesh& mesh, const Table& table, Halfedge where)
       : table_(&table), patch_(detail::read_sides(mesh, table.triangles_before, where)) {
-    const detail::PatchEdges before = detail::solid_edges(mesh, table.triangles_before, patch_);
+    const detail::PatchEdges before = detail::solid_edges(mesh, patch_);
     const tables::OperationRule rule = detail::rule_for(table, before);
     solid_ = detail::patch_edges(rule.colors, rule.ports);
     strips_ = rule.strips;
     isolated_ =
-        detail::isolated_among(table.triangles_after, solid_) - detail::isolated_among(table.triangles_before, before);
+        tables::isolated_among(table.triangles_after, solid_) - tables::isolated_among(table.triangles_before, before);
     if (const detail::PatchEdges given_up = before & ~solid_ & detail::all_ports; given_up != 0) {
       std::array<Halfedge, most_ports> behind;  // not {}: a handle's default constructor may be explicit
       std::size_t count = 0;
-      detail::for_each_edge(table.triangles_before, patch_, given_up,
-                            [&](Halfedge h) { behind[count++] = mesh.opposite(h); });
+      detail::for_each_edge(patch_, given_up, [&](Halfedge h) { behind[count++] = mesh.opposite(h); });
       isolated_ += detail::isolated_behind(mesh, std::span<const Halfedge>(behind.data(), count));
     }
-    detail::for_each_edge(table.triangles_before, patch_, before & ~(solid_ & detail::all_ports),
+    detail::for_each_edge(patch_, before & ~(solid_ & detail::all_ports),
                           [&](Halfedge h) { mesh.set_solid(h, false); });
   }
   /// Makes solid what is to be so.
   template <class Mesh>
   Rewrite<Halfedge> finish(Mesh& mesh, Halfedge first) const {
-    detail::for_each_edge(table_->triangles_after, detail::read_sides(mesh, table_->triangles_after, first), solid_,
-                          [&](Halfedge h) {
-                            if (!mesh.solid(h)) mesh.set_solid(h, true);
-                          });
+    detail::for_each_edge(detail::read_sides(mesh, table_->triangles_after, first), solid_, [&](Halfedge h) {
+      if (!mesh.solid(h)) mesh.set_solid(h, true);
+    });
     return {first, table_->ports, strips_, isolated_};
   }
   [[nodiscard]] const Table& table() const noexcept { return *table_; }
@@ -147,25 +127,27 @@ Rewrite<typename Mesh::Halfedge> apply_unchecked(Mesh& mesh, const Table& table,
 }
 
 /// Are the triangles there, each once, joined as they should be and along nothing else?
-template <ColoredMesh Mesh, std::size_t Triangles>
-Refusal refusal_of_patch(const Mesh& mesh, const PatchTriangles<Triangles>& triangles, typename Mesh::Halfedge where) {
+template <ColoredMesh Mesh, class Triangles>
+Refusal refusal_of_patch(const Mesh& mesh, const Triangles& triangles, typename Mesh::Halfedge where) {
   if (!knows(mesh, where)) return Refusal::no_such_edge;
   if (mesh.on_boundary(where)) return Refusal::boundary_edge;
-  PatchSides<typename Mesh::Halfedge, Triangles> patch;
-  for (std::size_t t = 0; t < Triangles; ++t) {
+  if (triangles.empty()) return Refusal::other_patch;  // the family has no such position
+  auto patch = no_sides<typename Mesh::Halfedge>(triangles);
+  const std::size_t sides = 3 * triangles.size();
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
     auto& side = patch.side[t];
     side[0] = t == 0 ? where : mesh.opposite(patch.side[triangles[t].from][triangles[t].from_side]);
     if (mesh.on_boundary(side[0])) return Refusal::other_patch;
     side[1] = mesh.next(side[0]);
     side[2] = mesh.next(side[1]);
   }
-  for (std::size_t i = 0; i < 3 * Triangles; ++i) {
+  for (std::size_t i = 0; i < sides; ++i) {
     const auto h = patch.side[i / 3][i % 3];
     const std::uint8_t side = triangles[i / 3].side[i % 3];
     const auto across = mesh.opposite(h);
     if (side == tables::PatchTriangle::boundary_side && !mesh.on_boundary(across)) return Refusal::other_patch;
     bool met = false;
-    for (std::size_t j = 0; j < 3 * Triangles; ++j) {
+    for (std::size_t j = 0; j < sides; ++j) {
       if (j < i && patch.side[j / 3][j % 3] == h) return Refusal::other_patch;
       if (!(patch.side[j / 3][j % 3] == across)) continue;
       if (triangles[j / 3].side[j % 3] != side) return Refusal::other_patch;
@@ -181,7 +163,7 @@ template <ColoredMesh Mesh, SurfaceTable Table>
 Refusal refusal_of_apply(const Mesh& mesh, const Table& table, typename Mesh::Halfedge where) {
   const Refusal refusal = refusal_of_patch(mesh, table.triangles_before, where);
   if (refusal != Refusal::granted) return refusal;
-  const PatchEdges solid = solid_edges(mesh, table.triangles_before, read_sides(mesh, table.triangles_before, where));
+  const PatchEdges solid = solid_edges(mesh, read_sides(mesh, table.triangles_before, where));
   return rule_for(table, solid).valid ? Refusal::granted : Refusal::colors_not_valid;
 }
 
@@ -189,31 +171,37 @@ Refusal refusal_of_apply(const Mesh& mesh, const Table& table, typename Mesh::Ha
 template <class Table>
 class Replacement {
  public:
-  static constexpr std::size_t before = std::tuple_size_v<decltype(Table::triangles_before)>;
-  static constexpr std::size_t after = std::tuple_size_v<decltype(Table::triangles_after)>;
+  using Before = SidesBefore<StripMesh::Halfedge, Table>;
+  using After = PatchSides<StripMesh::Halfedge, patch_extent<decltype(Table::triangles_after)>>;
 
-  Replacement(const StripMesh& mesh, const Table& table, const PatchSides<StripMesh::Halfedge, before>& patch)
-      : count_(table.vertices) {
+  Replacement(const StripMesh& mesh, const Table& table, const Before& patch)
+      : before_(table.triangles_before.size()), after_(table.triangles_after.size()), count_(table.vertices) {
     vertices_.fill(none);
-    for (std::size_t t = 0; t < before; ++t) {
+    for (std::size_t t = 0; t < before_; ++t) {
       out_[t] = StripMesh::triangle(patch.side[t][0]);
       for (std::size_t s = 0; s < 3; ++s) vertices_[table.triangles_before[t].vertex[s]] = mesh.from(patch.side[t][s]);
     }
-    for (std::size_t t = 0; t < after; ++t) in_[t] = table.triangles_after[t].vertex;
+    for (std::size_t t = 0; t < after_; ++t) in_[t] = table.triangles_after[t].vertex;
   }
   [[nodiscard]] Refusal refusal(const StripMesh& mesh) const {
-    return check_replace(mesh, out_, in_, std::span(vertices_).first(count_));
+    return check_replace(mesh, std::span(out_).first(before_), std::span(in_).first(after_),
+                         std::span(vertices_).first(count_));
   }
   StripMesh::Halfedge replace(StripMesh& mesh) {
-    std::array<Triangle, after> made;
-    mesh.replace(out_, in_, std::span(vertices_).first(count_), made);
+    std::array<Triangle, most_after> made;
+    mesh.replace(std::span(out_).first(before_), std::span(in_).first(after_), std::span(vertices_).first(count_),
+                 std::span(made).first(after_));
     return StripMesh::halfedge(made[0]);
   }
 
  private:
-  std::array<Triangle, before> out_;
-  std::array<StripMesh::Places, after> in_;
-  std::array<Vertex, 3 * (before + after)> vertices_;
+  static constexpr std::size_t most_before = std::tuple_size_v<decltype(Before::side)>;
+  static constexpr std::size_t most_after = std::tuple_size_v<decltype(After::side)>;
+  std::array<Triangle, most_before> out_;
+  std::array<StripMesh::Places, most_after> in_;
+  std::array<Vertex, 3 * (most_before + most_after)> vertices_;
+  std::size_t before_;
+  std::size_t after_;
   std::size_t count_;
 };
 

@@ -53,6 +53,8 @@ namespace restrip {
       return "turn_edge: the halfedge returned is not r -> l between the triangles (r, l, u) and (l, r, v)";
     case Contract::handles_stay:
       return "insert_vertex, remove_vertex, turn_edge: another halfedge no longer is where it was";
+    case Contract::numbers_stay:
+      return "insert_vertex, remove_vertex, turn_edge: another triangle has another number, or another halfedge(t)";
     case Contract::other_colors_stay:
       return "insert_vertex, remove_vertex, turn_edge: another dual edge changed its colour";
     case Contract::triangle_count:

@@ -241,6 +241,16 @@ int isolated_behind(const Mesh& mesh, std::span<const typename Mesh::Halfedge> g
   return isolated;
 }
 
+/// The change in the number of isolated ones among the two triangles of a flip.
+constexpr int isolated_by_flip(bool inner, unsigned ports, const FlipRule& rule) noexcept {
+  const auto isolated_one = [](bool edge, unsigned p, unsigned one, unsigned other) {
+    return edge || (p >> one & 1U) != 0 || (p >> other & 1U) != 0 ? 0 : 1;
+  };
+  // The new triangles own ports 1, 2 and 3, 0.
+  return isolated_one(rule.inner, rule.ports, 1, 2) + isolated_one(rule.inner, rule.ports, 3, 0) -
+         isolated_one(inner, ports, 0, 1) - isolated_one(inner, ports, 2, 3);
+}
+
 template <class Mesh>
 FlipChange begin_flip(Mesh& mesh, typename Mesh::Halfedge h) {
   using Halfedge = typename Mesh::Halfedge;
@@ -252,12 +262,7 @@ FlipChange begin_flip(Mesh& mesh, typename Mesh::Halfedge h) {
   for (unsigned i = 0; i < 4; ++i) ports |= static_cast<unsigned>(mesh.solid(port[i])) << i;
   const bool inner = mesh.solid(h);
   const FlipRule rule = flip_rule(inner, ports);
-  const auto isolated_one = [](bool edge, unsigned p, unsigned one, unsigned other) {
-    return edge || (p >> one & 1U) != 0 || (p >> other & 1U) != 0 ? 0 : 1;
-  };
-  // The new triangles own ports 1, 2 and 3, 0.
-  int isolated = isolated_one(rule.inner, rule.ports, 1, 2) + isolated_one(rule.inner, rule.ports, 3, 0) -
-                 isolated_one(inner, ports, 0, 1) - isolated_one(inner, ports, 2, 3);
+  int isolated = isolated_by_flip(inner, ports, rule);
   if (const unsigned given_up = ports & ~rule.ports; given_up != 0) {
     Halfedge outer[4];
     std::size_t n = 0;

@@ -448,11 +448,11 @@ Rewrite<typename Mesh::Halfedge> apply_and_join(Mesh& mesh, const Table& table, 
   using Halfedge = typename Mesh::Halfedge;
   const auto done = apply(mesh, table, where, change);
   const auto patch = detail::read_sides(mesh, table.triangles_after, done.halfedge);
-  std::array<Halfedge, 4 * std::tuple_size_v<decltype(Table::triangles_after)>> near;
+  std::array<Halfedge, 4 * std::tuple_size_v<decltype(patch.side)>> near;
   std::size_t count = 0;
-  for (const auto& triangle : patch.side) near[count++] = triangle[0];
+  for (const auto& triangle : patch.sides()) near[count++] = triangle[0];
   // A triangle beside the patch may have lost a port.
-  for (std::size_t t = 0; t < patch.side.size(); ++t)
+  for (std::size_t t = 0; t < patch.sides().size(); ++t)
     for (std::size_t s = 0; s < 3; ++s)
       if (table.triangles_after[t].side[s] >= tables::PatchTriangle::port_side)
         near[count++] = mesh.opposite(patch.side[t][s]);

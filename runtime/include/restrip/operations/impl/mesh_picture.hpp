@@ -34,6 +34,8 @@ struct MeshPicture {
   std::vector<std::size_t> opposite;
   std::vector<std::size_t> vertex;  ///< that the halfedge leaves: the first of them
   std::vector<std::uint8_t> solid;
+  std::vector<std::uint32_t> number;  ///< of its triangle, if the mesh has numbers
+  std::vector<std::uint8_t> chosen;   ///< is it what halfedge(number) answers?
   std::size_t triangles = 0;
 
   [[nodiscard]] std::size_t size() const { return halfedges.size(); }
@@ -140,9 +142,12 @@ Contract check_members(const Mesh& mesh, const MeshPicture<Mesh>& picture) {
   return Contract::kept;
 }
 
+/// The numbers, which are noted too.
 template <class Mesh>
-Contract check_numbers(const Mesh& mesh, const MeshPicture<Mesh>& picture) {
+Contract check_numbers(const Mesh& mesh, MeshPicture<Mesh>& picture) {
   if constexpr (NumberedMesh<Mesh>) {
+    picture.number.assign(picture.size(), 0);
+    picture.chosen.assign(picture.size(), 0);
     std::vector<std::size_t> first_of(mesh.triangle_bound(), picture.size());
     for (std::size_t i = 0; i < picture.size(); ++i) {
       if (picture.on_boundary(i)) continue;
@@ -155,6 +160,8 @@ Contract check_numbers(const Mesh& mesh, const MeshPicture<Mesh>& picture) {
       if (back == picture.size() || picture.on_boundary(back)) return Contract::triangle_numbers;
       if (std::min({back, picture.next[back], picture.next[picture.next[back]]}) != first)
         return Contract::triangle_numbers;
+      picture.number[i] = t;
+      picture.chosen[i] = back == i ? 1 : 0;
     }
     // Asked for halfedges with a triangle only: compare each with the next around its vertex.
     for (std::size_t i = 0; i < picture.size(); ++i) {

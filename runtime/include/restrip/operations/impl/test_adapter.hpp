@@ -230,7 +230,8 @@ class AdapterDrive {
     }
   }
 
-  /// Handles whose edge is not in `changed` are where they were, with the colours that they had.
+  /// Handles whose edge is not in `changed` are where they were, with the colours that they had, and triangles with no
+  /// such edge have the numbers that they had.
   Contract others_stay(const std::vector<std::uint8_t>& changed) const {
     for (std::size_t i = 0; i < old_.size(); ++i) {
       if (changed[i] != 0) continue;
@@ -243,6 +244,11 @@ class AdapterDrive {
       if (!old_.on_boundary(i) && changed[old_.next[i]] == 0 && !(mesh_.next(h) == old_.halfedges[old_.next[i]]))
         return Contract::handles_stay;
       if (bool{mesh_.solid(h)} != (old_.solid[i] != 0)) return Contract::other_colors_stay;
+      if constexpr (NumberedMesh<Mesh>) {
+        if (old_.on_boundary(i) || changed[old_.next[i]] != 0 || changed[old_.next[old_.next[i]]] != 0) continue;
+        if (mesh_.triangle(h) != old_.number[i] || (mesh_.halfedge(old_.number[i]) == h) != (old_.chosen[i] != 0))
+          return Contract::numbers_stay;
+      }
     }
     return Contract::kept;
   }

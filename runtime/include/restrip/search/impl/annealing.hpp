@@ -11,30 +11,14 @@
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
+#include "restrip/search/impl/coloring_copy.hpp"
 #include "restrip/search/impl/growing.hpp"
 #include "restrip/search/impl/marked_words.hpp"
+#include "restrip/search/impl/pseudo_random.hpp"
 #include "restrip/search/impl/strip_trees.hpp"
 #include "restrip/search/sided_mesh.hpp"
 
 namespace restrip::detail {
-
-/// Pseudo-random bits, the same everywhere: xorshift64* (Vigna, "An experimental exploration of Marsaglia's xorshift
-/// generators, scrambled", 2016).
-class AnnealingRandom {
- public:
-  explicit constexpr AnnealingRandom(std::uint64_t seed) noexcept : state_(seed ^ 0x9E3779B97F4A7C15U) {
-    if (state_ == 0) state_ = 1;
-  }
-  constexpr std::uint32_t bits() noexcept {
-    state_ ^= state_ >> 12;
-    state_ ^= state_ << 25;
-    state_ ^= state_ >> 27;
-    return static_cast<std::uint32_t>(state_ * 0x2545F4914F6CDD1DU >> 32);
-  }
-
- private:
-  std::uint64_t state_;
-};
 
 /// -log2(x / 2^32) for x > 0, in units of 2^-16: the leading bit, and a straight line between powers of two (Mitchell,
 /// "Computer multiplication and division using binary logarithms", 1962). At most 0.09 off, the same everywhere.
@@ -47,29 +31,20 @@ class AnnealingRandom {
 /// The colours of a mesh, taken from it, changed move by move and given back. A move takes a solid edge out, or makes a
 /// dashed one solid and takes one out at each of its triangles that has two already.
 ///
-/// Halfedges are numbered as in the mesh, 4 * triangle + side. A triangle is *flawed* when it has fewer than two solid
-/// edges or takes part in a swap that costs something: only moves at flawed triangles are tried, a few of a hundred
-/// triangles once the strips are good.
-class Annealing {
+/// A triangle is *flawed* when it has fewer than two solid edges or takes part in a swap that costs something: only
+/// moves at flawed triangles are tried, a few of a hundred triangles once the strips are good.
+class Annealing : private ColoringCopy {
  public:
   template <SidedMesh Mesh>
-  Annealing(const Mesh& mesh, Cost cost, std::uint64_t seed)
-      : cost_(cost),
-        random_(seed),
-        across_(mesh.triangle_bound()),
-        alive_(mesh.triangle_bound(), false),
-        solid_(mesh.triangle_bound(), 0) {
-    for (Triangle t = 0; t < across_.size(); ++t) {
-      across_[t] = {none, none, none};
-      if (!mesh.alive(t)) continue;
-      alive_[t] = true;
-      ++triangles_;
-      for (unsigned s = 0; s < 3; ++s) {
-        const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s));
-        if (!StripMesh::on_boundary(there)) across_[t][s] = there.id;
-      }
-      solid_[t] = static_cast<std::uint8_t>(mesh.solid_sides(t));
-    }
+  Annealing(const Mesh& mesh, Cost cost, std::uint64_t seed) : ColoringCopy(mesh), cost_(cost), random_(seed) {}
+
+  using ColoringCopy::give;
+  using ColoringCopy::strips;
+  using ColoringCopy::triangle_count;
+  /// The colours, to be changed by another search.
+  [[nodiscard]] ColoringCopy& colors() noexcept {
+    trees_kept_ = false;
+    return *this;
   }
 
   /// Colours it anew: strips of few indices in one pass.
@@ -77,7 +52,7 @@ class Annealing {
 
   /// Keeps the colours as they are if they cost less than those kept before. Linear time.
   void keep() {
-    const std::uint64_t now = cost();
+    const std::uint64_t now = cost(cost_);
     if (!kept_.empty() && now >= least_) return;
     least_ = now;
     kept_ = solid_;
@@ -85,18 +60,9 @@ class Annealing {
   /// The cost of the colours kept.
   [[nodiscard]] std::uint64_t least() const noexcept { return least_; }
   /// Goes back to the colours kept.
-  void go_back() { solid_ = kept_; }
-
-  [[nodiscard]] std::size_t strips() const noexcept {
-    std::size_t solid_sides = 0;
-    for (const std::uint8_t sides : solid_) solid_sides += static_cast<std::size_t>(std::popcount(sides));
-    return triangles_ - solid_sides / 2;
-  }
-  [[nodiscard]] std::size_t triangles() const noexcept { return triangles_; }
-  /// Colours the mesh.
-  template <SidedMesh Mesh>
-  void give(Mesh& mesh) const {
-    mesh.set_colors(solid_);
+  void go_back() {
+    solid_ = kept_;
+    trees_kept_ = false;
   }
 
   /// Tries about so many moves while the temperature falls from `heat` hundredths to a half and a quarter of that, in
@@ -128,62 +94,11 @@ class Annealing {
     for (unsigned round = 0; round < rounds; ++round)
       for (Triangle t = 0; t < across_.size(); ++t) {
         if (full(t)) continue;
-        for (unsigned s = 0; s < 3; ++s) try_move<false>(t << 2 | s);
+        for (unsigned s = 0; s < 3; ++s) try_move(t << 2 | s);
       }
-  }
-
-  /// Without a temperature, moves at the ends of strips that begin with the wrong turn from both ends, so often over
-  /// all of them: this index (cost.hpp, X) is a property of whole strips, and two walks along each strip tell it.
-  void settle_windings(unsigned rounds) {
-    if (cost_.swap == 0) return;
-    temperature_ = 0;
-    for (unsigned round = 0; round < rounds; ++round)
-      for (Triangle t = 0; t < across_.size(); ++t) {
-        if (solid_[t] == 0 || full(t) || wrong_windings(std::array{t}) == 0) continue;
-        const Triangle next = across(only_side(t)) >> 2;
-        for (unsigned s = 0; s < 3; ++s) try_move<true>(t << 2 | s);
-        for (unsigned s = 0; s < 3; ++s) try_move<true>(next << 2 | s);
-      }
-  }
-
-  /// The cost of the colours as they are, a wrong winding counted as a swap. Time: linear.
-  [[nodiscard]] std::uint64_t cost() const noexcept {
-    std::uint64_t sum = 0;
-    for (Triangle t = 0; t < across_.size(); ++t) {
-      if (!alive_[t]) continue;
-      if (solid_[t] == 0) sum += std::uint64_t{cost_.restart} + cost_.isolated;
-      for (unsigned s = 0; s < 3; ++s) {
-        const std::uint32_t h = t << 2 | s;
-        if (solid(h) && h < across(h) && is_swap(h)) sum += cost_.swap;
-      }
-      if (solid_[t] == 0 || full(t)) continue;
-      const End other_end = end_beyond(t, only_side(t));
-      if (other_end.triangle < t) continue;
-      sum += cost_.restart;
-      if (other_end.wrong && begins_wrong(t)) sum += cost_.swap;
-    }
-    return sum;
   }
 
  private:
-  [[nodiscard]] std::uint32_t across(std::uint32_t h) const noexcept { return across_[h >> 2][h & 3U]; }
-  [[nodiscard]] bool solid(std::uint32_t h) const noexcept { return (solid_[h >> 2] >> (h & 3U) & 1U) != 0; }
-  [[nodiscard]] bool full(Triangle t) const noexcept { return (0b0110'1000U >> solid_[t] & 1U) != 0; }
-  // The lowest solid side; of a strip's end, the only one.
-  [[nodiscard]] std::uint32_t only_side(Triangle t) const noexcept {
-    return t << 2 | static_cast<std::uint32_t>(std::countr_zero(solid_[t]));
-  }
-  // The other solid side of the triangle of h, or none.
-  [[nodiscard]] std::uint32_t other(std::uint32_t h) const noexcept {
-    const auto rest = static_cast<std::uint8_t>(solid_[h >> 2] & ~(1U << (h & 3U)));
-    return rest == 0 ? none : (h & ~3U) | static_cast<std::uint32_t>(std::countr_zero(rest));
-  }
-  // How the strip goes on in the triangle of h, seen from h: 0 not at all, 1 over the next side, 2 over the one before.
-  [[nodiscard]] unsigned turn(std::uint32_t h) const noexcept {
-    return solid_[h >> 2] * 0b1001U >> ((h & 3U) + 1) & 3U;
-  }
-  // Is it a swap (restrip::is_swap)? False where a strip ends.
-  [[nodiscard]] bool is_swap(std::uint32_t h) const noexcept { return (turn(h) ^ turn(across(h))) == 3; }
   [[nodiscard]] bool flawed(Triangle t) const noexcept {
     if (!full(t)) return true;
     if (cost_.swap == 0) return false;
@@ -191,9 +106,7 @@ class Annealing {
     return is_swap(h) || is_swap(other(h));
   }
   void flip(std::uint32_t h) noexcept {
-    const std::uint32_t g = across(h);
-    solid_[h >> 2] = static_cast<std::uint8_t>(solid_[h >> 2] ^ 1U << (h & 3U));
-    solid_[g >> 2] = static_cast<std::uint8_t>(solid_[g >> 2] ^ 1U << (g & 3U));
+    ColoringCopy::flip(h);
     if (trees_kept_) tell_trees(h);
   }
 
@@ -209,7 +122,7 @@ class Annealing {
     return std::int64_t{cost_.swap} * swaps - cost_.restart - std::int64_t{cost_.isolated} * alone;
   }
 
-  // ---- strips from end to end. Nearly all are walked; where a walk gets long, trees know the ends.
+  // ---- strips from end to end. Nearly all are walked; where a walk gets long, trees know.
   static constexpr unsigned longest_walk = 512;
 
   // The trees are made when they are asked for the first time. From then on they are told of changes, but only before
@@ -260,53 +173,6 @@ class Annealing {
     return trees().together(t, u);
   }
 
-  struct End {
-    Triangle triangle;
-    bool wrong;  // a strip written from here begins with a turn to the right
-  };
-  // Does the strip that ends at t, written from there, begin with a turn to the right?
-  [[nodiscard]] bool begins_wrong(Triangle t) const noexcept {
-    return solid_[t] != 0 && turn(across(only_side(t))) == 1;
-  }
-  // The end that is reached from t over h, t itself when h is none.
-  [[nodiscard]] End end_beyond(Triangle t, std::uint32_t h) const noexcept {
-    while (h != none) {
-      const std::uint32_t in = across(h);
-      t = in >> 2;
-      h = other(in);
-    }
-    return {t, begins_wrong(t)};
-  }
-  // Both ends of the strip of t.
-  [[nodiscard]] std::array<Triangle, 2> ends_of(Triangle t) {
-    std::array<Triangle, 2> found{t, t};
-    if (solid_[t] == 0) return found;
-    std::array<std::uint32_t, 2> out{only_side(t), other(only_side(t))};
-    unsigned steps = 0;
-    for (unsigned way = 0; way < 2; ++way)
-      while (out[way] != none) {
-        if (++steps > longest_walk) return trees().ends(t);
-        const std::uint32_t in = across(out[way]);
-        found[way] = in >> 2;
-        out[way] = other(in);
-      }
-    return found;
-  }
-  // How many of the strips of up to four triangles begin with the wrong turn from both ends.
-  [[nodiscard]] unsigned wrong_windings(std::span<const Triangle> triangles) {
-    std::array<Triangle, 4> met{};  // the lower ends
-    std::size_t count = 0;
-    unsigned wrong = 0;
-    for (const Triangle t : triangles) {
-      const auto [a, b] = ends_of(t);
-      const Triangle lower = std::min(a, b);
-      if (std::find(met.begin(), met.begin() + count, lower) != met.begin() + count) continue;
-      met[count++] = lower;
-      wrong += begins_wrong(a) && begins_wrong(b) ? 1U : 0U;
-    }
-    return wrong;
-  }
-
   // A triangle without a neighbour has no move.
   void list_flaws() {
     flaws_.reset(across_.size());
@@ -336,40 +202,33 @@ class Annealing {
           flaws_.clear(t);
           continue;
         }
-        for (unsigned s = 0; s < 3; ++s) try_move<false>(t << 2 | s);
+        for (unsigned s = 0; s < 3; ++s) try_move(t << 2 | s);
       }
     }
   }
 
-  struct Move {
-    std::uint32_t added = none;
-    std::array<std::uint32_t, 2> cut{};
-    unsigned cuts = 0;
+  // Solid edges that are taken out.
+  struct Cuts {
+    std::array<std::uint32_t, 2> edges{};
+    unsigned count = 0;
   };
-  void make(const Move& move) noexcept {
-    for (unsigned i = 0; i < move.cuts; ++i) flip(move.cut[i]);
-    if (move.added != none) flip(move.added);
-  }
-  void take_back(const Move& move) noexcept {
-    if (move.added != none) flip(move.added);
-    for (unsigned i = move.cuts; i-- > 0;) flip(move.cut[i]);
+  void take_back(const Cuts& cuts) noexcept {
+    for (unsigned i = cuts.count; i-- > 0;) flip(cuts.edges[i]);
   }
 
   // Takes h out when it is solid, or else makes it solid; drops the move when the cost rises by more than chance allows
   // at this temperature, or when it would close a cycle.
-  template <bool Windings>
   void try_move(std::uint32_t h) {
     const std::uint32_t g = across(h);
     if (g == none) return;
     ++tried_;
     const auto allowed = static_cast<std::int64_t>(temperature_ * minus_log2(random_.bits() | 1U) >> 32);
-    const std::int64_t most = allowed + (Windings ? 2 * std::int64_t{cost_.swap} : 0);  // two wrong windings may go
-    Move move;
+    Cuts cuts;
     std::int64_t change = 0;
     const auto cut = [&](std::uint32_t e) {
       change -= price(e);
       flip(e);
-      move.cut[move.cuts++] = e;
+      cuts.edges[cuts.count++] = e;
     };
     if (solid(h)) {
       cut(h);
@@ -377,37 +236,24 @@ class Annealing {
       const std::uint32_t which = random_.bits() >> 30;
       if (full(h >> 2)) cut((h & ~3U) | ((h & 3U) + 1 + (which & 1U)) % 3);
       if (full(g >> 2)) cut((g & ~3U) | ((g & 3U) + 1 + (which >> 1)) % 3);
-      bool possible = change - cost_.restart - 2 * std::int64_t{cost_.isolated} <= most;
+      bool possible = change - cost_.restart - 2 * std::int64_t{cost_.isolated} <= allowed;
       if (possible) {
         flip(h);
         change += price(h);
         flip(h);
-        possible = change <= most && !are_ends_of_one(h >> 2, g >> 2);
+        possible = change <= allowed && !are_ends_of_one(h >> 2, g >> 2);
       }
-      if (!possible) return take_back(move);
+      if (!possible) return take_back(cuts);
       flip(h);
-      move.added = h;
     }
-    if (change > most) return take_back(move);
-    if constexpr (Windings) {
-      const std::array<Triangle, 4> around{h >> 2, g >> 2, across(move.cut[0]) >> 2, across(move.cut[1]) >> 2};
-      const std::int64_t after = wrong_windings(std::span(around).first(2 + move.cuts));
-      take_back(move);
-      const std::int64_t before = wrong_windings(std::span(around).first(2));
-      if (change + (after - before) * cost_.swap > allowed) return;
-      make(move);
-    }
+    if (change > allowed) return take_back(cuts);
     note_around(h >> 2);
     note_around(g >> 2);
-    for (unsigned i = 0; i < move.cuts; ++i) note(across(move.cut[i]) >> 2);
+    for (unsigned i = 0; i < cuts.count; ++i) note(across(cuts.edges[i]) >> 2);
   }
 
   Cost cost_;
-  AnnealingRandom random_;
-  std::vector<std::array<std::uint32_t, 3>> across_;  // the opposite halfedge; none on the boundary
-  std::vector<bool> alive_;
-  std::size_t triangles_ = 0;
-  std::vector<std::uint8_t> solid_;  // bit s: side s
+  PseudoRandom random_;
   std::vector<std::uint8_t> kept_;
   std::uint64_t least_ = 0;
   MarkedWords flaws_;              // the flawed triangles, and some that were

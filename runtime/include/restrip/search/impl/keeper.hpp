@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include "restrip/search/impl/keeper_steps.hpp"
@@ -102,6 +103,7 @@ template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
   begin();
+  unsettled_ = std::numeric_limits<std::size_t>::max();
   if (baked_) baked_->leave_step();
   if (passes_colors()) return search_from_ends(step);
   if (tunnels()) return tunnel_from_patch(step);
@@ -154,7 +156,10 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::search_from_ends(const Step& step
   auto&& sides = by_sides(*mesh_);
   if (plan_.from == IndexPlan::From::ring) add_rings(*mesh_, passed_.start(), 1);
   ColoringChange change = passed_.change();
+  // What is new comes first.
+  const Triangle middle = passed_.start().empty() ? none : passed_.start().front();
   change += ends_.run(sides, passed_.start(), plan_.limits);
+  if (plan_.window != 0 && middle != none) change += window_.around(sides, middle, {.triangles = plan_.window}).change;
   return counted(done, change);
 }
 
@@ -240,20 +245,22 @@ template <class Mesh>
 std::size_t Keeper<Mesh>::improve_cost(std::size_t budget) {
   auto&& sides = by_sides(*mesh_);
   const std::size_t before = cost();
-  const std::uint64_t stop = descent_.counts().priced + budget;
+  const std::uint64_t stop = spent_by_improve() + budget;
   ColoringChange sum;
   constexpr std::size_t at_once = 256;
-  std::size_t left = sides.triangle_bound();
-  while (left > 0 && descent_.counts().priced < stop) {
+  unsettled_ = std::min(unsettled_, sides.triangle_bound());
+  while (unsettled_ > 0 && spent_by_improve() < stop) {
     patch_.clear();
-    for (; left > 0 && patch_.size() < at_once; --left) {
+    for (; unsettled_ > 0 && patch_.size() < at_once; --unsettled_) {
       if (next_ >= sides.triangle_bound()) next_ = 0;
       if (sides.alive(next_)) patch_.push_back(next_);
       ++next_;
     }
-    const auto moves = static_cast<std::uint32_t>(std::min<std::uint64_t>(stop - descent_.counts().priced, 1U << 20));
+    const auto moves = static_cast<std::uint32_t>(std::min<std::uint64_t>(stop - spent_by_improve(), 1U << 20));
     sum += descent_.run(sides, patch_, {.moves = moves, .tries = 4, .worse = 1});
   }
+  // Windows gain more and take longer, so they come where the descent has nothing to do.
+  if (spent_by_improve() < stop) sum += windows_.run(sides, stop - spent_by_improve(), {.triangles = 30}).change;
   counted(Rewrite<Halfedge>{}, sum);
   return before - cost();
 }
@@ -262,6 +269,7 @@ template <class Mesh>
 void Keeper<Mesh>::rebuild() {
   up_to_date_ = false;
   rounds_.restart();
+  unsettled_ = std::numeric_limits<std::size_t>::max();
   if (tunnels()) {
     auto&& sides = by_sides(*mesh_);
     locator_.rebuild(sides);

@@ -212,13 +212,14 @@ struct ApplyStep {
   /// Without a rule no side of the patch can stay solid.
   Halfedge bare(Mesh& mesh) const {
     const auto patch = read_sides(mesh, table.triangles_before, where);
-    for (const auto& triangle : patch.side)
+    for (const auto& triangle : patch.sides())
       for (const Halfedge h : triangle)
         if (mesh.solid(h)) mesh.set_solid(h, false);
     return change(patch);
   }
   void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
-    for (const auto& triangle : read_sides(mesh, table.triangles_before, where).side)
+    const auto patch = read_sides(mesh, table.triangles_before, where);
+    for (const auto& triangle : patch.sides())
       for (const Halfedge h : triangle) around.add_beside(mesh, h);
   }
   void find_new(const Mesh& mesh, Halfedge first, std::vector<Triangle>& patch) const {
@@ -229,7 +230,7 @@ struct ApplyStep {
   template <class Sides>
   static void add_triangles(const Mesh& mesh, const Sides& sides, std::vector<Triangle>& patch) {
     patch.clear();
-    for (const auto& triangle : sides.side) patch.push_back(static_cast<Triangle>(mesh.triangle(triangle[0])));
+    for (const auto& triangle : sides.sides()) patch.push_back(static_cast<Triangle>(mesh.triangle(triangle[0])));
   }
 };
 

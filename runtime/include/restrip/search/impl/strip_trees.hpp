@@ -1,4 +1,4 @@
-// Which strip a triangle is in, and where that ends, in logarithmic time. Included by annealing.hpp.
+// Which triangles are in one strip, in logarithmic time. Included by annealing.hpp.
 #pragma once
 
 #include <array>
@@ -47,18 +47,6 @@ class StripTrees {
     splay(a);
     splay(b);
     return a == b || nodes_[a].parent != none;
-  }
-  /// The first and the last triangle of the strip of t.
-  [[nodiscard]] std::array<Triangle, 2> ends(Triangle t) noexcept {
-    std::array<Triangle, 2> found{};
-    for (const unsigned way : {0U, 1U}) {
-      splay(t);
-      Triangle end = t;
-      for (; nodes_[end].child[way] != none; push_down(end)) end = nodes_[end].child[way];
-      splay(end);
-      found[way] = end;
-    }
-    return found;
   }
 
  private:

@@ -1,0 +1,28 @@
+# restrip_embed(TARGET NAMESPACE HEADER NAME FILE…): gives the target the texts of files as they are, as constants
+# NAMESPACE::NAME, which HEADER declares, so that a program of it needs no files beside it.
+include_guard(GLOBAL)
+
+function(restrip_embed target namespace header)
+  get_filename_component(source ${header} NAME_WE)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${source}.cpp)
+  set(texts "")
+  while(ARGN)
+    list(POP_FRONT ARGN name file)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    string(APPEND texts "const std::string_view ${name} = R\"text(${text})text\";\n")
+  endwhile()
+  file(CONFIGURE OUTPUT ${source} @ONLY CONTENT [[
+#include "@header@"
+
+namespace @namespace@ {
+@texts@}  // namespace @namespace@
+]])
+  target_sources(${target} PRIVATE ${source})
+endfunction()
+
+# restrip_embed_families(TARGET NAMESPACE HEADER): of tables/families.json and docs/taken-names.json.
+function(restrip_embed_families target namespace header)
+  set(root ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..)
+  restrip_embed(${target} ${namespace} ${header} families_text ${root}/tables/families.json taken_names_text ${root}/docs/taken-names.json)
+endfunction()

@@ -1,0 +1,149 @@
+#include "automaton/served.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <variant>
+
+#include "emit.hpp"
+#include "files/output.hpp"
+#include "operations/description_file.hpp"
+
+namespace restrip::generator {
+namespace {
+
+[[noreturn]] void refuse(const Description& family, const std::string& reason) {
+  throw std::runtime_error(
+      fmt::format("{}: {}; the automaton does not answer it, `rules` makes its tables", family.name, reason));
+}
+
+enum class Fan { closed, open };
+
+/// The fan that a side is: one port at each triangle, each beside the next.
+std::optional<Fan> fan_of(const Side& side) {
+  const auto has = [&](unsigned u, unsigned v) {
+    return std::any_of(side.edges.begin(), side.edges.end(), [&](const Edge& edge) {
+      return edge == Edge{u, v} || edge == Edge{v, u};
+    });
+  };
+  const unsigned n = side.nodes;
+  std::vector<unsigned> owners = side.owner;
+  std::sort(owners.begin(), owners.end());
+  if (owners.size() != n || std::adjacent_find(owners.begin(), owners.end()) != owners.end()) return {};
+  for (unsigned i = 0; i + 1 < n; ++i)
+    if (!has(side.owner[i], side.owner[i + 1])) return {};
+  if (side.edges.size() + 1 == n) return Fan::open;
+  return side.edges.size() == n && has(side.owner.back(), side.owner.front()) ? std::optional(Fan::closed)
+                                                                              : std::nullopt;
+}
+
+/// At all its positions.
+Fan fan_of(const Description& family) {
+  std::optional<Fan> fan;
+  const std::vector<Position> positions = positions_up_to(family, most_ports);
+  for (const Position& position : positions) {
+    const std::optional<Fan> here = fan_of(make_patch(position).after);
+    if (!here || (fan && fan != here))
+      refuse(family, fmt::format("{} is after the operation no fan with one port at each triangle, in their order",
+                                 name_of(position)));
+    fan = here;
+  }
+  if (!fan) refuse(family, fmt::format("it has no position up to {}", most_ports));
+  return *fan;
+}
+
+/// How many triangles there are after the operation.
+Sum triangles_after(const Description& family) {
+  Sum all;
+  const auto add = [&](const std::optional<Stretch::Range>& range) {
+    if (!range) ++all.constant;
+    for (const auto& [sum, sign] : {std::pair{range ? range->to : Sum{}, 1}, {range ? range->from : Sum{}, -1}}) {
+      for (std::size_t i = 0; i < all.factors.size(); ++i) all.factors.at(i) += sign * sum.factors.at(i);
+      all.constant += sign * sum.constant;
+    }
+  };
+  if (const auto* triangles = std::get_if<TrianglePatterns>(&family.after))
+    for (const TrianglePattern& triangle : *triangles) add(triangle.index ? triangle.index->range : std::nullopt);
+  else
+    for (const Chain& chain : std::get<SidePattern>(family.after).chains)
+      for (const Stretch& stretch : chain.elements) add(stretch.range);
+  return all;
+}
+
+/// "k + 2 * i - 1", where the numbers are named by their places.
+constexpr std::array<const char*, 3> number_names{"k", "i", "j"};
+std::string text_of(const Sum& sum) {
+  std::string text;
+  const auto add = [&](int factor, const std::string& what) {
+    if (factor != 0)
+      text += fmt::format("{}{}{}", text.empty() ? "" : " ", factor < 0 ? "- " : text.empty() ? "" : "+ ", what);
+  };
+  for (std::size_t i = 0; i < sum.factors.size(); ++i) {
+    const int size = std::abs(sum.factors.at(i));
+    add(sum.factors.at(i), size == 1 ? number_names.at(i) : fmt::format("{} * {}", size, number_names.at(i)));
+  }
+  add(sum.constant, std::to_string(std::abs(sum.constant)));
+  return text.empty() ? "0" : text;
+}
+
+std::string path_of(const Description& family) {
+  return fmt::format("include/restrip/automaton/{}.hpp", identifier(family.name));
+}
+
+}  // namespace
+
+std::string served_header(const Description& family) {
+  if (family.numbers.empty()) refuse(family, "it is an operation with one position");
+  if (family.constraint.most_edges != 2) refuse(family, "its solid edges are not strips");
+  if (family.gives_all_up) refuse(family, "ports may be given up, and the automaton keeps every port");
+  if (family.own_cost) refuse(family, "it has a cost of its own");
+  const bool closed = fan_of(family) == Fan::closed;
+  const Sum size = triangles_after(family);
+  std::string parameters;
+  for (std::size_t i = 0; i < family.numbers.size(); ++i)
+    parameters +=
+        fmt::format("{}std::size_t {}, ", size.factors.at(i) == 0 ? "[[maybe_unused]] " : "", number_names.at(i));
+  const std::string name = identifier(family.name);
+  const std::string call = fmt::format("best_{}({}, ", closed ? "collapse" : "fan_collapse", text_of(size));
+  return fmt::format(
+      "// {}\n"
+      "// Written by `restrip-generate automaton --operation` from the operation file of {}. Do not edit.\n"
+      "// Explained in docs/automaton.md, \"Families of your own\".\n"
+      "#pragma once\n\n"
+      "#include \"restrip/rules/exact.hpp\"\n\n"
+      "namespace restrip::exact {{\n\n"
+      "/// The best recolouring that keeps every port. The numbers of the family in their order: {}; {}.\n"
+      "constexpr Recoloring best_{}({}Word ports, Word joined) noexcept {{\n"
+      "  return {}ports, joined);\n"
+      "}}\n"
+      "/// The same for bit strings, which may have any length.\n"
+      "inline Value best_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors) {{\n"
+      "  return {}ports, joined, colors);\n"
+      "}}\n\n"
+      "}}  // namespace restrip::exact\n",
+      family.about.empty() ? family.name : family.about, family.name, fmt::join(family.numbers, ", "),
+      family.range.empty() ? "any" : family.range, name, parameters, call, name, parameters, call);
+}
+
+void make_served_headers(const std::vector<std::string>& files, const std::string& out) {
+  std::vector<files::NamedBytes> headers;
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& file : files)
+    for (const Description& family : read_descriptions(file)) {
+      paths.emplace_back(path_of(family));
+      if (std::count(paths.begin(), paths.end(), paths.back()) > 1)
+        throw std::runtime_error(fmt::format("{}: another of these files is named {} as well", file, family.name));
+      headers.push_back({path_of(family), served_header(family)});
+    }
+  files::OutputSet set(out, paths);
+  set.write(headers);
+  for (const files::NamedBytes& header : headers) fmt::print("{}\n", header.name.string());
+}
+
+}  // namespace restrip::generator

@@ -1,0 +1,18 @@
+// Families of one's own that the shipped automaton answers: docs/automaton.md, "Families of your own".
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "operations/description.hpp"
+
+namespace restrip::generator {
+
+/// A header with the look-up of such a family, which asks restrip/rules/exact.hpp. Throws std::runtime_error with the
+/// reason where the automaton does not answer the family.
+[[nodiscard]] std::string served_header(const Description& family);
+
+/// Writes that of every description in these files, all at once, and says so on standard output.
+void make_served_headers(const std::vector<std::string>& files, const std::string& out);
+
+}  // namespace restrip::generator

@@ -1,0 +1,143 @@
+// The table of an operation of one's own, or of a family, with its look-up: the fixed text of templates/operation.*.
+// All languages have the same arrays, with an element for each place. The place of a position is its numbers as the
+// digits of one number. Numbers are called at_k where the operation file says k: a k may be a word of the language.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "emit.hpp"
+#include "languages/languages.hpp"
+#include "languages/templates.hpp"
+#include "number_lines.hpp"
+
+namespace restrip::generator {
+namespace {
+
+/// How a language writes what differs from operation to operation.
+struct Dialect {
+  const char* comment;    ///< begins a line
+  const char* parameter;  ///< of one number, by its name
+  const char* outside;    ///< of those numbers for which there is no place, by the condition
+  const char* place;      ///< by a formula
+  const char* no_place;   ///< where there is only one
+  const char* suffix;     ///< ends a number
+};
+
+/// The largest number of any position.
+unsigned largest_number(const OperationLayout& layout) {
+  unsigned largest = 0;
+  for (const OperationLayout::At& at : layout.positions)
+    for (const unsigned number : at.position.numbers()) largest = std::max(largest, number);
+  return largest;
+}
+
+/// The arrays "edges", "ports", "before", "after", "first" by place, and "entries".
+TableLayout arrays_of(const OperationLayout& layout) {
+  const std::size_t numbers = layout.named().numbers.size();
+  const unsigned base = largest_number(layout) + 1;
+  std::size_t places = 1;
+  for (std::size_t i = 0; i < numbers; ++i) places *= base;
+  std::vector<std::vector<std::uint32_t>> by_place(5, std::vector<std::uint32_t>(places));
+  for (const OperationLayout::At& at : layout.positions) {
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < numbers; ++i) place = place * base + at.position.numbers().at(i);
+    const Side& before = at.patch.before;
+    by_place[0][place] = static_cast<std::uint32_t>(before.edges.size());
+    by_place[1][place] = before.ports();
+    by_place[2][place] = before.nodes;
+    by_place[3][place] = at.patch.after.nodes;
+    by_place[4][place] = static_cast<std::uint32_t>(at.first);
+  }
+  return {0,
+          {array_of("edges", by_place[0]),
+           array_of("ports", by_place[1]),
+           array_of("before", by_place[2]),
+           array_of("after", by_place[3]),
+           array_of("first", by_place[4]),
+           {"entries", layout.width, layout.entries}}};
+}
+
+/// What all templates name but the arrays.
+Filling operation_filling(const OperationLayout& layout, const Dialect& dialect) {
+  const Description& named = layout.named();
+  const unsigned largest = largest_number(layout);
+  std::string parameters;
+  std::string outside;
+  std::string place;
+  for (const std::string& number : named.numbers) {
+    const std::string at = "at_" + number;
+    parameters += fmt::format(fmt::runtime(dialect.parameter), at);
+    outside += fmt::format("{}{} > {}{}", outside.empty() ? "" : " || ", at, largest, dialect.suffix);
+    place = place.empty() ? at : fmt::format("({} * {}{} + {})", place, largest + 1, dialect.suffix, at);
+  }
+  std::string note;
+  if (!named.numbers.empty())
+    note += fmt::format("{} Its positions are told by {}, up to {} = {}.\n", dialect.comment,
+                        fmt::join(named.numbers, ", "), named.numbers[0], largest);
+  if (layout.matching())
+    note += fmt::format(
+        "{0} A matching's rule depends on the ports alone: the table answers as if `inner` were always valid. Pairs\n"
+        "{0} and single triangles count as its strips.\n",
+        dialect.comment);
+  return {{"about", named.about.empty() ? named.name : named.about},
+          {"title", named.name},
+          {"name", identifier(named.name)},
+          {"capitals", capitals(identifier(named.name))},
+          {"note", note},
+          {"parameters", parameters},
+          {"position", named.numbers.empty() ? dialect.no_place
+                                             : fmt::format(fmt::runtime(dialect.outside), outside) +
+                                                   fmt::format(fmt::runtime(dialect.place), place)},
+          {"configuration", layout.matching() ? "ports" : "(inner << port_count | ports)"},
+          {"none", std::to_string(layout.none())}};
+}
+
+/// `array` is how the language writes where an array is: its name, the word with which it begins, bits of an element.
+std::string shader_operation(std::string_view text, const OperationLayout& layout, const Dialect& dialect,
+                             const char* array) {
+  Filling filling = operation_filling(layout, dialect);
+  const TableWords data = table_words(arrays_of(layout));
+  for (const TableWords::Array& one : data.arrays)
+    filling["arrays"] += fmt::format(fmt::runtime(array), one.name, filling["capitals"], one.word, one.bits);
+  filling["words"] = std::to_string(data.words.size());
+  filling["checksum"] = fmt::format("{:#010x}", data.words[0]);
+  if (!layout.matching()) filling["configuration"] = "((inner << port_count) | ports)";
+  return filled(text, filling);
+}
+
+}  // namespace
+
+std::string c_operation(const OperationLayout& layout) {
+  Filling filling =
+      operation_filling(layout, {"//", "uint32_t {}, ", "  if ({}) return rule;\n", "  place = {};\n", "", ""});
+  for (const TableArray& array : arrays_of(layout).arrays)
+    filling["arrays"] += fmt::format("static const uint{}_t restrip_{}_of_{}[{}] = {{\n{}}};\n", array.bits, array.name,
+                                     filling["name"], array.values.size(), numbers(array.values));
+  return filled(operation_h, filling);
+}
+
+std::string rust_operation(const OperationLayout& layout) {
+  Filling filling = operation_filling(layout, {"//!", "{}: u32, ", "    if {} {{\n        return None;\n    }}\n",
+                                               "    let place = {} as usize;\n", "    let place = 0;\n", ""});
+  for (const TableArray& array : arrays_of(layout).arrays)
+    filling["arrays"] += fmt::format("\nconst {}: &[u{}; {}] = &[\n{}];\n", capitals(array.name), array.bits,
+                                     array.values.size(), numbers(array.values));
+  return filled(operation_rs, filling);
+}
+
+std::string glsl_operation(const OperationLayout& layout) {
+  return shader_operation(operation_glsl, layout,
+                          {"//", "uint {}, ", "  if ({}) return none;\n", "  place = {};\n", "", "u"},
+                          "const uvec2 RESTRIP_{}_OF_{} = uvec2({}u, {}u);\n");
+}
+
+std::string wgsl_operation(const OperationLayout& layout) {
+  return shader_operation(operation_wgsl, layout,
+                          {"//", "{}: u32, ", "  if ({}) {{\n    return none;\n  }}\n", "  place = {};\n", "", "u"},
+                          "const RESTRIP_{}_OF_{} = vec2<u32>({}u, {}u);\n");
+}
+
+std::string operation_words_file(const OperationLayout& layout) { return words_file(arrays_of(layout)); }
+
+}  // namespace restrip::generator

@@ -1,0 +1,42 @@
+// The table of an operation or a family as every language has it: entries as
+// tables/include/restrip/tables/operation_format.hpp explains them, and for each position how large the patch is and
+// where its entries begin.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "solve/section.hpp"
+
+namespace restrip::generator {
+
+/// A position and the solved section whose rows answer its configurations.
+struct AnsweredPosition {
+  Position position;
+  const Section* section = nullptr;
+};
+
+struct OperationLayout {
+  /// A position, and where its entries begin.
+  struct At {
+    Position position;
+    Patch patch;
+    std::size_t first = 0;
+  };
+
+  unsigned width = 8;         ///< bits of an entry: 8, 16 or 32
+  std::vector<At> positions;  ///< in ascending order of their numbers, or the only one
+  std::vector<std::uint32_t> entries;
+
+  [[nodiscard]] const Description& named() const { return *positions.at(0).position.family; }
+  [[nodiscard]] bool matching() const { return named().constraint.most_edges == 1; }
+  /// The entry of configurations that are not valid.
+  [[nodiscard]] std::uint32_t none() const { return ~std::uint32_t{0} >> (32 - width); }
+  [[nodiscard]] std::size_t bytes() const { return entries.size() * width / 8; }
+};
+
+/// Of the positions of one description, which stays where it is for as long as the layout is used.
+[[nodiscard]] OperationLayout operation_layout(const std::vector<AnsweredPosition>& positions);
+
+}  // namespace restrip::generator

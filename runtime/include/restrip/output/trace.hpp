@@ -1,0 +1,214 @@
+// Trace: a record of what happened to a mesh and its strips, which a program that shares no code with this library can
+// check (restrip-check; docs/trace.md has the format).
+//
+// The trace begins with all triangles and solid dual edges of the mesh. Each operation adds one line: the triangles
+// that went and came, by vertex number, the dual edges that became dashed and solid, anywhere in the mesh, and what was
+// told of strips and isolated triangles.
+//
+//   std::vector<Triangle> changed;
+//   mesh.watch(&changed);                              // or a Watched, for other meshes than StripMesh
+//   Keeper keeper(mesh, Policy::local);
+//   Trace trace(mesh, Trace::Claim::no_worse);
+//   const auto done = keeper.collapse(chord);          // of v_s -> v_t
+//   trace.add(mesh, changed, {Traced::Kind::collapse, v_s, v_t, done.strips, done.isolated});
+//   changed.clear();
+//   trace.end();
+//   file << trace.text();                              // or piece by piece, clearing the text each time
+//
+// What is written is compared with what was seen before, not with what an operation says it did. So an operation that
+// is traced under a wrong name, or not at all, makes a trace that is refused.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "restrip/mesh/numbered_mesh.hpp"
+
+namespace restrip {
+
+/// One operation as a trace tells it.
+struct Traced {
+  enum class Kind : std::uint8_t {
+    split,     ///< `from` has been split, `to` is the new vertex
+    collapse,  ///< `to` has been collapsed into `from`
+    flip,      ///< the mesh edge between `from` and `to` has been turned
+    other      ///< anything else, several operations together included; nothing is claimed of it but what is told
+  };
+  Kind kind = Kind::other;
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  int strips = 0;    ///< told: the change in the number of strips of the whole mesh
+  int isolated = 0;  ///< told: the change in the number of isolated triangles
+};
+
+/// Keeps a copy of the triangles and their colours, 16 bytes a triangle, and the text until it is taken.
+class Trace {
+ public:
+  /// What the checker is to find of every split, collapse and flip, besides valid colours and true numbers.
+  enum class Claim : std::uint8_t {
+    valid,     ///< nothing more
+    no_worse,  ///< no recolouring of the patch alone that a rule may choose from would have left fewer strips, or as
+               ///< many and fewer isolated triangles (Policy::local and those that look further)
+    best       ///< the recolouring is one of those, and nothing outside the patch has changed (Policy::rules)
+  };
+
+  /// Linear time. Mesh edges must have at most one triangle on either side, or the trace will be refused.
+  template <NumberedMesh Mesh>
+  Trace(const Mesh& mesh, Claim claim) {
+    constexpr std::array<std::string_view, 3> words{"valid", "no-worse", "best"};
+    text_ = "restrip-trace 1\nclaim ";
+    text_ += words[static_cast<std::size_t>(claim)];
+    text_ += '\n';
+    seen_.resize(mesh.triangle_bound());
+    for (std::uint32_t t = 0; t < seen_.size(); ++t) {
+      seen_[t] = seen(mesh, t);
+      if (!seen_[t].there()) continue;
+      text_ += 't';
+      append(seen_[t].corners);
+      text_ += '\n';
+      solid_edges(seen_[t], after_);
+    }
+    settle(after_);
+    for (const Edge& edge : after_) {
+      text_ += 's';
+      append(edge);
+      text_ += '\n';
+    }
+  }
+
+  /// `changed`: as StripMesh::watch and Watched make it, since the last call. Time linear in `changed`, but for a
+  /// logarithm.
+  template <NumberedMesh Mesh>
+  void add(const Mesh& mesh, std::span<const std::uint32_t> changed, const Traced& done) {
+    constexpr std::array<std::string_view, 4> words{"split", "collapse", "flip", "other"};
+    named_.assign(changed.begin(), changed.end());
+    std::sort(named_.begin(), named_.end());
+    named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
+    if (seen_.size() < mesh.triangle_bound()) seen_.resize(mesh.triangle_bound());
+    before_.clear();
+    after_.clear();
+    gone_.clear();
+    come_.clear();
+    for (const std::uint32_t t : named_) {
+      const Seen now = seen(mesh, t);
+      Seen& then = seen_[t];
+      solid_edges(then, before_);
+      solid_edges(now, after_);
+      if (then.corners != now.corners) {
+        if (then.there()) gone_.push_back(then.corners);
+        if (now.there()) come_.push_back(now.corners);
+      }
+      then = now;
+    }
+    settle(before_);
+    settle(after_);
+    text_ += words[static_cast<std::size_t>(done.kind)];
+    append(std::array{done.from, done.to});
+    append(std::array{done.strips, done.isolated});
+    list(" -", gone_);
+    list(" +", come_);
+    list(" d", differences(before_, after_));
+    list(" s", differences(after_, before_));
+    text_ += '\n';
+    ++operations_;
+  }
+
+  /// A trace without an end is refused.
+  void end() {
+    text_ += "end";
+    append(std::array{operations_});
+    text_ += '\n';
+  }
+
+  /// What has been written; to be cleared by whoever takes it away.
+  [[nodiscard]] std::string& text() noexcept { return text_; }
+
+ private:
+  using Edge = std::array<std::uint32_t, 2>;     // the smaller vertex first
+  using Corners = std::array<std::uint32_t, 3>;  // counter-clockwise, the smallest first
+
+  static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
+  struct Seen {
+    Corners corners{nothing, nothing, nothing};
+    std::uint32_t solid = 0;  // bit s: the edge from corner s to the next one
+    [[nodiscard]] bool there() const noexcept { return corners[0] != nothing; }
+  };
+
+  template <class Mesh>
+  static Seen seen(const Mesh& mesh, std::uint32_t t) {
+    Seen now;
+    if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) return now;
+    auto h = mesh.halfedge(t);
+    const auto corner = [&] { return static_cast<std::uint32_t>(mesh.from(h)); };
+    auto first = h;
+    std::uint32_t least = nothing;
+    for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
+      if (corner() >= least) continue;
+      least = corner();
+      first = h;
+    }
+    h = first;
+    for (std::size_t side = 0; side < 3; ++side, h = mesh.next(h)) {
+      now.corners[side] = corner();
+      if (!mesh.on_boundary(mesh.opposite(h)) && mesh.solid(h)) now.solid |= 1U << side;
+    }
+    return now;
+  }
+
+  static void solid_edges(const Seen& triangle, std::vector<Edge>& edges) {
+    for (std::size_t side = 0; side < 3; ++side) {
+      if ((triangle.solid >> side & 1U) == 0) continue;
+      const std::uint32_t from = triangle.corners[side];
+      const std::uint32_t to = triangle.corners[side == 2 ? 0 : side + 1];
+      edges.push_back({std::min(from, to), std::max(from, to)});
+    }
+  }
+  /// Each edge once: it was found from both of its triangles, or from one.
+  static void settle(std::vector<Edge>& edges) {
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  }
+  const std::vector<Edge>& differences(const std::vector<Edge>& of, const std::vector<Edge>& from) {
+    difference_.clear();
+    std::set_difference(of.begin(), of.end(), from.begin(), from.end(), std::back_inserter(difference_));
+    return difference_;
+  }
+
+  template <class Number, std::size_t n>
+  void append(const std::array<Number, n>& numbers) {
+    for (const Number number : numbers) {
+      std::array<char, 24> digits{};
+      digits[0] = ' ';
+      const auto last = std::to_chars(digits.data() + 1, digits.data() + digits.size(), number).ptr;
+      text_.append(digits.data(), last);
+    }
+  }
+  template <class Numbers>
+  void list(std::string_view sign, const std::vector<Numbers>& all) {
+    if (all.empty()) return;
+    text_ += sign;
+    for (const Numbers& numbers : all) append(numbers);
+  }
+
+  std::string text_;
+  std::size_t operations_ = 0;
+  std::vector<Seen> seen_;  // by triangle
+  // Of one operation, kept for their memory.
+  std::vector<std::uint32_t> named_;
+  std::vector<Edge> before_;
+  std::vector<Edge> after_;
+  std::vector<Edge> difference_;
+  std::vector<Corners> gone_;
+  std::vector<Corners> come_;
+};
+
+}  // namespace restrip

@@ -1,0 +1,258 @@
+// What a window looks like to its search: triangles in an order, and what each side of them leads to. Included by
+// window.hpp.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "restrip/search/sided_mesh.hpp"
+
+namespace restrip::detail {
+
+/// What the search (window_search.hpp) remembers of an edge between triangles that it has coloured and others, or of
+/// a port whose strip comes back into the window: it has one slot of a frontier, a byte.
+inline constexpr unsigned frontier_slots = 24;
+
+/// In place of a slot, the other end of a strand that has ended: a strip written from there begins with a turn to the
+/// left or does not turn; it begins with a turn to the right; or the end is the triangle behind the edge itself, and
+/// the triangle before the edge decides.
+inline constexpr std::uint8_t ends_well = 61;
+inline constexpr std::uint8_t ends_wrong = 62;
+inline constexpr std::uint8_t ends_there = 63;
+
+struct WindowSide {
+  enum class Kind : std::uint8_t {
+    dashed,     ///< frozen, or on the boundary
+    leaving,    ///< a dual edge to a later triangle of the window, in a slot of its own from here on
+    arriving,   ///< one from an earlier triangle; its slot is free again
+    port,       ///< a solid edge out of the window to a strand that ends outside, as `far` says
+    port_out,   ///< a solid edge out of the window to a strand that comes back at a later triangle, by `slot`
+    port_back,  ///< the other end of such a strand
+  };
+  Kind kind = Kind::dashed;
+  std::uint8_t slot = 0;
+  std::uint8_t turn = 0;  ///< of ports: how the strip turns behind it, seen from the edge (solid_beside)
+  std::uint8_t far = 0;   ///< of Kind::port: a StrandEnd
+};
+
+struct WindowTriangle {
+  Triangle triangle = none;
+  std::array<WindowSide, 3> sides{};
+  std::uint8_t present = 0;  ///< solid sides
+  std::uint8_t ports = 0;    ///< solid sides that stay solid
+  std::uint8_t leaving = 0;  ///< sides that are decided at this triangle
+};
+
+/// Numbers for a few triangles, found by hashing: no memory for the others.
+class LocalNumbers {
+ public:
+  static constexpr std::uint32_t absent = 255;
+
+  void clear() noexcept { numbers_.fill({}); }
+  [[nodiscard]] std::uint32_t operator[](Triangle t) const noexcept { return numbers_[place(t)].number; }
+  void add(Triangle t, std::uint32_t number) noexcept { numbers_[place(t)] = {t, static_cast<std::uint8_t>(number)}; }
+
+ private:
+  struct Entry {
+    Triangle triangle = none;
+    std::uint8_t number = absent;
+  };
+  [[nodiscard]] std::size_t place(Triangle t) const noexcept {
+    std::size_t at = t * 0x9E3779B1U >> 24;
+    while (numbers_[at].number != absent && numbers_[at].triangle != t) at = (at + 1) % numbers_.size();
+    return at;
+  }
+  std::array<Entry, 256> numbers_{};
+};
+
+class WindowPlan {
+ public:
+  /// Triangles that a walk along a strip outside passes before the window is given up.
+  static constexpr std::uint32_t max_walk = 10'000;
+
+  /// False where a frontier gets too wide or a strip outside too long; then there is no plan. `triangles` are different
+  /// ones, alive, at most 128.
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool make(const Mesh& mesh, std::span<const Triangle> triangles);
+
+  /// In the order in which the search colours them.
+  [[nodiscard]] std::span<const WindowTriangle> triangles() const noexcept { return order_; }
+  /// In steps, `count` triangles from `first` on: only the first one has leaving sides, so the others have no choice.
+  struct Step {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+  [[nodiscard]] std::span<const Step> steps() const noexcept { return steps_; }
+  /// Triangles walked past in all plans.
+  [[nodiscard]] std::uint64_t walked() const noexcept { return walked_; }
+
+ private:
+  using Halfedge = StripMesh::Halfedge;
+  using Neighbors = std::array<std::uint8_t, 3>;  // local numbers, absent where there is none
+  static constexpr std::uint8_t no_slot = 255;
+
+  template <SidedMesh Mesh>
+  void find_neighbors(const Mesh& mesh, std::span<const Triangle> triangles);
+  void find_order();
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool place(const Mesh& mesh, std::span<const Triangle> triangles, std::uint32_t number);
+  template <SidedMesh Mesh>
+  [[nodiscard]] bool place_port(const Mesh& mesh, Halfedge h, WindowSide& side, std::uint8_t& slot);
+  [[nodiscard]] bool take_slot(std::uint8_t& slot) noexcept {
+    if (free_slots_ == 0) return false;
+    slot = static_cast<std::uint8_t>(std::countr_zero(free_slots_));
+    free_slots_ &= free_slots_ - 1;
+    return true;
+  }
+
+  LocalNumbers numbers_;
+  std::vector<Neighbors> neighbors_;
+  std::vector<std::uint8_t> sequence_;              // local numbers in the order of the search
+  std::vector<std::array<std::uint8_t, 3>> slots_;  // of each side, as soon as it has one
+  std::vector<std::uint8_t> place_in_sequence_;
+  std::uint32_t free_slots_ = 0;
+  std::vector<WindowTriangle> order_;
+  std::vector<Step> steps_;
+  std::uint64_t walked_ = 0;
+};
+
+template <SidedMesh Mesh>
+bool WindowPlan::make(const Mesh& mesh, std::span<const Triangle> triangles) {
+  find_neighbors(mesh, triangles);
+  find_order();
+  free_slots_ = (1U << frontier_slots) - 1;
+  slots_.assign(triangles.size(), {no_slot, no_slot, no_slot});
+  order_.clear();
+  steps_.clear();
+  for (const std::uint8_t number : sequence_) {
+    if (!place(mesh, triangles, number)) return false;
+    if (order_.back().leaving != 0 || steps_.empty())
+      steps_.push_back({static_cast<std::uint32_t>(order_.size()) - 1, 0});
+    ++steps_.back().count;
+  }
+  return true;
+}
+
+template <SidedMesh Mesh>
+void WindowPlan::find_neighbors(const Mesh& mesh, std::span<const Triangle> triangles) {
+  numbers_.clear();
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) numbers_.add(triangles[i], i);
+  neighbors_.resize(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (unsigned s = 0; s < 3; ++s) {
+      const Halfedge there = mesh.opposite(StripMesh::halfedge(triangles[i], s));
+      const bool outside = StripMesh::on_boundary(there) || StripMesh::triangle(there) == triangles[i];
+      neighbors_[i][s] =
+          static_cast<std::uint8_t>(outside ? LocalNumbers::absent : numbers_[StripMesh::triangle(there)]);
+    }
+}
+
+/// Next comes the triangle that leaves the fewest edges between triangles that have come and others; between equals the
+/// one that has waited longest. The last triangle, on the rim of a ball, comes first.
+inline void WindowPlan::find_order() {
+  const std::size_t count = neighbors_.size();
+  place_in_sequence_.assign(count, LocalNumbers::absent);
+  sequence_.clear();
+  constexpr std::uint8_t waits = 254;
+  std::array<std::uint8_t, 256> waiting{};
+  std::size_t waiting_count = 0;
+  std::array<std::int8_t, 256> widens{};  // by how many edges a triangle that waits widens the frontier
+  const auto take = [&](std::uint8_t number) {
+    place_in_sequence_[number] = static_cast<std::uint8_t>(sequence_.size());
+    sequence_.push_back(number);
+    for (const std::uint8_t beside : neighbors_[number]) {
+      if (beside == LocalNumbers::absent || place_in_sequence_[beside] < waits) continue;
+      if (place_in_sequence_[beside] == waits) {
+        widens[beside] = static_cast<std::int8_t>(widens[beside] - 2);
+        continue;
+      }
+      place_in_sequence_[beside] = waits;
+      waiting[waiting_count++] = beside;
+      int edges = 0;
+      for (const std::uint8_t other : neighbors_[beside])
+        if (other != LocalNumbers::absent) edges += place_in_sequence_[other] < waits ? -1 : 1;
+      widens[beside] = static_cast<std::int8_t>(edges);
+    }
+  };
+  for (std::size_t start = count; start-- > 0;) {
+    if (place_in_sequence_[start] != LocalNumbers::absent) continue;
+    take(static_cast<std::uint8_t>(start));
+    while (waiting_count != 0) {
+      std::size_t best = 0;
+      for (std::size_t i = 1; i < waiting_count; ++i)
+        if (widens[waiting[i]] < widens[waiting[best]]) best = i;
+      const std::uint8_t number = waiting[best];
+      --waiting_count;
+      for (std::size_t i = best; i < waiting_count; ++i) waiting[i] = waiting[i + 1];
+      take(number);
+    }
+  }
+}
+
+template <SidedMesh Mesh>
+bool WindowPlan::place(const Mesh& mesh, std::span<const Triangle> triangles, std::uint32_t number) {
+  using Kind = WindowSide::Kind;
+  WindowTriangle& here = order_.emplace_back();
+  here.triangle = triangles[number];
+  here.present = static_cast<std::uint8_t>(mesh.solid_sides(here.triangle));
+  std::uint32_t freed = 0;
+  for (unsigned s = 0; s < 3; ++s) {
+    WindowSide& side = here.sides[s];
+    const auto bit = static_cast<std::uint8_t>(1U << s);
+    const Halfedge h = StripMesh::halfedge(here.triangle, s);
+    const std::uint8_t beside = neighbors_[number][s];
+    std::uint8_t& slot = slots_[number][s];
+    if (beside == LocalNumbers::absent) {
+      if ((here.present & bit) == 0) continue;
+      here.ports |= bit;
+      if (!place_port(mesh, h, side, slot)) return false;
+      if (side.kind == Kind::port_back) freed |= 1U << slot;
+    } else if (place_in_sequence_[beside] > place_in_sequence_[number]) {
+      here.leaving |= bit;
+      side.kind = Kind::leaving;
+      if (!take_slot(slot)) return false;
+      slots_[beside][StripMesh::side(mesh.opposite(h))] = slot;
+    } else {
+      side.kind = Kind::arriving;
+      freed |= 1U << slot;
+    }
+    side.slot = slot;
+  }
+  // Not before: within one triangle old and new slots must differ.
+  free_slots_ |= freed;
+  return true;
+}
+
+template <SidedMesh Mesh>
+bool WindowPlan::place_port(const Mesh& mesh, Halfedge h, WindowSide& side, std::uint8_t& slot) {
+  using Kind = WindowSide::Kind;
+  Halfedge in = mesh.opposite(h);
+  side.turn = static_cast<std::uint8_t>(mesh.solid_beside(in));
+  if (slot != no_slot) {
+    side.kind = Kind::port_back;
+    return true;
+  }
+  for (std::uint32_t steps = 0; steps < max_walk; ++steps, ++walked_) {
+    const auto step = mesh.strip_step(in);
+    if (!step.goes_on) {
+      side.kind = Kind::port;
+      const unsigned last_turn = mesh.solid_beside(mesh.opposite(in));
+      side.far = side.turn == 0 ? ends_there : last_turn == 1 ? ends_wrong : ends_well;
+      return true;
+    }
+    in = step.in;
+    const std::uint32_t back = numbers_[StripMesh::triangle(in)];
+    if (back == LocalNumbers::absent) continue;
+    side.kind = Kind::port_out;
+    if (!take_slot(slot)) return false;
+    slots_[back][StripMesh::side(in)] = slot;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace restrip::detail

@@ -1,0 +1,113 @@
+// Window: the cheapest colours of a few triangles, found exactly.
+//
+// A window is a set of triangles, as a rule a ball around one. The dual edges between two triangles of it may change
+// their colours, all others are frozen. Of all valid colourings of the mesh that differ in those edges alone the window
+// takes a cheapest one, and of several one at random, so that windows that change nothing in the cost still lead to
+// other colourings, of which other windows may find cheaper ones.
+//
+// Method. The triangles are coloured one by one. What has been coloured tells the rest of the window no more than this,
+// for each edge on its frontier: dashed, or else how the strip turns in front of it, and where it comes from: from
+// another edge of the frontier, or from a strip's end, and whether a strip written from there would begin with the
+// wrong turn. Of all colourings that agree in this the cheapest is kept (a dynamic program over a path decomposition).
+// Walks along the strips outside tell which edges out of the window they join, so a window sees solid cycles wherever
+// they would close.
+//
+//   Window window(Cost::indices(), 1);
+//   const WindowChange change = window.around(mesh, triangle, {.triangles = 40});
+//
+// The price of a colouring is that of cost.hpp. With Windings::priced a strip that begins with the wrong turn from both
+// ends counts as one more swap, as in a written index buffer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "restrip/mesh/cost.hpp"
+#include "restrip/search/descent.hpp"
+#include "restrip/search/impl/pseudo_random.hpp"
+#include "restrip/search/impl/window_plan.hpp"
+#include "restrip/search/impl/window_search.hpp"
+#include "restrip/search/sided_mesh.hpp"
+
+namespace restrip {
+
+struct WindowLimits {
+  static constexpr std::uint32_t no_limit = std::numeric_limits<std::uint32_t>::max();
+  /// Of a ball, at most Window::max_triangles; fewer where the connected component has fewer.
+  std::uint32_t triangles = 40;
+  /// Colourings of a part that cost so much more than the cheapest of the same part are not followed, but for the
+  /// colouring that there is. Measured in thirds of a strip, or in swaps if these cost more. With no_limit the result
+  /// is a cheapest colouring for sure; 2 miss one now and then, in a fraction of the time.
+  std::uint32_t slack = 2;
+  /// Different frontiers of one part that are followed, the cheapest ones. As above.
+  std::uint32_t states = 4096;
+};
+
+/// What a window has changed.
+struct WindowChange {
+  ColoringChange change;
+  int windings = 0;     ///< strips that begin with the wrong turn from both ends
+  bool proven = false;  ///< no limit mattered: there is no cheaper colouring of the window
+};
+
+/// What whole strips that begin with the wrong turn from both ends cost.
+enum class Windings : std::uint8_t { ignored, priced };
+
+/// Sums over all calls.
+struct WindowCounts {
+  std::uint64_t windows = 0;
+  std::uint64_t refused = 0;  ///< windows whose frontier is too wide or whose strips are too long outside
+  std::uint64_t tried = 0;    ///< colourings of a triangle tried; the time of a window is in proportion to them
+  std::uint64_t walked = 0;   ///< triangles walked past outside
+};
+
+class Window {
+ public:
+  static constexpr std::size_t max_triangles = 100;
+
+  /// Equal seeds and equal calls give equal results, on every machine.
+  explicit Window(Cost cost = Cost::indices(), std::uint64_t seed = 1, Windings windings = Windings::priced) noexcept
+      : cost_(cost), random_(seed), search_(cost, windings == Windings::priced) {}
+
+  /// A ball around a triangle, which must be alive. The mesh must have a valid colouring, and has one after each single
+  /// change of a colour. The price of the whole mesh never rises. Time: that of the search, which depends on the limits
+  /// alone, and walks along the strips that leave the window, of up to 10,000 triangles each; beyond that the window is
+  /// refused and nothing changes. After warm-up nothing is allocated, but for what a watched mesh reports.
+  ///
+  /// Throws std::bad_alloc; nothing has changed then, or the mesh is watched and its colouring is valid.
+  template <SidedMesh Mesh>
+  WindowChange around(Mesh& mesh, Triangle middle, const WindowLimits& limits = {});
+  /// A window of these triangles: alive, different from each other, at most max_triangles.
+  template <SidedMesh Mesh>
+  WindowChange inside(Mesh& mesh, std::span<const Triangle> triangles, const WindowLimits& limits = {});
+
+  /// The triangles of the last window.
+  [[nodiscard]] std::span<const Triangle> triangles() const noexcept { return ball_; }
+  [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
+  [[nodiscard]] WindowCounts counts() const noexcept { return {windows_, refused_, search_.tried(), plan_.walked()}; }
+
+ private:
+  template <SidedMesh Mesh>
+  void find_ball(const Mesh& mesh, Triangle middle, std::size_t size);
+  template <SidedMesh Mesh>
+  WindowChange solve(Mesh& mesh, const WindowLimits& limits);
+  template <SidedMesh Mesh>
+  void color(Mesh& mesh, bool solid) const;
+
+  Cost cost_;
+  detail::PseudoRandom random_;
+  std::vector<Triangle> ball_;
+  detail::LocalNumbers in_ball_;
+  std::vector<Triangle> hollows_;
+  detail::WindowPlan plan_;
+  detail::WindowSearch search_;
+  std::uint64_t windows_ = 0;
+  std::uint64_t refused_ = 0;
+};
+
+}  // namespace restrip
+
+#include "restrip/search/impl/window.hpp"

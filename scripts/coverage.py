@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+"""What each claim rests on: docs/coverage.csv, and the tables that are made of it.
+
+  scripts/coverage.py record FOLDER RUNG…   the reports FOLDER/RUNG.log become the rows of these rungs in docs/coverage.csv
+  scripts/coverage.py table                 the table of docs/trust.md
+  scripts/coverage.py guarantees            the table of README.md
+  scripts/coverage.py check [ROOT]          each claim has a row, each row a rung of scripts/prove.sh, each rung a row
+
+scripts/prove.sh runs the rungs and then "record", so every row comes from a line that a run has printed. A report in
+which something fails, or in which a line that REPORTS expects is missing, is refused. Exit code: 0 all is well, 1 not.
+"""
+import csv
+import re
+import sys
+from collections import namedtuple
+from pathlib import Path
+
+FANS = ["split", "collapse", "open split", "open collapse", "boundary split", "boundary collapse"]
+ALL = FANS + ["flip"]
+CERTIFICATES, TABLES, AUTOMATON = "certificates", "compiled tables", "compiled automaton"
+SEARCH, COQ, RANDOM = "every recolouring tried", "Coq", "tested: random fans, a search of another kind"
+RULE = ("Complete", "Sound", "Locally optimal")
+ROOT = Path(__file__).resolve().parent.parent
+Row = namedtuple("Row", "claim operation k how read rung")
+
+# A line of a report, what it says, how that is known, and what was read for it. It names the operations, or this table
+# does; k is in the line, or the largest k of the report, or "every", or does not matter.
+Line = namedtuple("Line", "pattern claims how read operations k", defaults=(None, None))
+
+
+def holds(claim, *rest, subject=r"(?P<operation>[a-z-]+)", **more):
+    """A line of restrip-verify or restrip-verify-automaton."""
+    return Line(rf"^holds +{subject} +{claim} ", *rest, **more)
+
+
+def automaton_lines(claims_of):
+    """The lines of restrip-verify-automaton; `claims_of` names the claims, given those about the shipped automaton."""
+    line = lambda claim, claims, how, read, **more: holds(claim, claims_of(*claims), how, read, subject="automaton", operations=FANS, **more)
+    return [
+        line("every meeting is sound and best", ("Sound", "Locally optimal", "Checkable"), "every pair of kinds of arcs", CERTIFICATES, k="every"),
+        line("every number of the header is the certificate's", ("Compiled",), "compared", AUTOMATON, k="every"),
+        line("every answer of the header is the certificate's +k <= (?P<k>[0-9]+),", ("Compiled", "Told"), "compared", AUTOMATON),
+        line("every answer with k = (?P<k>[0-9]+) is sound and best", ("Sound", "Locally optimal"), SEARCH, CERTIFICATES),
+    ]
+
+
+RULES = [
+    holds("every valid configuration has a row", ["Complete"], SEARCH, CERTIFICATES),
+    holds("every row is sound", ["Sound"], SEARCH, CERTIFICATES),
+    holds("(as good, )?no sound recolouring has less [a-z_+ ]+[a-z]", ["Locally optimal"], SEARCH, CERTIFICATES),
+    holds("every rule has a reason why nothing is preferred to it", ["Checkable"], "reasons", CERTIFICATES),
+]
+ANSWERS = [
+    (r"every answer is the certificate's row, in its positions +[^,]*dump,", ["Compiled"], "compared", TABLES),
+    ("every answer is sound and best", ["Sound", "Locally optimal"], SEARCH, TABLES),
+    ("every answer tells what it changes", ["Told"], "counted before and after", TABLES),
+]
+THEOREM = r"^{} +[0-9]+  Closed under the global context$"
+FAMILY = "(?P<operation>(split|collapse|open_split|open_collapse|boundary_split|boundary_collapse|flip))"
+REPORTS = {
+    "search": RULES + [
+        holds("no rule costs above [0-9]+ strips?, isolates above [0-9]+", ["Bounded"], SEARCH, CERTIFICATES),
+        holds("and on every optimum", ["Sound", "Locally optimal"], "forbidden sets, smallest hitting sets", CERTIFICATES),
+        holds("beside any outside nothing beats the first sound one", ["Linked"], SEARCH, CERTIFICATES,
+              subject="linked-(?P<operation>[a-z]+)"),
+    ] + [holds(*answer, subject="shipped headers", operations="answered") for answer in ANSWERS],
+    "linked": [
+        holds("the best for all that is known of the outside", ["Linked"], SEARCH, "compiled linked look-up", subject="linked look-up",
+              operations=["split", "collapse"]),
+    ],
+    "automaton": automaton_lines(lambda *claims: claims),
+    "operations": RULES + [holds(*answer) for answer in ANSWERS] + [
+        holds("every answer is the certificate's row, in its positions +the header's text,", ["Compiled"], "compared", "header texts"),
+    ],
+    "indices": automaton_lines(lambda *claims: ["Other costs"]),
+    "reasons": [
+        Line(r"/(?P<operation>[a-z-]+)\.cert: \d+ rules are sound and have their reasons", ["Sound", "Locally optimal", "Checkable"],
+             "reasons, without a search", CERTIFICATES),
+        Line(r"/linked-(?P<operation>[a-z-]+)\.cert: \d+ alternatives, the lists are complete", ["Linked"], SEARCH, CERTIFICATES),
+    ],
+    "sat": [Line(r"^(?P<operation>[a-z-]+)(?: k (?P<k>\d+))? .* \d+\.\d+$", ["Complete", "Locally optimal"], "SAT, each proof checked", CERTIFICATES)],
+    "compiler": [
+        Line(r"^proved while this was compiled: splits, collapses and flips, k <= (?P<k>\d+)$", RULE, "`static_assert`", TABLES,
+             ["split", "collapse", "flip"]),
+    ],
+    "valences": [
+        Line(r"^\d+ random fans, k = \d+ \.\.\. (?P<k>\d+)$", ["Sound", "Locally optimal", "Told"], RANDOM, AUTOMATON, FANS),
+    ],
+    "beyond": [
+        Line(r"^\d+ patches of each operation, k = \d+ \.\.\. (?P<k>\d+)$", ["Linked"], RANDOM, "compiled linked look-up", FANS),
+    ],
+    "run": [
+        Line(r"^  judged: (?P<operation>[a-z ]+): \d+(, k <= \d+)?$", ["Sound", "Locally optimal", "Told"],
+             "the operations of a run, judged by functions extracted from Coq", "a trace", k="those met"),
+    ],
+    "theorem": [
+        Line(THEOREM.format(f"{FAMILY}_rules"), RULE, COQ, TABLES),
+        Line(THEOREM.format(f"{FAMILY}_facts"), ["Bounded"], COQ, TABLES),
+        Line(THEOREM.format(f"every_{FAMILY}"), RULE, COQ, "nothing: a fold written in Coq", k="every"),
+        Line(THEOREM.format(f"every_{FAMILY}_facts"), ["Bounded"], COQ, "nothing: every correct table costs the same", k="every"),
+        Line(THEOREM.format(f"automaton_{FAMILY}"), RULE, COQ, "numbers of the compiled automaton", k="every"),
+        Line(THEOREM.format("answers_tell"), ["Told"], COQ, TABLES, ALL, "told"),
+        Line(THEOREM.format("automaton_told"), ["Told"], f"{COQ}, digests compared", AUTOMATON, FANS, "told"),
+        Line(THEOREM.format("automaton_looked_up"), ["Compiled"], f"{COQ}, digests compared", AUTOMATON, FANS, "looked up"),
+        Line(THEOREM.format("linked_(?P<operation>[a-z]+)_best"), ["Linked"], COQ, "lists of the compiled tables"),
+        Line(THEOREM.format("sequence_valid"), ["Sequences"], COQ, TABLES, FANS),
+        Line(THEOREM.format("every_sequence_valid"), ["Sequences"], COQ, "nothing: every correct table", FANS, "every"),
+        Line(THEOREM.format("whole_mesh"), ["Whole mesh"], COQ, "nothing: every valid colouring", ["any mesh"], "every"),
+    ],
+}
+
+
+class Wrong(Exception):
+    pass
+
+
+def operations_of(line, found, report):
+    """The names that a line says, as notation.md has them."""
+    if line.operations == "answered":
+        listed = re.search(r"^answers of the shipped headers proved: .*\((.*)\)$", report, re.M)
+        said = [name.rsplit(" ", 1)[0] for name in listed[1].split(", ")] if listed else []
+    else:
+        said = line.operations or [found["operation"]]
+    names = [name.replace("_", "-") for name in said]
+    names = [new for name in names for new in (["open-collapse", "boundary-collapse"] if name == "fan-collapse" else [name])]
+    return [name.replace("-", " ") if name.replace("-", " ") in ALL else name for name in names]
+
+
+def k_of(line, found, report):
+    """"every", or the largest; 0 where there is none, as of operation files, or where no k is covered whole."""
+    if line.k == "every":
+        return line.k
+    if line.k == "those met":
+        return 0
+    if "k" in found.groupdict():
+        return int(found["k"] or 0)
+    words = {"told": r"^what answers tell .*k <= (\d+)", "looked up": r"^what the automaton answers .*k <= (\d+)"}.get(line.k, r"(?:^|[ ,])k (?:<=|= \d+ \.\.\.) (\d+)")
+    return max(map(int, re.findall(words, report, re.M)), default=0)
+
+
+def rows_of(rung, report):
+    """What a report says, or why it says nothing."""
+    if re.search(r"^FAILS|NOT |\[  FAILED  \]", report, re.M):
+        raise Wrong(f"{rung}: something fails")
+    read = re.findall(r"read: (.*)$", report, re.M)
+    largest = {}  # of what a row says but for k
+    for line in REPORTS[rung]:
+        every = list(re.finditer(line.pattern, report, re.M))
+        if not every:
+            raise Wrong(f"{rung}: no line says {line.pattern}")
+        if read and not line.read.startswith("nothing") and not any(line.read in words for words in read):
+            raise Wrong(f"{rung}: {line.read} are not what was read")
+        for found in every:
+            k = k_of(line, found, report)
+            for operation in operations_of(line, found, report):
+                for claim in line.claims:
+                    what = claim, operation, line.how, line.read, k == "every"
+                    largest[what] = k if k == "every" else max(k, largest.get(what, 0))
+    return {Row(claim, operation, str(k), how, read, rung) for (claim, operation, how, read, _), k in largest.items()}
+
+
+def bold_of(text, heading):
+    """The names of a numbered list: "1. **Name.** …" below a heading."""
+    return re.findall(r"^\d+\. \*\*([^*]+?)\.\*\*", text.split(f"\n{heading}\n")[1].split("\n## ")[0], re.M)
+
+
+class Coverage:
+    def __init__(self, root):
+        self.root, self.path = root, root / "docs/coverage.csv"
+        self.claims = bold_of((root / "docs/trust.md").read_text(encoding="utf-8"), "## What is claimed")
+        self.guarantees = bold_of((root / "README.md").read_text(encoding="utf-8"), "## What is guaranteed")
+        self.rungs = re.findall(r"^ *rung ([a-z]+) ", (root / "scripts/prove.sh").read_text(encoding="utf-8"), re.M)
+        with open(self.path, encoding="utf-8", newline="") as file:
+            self.rows = {Row(**row) for row in csv.DictReader(file)}
+
+    def check(self):
+        """Sentences about what does not fit."""
+        claimed, run = {row.claim for row in self.rows}, {row.rung for row in self.rows}
+        return (["docs/trust.md lists no claims, or README.md no guarantees"] if not self.claims or not self.guarantees else []) + \
+            [f"{claim}: a claim without a row in docs/coverage.csv" for claim in self.claims if claim not in claimed] + \
+            [f"{claim}: a guarantee of README.md that docs/trust.md does not claim" for claim in self.guarantees if claim not in self.claims] + \
+            [f"{claim}: rows of docs/coverage.csv name it, and docs/trust.md does not claim it" for claim in sorted(claimed - set(self.claims))] + \
+            [f"{rung}: no rung of scripts/prove.sh" for rung in sorted(run - set(self.rungs))] + \
+            [f"{rung}: a rung of scripts/prove.sh without a row" for rung in self.rungs if rung not in run]
+
+    def record(self, folder, rungs):
+        self.rows = {row for row in self.rows if row.rung not in rungs and row.rung in self.rungs}
+        for rung in rungs:
+            self.rows |= rows_of(rung, (folder / f"{rung}.log").read_text(encoding="utf-8"))
+        with open(self.path, "w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(Row._fields)
+            writer.writerows(sorted(self.rows))
+
+    def operations(self, names):
+        files = {path.stem for path in self.root.glob("tables/operations/*.json")}
+        for some, words in ((set(ALL), "all"), (set(FANS), "all but flips"), (files, "the operation files"), ({"any mesh"}, "any mesh")):
+            if names == some:
+                return words
+        return ", ".join([name + "s" for name in ALL if name in names] + sorted(f"`{name}`" for name in names - set(ALL)))
+
+    def merged(self, wanted):
+        """Cells of the rows with a claim that is wanted: claims, operations, k, how, read, rung. Rows of one rung that
+        differ in the operation or in the claim alone are one."""
+        some = {}
+        for row in sorted(self.rows, key=lambda row: (self.rungs.index(row.rung), row.k == "every", row)):
+            some.setdefault(row[2:], {}).setdefault(row.claim, set()).add(row.operation)
+        for (k, *rest), claims in some.items():
+            for beside in [claims for at, claims in some.items() if at[0] not in ("0", "every") and list(at[1:]) == rest]:
+                for claim in [claim for claim in claims if k == "0" and claim in beside]:
+                    beside[claim] |= claims.pop(claim)  # a flip has no k
+        rows = []
+        for (k, *rest), claims in some.items():
+            of = {claim: self.operations(names) for claim, names in claims.items() if claim in wanted}
+            for operations in dict.fromkeys(of.values()):
+                listed = [claim for claim in wanted if of.get(claim) == operations]
+                rows.append([", ".join(listed), operations, k if k == "every" else "–" if k == "0" else f"<= {k}", *rest])
+        return sorted(rows, key=lambda row: wanted.index(row[0].split(", ")[0]))
+
+    def table(self):
+        return table_of(["claims", "of", "k", "how it is known", "what was read", "rung"],
+                        [[*cells, f"`{rung}`"] for *cells, rung in self.merged(self.claims)])
+
+    def guarantees_table(self):
+        """Of what reads more than certificates, where anything does."""
+        known = {}
+        for claims, of, k, how, read, _ in self.merged(self.guarantees):
+            if read != CERTIFICATES or "Checkable" in claims:
+                known.setdefault((claims, of, k, read), []).append(how)
+        return table_of(["guarantees", "of", "k", "what was read", "how it is known"], [[*cells, "; ".join(hows)] for cells, hows in known.items()])
+
+
+def table_of(head, lines):
+    return "".join("| " + " | ".join(cells) + " |\n" for cells in [head, ["---"] * len(head), *lines])
+
+
+def main():
+    if len(sys.argv) > 3 and sys.argv[1] == "record":
+        Coverage(ROOT).record(Path(sys.argv[2]), sys.argv[3:])
+    elif sys.argv[1:] == ["table"]:
+        print(Coverage(ROOT).table(), end="")
+    elif sys.argv[1:] == ["guarantees"]:
+        print(Coverage(ROOT).guarantees_table(), end="")
+    elif sys.argv[1:2] == ["check"] and len(sys.argv) <= 3:
+        faults = Coverage(Path(sys.argv[2]) if len(sys.argv) == 3 else ROOT).check()
+        sys.exit("\n".join(faults) or 0)
+    else:
+        sys.exit(__doc__)
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except Wrong as wrong:
+        sys.exit(f"coverage.py: {wrong}")

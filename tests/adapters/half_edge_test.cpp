@@ -1,0 +1,122 @@
+// docs/own-mesh.md suffices to write a mesh of one's own: one that was written from it keeps the contract, has every
+// policy, either cost, strips from scratch and live buffers, and its owner's undo goes with strips.
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "../runtime/sample_meshes.hpp"
+#include "half_edge_mesh.hpp"
+#include "lockstep.hpp"
+#include "restrip/operations/test_adapter.hpp"
+
+namespace restrip {
+namespace {
+
+static_assert(SplittableMesh<half_edge::Mesh> && CollapsibleMesh<half_edge::Mesh> && FlippableMesh<half_edge::Mesh> &&
+              NumberedMesh<half_edge::Mesh>);
+
+half_edge::Mesh copy_of(const StripMesh& from) {
+  std::vector<std::uint32_t> corners;
+  for (const auto& triangle : sample::triangles_of(from))
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+  return half_edge::Mesh(corners);
+}
+
+class Foreign {
+ public:
+  using Halfedge = half_edge::Halfedge;
+  using Vertex = std::uint32_t;
+  explicit Foreign(const StripMesh& from) : mesh_(copy_of(from)) {}
+  half_edge::Mesh& strips() { return mesh_; }
+  static Vertex vertex(restrip::Vertex v) { return v; }
+  static std::uint32_t number(Vertex v) { return v; }
+  [[nodiscard]] Halfedge find(Vertex v, Vertex w) const { return mesh_.find(v, w); }
+  [[nodiscard]] bool exists(Halfedge h) const { return h != Halfedge{} && !mesh_.on_boundary(h); }
+  [[nodiscard]] Vertex from(Halfedge h) const { return mesh_.from(h); }
+  [[nodiscard]] Vertex to(Halfedge h) const { return mesh_.to(h); }
+  template <class Visit>
+  void for_each_triangle(Visit&& visit) const {
+    for (std::uint32_t t = 0; t < mesh_.triangle_bound(); ++t)
+      if (mesh_.has_triangle(t)) visit(mesh_.halfedge(t));
+  }
+
+ private:
+  half_edge::Mesh mesh_;
+};
+
+TEST(HalfEdgeMesh, Closed) { walk_in_lockstep<Foreign>(sample::torus(12, 10), false, 1); }
+TEST(HalfEdgeMesh, WithBoundary) { walk_in_lockstep<Foreign>(sample::rectangle(6, 5), true, 2); }
+
+TEST(HalfEdgeMesh, KeepsTheContract) {
+  for (const StripMesh& from : {sample::torus(7, 6), sample::rectangle(6, 5)}) {
+    half_edge::Mesh mesh = copy_of(from);
+    Watched watched(mesh);
+    const AdapterReport report = test_adapter(watched, mesh.halfedge(0), &watched.changed());
+    EXPECT_TRUE(report.kept()) << describe(report.broken) << " (" << report.during << ")";
+    EXPECT_GT(report.splits, 100U);
+    EXPECT_GT(report.collapses, 100U);
+    EXPECT_GT(report.flips, 50U);
+  }
+}
+
+/// An owner who gives back a frame, here by a copy of the records, rebuilds the keeper and names the triangles of the
+/// frame to the buffer. The strips are those that there were, and operations go on from there.
+TEST(HalfEdgeMesh, UndoOfItsOwnerGoesWithStrips) {
+  half_edge::Mesh mesh = copy_of(sample::rectangle(8, 8));
+  stripify(mesh);
+  Watched watched(mesh);
+  Keeper keeper(watched, Policy::quick);
+  StripBuffer buffer(watched);
+  std::mt19937 random(5);
+  int done = 0;
+  const auto operations = [&] {
+    for (int n = 0; n < 30; ++n) {
+      const auto t = static_cast<std::uint32_t>(random() % mesh.triangle_bound());
+      if (!mesh.has_triangle(t)) continue;
+      const half_edge::Halfedge h = mesh.halfedge(t);
+      const half_edge::Halfedge other = mesh.opposite(h);
+      if (n % 2 == 0) {
+        keeper.split_face(h);
+      } else if (!mesh.on_boundary(other)) {
+        const half_edge::Halfedge to_left = mesh.next(h);
+        const half_edge::Halfedge to_right = mesh.opposite(mesh.next(mesh.next(other)));
+        const bool valence_three = !mesh.on_boundary(to_right) && turn_ccw(mesh, to_right) == to_left;
+        if (valence_three)
+          keeper.join_faces(h);
+        else if (mesh.find(mesh.to(to_left), mesh.to(to_right)) == half_edge::Halfedge{})
+          keeper.flip(h);
+        else
+          continue;
+      }
+      ++done;
+    }
+    buffer.update(watched, watched.changed());
+    ASSERT_TRUE(check_buffer(buffer, mesh).right());
+  };
+  struct Frame {
+    half_edge::Mesh before;
+    std::size_t strips;
+    std::vector<std::uint32_t> changed;
+  };
+  std::vector<Frame> frames;
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    for (int n = 0; n < 10; ++n) {
+      frames.push_back({mesh, keeper.strips(), {}});
+      operations();
+      frames.back().changed.swap(watched.changed());
+    }
+    for (; frames.size() > 2; frames.pop_back()) {
+      mesh = frames.back().before;
+      keeper.rebuild();
+      buffer.update(watched, frames.back().changed);
+      ASSERT_EQ(keeper.strips(), frames.back().strips);
+      ASSERT_EQ(count_strips(mesh), frames.back().strips);
+      ASSERT_TRUE(check_buffer(buffer, mesh).right());
+    }
+  }
+  EXPECT_GT(done, 400);
+}
+
+}  // namespace
+}  // namespace restrip

@@ -1,0 +1,93 @@
+"""Every claim of docs/trust.md and every guarantee of README.md has a row in docs/coverage.csv, every row a rung of
+scripts/prove.sh, and the tables of both pages are those rows. scripts/coverage.py notices where it is not so, and takes
+no report in which something fails or is missing. Nothing is proved here."""
+import importlib.util
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+FILES = ["docs/trust.md", "docs/coverage.csv", "README.md", "scripts/prove.sh"]
+spec = importlib.util.spec_from_file_location("coverage", ROOT / "scripts/coverage.py")
+coverage = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(coverage)
+
+LINKED = """holds  linked look-up  the best for all that is known of the outside              12 configurations, 2 positions    34     0.00
+verified: 0 rules, 1 claim, k <= 5; read: compiled linked look-up only; no certificate was read
+"""
+
+
+def faults(file=None, alter=None):
+    """What there is to say of the tree, or of a copy in which one file was altered."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name in FILES:
+            (Path(folder) / name).parent.mkdir(exist_ok=True)
+            text = (ROOT / name).read_text(encoding="utf-8")
+            if name == file:
+                text, before = alter(text), text
+                assert text != before, f"nothing was altered in {name}"
+            (Path(folder) / name).write_text(text, encoding="utf-8")
+        return coverage.Coverage(Path(folder)).check()
+
+
+class Check(unittest.TestCase):
+    def test_the_tree(self):
+        done = subprocess.run([sys.executable, ROOT / "scripts/coverage.py", "check"], capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(faults(), [])
+
+    def test_a_claim_without_a_row(self):
+        for claim in coverage.Coverage(ROOT).claims:
+            said = faults("docs/coverage.csv", lambda text: "".join(line for line in text.splitlines(True) if not line.startswith(claim + ",")))
+            self.assertIn(f"{claim}: a claim without a row in docs/coverage.csv", said)
+        said = faults("docs/trust.md", lambda text: text.replace("11. **Whole mesh.**", "11. **Other mesh.**"))
+        self.assertEqual(said, ["Other mesh: a claim without a row in docs/coverage.csv",
+                                "Whole mesh: rows of docs/coverage.csv name it, and docs/trust.md does not claim it"])
+
+    def test_a_guarantee_that_is_no_claim(self):
+        self.assertEqual(faults("README.md", lambda text: text.replace("**Bounded.**", "**Cheap.**")),
+                         ["Cheap: a guarantee of README.md that docs/trust.md does not claim"])
+
+    def test_a_row_without_a_rung_and_a_rung_without_a_row(self):
+        self.assertEqual(faults("scripts/prove.sh", lambda text: text.replace("rung sat ", "rung solver ")),
+                         ["sat: no rung of scripts/prove.sh", "solver: a rung of scripts/prove.sh without a row"])
+
+    def test_lists_that_are_not_found(self):
+        for file in ("docs/trust.md", "README.md"):
+            self.assertIn("docs/trust.md lists no claims, or README.md no guarantees", faults(file, lambda text: text.replace("**", "")))
+
+
+class Tables(unittest.TestCase):
+    def test_a_table_that_was_altered(self):
+        for page in ("docs/trust.md", "README.md"):
+            text = (ROOT / page).read_text(encoding="utf-8")
+            altered = text.replace("| `static_assert` ", "| by hand ")
+            self.assertNotEqual(altered, text)
+            with tempfile.TemporaryDirectory() as folder:
+                for words, code in ((text, 0), (altered, 1)):
+                    (Path(folder) / "page.md").write_text(words, encoding="utf-8")
+                    done = subprocess.run([sys.executable, ROOT / "scripts/figures.py", "--check", "--only", "scripts/coverage.py", Path(folder) / "page.md"],
+                                          capture_output=True, text=True, check=False)
+                    self.assertEqual(done.returncode, code, done.stderr)
+
+
+class Reports(unittest.TestCase):
+    def test_what_a_report_says(self):
+        rows = coverage.rows_of("linked", LINKED)
+        self.assertEqual({row.operation for row in rows}, {"split", "collapse"})
+        self.assertEqual({row[2:] for row in rows}, {("5", coverage.SEARCH, "compiled linked look-up", "linked")})
+
+    def test_a_report_that_does_not_hold(self):
+        for text, why in ((LINKED.replace("holds  linked", "FAILS  linked"), "something fails"), (LINKED.replace("verified", "NOT verified"), "something fails"),
+                          (LINKED.replace("the best for", "one for"), "no line says"), ("", "no line says"),
+                          (LINKED.replace("compiled linked look-up", "certificates"), "not what was read")):
+            with self.assertRaisesRegex(coverage.Wrong, why):
+                coverage.rows_of("linked", text)
+
+    def test_every_rung_has_its_report(self):
+        self.assertEqual(set(coverage.REPORTS), set(coverage.Coverage(ROOT).rungs))
+
+
+unittest.main()

@@ -1,0 +1,106 @@
+// Claim: the table of a family does the operation on a mesh at every position that it has. examples/own_family.json, by
+// which a vertex of k triangles goes, is applied at every halfedge of meshes with vertices of all valences: it is
+// granted where the triangles, worked out on a bare list, are as good afterwards; they are those of the list; and
+// strips and isolated triangles are as many as told. The table is what `restrip-generate rules` writes.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+#include <vector>
+
+#include "../runtime/applied_lists.hpp"
+#include "../runtime/random_operation.hpp"
+#include "restrip/operations/checked.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/keeper.hpp"
+#include "restrip/search/stripify.hpp"
+#include "restrip/tables/operations/remove_vertex.hpp"
+
+namespace restrip {
+namespace {
+
+using Halfedge = StripMesh::Halfedge;
+constexpr auto& family = tables::remove_vertex;
+using At = tables::PositionTable<std::uint16_t>;
+
+static_assert(SurfaceTable<At> && !SurfaceTable<std::remove_const_t<std::remove_reference_t<decltype(family)>>>);
+static_assert(position_of(family, {5}).triangles_before.size() == 5 && position_of(family, {5}).vertices == 6);
+static_assert(position_of(family, {8}).triangles_after.size() == 6);
+static_assert(position_of(family, {9}).triangles_before.empty() && !rule_of(position_of(family, {9}), 0, 0).valid);
+static_assert(rule_of(position_of(family, {6}), 5, 9).colors == rule_of(family, {6}, 5, 9).colors);
+
+unsigned valence(const StripMesh& mesh, Halfedge h) { return static_cast<unsigned>(spoke_count(mesh, mesh.from(h))); }
+
+/// Meshes with vertices of many valences.
+std::vector<StripMesh> meshes() {
+  std::vector<StripMesh> all;
+  for (Vertex k = 3; k <= 9; ++k) all.push_back(sample::double_cone(k));
+  std::mt19937 random(7);
+  for (const StripMesh& start : {sample::torus(6, 5), sample::rectangle(6, 5), sample::sphere(1)}) {
+    all.push_back(start);
+    for (int n = 0; n < 60; ++n) checked_flip(all.back(), random_halfedge(all.back(), random));
+  }
+  return all;
+}
+
+TEST(FamilyApply, DoesWhatTheFileSaysAtEveryValence) {
+  for (unsigned k = 3; k <= 8; ++k) {
+    // A table of this valence is granted nowhere else.
+    const At at = position_of(family, {k});
+    std::size_t granted = 0;
+    for (const StripMesh& mesh : meshes()) granted += try_everywhere(mesh, [&](Halfedge) -> const At& { return at; });
+    EXPECT_GT(granted, 0U) << k;
+  }
+}
+
+TEST(FamilyApply, OfNoPositionIsRefused) {
+  for (const StripMesh& mesh : meshes())
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+      EXPECT_EQ(check_apply(mesh, position_of(family, {9}), StripMesh::halfedge(t)), Refusal::other_patch);
+}
+
+TEST(FamilyApply, TellsWhatItChanged) {
+  std::array<std::size_t, 9> done{};
+  std::mt19937 random(8);
+  for (StripMesh mesh : meshes()) {
+    stripify(mesh);
+    ColoringReport last = check_coloring(mesh);
+    for (int tries = 0; tries < 2000 && mesh.triangle_count() > 8; ++tries) {
+      const Halfedge h = random_halfedge(mesh, random);
+      const unsigned k = valence(mesh, h);
+      const Checked removed = checked_apply(mesh, position_of(family, {k}), h);
+      if (!removed) continue;
+      ++done.at(k);
+      const ColoringReport report = check_coloring(mesh);
+      ASSERT_TRUE(report.valid);
+      EXPECT_EQ(removed.rewrite.valence, k);
+      ASSERT_EQ(static_cast<int>(report.strips), static_cast<int>(last.strips) + removed.rewrite.strips);
+      ASSERT_EQ(static_cast<int>(report.isolated), static_cast<int>(last.isolated) + removed.rewrite.isolated);
+      last = report;
+    }
+  }
+  for (unsigned k = 3; k <= 8; ++k) EXPECT_GT(done.at(k), 2U) << k;
+}
+
+TEST(FamilyApply, IsKeptUnderEveryPolicy) {
+  std::mt19937 random(9);
+  for (const PolicyRow& row : policies) {
+    std::size_t done = 0;
+    for (StripMesh mesh : meshes()) {
+      stripify(mesh);
+      Keeper keeper(mesh, row.policy);
+      for (int tries = 0; tries < 2000 && mesh.triangle_count() > 8; ++tries) {
+        const Halfedge h = random_halfedge(mesh, random);
+        if (!checked_apply(keeper, position_of(family, {valence(mesh, h)}), h)) continue;
+        ++done;
+        const ColoringReport report = check_coloring(mesh);
+        ASSERT_TRUE(report.valid) << row.name;
+        ASSERT_EQ(report.strips, keeper.strips()) << row.name;
+      }
+    }
+    EXPECT_GT(done, 30U) << row.name;
+  }
+}
+
+}  // namespace
+}  // namespace restrip

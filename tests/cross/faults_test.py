@@ -1,0 +1,295 @@
+#!/usr/bin/env python3
+"""Claim: a fault of one token in anything that ships is refused by a command that ships, and a run that did not read it
+says so. The faults are in headers of tables, formats, look-ups, automata, tables in C, Rust, JSON, GLSL and WGSL,
+families.json and operation files; docs/trust.md lists them by this table. Each is put into a copy alone, or beside
+others that another run judges, and the command must exit with an error and a sentence that names it. Without a fault
+every command ends with what it has read.
+
+  faults_test.py BIN COMPILER ROOT --c-compiler CC [--rustc RUSTC] [--node NODE] [--chromium CHROMIUM] [--glslang GLSLANG --vulkan DRIVER]
+
+BIN is the folder of the programs. Languages whose tools are not given are left out, and said to be.
+"""
+import argparse
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+parser.add_argument("bin", type=Path)
+parser.add_argument("compiler")
+parser.add_argument("root", type=Path)
+for tool in ("c-compiler", "rustc", "node", "chromium", "glslang", "vulkan"):
+    parser.add_argument("--" + tool)
+ARGUMENTS = parser.parse_args()
+BIN, ROOT = ARGUMENTS.bin.resolve(), ARGUMENTS.root.resolve()
+DRIVERS = ROOT / "tests/generator/languages"
+MAX_K = 5
+TABLES, RULES = "tables/include/restrip/tables", "runtime/include/restrip/rules"
+
+
+def number_behind(opening):
+    """Another number in place of the first behind these words."""
+    return re.compile(rf"({opening})(\d+)"), lambda found: found[1] + str(int(found[2]) ^ 1)
+
+
+RULE = number_behind(r"    \},\n    \{\n    ")  # of a table: behind the places where its blocks start
+
+
+def token(old, new):
+    return re.compile(re.escape(old)), lambda _: new
+
+
+# What the fault is in, the file, the fault, how the command is called below, and what it must say. The faults of one
+# program are compiled together: each is in another table, and judged by itself.
+HEADERS = {
+    "numbers": [
+        ("a rule of splits", f"{TABLES}/split.hpp", RULE, "split", "table split k 3 a "),
+        ("a rule of collapses", f"{TABLES}/collapse.hpp", RULE, "collapse", "table collapse k "),
+        ("a rule of open splits", f"{TABLES}/open_split.hpp", RULE, "open-split", "table open-split k "),
+        ("a rule of boundary splits", f"{TABLES}/boundary_split.hpp", RULE, "boundary-split", "table boundary-split k "),
+        ("a rule of collapses of open fans", f"{TABLES}/fan_collapse.hpp", token("0, 0, 0, 1,", "0, 0, 0, 0,"), "fan-collapse", "-collapse k "),
+        ("a rule of the flip", f"{TABLES}/flip.hpp", number_behind(r"FlipTable flip\{\n    "), "flip", "table flip"),
+        ("a linked rule", f"{TABLES}/linked.hpp", token("{23, ", "{22, "), "linked", "table linked-"),
+        ("a number of the automaton", f"{TABLES}/automaton.hpp", token("1, 2, 3, 4, 5,", "1, 2, 3, 4, 6,"), "automaton", "next[4]: the table holds 6"),
+    ],
+    "layout": [
+        ("where the rows of a table start", f"{TABLES}/rows.hpp", token("6, 7, 11, 0,", "6, 7, 10, 0,"), "split", "table split k "),
+        ("the format of automata", f"{TABLES}/automaton_format.hpp", token("tells_turns ? 8 : 3", "tells_turns ? 8 : 2"), "automaton", "the certificate's answers make it"),
+    ],
+    "readers": [
+        ("the look-up in tables", f"{RULES}/rules.hpp", token("const std::size_t by = exchange ? a : 0;", "const std::size_t by = exchange ? k : 0;"), "split", "table split k "),
+        ("the reader of the automaton", f"{RULES}/impl/arc_walk.hpp", token("4 * end", "3 * end"), "automaton", "the certificate's answers make it"),
+    ],
+    "told": [
+        ("the strips that a rule tells", f"{RULES}/rules.hpp", token("nodes - count_difference(colors, before)", "nodes + count_difference(colors, before)"), "open-split", "the table tells "),
+        ("the isolated triangles that a flip tells", "runtime/include/restrip/operations/impl/halves.hpp", token("isolated_one(inner, ports, 0, 1)", "isolated_one(inner, ports, 0, 2)"), "flip", "isolated triangles, there are"),
+        ("what an answer of the automaton is worth", f"{RULES}/exact.hpp", token("count_bits(result.colors), restrip", "count_bits(ports), restrip"), "automaton", "the certificate's answers make it"),
+    ],
+}
+# Of a single operation, by the command of docs/toolkit.md.
+OPERATION = [
+    ("the entry of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("112, 113, 210", "112, 112, 210"), "port 0 is given up and may not be"),
+    ("a triangle of an operation's header", "include/restrip/tables/operations/bisect.hpp", token("{0, 64, 65}", "{0, 65, 64}"), "expected the triangles"),
+    ("the format of operations", "include/restrip/tables/operation_format.hpp", token("strips_after - strips_before", "strips_before - strips_after"), "the table tells "),
+    ("the certificate of an operation", "certificates/operations/bisect.cert", token("rule 0 0 7 0", "rule 0 0 6 0"), "was altered"),
+    ("an operation file", "operations/bisect.json", token('["b", "a", "d"]', '["a", "b", "d"]'), "expected the triangles at the edge"),
+    ("what an operation file asks for", "operations/bisect.json", token('"strips"', '"matching"'), ""),
+]
+# Of the files as they lie there: these are refused by their sums, and families also where the sums fit.
+FILES = [
+    ("a number of a header", "include/restrip/tables/collapse.hpp", RULE, "collapse.hpp: wrong checksum"),
+    ("the layout of tables", "include/restrip/tables/format.hpp", token("std::uint16_t recoloring", "std::uint8_t recoloring"), "format.hpp: wrong size"),
+    ("the automaton", "include/restrip/tables/automaton.hpp", token("1, 2, 3, 4, 5,", "1, 2, 3, 4, 6,"), "automaton.hpp: wrong checksum"),
+    ("a certificate", "certificates/flip.cert", token("rule 0 0 1 0", "rule 0 0 0 0"), "flip.cert: wrong checksum"),
+    ("the rows of a header in the MANIFEST", "MANIFEST", token(" 12411 include", " 999 include"), "split.hpp: 999 rows listed, 12411 found"),
+    ("families", "families.json", token('"at_most": [{"strips": 1, "isolated": 2}]', '"at_most": [{"strips": 1, "isolated": 3}]'), "families.json: wrong checksum"),
+]
+# Tables in other languages: the digests of the answers differ, or what they tell. The last is in the data of both shaders.
+LANGUAGES = [
+    ("a number in C", "c", "restrip_tables.h", number_behind(r"restrip_split_rules\[\d+\] = \{\s*")),
+    ("a token in C", "c", "restrip_tables.h", token("exchange ? arc + 1 : 0", "exchange ? arc + 2 : 0")),
+    ("a number in Rust", "rust", "restrip_tables.rs", number_behind(r"const COLLAPSE_RULES: .* = &\[\s*")),
+    ("a token in Rust", "rust", "restrip_tables.rs", token("{ arc + 1 }", "{ arc + 2 }")),
+    ("a number in JSON", "json", "restrip_tables.json", number_behind(r'"flip": \[\s*')),
+    ("a token in GLSL", "glsl", "restrip_tables.glsl", token("exchange ? arc + 1u : 0u", "exchange ? arc + 2u : 0u")),
+    ("a token in WGSL", "wgsl", "restrip_tables.wgsl", token("select(0u, arc + 1u, exchange)", "select(0u, arc + 2u, exchange)")),
+]
+
+
+def put_in(file, fault):
+    """Puts the fault into the file, once."""
+    pattern, other = fault
+    text = file.read_text(encoding="utf-8")
+    altered, count = pattern.subn(other, text, count=1)
+    if count != 1 or altered == text:
+        raise SystemExit(f"{file}: the fault does not fit: {pattern.pattern}")
+    file.write_text(altered, encoding="utf-8")
+
+
+def run(*command, **more):
+    return subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False, **more)
+
+
+REFUSED = []
+
+
+def refused(what, sentence, done):
+    said = done.stdout + done.stderr
+    if done.returncode not in (1, 2) or sentence not in said or re.search("^verified: ", said, re.M):
+        raise SystemExit(f"{what}: ended with {done.returncode}; expected: {sentence}\n{said[-3000:]}")
+    REFUSED.append(what)
+
+
+def accepted(what, read, done):
+    if done.returncode != 0 or not re.search(rf"^verified: .*; read: {read}\n\Z", done.stdout, re.M):
+        raise SystemExit(f"{what}: ended with {done.returncode}; expected: read: {read}\n{done.stdout[-3000:]}{done.stderr}")
+
+
+def copied(scratch, name, *parts):
+    copy = scratch / name
+    for part in parts:
+        shutil.copytree(ROOT / part, copy / part)
+    return copy
+
+
+def dump_program(copy, scratch):
+    """The dump program, compiled from the headers of the copy; or what the compiler said."""
+    program = scratch / (copy.name + "-dump")
+    done = run(ARGUMENTS.compiler, "-std=c++20", "-O0", "-I", copy / "runtime/include", "-I", copy / "tables/include",
+               *(ROOT / f"runtime/dump_{part}.cpp" for part in ("automaton", "digests", "linked", "tables")), "-o", program)
+    return program if done.returncode == 0 else done
+
+
+def judge(program, part):
+    """The commands that read compiled headers; `part` is what is judged of them."""
+    if part == "automaton":
+        return run(BIN / "restrip-verify-automaton", "--tables-dir", ROOT / "tables", "--max-k", "3", "--dump-command", f"'{program}' --automaton")
+    if part == "linked":
+        return run(BIN / "restrip-verify", "--headers", "--max-k", "4", "--linked-dump-command", f"'{program}' --linked --max-k 4")
+    return run(BIN / "restrip-verify", "--headers", "--family", part, "--max-k", MAX_K, "--dump-command", f"'{program}' --max-k {MAX_K}")
+
+
+def check_headers(scratch):
+    sound = BIN / "restrip-dump-tables"
+    accepted("the shipped tables", "compiled tables only; no certificate was read", judge(sound, "split"))
+    accepted("the shipped linked look-up", "compiled linked look-up only; no certificate was read", judge(sound, "linked"))
+    accepted("the shipped automaton", "certificates and compiled automaton", judge(sound, "automaton"))
+    for name, faults in HEADERS.items():
+        copy = copied(scratch, name, "tables/include", "runtime/include")
+        for _, file, fault, _, _ in faults:
+            put_in(copy / file, fault)
+        program = dump_program(copy, scratch)
+        if not isinstance(program, Path):
+            raise SystemExit(f"{name}: {program.stderr[-3000:]}")
+        for what, file, _, part, sentence in faults:
+            refused(f"{what} ({file})", sentence, judge(program, part))
+    copy = copied(scratch, "format", "tables/include", "runtime/include")
+    put_in(copy / TABLES / "format.hpp", token("std::uint16_t recoloring", "std::uint8_t recoloring"))
+    done = dump_program(copy, scratch)
+    if isinstance(done, Path) or "narrowing" not in done.stderr:
+        raise SystemExit(f"the layout of tables: {done}")
+    REFUSED.append(f"the layout of tables ({TABLES}/format.hpp), by the compiler")
+
+
+def check_operation(scratch):
+    def verify(copy):
+        tables = copy / "tables"
+        source, program = copy / "print.cpp", copy / "print"
+        source.write_text('#include "restrip/tables/operation_dump.hpp"\n#include "restrip/tables/operations/bisect.hpp"\n'
+                          'int main() { return restrip::tables::print_dump("bisect", restrip::tables::bisect); }\n', encoding="utf-8")
+        run(ARGUMENTS.compiler, "-std=c++20", "-I", tables / "include", source, "-o", program)
+        return run(BIN / "restrip-verify", "--operation", tables / "operations/bisect.json", "--certificate", tables / "certificates/operations/bisect.cert",
+                   "--header", tables / "include/restrip/tables/operations/bisect.hpp", "--dump-command", program)
+
+    accepted("an operation", "certificates, header texts and compiled tables", verify(copied(scratch, "operation", "tables")))
+    for number, (what, file, fault, sentence) in enumerate(OPERATION):
+        copy = copied(scratch, f"operation-{number}", "tables")
+        put_in(copy / "tables" / file, fault)
+        refused(f"{what} (tables/{file})", sentence, verify(copy))
+
+
+def check_files(scratch):
+    def verify(copy):
+        return run(BIN / "restrip-verify", "--tables-dir", copy / "tables", "--family", "flip")
+
+    accepted("the files", "certificates only; no header was read", verify(copied(scratch, "files", "tables")))
+    for number, (what, file, fault, sentence) in enumerate(FILES):
+        copy = copied(scratch, f"files-{number}", "tables")
+        put_in(copy / "tables" / file, fault)
+        refused(f"{what} (tables/{file})", sentence, verify(copy))
+        # With a MANIFEST that fits the altered file a run that reads no header says so; other families are known.
+        if file.endswith(".hpp") or file == "families.json":
+            resum(copy / "tables", file)
+            if file == "families.json":
+                refused("families, with their checksum", "families.json: other families", verify(copy))
+            else:
+                accepted(what, "certificates only; no header was read", verify(copy))
+
+
+class Language:
+    """How the program that checks a language is built from a folder of tables, and run."""
+
+    def __init__(self, scratch):
+        self.scratch = scratch
+        self.drivers = {"c": self.c}
+        if ARGUMENTS.rustc:
+            self.drivers["rust"] = self.rust
+        if ARGUMENTS.node:
+            self.drivers["json"] = lambda folder: f"'{ARGUMENTS.node}' '{folder}/restrip_tables_check.mjs'"
+        if ARGUMENTS.glslang and ARGUMENTS.vulkan:
+            self.drivers["glsl"] = self.glsl
+        if ARGUMENTS.node and ARGUMENTS.chromium:
+            self.drivers["wgsl"] = self.wgsl
+
+    @staticmethod
+    def built(*command):
+        done = run(*command)
+        if done.returncode != 0:
+            raise SystemExit(f"{command}: {done.stdout}{done.stderr}")
+
+    def c(self, folder):
+        self.built(ARGUMENTS.c_compiler, "-std=c99", folder / "restrip_tables_check.c", "-o", folder / "check")
+        return f"'{folder}/check'"
+
+    def rust(self, folder):
+        self.built(ARGUMENTS.rustc, "--edition", "2021", folder / "restrip_tables_check.rs", "-o", folder / "check")
+        return f"'{folder}/check'"
+
+    def glsl(self, folder):
+        self.built(ARGUMENTS.glslang, "-V", f"-I{folder}", folder / "restrip_tables_check.comp", "-o", folder / "shader.spv")
+        return f"'{ARGUMENTS.vulkan}' '{folder}/shader.spv' {MAX_K} '{folder}/restrip_tables.bin'"
+
+    def wgsl(self, folder):
+        (folder / "shader.wgsl").write_text((folder / "restrip_tables.wgsl").read_text(encoding="utf-8") +
+                                            (folder / "restrip_tables_check.wgsl").read_text(encoding="utf-8"), encoding="utf-8")
+        return (f"'{ARGUMENTS.node}' '{DRIVERS}/driver_wgsl.mjs' '{ARGUMENTS.chromium}' '{folder}' '{folder}/shader.wgsl' {MAX_K} "
+                f"'{folder}/restrip_tables.bin'")
+
+    def judged(self, language, folder):
+        """The digests of the shipped headers' answers are those of the language's."""
+        return run(BIN / "restrip-verify", "--headers", "--max-k", MAX_K, "--dump-command", f"'{BIN}/restrip-dump-tables' --max-k {MAX_K}",
+                   "--digest-command", self.drivers[language](folder))
+
+
+def check_languages(scratch):
+    tables = scratch / "languages"
+    language = Language(scratch)
+    options = [f"--language={name}" for name in ("c", "rust", "json", "glsl", "wgsl")]
+    Language.built(BIN / "restrip-generate", "tables", "--max-k", MAX_K, "--out", tables, *options)
+    for name in language.drivers:
+        shutil.copytree(tables, scratch / name)
+        accepted(name, "compiled tables and digests of other languages only; no certificate was read", language.judged(name, scratch / name))
+    for number, (what, name, file, fault) in enumerate(LANGUAGES):
+        if name not in language.drivers:
+            print(f"left out, a tool is missing: {what} ({file})")
+            continue
+        copy = scratch / f"{name}-{number}"
+        shutil.copytree(tables, copy)
+        put_in(copy / file, fault)
+        refused(f"{what} ({file})", "the answers that were judged make it", language.judged(name, copy))
+
+
+def resum(tables, file):
+    """Makes the MANIFEST's line of the file anew."""
+    done = run("sha256sum", tables / file)
+    manifest = (tables / "MANIFEST").read_text(encoding="ascii")
+    size = (tables / file).stat().st_size
+    line = re.compile(rf"^[0-9a-f]{{64}} \d+ (\d+) {re.escape(file)}$", re.M)
+    (tables / "MANIFEST").write_text(line.sub(rf"{done.stdout.split()[0]} {size} \1 {file}", manifest), encoding="ascii")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        scratch = Path(name)
+        check_files(scratch)
+        check_operation(scratch)
+        check_headers(scratch)
+        check_languages(scratch)
+    print("\n".join(f"refused: {what}" for what in REFUSED))
+    if len(REFUSED) < 20:
+        raise SystemExit("fewer than twenty")
+
+
+main()

@@ -1,2 +1,0 @@
-#define RESTRIP_TABLES_IMPLEMENTATION
-#include "restrip_tables.h"

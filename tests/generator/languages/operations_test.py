@@ -1,0 +1,346 @@
+"""The tables of operation files in another language: everything that the look-up answers is proved by restrip-verify, as
+the dump of a table; what it says of the number of strips is added up here. Every configuration of shipped operations, of
+matchings and forests, and of families with one to three numbers is asked, with numbers named like words of the languages,
+and what is beside: bits outside the patch, positions that there are not. All look-ups are in one program. With one entry
+altered the verifier refuses the answers. The example of docs/languages.md is run and prints what stands there.
+
+  operations_test.py LANGUAGE --generate PROGRAM --verify PROGRAM --scratch FOLDER --with PROGRAM…
+"""
+import json
+import re
+import shlex
+import subprocess
+from pathlib import Path
+
+from language_test import HERE, ROOT, Glsl, Wgsl, arguments, example_of, run
+
+MAX_K = 5
+NONE = (0, 0, 0, 0)  # valid, colours, ports, strips
+# Gaps of open fans, with numbers whose names are keywords.
+THREE_NUMBERS = {
+    "restrip_operation": 1, "name": "three-numbers", "constraint": "strips", "numbers": ["int", "fn", "let"],
+    "where": "int >= 1, 0 <= fn < let <= int", "before": {"path": ["t[0,fn)", "A", "t[fn,let)", "D", "t[let,int)"], "chord": ["A", "D"]},
+    "after": {"path": ["t[0,int)"]},
+}
+# With a rule of its own for each configuration that a shader's words hold in 8 bits.
+FILES = (*sorted((ROOT / "tables/operations").glob("*.json")), *sorted((ROOT / "tests/corpus/operations/families").glob("*.json")),
+         ROOT / "tests/corpus/operations/flip-forest.json")
+
+
+def arguments_of(at, inner, ports, ends=""):
+    """What a look-up is called with."""
+    return ", ".join(f"{number}{ends}" for number in (*at["numbers"], inner, ports))
+
+
+class Operation:
+    """An operation file, and the questions that its look-up is asked."""
+
+    def __init__(self, file, generate, out):
+        self.file = file
+        self.name = json.loads(file.read_text(encoding="utf-8"))["name"]
+        self.identifier = self.name.replace("-", "_")
+        self.more = ["--max-k", str(MAX_K)] if "numbers" in json.loads(file.read_text(encoding="utf-8")) else []
+        run(generate, "rules", "--operation", file, *self.more, "--out", out, *(f"--language={name}" for name in ("c++", "c", "rust", "json", "glsl", "wgsl")))
+        # Which positions there are the verifier tells from the operation file: a dump must have them all.
+        self.table = json.loads((out / f"restrip_{self.identifier}.json").read_text(encoding="utf-8"))
+        self.proofs = ["--certificate", out / f"certificates/operations/{self.name}.cert",
+                       "--header", out / f"include/restrip/tables/operations/{self.identifier}.hpp"]
+
+    def questions(self):
+        """Position, inner edges, ports: of all configurations."""
+        for at in self.table["positions"]:
+            for inner in range(1 << at["before"]["edges"]):
+                for ports in range(1 << at["ports"]):
+                    yield at, inner, ports
+
+    def questions_beside(self):
+        first, last = self.table["positions"][0], self.table["positions"][-1]
+        for at in (first, last):
+            yield at, 1 << at["before"]["edges"], 0
+            yield at, 0, 1 << at["ports"]
+            yield at, 0xffffffff, 0xffffffff
+        there = {tuple(at["numbers"]) for at in self.table["positions"]}
+        for place in range(len(first["numbers"])):
+            for number in (0, MAX_K + 1, MAX_K + 2, 0x80000000, 0xffffffff):
+                for at in (first, last):
+                    numbers = [*at["numbers"]]
+                    numbers[place] = number
+                    if tuple(numbers) not in there:
+                        yield {"numbers": numbers}, 0, 0
+
+    def dump(self, answers):
+        """As a program that prints a table, after the answers were looked at where the verifier sees nothing of them."""
+        questions, beside = list(self.questions()), list(self.questions_beside())
+        if len(answers) != len(questions) + len(beside):
+            raise SystemExit(f"{self.name}: {len(answers)} answers to {len(questions)} and {len(beside)} questions")
+        if any(answer != NONE for answer in answers[len(questions):]):
+            raise SystemExit(f"{self.name}: rules where there are none: {list(zip(beside, answers[len(questions):]))}")
+        tables, of_matching = [], {}
+        for (at, inner, ports), (valid, colors, kept, strips) in zip(questions, answers):
+            if not valid and (colors, kept, strips) != (0, 0, 0):
+                raise SystemExit(f"{self.name}: {at}, {inner:x} {ports:x}: no rule, and {colors:x} {kept:x} {strips}")
+            change = (at["after"]["triangles"] - colors.bit_count() - kept.bit_count()) - (
+                at["before"]["triangles"] - inner.bit_count() - ports.bit_count())
+            if valid and strips != change:
+                raise SystemExit(f"{self.name}: {at}, {inner:x} {ports:x}: {strips} strips more, and not {change}")
+            if inner == 0 and ports == 0:
+                tables.append(f"table {self.name}{self.position(at)}\n")
+            if not self.table["matching"] or inner == 0:
+                tables[-1] += f"{inner:x} {ports:x} " + (f"{colors:x} {kept:x} {strips}\n" if valid else "-\n")
+                of_matching[ports] = (valid, colors, kept)
+            elif of_matching[ports] != (valid, colors, kept):
+                raise SystemExit(f"{self.name}: the rule of a matching depends on its inner edges")
+        lines = sum(table.count("\n") - 1 for table in tables)
+        return "restrip-table-dump 4\n" + "".join(tables) + f"end {lines}\n"
+
+    def position(self, at):
+        pattern = json.loads(self.file.read_text(encoding="utf-8")).get("position", " ".join(f"{name} {{{name}}}" for name in self.table["numbers"]))
+        return f" {pattern.format(**dict(zip(self.table['numbers'], at['numbers'])))}" if at["numbers"] else ""
+
+    def judged(self, verify, answers, scratch):
+        """Whether the verifier takes the answers."""
+        dump = scratch / "dump.txt"
+        dump.write_text(self.dump(answers), encoding="utf-8")
+        done = subprocess.run([verify, "--operation", self.file, *self.more, *self.proofs, "--dump-command",
+                               f"cat {shlex.quote(str(dump))}"], capture_output=True, text=True, check=False)
+        if done.returncode not in (0, 1):
+            raise SystemExit(f"{self.name}: {done.stderr}")
+        return done.returncode == 0, done.stdout
+
+
+def four_numbers(text):
+    numbers = [int(word) for word in text.split()]
+    return [tuple(numbers[i:i + 4]) for i in range(0, len(numbers), 4)]
+
+
+class C:
+    block = "c"
+    extension = ".h"
+
+    def __init__(self, gcc):
+        self.gcc = gcc
+
+    def call(self, operation, at, inner, ports):
+        return f"  say(restrip_rule_of_{operation.identifier}({arguments_of(at, inner, ports, 'u')}));\n"
+
+    def loops(self, operation, at):
+        return (f"  for (inner = 0; inner < {1 << at['before']['edges']}u; ++inner)\n    for (ports = 0; ports < {1 << at['ports']}u; ++ports)\n    "
+                f"{self.call(operation, at, 'inner', 'ports').replace('inneru', 'inner').replace('portsu', 'ports')}")
+
+    def program(self, operations):
+        includes = "".join(f"#include \"restrip_{one.identifier}.h\"\n" for one in operations)
+        bodies = "".join(f"#define RESTRIP_{one.identifier.upper()}_IMPLEMENTATION\n#include \"restrip_{one.identifier}.h\"\n" for one in operations)
+        asked = "".join("".join(self.loops(one, at) for at in one.table["positions"]) + "".join(self.call(one, *more) for more in one.questions_beside())
+                        for one in operations)
+        return (f"#include <stdio.h>\n{includes}{bodies}static void say(restrip_operation_rule r) {{\n"
+                '  printf("%d %u %u %d\\n", r.valid, (unsigned)r.colors, (unsigned)r.ports, (int)r.strips);\n}\n'
+                f"int main(void) {{\n  uint32_t inner, ports;\n{asked}  return 0;\n}}\n")
+
+    def answers(self, folder, scratch, operations):
+        (scratch / "driver.c").write_text(self.program(operations), encoding="utf-8")
+        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic", "-Werror", "-fsanitize=address,undefined",
+            "-fno-sanitize-recover=all", "-I", folder, scratch / "driver.c", "-o", scratch / "driver")
+        run(self.gcc, "-x", "c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I", folder, "-fsyntax-only", scratch / "driver.c")
+        return four_numbers(run(scratch / "driver"))
+
+    def example(self, text, folder, scratch):
+        (scratch / "example.c").write_text(text, encoding="utf-8")
+        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Werror", "-I", folder, scratch / "example.c", "-o", scratch / "example")
+        return run(scratch / "example")
+
+
+class Rust(C):
+    block = "rust"
+    extension = ".rs"
+
+    def __init__(self, rustc):
+        self.rustc = rustc
+
+    def call(self, operation, at, inner, ports):
+        return f"    say(restrip_{operation.identifier}::rule({arguments_of(at, inner, ports)}).map(|r| (r.colors, r.ports, r.strips)));\n"
+
+    def loops(self, operation, at):
+        return (f"    for inner in 0..{1 << at['before']['edges']} {{ for ports in 0..{1 << at['ports']} {{\n    "
+                f"{self.call(operation, at, 'inner', 'ports')}    }} }}\n")
+
+    def program(self, operations):
+        modules = "".join(f"#[path = \"{{}}/restrip_{one.identifier}.rs\"]\nmod restrip_{one.identifier};\n" for one in operations)
+        # One function for each, because compilers take long over large ones.
+        asked = "".join(f"fn ask_{one.identifier}() {{\n" + "".join(self.loops(one, at) for at in one.table["positions"]) +
+                        "".join(self.call(one, *more) for more in one.questions_beside()) + "}\n" for one in operations)
+        calls = "".join(f"    ask_{one.identifier}();\n" for one in operations)
+        return (f"{modules}const _: () = assert!(restrip_split_face::rule(0, 0).is_some());\nfn say(rule: Option<(u32, u32, i32)>) {{\n"
+                '    let (c, p, s) = rule.unwrap_or((0, 0, 0));\n    println!("{} {} {} {}", rule.is_some() as u32, c, p, s);\n}\n'
+                f"{asked}fn main() {{\n{calls}}}\n")
+
+    def answers(self, folder, scratch, operations):
+        (scratch / "driver.rs").write_text(self.program(operations).replace("{}/restrip_", f"{folder}/restrip_"), encoding="utf-8")
+        run(self.rustc, "--edition", "2021", "-D", "warnings", "-C", "overflow-checks=on", scratch / "driver.rs", "-o", scratch / "driver")
+        library = scratch / "library.rs"
+        library.write_text(f"#![no_std]\n#![forbid(unsafe_code)]\n#[path = \"{folder}/restrip_bisect.rs\"]\npub mod restrip_bisect;\n", encoding="utf-8")
+        run(self.rustc, "--edition", "2021", "-D", "warnings", "--crate-type", "lib", library, "-o", scratch / "library.rlib")
+        return four_numbers(run(scratch / "driver"))
+
+
+class Json:
+    block = "python"
+    extension = ".json"
+
+    def __init__(self, _node, python):
+        self.python = python
+
+    def answers(self, folder, _scratch, operations):
+        """As docs/languages.md says that the file is read."""
+        found = []
+        for operation in operations:
+            table = json.loads((folder / f"restrip_{operation.identifier}.json").read_text(encoding="utf-8"))
+            for at, inner, ports in (*operation.questions(), *operation.questions_beside()):
+                place = next((one for one in table["positions"] if one["numbers"] == at["numbers"]), None)
+                if place is None or inner >> place["before"]["edges"] or ports >> place["ports"]:
+                    found.append(NONE)
+                    continue
+                entry = table["entries"][place["first"] + (ports if table["matching"] else inner << place["ports"] | ports)]
+                if entry == table["none"]:
+                    found.append(NONE)
+                    continue
+                strips = place["after"]["triangles"] - entry.bit_count() - place["before"]["triangles"] + inner.bit_count() + ports.bit_count()
+                found.append((1, entry >> place["ports"], entry & ((1 << place["ports"]) - 1), strips))
+        return found
+
+    def example(self, text, folder, _scratch):
+        return run(self.python, "-c", text, cwd=folder)
+
+
+class Shader:
+    """One invocation asks all, of one operation at a time; the look-ups of all are in the program."""
+    extension = ".bin"
+
+    def answers(self, folder, scratch, operations):
+        jobs = []
+        for operation in operations:
+            # Rows: three numbers, the first mask of inner edges and how many there are, the same of ports. There is one call
+            # in the program: compilers of shaders put the look-up in place of each.
+            places = [(at["numbers"], 0, 1 << at["before"]["edges"], 0, 1 << at["ports"]) for at in operation.table["positions"]]
+            places += [(at["numbers"], inner, 1, ports, 1) for at, inner, ports in operation.questions_beside()]
+            rows = ", ".join(f"{word}u" for numbers, *masks in places for word in (*numbers, *[0] * (3 - len(numbers)), *masks))
+            count = sum(inner * ports for _, _, inner, _, ports in places)
+            call = ", ".join([*(f"rows[i + {place}u]" for place in range(len(operation.table["numbers"]))), "rows[i + 3u] + inner", "rows[i + 5u] + ports"])
+            asked = self.loops(7 * len(places), rows, f"restrip_rule_of_{operation.identifier}({call})")
+            source = "".join(self.declaration(one, 0 if one is operation else 2 + place) for place, one in enumerate(operations))
+            shader = self.compiled(folder, scratch, source + self.program(operation, asked), operations)
+            jobs.append((shader.rename(scratch / f"{operation.identifier}{shader.suffix}"), 2 * count + 1, folder / f"restrip_{operation.identifier}.bin"))
+        printed = iter(self.printed(scratch, jobs).split())
+        found = []
+        for shader, words, _ in jobs:
+            if next(printed) != "1":
+                raise SystemExit(f"{shader}: the checksum of the data is another")
+            for _ in range(words // 2):
+                flags, masks = int(next(printed)), int(next(printed))
+                found.append((flags >> 8, masks >> 8, masks & 255, (flags & 255) - 64))
+        return found
+
+
+class GlslTables(Shader, Glsl):
+    block = None
+
+    def loops(self, size, rows, call):
+        return (f"  const uint rows[{size}] = uint[{size}]({rows});\n  for (uint i = 0u; i < {size}u; i += 7u)\n"
+                "    for (uint inner = 0u; inner < rows[i + 4u]; ++inner)\n      for (uint ports = 0u; ports < rows[i + 6u]; ++ports) {\n"
+                f"        ANSWER r = {call};\n        answers[n++] = (uint(r.valid) << 8u) | uint(r.strips + 64);\n"
+                "        answers[n++] = (r.colors << 8u) | r.ports;\n      }\n")
+
+    def declaration(self, one, binding):
+        return f"layout(std430, set = 0, binding = {binding}) readonly buffer Table{binding} {{ uint restrip_words_of_{one.identifier}[]; }};\n"
+
+    def program(self, operation, asked):
+        return (f"layout(std430, set = 0, binding = 1) buffer Answers {{ uint answers[]; }};\nINCLUDES\nvoid main() {{\n"
+                f"  answers[0] = uint(restrip_words_of_{operation.identifier}[0] == RESTRIP_CHECKSUM_OF_{operation.identifier.upper()});\n  uint n = 1u;\n"
+                f"{asked.replace('ANSWER', f'restrip_answer_of_{operation.identifier}')}}}\n")
+
+    def printed(self, scratch, jobs):
+        return "".join(self.run(shader, scratch, "words", *job) for shader, *job in jobs)
+
+    def compiled(self, folder, scratch, source, operations):
+        includes = "".join(f"#include \"restrip_{one.identifier}.glsl\"\n" for one in operations)
+        return self.shader(folder, scratch, "#version 450\n#extension GL_GOOGLE_include_directive : require\nlayout(local_size_x = 1) in;\n" +
+                           source.replace("INCLUDES", includes))
+
+
+class WgslTables(Shader, Wgsl):
+    block = None
+
+    def loops(self, size, rows, call):
+        return (f"  var rows = array<u32, {size}>({rows});\n  for (var i = 0u; i < {size}u; i += 7u) {{\n"
+                "    for (var inner = 0u; inner < rows[i + 4u]; inner++) {\n      for (var ports = 0u; ports < rows[i + 6u]; ports++) {\n"
+                f"        let r = {call};\n        answers[n] = (u32(r.valid) << 8u) | u32(r.strips + 64);\n"
+                "        answers[n + 1u] = (r.colors << 8u) | r.ports;\n        n += 2u;\n      }\n    }\n  }\n")
+
+    def declaration(self, one, binding):
+        return f"@group(0) @binding({binding}) var<storage, read> restrip_words_of_{one.identifier}: array<u32>;\n"
+
+    def program(self, operation, asked):
+        return ("@group(0) @binding(1) var<storage, read_write> answers: array<u32>;\n"
+                "@compute @workgroup_size(1)\nfn main() {\n"
+                f"  answers[0] = u32(restrip_words_of_{operation.identifier}[0] == RESTRIP_CHECKSUM_OF_{operation.identifier.upper()});\n  var n = 1u;\n{asked}}}\n")
+
+    def printed(self, scratch, jobs):
+        """In one browser, which takes long to start."""
+        (shader, *job), *more = jobs
+        return self.run(shader, scratch, "words", *job, *(word for job in more for word in job))
+
+    def compiled(self, folder, scratch, source, operations):
+        text = "".join((folder / f"restrip_{one.identifier}.wgsl").read_text(encoding="utf-8") for one in operations)
+        (scratch / "shader.wgsl").write_text(text + source, encoding="utf-8")
+        return scratch / "shader.wgsl"
+
+
+LANGUAGES = {"c": C, "json": Json, "rust": Rust, "glsl": GlslTables, "wgsl": WgslTables}
+
+
+def altered(folder, scratch, language):
+    """A folder in which the table of bisect has another rule: its first entry is 112, 7 inner edges and no port."""
+    other = scratch / "altered"
+    other.mkdir()
+    for file in folder.glob("restrip_*"):
+        data = file.read_bytes()
+        if file.name == "restrip_bisect" + language.extension:
+            entry = (112).to_bytes(2, "little") if language.extension == ".bin" else b" 112, 113"
+            assert entry in data
+            data = data.replace(entry, (96).to_bytes(2, "little") if language.extension == ".bin" else b" 96, 113", 1)
+        (other / file.name).write_bytes(data)
+    return other
+
+
+def main():
+    given = arguments(__doc__, "generate", "verify")
+    language = LANGUAGES[given.language](*given.programs)
+    folder = given.scratch / "tables"
+    three_numbers = given.scratch / "three-numbers.json"
+    three_numbers.write_text(json.dumps(THREE_NUMBERS), encoding="utf-8")
+    operations = [Operation(file, given.generate, folder) for file in (*FILES, three_numbers)]
+    answers = language.answers(folder, given.scratch, operations)
+    asked = 0
+    for operation in operations:
+        count = len(list(operation.questions())) + len(list(operation.questions_beside()))
+        taken, said = operation.judged(given.verify, answers[asked:asked + count], given.scratch)
+        if not taken:
+            raise SystemExit(f"{operation.name}: {said}")
+        asked += count
+    if asked != len(answers) or asked < 8000:
+        raise SystemExit(f"{len(answers)} answers, and {asked} of them were looked at")
+
+    bisect = [operation for operation in operations if operation.name in ("bisect", "split-face")]
+    answers = language.answers(altered(folder, given.scratch, language), given.scratch, bisect)
+    if bisect[0].judged(given.verify, answers[:len(answers) - sum(1 for _ in (*bisect[1].questions(), *bisect[1].questions_beside()))], given.scratch)[0]:
+        raise SystemExit("the verifier takes an altered table")
+
+    if language.block in ("c", "python"):
+        page = (ROOT / "docs/languages.md").read_text(encoding="utf-8").split("\n## Operations of your own\n")[1]
+        text, wanted = example_of(page, language.block)
+        printed = language.example(text, folder, given.scratch)
+        if printed != wanted:
+            raise SystemExit(f"the example of docs/languages.md prints\n{printed}instead of\n{wanted}")
+    print(f"{len(operations)} operations, {asked} answers proved, an altered one refused")
+
+
+main()

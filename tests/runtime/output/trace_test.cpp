@@ -1,0 +1,150 @@
+// A trace is what a reader needs to follow the mesh and its colours, operation after operation: read by a reader of its
+// own here, which keeps sets of triangles and edges and knows no mesh.
+#include "restrip/output/trace.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "random_operation.hpp"
+#include "restrip/mesh/watched.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+
+/// What a reader of traces knows: triangles, the smallest corner first; edges, the smaller vertex first.
+struct Known {
+  std::set<Numbers> triangles;
+  std::set<Numbers> solid;
+  friend bool operator==(const Known&, const Known&) = default;
+};
+
+Known known(const StripMesh& mesh) {
+  Known all;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t)) continue;
+    const auto corners = mesh.corners(t);
+    Numbers turned(corners.begin(), corners.end());
+    std::rotate(turned.begin(), std::min_element(turned.begin(), turned.end()), turned.end());
+    all.triangles.insert(turned);
+    for (unsigned side = 0; side < 3; ++side) {
+      const auto h = StripMesh::halfedge(t, side);
+      if (mesh.solid(h)) all.solid.insert({std::min(mesh.from(h), mesh.to(h)), std::max(mesh.from(h), mesh.to(h))});
+    }
+  }
+  return all;
+}
+
+void read_mesh(std::istream& trace, Known& reader) {
+  std::string line;
+  while (trace.peek() == 't' || trace.peek() == 's') {
+    std::getline(trace, line);
+    std::istringstream words(line);
+    char sign = 0;
+    words >> sign;
+    Numbers numbers;
+    for (std::uint32_t number = 0; words >> number;) numbers.push_back(number);
+    EXPECT_TRUE((sign == 't' ? reader.triangles : reader.solid).insert(numbers).second) << line;
+  }
+}
+
+/// Everything in the lists must change something.
+void read_operation(const std::string& line, Known& reader) {
+  std::istringstream words(line);
+  std::string word;
+  for (int skipped = 0; skipped < 5; ++skipped) words >> word;
+  std::string sign;
+  Numbers numbers;
+  while (words >> word) {
+    if (word == "-" || word == "+" || word == "d" || word == "s") {
+      sign = word;
+      continue;
+    }
+    numbers.push_back(static_cast<std::uint32_t>(std::stoul(word)));
+    const bool edge = sign == "d" || sign == "s";
+    if (numbers.size() < (edge ? 2U : 3U)) continue;
+    auto& all = edge ? reader.solid : reader.triangles;
+    if (sign == "-" || sign == "d") {
+      EXPECT_EQ(all.erase(numbers), 1U) << line;
+    } else {
+      EXPECT_TRUE(all.insert(numbers).second) << line;
+    }
+    numbers.clear();
+  }
+  EXPECT_TRUE(numbers.empty()) << line;
+}
+
+TEST(Trace, LetsAReaderFollowTheMesh) {
+  for (const Policy policy : {Policy::rules, Policy::local, Policy::quick}) {
+    for (StripMesh mesh : {sample::torus(6, 7), sample::rectangle(6, 6)}) {
+      std::vector<Triangle> changed;
+      mesh.watch(&changed);
+      Keeper keeper(mesh, policy);
+      Trace trace(mesh, Trace::Claim::valid);
+      std::istringstream head(trace.text());
+      std::string line;
+      std::getline(head, line);
+      EXPECT_EQ(line, "restrip-trace 1");
+      std::getline(head, line);
+      EXPECT_EQ(line, "claim valid");
+      Known reader;
+      read_mesh(head, reader);
+      ASSERT_EQ(reader, known(mesh));
+      std::mt19937 random(7);
+      std::size_t done = 0;
+      while (done < 150) {
+        if (!random_operation(keeper, random, done % 60 < 30)) continue;
+        ++done;
+        trace.text().clear();
+        trace.add(mesh, changed, {});
+        changed.clear();
+        ASSERT_EQ(trace.text().substr(0, 14), "other 0 0 0 0 ");
+        ASSERT_EQ(trace.text().find('\n'), trace.text().size() - 1);
+        read_operation(trace.text(), reader);
+        ASSERT_EQ(reader, known(mesh));
+      }
+      trace.text().clear();
+      trace.end();
+      EXPECT_EQ(trace.text(), "end 150\n");
+    }
+  }
+}
+
+// docs/trace.md shows this one.
+TEST(Trace, IsWhatTheDocumentShows) {
+  StripMesh mesh = StripMesh::build(std::vector<std::array<Vertex, 3>>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}, 5);
+  Watched watched(mesh);
+  watched.set_solid(mesh.spoke(1, 2), true);
+  Trace trace(watched, Trace::Claim::best);
+  watched.changed().clear();
+  watched.set_solid(mesh.spoke(2, 3), true);
+  trace.add(watched, watched.changed(), {Traced::Kind::other, 0, 0, -1, -1});
+  watched.changed().clear();
+  watched.set_solid(mesh.spoke(2, 3), false);
+  watched.turn_edge(mesh.spoke(2, 3));
+  watched.set_solid(mesh.spoke(1, 4), true);
+  trace.add(watched, watched.changed(), {Traced::Kind::flip, 2, 3, 0, 0});
+  trace.end();
+  EXPECT_EQ(trace.text(),
+            "restrip-trace 1\n"
+            "claim best\n"
+            "t 0 1 2\n"
+            "t 1 3 2\n"
+            "t 2 3 4\n"
+            "s 1 2\n"
+            "other 0 0 -1 -1 s 2 3\n"
+            "flip 2 3 0 0 - 1 3 2 2 3 4 + 1 3 4 1 4 2 d 2 3 s 1 4\n"
+            "end 2\n");
+}
+
+}  // namespace
+}  // namespace restrip

@@ -1,0 +1,69 @@
+// Claims: no colouring has fewer strips than are needed; the counts of components follow splits and changes of colours
+// as if they were read anew.
+#include "lod/component_strips.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "lod/simplify.hpp"
+#include "meshes/made_mesh.hpp"
+#include "restrip/mesh/walks.hpp"
+#include "restrip/operations/baked.hpp"
+#include "restrip/search/stripify.hpp"
+#include "shapes.hpp"
+
+namespace restrip::tools {
+namespace {
+
+TEST(ComponentStrips, SomeStripsAreNeededWhateverTheColors) {
+  // A triangle and its three neighbours: three ends, so two strips.
+  const std::vector<Corners> star{{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}};
+  EXPECT_EQ(strips_at_least(StripMesh::build(star, 6)), 2U);
+  EXPECT_EQ(strips_at_least(StripMesh::build(tetrahedron().triangles, 4)), 1U);
+  EXPECT_EQ(strips_at_least(StripMesh::build(std::vector<Corners>{{0, 1, 2}, {3, 4, 5}}, 6)), 2U);
+  // A sheet has two corners with one neighbour each: the ends of one strip.
+  const Soup square = sheet(5);
+  EXPECT_EQ(strips_at_least(StripMesh::build(square.triangles, square.points.size())), 1U);
+}
+
+TEST(ComponentStrips, FollowSplits) {
+  Soup two = sheet(12);
+  const Soup closed = make_mesh(600);
+  const auto first = static_cast<Vertex>(two.points.size());
+  two.points.insert(two.points.end(), closed.points.begin(), closed.points.end());
+  for (const Corners& t : closed.triangles) two.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  const ProgressiveMesh source = simplify(two, {0.1, BoundaryPolicy::move}).mesh;
+  StripMesh mesh = StripMesh::build(source.base, source.points.size());
+  ComponentStrips counts(mesh);
+  ASSERT_EQ(counts.components(), 2U);
+  std::vector<Triangle> patch;
+  std::size_t boundary_splits = 0;
+  std::size_t spared = 0;
+  for (const Record& record : source.splits) {
+    const auto where = spokes_of(mesh, record);
+    using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
+    boundary_splits += where.spokes == Spokes::both ? 0U : 1U;
+    fan_triangles(mesh, where.spokes == Spokes::right_only ? where.right : where.left, patch);
+    counts.before_split(mesh, patch);
+    const auto done = split_baked(mesh, where, {}, record.v_t);
+    edge_triangles(mesh, done.halfedge, patch);
+    counts.after_split(mesh, patch);
+    counts.add(patch.front(), done.strips);
+    const ComponentStrips anew(mesh);
+    ASSERT_EQ(counts.needed(), anew.needed());
+    for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+      ASSERT_EQ(counts.can_spare(t), anew.can_spare(t)) << t;
+      spared += counts.can_spare(t) ? 1U : 0U;
+    }
+  }
+  EXPECT_GT(boundary_splits, 0U);
+  EXPECT_GT(spared, 0U);
+  stripify(mesh, Effort::full);
+  counts.recount(mesh);
+  const ComponentStrips anew(mesh);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) EXPECT_EQ(counts.can_spare(t), anew.can_spare(t)) << t;
+}
+
+}  // namespace
+}  // namespace restrip::tools

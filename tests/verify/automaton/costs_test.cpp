@@ -1,0 +1,36 @@
+// Claim: in the automaton of fewest strips, fewer strips come first in fans of any valence.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+
+#include "automaton/automaton_certificate.hpp"
+#include "model/input.hpp"
+
+namespace restrip::verify {
+namespace {
+
+// Costs are strips and isolated triangles in one number. They can be told apart, in the certificate and in sums of a
+// few of its numbers: no cost is further from whole strips than a few isolated triangles.
+TEST(AutomatonCosts, IsolatedTrianglesNeverOutweighAStrip) {
+  const std::string file = std::string(RESTRIP_TABLES_DIR) + "/certificates/automaton.cert";
+  const AutomatonCertificate certificate = parse_automaton(file, read_file(file));
+  ASSERT_EQ(certificate.weights, strips_weights);
+  std::size_t compared = 0;
+  const auto expect_few = [&](int cost) {
+    ++compared;
+    const int rest = std::abs(cost) % strips_weights.restart;
+    EXPECT_LE(std::min(rest, strips_weights.restart - rest), 3) << cost;
+  };
+  for (const AutomatonClass& c : certificate.classes) {
+    for (const auto& cost : c.costs)
+      if (cost) expect_few(*cost);
+    for (const auto& step : c.steps)
+      if (step) expect_few(step->cost);
+  }
+  EXPECT_GT(compared, 1000U);
+}
+
+}  // namespace
+}  // namespace restrip::verify

@@ -1,0 +1,24 @@
+// What TypeScript makes of the package's types; package_test.mjs compiles this.
+import { load, none, restartIndex, small, type Figures, type StripMesh } from 'restrip-wasm';
+import { readMesh } from 'restrip-wasm/formats';
+
+const restrip = await load(small);
+const read = readMesh('mesh.obj', new Uint8Array(3));
+if (read.triangles) {
+  using mesh: StripMesh = restrip.simplified(read, 0.5).begin({ policy: 'quick', cost: { restart: 1, swap: 0 } });
+  const done: number = mesh.moveTo(mesh.levels, 5);
+  const figures: Figures = mesh.figures;
+  const refusal: string | null = mesh.split(0, 1, 2, none);
+  for (const { first, count } of mesh.update()) mesh.indices.subarray(first, first + count).includes(restartIndex);
+  // @ts-expect-error
+  mesh.moveTo('1');
+  // @ts-expect-error
+  mesh.begin({ policy: 'quickly' });
+  // @ts-expect-error
+  mesh.indices = new Uint32Array(1);
+  void [done, figures.strips, refusal];
+} else if (read.base) {
+  restrip.progressive(read).close();
+} else {
+  restrip.baked(read.baked).close();
+}

@@ -1,0 +1,204 @@
+#include "automaton/automaton_dump.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <map>
+#include <vector>
+
+#include "automaton/answers.hpp"
+#include "certificate/stream_lines.hpp"
+#include "model/coloring.hpp"
+
+namespace restrip::verify {
+namespace {
+
+using NumbersOf = std::vector<std::uint64_t>;
+
+/// A case of a class in the four bits that restrip/tables/automaton_format.hpp gives it.
+std::uint64_t coded(const AutomatonClass& c, std::size_t number, bool tells_turns) {
+  const Case wanted = case_at(number);
+  if (!tells_turns) {
+    constexpr std::string_view reach = "-ept";
+    return 4 * reach.find(wanted.left) + reach.find(wanted.right);
+  }
+  std::uint64_t place = wanted.right == '-' ? 0 : 8;
+  for (std::size_t i = 0; i < number; ++i)
+    if (c.costs[i] && (case_at(i).right == '-') == (wanted.right == '-')) ++place;
+  return place;
+}
+
+/// The key with the number n of the 3^k keys of a fan, as the look-up takes it: `joined` counts at solid ports, in an
+/// open fan not at the first, and with exactly two in a closed fan either bit stands for both.
+FanKey key_numbered(const FanPlace& place, std::uint64_t n) {
+  FanKey key;
+  for (unsigned i = place.k; i-- > 0; n /= 3) {
+    if (n % 3 != 0) key.ports |= single(i);
+    if (n % 3 == 2) key.joined |= single(i);
+  }
+  if (place.closed() && solid_count(key.ports) == 2 && key.joined != 0) key.joined = key.ports;
+  if (!place.closed()) key.joined &= ~lowest(key.ports);
+  return key;
+}
+
+class AutomatonDumpReader {
+ public:
+  AutomatonDumpReader(std::FILE* stream, const AutomatonCertificate& certificate, unsigned max_k,
+                      AutomatonDumpCheck& check)
+      : lines_(stream), certificate_(certificate), max_k_(max_k), check_(check) {}
+
+  void run() {
+    expect("restrip-automaton-dump 2");
+    const std::size_t letters = letters_of(certificate_.weights).size();
+    const std::size_t classes = certificate_.classes.size();
+    const NumbersOf next = array("next", letters * classes);
+    const NumbersOf before = array("before", letters * classes);
+    const NumbersOf closed = array("closed", classes);
+    first_ = array("first", classes);
+    second_ = array("second", classes);
+    meet_ = array("meet", {});
+    meetings_ = array("meetings", {});
+    seconds_ = array("seconds", 1).front();
+    for (std::size_t c = 0; c < classes; ++c) compare_class(c, next, before, closed);
+    read_answers();
+    expect(fmt::format("end {}", entries_));
+    if (lines_.next() || lines_.left_over()) fail("text after the end");
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw BadDump(fmt::format("line {}: {}", lines_.number(), what));
+  }
+  std::string_view next_line(const std::string& expected) {
+    const std::optional<std::string_view> line = lines_.next();
+    if (!line) fail(fmt::format("expected \"{}\" next, found the end", expected));
+    return *line;
+  }
+  void expect(const std::string& whole) {
+    if (const std::string_view line = next_line(whole); line != whole)
+      fail(fmt::format("expected \"{}\", found \"{}\"", whole, line));
+  }
+  std::uint64_t number_in(std::string_view digits, int base) const {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number, base);
+    if (error != std::errc{} || end != digits.data() + digits.size())
+      fail(fmt::format("expected a number, found \"{}\"", digits));
+    return number;
+  }
+
+  NumbersOf array(const std::string& name, std::optional<std::size_t> size) {
+    const std::string head = fmt::format("array {} ", name);
+    const std::string_view line = next_line(head);
+    if (!line.starts_with(head)) fail(fmt::format("expected \"{}\" and a size, found \"{}\"", head, line));
+    const std::uint64_t found = number_in(line.substr(head.size()), 10);
+    if (size && found != *size) fail(fmt::format("expected {} numbers of {}, found {}", *size, name, found));
+    NumbersOf numbers;
+    for (std::uint64_t i = 0; i < found; ++i, ++entries_) numbers.push_back(number_in(next_line("a number"), 16));
+    return numbers;
+  }
+
+  template <class Where>
+  void compare(std::uint64_t found, std::uint64_t stated, unsigned line, const Where& where) {
+    ++check_.numbers;
+    if (found != stated)
+      check_.wrong_numbers.add(fmt::format("{}: the table holds {}, line {} of {} makes it {}\n", where(), found, line,
+                                           certificate_.file, stated));
+  }
+
+  void compare_class(std::size_t c, const NumbersOf& next, const NumbersOf& before, const NumbersOf& closed) {
+    const bool turns = certificate_.weights.tells_turns();
+    const AutomatonClass& stated = certificate_.classes[c];
+    for (std::size_t letter = 0; letter < stated.steps.size(); ++letter) {
+      const std::size_t place = stated.steps.size() * c + letter;
+      const auto where = [&](const char* array) { return [=] { return fmt::format("{}[{}]", array, place); }; };
+      const auto& step = stated.steps[letter];
+      if (!step) continue;
+      compare(next[place], step->to, step->line, where("next"));
+      const AutomatonClass& to = certificate_.classes[step->to];
+      for (std::size_t i = 0; i < case_count; ++i)
+        if (to.costs[i])
+          compare(four_bits(before[place], coded(to, i, turns)), coded(stated, step->from[i], turns), step->line,
+                  where("before"));
+    }
+    if (const auto& closing = certificate_.closings[c])
+      compare(closed[c], coded(stated, closing->arc, turns), closing->line,
+              [&] { return fmt::format("closed[{}]", c); });
+    if (!stated.as_first) return;
+    for (std::size_t other = 0; other < certificate_.classes.size(); ++other) {
+      const AutomatonClass& second = certificate_.classes[other];
+      if (!second.as_second) continue;
+      const AutomatonMeeting& met = certificate_.meeting(c, other);
+      const std::uint64_t place = seconds_ * first_[c] + second_[other];
+      const std::uint64_t found = place < meet_.size() && meet_[place] < meetings_.size() ? meetings_[meet_[place]] : 0;
+      compare(found, coded(stated, met.first, turns) + 16 * coded(second, met.second, turns) + (met.chord ? 256U : 0U),
+              met.line, [&] { return fmt::format("the meeting of classes {} and {}", c, other); });
+    }
+  }
+
+  /// The places of the dump, family by family.
+  std::vector<FanPlace> places() const {
+    std::map<std::string, std::vector<FanPlace>> by_family;
+    for (unsigned k = 1; k <= max_k_; ++k)
+      for (const FanPlace& place : all_places(k)) by_family[place.family].push_back(place);
+    std::vector<FanPlace> all;
+    for (const char* family : {"split", "collapse", "open-split", "boundary-split", "fan-collapse"})
+      all.insert(all.end(), by_family[family].begin(), by_family[family].end());
+    return all;
+  }
+
+  void read_answers() {
+    const AutomatonReader certified(certificate_);
+    for (const FanPlace& place : places()) {
+      std::uint64_t keys = 1;
+      for (unsigned i = 0; i < place.k; ++i) keys *= 3;
+      std::string head = fmt::format("answers {} {}", place.family, place.k);
+      if (place.family.ends_with("split")) head += fmt::format(" {}", place.a);
+      if (place.family == "open-split") head += fmt::format(" {}", place.b);
+      head += fmt::format(" keys {} digest ", keys);
+      const std::string_view line = next_line(head);
+      if (!line.starts_with(head)) fail(fmt::format("expected \"{}\" and a digest, found \"{}\"", head, line));
+      ++entries_;
+      const Side patch = patch_after(place);
+      std::uint64_t digest = 0;
+      std::uint64_t told = 0;
+      for (std::uint64_t n = 0; n < keys; ++n) {
+        const FanKey key = key_numbered(place, n);
+        const Mask inner = certified.answer(place, key).inner;
+        digest = digest * 1000003 + inner;
+        told = told * 1000003 + std::uint64_t{64} * solid_count(inner) + isolated_of(patch, {inner, key.ports});
+      }
+      check_.keys += keys;
+      if (const std::string right = fmt::format("{}{:x} told {:x}", head, digest, told); line != right)
+        check_.wrong_answers.add(fmt::format("line {}: the certificate's answers make it\n  {}\nfound\n  {}\n",
+                                             lines_.number(), right, line));
+    }
+  }
+
+  StreamLines lines_;
+  const AutomatonCertificate& certificate_;
+  unsigned max_k_;
+  AutomatonDumpCheck& check_;
+  std::uint64_t entries_ = 0;
+  NumbersOf first_, second_, meet_, meetings_;
+  std::uint64_t seconds_ = 0;
+};
+
+}  // namespace
+
+AutomatonDumpCheck check_automaton_dump(std::FILE* stream, const AutomatonCertificate& certificate, unsigned max_k) {
+  AutomatonDumpCheck check;
+  try {
+    AutomatonDumpReader(stream, certificate, max_k, check).run();
+  } catch (const BadDump& bad) {
+    check.fault = bad.what();
+  }
+  return check;
+}
+
+AutomatonDumpCheck check_automaton_dump_of(const std::string& program, const AutomatonCertificate& certificate,
+                                           unsigned max_k) {
+  return checked_output_of(program,
+                           [&](std::FILE* stream) { return check_automaton_dump(stream, certificate, max_k); });
+}
+
+}  // namespace restrip::verify

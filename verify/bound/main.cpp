@@ -1,0 +1,62 @@
+// restrip-verify-bound: proves that no index buffer of a mesh has fewer indices than a certificate says, from
+// docs/bound.md alone.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <stdexcept>
+#include <string>
+
+#include "bound/bound_check.hpp"
+#include "bound/triangle_list.hpp"
+#include "model/exit_code.hpp"
+#include "model/quantity.hpp"
+
+namespace {
+
+using namespace restrip::verify;
+
+int run(const std::string& mesh, const std::string& certificate) {
+  const TriangleList list = read_obj(mesh);
+  if (list.left_out != 0)
+    fmt::print("{}: left out {} with a corner twice\n", mesh, quantity(list.left_out, "triangle"));
+  const ProvenBound bound = check_bound(certificate, list);
+  fmt::print("verified: no index buffer of {} has fewer than {} indices, {:.4f} per triangle; read: {} and {} of {}\n",
+             quantity_grouped(list.triangles.size(), "triangle"), grouped(bound.indices),
+             static_cast<double>(bound.indices) / static_cast<double>(list.triangles.size()), mesh,
+             quantity_grouped(bound.cuts, "cut"), certificate);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw std::runtime_error("standard output: what was found could not be written");
+  return all_claims_hold;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::string mesh;
+  std::string certificate;
+  CLI::App app("Proves that no index buffer of a mesh has fewer indices than a certificate says.");
+  app.name("restrip-verify-bound");
+  app.footer(
+      "Exit code: 0 the bound holds, 1 it is not proven, 2 bad input.\n\n"
+      "Example:\n"
+      "  restrip stripify bunny.obj --bound-certificate bunny.bound\n"
+      "  restrip-verify-bound bunny.obj bunny.bound");
+  app.add_option("mesh", mesh, "An OBJ file of triangles")->required();
+  app.add_option("certificate", certificate, "What `restrip stripify --bound-certificate` wrote")->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? all_claims_hold : bad_input;
+  }
+  try {
+    return run(mesh, certificate);
+  } catch (const FalseBound& error) {
+    fmt::print("NOT verified: {}\n", error.what());
+    return some_claim_fails;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "restrip-verify-bound: {}\n", error.what());
+    return bad_input;
+  }
+}

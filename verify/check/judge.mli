@@ -1,0 +1,328 @@
+
+type __ = Obj.t
+
+val implb : bool -> bool -> bool
+
+val negb : bool -> bool
+
+type nat =
+| O
+| S of nat
+
+val fst : ('a1 * 'a2) -> 'a1
+
+val snd : ('a1 * 'a2) -> 'a2
+
+val length : 'a1 list -> nat
+
+val app : 'a1 list -> 'a1 list -> 'a1 list
+
+val id : __ -> __
+
+val add : nat -> nat -> nat
+
+val sub : nat -> nat -> nat
+
+val eqb : bool -> bool -> bool
+
+module Nat :
+ sig
+  val eqb : nat -> nat -> bool
+
+  val leb : nat -> nat -> bool
+
+  val ltb : nat -> nat -> bool
+ end
+
+val nth : nat -> 'a1 list -> 'a1 -> 'a1
+
+val nth_error : 'a1 list -> nat -> 'a1 option
+
+val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
+
+val flat_map : ('a1 -> 'a2 list) -> 'a1 list -> 'a2 list
+
+val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1
+
+val fold_right : ('a2 -> 'a1 -> 'a1) -> 'a1 -> 'a2 list -> 'a1
+
+val existsb : ('a1 -> bool) -> 'a1 list -> bool
+
+val forallb : ('a1 -> bool) -> 'a1 list -> bool
+
+val filter : ('a1 -> bool) -> 'a1 list -> 'a1 list
+
+val find : ('a1 -> bool) -> 'a1 list -> 'a1 option
+
+val combine : 'a1 list -> 'a2 list -> ('a1 * 'a2) list
+
+val firstn : nat -> 'a1 list -> 'a1 list
+
+val skipn : nat -> 'a1 list -> 'a1 list
+
+val seq : nat -> nat -> nat list
+
+val list_sum : nat list -> nat
+
+type edge = nat * nat
+
+type graph = edge list
+
+val meets : edge -> nat -> nat
+
+val degree : graph -> nat -> nat
+
+val path_edges : nat list -> edge list
+
+type side = { triangles : nat; inner : edge list; owner : nat list }
+
+type patch = { before : side; after : side }
+
+val ports : patch -> nat
+
+type coloring = bool list
+
+val solid : edge list -> coloring -> graph
+
+val port_edges : side -> edge list
+
+val inner_edges : side -> edge list
+
+val drawing : side -> coloring -> coloring -> graph
+
+val solids : coloring -> nat
+
+val isolated : side -> coloring -> coloring -> nat
+
+val ring_edges : nat list -> edge list
+
+val closed_fan : nat -> side
+
+val open_fan : nat -> side
+
+val ring_with_chord : nat -> nat -> side
+
+val path_with_chord : nat -> nat -> nat -> side
+
+val path_with_one : nat -> nat -> side
+
+val split : nat -> nat -> patch
+
+val collapse : nat -> nat -> patch
+
+val open_split : nat -> nat -> nat -> patch
+
+val open_collapse : nat -> nat -> nat -> patch
+
+val boundary_split : nat -> nat -> patch
+
+val boundary_collapse : nat -> nat -> patch
+
+val flip : patch
+
+val lone_or_given_up : coloring -> coloring -> coloring -> nat
+
+type state = (nat * nat) list
+
+val label_in : state -> nat -> nat
+
+val blank : nat -> state
+
+val bump : nat -> state -> state
+
+val relabel : nat -> nat -> state -> state
+
+val step : edge -> state -> state option
+
+val draw : edge list -> coloring -> state -> state option
+
+val alone : nat -> state -> nat
+
+type score = nat * nat
+
+val good : score -> score -> bool
+
+val size : side -> nat
+
+val drawn : side -> coloring -> coloring -> state option
+
+type place = { deg : nat; port : nat option }
+
+type frontier = { anchor : place; tip : place; same : bool }
+
+type step0 =
+| Put of nat option
+| Next of nat option
+| Mark of nat option
+| Chord
+
+val fresh : nat option -> place
+
+val agree : nat option -> nat option -> bool
+
+val either : nat option -> nat option -> nat option
+
+val open_end : place -> bool
+
+val tidy_place : place -> place
+
+val tidy : frontier -> frontier
+
+val more : place -> nat option -> place
+
+val take : step0 -> bool -> frontier -> frontier option
+
+val lone : nat -> nat
+
+val left_alone : step0 -> bool -> frontier -> nat
+
+val at_end : frontier -> nat
+
+val blank_frontier : frontier
+
+val play :
+  step0 list -> coloring -> frontier -> nat -> nat ->
+  (frontier * (nat * nat)) option
+
+val same_label : nat option -> nat option -> bool
+
+val same_place : place -> place -> bool
+
+val same_frontier : frontier -> frontier -> bool
+
+type 'h entry = (frontier * score) * 'h
+
+val insert : frontier -> score -> 'a1 -> 'a1 entry list -> 'a1 entry list
+
+val add_choice :
+  (bool -> 'a1 -> 'a1) -> step0 -> bool -> 'a1 entry list -> 'a1 entry -> 'a1
+  entry list
+
+val add_both :
+  (bool -> 'a1 -> 'a1) -> step0 -> 'a1 entry list -> 'a1 entry -> 'a1 entry
+  list
+
+val extend : (bool -> 'a1 -> 'a1) -> step0 -> 'a1 entry list -> 'a1 entry list
+
+val extends :
+  (bool -> 'a1 -> 'a1) -> step0 list -> 'a1 entry list -> 'a1 entry list
+
+type coloring_entry = coloring entry
+
+val remember : bool -> coloring -> coloring
+
+val blank_entries : coloring_entry list
+
+val finished : 'a1 entry -> score
+
+val best_entry : 'a1 entry list -> 'a1 entry option
+
+type kind =
+| Put0
+| Next0
+| Mark0
+| Chord0
+
+type shape = (kind * nat) list
+
+val arranged : nat -> nat -> 'a1 list -> 'a1 list
+
+val port_of : nat -> coloring -> (nat -> nat) -> nat -> nat option
+
+val step_of : nat -> coloring -> (nat -> nat) -> (kind * nat) -> step0
+
+val choices : nat -> nat -> coloring -> coloring
+
+val route : nat list -> nat list -> nat list -> bool -> bool -> shape
+
+val closed_route : nat -> shape
+
+val ring_route : nat -> nat -> shape
+
+val open_route : nat -> shape
+
+val chord_route : nat -> nat -> nat -> shape
+
+val one_route : nat -> nat -> shape
+
+type position =
+| Split_at of nat * nat
+| Collapse_at of nat * nat
+| Open_split_at of nat * nat * nat
+| Open_collapse_at of nat * nat * nat
+| Boundary_split_at of nat * nat
+| Boundary_collapse_at of nat * nat
+
+val possible : position -> bool
+
+val patch_at : position -> patch
+
+type course = { way : shape; met_first : nat; met_last : nat; left_over : nat }
+
+val course_at : position -> course
+
+type verdict = { solid_before : nat; alone_before : nat; solid_best : 
+                 nat; alone_best : nat; chosen : bool }
+
+val weigh : position -> coloring -> coloring -> coloring -> verdict option
+
+type way_on = coloring * coloring
+
+val all_colorings : nat -> coloring list
+
+val keeps : coloring -> coloring -> bool
+
+val flip_allowed : state -> coloring -> way_on -> bool
+
+val flip_alone : coloring -> way_on -> nat
+
+val flip_edges : way_on -> nat
+
+val flip_good : coloring -> way_on -> way_on -> bool
+
+val ways_on : state -> coloring -> way_on list
+
+val first_of : coloring -> way_on list -> way_on option
+
+val weigh_flip : coloring -> coloring -> way_on -> verdict option
+
+type 'v corners = ('v * 'v) * 'v
+
+type 'v mesh_edge = 'v * 'v
+
+val rim : 'a1 corners -> 'a1 mesh_edge list
+
+val turned : 'a1 mesh_edge -> 'a1 mesh_edge
+
+val same_edge : ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge -> bool
+
+val among :
+  ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge list -> bool
+
+val either_way :
+  ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge list -> bool
+
+val distinct : ('a1 -> 'a1 -> bool) -> 'a1 corners list -> bool
+
+val between :
+  ('a1 -> 'a1 -> bool) -> 'a1 corners -> 'a1 corners -> 'a1 mesh_edge option
+
+val crossed :
+  ('a1 -> 'a1 -> bool) -> 'a1 corners list -> edge list -> 'a1 mesh_edge list
+  option
+
+val lies :
+  ('a1 -> 'a1 -> bool) -> side -> 'a1 corners list -> 'a1 mesh_edge list ->
+  'a1 mesh_edge list -> ('a1 mesh_edge -> bool) -> bool
+
+val judge :
+  ('a1 -> 'a1 -> bool) -> position -> 'a1 corners list -> 'a1 corners list ->
+  'a1 mesh_edge list -> ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) ->
+  ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) -> 'a1 mesh_edge list ->
+  verdict option
+
+val judge_flip :
+  ('a1 -> 'a1 -> bool) -> 'a1 corners list -> 'a1 corners list -> 'a1
+  mesh_edge list -> ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) ->
+  ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) -> 'a1 mesh_edge list ->
+  verdict option

@@ -1,0 +1,163 @@
+(* The checker's own mesh: triangles by vertex numbers, and which mesh edges are crossed by a solid dual edge. It knows
+   nothing but what a trace says, and refuses what cannot be.
+
+   The dual edge across the mesh edge u-v is called u-v here, too. *)
+
+exception Refused of string
+
+let refuse format = Printf.ksprintf (fun text -> raise (Refused text)) format
+
+type triangle = int * int * int (* counter-clockwise *)
+
+(* Two vertices in one word, from the first to the second. *)
+let bits = 31
+let largest_vertex = (1 lsl bits) - 1
+let directed u v = (u lsl bits) lor v
+let undirected u v = if u < v then directed u v else directed v u
+
+module Edges = Hashtbl.Make (struct
+  type t = int
+
+  let equal (a : int) (b : int) = a = b
+
+  let hash key =
+    let mixed = key * 0x1E3779B97F4A7C15 in
+    mixed lxor (mixed lsr 29) land max_int
+end)
+
+type t = {
+  third : int Edges.t; (* of the triangle to the left of a directed mesh edge *)
+  solid : unit Edges.t; (* undirected *)
+  mutable triangles : int;
+  mutable isolated : int;
+}
+
+let empty () = { third = Edges.create 1024; solid = Edges.create 1024; triangles = 0; isolated = 0 }
+
+(* Where colourings are valid: a strip has one triangle more than it has solid edges. *)
+let strips mesh = mesh.triangles - Edges.length mesh.solid
+let has_left mesh u v = Edges.mem mesh.third (directed u v)
+let is_solid mesh u v = Edges.mem mesh.solid (undirected u v)
+let left_of mesh u v : triangle option = Option.map (fun w -> (u, v, w)) (Edges.find_opt mesh.third (directed u v))
+
+let degree mesh ((a, b, c) : triangle) =
+  Bool.to_int (is_solid mesh a b) + Bool.to_int (is_solid mesh b c) + Bool.to_int (is_solid mesh c a)
+
+let has_triangle mesh ((a, b, c) : triangle) =
+  let is u v w = match Edges.find_opt mesh.third (directed u v) with Some x -> x = w | None -> false in
+  is a b c && is b c a && is c a b
+
+(* The same triangle, its smallest corner first. *)
+let canonical ((a, b, c) : triangle) : triangle =
+  if a < b && a < c then (a, b, c) else if b < c && b < a then (b, c, a) else (c, a, b)
+
+let same_triangle ((a, b, c) : triangle) ((x, y, z) : triangle) = a = x && b = y && c = z
+
+let compare_triangles ((a, b, c) : triangle) ((x, y, z) : triangle) =
+  if a <> x then Int.compare a x else if b <> y then Int.compare b y else Int.compare c z
+
+(* ---- one change at a time *)
+
+let add_triangle mesh ((a, b, c) : triangle) =
+  if a = b || b = c || c = a then refuse "triangle %d %d %d has a corner twice" a b c;
+  List.iter
+    (fun (u, v) ->
+      if has_left mesh u v then refuse "triangle %d %d %d lies beside edge %d %d, where there is one already" a b c u v)
+    [ (a, b); (b, c); (c, a) ];
+  Edges.replace mesh.third (directed a b) c;
+  Edges.replace mesh.third (directed b c) a;
+  Edges.replace mesh.third (directed c a) b;
+  mesh.triangles <- mesh.triangles + 1
+
+let remove_triangle mesh ((a, b, c) as t : triangle) =
+  if not (has_triangle mesh t) then refuse "triangle %d %d %d goes, but the mesh has no such triangle" a b c;
+  Edges.remove mesh.third (directed a b);
+  Edges.remove mesh.third (directed b c);
+  Edges.remove mesh.third (directed c a);
+  mesh.triangles <- mesh.triangles - 1
+
+let expect_both_sides mesh u v =
+  if not (has_left mesh u v && has_left mesh v u) then
+    refuse "edge %d %d is solid, but it has no triangle on one side" u v
+
+let make_solid mesh (u, v) =
+  if is_solid mesh u v then refuse "edge %d %d becomes solid, but it is solid already" u v;
+  expect_both_sides mesh u v;
+  Edges.replace mesh.solid (undirected u v) ()
+
+let make_dashed mesh (u, v) =
+  if not (is_solid mesh u v) then refuse "edge %d %d becomes dashed, but it is not solid" u v;
+  Edges.remove mesh.solid (undirected u v)
+
+(* ---- valid: no degree above two, no cycle *)
+
+let expect_degree mesh ((a, b, c) as t : triangle) =
+  let degree = degree mesh t in
+  if degree > 2 then refuse "triangle %d %d %d has three solid edges" a b c;
+  degree
+
+(* A strip that was followed over u-v into the triangle u v w: the next triangle, entered likewise. *)
+let onward mesh ((u, v, w) : triangle) =
+  let across x y = Some (y, x, Edges.find mesh.third (directed y x)) in
+  match (is_solid mesh v w, is_solid mesh w u) with
+  | true, false -> across v w
+  | false, true -> across w u
+  | false, false -> None
+  | true, true -> refuse "triangle %d %d %d has three solid edges" u v w
+
+(* The strips through the triangles must have ends. Degrees are at most two, so that a strip that comes to an end is a
+   path. Both ways are followed by turns, which takes twice as many steps as the nearer end is away; triangles that are
+   met on the way need not be looked at again. *)
+let rec expect_paths mesh = function
+  | [] -> ()
+  | ((a, b, c) as t) :: others -> (
+      let turned = [ (a, b, c); (b, c, a); (c, a, b) ] in
+      match List.filter (fun (u, v, _) -> is_solid mesh u v) turned with
+      | [ one; two ] ->
+          let rec follow one other others =
+            match onward mesh one with
+            | None -> others
+            | Some next ->
+                let met = canonical next in
+                if same_triangle met t then refuse "the solid edges through triangle %d %d %d form a cycle" a b c;
+                let pending = List.exists (same_triangle met) others in
+                follow other next (if pending then List.filter (fun t -> not (same_triangle met t)) others else others)
+          in
+          (* As entered from beyond [two] and from beyond [one]. *)
+          expect_paths mesh (follow two one others)
+      | _ -> expect_paths mesh others)
+
+(* ---- the whole mesh *)
+
+let iter_triangles mesh f =
+  Edges.iter
+    (fun key w ->
+      let u = key lsr bits and v = key land largest_vertex in
+      if u < v && u < w then f (u, v, w))
+    mesh.third
+
+(* Counts everything anew, by walking along all strips from their ends. *)
+let expect_whole mesh =
+  Edges.iter (fun key () -> expect_both_sides mesh (key lsr bits) (key land largest_vertex)) mesh.solid;
+  let triangles = ref 0 and isolated = ref 0 and ends = ref 0 and passed = ref 0 in
+  let walk (a, b, c) =
+    incr ends;
+    let rec follow = function
+      | None -> ()
+      | Some entered ->
+          incr passed;
+          follow (onward mesh entered)
+    in
+    incr passed;
+    (* As if it had been entered over a dashed edge. *)
+    follow (onward mesh (if is_solid mesh a b then (b, c, a) else (a, b, c)))
+  in
+  iter_triangles mesh (fun t ->
+      incr triangles;
+      match expect_degree mesh t with 0 -> incr isolated | 1 -> walk t | _ -> ());
+  (* Every path has been walked from both of its ends. *)
+  if (2 * !isolated) + !passed <> 2 * !triangles then refuse "some solid edges form a cycle";
+  if !triangles <> mesh.triangles then refuse "there are %d triangles, but %d were counted" !triangles mesh.triangles;
+  if 2 * strips mesh <> (2 * !isolated) + !ends then
+    refuse "there are %d strips, but %d were counted" (!isolated + (!ends / 2)) (strips mesh);
+  !isolated

@@ -1,0 +1,178 @@
+(* Goes through a trace: applies each operation to the checker's own mesh, compares what was told with what happened, and
+   asks Judge about its patch. *)
+
+open Mesh
+open Trace
+
+type account = {
+  mutable splits : int;
+  mutable collapses : int;
+  mutable flips : int;
+  mutable others : int;
+  judged : (string, int * int) Hashtbl.t; (* by family: how many, and the largest valence *)
+}
+
+let judged_of account family = Option.value (Hashtbl.find_opt account.judged family) ~default:(0, 0)
+
+let operations account = account.splits + account.collapses + account.flips + account.others
+
+(* Triangles whose colours or corners an operation changes: before it with [turned] = those that go, after it with those
+   that come; besides these, the triangles beside edges that change their colour. *)
+let touched mesh turned operation =
+  let beside found (u, v) =
+    let add found t = match t with Some t -> canonical t :: found | None -> found in
+    add (add found (left_of mesh u v)) (left_of mesh v u)
+  in
+  let found = List.rev_map canonical turned in
+  let found = List.fold_left beside found operation.dashed in
+  List.sort_uniq compare_triangles (List.fold_left beside found operation.solid)
+
+(* How many are isolated; none may have three solid edges. *)
+let isolated_among mesh triangles = List.fold_left (fun n t -> if expect_degree mesh t = 0 then n + 1 else n) 0 triangles
+
+let expect_told what told found = if told <> found then refuse "told of %s: %+d, found: %+d" what told found
+
+let sides ((a, b, c) : triangle) = [ (a, b); (b, c); (c, a) ]
+
+let apply mesh operation =
+  List.iter
+    (fun ((a, b, c) as t) -> if not (has_triangle mesh t) then refuse "triangle %d %d %d goes, but is not there" a b c)
+    operation.gone;
+  let strips_before = strips mesh in
+  let isolated_before = isolated_among mesh (touched mesh operation.gone operation) in
+  List.iter (make_dashed mesh) operation.dashed;
+  List.iter (remove_triangle mesh) operation.gone;
+  List.iter (add_triangle mesh) operation.come;
+  List.iter (make_solid mesh) operation.solid;
+  List.iter
+    (fun t -> List.iter (fun (u, v) -> if is_solid mesh u v then expect_both_sides mesh u v) (sides t))
+    operation.gone;
+  let after = touched mesh operation.come operation in
+  let isolated_change = isolated_among mesh after - isolated_before in
+  expect_paths mesh after;
+  mesh.isolated <- mesh.isolated + isolated_change;
+  expect_told "strips" operation.strips (strips mesh - strips_before);
+  expect_told "isolated triangles" operation.isolated isolated_change
+
+(* ---- optimality *)
+
+let expect_there found ((a, b, c) as t) =
+  if not (found t) then refuse "triangle %d %d %d of the patch is not in the mesh" a b c
+
+let same_way ((u, v) : int * int) (x, y) = u = x && v = y
+let same_edge e ((x, y) as f) = same_way e f || same_way e (y, x)
+
+(* After an operation: what Judge says of the patch. Of the mesh before it is known what has changed since. [ask] is one
+   of the functions of Judge, still to be told of the mesh. *)
+let judged account mesh operation ~family ~valence ~olds ~news ~ports ask =
+  let there_before t =
+    let t = canonical t in
+    let among list = List.exists (fun u -> same_triangle t (canonical u)) list in
+    among operation.gone || (has_triangle mesh t && not (among operation.come))
+  in
+  let was e =
+    List.exists (same_edge e) operation.dashed
+    || (is_solid mesh (fst e) (snd e) && not (List.exists (same_edge e) operation.solid))
+  in
+  let is (u, v) = is_solid mesh u v in
+  let beside_before (u, v) =
+    let has list = List.exists (fun t -> List.exists (same_way (v, u)) (sides t)) list in
+    has operation.gone || (has_left mesh v u && not (has operation.come))
+  in
+  let beside (u, v) = has_left mesh v u in
+  List.iter (expect_there there_before) olds;
+  List.iter (expect_there (has_triangle mesh)) news;
+  let corners = List.map (fun (a, b, c) -> ((a, b), c)) in
+  match ask (corners olds) (corners news) ports was is beside_before beside (operation.dashed @ operation.solid) with
+  | None -> refuse "the operation is no %s of %d and %d" family operation.from operation.into
+  | Some verdict ->
+      let count, largest = judged_of account family in
+      Hashtbl.replace account.judged family (count + 1, max valence largest);
+      (verdict, List.length news - List.length olds)
+
+let judged_fan account mesh operation kind (larger : Patch.larger) =
+  let smaller = Patch.smaller operation.from larger in
+  let olds, news = match kind with `Split -> (smaller, larger.triangles) | `Collapse -> (larger.triangles, smaller) in
+  let position = Patch.position kind larger in
+  judged account mesh operation ~family:(Patch.family position) ~valence:larger.valence ~olds ~news
+    ~ports:(Patch.ports larger) (Judge.judge Int.equal position)
+
+(* What was told is true; is it as good as the best? *)
+let expect_good claim operation ((verdict : Judge.verdict), more_triangles) =
+  let strips = more_triangles - (Patch.int verdict.solid_best - Patch.int verdict.solid_before) in
+  let isolated = Patch.int verdict.alone_best - Patch.int verdict.alone_before in
+  let worse = operation.strips > strips || (operation.strips = strips && operation.isolated > isolated) in
+  if worse then
+    refuse "changes strips by %+d and isolated triangles by %+d; a sound recolouring of the patch by %+d and %+d"
+      operation.strips operation.isolated strips isolated;
+  if claim = Best && not verdict.chosen then
+    refuse "is not one of the best sound recolourings of the patch and nothing else"
+
+let apply_judged account claim mesh operation =
+  match (claim, operation.kind) with
+  | Valid, _ | _, Other -> apply mesh operation
+  | _, Split ->
+      apply mesh operation;
+      let larger = Patch.around mesh operation.from operation.into in
+      expect_good claim operation (judged_fan account mesh operation `Split larger)
+  | _, Collapse ->
+      let larger = Patch.around mesh operation.from operation.into in
+      apply mesh operation;
+      expect_good claim operation (judged_fan account mesh operation `Collapse larger)
+  | _, Flip ->
+      let olds, news, ports = Patch.flip mesh operation.from operation.into in
+      apply mesh operation;
+      expect_good claim operation
+        (judged account mesh operation ~family:"flip" ~valence:4 ~olds ~news ~ports (Judge.judge_flip Int.equal))
+
+let count account = function
+  | Split -> account.splits <- account.splits + 1
+  | Collapse -> account.collapses <- account.collapses + 1
+  | Flip -> account.flips <- account.flips + 1
+  | Other -> account.others <- account.others + 1
+
+type result = { claim : claim; account : account; mesh : Mesh.t; largest : int (* triangles at any moment *) }
+
+(* Raises Refused; the reader then knows the line. *)
+let check reader =
+  let claim = head reader in
+  let mesh = empty () in
+  let account = { splits = 0; collapses = 0; flips = 0; others = 0; judged = Hashtbl.create 8 } in
+  let largest = ref 0 in
+  let expect_end n =
+    if n <> operations account then refuse "the end tells of %d operations, but there are %d" n (operations account);
+    if next reader <> None then refuse "there is something after the end"
+  in
+  let read () =
+    match next reader with Some text -> line_of text | None -> refuse "the trace ends without its last line"
+  in
+  (* Triangles, then solid edges, then operations. *)
+  let rec triangles_first () =
+    match read () with
+    | Triangle t ->
+        add_triangle mesh t;
+        triangles_first ()
+    | line -> edges_next line
+  and edges_next = function
+    | Solid (u, v) ->
+        make_solid mesh (u, v);
+        edges_next (read ())
+    | line ->
+        mesh.isolated <- expect_whole mesh;
+        largest := mesh.triangles;
+        operations_then line
+  and operations_then = function
+    | Operation operation ->
+        apply_judged account claim mesh operation;
+        count account operation.kind;
+        largest := max !largest mesh.triangles;
+        operations_then (read ())
+    | End n ->
+        expect_end n;
+        let isolated = expect_whole mesh in
+        if isolated <> mesh.isolated then
+          refuse "there are %d isolated triangles, but %d were counted" isolated mesh.isolated
+    | Triangle _ | Solid _ -> refuse "the mesh is told before the operations, triangles before edges"
+  in
+  triangles_first ();
+  { claim; account; mesh; largest = !largest }

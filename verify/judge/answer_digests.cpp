@@ -1,0 +1,82 @@
+#include "judge/answer_digests.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "certificate/stream_lines.hpp"
+#include "judge/table_dump.hpp"
+
+namespace restrip::verify {
+namespace {
+
+/// Operations are named by their places here.
+constexpr std::array<std::string_view, 7> names = {"split",          "collapse",          "open-split", "open-collapse",
+                                                   "boundary-split", "boundary-collapse", "flip"};
+constexpr std::string_view last_line = "rules outside the tables: 0";
+
+/// The operation's number, and its position in three numbers, of which those that it does not have are 0.
+std::string words_of(const Operation& operation) {
+  const auto name = std::find(names.begin(), names.end(), operation.family);
+  if (name == names.end()) throw std::logic_error(operation.family + " has no digests");
+  Numbers numbers = operation.numbers;
+  numbers.resize(3);
+  return fmt::format("{} {} {} {}", name - names.begin(), numbers[0], numbers[1], numbers[2]);
+}
+
+/// The lines that are still missing are those of `expected`.
+void read_lines(StreamLines& lines, std::map<std::string, std::uint32_t> expected, DigestComparison& result) {
+  while (!expected.empty()) {
+    const std::optional<std::string_view> line = lines.next();
+    const auto fail = [&](const std::string& what) {
+      throw BadDump(fmt::format("line {}: {}; \"{}\" is still missing", lines.number(), what, expected.begin()->first));
+    };
+    if (!line) fail("the end");
+    const std::size_t space = std::min(line->rfind(' '), line->size());
+    const auto position = expected.find(std::string(line->substr(0, space)));
+    if (position == expected.end()) fail(fmt::format("\"{}\" is no position that is missing", *line));
+    ++result.positions;
+    if (const std::string right = fmt::format("{} {:08x}", position->first, position->second); *line != right)
+      result.differences.add(
+          fmt::format("line {}: \"{}\", the answers that were judged make it \"{}\"\n", lines.number(), *line, right));
+    expected.erase(position);
+  }
+  const std::optional<std::string_view> last = lines.next();
+  if (!last || *last != last_line)
+    throw BadDump(
+        fmt::format("line {}: expected \"{}\", found \"{}\"", lines.number(), last_line, last.value_or("the end")));
+  if (lines.next() || lines.left_over()) throw BadDump(fmt::format("line {}: text after the end", lines.number()));
+}
+
+}  // namespace
+
+void AnswerDigests::add(const Operation& operation, Colors configuration, const std::optional<Answer>& answer) {
+  if (last_ != &operation) digest_ = &digests_[words_of(operation)];
+  last_ = &operation;
+  // The flip's answer has the ports that it keeps below its inner edge; the others keep all ports.
+  std::optional<AnswerBits> bits;
+  if (answer)
+    bits = AnswerBits{operation.may_give_up != 0
+                          ? concatenated(answer->colors.inner, answer->colors.ports, operation.ports())
+                          : answer->colors.inner,
+                      answer->strips.value()};
+  *digest_ += mixed(configuration.inner, configuration.ports, bits);
+}
+
+DigestComparison compare_digests(std::FILE* stream, const AnswerDigests& expected) {
+  DigestComparison result;
+  StreamLines lines(stream);
+  try {
+    read_lines(lines, expected.by_position(), result);
+  } catch (const BadDump& bad) {
+    result.fault = bad.what();
+  }
+  return result;
+}
+
+DigestComparison compare_digests_of(const std::string& program, const AnswerDigests& expected) {
+  return checked_output_of(program, [&](std::FILE* stream) { return compare_digests(stream, expected); });
+}
+
+}  // namespace restrip::verify

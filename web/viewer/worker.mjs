@@ -1,0 +1,16 @@
+// The worker that prepares one mesh, so that the page goes on meanwhile.
+import { load } from '../js/restrip.mjs';
+import { prepared } from './prepare.mjs';
+
+onmessage = async ({ data: { wasm, name, bytes } }) => {
+  try {
+    const steps = prepared(await load(wasm), name, bytes);
+    for (;;) {
+      const { done, value } = steps.next();
+      postMessage(done ? { mesh: value } : { share: value });
+      if (done) return;
+    }
+  } catch (error) {
+    postMessage({ fault: error.message });
+  }
+};
