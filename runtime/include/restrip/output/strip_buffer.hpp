@@ -84,6 +84,9 @@ class BasicStripBuffer {
   template <NumberedMesh Mesh>
   std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed);
 
+  /// What the last update returned, or a BufferHistory, is returned by the next update once more.
+  void keep_ranges() noexcept { told_ = false; }
+
   [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
   /// Number of runs.
   [[nodiscard]] std::size_t runs() const noexcept { return places_.runs(); }
@@ -96,6 +99,8 @@ class BasicStripBuffer {
   }
 
  private:
+  friend class BufferHistory;
+
   using State = detail::RunPlaces::State;
   static constexpr std::uint32_t nothing = 0xFFFFFFFFU;  // no run
   static constexpr std::uint32_t reading = nothing - 1;  // run_of_: read by this update
@@ -129,8 +134,6 @@ class BasicStripBuffer {
   void begin_reading() noexcept;
   void touch(std::uint32_t place);
   template <class Mesh>
-  void add(const Mesh& mesh, typename Mesh::Halfedge h, std::uint32_t edge_goes);
-  template <class Mesh>
   bool follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint32_t begin, std::uint32_t least,
               std::uint32_t edge_goes);
   template <class Mesh>
@@ -158,7 +161,9 @@ class BasicStripBuffer {
   std::vector<Index> cells_;
   std::vector<std::uint32_t> run_of_;  // by triangle: the place of its run
   detail::RunPlaces places_;
-  bool stale_ = true;  // an update was interrupted: the next one writes everything anew
+  bool stale_ = true;    // an update was interrupted: the next one writes everything anew
+  bool rebuilt_ = true;  // the last one did
+  bool told_ = true;     // what is in written_
   std::vector<Range> written_;
   // What the current update works on.
   std::vector<std::uint32_t> dirty_;  // places whose runs are read

@@ -10,6 +10,10 @@
 #include <utility>
 #include <vector>
 
+namespace restrip {
+class BufferHistory;
+}
+
 namespace restrip::detail {
 
 /// Consecutive indices that draw a part of a strip, the last of them a restart index.
@@ -19,6 +23,7 @@ struct Run {
   std::uint32_t triangles = 0;
   std::uint32_t cuts = 0;  ///< its ends where the strip goes on in another run
   [[nodiscard]] std::uint32_t end() const noexcept { return first + length; }
+  friend bool operator==(const Run&, const Run&) = default;
 };
 
 /// Place 0 is the head: it lies at the beginning, its run is empty, and its gap is what lies before the first run.
@@ -31,10 +36,11 @@ class RunPlaces {
   static constexpr std::uint32_t largest_gap = 127;  ///< gaps of this size and above are not told apart
   enum class State : std::uint8_t { settled, dirty, claimed };
 
-  RunPlaces() { first_of_.fill(no_place); }
+  RunPlaces() { totals_.first_of.fill(no_place); }
   /// Room for this many more runs, which insert() needs.
   void make_room(std::size_t runs) {
     if (places_.size() + runs > places_.capacity()) places_.reserve(2 * (places_.size() + runs));
+    changed_.reserve(places_.capacity());
   }
 
   // ---- one place
@@ -43,75 +49,77 @@ class RunPlaces {
   [[nodiscard]] std::uint32_t next(std::uint32_t p) const noexcept { return places_[p].next; }
   /// Where the next run begins, or the buffer ends.
   [[nodiscard]] std::uint32_t limit(std::uint32_t p) const noexcept {
-    return next(p) == head ? length_ : run(next(p)).first;
+    return next(p) == head ? totals_.length : run(next(p)).first;
   }
   /// Unused cells behind its run.
   [[nodiscard]] std::uint32_t gap(std::uint32_t p) const noexcept { return limit(p) - run(p).end(); }
   [[nodiscard]] State state(std::uint32_t p) const noexcept { return places_[p].state; }
-  void set_state(std::uint32_t p, State state) noexcept { places_[p].state = state; }
+  void set_state(std::uint32_t p, State state) noexcept { change(p).state = state; }
 
   // ---- all of them
-  [[nodiscard]] std::size_t runs() const noexcept { return runs_; }
-  [[nodiscard]] std::uint32_t length() const noexcept { return length_; }
-  [[nodiscard]] std::uint32_t used() const noexcept { return used_; }
-  [[nodiscard]] std::uint32_t cuts() const noexcept { return cuts_; }
+  [[nodiscard]] std::size_t runs() const noexcept { return totals_.runs; }
+  [[nodiscard]] std::uint32_t length() const noexcept { return totals_.length; }
+  [[nodiscard]] std::uint32_t used() const noexcept { return totals_.used; }
+  [[nodiscard]] std::uint32_t cuts() const noexcept { return totals_.cuts; }
   [[nodiscard]] std::uint32_t last() const noexcept { return previous(head); }
   /// The place with the smallest gap of at least `cells`; where there is none, that with the largest gap, or no_place.
   [[nodiscard]] std::uint32_t find_gap(std::uint32_t cells) const noexcept {
     const std::size_t size = std::min(cells, largest_gap);
     std::size_t word = size / 64;
-    std::uint64_t bits = sizes_[word] >> (size % 64) << (size % 64);
-    while (bits == 0 && ++word < sizes_.size()) bits = sizes_[word];
-    if (bits != 0) return first_of_[word * 64 + static_cast<std::size_t>(std::countr_zero(bits))];
-    for (word = sizes_.size(); word-- > 0;)
-      if (sizes_[word] != 0) return first_of_[word * 64 + std::bit_width(sizes_[word]) - 1];
+    std::uint64_t bits = totals_.sizes[word] >> (size % 64) << (size % 64);
+    while (bits == 0 && ++word < totals_.sizes.size()) bits = totals_.sizes[word];
+    if (bits != 0) return totals_.first_of[word * 64 + static_cast<std::size_t>(std::countr_zero(bits))];
+    for (word = totals_.sizes.size(); word-- > 0;)
+      if (totals_.sizes[word] != 0) return totals_.first_of[word * 64 + std::bit_width(totals_.sizes[word]) - 1];
     return no_place;
   }
 
   // ---- changes
   void set_length(std::uint32_t length) noexcept {
-    length_ = length;
+    totals_.length = length;
     sort_in(last());
   }
   /// Another run in place p, between the same neighbours.
   void set(std::uint32_t p, const Run& run) noexcept {
-    Place& place = places_[p];
-    used_ += run.length - place.run.length;
-    cuts_ += run.cuts - place.run.cuts;
+    Place& place = change(p);
+    totals_.used += run.length - place.run.length;
+    totals_.cuts += run.cuts - place.run.cuts;
     place.run = run;
     sort_in(place.previous);
     sort_in(p);
   }
   /// A run in the gap behind `before`. Returns its place.
   std::uint32_t insert(std::uint32_t before, const Run& run) noexcept {
-    std::uint32_t p = free_;
+    std::uint32_t p = totals_.free;
     if (p == head) {
       p = static_cast<std::uint32_t>(places_.size());
       places_.emplace_back();
     } else {
-      free_ = next(p);
+      totals_.free = next(p);
     }
-    ++runs_;
-    Place& place = places_[p];
+    ++totals_.runs;
+    Place& place = change(p);
     place.previous = before;
     place.next = next(before);
-    places_[place.next].previous = places_[before].next = p;
+    change(place.next).previous = change(before).next = p;
     set(p, run);
     return p;
   }
   void remove(std::uint32_t p) noexcept {
     set(p, {run(p).first, 0, 0, 0});
-    Place& place = places_[p];
+    Place& place = change(p);
     take_out(p);
-    places_[place.previous].next = place.next;
-    places_[place.next].previous = place.previous;
+    change(place.previous).next = place.next;
+    change(place.next).previous = place.previous;
     sort_in(place.previous);
     place.state = State::settled;
-    place.next = std::exchange(free_, p);
-    --runs_;
+    place.next = std::exchange(totals_.free, p);
+    --totals_.runs;
   }
 
  private:
+  friend class restrip::BufferHistory;
+
   struct Place {
     Run run;
     std::uint32_t previous = head;
@@ -120,40 +128,55 @@ class RunPlaces {
     std::uint32_t farther = no_place;
     std::uint8_t size = 0;  // the gap as it is sorted in; 0: not at all
     State state = State::settled;
+    bool named = false;  // in changed_
+    friend bool operator==(const Place&, const Place&) = default;
   };
 
   void take_out(std::uint32_t p) noexcept {
-    Place& place = places_[p];
-    if (place.size == 0) return;
-    (place.nearer != no_place ? places_[place.nearer].farther : first_of_[place.size]) = place.farther;
-    if (place.farther != no_place) places_[place.farther].nearer = place.nearer;
-    if (first_of_[place.size] == no_place) sizes_[place.size / 64U] &= ~(std::uint64_t{1} << (place.size % 64U));
+    if (places_[p].size == 0) return;
+    Place& place = change(p);
+    (place.nearer != no_place ? change(place.nearer).farther : totals_.first_of[place.size]) = place.farther;
+    if (place.farther != no_place) change(place.farther).nearer = place.nearer;
+    if (totals_.first_of[place.size] == no_place)
+      totals_.sizes[place.size / 64U] &= ~(std::uint64_t{1} << (place.size % 64U));
     place.size = 0;
   }
   // The gap behind p has changed.
   void sort_in(std::uint32_t p) noexcept {
     const auto size = static_cast<std::uint8_t>(std::min(gap(p), largest_gap));
-    Place& place = places_[p];
-    if (place.size == size) return;
+    if (places_[p].size == size) return;
     take_out(p);
     if (size == 0) return;
+    Place& place = change(p);
     place.size = size;
     place.nearer = no_place;
-    place.farther = std::exchange(first_of_[size], p);
+    place.farther = std::exchange(totals_.first_of[size], p);
     if (place.farther != no_place)
-      places_[place.farther].nearer = p;
+      change(place.farther).nearer = p;
     else
-      sizes_[size / 64U] |= std::uint64_t{1} << (size % 64U);
+      totals_.sizes[size / 64U] |= std::uint64_t{1} << (size % 64U);
+  }
+
+  // What is known of all places together.
+  struct Totals {
+    std::uint32_t free = head;  // places that are free, linked by `next`; the head ends them
+    std::uint32_t length = 0;
+    std::uint32_t used = 0;
+    std::uint32_t cuts = 0;
+    std::size_t runs = 0;
+    std::array<std::uint32_t, largest_gap + 1> first_of{};      // by size of a gap
+    std::array<std::uint64_t, (largest_gap + 1) / 64> sizes{};  // that there are, a bit each
+  };
+
+  Place& change(std::uint32_t p) noexcept {
+    Place& place = places_[p];
+    if (!std::exchange(place.named, true)) changed_.push_back(p);
+    return place;
   }
 
   std::vector<Place> places_ = std::vector<Place>(1);
-  std::uint32_t free_ = head;  // places that are free, linked by `next`; the head ends them
-  std::uint32_t length_ = 0;
-  std::uint32_t used_ = 0;
-  std::uint32_t cuts_ = 0;
-  std::size_t runs_ = 0;
-  std::array<std::uint32_t, largest_gap + 1> first_of_{};      // by size of a gap
-  std::array<std::uint64_t, (largest_gap + 1) / 64> sizes_{};  // that there are, a bit each
+  Totals totals_;
+  std::vector<std::uint32_t> changed_;  // since a history looked last, each once; room for all is made with them
 };
 
 }  // namespace restrip::detail

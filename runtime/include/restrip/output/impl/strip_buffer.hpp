@@ -16,6 +16,38 @@ inline constexpr std::uint32_t longest_joined_run = 28;  // runs of one strip th
 inline constexpr std::uint32_t cut_window = 4;           // by which a cut may be off
 inline constexpr std::uint32_t longest_run = longest_joined_run + 2 * cut_window;
 
+// A triangle entered over a halfedge; the edge is the exclusive or of its vertices.
+struct Seen {
+  std::uint32_t edge;
+  std::uint32_t apex;  // the corner opposite to it
+};
+template <NumberedMesh Mesh>
+Seen seen_over(const Mesh& mesh, typename Mesh::Halfedge h) {
+  const auto second = mesh.next(h);
+  return {from_of(mesh, h) ^ from_of(mesh, second), from_of(mesh, mesh.next(second))};
+}
+inline Seen seen_over(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
+  const Vertex apex = mesh.from(StripMesh::next(StripMesh::next(h)));
+  const std::array<Vertex, 3> corner = mesh.corners(StripMesh::triangle(h));
+  return {corner[0] ^ corner[1] ^ corner[2] ^ apex, apex};
+}
+
+// The solid sides of a triangle.
+template <class Mesh>
+struct Exits {
+  std::array<typename Mesh::Halfedge, 3> side{};
+  unsigned count = 0;
+};
+template <NumberedMesh Mesh>
+Exits<Mesh> exits(const Mesh& mesh, typename Mesh::Halfedge h) {
+  Exits<Mesh> exits;
+  for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
+    exits.side[exits.count] = h;
+    exits.count += mesh.solid(h) ? 1U : 0U;
+  }
+  return exits;
+}
+
 template <class Vector>
 void make_buffer_room(Vector& vector, std::size_t more) {
   if (vector.capacity() - vector.size() < more) vector.reserve(std::max(vector.size() + more, 2 * vector.capacity()));
@@ -36,8 +68,10 @@ void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
     read(mesh, t);
     prepare();
     store();
+    written_.clear();
   }
   written_.assign(1, {0, cells_.size()});
+  told_ = rebuilt_ = true;
   stale_ = false;
 }
 
@@ -49,6 +83,8 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
     return written_;
   }
   stale_ = true;
+  rebuilt_ = false;
+  if (std::exchange(told_, true)) written_.clear();
   begin_reading();
   if (run_of_.size() < mesh.triangle_bound()) {
     detail::make_buffer_room(run_of_, mesh.triangle_bound() - run_of_.size());
@@ -65,7 +101,7 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
   }
   prepare();
   store();
-  close_gaps();
+  if (!changed.empty()) close_gaps();
   sort_ranges();
   stale_ = false;
   return written_;
@@ -73,7 +109,6 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
 
 template <class Index>
 void BasicStripBuffer<Index>::begin_reading() noexcept {
-  written_.clear();
   dirty_.clear();
   texts_.clear();
   links_ = letters_ = 0;
@@ -88,20 +123,6 @@ void BasicStripBuffer<Index>::touch(std::uint32_t place) {
 
 // ---- the strip around a triangle
 
-// The triangle of a halfedge, and the edge of that.
-template <class Index>
-template <class Mesh>
-void BasicStripBuffer<Index>::add(const Mesh& mesh, typename Mesh::Halfedge h, std::uint32_t edge_goes) {
-  if (links_ == strip_.size()) strip_.resize(2 * strip_.size() + 64);
-  const auto second = mesh.next(h);
-  const std::uint32_t edge = detail::from_of(mesh, h) ^ detail::from_of(mesh, second);
-  Link* link = strip_.data() + links_++;
-  link->triangle = detail::triangle_of(mesh, h);
-  link->corners = edge ^ detail::from_of(mesh, mesh.next(second));
-  link->run = std::exchange(run_of_[link->triangle], reading);
-  (link - edge_goes)->edge = edge;
-}
-
 // Reads from the triangle of the halfedge `in` on. An edge that a triangle is entered over belongs to the link that the
 // triangle has, or to the one before. The strip, from link `begin` on, will have `least` triangles at least. True if it
 // goes on in a run that stays as it is.
@@ -109,20 +130,35 @@ template <class Index>
 template <class Mesh>
 bool BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint32_t begin,
                                      std::uint32_t least, std::uint32_t edge_goes) {
+  std::uint32_t links = links_;
+  std::uint32_t known = nothing;  // a run that may be read
+  bool stays = false;
   for (;;) {
-    if (const std::uint32_t run = run_of_[detail::triangle_of(mesh, in)]; run != nothing) {
-      if (run == reading) return false;
-      if (places_.state(run) == State::settled) {
-        const std::uint32_t triangles = std::max(links_ - begin, least) + places_.run(run).triangles;
-        if (triangles > detail::longest_joined_run) return true;
+    const std::uint32_t t = detail::triangle_of(mesh, in);
+    const std::uint32_t run = run_of_[t];
+    if (run != known) {
+      if (run == reading) break;
+      if (run != nothing && places_.state(run) == State::settled) {
+        stays = std::max(links - begin, least) + places_.run(run).triangles > detail::longest_joined_run;
+        if (stays) break;
         touch(run);
       }
+      known = run;
     }
-    add(mesh, in, edge_goes);
+    run_of_[t] = reading;
+    if (links == strip_.size()) strip_.resize(2 * strip_.size() + 64);
+    Link* link = strip_.data() + links++;
+    const detail::Seen seen = detail::seen_over(mesh, in);
+    link->triangle = t;
+    link->corners = seen.edge ^ seen.apex;
+    link->run = run;
+    (link - edge_goes)->edge = seen.edge;
     const auto step = strip_step(mesh, in);
-    if (!step.goes_on) return false;
+    if (!step.goes_on) break;
     in = step.in;
   }
+  links_ = links;
+  return stays;
 }
 
 // Reads the strip through t as far as it is to be written anew, and writes it as runs that are not too long.
@@ -130,22 +166,16 @@ template <class Index>
 template <class Mesh>
 void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
   const std::uint32_t begin = links_;
-  const std::uint32_t least = run_of_[t] != nothing ? places_.run(run_of_[t]).triangles : 1;
-  std::array<typename Mesh::Halfedge, 3> out{};
-  unsigned ways = 0;
-  auto h = mesh.halfedge(t);
-  for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
-    out[ways] = h;
-    ways += mesh.solid(h) ? 1U : 0U;
-  }
-  add(mesh, h, 0);
-  const Link middle = strip_[begin];
-  links_ = begin;
-  const bool cut_before = ways > 0 && follow(mesh, mesh.opposite(out[0]), begin, least, 0);
+  const std::uint32_t run = std::exchange(run_of_[t], reading);
+  const std::uint32_t least = run != nothing ? places_.run(run).triangles : 1;
+  const auto h = mesh.halfedge(t);
+  const detail::Seen seen = detail::seen_over(mesh, h);
+  const detail::Exits<Mesh> out = detail::exits(mesh, h);
+  const bool cut_before = out.count > 0 && follow(mesh, mesh.opposite(out.side[0]), begin, least, 0);
   std::reverse(strip_.begin() + begin, strip_.begin() + links_);
-  if (links_ == strip_.size()) strip_.resize(2 * links_);
-  strip_[links_++] = middle;
-  const bool cut_behind = ways > 1 && follow(mesh, mesh.opposite(out[1]), begin, 1, 1);
+  if (links_ == strip_.size()) strip_.resize(2 * links_ + 64);
+  strip_[links_++] = {t, seen.edge ^ seen.apex, 0, run};
+  const bool cut_behind = out.count > 1 && follow(mesh, mesh.opposite(out.side[1]), begin, 1, 1);
   const std::uint32_t triangles = links_ - begin;
   const std::uint32_t parts = triangles > detail::longest_run ? (triangles - 1) / detail::longest_joined_run + 1 : 1;
   std::uint32_t from = begin;
@@ -233,16 +263,21 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
   // Each further triangle has the last two indices p, q already and adds its third corner x. Where it is left over the
   // edge (p, x), p is repeated before x. Strips turn at random: no branch.
   const Link* link = run.link;
-  for (std::uint32_t i = 1; i < triangles; ++i) {
+  for (std::uint32_t i = 2; i < triangles; ++i) {
     link += run.step;
     const std::uint32_t x = link->corners ^ in;
-    in = i + 1 < triangles ? link[run.edge].edge : 0;
+    in = link[run.edge].edge;
     const auto repeats = std::uint32_t{(in ^ x) == p};
     *out = static_cast<Index>(p);
     out += repeats;
     *out++ = static_cast<Index>(x);
     p = q ^ ((p ^ q) & (0U - repeats));
     q = x;
+    largest = std::max(largest, x);
+  }
+  if (triangles > 1) {
+    const std::uint32_t x = (link + run.step)->corners ^ in;
+    *out++ = static_cast<Index>(x);
     largest = std::max(largest, x);
   }
   if (largest >= restart)

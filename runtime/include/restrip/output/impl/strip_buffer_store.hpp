@@ -220,7 +220,18 @@ void BasicStripBuffer<Index>::close_gaps() noexcept {
 
 template <class Index>
 void BasicStripBuffer<Index>::mark(std::size_t first, std::size_t end) noexcept {
-  if (first != end) written_.push_back({first, end - first});
+  if (first == end) return;
+  // What is written is mostly beside what was written before.
+  if (!written_.empty()) {
+    Range& last = written_.back();
+    const std::size_t last_end = last.first + last.count;
+    if (first <= last_end && last.first <= end) {
+      last.first = std::min(last.first, first);
+      last.count = std::max(last_end, end) - last.first;
+      return;
+    }
+  }
+  written_.push_back({first, end - first});
 }
 
 template <class Index>
