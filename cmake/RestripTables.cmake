@@ -8,6 +8,8 @@ include_guard(GLOBAL)
 # The largest fans that the generator makes, and that the verifier judges.
 set_property(GLOBAL PROPERTY RESTRIP_LARGEST_FAN 13)
 set_property(GLOBAL PROPERTY RESTRIP_LARGEST_VERIFIED_FAN 10)
+# The largest first number of a position in the table of a family of one's own.
+set_property(GLOBAL PROPERTY RESTRIP_LARGEST_OWN_FAMILY 10)
 # The languages that the generator writes.
 set_property(GLOBAL PROPERTY RESTRIP_LANGUAGES c c++ glsl json rust wgsl)
 
@@ -81,8 +83,20 @@ function(restrip_generate_tables)
     message(FATAL_ERROR "restrip_generate_tables: TARGET ${arg_TARGET}: there is a target of this name")
   endif()
   _restrip_check_programs(restrip_generate_tables)
+  # Operations alone leave the shipped tables in place.
+  set(with_tables TRUE)
+  if(DEFINED arg_OPERATION AND NOT DEFINED arg_MAX_K)
+    set(with_tables FALSE)
+    if(DEFINED arg_TIE_BREAK)
+      message(FATAL_ERROR "restrip_generate_tables: TIE_BREAK ${arg_TIE_BREAK}: has no effect on operations of your own; "
+                          "MAX_K makes tables of fans as well")
+    endif()
+  endif()
   set(options "")
-  if(NOT DEFINED arg_MAX_K)
+  set(max_k "")
+  if(DEFINED arg_MAX_K)
+    set(max_k --max-k=${arg_MAX_K})
+  else()
     set(arg_MAX_K 8)
   endif()
   get_property(largest GLOBAL PROPERTY RESTRIP_LARGEST_FAN)
@@ -109,46 +123,60 @@ function(restrip_generate_tables)
   endif()
 
   set(operations "")
+  set(own "")  # what is said of them
   foreach(file IN LISTS arg_OPERATION)
     get_filename_component(file ${file} ABSOLUTE)
     if(NOT EXISTS ${file})
       message(FATAL_ERROR "restrip_generate_tables: OPERATION ${file}: there is no such file")
     endif()
     list(APPEND operations ${file})
+    list(APPEND own --operation=${file})
+    _restrip_is_family(${file} is_family)
+    get_property(largest GLOBAL PROPERTY RESTRIP_LARGEST_OWN_FAMILY)
+    if(is_family AND arg_MAX_K GREATER largest)
+      message(FATAL_ERROR "restrip_generate_tables: MAX_K ${arg_MAX_K}: ${file} describes a family, whose table has positions "
+                          "up to ${largest}; make it in a TARGET of its own, without MAX_K")
+    endif()
+    if(is_family AND NOT max_k IN_LIST own)
+      list(APPEND own ${max_k})
+    endif()
   endforeach()
 
   # The options are a file that changes when they do: Make does not look at the command.
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/restrip/${arg_TARGET})
   list(JOIN options " " content)
   file(CONFIGURE OUTPUT ${folder}.options CONTENT "${content} ${arg_LANGUAGE} ${operations}\n" @ONLY)
-  set(headers automaton boundary_split collapse fan_collapse flip linked open_split rows split)
-  list(TRANSFORM headers REPLACE "(.+)" "${folder}/include/restrip/tables/\\1.hpp")
-  add_custom_command(
-    OUTPUT ${folder}/MANIFEST  # written last
-    BYPRODUCTS ${headers}
-    COMMAND restrip::generate tables --out ${folder} --threads 0 ${options}
-    DEPENDS ${folder}.options $<TARGET_FILE:restrip::generate>
-    COMMENT "Generating the tables of ${arg_TARGET}"
-    VERBATIM)
-  set(made ${folder}/MANIFEST)
-  set(arguments ${operations})
-  list(TRANSFORM arguments PREPEND --operation=)
-  # Other languages have a folder of their own, because the MANIFEST lists all that is in that of the tables.
+  set(made "")
+  set(commands "")  # for other languages
   set(check "")
-  if(c IN_LIST arg_LANGUAGE)
-    set(check ${folder}-languages/restrip_tables_check.c)
-  endif()
   if(arg_LANGUAGE)
     list(TRANSFORM arg_LANGUAGE PREPEND --language=)
-    set(operations_too "")
-    if(operations)
-      set(operations_too COMMAND restrip::generate rules --out ${folder}-languages ${arguments} ${arg_LANGUAGE})
+  endif()
+  if(with_tables)
+    set(headers automaton boundary_split collapse fan_collapse flip linked open_split rows split)
+    list(TRANSFORM headers REPLACE "(.+)" "${folder}/include/restrip/tables/\\1.hpp")
+    add_custom_command(
+      OUTPUT ${folder}/MANIFEST  # written last
+      BYPRODUCTS ${headers}
+      COMMAND restrip::generate tables --out ${folder} --threads 0 ${options}
+      DEPENDS ${folder}.options $<TARGET_FILE:restrip::generate>
+      COMMENT "Generating the tables of ${arg_TARGET}"
+      VERBATIM)
+    list(APPEND made ${folder}/MANIFEST)
+    list(APPEND commands COMMAND restrip::generate tables --out ${folder}-languages --threads 0 ${options} ${arg_LANGUAGE})
+    if(--language=c IN_LIST arg_LANGUAGE)
+      set(check ${folder}-languages/restrip_tables_check.c)
     endif()
+  endif()
+  if(operations)
+    list(APPEND commands COMMAND restrip::generate rules --out ${folder}-languages ${own} ${arg_LANGUAGE})
+  endif()
+  # Other languages have a folder of their own, because the MANIFEST lists all that is in that of the tables.
+  if(arg_LANGUAGE)
     add_custom_command(
       OUTPUT ${folder}-languages.made
       BYPRODUCTS ${check}
-      COMMAND restrip::generate tables --out ${folder}-languages --threads 0 ${options} ${arg_LANGUAGE}
-      ${operations_too}
+      ${commands}
       COMMAND ${CMAKE_COMMAND} -E touch ${folder}-languages.made
       DEPENDS ${folder}.options ${operations} $<TARGET_FILE:restrip::generate>
       COMMENT "Generating the tables of ${arg_TARGET} in other languages"
@@ -158,7 +186,7 @@ function(restrip_generate_tables)
   if(operations)
     add_custom_command(
       OUTPUT ${folder}-operations.made
-      COMMAND restrip::generate rules --out ${folder}-operations ${arguments}
+      COMMAND restrip::generate rules --out ${folder}-operations ${own}
       COMMAND ${CMAKE_COMMAND} -E touch ${folder}-operations.made
       DEPENDS ${folder}.options ${operations} $<TARGET_FILE:restrip::generate>
       COMMENT "Generating the operations of ${arg_TARGET}"
@@ -169,21 +197,33 @@ function(restrip_generate_tables)
   add_library(${arg_TARGET} INTERFACE)
   add_dependencies(${arg_TARGET} ${arg_TARGET}_files)
   target_link_libraries(${arg_TARGET} INTERFACE restrip::restrip)
-  # Whoever links this has the folder before that of the shipped tables: see runtime/CMakeLists.txt.
-  set_target_properties(${arg_TARGET} PROPERTIES INTERFACE_RESTRIP_TABLES ${folder}/include RESTRIP_FOLDER ${folder}
-                                                 RESTRIP_MAX_K ${arg_MAX_K} RESTRIP_C_CHECK "${check}")
+  set_target_properties(${arg_TARGET} PROPERTIES RESTRIP_FOLDER ${folder} RESTRIP_OF_FANS ${with_tables} RESTRIP_MAX_K ${arg_MAX_K}
+                                                 RESTRIP_C_CHECK "${check}" RESTRIP_OPERATIONS "${operations}")
+  if(with_tables)
+    # Whoever links this has the folder before that of the shipped tables: see runtime/CMakeLists.txt.
+    set_target_properties(${arg_TARGET} PROPERTIES INTERFACE_RESTRIP_TABLES ${folder}/include)
+  endif()
   if(arg_LANGUAGE)
     target_include_directories(${arg_TARGET} INTERFACE ${folder}-languages)
   endif()
   if(operations)
     target_include_directories(${arg_TARGET} INTERFACE ${folder}-operations/include)
-    set_target_properties(${arg_TARGET} PROPERTIES RESTRIP_OPERATIONS "${operations}")
+  endif()
+endfunction()
+
+# _restrip_is_family(FILE OUT): whether an operation file describes a family. CMake looks again when it has changed.
+function(_restrip_is_family file out)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+  file(READ ${file} text)
+  string(JSON numbers ERROR_VARIABLE error GET "${text}" numbers)
+  set(${out} TRUE PARENT_SCOPE)
+  if(error)
+    set(${out} FALSE PARENT_SCOPE)
   endif()
 endfunction()
 
 # _restrip_verify_operation(t FILE FOLDER): a test of one operation's certificate, and of its table as it was compiled.
 function(_restrip_verify_operation target file folder)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   file(READ ${file} text)
   string(JSON name ERROR_VARIABLE error GET "${text}" name)
   if(error)
@@ -208,9 +248,15 @@ int main() { return restrip::tables::print_dump(\"@name@\", restrip::tables::@id
     _restrip_command_of(${program} command)
     set(dump --dump-command ${command})
   endif()
+  set(max_k "")
+  _restrip_is_family(${file} is_family)
+  if(is_family)
+    get_target_property(max_k ${target} RESTRIP_MAX_K)
+    set(max_k --max-k ${max_k})
+  endif()
   set(header --header ${folder}-operations/include/restrip/tables/operations/${identifier}.hpp)
   add_test(NAME ${target}.operation.${name}
-           COMMAND $<TARGET_FILE:restrip::verify> --operation ${file}
+           COMMAND $<TARGET_FILE:restrip::verify> --operation ${file} ${max_k}
                    --certificate ${folder}-operations/certificates/operations/${name}.cert ${header} ${dump})
 endfunction()
 
@@ -235,6 +281,14 @@ function(restrip_verify_tables target)
     message(FATAL_ERROR "restrip_verify_tables: ${target}: is no target that restrip_generate_tables() made")
   endif()
   _restrip_check_programs(restrip_verify_tables)
+  get_target_property(operations ${target} RESTRIP_OPERATIONS)
+  foreach(file IN LISTS operations)
+    _restrip_verify_operation(${target} ${file} ${folder})
+  endforeach()
+  get_target_property(with_tables ${target} RESTRIP_OF_FANS)
+  if(NOT with_tables)
+    return()
+  endif()
   get_target_property(max_k ${target} RESTRIP_MAX_K)
   get_property(largest GLOBAL PROPERTY RESTRIP_LARGEST_VERIFIED_FAN)
   if(max_k GREATER largest)
@@ -271,10 +325,4 @@ function(restrip_verify_tables target)
   add_test(NAME ${target}.automaton
            COMMAND $<TARGET_FILE:restrip::verify-automaton> --tables-dir ${folder} --tables-max-k ${max_k} --max-k 8
                    ${automaton_dump})
-  get_target_property(operations ${target} RESTRIP_OPERATIONS)
-  if(operations)
-    foreach(file IN LISTS operations)
-      _restrip_verify_operation(${target} ${file} ${folder})
-    endforeach()
-  endif()
 endfunction()

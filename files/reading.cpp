@@ -11,6 +11,7 @@
 
 #include "files/descriptor.hpp"
 #include "files/file_error.hpp"
+#include "files/size_in_words.hpp"
 
 namespace restrip::files {
 
@@ -62,14 +63,6 @@ std::string extension_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return extension;
-}
-
-std::string size_in_words(std::uint64_t bytes) {
-  constexpr std::uint64_t kib = 1024;
-  if (bytes >= kib * kib * kib && bytes % (kib * kib * kib) == 0)
-    return fmt::format("{} GiB", bytes / (kib * kib * kib));
-  if (bytes >= kib * kib && bytes % (kib * kib) == 0) return fmt::format("{} MiB", bytes / (kib * kib));
-  return fmt::format("{} bytes", bytes);
 }
 
 }  // namespace restrip::files

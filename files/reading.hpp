@@ -20,7 +20,4 @@ struct ReadLimits {
 /// The extension in lower case, with its dot; empty when there is none.
 [[nodiscard]] std::string extension_of(const std::filesystem::path& file);
 
-/// A number of bytes in words: "16 GiB", "300 bytes".
-[[nodiscard]] std::string size_in_words(std::uint64_t bytes);
-
 }  // namespace restrip::files

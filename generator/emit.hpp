@@ -36,7 +36,6 @@ struct RulesHeader {
 [[nodiscard]] RulesHeader linked_header(const std::vector<SolvedFamily>& families, unsigned max_k);
 
 /// certificates/NAME.cert from the texts of its sections.
-[[nodiscard]] std::string certificate(const std::string& name, const std::vector<std::string>& texts, std::size_t rows);
 [[nodiscard]] std::string certificate(const SolvedFamily& family);
 
 }  // namespace restrip::generator

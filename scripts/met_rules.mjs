@@ -18,7 +18,8 @@ if (names.length === 0) {
 }
 const folder = join(root, 'build/release/web/package');
 const { load } = await import(pathToFileURL(join(folder, 'restrip.mjs')));
-const { readMesh } = await import(pathToFileURL(join(folder, 'formats.mjs')));
+const { loadReaders } = await import(pathToFileURL(join(folder, 'formats.mjs')));
+const readMesh = await loadReaders();
 const { listed, representative, ruleName } = await import('../web/viewer/patch.mjs');
 const restrip = await load();
 const scratch = mkdtempSync(join(tmpdir(), 'restrip-met-'));
@@ -27,7 +28,7 @@ const rules = new Map();  // by name, a count for each mesh
 for (const [n, name] of names.entries()) {
   const file = join(scratch, `${name}.pm`);
   execFileSync(join(root, 'build/release/bin/restrip'), ['simplify', join(meshes, `${name}.obj`), '--base', '0.02', '-o', file], { stdio: ['ignore', 'ignore', 'inherit'] });
-  const mesh = restrip.progressive(readMesh(file, readFileSync(file))).begin({ policy: 'local' });
+  const mesh = restrip.progressive(await readMesh(file, readFileSync(file))).begin({ policy: 'local' });
   for (let level = 1; level <= mesh.levels; ++level) {
     mesh.moveTo(level);
     const { closed, k, a, before, ports } = mesh.last;

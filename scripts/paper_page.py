@@ -104,7 +104,7 @@ def lonely_section(report):
             "whole. Below is every such configuration, found by trying all recolourings. The rules do not keep passing strips whole: "
             "they cut one and give the isolated triangle to one half. There are never more strips than with the isolated triangle, "
             "which is a strip too, and no triangle is isolated.</p>\n"
-            '<div class="wide"><table id="lonely-counts">\n<caption>Configurations in which whole strips leave a triangle alone '
+            '<div class="wide" tabindex="0"><table id="lonely-counts">\n<caption>Configurations in which whole strips leave a triangle alone '
             '(<a href="lonely-counts.csv">lonely-counts.csv</a>, <a href="lonely.csv">lonely.csv</a>)</caption>\n')
     html += row(map(head, ("k, a", "valid configurations", "alone if strips stay whole", "orbits",
                            "of them alone under the rule", "of them one strip more under the rule")))
@@ -136,7 +136,7 @@ def valence_part(mesh, number):
                  f"As many triangles as the paper's {theirs}, but <strong class=\"differs\">not the same rows</strong>.</p>\n")
     plot = plots.line_plot(Axis("triangles per vertex"), Axis("vertices", True), series,
                               f"vertices by triangles per vertex, {mesh['mesh']}")
-    html += f'<figure class="valence">{plot}</figure>\n<div class="wide"><table id="valence-{number}">\n'
+    html += f'<figure class="valence">{plot}</figure>\n<div class="wide" tabindex="0"><table id="valence-{number}">\n'
     html += row([head("triangles per vertex"), head("vertices"), head("%")] + ([head("paper")] if paper else []))
     for r in rows:
         cells = [cell(grouped(r["triangles"])), cell(grouped(r["vertices"])), cell(f"{r['percent']:.2f}")]
@@ -163,7 +163,7 @@ def isolating_part(mesh, number):
         plot.reference_text = f"the paper reports {plot.reference:g} %"
     picture = plots.bar_plot(plot, f"splits that introduced an isolated triangle, {mesh['mesh']}")
     html = (f'<h3>{escaped(mesh["mesh"])}</h3>\n<figure class="isolating">{picture}</figure>\n'
-            f'<div class="wide"><table id="isolating-{number}">\n')
+            f'<div class="wide" tabindex="0"><table id="isolating-{number}">\n')
     html += row([head("policy"), head("splits"), head("isolating"), head("%"), head("what it does", ' class="words"')])
     for run in mesh["policies"]:
         html += row([cell(escaped(run["policy"])), cell(grouped(run["splits"])), cell(grouped(run["isolating"])),
@@ -185,7 +185,7 @@ def strips_part(mesh, number):
     plot = plots.line_plot(Axis("triangles at this level of detail", True), Axis("strips", True), series,
                               f"strips at each level of detail, {mesh['mesh']}")
     html = (f'<h3>{escaped(mesh["mesh"])}</h3>\n<figure class="strips">{plot}</figure>\n'
-            f'<div class="wide"><table id="strips-{number}">\n<caption>Strips, isolated triangles among them</caption>\n')
+            f'<div class="wide" tabindex="0"><table id="strips-{number}">\n<caption>Strips, isolated triangles among them</caption>\n')
     html += row([head("triangles"), *(head(name) for name, _, _ in runs)])
     for i, level in enumerate(runs[0][2]):
         html += row([cell(grouped(level["triangles"])), *(cell(grouped(levels[i]["strips"])) for _, _, levels in runs)])

@@ -27,7 +27,7 @@ need "${packages[@]}"
 
 say "building"
 cmake --preset release -DRESTRIP_ALLOW_MISSING=ON >/dev/null
-cmake --build --preset release --target restrip-dump-tables restrip-verify restrip-verify-automaton restrip-sat restrip-generate restrip restrip-check \
+cmake --build --preset release --target restrip-dump-tables restrip-verify restrip-verify-automaton restrip-sat restrip-generate restrip restrip-check restrip-lrat \
   runtime_static_proof_test runtime_exact_large_test runtime_linked_test >/dev/null
 bin=build/release/bin
 logs=build/proof
@@ -132,10 +132,10 @@ rung reasons "every rule in the certificates is sound and optimal" \
   's/^in all: (.*)$/\1/p' \
   all_reasons
 rung sat "no valid configuration has a sound recolouring that beats its rule" \
-  "a formula for each position, refuted by CaDiCaL, each proof checked" \
-  "C++ compiler, verify/sat: the formula and the proof checker, not the solver" \
-  's/^proved: (.*)$/\1/p' \
-  $bin/restrip-sat --tables-dir tables --threads "$(nproc)"
+  "a formula for each position, refuted by CaDiCaL, each proof checked by a function extracted from Coq" \
+  "C++ compiler, verify/sat: the formula, not the solver; Coq's extraction, the OCaml compiler, verify/check/lrat.ml" \
+  's/^proved: (.*, the [0-9]+ on which they rest by .*)$/\1/p' \
+  $bin/restrip-sat --tables-dir tables --threads "$(nproc)" --lrat-checker $bin/restrip-lrat
 rung compiler "the shipped headers give sound and optimal rules, k <= 4" \
   "brute force in static_assert, while the program is built" \
   "C++ compiler, one page of tests/runtime/rules/static_proof_test.cpp" \
@@ -149,7 +149,7 @@ rung run "the rules as a program applied them: every colouring valid, every numb
 if [ "$coq" = yes ]; then
   rung theorem "sound, optimal, the facts, the locality lemma itself, and the bound on the strips of a whole mesh" \
     "Coq, for the shipped bytes; no axioms" \
-    "Coq's kernel, the printer of the tables, verify/formal/Spec.v" \
+    "Coq's kernel, the printer of the tables, verify/formal/Statements.v" \
     's/^All proved in (.*)$/&/p' \
     verify/formal/prove.sh "${coq_options[@]}"
   sed -n '/^theorem /,$p' "$logs/theorem.log"

@@ -72,7 +72,7 @@ done
 
 # Where generator and verifier exhaust something, sanitizers would take minutes for each; smaller tests run the same code. So
 # would the real meshes. This build is also the one that shows Clang compiles us.
-too_long='BitFlips|Targeted|EveryCrime|EveryFlipped|SatEncoding.(Every|Models)|SatProofs.(The|Controls|EveryLine)|shards|tables.fresh'
+too_long='ShippedRows|Targeted|EveryCrime|EveryFlipped|SatEncoding.(Every|Models)|SatProofs.(The|Controls|EveryLine)|shards|tables.fresh'
 beside "building with Clang and its sanitizers" cmake --build --preset sanitize
 part "testing" ctest --preset test -j "$(nproc)"
 joined

@@ -30,7 +30,7 @@ async function inChromium(code, argument) {
 
 function sizes() {
   const files = [['the library', 'package/restrip.wasm'], ['the same, tables up to k = 6', 'package/restrip-small.wasm'],
-    ['its JavaScript', 'package/restrip.mjs'], ['the viewer, with its mesh', 'viewer.html'],
+    ['the readers of files', 'package/restrip-readers.wasm'], ['its JavaScript', 'package/restrip.mjs'], ['the viewer, with its mesh', 'viewer.html'],
     ['the atlas: index', 'atlas/index.html'], ['the atlas: splits, k = 6, a = 3', 'atlas/split-6-3.html'], ['the painter', 'atlas/paint.html']];
   table([['', 'bytes', 'gzip', 'Brotli'], ...files.map(([what, file]) => {
     const bytes = readFileSync(join(folder, file));
@@ -79,11 +79,12 @@ async function bytes() {
     const { mesh, scene } = viewer;
     const out = [];
     for (const cost of ['strips', 'indices'])
-      for (const policy of cost === 'strips' ? [...names, 'baked'] : names) {
+      for (const policy of cost === 'strips' ? [...names, 'baked'] : [...names, 'bare']) {
         mesh.begin({ policy, cost });
+        // Under `bare`, which keeps no strips, the list with slots.
         const follow = () => {
-          const ranges = mesh.update();
-          scene.upload(mesh.indices, ranges);
+          const ranges = policy === 'bare' ? mesh.updateList() : mesh.update();
+          scene.upload(policy === 'bare' ? mesh.listIndices : mesh.indices, ranges);
         };
         follow();
         let [steps, uploaded, whole, list] = [0, 0, 0, 0];
@@ -93,7 +94,7 @@ async function bytes() {
           follow();
           ++steps;
           uploaded += scene.bytesUploaded;
-          whole += 4 * mesh.indices.length;
+          whole += 4 * (policy === 'bare' ? mesh.listIndices : mesh.indices).length;
           list += 12 * mesh.figures.triangles;
         };
         for (let percent = 1; percent <= 100; ++percent) step(percent);
@@ -102,9 +103,9 @@ async function bytes() {
       }
     return out;
   }, policies);
-  table([['policy', 'cost', 'bytes uploaded for 1 %', 'the whole strip buffer', 'the whole triangle list', 'of the list'],
+  table([['policy', 'cost', 'bytes uploaded for 1 %', 'the whole buffer', 'a whole triangle list', 'of the list'],
     ...measured.map(([policy, cost, uploaded, whole, list]) =>
-      [`\`${policy}\``, cost, grouped(uploaded), grouped(whole), grouped(list), `${(100 * uploaded / list).toFixed(0)} %`])]);
+      [...(policy === 'bare' ? ['a list with slots', '–'] : [`\`${policy}\``, cost]), grouped(uploaded), grouped(whole), grouped(list), `${(100 * uploaded / list).toFixed(0)} %`])]);
 }
 
 const commands = { sizes, speed, bytes };

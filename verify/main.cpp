@@ -7,8 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
-#include "model/exit_code.hpp"
-#include "model/input.hpp"
+#include "model/program.hpp"
 #include "verify.hpp"
 
 namespace {
@@ -26,16 +25,20 @@ int run(const Verify& verify, const Last& last, bool as_json) {
     std::fflush(stdout);
   });
   fmt::print("{}", as_json ? json_of(claims, totals) : last(totals));
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw std::runtime_error("standard output: what was found could not be written");
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
+}
+
+/// Throws std::invalid_argument for options that do not go together: what one asks for is then not done, and that is no
+/// way to ignore it.
+void refuse_if(bool condition, const std::string& what) {
+  if (condition) throw std::invalid_argument(what);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  restrip::verify::Options options;
-  restrip::verify::OperationOptions own;
+  Options options;
+  OperationOptions own;
   options.show_progress = isatty(STDERR_FILENO) != 0;
   bool as_json = false;
 
@@ -77,7 +80,7 @@ int main(int argc, char** argv) {
          "The largest fans of the certificates, or with --headers of the dumps. Beyond k = 8 rules are proved by "
          "their reasons, and not searched for a second time")
       ->capture_default_str()
-      ->check(CLI::Range(3U, restrip::verify::largest_judged_fan));
+      ->check(CLI::Range(3U, largest_judged_fan));
   app.add_flag("--all", options.second_formulation,
                "Check also that a second formulation (forbidden sets, no strip walked) agrees everywhere");
   app.add_flag("--json", as_json, "Print the claims as JSON");
@@ -95,62 +98,37 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
-  if (!own.operation.empty() && own.certificate.empty() && own.header.empty() && options.dump_command.empty()) {
-    fmt::print(stderr, "restrip-verify: --operation needs --certificate, --header or both\n");
-    return bad_input;
-  }
-  if (options.max_k > restrip::verify::largest_fan &&
-      (options.headers_only || !options.linked_dump_command.empty() || !options.digest_commands.empty())) {
-    fmt::print(
-        stderr,
-        "restrip-verify: --max-k {}: --headers, --linked-dump-command and --digest-command judge fans of up to {} "
-        "triangles\n",
-        options.max_k, restrip::verify::largest_fan);
-    return bad_input;
-  }
-  if (options.headers_only && options.dump_command.empty() && options.linked_dump_command.empty()) {
-    fmt::print(stderr, "restrip-verify: --headers needs --dump-command, --linked-dump-command or both\n");
-    return bad_input;
-  }
-
-  for (const char* name : {"--tables-dir", "--all", "--threads"})
-    if (options.headers_only && !app.get_option(name)->empty()) {
-      fmt::print(stderr, "restrip-verify: --headers reads no certificates, so {} has no effect; leave it out\n", name);
-      return bad_input;
-    }
-  for (const char* name : {"--linked-dump-command", "--digest-command"})
-    if (!options.families.empty() && !app.get_option(name)->empty()) {
-      fmt::print(stderr,
-                 "restrip-verify: {} judges all rules, so --family has no effect on it; run them one after the other\n",
-                 name);
-      return bad_input;
-    }
-
-  try {
+  const auto given = [&](const char* name) { return !app.get_option(name)->empty(); };
+  return exit_code_of("restrip-verify", [&] {
+    refuse_if(!own.operation.empty() && own.certificate.empty() && own.header.empty() && options.dump_command.empty(),
+              "--operation needs --certificate, --header or both");
+    refuse_if(options.max_k > largest_fan &&
+                  (options.headers_only || !options.linked_dump_command.empty() || !options.digest_commands.empty()),
+              fmt::format(
+                  "--max-k {}: --headers, --linked-dump-command and --digest-command judge fans of up to {} triangles",
+                  options.max_k, largest_fan));
+    refuse_if(options.headers_only && options.dump_command.empty() && options.linked_dump_command.empty(),
+              "--headers needs --dump-command, --linked-dump-command or both");
+    for (const char* name : {"--tables-dir", "--all", "--threads"})
+      refuse_if(options.headers_only && given(name),
+                fmt::format("--headers reads no certificates, so {} has no effect; leave it out", name));
+    for (const char* name : {"--linked-dump-command", "--digest-command"})
+      refuse_if(
+          !options.families.empty() && given(name),
+          fmt::format("{} judges all rules, so --family has no effect on it; run them one after the other", name));
     if (own.operation.empty())
-      return run([&](const auto& listener) { return restrip::verify::verify_tables(options, listener); },
-                 restrip::verify::last_line, as_json);
+      return run([&](const auto& listener) { return verify_tables(options, listener); }, last_line, as_json);
     own.dump_command = options.dump_command;
     const bool of_a_family = has_family(own.operation);
-    if (!of_a_family && !app.get_option("--max-k")->empty()) {
-      fmt::print(stderr, "restrip-verify: {} describes no family, so --max-k has no effect; leave it out\n",
-                 own.operation);
-      return bad_input;
-    }
-    if (!of_a_family && !own.dump_command.empty() && own.header.empty()) {
-      fmt::print(stderr,
-                 "restrip-verify: --dump-command with --operation needs --header: the program was compiled from that "
-                 "file, which is read before the program is run\n");
-      return bad_input;
-    }
+    refuse_if(!of_a_family && given("--max-k"),
+              fmt::format("{} describes no family, so --max-k has no effect; leave it out", own.operation));
+    refuse_if(!of_a_family && !own.dump_command.empty() && own.header.empty(),
+              "--dump-command with --operation needs --header: the program was compiled from that file, which is read "
+              "before the program is run");
     own.second_formulation = options.second_formulation;
     own.threads = options.threads;
     own.max_k = options.max_k;
-    return run([&](const auto& listener) { return restrip::verify::verify_operation(own, listener); },
-               [&](const auto& totals) { return restrip::verify::last_line_of(own, totals); }, as_json);
-  } catch (const std::exception& error) {
-    std::fflush(stdout);
-    fmt::print(stderr, "restrip-verify: {}\n", error.what());
-    return bad_input;
-  }
+    return run([&](const auto& listener) { return verify_operation(own, listener); },
+               [&](const auto& totals) { return last_line_of(own, totals); }, as_json);
+  });
 }

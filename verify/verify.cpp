@@ -63,15 +63,16 @@ unsigned pairing_places(unsigned max_k) { return max_k <= 8 ? 8 : 16; }
 /// Checks and reports it; returns for each section what a dump must say.
 std::vector<std::vector<std::string>> check_linked_family(const LinkedInput& input, unsigned max_k,
                                                           const ClaimListener& listener) {
-  std::vector<LinkedCheck> checks;
+  LinkedCheck check;
   std::vector<std::vector<std::string>> dump;
   for (std::size_t i = 0; i < input.family->local.sections.size(); ++i) {
     const Section& section = input.family->local.sections[i];
-    checks.push_back(check_linked({&section, &input.certificate.sections[i], &input.local.sections[i],
-                                   input.certificate.file, input.local.file}));
+    check_linked(
+        {&section, &input.certificate.sections[i], &input.local.sections[i], input.certificate.file, input.local.file},
+        check);
     dump.push_back(dump_of(section, input.certificate.sections[i], pairing_places(max_k)));
   }
-  report_linked(*input.family, checks, listener);
+  report_linked(*input.family, check, listener);
   return dump;
 }
 

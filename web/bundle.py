@@ -2,12 +2,14 @@
 """Makes one page of one file each, that opens from the file system: styles, scripts, the WebAssembly module and the mesh
 are put inside.
 
-bundle.py PAGE.html OUT.html [--style FILE…] [--script FILE…] [--worker FILE…] [--put NAME=FILE…]
+bundle.py PAGE.html OUT.html [--style FILE…] [--script FILE…] [--worker FILE…] [--part NAME=FILE…] [--code NAME=FILE…] [--put NAME=FILE…]
 Scripts are ES modules in the order in which they need each other; their import and export words are taken out, so that
-names at their top levels must differ; those of a worker are put together in the same way. --put replaces <!--NAME--> by the file, compressed and in base64."""
+names at their top levels must differ; those of a worker are put together in the same way. --part replaces <!--NAME--> by the file as
+it is, --code by its text, to be read, --put by the file, compressed and in base64."""
 import argparse
 import base64
 import gzip
+import html
 import re
 import sys
 from pathlib import Path
@@ -38,12 +40,20 @@ def main():
     parser.add_argument("--style", nargs="*", default=[])
     parser.add_argument("--script", nargs="*", default=[])
     parser.add_argument("--worker", nargs="*", default=[])
+    parser.add_argument("--part", nargs="*", default=[])
+    parser.add_argument("--code", nargs="*", default=[])
     parser.add_argument("--put", nargs="*", default=[])
     given = parser.parse_args()
     page = Path(given.page).read_text(encoding="utf-8")
     parts = {"/*STYLE*/": "".join(Path(s).read_text(encoding="utf-8") for s in given.style), "/*SCRIPT*/": inlined(given.script),
              # Browsers start a page from the file system no worker that is a module, and only modules have an address.
              "/*WORKER*/": inlined(given.worker).replace("import.meta.url", "'file:///'")}
+    for part in given.part:
+        name, file = part.split("=", 1)
+        parts[f"<!--{name}-->\n"] = Path(file).read_text(encoding="utf-8")
+    for code in given.code:
+        name, file = code.split("=", 1)
+        parts[f"<!--{name}-->"] = html.escape(Path(file).read_text(encoding="utf-8").rstrip("\n"), quote=False)
     for put in given.put:
         name, file = put.split("=", 1)
         parts[f"<!--{name}-->"] = base64.b64encode(gzip.compress(Path(file).read_bytes(), 9, mtime=0)).decode("ascii")

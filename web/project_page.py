@@ -34,9 +34,9 @@ def inline(text):
 
 def table(lines):
     rows = [[inline(cell.strip()) for cell in line.strip("|").split("|")] for line in lines]
-    head = "".join(f"<th>{cell}</th>" for cell in rows[0])
+    head = "".join(f"<th>{cell}</th>" if cell else "<td></td>" for cell in rows[0])
     body = "".join("<tr>" + "".join(f"<td>{cell}</td>" for cell in row) + "</tr>" for row in rows[2:])
-    return f'<div class="wide"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>'
+    return f'<div class="wide" tabindex="0"><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>'
 
 
 def blocks(lines):
@@ -70,6 +70,7 @@ def sections(text):
 def whole(title, body, style, up=""):
     return ('<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
             f'<meta name="color-scheme" content="light dark">\n<title>{escaped(title)}</title>\n'
+            f'<meta property="og:title" content="{escaped(title)}">\n<meta property="og:image" content="{up}ribbon.png">\n'
             f'<link rel="icon" href="data:,">\n<style>{style}</style>\n<body>\n<nav><a href="{up}index.html">restrip</a> <a href="{up}viewer.html">Viewer</a> '
             f'<a href="{up}atlas/index.html">Atlas of rules</a></nav>\n<main class="prose">{body}</main>\n</body>\n</html>\n')
 

@@ -343,8 +343,8 @@ Description description_from(const JsonValue& value, Author author) {
 }  // namespace
 
 std::vector<Description> parse_descriptions(const std::string& file, const std::string& text, Author author) {
-  const Json json = parse_json(file, text);
-  const JsonValue top(file, text, json);
+  const JsonFile json = parse_json(file, text);
+  const JsonValue top(json);
   static_cast<void>(top["restrip_operation"].number(1, 1, "a version of the format"));
   const std::string list = "operations";
   std::vector<Description> all;

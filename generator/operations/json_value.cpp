@@ -4,50 +4,103 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
+#include <istream>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "operations/emitted_words.hpp"
 
 namespace restrip::generator {
+namespace {
 
-Json parse_json(const std::string& file, const std::string& text) {
+std::string path_of(const std::string& object, const std::string& member) {
+  return object.empty() ? member : object + "." + member;
+}
+std::string path_of(const std::string& list, std::size_t place) { return fmt::format("{}[{}]", list, place); }
+
+/// Follows the parser through a text, of which it tells values and no places: how far it has read is known.
+class Follower {
+ public:
+  Follower(JsonFile& file, std::istream& text, const std::string& whole) : file_(file), text_(text), whole_(whole) {}
+
+  bool operator()(int /*depth*/, Json::parse_event_t event, Json& value) {
+    using Event = Json::parse_event_t;
+    if (event == Event::key) {
+      Open& object = open_.back();
+      object.path_inside = path_of(object.path, value.get<std::string>());
+      // The last of two members of one name would silently win.
+      if (!object.members.insert(object.path_inside).second) twice_ = value.get<std::string>();
+    } else if (event == Event::object_end || event == Event::array_end) {
+      open_.pop_back();
+    } else {
+      std::string path;
+      if (!open_.empty())
+        path = open_.back().is_list ? path_of(open_.back().path, open_.back().elements++) : open_.back().path_inside;
+      file_.lines.emplace(path, line());
+      if (event != Event::value) open_.push_back({path, event == Event::array_start, 0, {}, {}});
+    }
+    return true;
+  }
+  [[nodiscard]] const std::string& member_twice() const { return twice_; }
+
+ private:
+  struct Open {
+    std::string path;
+    bool is_list = false;
+    std::size_t elements = 0;
+    std::string path_inside;  ///< of the member that comes
+    std::set<std::string> members;
+  };
+
+  /// Of the last token: the parser has read it, and of what follows a number the first character.
+  std::size_t line() {
+    const auto read = static_cast<std::ptrdiff_t>(text_.rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in));
+    const std::ptrdiff_t end = std::max(read - 1, counted_);
+    line_ += static_cast<std::size_t>(std::count(whole_.begin() + counted_, whole_.begin() + end, '\n'));
+    counted_ = end;
+    return line_;
+  }
+
+  JsonFile& file_;
+  std::istream& text_;
+  const std::string& whole_;
+  std::vector<Open> open_;
+  std::string twice_;
+  std::ptrdiff_t counted_ = 0;
+  std::size_t line_ = 1;
+};
+
+}  // namespace
+
+JsonFile parse_json(const std::string& file, const std::string& text) {
   if (text.starts_with("\xef\xbb\xbf"))  // which the parser would skip
     throw std::runtime_error(
         fmt::format("{}:1: the file begins with a byte order mark; save it as UTF-8 without one", file));
-  // The last of two members of one name would silently win.
-  std::vector<std::set<std::string>> members;
-  std::string twice;
-  const auto look = [&](int, Json::parse_event_t event, Json& value) {
-    if (event == Json::parse_event_t::object_start) members.emplace_back();
-    if (event == Json::parse_event_t::object_end) members.pop_back();
-    if (event == Json::parse_event_t::key && !members.back().insert(value.get<std::string>()).second)
-      twice = value.get<std::string>();
-    return true;
-  };
+  JsonFile parsed{file, {}, {}};
+  std::istringstream stream(text);
+  Follower follower(parsed, stream, text);
   try {
-    Json json = Json::parse(text, look);
-    if (!twice.empty())
-      throw std::runtime_error(fmt::format("{}: the member \"{}\" is there twice", file, printable(twice)));
-    return json;
+    parsed.json = Json::parse(stream, std::ref(follower));
   } catch (const Json::parse_error& error) {
     const std::size_t end = std::min(error.byte, text.size());
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
     throw std::runtime_error(fmt::format("{}:{}: this is not JSON: {}", file, line, printable(error.what())));
   }
+  if (const std::string& twice = follower.member_twice(); !twice.empty())
+    throw std::runtime_error(fmt::format("{}: the member \"{}\" is there twice", file, printable(twice)));
+  return parsed;
 }
 
 void JsonValue::refuse(const std::string& what) const {
-  std::string place;
-  for (const JsonStep& step : path_)
-    place += step.member.empty() ? fmt::format("[{}]", step.element) : (place.empty() ? "" : ".") + step.member;
-  throw std::runtime_error(fmt::format("{}:{}: {}{}{}", file_, line_of(text_, path_), printable(place),
-                                       place.empty() ? "" : ": ", printable(what)));
+  throw std::runtime_error(fmt::format("{}:{}: {}{}{}", file_.name, file_.lines.at(path_), printable(path_),
+                                       path_.empty() ? "" : ": ", printable(what)));
 }
 
 JsonValue JsonValue::operator[](const std::string& member) const {
   if (!has(member)) refuse(fmt::format("expected a member \"{}\"", member));
-  return inside(json_.at(member), {member, 0});
+  return {file_, json_.at(member), path_of(path_, member)};
 }
 
 std::vector<std::string> JsonValue::members() const {
@@ -59,7 +112,7 @@ std::vector<std::string> JsonValue::members() const {
 std::vector<JsonValue> JsonValue::elements(const std::string& of_what) const {
   if (!json_.is_array()) refuse(fmt::format("expected a list of {}", of_what));
   std::vector<JsonValue> values;
-  for (std::size_t i = 0; i < json_.size(); ++i) values.push_back(inside(json_[i], {"", i}));
+  for (std::size_t i = 0; i < json_.size(); ++i) values.push_back({file_, json_[i], path_of(path_, i)});
   return values;
 }
 
@@ -90,13 +143,7 @@ void JsonValue::expect_members(const std::vector<std::string>& known) const {
   if (!json_.is_object()) refuse("expected an object");
   for (const auto& [name, value] : json_.items())
     if (std::find(known.begin(), known.end(), name) == known.end())
-      inside(value, {name, 0}).refuse(fmt::format("unknown member; expected one of {}", fmt::join(known, ", ")));
-}
-
-JsonValue JsonValue::inside(const Json& json, JsonStep step) const {
-  std::vector<JsonStep> path = path_;
-  path.push_back(std::move(step));
-  return {file_, text_, json, std::move(path)};
+      (*this)[name].refuse(fmt::format("unknown member; expected one of {}", fmt::join(known, ", ")));
 }
 
 }  // namespace restrip::generator

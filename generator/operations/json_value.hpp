@@ -2,26 +2,31 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "operations/json_line.hpp"
 
 namespace restrip::generator {
 
 /// Members stay in the order of the file.
 using Json = nlohmann::ordered_json;
 
+/// A file, and on which line each of its values begins, by its path: "after.ring[3]", and "" for the whole.
+struct JsonFile {
+  std::string name;
+  Json json;
+  std::map<std::string, std::size_t> lines;
+};
+
 /// Throws std::runtime_error that names file and line where the text is not JSON, or has a member twice.
-[[nodiscard]] Json parse_json(const std::string& file, const std::string& text);
+[[nodiscard]] JsonFile parse_json(const std::string& file, const std::string& text);
 
 class JsonValue {
  public:
-  /// Refers to all three.
-  JsonValue(const std::string& file, const std::string& text, const Json& json, std::vector<JsonStep> path = {})
-      : file_(file), text_(text), json_(json), path_(std::move(path)) {}
+  /// The whole file, to which it refers.
+  explicit JsonValue(const JsonFile& file) : JsonValue(file, file.json, "") {}
 
   [[noreturn]] void refuse(const std::string& what) const;
 
@@ -41,12 +46,12 @@ class JsonValue {
   void expect_members(const std::vector<std::string>& known) const;
 
  private:
-  [[nodiscard]] JsonValue inside(const Json& json, JsonStep step) const;
+  JsonValue(const JsonFile& file, const Json& json, std::string path)
+      : file_(file), json_(json), path_(std::move(path)) {}
 
-  const std::string& file_;
-  const std::string& text_;
+  const JsonFile& file_;
   const Json& json_;
-  std::vector<JsonStep> path_;
+  std::string path_;
 };
 
 }  // namespace restrip::generator

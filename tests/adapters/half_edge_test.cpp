@@ -5,10 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "../runtime/sample_meshes.hpp"
 #include "half_edge_mesh.hpp"
 #include "lockstep.hpp"
-#include "restrip/operations/test_adapter.hpp"
 
 namespace restrip {
 namespace {
@@ -48,17 +46,7 @@ class Foreign {
 TEST(HalfEdgeMesh, Closed) { walk_in_lockstep<Foreign>(sample::torus(12, 10), false, 1); }
 TEST(HalfEdgeMesh, WithBoundary) { walk_in_lockstep<Foreign>(sample::rectangle(6, 5), true, 2); }
 
-TEST(HalfEdgeMesh, KeepsTheContract) {
-  for (const StripMesh& from : {sample::torus(7, 6), sample::rectangle(6, 5)}) {
-    half_edge::Mesh mesh = copy_of(from);
-    Watched watched(mesh);
-    const AdapterReport report = test_adapter(watched, mesh.halfedge(0), &watched.changed());
-    EXPECT_TRUE(report.kept()) << describe(report.broken) << " (" << report.during << ")";
-    EXPECT_GT(report.splits, 100U);
-    EXPECT_GT(report.collapses, 100U);
-    EXPECT_GT(report.flips, 50U);
-  }
-}
+TEST(HalfEdgeMesh, KeepsTheContract) { expect_contract_kept<Foreign>(); }
 
 /// An owner who gives back a frame, here by a copy of the records, rebuilds the keeper and names the triangles of the
 /// frame to the buffer. The strips are those that there were, and operations go on from there.

@@ -14,8 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "../runtime/sample_meshes.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/watched.hpp"
+#include "restrip/operations/test_adapter.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
@@ -239,6 +241,21 @@ void walk_in_lockstep(const StripMesh& start, bool boundary, unsigned seed) {
       if (testing::Test::HasFailure()) FAIL() << row.name << ", restart " << cost.restart;
     }
   stripify_both<Foreign>(start);
+}
+
+/// The adapter does what test_adapter asks of it.
+template <class Foreign>
+void expect_contract_kept() {
+  for (const StripMesh& from : {sample::torus(7, 6), sample::rectangle(6, 5)}) {
+    Foreign foreign(from);
+    auto& strips = foreign.strips();
+    Watched watched(strips);
+    const AdapterReport report = test_adapter(watched, strips.halfedge(0), &watched.changed());
+    EXPECT_TRUE(report.kept()) << describe(report.broken) << " (" << report.during << ")";
+    EXPECT_GT(report.splits, 100U);
+    EXPECT_GT(report.collapses, 100U);
+    EXPECT_GT(report.flips, 50U);
+  }
 }
 
 }  // namespace restrip

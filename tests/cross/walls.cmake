@@ -17,6 +17,8 @@ set(door_adapters "<(OpenMesh|CGAL)/.*>")
 set(door_parallel_ranges "<tbb/.*>")
 # restrip-sat writes files as the other programs do. What the verifier reads, it reads by itself.
 set(door_sat "\"files/(output|system_calls).hpp\"")
+# The readers of the program, for JavaScript.
+set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
 # The C header that the generator writes includes what programs of C need.
 set(door_templates "<std(bool|int).h>")
 set(door_check "<(stdio|stdlib|string).h>|\"restrip_tables.h\"")
@@ -89,6 +91,7 @@ function(judge room source line out)
   if(source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
      OR source MATCHES "/parallel_ranges" AND what MATCHES "^(${door_parallel_ranges})$"
      OR source MATCHES "/verify/sat/" AND what MATCHES "^(${door_sat})$"
+     OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
      OR source MATCHES "/generator/languages/templates/" AND what MATCHES "^(${door_templates})$"
      OR source MATCHES "/generator/languages/templates/tables_check.c$" AND what MATCHES "^(${door_check})$"
      OR what MATCHES "^(${allowed_in_${room}})$")
@@ -159,7 +162,7 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "tools/common/any.cpp|\"meshes/soup.hpp\"" "tools/meshes/any.cpp|\"lod/simplify.hpp\""
                        "tools/lod/any.cpp|\"replay/replay.hpp\"" "tools/replay/any.cpp|\"paper/paper.hpp\""
                        "tools/paper/any.cpp|\"app/commands.hpp\"" "tools/app/any.cpp|\"restrip/search/impl/tunnel.hpp\""
-                       "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "web/glue/any.cpp|\"lod/simplify.hpp\""
+                       "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "web/glue/any.cpp|\"lod/simplify.hpp\"" "web/readers/any.cpp|\"lod/simplify.hpp\""
                        "web/glue/any.cpp|\"restrip/rules/rules.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\""
                        "c/any.cpp|\"lod/simplify.hpp\"" "c/any.cpp|<fmt/format.h>" "c/any.cpp|\"restrip/search/impl/tunnel.hpp\""
                        "examples/any.c|<unistd.h>")

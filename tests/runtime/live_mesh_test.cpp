@@ -118,15 +118,22 @@ TEST(LiveMesh, OperationsByVerticesAndRefusals) {
   EXPECT_FALSE(without.undo());
 }
 
-TEST(StripsOf, ListInStripsOut) {
-  const StripMesh mesh = sample::sphere(4);
-  BuildReport report;
-  std::vector<std::uint32_t> list = list_of(mesh);
-  list.insert(list.end(), {0, 0, 1});
-  const auto indices = strips_of(list, mesh.vertex_bound(), Effort::full, Cost::indices(), &report);
-  EXPECT_EQ(report.degenerate_triangles, 1U);
-  EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), triangles_of(mesh));
-  EXPECT_LT(indices.size(), 2 * mesh.triangle_count());
+// The lines that the viewer's page prints for C++, as they are printed there.
+TEST(LiveMesh, LinesOfThePageKeepTheBufferInStep) {
+  const std::vector<std::uint32_t> triangles = list_of(sample::torus(20, 20));
+  const std::size_t vertex_count = 400;
+  const Vertex v = triangles[0];
+  const Vertex w = triangles[1];
+  std::vector<std::uint32_t> gpu;
+  const auto upload_all = [&](std::span<const std::uint32_t> all) { gpu.assign(all.begin(), all.end()); };
+  const auto upload = [&](std::size_t first, std::span<const std::uint32_t> some) {
+    gpu.resize(std::max(gpu.size(), first + some.size()));
+    std::copy(some.begin(), some.end(), gpu.begin() + static_cast<std::ptrdiff_t>(first));
+  };
+#include "../../web/viewer/use/live.inc"
+  gpu.resize(live.indices().size());
+  EXPECT_EQ(live.mesh().triangle_count(), triangles.size() / 3 - 2);
+  EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(gpu)), triangles_of(live.mesh()));
 }
 
 }  // namespace

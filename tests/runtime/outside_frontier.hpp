@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "naive_patch.hpp"
+
 namespace naive {
 
 class OutsideFrontier {
@@ -141,5 +143,18 @@ class OutsideFrontier {
   std::vector<std::vector<int>> edges_;
   mutable const std::function<bool(int, int)>* may_join_ = nullptr;
 };
+
+/// The best for a key: of what lies behind its ports nothing is known but which of them were joined before.
+inline long best_for_key(const Patch& patch, const Bits& ports, const Bits& joined) {
+  OutsideFrontier graph(static_cast<int>(patch.nodes));
+  for (const auto& [u, v] : patch.edges) graph.add_edge(static_cast<int>(u), static_cast<int>(v));
+  for (std::size_t p = 0; p < ports.size(); ++p)
+    if (ports[p]) graph.add_hidden(static_cast<int>(patch.port_node[p]), static_cast<int>(p));
+  const Pairs allowed = pairs_of(patch, ports, joined);
+  return graph.best([&](int one, int other) {
+    const auto [low, high] = std::minmax(one, other);
+    return allowed.count({static_cast<std::size_t>(low), static_cast<std::size_t>(high)}) != 0;
+  });
+}
 
 }  // namespace naive

@@ -199,6 +199,19 @@ TEST(PreconditionDeathTest, StripsThatAreOutOfDate) {
   EXPECT_FAILED((void)strip_index_count(mesh, strips), "strip_index_count: the strips are not those of the mesh");
 }
 
+TEST(PreconditionDeathTest, AListThatIsTrusted) {
+  const std::vector<Corners> twice{{0, 1, 2}, {1, 2, 3}};
+  const std::vector<Corners> degenerate{{0, 1, 1}};
+  const std::vector<Corners> beyond{{0, 1, 4}};
+  for (const auto& list : {twice, degenerate, beyond})
+    EXPECT_FAILED((void)strips_of(trusted, list, 4), "strips_of: the list that is trusted is no oriented manifold");
+  std::vector<std::array<std::uint32_t, 3>> across(2);
+  EXPECT_FAILED(find_neighbors(trusted, TriangleList(twice), 4, across),
+                "find_neighbors: the list that is trusted is no oriented manifold");
+  EXPECT_FAILED(find_neighbors(trusted, TriangleList(beyond), 9, across),
+                "find_neighbors: there is not one place for each triangle");
+}
+
 TEST(PreconditionDeathTest, TheLocatorOfStrips) {
   StripMesh mesh = two_triangles();
   StripLocator locator(mesh);

@@ -1,4 +1,4 @@
-// The least cost of a recolouring for patches too large to look at every colouring: frontier_search.hpp with swaps.
+// The least cost of a recolouring for patches too large to look at every colouring, where swaps have a price.
 // Walks along the row of nodes and keeps, for every different way in which the strands so far hang together and turn,
 // the least cost.
 #pragma once

@@ -91,14 +91,9 @@ TEST(OperationJudge, AFamilyOfOnesOwn) {
       described.replace(described.find("GIVE"), 4, give_up);
       const Family family = families_of(parse_descriptions("f", described), 8).front();
       std::vector<NaiveTable> tables;
-      std::string dump = "restrip-table-dump 4\n";
-      std::size_t entries = 0;
+      std::vector<std::string> texts;
       const auto add = [&](const NaiveOperation& operation, const NaiveTable& table) {
-        const std::string own = dump_text(operation, table);
-        const std::size_t first = own.find('\n') + 1;
-        const std::size_t end = own.rfind("end ");
-        dump += own.substr(first, end - first);
-        entries += operation.configurations().size();
+        texts.push_back(table_text(operation, answers_of(operation, table), operation.operation().on_a_mesh()));
       };
       for (const Section& one : family.sections) {
         NaiveSection naive{one.position, one.serves_every_position, {}};
@@ -110,7 +105,7 @@ TEST(OperationJudge, AFamilyOfOnesOwn) {
         const NaiveSection naive{"", false, {NaiveOperation(operation)}};
         add(naive.operations.front(), naive_table(name, naive, false).value());
       }
-      dump += fmt::format("end {}\n", entries);
+      const std::string dump = dump_text(texts);
       const std::string path = fmt::format("{}/family-{}.json", testing::TempDir(), getpid());
       std::ofstream(path) << described;
       const std::string certificate = certificate_text(name, tables);

@@ -116,27 +116,40 @@ std::string certificate_text(const std::string& family, const std::vector<NaiveT
   return with_end(text, rows);
 }
 
-std::string told_text(const NaiveOperation& operation, NaiveColors before, NaiveColors after, bool with_isolated) {
-  std::string text = std::to_string(operation.change(after, before, Count::strips));
-  if (with_isolated) text += fmt::format(" {}", operation.isolated(true, after) - operation.isolated(false, before));
+NaiveAnswers answers_of(const NaiveOperation& operation, const NaiveTable& table) {
+  return [&](NaiveColors configuration) -> std::optional<NaiveColors> {
+    if (!operation.valid(false, configuration)) return {};
+    return table.rows.at(operation.key(configuration)).after;
+  };
+}
+
+std::string table_text(const NaiveOperation& operation, const NaiveAnswers& answers, bool with_isolated) {
+  std::string text = fmt::format("table {}\n", operation.operation().name());
+  for (const NaiveColors& configuration : operation.configurations()) {
+    if (operation.operation().constraint == Constraint::matching && configuration.inner != 0) break;
+    text += fmt::format("{:x} {:x} ", configuration.inner, configuration.ports);
+    if (const std::optional<NaiveColors> after = answers(configuration)) {
+      text += fmt::format("{:x} {:x} {}", after->inner, after->ports,
+                          operation.change(*after, configuration, Count::strips));
+      if (with_isolated)
+        text += fmt::format(" {}", operation.isolated(true, *after) - operation.isolated(false, configuration));
+    } else {
+      text += '-';
+    }
+    text += '\n';
+  }
   return text;
 }
 
+std::string dump_text(const std::vector<std::string>& tables) {
+  std::string text = "restrip-table-dump 4\n";
+  for (const std::string& table : tables) text += table;
+  const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  return text + fmt::format("end {}\n", lines - 1 - tables.size());
+}
+
 std::string dump_text(const NaiveOperation& operation, const NaiveTable& table) {
-  std::string text = fmt::format("restrip-table-dump 4\ntable {}\n", operation.operation().name());
-  std::size_t entries = 0;
-  for (const NaiveColors& configuration : operation.configurations()) {
-    if (operation.operation().constraint == Constraint::matching && configuration.inner != 0) break;
-    ++entries;
-    std::string answer = "-";
-    if (operation.valid(false, configuration)) {
-      const NaiveColors after = table.rows.at(operation.key(configuration)).after;
-      answer = fmt::format("{:x} {:x} {}", after.inner, after.ports,
-                           told_text(operation, configuration, after, operation.operation().on_a_mesh()));
-    }
-    text += fmt::format("{:x} {:x} {}\n", configuration.inner, configuration.ports, answer);
-  }
-  return text + fmt::format("end {}\n", entries);
+  return dump_text({table_text(operation, answers_of(operation, table), operation.operation().on_a_mesh())});
 }
 
 std::string with_end(const std::string& above, std::size_t rows) {

@@ -75,10 +75,16 @@ std::optional<NaiveTable> naive_table(const std::string& family, const NaiveSect
 /// A certificate that holds these sections.
 std::string certificate_text(const std::string& family, const std::vector<NaiveTable>& tables);
 
-/// What an answer tells of its changes, in strips and perhaps in isolated triangles: "1 -2".
-std::string told_text(const NaiveOperation& operation, NaiveColors before, NaiveColors after, bool with_isolated);
+/// What a table answers to a configuration; nothing where it has no answer.
+using NaiveAnswers = std::function<std::optional<NaiveColors>(NaiveColors)>;
+/// The answers of a certificate's rows.
+NaiveAnswers answers_of(const NaiveOperation& operation, const NaiveTable& table);
 
-/// What a program prints that answers with the rows of a table of one operation.
+/// The lines of one table of a dump, which tell changes in strips and perhaps in isolated triangles.
+std::string table_text(const NaiveOperation& operation, const NaiveAnswers& answers, bool with_isolated);
+/// What a program prints that answers with these tables.
+std::string dump_text(const std::vector<std::string>& tables);
+/// With the rows of one operation's table.
 std::string dump_text(const NaiveOperation& operation, const NaiveTable& table);
 
 /// The text with an "end" line behind it.

@@ -81,7 +81,8 @@ add_test(NAME verify.operations.generated
 
 # The schema says what the reader says. No program of ours is tested but the reader, so once is enough.
 if(NOT RESTRIP_SANITIZE)
-  file(GLOB schema_files ${RESTRIP_TABLES_DIR}/operations/*.json ${corpus}/*.json)
+  file(GLOB schema_files ${RESTRIP_TABLES_DIR}/families.json ${RESTRIP_TABLES_DIR}/operations/*.json ${corpus}/*.json ${corpus}/families/*.json
+                         ${PROJECT_SOURCE_DIR}/examples/*.json)
   add_test(NAME verify.operations.schema
            COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/schema_test.py ${PROJECT_SOURCE_DIR}/docs/operation.schema.json
                    $<TARGET_FILE:restrip-verify> ${CMAKE_CURRENT_BINARY_DIR}/schema ${schema_files})

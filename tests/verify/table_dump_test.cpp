@@ -15,59 +15,35 @@
 namespace restrip::verify {
 namespace {
 
-/// The answers of a table by concatenated(inner, ports); nullopt where nothing is to be answered.
-using Answers = std::vector<std::optional<Colors>>;
+using test::NaiveColors;
 
-/// What the naive method says of each configuration.
-class NaiveAnswers {
- public:
-  explicit NaiveAnswers(const Operation& operation)
-      : naive_(test::operation_by_hand(operation.family, operation.numbers)) {
-    for (const test::NaiveColors& configuration : naive_.configurations()) best_.push_back(best_of(configuration));
-  }
-  /// The answers that are right: several where several are optimal, none alone where nothing is to be answered.
-  const Answers& right(std::size_t both) const { return best_[both]; }
-  Answers answers() const {
-    Answers all;
-    for (const Answers& right : best_) all.push_back(right.front());
-    return all;
-  }
+test::NaiveOperation naive_at(const Operation& operation) {
+  return test::NaiveOperation(test::operation_by_hand(operation.family, operation.numbers));
+}
 
- private:
-  Answers best_of(test::NaiveColors before) const {
-    if (!naive_.valid(false, before)) return {std::nullopt};
-    const std::vector<test::NaiveCandidate> sound = naive_.sound(before);
-    Answers best;
-    for (const test::NaiveCandidate& one : sound)
-      if (std::all_of(sound.begin(), sound.end(), [&](const auto& other) { return one.cost <= other.cost; }))
-        best.push_back(Colors{static_cast<Mask>(one.after.inner), static_cast<Mask>(one.after.ports)});
-    return best;
-  }
+/// What the naive method says is right: several answers where several are optimal, none where none is to be given.
+std::vector<NaiveColors> right_answers(const test::NaiveOperation& naive, NaiveColors before) {
+  std::vector<NaiveColors> best;
+  if (!naive.valid(false, before)) return best;
+  const std::vector<test::NaiveCandidate> sound = naive.sound(before);
+  for (const test::NaiveCandidate& one : sound)
+    if (std::all_of(sound.begin(), sound.end(), [&](const auto& other) { return one.cost <= other.cost; }))
+      best.push_back(one.after);
+  return best;
+}
 
-  test::NaiveOperation naive_;
-  std::vector<Answers> best_;
-};
-
-std::string table_text(const Operation& operation, const Answers& answers) {
-  const test::NaiveOperation naive(test::operation_by_hand(operation.family, operation.numbers));
-  const auto colors = [](Mask inner, Mask ports) {
-    return test::NaiveColors{static_cast<int>(inner), static_cast<int>(ports)};
+/// The first right answer to each configuration.
+std::string right_table(const Operation& operation) {
+  const test::NaiveOperation naive = naive_at(operation);
+  const auto first = [&](NaiveColors before) -> std::optional<NaiveColors> {
+    const std::vector<NaiveColors> right = right_answers(naive, before);
+    return right.empty() ? std::nullopt : std::optional(right.front());
   };
-  std::string text = fmt::format("table {}\n", operation.name());
-  for (Mask both = 0; both < answers.size(); ++both) {
-    const Colors before{high_part(both, operation.ports()), low_part(both, operation.ports())};
-    text += fmt::format("{:x} {:x} ", before.inner, before.ports);
-    text += answers[both] ? fmt::format("{:x} {:x} {}\n", answers[both]->inner, answers[both]->ports,
-                                        test::told_text(naive, colors(before.inner, before.ports),
-                                                        colors(answers[both]->inner, answers[both]->ports), true))
-                          : "-\n";
-  }
-  return text;
+  return test::table_text(naive, first, true);
 }
 
 struct Tables {
   std::vector<Family> families = all_families(3);
-  std::vector<test::NaiveFamily> naive = test::naive_families(3);
   std::vector<Certificate> certificates;
   std::vector<LinkedFamily> linked = linked_families(3);
   std::vector<std::string> lists = {"0 2d 76543210", "1 2d 76543210",
@@ -75,56 +51,36 @@ struct Tables {
                                     "4 1 76543210",  "5 2d 76543012 16 76543210",
                                     "6 2 76543210",  "7 0 76543210"};
   ExpectedDump expected;
-  std::vector<Answers> answers;
+  std::vector<std::string> texts;
 
   Tables() {
     certificates.reserve(families.size());
-    for (std::size_t f = 0; f < families.size(); ++f) {
+    for (const test::NaiveFamily& naive : test::naive_families(3)) {
+      const Family& family = families[certificates.size()];
       std::vector<test::NaiveTable> tables;
-      for (const test::NaiveSection& section : naive[f].sections)
-        tables.push_back(test::naive_table(families[f].name, section, true).value());
-      certificates.push_back(parse_certificate("c", test::certificate_text(families[f].name, tables), families[f]));
-      for (std::size_t s = 0; s < families[f].sections.size(); ++s)
-        for (std::size_t o = 0; o < families[f].sections[s].operations.size(); ++o) {
-          const Operation& operation = families[f].sections[s].operations[o];
-          expected.tables.push_back({&operation, Against::certificate, &certificates[f].sections[s]});
-          answers.push_back(rows_of(naive[f].sections[s].operations[o], tables[s]));
-        }
+      for (const test::NaiveSection& section : naive.sections) {
+        tables.push_back(test::naive_table(family.name, section, true).value());
+        for (const test::NaiveOperation& operation : section.operations)
+          texts.push_back(test::table_text(operation, test::answers_of(operation, tables.back()), true));
+      }
+      certificates.push_back(parse_certificate("c", test::certificate_text(family.name, tables), family));
+      for (std::size_t s = 0; s < family.sections.size(); ++s)
+        for (const Operation& operation : family.sections[s].operations)
+          expected.tables.push_back({&operation, Against::certificate, &certificates.back().sections[s]});
     }
     for (const Family& family : families)
       for (const Operation& operation : family.unlisted) {
         expected.tables.push_back({&operation, Against::own_patch, nullptr});
-        answers.push_back(NaiveAnswers(operation).answers());
+        texts.push_back(right_table(operation));
       }
     for (const LinkedFamily& family : linked)
-      for (const Section& section : family.local.sections)
+      for (const Section& section : family.local.sections) {
         expected.lists.push_back({family.name, section.position, section.ports, &lists});
+        texts.push_back(fmt::format("table {} {}\n{}\n", family.name, section.position, fmt::join(lists, "\n")));
+      }
   }
 
-  static Answers rows_of(const test::NaiveOperation& operation, const test::NaiveTable& table) {
-    Answers all;
-    for (const test::NaiveColors& configuration : operation.configurations()) {
-      all.emplace_back();
-      if (!operation.valid(false, configuration)) continue;
-      const test::NaiveColors after = table.rows.at(operation.key(configuration)).after;
-      all.back() = Colors{static_cast<Mask>(after.inner), static_cast<Mask>(after.ports)};
-    }
-    return all;
-  }
-
-  std::string dump() const {
-    std::string text = "restrip-table-dump 4\n";
-    std::size_t entries = 0;
-    for (std::size_t i = 0; i < expected.tables.size(); ++i) {
-      text += table_text(*expected.tables[i].operation, answers[i]);
-      entries += answers[i].size();
-    }
-    for (const ExpectedLists& table : expected.lists) {
-      text += fmt::format("table {} {}\n{}\n", table.family, table.position, fmt::join(lists, "\n"));
-      entries += lists.size();
-    }
-    return text + fmt::format("end {}\n", entries);
-  }
+  std::string dump() const { return test::dump_text(texts); }
 };
 
 DumpComparison comparison_of(const Tables& tables, std::string text) {
@@ -197,32 +153,33 @@ TEST(TableDump, WhereNoCertificateIsTheRightAnswersAreAccepted) {
   std::size_t tried = 0;
   for (const Family& family : all_families(3))
     for (const Operation& operation : family.unlisted) {
-      const NaiveAnswers naive(operation);
+      const test::NaiveOperation naive = naive_at(operation);
       ExpectedDump expected;
       expected.tables.push_back({&operation, Against::own_patch, nullptr});
-      const auto wrong = [&](const Answers& answers) {
-        std::string text =
-            fmt::format("restrip-table-dump 4\n{}end {}\n", table_text(operation, answers), answers.size());
+      const auto wrong = [&](const std::string& table) {
+        std::string text = test::dump_text({table});
         std::FILE* stream = fmemopen(text.data(), text.size(), "r");
         const DumpComparison comparison = compare_dump(stream, expected);
         std::fclose(stream);
         EXPECT_EQ(comparison.fault, "");
         return comparison.of(Against::own_patch).wrong.count;
       };
-      const Answers good = naive.answers();
-      EXPECT_EQ(wrong(good), 0U) << operation.name();
-      // Every answer to every configuration, all configurations at once.
-      for (Mask inner = 0; inner <= mask_count(operation.after.inner_edges()); ++inner) {
-        Answers altered;
+      EXPECT_EQ(wrong(right_table(operation)), 0U) << operation.name();
+      // Every answer to every configuration, all configurations at once; at last none.
+      const auto answers = static_cast<int>(mask_count(operation.after.inner_edges()));
+      for (int inner = 0; inner <= answers; ++inner) {
         std::uint64_t bad = 0;
-        for (Mask both = 0; both < good.size(); ++both, ++tried) {
-          altered.emplace_back();
-          if (inner < mask_count(operation.after.inner_edges()))
-            altered.back() = Colors{inner, low_part(both, operation.ports())};
-          const Answers& right = naive.right(both);
-          bad += std::find(right.begin(), right.end(), altered.back()) == right.end() ? 1U : 0U;
-        }
-        EXPECT_EQ(wrong(altered), bad) << operation.name() << ", answer " << inner;
+        const auto altered = [&](NaiveColors before) -> std::optional<NaiveColors> {
+          ++tried;
+          const NaiveColors other{inner, before.ports};
+          const std::vector<NaiveColors> right = right_answers(naive, before);
+          const bool is_right =
+              inner < answers ? std::find(right.begin(), right.end(), other) != right.end() : right.empty();
+          bad += is_right ? 0U : 1U;
+          return inner < answers ? std::optional(other) : std::nullopt;
+        };
+        const std::string table = test::table_text(naive, altered, true);
+        EXPECT_EQ(wrong(table), bad) << operation.name() << ", answer " << inner;
       }
     }
   EXPECT_GT(tried, 4000U);

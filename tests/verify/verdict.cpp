@@ -79,10 +79,11 @@ Verdict verdict_of(const NaiveLists& lists, const NaiveTable& local) {
         parse_certificate("local", certificate_text(local.family, std::vector{local}), family.local);
     const LinkedCertificate certificate =
         parse_linked_certificate("table", certificate_text(lists.family, std::vector{lists}), family);
-    report_linked(family,
-                  {check_linked({&family.local.sections.front(), &certificate.sections.front(), &rules.sections.front(),
-                                 certificate.file, rules.file})},
-                  listener);
+    LinkedCheck check;
+    check_linked({&family.local.sections.front(), &certificate.sections.front(), &rules.sections.front(),
+                  certificate.file, rules.file},
+                 check);
+    report_linked(family, check, listener);
   });
 }
 

@@ -41,14 +41,14 @@ export class Browser {
     this.process.stdio[3].write(`${JSON.stringify({ id, method, params, sessionId })}\0`);
     return new Promise((resolve, reject) => this.calls.set(id, { resolve, reject }));
   }
-  async page(width, height, { dark = false, scripts = true, moves = false } = {}) {
+  async page(width, height, { dark = false, scripts = true, moves = false, sharp = 1 } = {}) {
     const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
     const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });
     const page = new Page(this, sessionId, targetId);
     await page.send('Page.enable');
     await page.send('Runtime.enable');
     await page.send('Log.enable');
-    await page.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: false });
+    await page.send('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: sharp, mobile: false });
     await page.send('Emulation.setEmulatedMedia', { features: [{ name: 'prefers-color-scheme', value: dark ? 'dark' : 'light' },
       { name: 'prefers-reduced-motion', value: moves ? 'no-preference' : 'reduce' }] });
     if (!scripts) await page.send('Emulation.setScriptExecutionDisabled', { value: true });

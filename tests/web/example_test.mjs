@@ -1,21 +1,25 @@
 // The example in the package's README runs as it is printed, in a page that a server gives out, and draws: at the finest
 // level its picture is that of the triangle list, pixel for pixel, also after the buffer has outgrown its storage and
-// after ranges were uploaded alone. Other levels look different.
+// after ranges were uploaded alone. Other levels look different. In the same page run the lines that the viewer prints.
 //   node example_test.mjs WEB_FOLDER CHROMIUM
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { join } from 'node:path';
 import { Browser } from './browser.mjs';
+import { checkUse, gpuFlags, printed } from './use_checks.mjs';
 
 const [folder, chromium] = process.argv.slice(2);
 const inPackage = (name) => readFileSync(join(folder, 'package', name));
 const about = JSON.parse(inPackage('package.json'));
 const [, example] = /```js\n(.*?)```/s.exec(inPackage('README.md').toString()) ?? assert.fail('README.md has no example');
+const use = printed(folder);
 const imports = Object.fromEntries(Object.entries(about.exports).map(([name, to]) => [`${about.name}${name.slice(1)}`, `/package/${(to.default ?? to).slice(2)}`]));
+Object.assign(imports, use.imports);
 const files = new Map([
   ['/', ['text/html', `<!doctype html><meta charset="utf-8"><title>t</title><link rel="icon" href="data:,"><script type="importmap">${JSON.stringify({ imports })}</script>
     <canvas id="canvas" width="300" height="300"></canvas>`]],
+  ...use.files, ['/pictures.mjs', ['text/javascript', readFileSync(new URL('pictures.mjs', import.meta.url))]],
   ['/example.mjs', ['text/javascript', example]], ['/hare.obj', ['text/plain', readFileSync(join(folder, 'hare.obj'))]],
   ...about.files.map((name) => [`/package/${name}`, [name.endsWith('.wasm') ? 'application/wasm' : 'text/javascript', inPackage(name)]])]);
 const server = createServer((request, answer) => {
@@ -24,41 +28,18 @@ const server = createServer((request, answer) => {
 });
 await new Promise((listening) => server.listen(0, '127.0.0.1', listening));
 
-const browser = await Browser.start(chromium);
+const browser = await Browser.start(chromium, ...gpuFlags);
 try {
   const page = await browser.page(400, 400);
   await page.open(`http://127.0.0.1:${server.address().port}/`);
   const found = await page.run(async (name) => {
     const { show } = await import('/example.mjs');
-    const { readMesh } = await import(`${name}/formats`);
-    const { points, triangles } = readMesh('hare.obj', await (await fetch('/hare.obj')).arrayBuffer());
+    const { differ, picture, useFlatProgram } = await import('/pictures.mjs');
+    const { loadReaders } = await import(`${name}/formats`);
+    const readMesh = await loadReaders();
+    const { points, triangles } = await readMesh('hare.obj', await (await fetch('/hare.obj')).arrayBuffer());
     const gl = document.getElementById('canvas').getContext('webgl2', { antialias: false });
-    const program = gl.createProgram();
-    for (const [type, source] of [[gl.VERTEX_SHADER, `in vec3 place; out vec3 seen;
-      void main() { seen = place; gl_Position = vec4(0.5 * place.xy, 0.3 * place.z, 1.0); }`],
-    [gl.FRAGMENT_SHADER, `precision highp float; in vec3 seen; out vec4 pixel;
-      void main() { pixel = vec4(0.5 + 0.5 * normalize(cross(dFdx(seen), dFdy(seen))), 1.0); }`]]) {
-      const shader = gl.createShader(type);
-      gl.shaderSource(shader, `#version 300 es\n${source}`);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-    }
-    gl.bindAttribLocation(program, 0, 'place');
-    gl.linkProgram(program);
-    gl.useProgram(program);
-    gl.enable(gl.DEPTH_TEST);
-    const picture = (draw) => {
-      gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-      draw();
-      const pixels = new Uint8Array(4 * 300 * 300);
-      gl.readPixels(0, 0, 300, 300, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-      return pixels;
-    };
-    const differ = (one, other) => {
-      let count = 0;
-      for (let i = 0; i < one.length; i += 4) count += one[i] !== other[i] || one[i + 1] !== other[i + 1] || one[i + 2] !== other[i + 2];
-      return count;
-    };
+    useFlatProgram(gl);
     // The example has bindings of its own; the list is drawn with others.
     const own = gl.createVertexArray();
     gl.bindVertexArray(own);
@@ -69,8 +50,8 @@ try {
     gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array(triangles), gl.STATIC_DRAW);
-    const list = picture(() => gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_INT, 0));
-    const empty = picture(() => {});
+    const list = picture(gl, () => gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_INT, 0));
+    const empty = picture(gl, () => {});
     gl.bindVertexArray(null);
 
     const calls = { bufferData: 0, bufferSubData: 0 };
@@ -80,12 +61,12 @@ try {
     }
     const draw = await show(gl, points, triangles);
     const before = calls.bufferData;
-    const coarse = picture(() => draw(0));
-    const grown = picture(() => draw(1));
+    const coarse = picture(gl, () => draw(0));
+    const grown = picture(gl, () => draw(1));
     const storages = calls.bufferData - before;
     const uploads = calls.bufferSubData;
-    const lower = picture(() => draw(0.9));
-    const again = picture(() => draw(1));
+    const lower = picture(gl, () => draw(0.9));
+    const again = picture(gl, () => draw(1));
     return { list: differ(list, empty), coarse: differ(coarse, list), grown: differ(grown, list), lower: differ(lower, list), again: differ(again, list),
       storages, ranges: calls.bufferSubData - uploads, ended: calls.bufferData - before - storages, error: gl.getError() };
   }, about.name);
@@ -95,6 +76,7 @@ try {
   assert.ok(Math.max(found.grown, found.again) <= found.list / 1000, JSON.stringify(found));
   assert.equal(found.error, 0);
   assert.ok(found.storages >= 2 && found.ranges > 2 && found.ended === 0, JSON.stringify(found));
+  await checkUse(page);
   assert.deepEqual(page.faults, []);
 } finally {
   await browser.stop();

@@ -13,11 +13,12 @@ import { fileURLToPath, pathToFileURL } from 'node:url';
 const [folder, program, dumpProgram, scratch, tsc] = process.argv.slice(2);
 mkdirSync(scratch, { recursive: true });
 const { load, restartIndex, small } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')));
-const { readMesh } = await import(pathToFileURL(join(folder, 'package/formats.mjs')));
+const { loadReaders } = await import(pathToFileURL(join(folder, 'package/formats.mjs')));
+const readMesh = await loadReaders();
 const restrip = await load();
 const smallLibrary = await load(small);
 const file = join(folder, 'hare.pm');
-const source = readMesh('hare.pm', readFileSync(file));
+const source = await readMesh('hare.pm', readFileSync(file));
 
 const sorted = (triangles) => {
   const keys = [];
@@ -91,7 +92,7 @@ function sameAsBaked() {
   execFileSync(program, ['replay', baked, '--policy', 'baked', '--repeats', '0', '--levels', '40', '--json', told]);
   const native = JSON.parse(readFileSync(told, 'utf8'));
   assert.ok(native.levels.length >= 30);
-  const mesh = restrip.baked(readMesh('hare.baked', readFileSync(baked)).baked);
+  const mesh = restrip.baked(readFileSync(baked));
   assert.ok(mesh.hasBakedStrips);
   assert.deepEqual([mesh.levels, mesh.points.length], [source.splits.length / 4, source.points.length]);
   mesh.begin({ policy: 'baked' });
@@ -140,8 +141,8 @@ function sameAsBaked() {
   mesh.begin({ policy: 'baked' }).moveTo(mesh.levels);
   // Strips from scratch draw the same triangles, and leave those that are kept; so does the list, whole or by its slots.
   const anew = mesh.fromScratch({ cost: 'indices' });
-  assert.deepEqual(sorted(drawn(anew.indices)), sorted(mesh.triangles));
-  assert.equal(new Set(Array.from(anew.ribbon).filter((_, n) => n % 9 === 8)).size, anew.indices.filter((index) => index === restartIndex).length + 1);
+  assert.deepEqual(sorted(drawn(anew)), sorted(mesh.triangles));
+  assert.equal(new Set(Array.from(mesh.scratchRibbon).filter((_, n) => n % 9 === 8)).size, anew.filter((index) => index === restartIndex).length + 1);
   const written = () => mesh.updateList().reduce((sum, { count }) => sum + count, 0);
   mesh.updateList({ whole: true });
   assert.equal(mesh.moveTo(mesh.levels - 1), 1);
@@ -300,8 +301,8 @@ function singleOperations() {
   mesh.close();
 }
 
-function simplifies() {
-  const soup = readMesh('hare.obj', readFileSync(join(folder, 'hare.obj')));
+async function simplifies() {
+  const soup = await readMesh('hare.obj', readFileSync(join(folder, 'hare.obj')));
   const mesh = restrip.simplified(soup, 0.1).begin({ policy: 'quick' });
   assert.ok(mesh.figures.triangles <= 0.11 * soup.triangles.length / 3);
   mesh.moveTo(mesh.levels);
@@ -384,116 +385,6 @@ function smallIsAsGood() {
   }
 }
 
-function readsFormats() {
-  const bytes = (string) => new TextEncoder().encode(string);
-  const tetrahedron = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
-  const points = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1];
-  const faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
-  const vertices = ['0 0 0', '1 0 0', '0 1 0', '0 0 1'];
-  const obj = vertices.map((v) => `v ${v}\n`).join('') + faces.map((f) => `f ${f.map((v) => `${v + 1}//1`).join(' ')}\n`).join('');
-  const off = `OFF\n4 4 0\n${vertices.join('\n')}\n${faces.map((f) => `3 ${f.join(' ')}`).join('\n')}\n`;
-  const ply = `ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 4\n` +
-    `property list uchar int vertex_indices\nend_header\n${vertices.join('\n')}\n${faces.map((f) => `3 ${f.join(' ')}`).join('\n')}\n`;
-  for (const [name, content] of [['t.obj', obj], ['t.off', off], ['t.ply', ply]])
-    assert.deepEqual(readMesh(name, bytes(content)), { points, triangles: tetrahedron }, name);
-  // The binary ones are written by other programs.
-  const header = bytes('ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n' +
-    'element face 4\nproperty list uchar uint vertex_index\nend_header\n');
-  const body = new DataView(new ArrayBuffer(48 + 4 * 13));
-  points.forEach((c, i) => body.setFloat32(4 * i, c, true));
-  faces.forEach((f, i) => { body.setUint8(48 + 13 * i, 3); f.forEach((v, j) => body.setUint32(49 + 13 * i + 4 * j, v, true)); });
-  assert.deepEqual(readMesh('t.ply', Buffer.concat([header, new Uint8Array(body.buffer)])), { points, triangles: tetrahedron });
-  const json = JSON.stringify({ asset: { version: '2.0' }, meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
-    accessors: [{ bufferView: 0, componentType: 5126, type: 'VEC3', count: 4 }, { bufferView: 1, componentType: 5123, type: 'SCALAR', count: 12 }],
-    bufferViews: [{ buffer: 0, byteOffset: 0, byteLength: 48 }, { buffer: 0, byteOffset: 48, byteLength: 24 }], buffers: [{ byteLength: 72 }] });
-  const padded = json.padEnd(Math.ceil(json.length / 4) * 4);
-  const glb = Buffer.alloc(20 + padded.length + 8 + 72);
-  glb.writeUInt32LE(0x46546c67, 0); glb.writeUInt32LE(2, 4); glb.writeUInt32LE(glb.length, 8); glb.writeUInt32LE(padded.length, 12);
-  glb.write('JSON', 16); glb.write(padded, 20); glb.writeUInt32LE(72, 20 + padded.length);
-  points.forEach((c, i) => glb.writeFloatLE(c, 28 + padded.length + 4 * i));
-  tetrahedron.forEach((v, i) => glb.writeUInt16LE(v, 28 + padded.length + 48 + 2 * i));
-  assert.deepEqual(readMesh('t.glb', glb), { points, triangles: tetrahedron });
-  // The same triangles as in another file, by their places.
-  const sameMesh = (one, other, what) => {
-    const byPlaces = (mesh) => {
-      const triangles = [];
-      for (let i = 0; i < mesh.triangles.length; i += 3) {
-        const places = [0, 1, 2].map((n) => [0, 1, 2].map((c) => Math.fround(mesh.points[3 * mesh.triangles[i + n] + c]) + 0).join(' '));
-        const least = places.indexOf([...places].sort()[0]);
-        triangles.push([0, 1, 2].map((n) => places[(least + n) % 3]).join());
-      }
-      return triangles.sort();
-    };
-    assert.deepEqual(byPlaces(one), byPlaces(other), what);
-  };
-  // Strips: those that the native program writes, in each of its forms.
-  const list = readMesh('hare.obj', readFileSync(join(folder, 'hare.obj')));
-  for (const strips of ['restart.glb', 'strips.glb', 'strips.ply']) {
-    const form = strips === 'restart.glb' ? ['--gltf', 'restart'] : [];
-    execFileSync(program, ['stripify', join(folder, 'hare.obj'), ...form, '-o', join(scratch, strips)]);
-    const bytes = readFileSync(join(scratch, strips));
-    assert.ok(bytes.includes(strips.endsWith('.ply') ? 'tristrips' : '"mode":5'), `${strips} has no strips`);
-    sameMesh(readMesh(strips, bytes), list, strips);
-  }
-  // Nodes: a mesh moved, turned, mirrored and used twice, positions quantized, beside what the native program reads.
-  const scene = (nodes, more = {}, count = 4) => {
-    const text = JSON.stringify({ asset: { version: '2.0' }, extensionsUsed: ['KHR_mesh_quantization'], extensionsRequired: ['KHR_mesh_quantization'],
-      scene: 1, scenes: [{ nodes: [0] }, { nodes: [1, 3] }], nodes,
-      meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }, { mode: 5, attributes: { POSITION: 2 } }] }],
-      accessors: [{ bufferView: 0, componentType: 5122, type: 'VEC3', count: 4, min: [-32767, 0, 0], max: [32767, 32767, 32767], ...more },
-        { bufferView: 1, componentType: 5121, type: 'SCALAR', count: 12 }, { bufferView: 2, componentType: 5120, type: 'VEC3', count, min: [-2, 0, 0], max: [5, 5, 7] }],
-      bufferViews: [{ buffer: 0, byteOffset: 0, byteLength: 32, byteStride: 8 }, { buffer: 0, byteOffset: 32, byteLength: 12 }, { buffer: 0, byteOffset: 44, byteLength: 16, byteStride: 4 }],
-      buffers: [{ byteLength: 60 }] });
-    const padded = text.padEnd(Math.ceil(text.length / 4) * 4);
-    const out = Buffer.alloc(28 + padded.length + 60);
-    [0x46546c67, 2, out.length, padded.length].forEach((n, i) => out.writeUInt32LE(n, 4 * i));
-    out.write('JSON', 16);
-    out.write(padded, 20);
-    out.writeUInt32LE(60, 20 + padded.length);
-    out.write('BIN\0', 24 + padded.length, 'latin1');
-    const at = 28 + padded.length;
-    points.forEach((c, i) => out.writeInt16LE(i === 3 ? -32767 : c * 32767, at + 8 * Math.floor(i / 3) + 2 * (i % 3)));
-    tetrahedron.forEach((v, i) => out.writeUInt8(v, at + 32 + i));
-    [[3, 3, 3], [5, 3, 3], [-2, 5, 3], [5, 5, 7]].flat().forEach((c, i) => out.writeInt8(c, at + 44 + 4 * Math.floor(i / 3) + i % 3));
-    return out;
-  };
-  const nodes = [{ mesh: 0, translation: [100, 0, 0] }, { translation: [8, 0, -4], rotation: [0, 1, 0, 0], children: [2, 4] }, { mesh: 0, scale: [2, -0.5, 4] },
-    { mesh: 0, matrix: [0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 32, 16, 8, 1] }, { mesh: 0, translation: [0, 64, 0] }];
-  for (const more of [{ normalized: true }, {}]) {
-    const glb = scene(nodes, more);
-    writeFileSync(join(scratch, 'nodes.glb'), glb);
-    execFileSync(program, ['convert', join(scratch, 'nodes.glb'), '--no-attributes', '-o', join(scratch, 'nodes.obj')]);
-    const native = readMesh('nodes.obj', readFileSync(join(scratch, 'nodes.obj')));
-    assert.equal(native.triangles.length, 3 * 3 * 6);
-    sameMesh(readMesh('nodes.glb', glb), native, `nodes, ${JSON.stringify(more)}`);
-  }
-  assert.throws(() => readMesh('t.glb', scene([nodes[0], { children: [2, 2] }, nodes[2], nodes[3]])), /node 2 is in the scene twice/);
-  assert.throws(() => readMesh('t.glb', scene(nodes).subarray(0, -30)), /damaged or cut off/);
-  // A fan of two triangles, and strips restarted, with indices of 8 bits.
-  const small = (mode, indices) => {
-    const padTo4 = (n) => Math.ceil(n / 4) * 4;
-    const text = JSON.stringify({ asset: { version: '2.0' }, meshes: [{ primitives: [{ mode, attributes: { POSITION: 0 }, indices: 1 }] }],
-      accessors: [{ bufferView: 0, componentType: 5126, type: 'VEC3', count: 4 }, { bufferView: 1, componentType: 5121, type: 'SCALAR', count: indices.length }],
-      bufferViews: [{ buffer: 0, byteOffset: 0, byteLength: 48 }, { buffer: 0, byteOffset: 48, byteLength: indices.length }], buffers: [{ byteLength: 48 + indices.length }] });
-    const head = text.padEnd(padTo4(text.length));
-    const out = Buffer.alloc(28 + head.length + 48 + padTo4(indices.length));
-    [0x46546c67, 2, out.length, head.length].forEach((n, i) => out.writeUInt32LE(n, 4 * i));
-    out.write('JSON', 16);
-    out.write(head, 20);
-    out.writeUInt32LE(48 + padTo4(indices.length), 20 + head.length);
-    points.forEach((c, i) => out.writeFloatLE(c, 28 + head.length + 4 * i));
-    indices.forEach((n, i) => out.writeUInt8(n, 28 + head.length + 48 + i));
-    return readMesh('t.glb', out).triangles;
-  };
-  assert.deepEqual(small(6, [0, 1, 2, 3]), [0, 1, 2, 0, 2, 3]);
-  assert.deepEqual(small(5, [0, 1, 2, 3, 255, 1, 2, 3]), [0, 1, 2, 2, 1, 3, 1, 2, 3]);
-
-  for (const [name, content, why] of [['t.obj', 'v 0 0 0\n', /no triangles/], ['t.obj', 'v 0 0 0\nf 1 2 3\n', /refers to vertex/],
-    ['t.off', 'OFF\n4 4 0\n1 2', /ends too early/], ['t.ply', 'nothing', /no PLY header/], ['t.pm', 'nothing', /no progressive mesh/],
-    ['t.glb', 'nothing', /no binary glTF/], ['t.stl', '', /none of the formats/], ['t.obj', obj.replace('v 1', 'v x'), /not a number/]])
-    assert.throws(() => readMesh(name, bytes(content)), why, name);
-}
-
 function asDependency() {
   // As another project sees the package: by its name and its exports, with what is packed alone.
   const project = join(scratch, 'project');
@@ -503,12 +394,26 @@ function asDependency() {
   mkdirSync(installed, { recursive: true });
   for (const packed of ['package.json', ...about.files]) copyFileSync(join(folder, 'package', packed), join(installed, packed));
   writeFileSync(join(project, 'main.mjs'), `import { load } from '${about.name}';
-    import { readMesh } from '${about.name}/formats';
+    import { loadReaders } from '${about.name}/formats';
+    const readMesh = await loadReaders();
     const content = new TextEncoder().encode('v 0 0 0\\nv 1 0 0\\nv 0 1 0\\nf 1 2 3\\n');
-    const mesh = (await load()).simplified(readMesh('t.obj', content)).begin();
+    const mesh = (await load()).simplified(await readMesh('t.obj', content)).begin();
     mesh.update();
     console.log(mesh.indices.join());`);
   assert.equal(execFileSync(process.execPath, ['main.mjs'], { cwd: project, encoding: 'utf8' }).trim(), '0,1,2,4294967295');
+  // The example runs as it is installed, and says what the mesh and its buffers say.
+  const example = (...words) => execFileSync(process.execPath, [join(installed, 'example.mjs'), ...words], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+  const printed = [...example(join(folder, 'hare.pm')).matchAll(/^(.+): (\d+) bytes written, \d+ ms, (\d+) indices draw (\d+) triangles$/gm)]
+    .map(([, name, ...numbers]) => [name, ...numbers.map(Number)]);
+  assert.deepEqual(printed.map(([name]) => name), ['strips kept', 'strips from scratch', 'list with slots']);
+  const fine = restrip.progressive(source).begin({ policy: 'bare' });
+  fine.moveTo(fine.levels);
+  const { triangles } = fine.figures;
+  assert.deepEqual(printed.map(([, , , count]) => count), [triangles, triangles, triangles]);
+  assert.deepEqual([printed[1][2], printed[2][2]], [fine.fromScratch({ cost: 'indices' }).length, 3 * triangles]);
+  assert.ok(printed[0][2] < 2 * triangles && printed.every(([, bytes, indices]) => bytes > 4 * indices / 2), JSON.stringify(printed));
+  fine.close();
+  assert.throws(() => example(), /usage: node example.mjs MESH/);
   for (const { types, default: code } of Object.values(about.exports).filter((path) => typeof path === 'object'))
     for (const path of [types, code]) assert.ok(about.files.includes(path.slice(2)), path);
   // The types, where a compiler for them is at hand: what is right compiles, what is marked as wrong does not.
@@ -557,7 +462,7 @@ function misuseThrows() {
   const needStrips = {
     moveTo: () => mesh.moveTo(1), approach: () => mesh.approach([1]), split: () => mesh.split(4, 6, 0, 1), collapse: () => mesh.collapse(4, 5),
     flip: () => mesh.flip(0, 1), update: () => mesh.update(), updateList: () => mesh.updateList(), fromScratch: () => mesh.fromScratch(), pick: () => mesh.pick([0, 0, 0], [0, 0, 1]),
-    ...Object.fromEntries(['indices', 'triangles', 'figures', 'plainIndices', 'indexBound', 'valid', 'ribbon', 'lines', 'last', 'ready', 'listIndices'].map((name) => [name, () => mesh[name]])) };
+    ...Object.fromEntries(['indices', 'triangles', 'figures', 'plainIndices', 'indexBound', 'valid', 'ribbon', 'scratchRibbon', 'lines', 'last', 'ready', 'listIndices'].map((name) => [name, () => mesh[name]])) };
   const others = { begin: () => mesh.begin(), splits: () => mesh.splits, leftOut: () => mesh.leftOut, hasBakedStrips: () => mesh.hasBakedStrips };
   // No method is forgotten here.
   const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesh)).filter((name) => !['constructor', 'close', 'levels'].includes(name));
@@ -612,7 +517,7 @@ async function worksAboveTwoGigabytes() {
   mesh.close();
 }
 
-for (const test of [asDependency, misuseThrows, worksAboveTwoGigabytes, readsFormats, singleOperations, sameRules, smallIsAsGood, copiesByRanges, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
+for (const test of [asDependency, misuseThrows, worksAboveTwoGigabytes, singleOperations, sameRules, smallIsAsGood, copiesByRanges, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
   await test();
   console.log(`${test.name}: as claimed`);
 }

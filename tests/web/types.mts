@@ -1,9 +1,10 @@
 // What TypeScript makes of the package's types; package_test.mjs compiles this.
 import { load, none, restartIndex, small, type Figures, type StripMesh } from 'restrip-wasm';
-import { readMesh } from 'restrip-wasm/formats';
+import { loadReaders } from 'restrip-wasm/formats';
 
 const restrip = await load(small);
-const read = readMesh('mesh.obj', new Uint8Array(3));
+const readMesh = await loadReaders();
+const read = await readMesh('mesh.obj', new Uint8Array(3));
 if (read.triangles) {
   using mesh: StripMesh = restrip.simplified(read, 0.5).begin({ policy: 'quick', cost: { restart: 1, swap: 0 } });
   const done: number = mesh.moveTo(mesh.levels, 5);

@@ -4,7 +4,8 @@
 // live one. The figures on the page are those of `restrip replay` for the same way. A frame does as many operations as fit
 // into its budget of time, by a clock that the test turns. Strips in colours take one draw call. A dropped mesh is prepared
 // in a worker and shown, a file that is none is refused with a sentence. Without WebGL or JavaScript, and when the context is
-// lost, the page says so. The page is no higher and no wider
+// lost, the page says so. The race holds what race_check.mjs says, the picture of README.md what picture_check.mjs says.
+// The page is no higher and no wider
 // than its content: on a desktop the panel scrolls, on a telephone the page does. Nothing is said on the console.
 //   node viewer_test.mjs WEB_FOLDER CHROMIUM RESTRIP SCRATCH; screenshots are written into SCRATCH
 import assert from 'node:assert/strict';
@@ -12,7 +13,11 @@ import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { checkParts } from './accessible.mjs';
 import { Browser } from './browser.mjs';
+import { pictureIsFresh } from './picture_check.mjs';
+import { raceHolds } from './race_check.mjs';
+import { checkTurn } from './turn_checks.mjs';
 
 const [folder, chromium, program, scratch] = process.argv.slice(2);
 mkdirSync(scratch, { recursive: true });
@@ -26,10 +31,7 @@ const choose = (page, choices) => page.run((wanted) => {
     element.dispatchEvent(new Event(element.type === 'range' ? 'input' : 'change'));
   }
 }, choices);
-const settled = (page) => page.until(() => {
-  const viewer = window.restripViewer;
-  return viewer?.figures !== undefined && viewer.settled;
-});
+const settled = (page) => page.until(() => window.restripViewer?.settled === true);
 /// How many pixels differ between strips and list, how many show the mesh, and whether the card has the live buffer.
 const compare = (page) => page.run(() => {
   const viewer = window.restripViewer;
@@ -117,7 +119,7 @@ try {
   await settled(page);
   await page.run(() => {
     const { mesh } = restripViewer;
-    restripViewer.pace = 256;
+    restripViewer.pace.most = 256;
     let clock = 0;
     window.parts = [];
     window.now = performance.now;
@@ -272,6 +274,9 @@ try {
   await settled(page);
   assert.equal(await page.run('restripViewer.figures.strips'), 1);
 
+  await raceHolds(page, { folder, scratch, choose, settled });
+  await agrees(page, 'after the race');
+
   // View-dependent.
   for (const mode of ['cursor', 'silhouette']) {
     await page.run(() => { restripViewer.cursor = [0.1, 0]; });
@@ -284,9 +289,12 @@ try {
   // One operation: its patch is marked, its rule is named and shown, little is uploaded.
   await choose(page, { mode: 'level', policy: 'local', cost: 'strips', level: 1500, style: 'lines' });
   await settled(page);
-  await page.run(() => document.getElementById('up').click());
+  await page.run(() => {
+    restripViewer.scene.bytesUploaded = 0;
+    document.getElementById('up').click();
+  });
   await settled(page);
-  const one = await page.run(() => ({ ...restripViewer.lastFrame, marked: restripViewer.marked?.length, text: document.getElementById('last-text').textContent,
+  const one = await page.run(() => ({ operations: restripViewer.lastDone, bytes: restripViewer.scene.bytesUploaded, whole: 4 * restripViewer.mesh.indices.length, marked: restripViewer.marked?.length, text: document.getElementById('last-text').textContent,
     pictures: document.querySelectorAll('#last-pictures svg').length }));
   assert.equal(one.operations, 1);
   assert.ok(one.bytes > 0 && one.bytes < one.whole / 4, `${one.bytes} of ${one.whole} bytes`);
@@ -308,9 +316,9 @@ try {
   assert.match(await page.run('document.getElementById("last-text").textContent'), /decided these strips beforehand/);
 
   // Meshes of a visitor.
-  const open = (name, text) => page.run((file, content) => restripViewer.open(new File([content], file)), name, text);
+  const open = (name, text) => page.run((file, content) => restripViewer.files.open(new File([content], file)), name, text);
   await open('nothing.obj', 'v 0 0 0\n');
-  assert.match(await page.run('document.getElementById("fault").textContent'), /nothing.obj: has no triangles/);
+  assert.match(await page.run('document.getElementById("fault").textContent'), /nothing.obj: 1 vertex but no triangles/);
   await open('own.obj', readFileSync(join(folder, 'hare.obj'), 'utf8'));
   const own = await agrees(page, 'a mesh of the visitor');
   assert.ok(own.triangles > 500);
@@ -332,7 +340,7 @@ try {
   dropped.shares.reduce((before, share) => assert.ok(share >= before && share <= 1) ?? share);
   await agrees(page, 'a dropped mesh');
   assert.deepEqual(await page.run(() => [document.querySelector('[value=baked]').disabled, document.getElementById('policy').value]), [true, 'quick']);
-  const openBytes = (name, bytes) => page.run((file, content) => restripViewer.open(new File([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))], file)),
+  const openBytes = (name, bytes) => page.run((file, content) => restripViewer.files.open(new File([Uint8Array.from(atob(content), (c) => c.charCodeAt(0))], file)),
     name, bytes.toString('base64'));
   const bytes = readFileSync(join(folder, 'hare.baked'));
   await openBytes('cut.baked', bytes.subarray(0, 5000));
@@ -363,6 +371,8 @@ try {
   assert.ok(await page.run('document.getElementById("fault").hidden'));
   assert.deepEqual(page.faults.filter((fault) => !/CONTEXT_LOST_WEBGL|context lost/i.test(fault)), []);
 
+  await pictureIsFresh(browser, page, address);
+
   // No WebGL, and no JavaScript: a sentence and a picture.
   const still = () => [...document.images].filter((image) => image.checkVisibility() && image.naturalWidth > 100).length;
   const flat = await browser.page(900, 600);
@@ -392,10 +402,13 @@ try {
   writeFileSync(join(scratch, 'viewer-phone.png'), await phone.screenshot());
   quiet(phone);
 
+  await checkTurn(browser, address, scratch);
+  await checkParts(browser, address, scratch);
+
   // No blank room below the content, at any size, with the panel scrolled to its end.
-  for (const [width, height, panel] of [[1280, 800, true], [840, 520, true], [390, 844, false], [360, 640, false]]) {
+  for (const [width, height, panel, part] of [[1280, 800, true, 'race'], [840, 520, true, 'ribbon'], [390, 844, false, 'ribbon'], [360, 640, false, 'race']]) {
     const sized = await browser.page(width, height);
-    await sized.open(address);
+    await sized.open(`${address}#part=${part}`);
     await settled(sized);
     const found = await sized.run(() => {
       const [root, aside] = [document.documentElement, document.querySelector('aside')];

@@ -12,6 +12,7 @@
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "files/reading.hpp"
+#include "files/size_in_words.hpp"
 #include "files/system_calls.hpp"
 #include "meshes/soup_builder.hpp"
 

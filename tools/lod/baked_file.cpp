@@ -128,7 +128,7 @@ class Writer {
 
 BakedMesh parse_baked(std::string_view bytes, const std::string& name) {
   BakedFile file;
-  const std::string fault = restrip::read_baked(std::as_bytes(std::span(bytes)), file);
+  const std::string fault = restrip::read_baked(std::as_bytes(std::span(bytes.data(), bytes.size())), file);
   if (!bytes.starts_with(baked_format::magic))
     throw BadInput(fmt::format("{}: {}; make one by restrip bake", name, fault));
   if (!fault.empty()) throw BadInput(fmt::format("{}: {}; bake it again (restrip bake)", name, fault));

@@ -61,7 +61,9 @@ BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, con
   found.baked = parse_baked(found.bytes, fmt::format("{}: the {} in it", name, baked_strips_extension));
   Soup drawn = read_gltf(bytes, name, beside);
   const ProgressiveMesh& mesh = found.baked.mesh;
-  if (!std::ranges::equal(drawn.points, points_of_base(mesh)) || in_order(drawn.triangles) != in_order(mesh.base))
+  const auto base = points_of_base(mesh);
+  if (!std::equal(drawn.points.begin(), drawn.points.end(), base.begin(), base.end()) ||
+      in_order(drawn.triangles) != in_order(mesh.base))
     throw BadInput(
         fmt::format("{}: draws something else than the base of its {}, so the levels do not fit; remove the extension, "
                     "or write the file anew (restrip bake)",

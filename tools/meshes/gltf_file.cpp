@@ -6,6 +6,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 
 #include "common/bad_input.hpp"
 #include "meshes/little_endian.hpp"
@@ -174,14 +176,15 @@ std::string_view GltfFile::buffer(std::uint64_t number) {
   std::string_view bytes = binary_;
   if (about["uri"].there()) {
     loaded_.resize(root()["buffers"].size());  // once, as views of them are kept
-    if (loaded_[number].empty()) loaded_[number] = load(about["uri"]);
-    bytes = loaded_[number];
+    std::string& loaded = loaded_[static_cast<std::size_t>(number)];
+    if (loaded.empty()) loaded = load(about["uri"]);
+    bytes = loaded;
   } else if (number != 0 || !has_binary_) {
     about.refuse("has neither a `uri` nor the chunk of a GLB");
   }
   if (length > bytes.size())
     about.refuse(fmt::format("has {} bytes of the {} that it says; is it complete?", bytes.size(), length));
-  return bytes.substr(0, length);
+  return bytes.substr(0, static_cast<std::size_t>(length));
 }
 
 double GltfFile::Elements::value(std::size_t element, std::size_t component) const {
@@ -200,7 +203,7 @@ std::string_view GltfFile::view(std::uint64_t number) {
   const std::uint64_t length = about["byteLength"].whole();
   if (begin > all.size() || length > all.size() - begin)
     about.refuse("reaches beyond its buffer; is the file complete?");
-  return all.substr(begin, length);
+  return all.substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(length));
 }
 
 GltfFile::Elements GltfFile::elements(const JsonPlace& from, unsigned type, std::size_t components, std::size_t count) {
@@ -214,7 +217,8 @@ GltfFile::Elements GltfFile::elements(const JsonPlace& from, unsigned type, std:
   // Both are below 2^53, and a stride is small: the sum does not overflow.
   if (count != 0 && (offset > all.size() || (count - 1) * stride + size > all.size() - offset))
     from.refuse(fmt::format("has {} elements, which reach beyond its buffer view; is the file complete?", count));
-  return {all.substr(std::min<std::uint64_t>(offset, all.size())), stride, type};
+  return {all.substr(static_cast<std::size_t>(std::min<std::uint64_t>(offset, all.size()))),
+          static_cast<std::size_t>(stride), type};
 }
 
 std::size_t GltfFile::count_of(const JsonPlace& accessor) const {
@@ -222,8 +226,10 @@ std::size_t GltfFile::count_of(const JsonPlace& accessor) const {
   // Elements that no buffer has are zero, which takes no bytes at all.
   if (!accessor["bufferView"].there() && count > file_bytes_)
     accessor.refuse(fmt::format("has {} elements, more than the {} bytes of the file can mean", count, file_bytes_));
-  if (count > std::uint64_t{1} << 40U) accessor["count"].refuse("is too large");
-  return count;
+  constexpr std::uint64_t most =
+      std::min<std::uint64_t>(std::uint64_t{1} << 40U, std::numeric_limits<std::ptrdiff_t>::max());
+  if (count > most) accessor["count"].refuse("is too large");
+  return static_cast<std::size_t>(count);
 }
 
 template <class Value, class Read>
@@ -239,8 +245,9 @@ void GltfFile::fill(const JsonPlace& accessor, unsigned type, std::size_t compon
   }
   const JsonPlace sparse = accessor["sparse"];
   if (!sparse.there()) return;
-  const std::uint64_t replaced = sparse["count"].whole();
-  if (replaced > count) sparse["count"].refuse(fmt::format("is {}, more than the accessor has", replaced));
+  if (sparse["count"].whole() > count)
+    sparse["count"].refuse(fmt::format("is {}, more than the accessor has", sparse["count"].whole()));
+  const auto replaced = static_cast<std::size_t>(sparse["count"].whole());
   const JsonPlace places = sparse["indices"];
   const std::uint64_t place_type = places["componentType"].whole();
   if (!is_index_type(place_type)) places["componentType"].refuse("is no type of an index (5121, 5123 or 5125)");

@@ -110,10 +110,10 @@ std::vector<std::string> JsonPlace::members() const {
 
 std::size_t JsonPlace::size() const { return there() ? as<std::vector<JsonValue>>("array").size() : 0; }
 
-JsonPlace JsonPlace::at(std::size_t index) const {
+JsonPlace JsonPlace::at(std::uint64_t index) const {
   if (index >= size()) refuse(fmt::format("has no element {}, only {}", index, size()));
   JsonPlace found = *this;
-  found.value_ = &as<std::vector<JsonValue>>("array")[index];
+  found.value_ = &as<std::vector<JsonValue>>("array")[static_cast<std::size_t>(index)];
   found.path_ += fmt::format("[{}]", index);
   return found;
 }

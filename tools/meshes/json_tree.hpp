@@ -40,7 +40,7 @@ class JsonPlace {
   /// A member of an object; of what is not there, nothing.
   [[nodiscard]] JsonPlace operator[](std::string_view member) const;
   /// An element of an array. Throws BadInput when there are fewer.
-  [[nodiscard]] JsonPlace at(std::size_t index) const;
+  [[nodiscard]] JsonPlace at(std::uint64_t index) const;
   /// Elements of an array; 0 when it is not there.
   [[nodiscard]] std::size_t size() const;
 

@@ -173,12 +173,12 @@ Mended mend(Soup& soup, const std::string& name, const MendingOptions& options) 
   return mended;
 }
 
-void refuse_mending(const std::filesystem::path& file, const MendingOptions& options) {
+void refuse_mending(const std::string& file, const MendingOptions& options) {
   if (options.weld || options.orient)
     throw BadInput(
         fmt::format("{}: a progressive mesh is taken as it is, so --weld and --orient do not apply; leave them out, or "
                     "give the mesh that it was made from",
-                    file.string()));
+                    file));
 }
 
 void weld(Soup& soup, Mended& mended) {

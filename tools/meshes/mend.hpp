@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -33,7 +32,7 @@ struct Mended {
 [[nodiscard]] Mended mend(Soup& soup, const std::string& name, const MendingOptions& options);
 
 /// Throws BadInput when anything is asked for: a progressive mesh is taken as it is.
-void refuse_mending(const std::filesystem::path& file, const MendingOptions& options);
+void refuse_mending(const std::string& file, const MendingOptions& options);
 
 /// Vertices at exactly the same place become one, the first of them, if they agree in all attributes too; triangles of
 /// which then two corners are the same vanish. The strips of the file stay. Linear time.

@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 #include "common/bad_input.hpp"
 #include "meshes/gltf_file.hpp"
@@ -127,7 +128,7 @@ class GltfReader {
       for (std::size_t i = 0; i < nodes.size(); ++i)
         for (std::size_t c = 0; c < nodes.at(i)["children"].size(); ++c) {
           const std::uint64_t child = nodes.at(i)["children"].at(c).whole();
-          if (child < nodes.size()) is_child[child] = true;
+          if (child < nodes.size()) is_child[static_cast<std::size_t>(child)] = true;
         }
       for (std::size_t i = 0; i < nodes.size(); ++i)
         if (!is_child[i]) read_node(i);
@@ -147,8 +148,9 @@ class GltfReader {
       const auto [number, outer] = open.back();
       open.pop_back();
       const JsonPlace node = file_.root()["nodes"].at(number);
-      if (visited_[number]) node.refuse("is in the scene twice; nodes must form trees");
-      visited_[number] = true;
+      const auto index = static_cast<std::size_t>(number);
+      if (visited_[index]) node.refuse("is in the scene twice; nodes must form trees");
+      visited_[index] = true;
       const Affine map = product(outer, map_of(node));
       if (node["mesh"].there()) read_mesh_at(node["mesh"].whole(), map);
       const JsonPlace children = node["children"];
@@ -173,7 +175,7 @@ class GltfReader {
       if (primitive["indices"].there()) {
         indices = file_.indices(primitive["indices"].whole());
       } else {
-        indices.resize(known->second.count);
+        indices.resize(static_cast<std::size_t>(known->second.count));
         std::iota(indices.begin(), indices.end(), 0U);
       }
       add_primitive(primitive, static_cast<unsigned>(mode), std::move(indices), known->second, mirrored);
@@ -182,14 +184,16 @@ class GltfReader {
 
   struct First {
     std::size_t point = 0;
-    std::size_t count = 0;
+    std::uint64_t count = 0;
   };
 
   /// What the vertices of a primitive are made of.
   struct Accessors {
     std::uint64_t positions = 0;
     std::map<std::string, std::uint64_t> attributes = {};  // those to carry
-    friend auto operator<=>(const Accessors&, const Accessors&) = default;
+    friend bool operator<(const Accessors& a, const Accessors& b) {
+      return std::tie(a.positions, a.attributes) < std::tie(b.positions, b.attributes);
+    }
   };
 
   Accessors accessors_of(const JsonPlace& attributes) {

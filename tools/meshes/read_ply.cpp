@@ -35,7 +35,7 @@ struct Property {
 
 struct Element {
   std::string name;
-  std::size_t count = 0;
+  std::uint64_t count = 0;
   std::vector<Property> properties;
 };
 

@@ -12,7 +12,7 @@ namespace restrip::tools {
 
 /// Triangles that a mesh can have (StripMesh keeps a handle and three flags in 32 bits), and vertices.
 inline constexpr std::size_t max_triangles = (std::size_t{1} << 29) - 1;
-inline constexpr std::size_t max_vertices = (std::size_t{1} << 32) - 2;
+inline constexpr std::uint64_t max_vertices = (std::uint64_t{1} << 32) - 2;
 
 /// Throws BadInput when a line of a text file is longer than `limit` bytes: no line of a mesh is, and what is made of
 /// it would take many times its size. `name` is the file.

@@ -2,22 +2,41 @@
 // the bytes are.
 #pragma once
 
+#include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace restrip::tools {
 
-/// The number that a whole word spells; a leading + is allowed. Too large for a double: infinity, which no reader
-/// accepts.
+/// The number that a whole word spells; a leading + is allowed. None where it is beyond the range of a double, at
+/// either end.
 template <class Number>
 [[nodiscard]] std::optional<Number> parse(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
   Number number{};
-  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc{} || stop != word.data() + word.size()) return std::nullopt;
-  return number;
+#ifndef __cpp_lib_to_chars  // a library whose from_chars knows whole numbers only, as libc++ 14
+  if constexpr (std::is_floating_point_v<Number>) {
+    const std::string text(word);
+    if (text.empty() || text.front() == '+' || text.find_first_of("xX") != std::string::npos) return std::nullopt;
+    char* stop = nullptr;
+    errno = 0;
+    number = std::strtod(text.c_str(), &stop);
+    const bool beyond = errno == ERANGE && (number == 0 || std::isinf(number));
+    if (stop != text.c_str() + text.size() || beyond) return std::nullopt;
+    return number;
+  } else
+#endif
+  {
+    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || stop != word.data() + word.size()) return std::nullopt;
+    return number;
+  }
 }
 
 class TextCursor {

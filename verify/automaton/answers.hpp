@@ -11,9 +11,6 @@
 
 namespace restrip::verify {
 
-/// The largest fan that can be asked about: its recolouring, two triangles and the chord more, is one mask.
-inline constexpr unsigned largest_asked = 16;
-
 /// A fan operation's place. `family` is "split", "collapse", "open-split", "boundary-split" or "fan-collapse"; `a` is
 /// the arc of a split or the first gap, `b` the second gap.
 struct FanPlace {

@@ -3,38 +3,42 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <utility>
 
-#include "automaton/row_reader.hpp"
 #include "certificate/certificate_form.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify {
 namespace {
 
-/// Reads the rows of one section after the other.
+constexpr std::array<const char*, 1> row_claim_words = {"rows"};
+
+/// Reads the rows of one section after the other, and counts them.
 class Parser {
  public:
-  Parser(LineReader& reader, AutomatonCertificate& result) : rows_(reader), reader_(reader), result_(result) {}
+  Parser(LineReader& reader, AutomatonCertificate& result) : reader_(reader), result_(result) {}
 
   std::size_t read() {
-    rows_.begin_section("cost", "weights");
+    begin_section("cost", "weights");
     reader_.expect_words(4, "\"weights\" restart swap isolated");
     result_.weights = {number_at(1, 1, most_weight), number_at(2, 0, most_weight), number_at(3, 0, most_weight)};
-    rows_.next();
-    rows_.end_section();
-    rows_.begin_section("classes", "class");
+    next();
+    end_section();
+    begin_section("classes", "class");
     while (reader_.starts_with("class")) read_class();
     check_targets();
-    rows_.end_section();
-    rows_.begin_section("closings", "close");
+    end_section();
+    begin_section("closings", "close");
     read_closings();
-    rows_.end_section();
-    rows_.begin_section("meetings", "meet");
+    end_section();
+    begin_section("meetings", "meet");
     read_meetings();
-    rows_.end_section();
-    return result_.rows = rows_.rows();
+    end_section();
+    return result_.rows;
   }
 
  private:
@@ -42,8 +46,50 @@ class Parser {
   static constexpr std::int64_t most_cost = 100 * most_weight;
   static constexpr std::int64_t most_classes = 65535;
 
+  /// The head of a section, and the first line behind it, which starts with `first_row`.
+  void begin_section(const std::string& name, const char* first_row) {
+    std::array<StatedClaim, 1> claims;
+    const std::array<const char*, 1> rows = {first_row};
+    parse_section_head(reader_, name, row_claim_words, claims, rows);
+    section_ = name;
+    section_start_ = result_.rows;
+    claimed_ = static_cast<std::size_t>(claims[0].number);
+  }
+  /// The section must have had as many rows as its head claims.
+  void end_section() const {
+    if (const std::size_t found = result_.rows - section_start_; found != claimed_)
+      reader_.fail(fmt::format("section {} claims {} rows and has {} before this line", section_, claimed_, found));
+  }
+  /// Counts the row that was read and goes on to the next line.
+  void next() {
+    ++result_.rows;
+    reader_.next("a row, a section or \"end\"");
+  }
+
+  /// A number from `least` to `most`; `what` is its name in the error.
+  std::int64_t wide_number_at(std::size_t word, std::int64_t least, std::int64_t most,
+                              const char* what = "a number") const {
+    const std::int64_t n = reader_.number(word);
+    if (n < least || n > most) reader_.fail(fmt::format("expected {} from {} to {}, found {}", what, least, most, n));
+    return n;
+  }
   int number_at(std::size_t word, std::int64_t least, std::int64_t most) const {
-    return static_cast<int>(rows_.number_at(word, least, most));
+    return static_cast<int>(wide_number_at(word, least, most));
+  }
+  void expect_number(std::size_t word, std::size_t n) const {
+    if (reader_.number(word) != static_cast<std::int64_t>(n))
+      reader_.fail(fmt::format("expected {}, found {}", n, reader_.words()[word]));
+  }
+  void expect_letter(std::size_t word, char letter) const {
+    if (reader_.words()[word] != std::string_view(&letter, 1))
+      reader_.fail(fmt::format("expected the letter {}, found \"{}\"", letter, reader_.words()[word]));
+  }
+  /// The number of the case that two letters name.
+  std::size_t case_at(std::size_t word) const {
+    const std::string_view text = reader_.words()[word];
+    const auto number = text.size() == 2 ? number_of({text[0], text[1]}) : std::nullopt;
+    if (!number) reader_.fail(fmt::format("\"{}\" is no case", text));
+    return *number;
   }
 
   /// A row or column of meetings: the next new one, or one that was there before.
@@ -52,7 +98,7 @@ class Parser {
       if (reader_.words()[word] != "-") reader_.fail(fmt::format("expected -, found \"{}\"", reader_.words()[word]));
       return {};
     }
-    const auto line = static_cast<std::size_t>(rows_.number_at(word, 0, static_cast<std::int64_t>(lines)));
+    const auto line = static_cast<std::size_t>(wide_number_at(word, 0, static_cast<std::int64_t>(lines)));
     lines = std::max(lines, line + 1);
     return line;
   }
@@ -60,7 +106,7 @@ class Parser {
   void read_class() {
     const std::size_t c = result_.classes.size();
     reader_.expect_words(5, "\"class\" number witness row column");
-    rows_.expect_number(1, c);
+    expect_number(1, c);
     AutomatonClass& made = result_.classes.emplace_back();
     made.line = reader_.line();
     const std::string_view witness = reader_.words()[2];
@@ -71,12 +117,12 @@ class Parser {
       reader_.fail(fmt::format("\"{}\" is no witness of class {}", witness, c));
     made.as_first = line_at(3, c != 0 && !made.has_boundary(), meeting_rows_);
     made.as_second = line_at(4, c != 0, meeting_columns_);
-    rows_.next();
+    next();
     std::optional<std::size_t> last;
-    for (; reader_.starts_with("value"); rows_.next()) {
+    for (; reader_.starts_with("value"); next()) {
       reader_.expect_words(4, "\"value\" class case cost");
-      rows_.expect_number(1, c);
-      const std::size_t number = rows_.case_at(2);
+      expect_number(1, c);
+      const std::size_t number = case_at(2);
       if (last && number <= *last) reader_.fail("expected values in the order of cases");
       last = number;
       made.costs[number] = number_at(3, 0, most_cost);
@@ -93,21 +139,21 @@ class Parser {
     if (!reader_.starts_with("step"))
       reader_.fail(fmt::format("expected the step of class {} by {}, found \"{}\"", c, letter, reader_.rest(0)));
     reader_.expect_words(5, "\"step\" class letter class cost");
-    rows_.expect_number(1, c);
-    rows_.expect_letter(2, letter);
+    expect_number(1, c);
+    expect_letter(2, letter);
     AutomatonStep& step = result_.classes[c].steps.back().emplace();
     step.line = reader_.line();
-    step.to = static_cast<std::size_t>(rows_.number_at(3, 0, most_classes - 1, "a class"));
+    step.to = static_cast<std::size_t>(wide_number_at(3, 0, most_classes - 1, "a class"));
     step.cost = number_at(4, -most_cost, most_cost);
-    rows_.next();
-    for (; reader_.starts_with("from"); rows_.next()) {
+    next();
+    for (; reader_.starts_with("from"); next()) {
       reader_.expect_words(5, "\"from\" class letter case case");
-      rows_.expect_number(1, c);
-      rows_.expect_letter(2, letter);
-      const std::size_t after = rows_.case_at(3);
+      expect_number(1, c);
+      expect_letter(2, letter);
+      const std::size_t after = case_at(3);
       if (high_part(given_.back(), static_cast<unsigned>(after)) != 0)
         reader_.fail("expected origins in the order of cases");
-      step.from[after] = rows_.case_at(4);
+      step.from[after] = case_at(4);
       given_.back() |= single(static_cast<unsigned>(after));
     }
   }
@@ -137,9 +183,9 @@ class Parser {
       if (!reader_.starts_with("close"))
         reader_.fail(fmt::format("expected the closing of class {}, found \"{}\"", c, reader_.rest(0)));
       reader_.expect_words(3, "\"close\" class case");
-      rows_.expect_number(1, c);
-      result_.closings[c] = {rows_.case_at(2), reader_.line()};
-      rows_.next();
+      expect_number(1, c);
+      result_.closings[c] = {case_at(2), reader_.line()};
+      next();
     }
   }
 
@@ -151,19 +197,21 @@ class Parser {
           reader_.fail(
               fmt::format("expected the meeting of row {} and column {}, found \"{}\"", x, y, reader_.rest(0)));
         reader_.expect_words(6, "\"meet\" row column case case chord");
-        rows_.expect_number(1, x);
-        rows_.expect_number(2, y);
+        expect_number(1, x);
+        expect_number(2, y);
         const std::string_view chord = reader_.words()[5];
         if (chord != "chord" && chord != "-")
           reader_.fail(fmt::format("expected \"chord\" or \"-\", found \"{}\"", chord));
-        result_.meetings[x].push_back({rows_.case_at(3), rows_.case_at(4), chord == "chord", reader_.line()});
-        rows_.next();
+        result_.meetings[x].push_back({case_at(3), case_at(4), chord == "chord", reader_.line()});
+        next();
       }
   }
 
-  RowReader rows_;
   LineReader& reader_;
   AutomatonCertificate& result_;
+  std::string section_;
+  std::size_t section_start_ = 0;  ///< rows before it
+  std::size_t claimed_ = 0;
   std::vector<Mask> given_;  ///< cases with an origin, by class and letter
   std::size_t meeting_rows_ = 0;
   std::size_t meeting_columns_ = 0;

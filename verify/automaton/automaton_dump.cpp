@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <map>
 #include <vector>
 
@@ -43,12 +42,12 @@ FanKey key_numbered(const FanPlace& place, std::uint64_t n) {
 
 class AutomatonDumpReader {
  public:
-  AutomatonDumpReader(std::FILE* stream, const AutomatonCertificate& certificate, unsigned max_k,
+  AutomatonDumpReader(StreamLines& lines, const AutomatonCertificate& certificate, unsigned max_k,
                       AutomatonDumpCheck& check)
-      : lines_(stream), certificate_(certificate), max_k_(max_k), check_(check) {}
+      : lines_(lines), certificate_(certificate), max_k_(max_k), check_(check) {}
 
   void run() {
-    expect("restrip-automaton-dump 2");
+    lines_.expect("restrip-automaton-dump 2");
     const std::size_t letters = letters_of(certificate_.weights).size();
     const std::size_t classes = certificate_.classes.size();
     const NumbersOf next = array("next", letters * classes);
@@ -61,39 +60,19 @@ class AutomatonDumpReader {
     seconds_ = array("seconds", 1).front();
     for (std::size_t c = 0; c < classes; ++c) compare_class(c, next, before, closed);
     read_answers();
-    expect(fmt::format("end {}", entries_));
-    if (lines_.next() || lines_.left_over()) fail("text after the end");
+    lines_.expect_last(fmt::format("end {}", entries_));
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw BadDump(fmt::format("line {}: {}", lines_.number(), what));
-  }
-  std::string_view next_line(const std::string& expected) {
-    const std::optional<std::string_view> line = lines_.next();
-    if (!line) fail(fmt::format("expected \"{}\" next, found the end", expected));
-    return *line;
-  }
-  void expect(const std::string& whole) {
-    if (const std::string_view line = next_line(whole); line != whole)
-      fail(fmt::format("expected \"{}\", found \"{}\"", whole, line));
-  }
-  std::uint64_t number_in(std::string_view digits, int base) const {
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number, base);
-    if (error != std::errc{} || end != digits.data() + digits.size())
-      fail(fmt::format("expected a number, found \"{}\"", digits));
-    return number;
-  }
-
   NumbersOf array(const std::string& name, std::optional<std::size_t> size) {
     const std::string head = fmt::format("array {} ", name);
-    const std::string_view line = next_line(head);
-    if (!line.starts_with(head)) fail(fmt::format("expected \"{}\" and a size, found \"{}\"", head, line));
-    const std::uint64_t found = number_in(line.substr(head.size()), 10);
-    if (size && found != *size) fail(fmt::format("expected {} numbers of {}, found {}", *size, name, found));
+    const std::string_view line = lines_.next(head);
+    if (!line.starts_with(head)) lines_.fail(fmt::format("expected \"{}\" and a size, found \"{}\"", head, line));
+    const std::uint64_t found = lines_.number_in(line.substr(head.size()), 10);
+    if (size && found != *size) lines_.fail(fmt::format("expected {} numbers of {}, found {}", *size, name, found));
     NumbersOf numbers;
-    for (std::uint64_t i = 0; i < found; ++i, ++entries_) numbers.push_back(number_in(next_line("a number"), 16));
+    for (std::uint64_t i = 0; i < found; ++i, ++entries_)
+      numbers.push_back(lines_.number_in(lines_.next("a number"), 16));
     return numbers;
   }
 
@@ -155,8 +134,8 @@ class AutomatonDumpReader {
       if (place.family.ends_with("split")) head += fmt::format(" {}", place.a);
       if (place.family == "open-split") head += fmt::format(" {}", place.b);
       head += fmt::format(" keys {} digest ", keys);
-      const std::string_view line = next_line(head);
-      if (!line.starts_with(head)) fail(fmt::format("expected \"{}\" and a digest, found \"{}\"", head, line));
+      const std::string_view line = lines_.next(head);
+      if (!line.starts_with(head)) lines_.fail(fmt::format("expected \"{}\" and a digest, found \"{}\"", head, line));
       ++entries_;
       const Side patch = patch_after(place);
       std::uint64_t digest = 0;
@@ -174,7 +153,7 @@ class AutomatonDumpReader {
     }
   }
 
-  StreamLines lines_;
+  StreamLines& lines_;
   const AutomatonCertificate& certificate_;
   unsigned max_k_;
   AutomatonDumpCheck& check_;
@@ -186,13 +165,9 @@ class AutomatonDumpReader {
 }  // namespace
 
 AutomatonDumpCheck check_automaton_dump(std::FILE* stream, const AutomatonCertificate& certificate, unsigned max_k) {
-  AutomatonDumpCheck check;
-  try {
-    AutomatonDumpReader(stream, certificate, max_k, check).run();
-  } catch (const BadDump& bad) {
-    check.fault = bad.what();
-  }
-  return check;
+  return found_in<AutomatonDumpCheck>(stream, [&](StreamLines& lines, AutomatonDumpCheck& check) {
+    AutomatonDumpReader(lines, certificate, max_k, check).run();
+  });
 }
 
 AutomatonDumpCheck check_automaton_dump_of(const std::string& program, const AutomatonCertificate& certificate,

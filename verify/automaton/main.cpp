@@ -10,14 +10,14 @@
 
 #include "automaton/facts.hpp"
 #include "automaton/verify_automaton.hpp"
-#include "model/exit_code.hpp"
+#include "model/program.hpp"
 #include "model/quantity.hpp"
 
 namespace {
 
 using namespace restrip::verify;
 
-int run(const restrip::verify::AutomatonOptions& options) {
+int run(const AutomatonOptions& options) {
   fmt::print("{}", heading());
   const AutomatonTotals totals = verify_automaton(options, [](const ClaimResult& result) {
     fmt::print("{}", line_of(result));
@@ -27,15 +27,13 @@ int run(const restrip::verify::AutomatonOptions& options) {
              totals.failed == 0 ? "verified" : "NOT verified", quantity(totals.classes, "class", "es"),
              quantity(totals.rows, "row"), quantity(totals.kinds, "kind"), quantity(totals.claims, "claim"),
              totals.failed, text_of(totals.read));
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw std::runtime_error("standard output: what was found could not be written");
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  restrip::verify::AutomatonOptions options;
+  AutomatonOptions options;
   bool facts = false;
   CLI::App app("Proves the certificate of an automaton: rules of fans of any valence, under the cost that it states.");
   app.name("restrip-verify-automaton");
@@ -54,7 +52,7 @@ int main(int argc, char** argv) {
   app.add_option("--tables-max-k", options.tables_max_k,
                  "The largest fans of the other certificates in the folder, and of the dump")
       ->capture_default_str()
-      ->check(CLI::Range(3U, restrip::verify::largest_judged_fan));
+      ->check(CLI::Range(3U, largest_judged_fan));
   app.add_option("--max-k", options.max_k,
                  "The largest fans that are searched as a whole; 0: 10, or 6 where swaps have a price")
       ->capture_default_str()
@@ -71,22 +69,14 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
-  // What the other options ask for is then not done: that is no way to ignore them.
-  for (const char* name : {"--tables-dir", "--dump-command", "--tables-max-k", "--max-k", "--every"})
-    if (facts && !app.get_option(name)->empty()) {
-      fmt::print(stderr,
-                 "restrip-verify-automaton: --facts reads and searches nothing, so {} has no effect; leave it out\n",
-                 name);
-      return bad_input;
-    }
-  try {
+  return exit_code_of("restrip-verify-automaton", [&] {
+    // What the other options ask for is then not done: that is no way to ignore them.
+    for (const char* name : {"--tables-dir", "--dump-command", "--tables-max-k", "--max-k", "--every"})
+      if (facts && !app.get_option(name)->empty())
+        throw std::invalid_argument(
+            fmt::format("--facts reads and searches nothing, so {} has no effect; leave it out", name));
     if (!facts) return run(options);
-    fmt::print("{}", restrip::verify::table_of(restrip::verify::facts_of_every_fan()));
-    if (std::fflush(stdout) != 0) throw std::runtime_error("standard output: the table could not be written");
+    fmt::print("{}", table_of(facts_of_every_fan()));
     return all_claims_hold;
-  } catch (const std::exception& error) {
-    std::fflush(stdout);
-    fmt::print(stderr, "restrip-verify-automaton: {}\n", error.what());
-    return bad_input;
-  }
+  });
 }

@@ -10,7 +10,7 @@
 
 #include "bound/bound_check.hpp"
 #include "bound/triangle_list.hpp"
-#include "model/exit_code.hpp"
+#include "model/program.hpp"
 #include "model/quantity.hpp"
 
 namespace {
@@ -26,8 +26,6 @@ int run(const std::string& mesh, const std::string& certificate) {
              quantity_grouped(list.triangles.size(), "triangle"), grouped(bound.indices),
              static_cast<double>(bound.indices) / static_cast<double>(list.triangles.size()), mesh,
              quantity_grouped(bound.cuts, "cut"), certificate);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw std::runtime_error("standard output: what was found could not be written");
   return all_claims_hold;
 }
 
@@ -50,13 +48,12 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
-  try {
-    return run(mesh, certificate);
-  } catch (const FalseBound& error) {
-    fmt::print("NOT verified: {}\n", error.what());
-    return some_claim_fails;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "restrip-verify-bound: {}\n", error.what());
-    return bad_input;
-  }
+  return exit_code_of("restrip-verify-bound", [&] {
+    try {
+      return run(mesh, certificate);
+    } catch (const FalseBound& error) {
+      fmt::print("NOT verified: {}\n", error.what());
+      return some_claim_fails;
+    }
+  });
 }

@@ -90,11 +90,6 @@ const Row* SectionRows::row_of(Key key) const {
   return place != rows.end() && place->key == key ? &*place : nullptr;
 }
 
-bool Certificate::has_reasons() const {
-  const Row* const rule = sections.empty() ? nullptr : first_rule(sections.front());
-  return rule != nullptr && rule->reason.has_value();
-}
-
 void expect_order(const LineReader& reader, const std::vector<Row>& rows, const Row& row) {
   if (rows.empty() || rows.back().key < row.key) return;
   if (rows.back().key == row.key)

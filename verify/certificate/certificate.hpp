@@ -41,8 +41,6 @@ struct Certificate {
   std::string file;
   std::vector<SectionRows> sections;  ///< one for each section of the family, in the same order
   std::size_t rows = 0;
-
-  bool has_reasons() const;
 };
 
 /// InputError when anything is not as docs/certificate.md says.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdint>
 #include <cstdio>
 #include <optional>
@@ -20,7 +21,7 @@ class BadDump : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Lines of a stream. Millions of them: no allocation for each line.
+/// Lines of a stream. Millions of them: no allocation for each line. Whatever does not fit is a BadDump.
 class StreamLines {
  public:
   explicit StreamLines(std::FILE* stream) : stream_(stream), buffer_(1U << 18U) {}
@@ -38,7 +39,35 @@ class StreamLines {
     }
   }
   std::uint64_t number() const { return number_; }
-  bool left_over() const { return start_ != end_; }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw BadDump(fmt::format("line {}{}: {}", number_, place, what));
+  }
+  /// The next line, which must be there; `expected` says what it is.
+  std::string_view next(const std::string& expected) {
+    const std::optional<std::string_view> line = next();
+    if (!line) fail(fmt::format("expected \"{}\", found the end", expected));
+    return *line;
+  }
+  void expect(const std::string& whole) {
+    if (const std::string_view line = next(whole); line != whole)
+      fail(fmt::format("expected \"{}\", found \"{}\"", whole, line));
+  }
+  /// The last line, and nothing behind it.
+  void expect_last(const std::string& whole) {
+    expect(whole);
+    if (next() || start_ != end_) fail("text after the end");
+  }
+  /// All of a word of the line as a number.
+  std::uint64_t number_in(std::string_view digits, int base) const {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number, base);
+    if (error != std::errc{} || end != digits.data() + digits.size())
+      fail(fmt::format("expected a number, found \"{}\"", digits));
+    return number;
+  }
+
+  std::string place;  ///< in the dump, for messages: ", table flip"
 
  private:
   bool refill() {
@@ -59,6 +88,19 @@ class StreamLines {
   std::size_t end_ = 0;
   std::uint64_t number_ = 0;
 };
+
+/// What `read` finds in a dump, as far as it can be read; why it could not be read further is its fault.
+template <class Found, class Read>
+Found found_in(std::FILE* stream, const Read& read) {
+  Found found;
+  StreamLines lines(stream);
+  try {
+    read(lines, found);
+  } catch (const BadDump& bad) {
+    found.fault = bad.what();
+  }
+  return found;
+}
 
 /// Runs a program and has `read` check what it prints. A program that fails is a fault of what is found.
 template <class Read>

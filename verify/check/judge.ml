@@ -358,6 +358,158 @@ let flip =
 let lone_or_given_up s s' x =
   add (isolated flip.after s' x) (sub (solids s) (solids s'))
 
+type position =
+| Split_at of nat * nat
+| Collapse_at of nat * nat
+| Open_split_at of nat * nat * nat
+| Open_collapse_at of nat * nat * nat
+| Boundary_split_at of nat * nat
+| Boundary_collapse_at of nat * nat
+
+(** val possible : position -> bool **)
+
+let possible = function
+| Split_at (k, a) ->
+  (&&) ((&&) (Nat.leb (S (S (S O))) k) (Nat.leb (S O) a)) (Nat.ltb a k)
+| Collapse_at (k, a) ->
+  (&&) ((&&) (Nat.leb (S (S (S O))) k) (Nat.leb (S O) a)) (Nat.ltb a k)
+| Open_split_at (k, i, j) ->
+  (&&) ((&&) (Nat.leb (S O) k) (Nat.ltb i j)) (Nat.leb j k)
+| Open_collapse_at (k, i, j) ->
+  (&&) ((&&) (Nat.leb (S O) k) (Nat.ltb i j)) (Nat.leb j k)
+| Boundary_split_at (k, i) -> (&&) (Nat.leb (S O) k) (Nat.leb i k)
+| Boundary_collapse_at (k, i) -> (&&) (Nat.leb (S O) k) (Nat.leb i k)
+
+(** val patch_at : position -> patch **)
+
+let patch_at = function
+| Split_at (k, a) -> split k a
+| Collapse_at (k, a) -> collapse k a
+| Open_split_at (k, i, j) -> open_split k i j
+| Open_collapse_at (k, i, j) -> open_collapse k i j
+| Boundary_split_at (k, i) -> boundary_split k i
+| Boundary_collapse_at (k, i) -> boundary_collapse k i
+
+module Runs =
+ struct
+  type verdict = { solid_before : nat; alone_before : nat; solid_best : 
+                   nat; alone_best : nat; chosen : bool }
+
+  (** val solid_before : verdict -> nat **)
+
+  let solid_before v =
+    v.solid_before
+
+  (** val alone_before : verdict -> nat **)
+
+  let alone_before v =
+    v.alone_before
+
+  (** val solid_best : verdict -> nat **)
+
+  let solid_best v =
+    v.solid_best
+
+  (** val alone_best : verdict -> nat **)
+
+  let alone_best v =
+    v.alone_best
+
+  (** val chosen : verdict -> bool **)
+
+  let chosen v =
+    v.chosen
+
+  type 'v corners = ('v * 'v) * 'v
+
+  type 'v mesh_edge = 'v * 'v
+
+  (** val rim : 'a1 corners -> 'a1 mesh_edge list **)
+
+  let rim = function
+  | (p, c) -> let (a, b) = p in (a, b) :: ((b, c) :: ((c, a) :: []))
+
+  (** val turned : 'a1 mesh_edge -> 'a1 mesh_edge **)
+
+  let turned e =
+    ((snd e), (fst e))
+
+  (** val same_edge :
+      ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge -> bool **)
+
+  let same_edge same0 e f =
+    (&&) (same0 (fst e) (fst f)) (same0 (snd e) (snd f))
+
+  (** val among :
+      ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge list -> bool **)
+
+  let among same0 e l =
+    existsb (same_edge same0 e) l
+
+  (** val either_way :
+      ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge list -> bool **)
+
+  let either_way same0 e l =
+    (||) (among same0 e l) (among same0 (turned e) l)
+
+  (** val distinct : ('a1 -> 'a1 -> bool) -> 'a1 corners list -> bool **)
+
+  let rec distinct same0 = function
+  | [] -> true
+  | t :: r ->
+    (&&)
+      (match rim t with
+       | [] -> false
+       | e :: _ -> negb (existsb (fun u -> among same0 e (rim u)) r))
+      (distinct same0 r)
+
+  (** val between :
+      ('a1 -> 'a1 -> bool) -> 'a1 corners -> 'a1 corners -> 'a1 mesh_edge
+      option **)
+
+  let between same0 t u =
+    find (fun e -> among same0 (turned e) (rim u)) (rim t)
+
+  (** val crossed :
+      ('a1 -> 'a1 -> bool) -> 'a1 corners list -> edge list -> 'a1 mesh_edge
+      list option **)
+
+  let rec crossed same0 ts = function
+  | [] -> Some []
+  | e :: r ->
+    let (i, j) = e in
+    (match nth_error ts i with
+     | Some t ->
+       (match nth_error ts j with
+        | Some u ->
+          (match between same0 t u with
+           | Some e0 ->
+             (match crossed same0 ts r with
+              | Some l -> Some (e0 :: l)
+              | None -> None)
+           | None -> None)
+        | None -> None)
+     | None -> None)
+
+  (** val lies :
+      ('a1 -> 'a1 -> bool) -> side -> 'a1 corners list -> 'a1 mesh_edge list
+      -> 'a1 mesh_edge list -> ('a1 mesh_edge -> bool) -> bool **)
+
+  let lies same0 d ts ps es neighbour =
+    (&&)
+      ((&&)
+        ((&&)
+          ((&&) (Nat.eqb (length ts) d.triangles)
+            (Nat.eqb (length ps) (length d.owner))) (distinct same0 ts))
+        (forallb (fun x ->
+          match nth_error ts (fst x) with
+          | Some t -> among same0 (snd x) (rim t)
+          | None -> false) (combine d.owner ps)))
+      (forallb (fun e ->
+        (||) ((||) (among same0 e ps) (either_way same0 e es))
+          (negb (neighbour e))) (flat_map rim ts))
+ end
+
 type state = (nat * nat) list
 
 (** val label_in : state -> nat -> nat **)
@@ -741,38 +893,6 @@ let chord_route k i j =
 let one_route k i =
   route (app (seq O i) (k :: (seq i (sub k i)))) [] [] false false
 
-type position =
-| Split_at of nat * nat
-| Collapse_at of nat * nat
-| Open_split_at of nat * nat * nat
-| Open_collapse_at of nat * nat * nat
-| Boundary_split_at of nat * nat
-| Boundary_collapse_at of nat * nat
-
-(** val possible : position -> bool **)
-
-let possible = function
-| Split_at (k, a) ->
-  (&&) ((&&) (Nat.leb (S (S (S O))) k) (Nat.leb (S O) a)) (Nat.ltb a k)
-| Collapse_at (k, a) ->
-  (&&) ((&&) (Nat.leb (S (S (S O))) k) (Nat.leb (S O) a)) (Nat.ltb a k)
-| Open_split_at (k, i, j) ->
-  (&&) ((&&) (Nat.leb (S O) k) (Nat.ltb i j)) (Nat.leb j k)
-| Open_collapse_at (k, i, j) ->
-  (&&) ((&&) (Nat.leb (S O) k) (Nat.ltb i j)) (Nat.leb j k)
-| Boundary_split_at (k, i) -> (&&) (Nat.leb (S O) k) (Nat.leb i k)
-| Boundary_collapse_at (k, i) -> (&&) (Nat.leb (S O) k) (Nat.leb i k)
-
-(** val patch_at : position -> patch **)
-
-let patch_at = function
-| Split_at (k, a) -> split k a
-| Collapse_at (k, a) -> collapse k a
-| Open_split_at (k, i, j) -> open_split k i j
-| Open_collapse_at (k, i, j) -> open_collapse k i j
-| Boundary_split_at (k, i) -> boundary_split k i
-| Boundary_collapse_at (k, i) -> boundary_collapse k i
-
 type course = { way : shape; met_first : nat; met_last : nat; left_over : nat }
 
 (** val course_at : position -> course **)
@@ -796,11 +916,8 @@ let course_at = function
   { way = (open_route k); met_first = (sub k (S O)); met_last = O;
     left_over = O }
 
-type verdict = { solid_before : nat; alone_before : nat; solid_best : 
-                 nat; alone_best : nat; chosen : bool }
-
 (** val weigh :
-    position -> coloring -> coloring -> coloring -> verdict option **)
+    position -> coloring -> coloring -> coloring -> Runs.verdict option **)
 
 let weigh o s c x =
   let p = patch_at o in
@@ -817,9 +934,9 @@ let weigh o s c x =
             let (n, i) = p1 in good (n, (add i (at_end f))) (finished e)
           | None -> false
         in
-        Some { solid_before = (solids c); alone_before =
-        (alone (ports p) st); solid_best = (fst (finished e)); alone_best =
-        (sub (snd (finished e)) (S (S O))); chosen =
+        Some { Runs.solid_before = (solids c); Runs.alone_before =
+        (alone (ports p) st); Runs.solid_best = (fst (finished e));
+        Runs.alone_best = (sub (snd (finished e)) (S (S O))); Runs.chosen =
         ((&&) (Nat.eqb (length x) (length p.after.inner)) found) }
       | None -> None)
    | None -> None)
@@ -888,163 +1005,80 @@ let first_of s l =
     | Some v -> if flip_good s v w then Some v else Some w
     | None -> Some w) None l
 
-(** val weigh_flip : coloring -> coloring -> way_on -> verdict option **)
+(** val weigh_flip : coloring -> coloring -> way_on -> Runs.verdict option **)
 
 let weigh_flip s c w =
   match drawn flip.before s c with
   | Some st ->
     (match first_of s (ways_on st s) with
      | Some v ->
-       Some { solid_before = (add (solids s) (solids c)); alone_before =
-         (isolated flip.before s c); solid_best = (flip_edges v);
-         alone_best = (flip_alone s v); chosen =
+       Some { Runs.solid_before = (add (solids s) (solids c));
+         Runs.alone_before = (isolated flip.before s c); Runs.solid_best =
+         (flip_edges v); Runs.alone_best = (flip_alone s v); Runs.chosen =
          ((&&) (flip_allowed st s w) (flip_good s w v)) }
      | None -> None)
   | None -> None
 
-type 'v corners = ('v * 'v) * 'v
-
-type 'v mesh_edge = 'v * 'v
-
-(** val rim : 'a1 corners -> 'a1 mesh_edge list **)
-
-let rim = function
-| (p, c) -> let (a, b) = p in (a, b) :: ((b, c) :: ((c, a) :: []))
-
-(** val turned : 'a1 mesh_edge -> 'a1 mesh_edge **)
-
-let turned e =
-  ((snd e), (fst e))
-
-(** val same_edge :
-    ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge -> bool **)
-
-let same_edge same0 e f =
-  (&&) (same0 (fst e) (fst f)) (same0 (snd e) (snd f))
-
-(** val among :
-    ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge list -> bool **)
-
-let among same0 e l =
-  existsb (same_edge same0 e) l
-
-(** val either_way :
-    ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge list -> bool **)
-
-let either_way same0 e l =
-  (||) (among same0 e l) (among same0 (turned e) l)
-
-(** val distinct : ('a1 -> 'a1 -> bool) -> 'a1 corners list -> bool **)
-
-let rec distinct same0 = function
-| [] -> true
-| t :: r ->
-  (&&)
-    (match rim t with
-     | [] -> false
-     | e :: _ -> negb (existsb (fun u -> among same0 e (rim u)) r))
-    (distinct same0 r)
-
-(** val between :
-    ('a1 -> 'a1 -> bool) -> 'a1 corners -> 'a1 corners -> 'a1 mesh_edge option **)
-
-let between same0 t u =
-  find (fun e -> among same0 (turned e) (rim u)) (rim t)
-
-(** val crossed :
-    ('a1 -> 'a1 -> bool) -> 'a1 corners list -> edge list -> 'a1 mesh_edge
-    list option **)
-
-let rec crossed same0 ts = function
-| [] -> Some []
-| e :: r ->
-  let (i, j) = e in
-  (match nth_error ts i with
-   | Some t ->
-     (match nth_error ts j with
-      | Some u ->
-        (match between same0 t u with
-         | Some e0 ->
-           (match crossed same0 ts r with
-            | Some l -> Some (e0 :: l)
-            | None -> None)
-         | None -> None)
-      | None -> None)
-   | None -> None)
-
-(** val lies :
-    ('a1 -> 'a1 -> bool) -> side -> 'a1 corners list -> 'a1 mesh_edge list ->
-    'a1 mesh_edge list -> ('a1 mesh_edge -> bool) -> bool **)
-
-let lies same0 d ts ps es neighbour =
-  (&&)
-    ((&&)
-      ((&&)
-        ((&&) (Nat.eqb (length ts) d.triangles)
-          (Nat.eqb (length ps) (length d.owner))) (distinct same0 ts))
-      (forallb (fun x ->
-        match nth_error ts (fst x) with
-        | Some t -> among same0 (snd x) (rim t)
-        | None -> false) (combine d.owner ps)))
-    (forallb (fun e ->
-      (||) ((||) (among same0 e ps) (either_way same0 e es))
-        (negb (neighbour e))) (flat_map rim ts))
-
 (** val judge :
-    ('a1 -> 'a1 -> bool) -> position -> 'a1 corners list -> 'a1 corners list
-    -> 'a1 mesh_edge list -> ('a1 mesh_edge -> bool) -> ('a1 mesh_edge ->
-    bool) -> ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) -> 'a1
-    mesh_edge list -> verdict option **)
+    ('a1 -> 'a1 -> bool) -> position -> 'a1 Runs.corners list -> 'a1
+    Runs.corners list -> 'a1 Runs.mesh_edge list -> ('a1 Runs.mesh_edge ->
+    bool) -> ('a1 Runs.mesh_edge -> bool) -> ('a1 Runs.mesh_edge -> bool) ->
+    ('a1 Runs.mesh_edge -> bool) -> 'a1 Runs.mesh_edge list -> Runs.verdict
+    option **)
 
 let judge same0 o olds news ps was is beside beside' altered =
   let p = patch_at o in
-  (match crossed same0 olds p.before.inner with
+  (match Runs.crossed same0 olds p.before.inner with
    | Some es ->
-     (match crossed same0 news p.after.inner with
+     (match Runs.crossed same0 news p.after.inner with
       | Some fs ->
-        if (&&) ((&&) (possible o) (lies same0 p.before olds ps es beside))
-             (lies same0 p.after news ps fs beside')
+        if (&&)
+             ((&&) (possible o) (Runs.lies same0 p.before olds ps es beside))
+             (Runs.lies same0 p.after news ps fs beside')
         then (match weigh o (map was ps) (map was es) (map is fs) with
               | Some v ->
                 let kept = forallb (fun e -> eqb (is e) (was e)) ps in
                 let inside =
                   forallb (fun e ->
-                    (||) (either_way same0 e es) (either_way same0 e fs))
-                    altered
+                    (||) (Runs.either_way same0 e es)
+                      (Runs.either_way same0 e fs)) altered
                 in
-                Some { solid_before = v.solid_before; alone_before =
-                v.alone_before; solid_best = v.solid_best; alone_best =
-                v.alone_best; chosen = ((&&) ((&&) v.chosen kept) inside) }
+                Some { Runs.solid_before = v.Runs.solid_before;
+                Runs.alone_before = v.Runs.alone_before; Runs.solid_best =
+                v.Runs.solid_best; Runs.alone_best = v.Runs.alone_best;
+                Runs.chosen = ((&&) ((&&) v.Runs.chosen kept) inside) }
               | None -> None)
         else None
       | None -> None)
    | None -> None)
 
 (** val judge_flip :
-    ('a1 -> 'a1 -> bool) -> 'a1 corners list -> 'a1 corners list -> 'a1
-    mesh_edge list -> ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) ->
-    ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) -> 'a1 mesh_edge list
-    -> verdict option **)
+    ('a1 -> 'a1 -> bool) -> 'a1 Runs.corners list -> 'a1 Runs.corners list ->
+    'a1 Runs.mesh_edge list -> ('a1 Runs.mesh_edge -> bool) -> ('a1
+    Runs.mesh_edge -> bool) -> ('a1 Runs.mesh_edge -> bool) -> ('a1
+    Runs.mesh_edge -> bool) -> 'a1 Runs.mesh_edge list -> Runs.verdict option **)
 
 let judge_flip same0 olds news ps was is beside beside' altered =
-  match crossed same0 olds flip.before.inner with
+  match Runs.crossed same0 olds flip.before.inner with
   | Some es ->
-    (match crossed same0 news flip.after.inner with
+    (match Runs.crossed same0 news flip.after.inner with
      | Some fs ->
-       if (&&) (lies same0 flip.before olds ps es beside)
-            (lies same0 flip.after news ps fs beside')
+       if (&&) (Runs.lies same0 flip.before olds ps es beside)
+            (Runs.lies same0 flip.after news ps fs beside')
        then (match weigh_flip (map was ps) (map was es) ((map is ps),
                      (map is fs)) with
              | Some v ->
                let inside =
                  forallb (fun e ->
                    (||)
-                     ((||) (either_way same0 e ps) (either_way same0 e es))
-                     (either_way same0 e fs)) altered
+                     ((||) (Runs.either_way same0 e ps)
+                       (Runs.either_way same0 e es))
+                     (Runs.either_way same0 e fs)) altered
                in
-               Some { solid_before = v.solid_before; alone_before =
-               v.alone_before; solid_best = v.solid_best; alone_best =
-               v.alone_best; chosen = ((&&) v.chosen inside) }
+               Some { Runs.solid_before = v.Runs.solid_before;
+               Runs.alone_before = v.Runs.alone_before; Runs.solid_best =
+               v.Runs.solid_best; Runs.alone_best = v.Runs.alone_best;
+               Runs.chosen = ((&&) v.Runs.chosen inside) }
              | None -> None)
        else None
      | None -> None)

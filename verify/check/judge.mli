@@ -122,6 +122,64 @@ val flip : patch
 
 val lone_or_given_up : coloring -> coloring -> coloring -> nat
 
+type position =
+| Split_at of nat * nat
+| Collapse_at of nat * nat
+| Open_split_at of nat * nat * nat
+| Open_collapse_at of nat * nat * nat
+| Boundary_split_at of nat * nat
+| Boundary_collapse_at of nat * nat
+
+val possible : position -> bool
+
+val patch_at : position -> patch
+
+module Runs :
+ sig
+  type verdict = { solid_before : nat; alone_before : nat; solid_best : 
+                   nat; alone_best : nat; chosen : bool }
+
+  val solid_before : verdict -> nat
+
+  val alone_before : verdict -> nat
+
+  val solid_best : verdict -> nat
+
+  val alone_best : verdict -> nat
+
+  val chosen : verdict -> bool
+
+  type 'v corners = ('v * 'v) * 'v
+
+  type 'v mesh_edge = 'v * 'v
+
+  val rim : 'a1 corners -> 'a1 mesh_edge list
+
+  val turned : 'a1 mesh_edge -> 'a1 mesh_edge
+
+  val same_edge :
+    ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge -> bool
+
+  val among :
+    ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge list -> bool
+
+  val either_way :
+    ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge list -> bool
+
+  val distinct : ('a1 -> 'a1 -> bool) -> 'a1 corners list -> bool
+
+  val between :
+    ('a1 -> 'a1 -> bool) -> 'a1 corners -> 'a1 corners -> 'a1 mesh_edge option
+
+  val crossed :
+    ('a1 -> 'a1 -> bool) -> 'a1 corners list -> edge list -> 'a1 mesh_edge
+    list option
+
+  val lies :
+    ('a1 -> 'a1 -> bool) -> side -> 'a1 corners list -> 'a1 mesh_edge list ->
+    'a1 mesh_edge list -> ('a1 mesh_edge -> bool) -> bool
+ end
+
 type state = (nat * nat) list
 
 val label_in : state -> nat -> nat
@@ -245,26 +303,12 @@ val chord_route : nat -> nat -> nat -> shape
 
 val one_route : nat -> nat -> shape
 
-type position =
-| Split_at of nat * nat
-| Collapse_at of nat * nat
-| Open_split_at of nat * nat * nat
-| Open_collapse_at of nat * nat * nat
-| Boundary_split_at of nat * nat
-| Boundary_collapse_at of nat * nat
-
-val possible : position -> bool
-
-val patch_at : position -> patch
-
 type course = { way : shape; met_first : nat; met_last : nat; left_over : nat }
 
 val course_at : position -> course
 
-type verdict = { solid_before : nat; alone_before : nat; solid_best : 
-                 nat; alone_best : nat; chosen : bool }
-
-val weigh : position -> coloring -> coloring -> coloring -> verdict option
+val weigh :
+  position -> coloring -> coloring -> coloring -> Runs.verdict option
 
 type way_on = coloring * coloring
 
@@ -284,45 +328,17 @@ val ways_on : state -> coloring -> way_on list
 
 val first_of : coloring -> way_on list -> way_on option
 
-val weigh_flip : coloring -> coloring -> way_on -> verdict option
-
-type 'v corners = ('v * 'v) * 'v
-
-type 'v mesh_edge = 'v * 'v
-
-val rim : 'a1 corners -> 'a1 mesh_edge list
-
-val turned : 'a1 mesh_edge -> 'a1 mesh_edge
-
-val same_edge : ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge -> bool
-
-val among :
-  ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge list -> bool
-
-val either_way :
-  ('a1 -> 'a1 -> bool) -> 'a1 mesh_edge -> 'a1 mesh_edge list -> bool
-
-val distinct : ('a1 -> 'a1 -> bool) -> 'a1 corners list -> bool
-
-val between :
-  ('a1 -> 'a1 -> bool) -> 'a1 corners -> 'a1 corners -> 'a1 mesh_edge option
-
-val crossed :
-  ('a1 -> 'a1 -> bool) -> 'a1 corners list -> edge list -> 'a1 mesh_edge list
-  option
-
-val lies :
-  ('a1 -> 'a1 -> bool) -> side -> 'a1 corners list -> 'a1 mesh_edge list ->
-  'a1 mesh_edge list -> ('a1 mesh_edge -> bool) -> bool
+val weigh_flip : coloring -> coloring -> way_on -> Runs.verdict option
 
 val judge :
-  ('a1 -> 'a1 -> bool) -> position -> 'a1 corners list -> 'a1 corners list ->
-  'a1 mesh_edge list -> ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) ->
-  ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) -> 'a1 mesh_edge list ->
-  verdict option
+  ('a1 -> 'a1 -> bool) -> position -> 'a1 Runs.corners list -> 'a1
+  Runs.corners list -> 'a1 Runs.mesh_edge list -> ('a1 Runs.mesh_edge ->
+  bool) -> ('a1 Runs.mesh_edge -> bool) -> ('a1 Runs.mesh_edge -> bool) ->
+  ('a1 Runs.mesh_edge -> bool) -> 'a1 Runs.mesh_edge list -> Runs.verdict
+  option
 
 val judge_flip :
-  ('a1 -> 'a1 -> bool) -> 'a1 corners list -> 'a1 corners list -> 'a1
-  mesh_edge list -> ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) ->
-  ('a1 mesh_edge -> bool) -> ('a1 mesh_edge -> bool) -> 'a1 mesh_edge list ->
-  verdict option
+  ('a1 -> 'a1 -> bool) -> 'a1 Runs.corners list -> 'a1 Runs.corners list ->
+  'a1 Runs.mesh_edge list -> ('a1 Runs.mesh_edge -> bool) -> ('a1
+  Runs.mesh_edge -> bool) -> ('a1 Runs.mesh_edge -> bool) -> ('a1
+  Runs.mesh_edge -> bool) -> 'a1 Runs.mesh_edge list -> Runs.verdict option

@@ -98,7 +98,7 @@ let judged_fan account mesh operation kind (larger : Patch.larger) =
     ~ports:(Patch.ports larger) (Judge.judge Int.equal position)
 
 (* What was told is true; is it as good as the best? *)
-let expect_good claim operation ((verdict : Judge.verdict), more_triangles) =
+let expect_good claim operation ((verdict : Judge.Runs.verdict), more_triangles) =
   let strips = more_triangles - (Patch.int verdict.solid_best - Patch.int verdict.solid_before) in
   let isolated = Patch.int verdict.alone_best - Patch.int verdict.alone_before in
   let worse = operation.strips > strips || (operation.strips = strips && operation.isolated > isolated) in

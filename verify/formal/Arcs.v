@@ -5,7 +5,7 @@
     with its *last* triangle first, and so is a colouring of the links to the left of its triangles. *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier.
+Require Import Statements Checker Frontier.
 
 (** ** Drawing an arc
 
@@ -55,7 +55,6 @@ Definition from (f : frontier) : list item -> coloring -> option (frontier * sco
 
     What the automaton reads. Of labels it is enough to know whether a port has that of the solid port before it; so label 0
     stands for that one, and label 1 for any other. *)
-Inductive letter := Plain | Alone | Joined | Edge.
 Definition item_of (l : letter) : item :=
   match l with Plain => Tri None | Alone => Tri (Some 1) | Joined => Tri (Some 0) | Edge => Rim end.
 Definition plain_place (x : place) : place := Place (deg x) (option_map (fun _ => 0) (port x)).

@@ -3,7 +3,7 @@
     AutomatonNumbers.v holds the numbers of automaton.hpp, as `restrip-dump-tables --automaton` prints them. *)
 Require Import Arith Bool List NArith.
 Import ListNotations.
-Require Import Spec Header AutomatonNumbers Kinds Meetings Walks WalkFamilies WalkOpen.
+Require Import Statements Header AutomatonNumbers Kinds Meetings Walks WalkFamilies WalkOpen.
 
 Definition automaton : header :=
   Header (array_of next_numbers) (array_of before_numbers) (array_of closed_numbers) (array_of first_numbers) (array_of second_numbers)

@@ -1,7 +1,7 @@
 (** * Edge collapses into open fans, k = 1 ... 8, of an edge on the boundary *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Table Checker Rows Symmetry Tables_boundary_collapse Rows_fan_collapse.
+Require Import Statements Table Checker Rows Symmetry Tables_boundary_collapse Rows_fan_collapse.
 
 Definition full (k i : nat) : trie := Tables_boundary_collapse.table [k; i].
 Definition by_key (k : nat) : trie := reduced false (open_fan k) (Rows_fan_collapse.rows [k]).

@@ -1,7 +1,7 @@
 (** * Vertex splits of open fans whose new edge lies on the boundary, k = 1 ... 8 *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Table Checker Rows Symmetry Tables_boundary_split Rows_boundary_split.
+Require Import Statements Table Checker Rows Symmetry Tables_boundary_split Rows_boundary_split.
 
 Definition full (k i : nat) : trie := Tables_boundary_split.table [k; i].
 Definition by_key (k i : nat) : trie := reduced false (after (boundary_split k i)) (Rows_boundary_split.rows [k; i]).

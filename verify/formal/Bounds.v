@@ -4,7 +4,7 @@
     the arrays has no influence on any answer. *)
 Require Import Arith Bool List NArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Frontier Fold Arcs Header Kinds.
+Require Import Statements Frontier Fold Arcs Header Kinds.
 
 Lemma read_longer t t' n : longer t t' -> inside_array t n = true -> read t' n = read t n.
 Proof.

@@ -6,7 +6,7 @@
     the same answer can be judged together. Then every pair of groups is compared. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Table Drawing.
+Require Import Statements Graph Table Drawing.
 
 (** ** Grouping
 

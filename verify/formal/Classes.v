@@ -6,7 +6,7 @@
     size. *)
 Require Import Arith Bool List Permutation ZArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Route Serves Entries.
+Require Import Statements Checker Frontier Fold Route Serves Entries.
 
 (** ** Arrows: what is drawn next before and after, from one stage to another *)
 Definition template := (kind * bool)%type.

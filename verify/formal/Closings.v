@@ -1,7 +1,7 @@
 (** * One arc by itself: a closed fan, and a fan between two boundaries *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Arcs Rings.
+Require Import Statements Checker Frontier Fold Arcs Rings.
 
 Local Arguments open_end : simpl never.
 Local Arguments tidy_place : simpl never.

@@ -1,7 +1,7 @@
 (** * Exploring the classes, and what holds at the end of each *)
 Require Import Arith Bool List Permutation ZArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Route Serves Entries Classes.
+Require Import Statements Checker Frontier Fold Route Serves Entries Classes.
 
 (** ** Equal classes, and a number for each to find it by *)
 Fixpoint same_scores (D E : scores) : bool :=

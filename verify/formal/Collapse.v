@@ -3,7 +3,7 @@
     One section of the certificate serves all positions of the same k. *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Table Checker Rows Symmetry Tables_collapse Rows_collapse.
+Require Import Statements Table Checker Rows Symmetry Tables_collapse Rows_collapse.
 
 Definition full (k a : nat) : trie := Tables_collapse.table [k; a].
 Definition by_key (k : nat) : trie := reduced true (closed_fan k) (Rows_collapse.rows [k]).

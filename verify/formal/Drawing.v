@@ -5,7 +5,7 @@
     the graph would not be valid any more. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Table.
+Require Import Statements Graph Table.
 
 Definition state := list (nat * nat).
 Definition degree_in (st : state) (v : nat) : nat := fst (nth v st (2, 0)).

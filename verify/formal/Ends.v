@@ -1,7 +1,7 @@
 (** * The ends of two arcs: scores and labels of a ring *)
 Require Import Arith Bool List NArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Entries Arcs Rings Header Kinds.
+Require Import Statements Checker Frontier Fold Entries Arcs Rings Header Kinds.
 
 (** ** Scores of a ring *)
 Definition nothing : score := (0, 0).

@@ -1,7 +1,7 @@
 (** * What the entries of a class stand for *)
 Require Import Arith Bool List Permutation ZArith Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Serves.
+Require Import Statements Checker Frontier Fold Serves.
 
 (** ** Other labels *)
 Definition relabel_place (h : nat -> nat) (x : place) : place := Place (deg x) (option_map h (port x)).

@@ -1,7 +1,7 @@
 (** * Collapses of open fans, and operations on the boundary, for fans of any size: the facts *)
 Require Import Arith Bool List ZArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Route EveryFan Classes Closure Facts Parity.
+Require Import Statements Route EveryFan Classes Closure Facts Parity.
 
 (** The words of an open fan have a step for each of its triangles. *)
 Lemma length_open_route k : 1 <= k -> length (open_route k) = k.
@@ -16,7 +16,7 @@ Lemma open_back_checked : all_within open_back_arrows open_back_ends [] [] open_
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 Theorem open_collapse_within k i j : 1 <= k -> i < j <= k ->
-  within (open_collapse k i j) (open_collapse_answer k i j) 1 (if Nat.even k then 0 else 1).
+  within (open_collapse k i j) (answer_at (open_collapse_at k i j)) 1 (if Nat.even k then 0 else 1).
 Proof.
   intros Hk Hj. assert (E : ports (open_collapse k i j) = k) by apply seq_length. set (q := if j =? S i then 6 else 7).
   apply (fact_within (open_collapse k i j) (chord_route k i j) (j + 1) (k - j) 1 (open_route k) (k - 1) 0 0) with
@@ -50,7 +50,7 @@ Definition gap_stage (k i : nat) : nat :=
   if i =? 0 then 7 else if i =? 1 then 4 else if k - i =? 0 then 5 else if k - i =? 1 then 6 else 7.
 
 Theorem boundary_split_within k i : 1 <= k -> i <= k ->
-  within (boundary_split k i) (boundary_split_answer k i) (if Nat.min i (k - i) =? 1 then 0 else 1) (if Nat.even k then 1 else 0).
+  within (boundary_split k i) (answer_at (boundary_split_at k i)) (if Nat.min i (k - i) =? 1 then 0 else 1) (if Nat.even k then 1 else 0).
 Proof.
   intros Hk Hi. assert (E : ports (boundary_split k i) = k) by apply seq_length. set (q := gap_stage k i).
   apply (fact_within (boundary_split k i) (open_route k) (k - 1) 0 0 (one_route k i) k 0 0) with
@@ -79,7 +79,7 @@ Lemma boundary_back_checked : all_within boundary_back_arrows boundary_back_ends
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 Theorem boundary_collapse_within k i : 1 <= k -> i <= k ->
-  within (boundary_collapse k i) (boundary_collapse_answer k i) 0 (if Nat.even k then 0 else 1).
+  within (boundary_collapse k i) (answer_at (boundary_collapse_at k i)) 0 (if Nat.even k then 0 else 1).
 Proof.
   intros Hk Hi. assert (E : ports (boundary_collapse k i) = k) by apply seq_length. set (q := gap_stage k i).
   apply (fact_within (boundary_collapse k i) (one_route k i) k 0 0 (open_route k) (k - 1) 0 0) with

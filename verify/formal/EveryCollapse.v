@@ -1,7 +1,7 @@
 (** * Collapses of closed fans of any size: the facts *)
 Require Import Arith Bool List ZArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec EveryFan Classes Closure Facts.
+Require Import Statements EveryFan Classes Closure Facts.
 
 Definition arrows : list arrow := map swap split_arrows.
 Definition ends (q : nat) : option (Z * Z) := match q with 5 | 6 | 7 => Some ((-3)%Z, 0%Z) | _ => None end.
@@ -9,7 +9,7 @@ Definition found : classes := explore arrows (2 ^ 18) [start_class] [] (Positive
 Lemma checked : all_within arrows ends closing closing found = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
-Theorem collapse_within k a : 3 <= k -> 1 <= a < k -> within (collapse k a) (collapse_answer k a) 1 0.
+Theorem collapse_within k a : 3 <= k -> 1 <= a < k -> within (collapse k a) (answer_at (collapse_at k a)) 1 0.
 Proof.
   intros Hk Ha. assert (E : ports (collapse k a) = k) by apply seq_length.
   set (q := if a =? 1 then 6 else if k - a =? 1 then 7 else 5).

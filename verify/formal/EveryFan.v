@@ -1,10 +1,10 @@
 (** * Fans of every size
 
     The tables end at k = 8. What [Fold.v] keeps, step by step along the route of [Route.v], is an answer for every k; this
-    file proves it [correct], in the sense of [Spec.v], for all six families of fans, every k and every position. *)
+    file proves it [correct], in the sense of [Statements.v], for all six families of fans, every k and every position. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Strips Locality Drawing Checker Rows Symmetry Frontier Fold Route.
+Require Import Statements Graph Strips Locality Drawing Checker Rows Symmetry Frontier Fold Route.
 
 (** The side [d] is drawn along the shape [sh]; [m], [r] and [q] say in which order the inner edges are met. *)
 Record drawn_along (d : side) (k : nat) (sh : shape) (m r q : nat) : Prop := Along {
@@ -317,41 +317,35 @@ Proof.
     exact (Permutation_app_comm [k; k + 1] (seq j (k - j))).
 Qed.
 
-(** ** The answers for every k *)
-Definition split_answer (k a : nat) : table := fold_table (split k a) (ring_route k a) (a + 1) 1.
-Definition collapse_answer (k a : nat) : table := fold_table (collapse k a) (closed_route k) (k - 1) 0.
-Definition open_split_answer (k i j : nat) : table := fold_table (open_split k i j) (chord_route k i j) (j + 1) 1.
-Definition open_collapse_answer (k i j : nat) : table := fold_table (open_collapse k i j) (open_route k) (k - 1) 0.
-Definition boundary_split_answer (k i : nat) : table := fold_table (boundary_split k i) (one_route k i) k 0.
-Definition boundary_collapse_answer (k i : nat) : table := fold_table (boundary_collapse k i) (open_route k) (k - 1) 0.
+(** ** The answers for every k
 
-Definition right_answers (p : patch) (T : table) : Prop := correct p T /\ safe p T.
-Lemma along_right p sh0 m0 r0 q0 sh m r q : drawn_along (before p) (ports p) sh0 m0 r0 q0 -> drawn_along (after p) (ports p) sh m r q ->
-  right_answers p (fold_table p sh m q).
+    How the side after is drawn ([drawn_along]). *)
+Record course := Course { way : shape; met_first : nat; met_last : nat; left_over : nat }.
+Definition course_at (o : position) : course :=
+  match o with
+  | split_at k a => Course (ring_route k a) (a + 1) (k - a + 1) 1
+  | collapse_at k _ => Course (closed_route k) (k - 1) 1 0
+  | open_split_at k i j => Course (chord_route k i j) (j + 1) (k - j) 1
+  | open_collapse_at k _ _ | boundary_collapse_at k _ => Course (open_route k) (k - 1) 0 0
+  | boundary_split_at k i => Course (one_route k i) k 0 0
+  end.
+
+Lemma course_right o : possible o = true ->
+  well_formed_side (patch_at o) (before (patch_at o)) = true /\
+  drawn_along (after (patch_at o)) (ports (patch_at o)) (way (course_at o))
+    (met_first (course_at o)) (met_last (course_at o)) (left_over (course_at o)).
 Proof.
-  intros B A. pose proof (along_well_formed p _ _ _ _ _ B) as W. split; [now apply fold_correct with r|now apply fold_safe with r].
+  destruct o as [k a|k a|k i j|k i j|k i|k i]; cbn [possible patch_at course_at way met_first met_last left_over];
+    rewrite ?andb_true_iff, ?Nat.leb_le, ?Nat.ltb_lt; intros H;
+    match goal with |- context [ports ?p] => assert (E : ports p = k) by apply seq_length end; rewrite E; split;
+    try (eapply along_well_formed; rewrite E);
+    [apply closed_along|apply ring_along|apply ring_along|apply closed_along|apply open_along|apply chord_along
+    |apply chord_along|apply open_along|apply open_along|apply one_along|apply one_along|apply open_along]; lia.
 Qed.
-Theorem split_right k a : 3 <= k -> 1 <= a < k -> right_answers (split k a) (split_answer k a).
+
+Definition answer_at (o : position) : table := let r := course_at o in fold_table (patch_at o) (way r) (met_first r) (left_over r).
+Theorem every_right o : possible o = true -> correct (patch_at o) (answer_at o) /\ safe (patch_at o) (answer_at o).
 Proof.
-  intros Hk Ha. assert (E : ports (split k a) = k) by apply seq_length. eapply along_right; rewrite E; [apply closed_along|apply ring_along]; lia.
-Qed.
-Theorem collapse_right k a : 3 <= k -> 1 <= a < k -> right_answers (collapse k a) (collapse_answer k a).
-Proof.
-  intros Hk Ha. assert (E : ports (collapse k a) = k) by apply seq_length. eapply along_right; rewrite E; [apply ring_along|apply closed_along]; lia.
-Qed.
-Theorem open_split_right k i j : 1 <= k -> i < j <= k -> right_answers (open_split k i j) (open_split_answer k i j).
-Proof.
-  intros Hk Hj. assert (E : ports (open_split k i j) = k) by apply seq_length. eapply along_right; rewrite E; [apply open_along|apply chord_along]; lia.
-Qed.
-Theorem open_collapse_right k i j : 1 <= k -> i < j <= k -> right_answers (open_collapse k i j) (open_collapse_answer k i j).
-Proof.
-  intros Hk Hj. assert (E : ports (open_collapse k i j) = k) by apply seq_length. eapply along_right; rewrite E; [apply chord_along|apply open_along]; lia.
-Qed.
-Theorem boundary_split_right k i : 1 <= k -> i <= k -> right_answers (boundary_split k i) (boundary_split_answer k i).
-Proof.
-  intros Hk Hi. assert (E : ports (boundary_split k i) = k) by apply seq_length. eapply along_right; rewrite E; [apply open_along|apply one_along]; lia.
-Qed.
-Theorem boundary_collapse_right k i : 1 <= k -> i <= k -> right_answers (boundary_collapse k i) (boundary_collapse_answer k i).
-Proof.
-  intros Hk Hi. assert (E : ports (boundary_collapse k i) = k) by apply seq_length. eapply along_right; rewrite E; [apply one_along|apply open_along]; lia.
+  intros Po. destruct (course_right o Po) as [W A].
+  split; [eapply fold_correct|eapply fold_safe]; eassumption.
 Qed.

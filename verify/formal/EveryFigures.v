@@ -4,12 +4,12 @@
     [Figures.v] has from the shipped tables. *)
 Require Import Arith Bool List NArith.
 Import ListNotations.
-Require Import Spec Checker EveryFan.
+Require Import Statements Checker EveryFan.
 
 (** How many configurations of position (k, a) are answered, and how many answers cost a strip. *)
 Definition split_counts (k a : nat) : N * N :=
   fold_left (fun '(n, m) '(s, c) =>
-      match split_answer k a s c with
+      match answer_at (split_at k a) s c with
       | Some x => (N.succ n, if solids x <? solids c + 2 then N.succ m else m)
       | None => (n, m)
       end)

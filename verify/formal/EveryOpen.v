@@ -1,7 +1,7 @@
 (** * Open fans of any size: the facts *)
 Require Import Arith Bool List ZArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec EveryFan Classes Closure Facts.
+Require Import Statements EveryFan Classes Closure Facts.
 
 Definition ends (q : nat) : option (Z * Z) := match q with 6 => Some (2%Z, 0%Z) | 7 => Some (1%Z, 0%Z) | _ => None end.
 Definition found : classes := explore open_arrows (2 ^ 18) [start_class] [] (PositiveMap.empty _).
@@ -9,7 +9,7 @@ Lemma checked : all_within open_arrows ends [] [] found = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 Theorem open_split_within k i j : 1 <= k -> i < j <= k ->
-  within (open_split k i j) (open_split_answer k i j) (if j =? S i then 0 else 1) 0.
+  within (open_split k i j) (answer_at (open_split_at k i j)) (if j =? S i then 0 else 1) 0.
 Proof.
   intros Hk Hj. assert (E : ports (open_split k i j) = k) by apply seq_length. set (q := if j =? S i then 6 else 7).
   apply (fact_within (open_split k i j) (open_route k) (k - 1) 0 0 (chord_route k i j) (j + 1) (k - j) 1) with

@@ -1,7 +1,7 @@
 (** * Splits of closed fans of any size: the facts *)
 Require Import Arith Bool List ZArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec EveryFan Classes Closure Facts.
+Require Import Statements EveryFan Classes Closure Facts.
 
 Definition ends (q : nat) : option (Z * Z) :=
   match q with 5 => Some (1%Z, 0%Z) | 6 | 7 => Some (2%Z, 0%Z) | _ => None end.
@@ -10,7 +10,7 @@ Lemma checked : all_within split_arrows ends closing closing found = true.
 Proof. vm_cast_no_check (eq_refl true). Qed.
 
 Theorem split_within k a : 3 <= k -> 1 <= a < k ->
-  within (split k a) (split_answer k a) (if Nat.min a (k - a) =? 1 then 0 else 1) 0.
+  within (split k a) (answer_at (split_at k a)) (if Nat.min a (k - a) =? 1 then 0 else 1) 0.
 Proof.
   intros Hk Ha. assert (E : ports (split k a) = k) by apply seq_length.
   set (q := if a =? 1 then 6 else if k - a =? 1 then 7 else 5).

@@ -4,7 +4,7 @@
     how many strips and isolated triangles an answer may add. *)
 Require Import Arith Bool List Permutation ZArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Graph Drawing Checker Frontier Fold Route EveryFan Serves Entries Classes Closure.
+Require Import Statements Graph Drawing Checker Frontier Fold Route EveryFan Serves Entries Classes Closure.
 
 (** ** From classes to fans *)
 Section Fact.

@@ -1,11 +1,11 @@
 (** * The reference figures
 
     Counts that anybody can make by brute force without reading a definition of ours: how many configurations are
-    valid, and how many of them cost a strip. That the proved tables give the known numbers is evidence that [Spec.v]
+    valid, and how many of them cost a strip. That the proved tables give the known numbers is evidence that [Statements.v]
     says what it means to say. *)
 Require Import Arith Bool List NArith.
 Import ListNotations.
-Require Import Spec Table.
+Require Import Statements Table.
 Require Split Collapse.
 
 (** How many answers of a trie satisfy [costs], a test of the solid edges before and after. The first [skip] levels are

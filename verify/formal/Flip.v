@@ -3,7 +3,7 @@
     Thirty-two configurations, and thirty-two answers to each: everything is tried. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Locality Table Drawing Checker Rows Tables_flip.
+Require Import Statements Graph Locality Table Drawing Checker Rows Tables_flip.
 
 Definition full : trie := Tables_flip.table [].
 

@@ -6,11 +6,8 @@
     load no edge too much bound the arrows, and so the indices. (Restarts between components are not counted here.) *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-
-Definition window : Type := nat * nat * nat.
-Definition arrow : Type := nat * nat.
-Definition hit (v x : nat) : nat := if x =? v then 1 else 0.
-Definition total {T} (f : T -> nat) (l : list T) : nat := list_sum (map f l).
+Require Import Statements.
+Import Buffers.
 
 Lemma total_cons {T} (f : T -> nat) x l : total f (x :: l) = f x + total f l.
 Proof. reflexivity. Qed.
@@ -39,21 +36,6 @@ Proof.
   - change (total (f x) m + total (fun x => total (f x) m) l = total (fun y => f x y + total (fun x => f x y) l) m).
     now rewrite IH, total_plus.
 Qed.
-
-(** ** Meshes and buffers *)
-Definition serves (v : nat) (t : window) : nat := let '(x, y, z) := t in hit v x + hit v y + hit v z.
-Definition corner (v : nat) (t : window) : bool := let '(x, y, z) := t in (x =? v) || (y =? v) || (z =? v).
-Definition different (t : window) : bool := let '(x, y, z) := t in negb (x =? y) && negb (y =? z) && negb (z =? x).
-Definition same_corners (t u : window) : Prop :=
-  let '(x, y, z) := t in let '(a, b, c) := u in Permutation [x; y; z] [a; b; c].
-Definition edge (mesh : list window) (x y : nat) : bool := negb (x =? y) && existsb (fun t => corner x t && corner y t) mesh.
-
-Fixpoint windows (run : list nat) : list window :=
-  match run with x :: ((y :: z :: _) as rest) => (x, y, z) :: windows rest | _ => [] end.
-Definition draws (mesh : list window) (runs : list (list nat)) : Prop :=
-  exists order, Permutation order mesh /\ Forall2 same_corners (filter different (flat_map windows runs)) order.
-(** Indices, with a restart between two runs. *)
-Definition buffer_length (runs : list (list nat)) : nat := total (@length nat) runs + (length runs - 1).
 
 (** ** Arrows *)
 Definition missed (v : nat) (a : arrow) : nat := 2 * hit v (fst a) + hit v (snd a).
@@ -151,17 +133,6 @@ Proof.
 Qed.
 
 (** ** Cuts *)
-Record cut := { vertices : list nat; lacking : nat; multiplier : nat }.
-Definition inside (v : nat) (c : cut) : bool := existsb (Nat.eqb v) (vertices c).
-Definition proper (c : cut) : Prop :=
-  NoDup (vertices c) /\ (lacking c = 1 \/ lacking c = 2) /\
-  exists q, total (fun v => total (serves v) mesh) (vertices c) + lacking c = 3 * q.
-(** In halves. *)
-Definition weight (c : cut) (a : arrow) : nat :=
-  if inside (fst a) c then (if inside (snd a) c then 0 else lacking c)
-  else if inside (snd a) c then 3 - lacking c else 0.
-Definition load (cuts : list cut) (a : arrow) : nat := total (fun c => multiplier c * weight c a) cuts.
-
 Lemma hit_total x l : NoDup l -> total (fun v => hit v x) l = if existsb (Nat.eqb x) l then 1 else 0.
 Proof.
   induction 1 as [|v l N _ IH]; [reflexivity|]. unfold total in *. simpl. rewrite IH. unfold hit.
@@ -171,7 +142,7 @@ Proof.
 Qed.
 
 (** What arrows miss in a set is three for each arrow inside, and for those across the border decides their weight. *)
-Lemma border c A : proper c -> (exists q, total (fun v => total (missed v) A + total (serves v) mesh) (vertices c) = 3 * q) ->
+Lemma border c A : proper mesh c -> (exists q, total (fun v => total (missed v) A + total (serves v) mesh) (vertices c) = 3 * q) ->
   2 <= total (weight c) A.
 Proof.
   intros (N & L & k & K) [q Q]. rewrite total_plus in Q.
@@ -243,12 +214,9 @@ Proof.
     apply andb_true_intro; split; apply C; unfold corner; rewrite Nat.eqb_refl, ?orb_true_r; reflexivity.
 Qed.
 
-Theorem no_buffer_has_fewer mesh runs cuts unit :
-  draws mesh runs -> Forall (fun run => 3 <= length run) runs -> runs <> [] ->
-  Forall (proper mesh) cuts -> (forall x y, edge mesh x y = true -> load cuts (x, y) <= 2 * unit) ->
-  unit * length mesh + total multiplier cuts <= unit * buffer_length runs.
+Theorem no_buffer_has_fewer : No_buffer_has_fewer.
 Proof.
-  intros D R N C L. set (A := flat_map (arrows mesh) runs).
+  intros mesh runs cuts unit D R N C L. set (A := flat_map (arrows mesh) runs).
   assert (forall v, exists q, total (missed v) A + total (serves v) mesh = 3 * q) as B.
   { intros v. rewrite <- (drawn_served mesh runs v D). unfold A. pose proof (drawn_fits mesh runs D) as F.
     rewrite !total_flat_map, <- total_plus. clear D N C L A.

@@ -5,7 +5,7 @@
     the same future, so the worse one can be dropped. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier.
+Require Import Statements Checker Frontier.
 
 Definition same_label (a b : option nat) : bool :=
   match a, b with Some x, Some y => x =? y | None, None => true | _, _ => false end.

@@ -7,7 +7,7 @@
     linked when their labels are equal. That is all there is to know about an arc of any length. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Drawing.
+Require Import Statements Graph Drawing.
 
 (** ** The books
 
@@ -317,7 +317,7 @@ Section Meaning.
     end.
   Definition use (m : move) (used : list nat) : list nat :=
     match what m with Chord => used | _ => vertex m :: point m :: used end.
-  Definition possible (s : step) (b : bool) : Prop := match s with Put _ => b = false | _ => True end.
+  Definition feasible (s : step) (b : bool) : Prop := match s with Put _ => b = false | _ => True end.
 
   Lemma alone_same G G' vs : (forall v, In v vs -> degree G' v = degree G v) -> alone_in G' vs = alone_in G vs.
   Proof.
@@ -508,13 +508,13 @@ Section Meaning.
   Qed.
 
   (** One step: the books stay right, and a step that is refused is not legal. *)
-  Lemma move_right used d f i m b : right used d f i -> new_move used m -> possible (what m) b ->
+  Lemma move_right used d f i m b : right used d f i -> new_move used m -> feasible (what m) b ->
     match take (what m) b f with
     | Some g => right (use m used) (draw_move m b d) g (i + left_alone (what m) b f)
     | None => ~ allowed (graph_of (draw_move m b d))
     end.
   Proof.
-    intros R W Po. destruct m as [[p|p|p|] n q]; unfold new_move, use, draw_move, edge_of in *; cbn [what vertex point label_of possible] in *.
+    intros R W Po. destruct m as [[p|p|p|] n q]; unfold new_move, use, draw_move, edge_of in *; cbn [what vertex point label_of feasible] in *.
     - subst b. destruct W as (Hn & Nn & Hp). cbn [take left_alone app].
       rewrite <- (proj1 (port_tip used d f i p n q R Hn Nn Hp)). apply right_dashed with f; auto.
     - destruct W as (Hn & Nn & Hp). unfold take, left_alone. destruct b.
@@ -549,10 +549,10 @@ Section Meaning.
   Fixpoint new_moves (used : list nat) (ms : list move) : Prop :=
     match ms with [] => True | m :: ms' => new_move used m /\ new_moves (use m used) ms' end.
   Definition uses (used : list nat) (ms : list move) : list nat := fold_left (fun u m => use m u) ms used.
-  Fixpoint possibles (ms : list move) (c : coloring) : Prop :=
+  Fixpoint feasibles (ms : list move) (c : coloring) : Prop :=
     match ms, c with
     | [], [] => True
-    | m :: ms', b :: c' => possible (what m) b /\ possibles ms' c'
+    | m :: ms', b :: c' => feasible (what m) b /\ feasibles ms' c'
     | _, _ => False
     end.
 
@@ -562,13 +562,13 @@ Section Meaning.
     unfold draw_move. destruct (what m); cbn [graph_of]; eexists; rewrite !app_assoc; reflexivity.
   Qed.
 
-  Theorem play_right ms : forall used d f n i c, right used d f i -> new_moves used ms -> possibles ms c ->
+  Theorem play_right ms : forall used d f n i c, right used d f i -> new_moves used ms -> feasibles ms c ->
     match play (map what ms) c f n i with
     | Some (g, (n', i')) => right (uses used ms) (draw_moves ms c d) g i' /\ n' = n + solids c
     | None => ~ allowed (graph_of (draw_moves ms c d))
     end.
   Proof.
-    induction ms as [|m ms IH]; intros used d f n i [|b c] R W Po; cbn [possibles] in Po; try contradiction.
+    induction ms as [|m ms IH]; intros used d f n i [|b c] R W Po; cbn [feasibles] in Po; try contradiction.
     - simpl. split; [exact R|]. unfold solids. simpl. lia.
     - destruct W as [W Ws], Po as [Po Pos]. cbn [map play draw_moves]. pose proof (move_right used d f i m b R W Po) as M.
       destruct (take (what m) b f) as [g|].

@@ -3,7 +3,7 @@
     What it means for [linked], [acyclic] and [valid] to put one more edge in; and sums of degrees. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec.
+Require Import Statements.
 
 Lemma adjacent_sym G v w : adjacent G v w -> adjacent G w v.
 Proof. unfold adjacent. tauto. Qed.

@@ -1,7 +1,7 @@
 (** * What a key tells of the labels of ports *)
 Require Import Arith Bool List Permutation Sorted Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Arcs Rings Header Kinds Ends.
+Require Import Statements Checker Frontier Arcs Rings Header Kinds Ends.
 
 (** ** Neighbouring ports of a key *)
 Definition none_between (s : coloring) (t u : nat) : Prop := forall m, t < m < u -> nth m s false = false.

@@ -5,7 +5,7 @@
     go. What is left are finitely many kinds. *)
 Require Import Arith Bool List NArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Arcs Rings Header.
+Require Import Statements Checker Frontier Fold Arcs Rings Header.
 
 Record info := Info { count : nat; bit1 : bool; bit2 : bool; rim : bool }.
 (** Of the solid ports: how many (three or more are three), whether the first two are joined to the ones before; and whether the

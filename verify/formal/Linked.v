@@ -7,34 +7,8 @@
 Require Import Arith Bool List NArith Permutation Lia.
 Import ListNotations.
 Require Number.
-Require Import Spec Graph Locality Table Drawing Checker Rows.
-
-(** ** What lists must do *)
-Record alternative := Alternative { recoloring : coloring; pairs : graph }.
-
-(** The first of a list that satisfies [good]. *)
-Definition first_that {A} (good : A -> Prop) (l : list A) (a : A) : Prop :=
-  exists before after, l = before ++ a :: after /\ good a /\ forall b, In b before -> ~ good b.
-
-(** The list [L s] serves each configuration with ports [s] and each outside [O]: its first alternative that is valid
-    beside [O] is as good as every recolouring that is valid beside [O]. *)
-Definition linked_best (p : patch) (L : coloring -> list alternative) : Prop :=
-  forall s c O, length s = ports p -> length c = length (inner (before p)) -> rest_of_mesh p O ->
-    valid (O ++ drawing (before p) s c) ->
-    exists a, first_that (fun b => valid (O ++ drawing (after p) s (recoloring b))) (L s) a /\
-      length (recoloring a) = length (inner (after p)) /\
-      forall y, length y = length (inner (after p)) -> valid (O ++ drawing (after p) s y) ->
-        as_good (after p) s (recoloring a) y.
-
-(** The pairs [Q] stand for the graph [G]: they link the same ports. *)
-Definition stand_for (k : nat) (Q G : graph) : Prop :=
-  (forall e, In e Q -> fst e < k /\ snd e < k) /\ acyclic Q /\
-  forall i j, i < k -> j < k -> (linked Q i j <-> linked G i j).
-(** To find out whether an alternative is valid beside [O] it is enough to know the pairs that [O] joins. *)
-Definition pairs_tell (p : patch) (L : coloring -> list alternative) : Prop :=
-  forall s c O Q a, length s = ports p -> length c = length (inner (before p)) -> rest_of_mesh p O ->
-    valid (O ++ drawing (before p) s c) -> stand_for (ports p) Q O -> In a (L s) ->
-    (valid (O ++ drawing (after p) s (recoloring a)) <-> acyclic (pairs a ++ Q)).
+Require Import Statements Graph Locality Table Drawing Checker Rows.
+Export Beside.
 
 (** ** Lists as they are printed
 

@@ -4,7 +4,7 @@
     the other half with A and D exchanged. *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Checker Linked Tables_linked_split Tables_linked_collapse.
+Require Import Statements Checker Linked Tables_linked_split Tables_linked_collapse.
 
 Definition split_lists (k a : nat) : coloring -> list alternative := list_for (Tables_linked_split.table [k; a]).
 Definition collapse_lists (k : nat) : coloring -> list alternative := list_for (Tables_linked_collapse.table [k]).

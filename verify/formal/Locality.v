@@ -5,7 +5,7 @@
     surroundings. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph.
+Require Import Statements Graph.
 
 Definition within_patch (k size v : nat) : Prop := k <= v < size.
 (** The edges of [I] lie inside: they join triangles of the patch and port points. *)

@@ -8,10 +8,8 @@
     each block, all by rules of that kind, it has at least n + 1 strips. And yet it could be one strip still. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Locality Strips Drawing Checker Rows.
-
-Definition the_ports : coloring := [true; false; false; true].
-Definition the_loop : coloring := [true; true; true; false].
+Require Import Statements Graph Locality Strips Drawing Checker Rows.
+Import Blocks.
 
 (** ** One patch *)
 Definition pays (x : coloring) : bool :=
@@ -40,39 +38,12 @@ Proof.
   - pose proof (drawn_ok (split 4 2) (before (split 4 2)) the_ports the_loop eq_refl) as D. exact (proj2 D).
   - intros O R V. exact (S the_ports the_loop x O eq_refl eq_refl E R V).
 Qed.
-Theorem every_rule_pays (T : table) x : safe (split 4 2) T -> length x = 7 -> T the_ports the_loop = Some x ->
-  triangles (after (split 4 2)) + solids the_loop >= triangles (before (split 4 2)) + solids x + 1.
+Theorem every_rule_pays : Every_rule_pays.
 Proof.
-  intros S Lx E. pose proof (legal_pays x (legal_of_safe T x S Lx E)) as L. change (6 + 3 >= 4 + solids x + 1). lia.
+  intros T x S Lx E. pose proof (legal_pays x (legal_of_safe T x S Lx E)) as L. change (6 + 3 >= 4 + solids x + 1). lia.
 Qed.
 
-(** ** A mesh of n blocks
-
-    A block is a fan of four around an interior vertex and a triangle w on the outer edges of t_2 and t_3; the third
-    edge of w is the outer edge of t_0 in the next block. So the mesh is a disc, and triangle t of block m has number 7 m + t:
-    t_0 ... t_3 are 0 ... 3, A and D are 4 and 5, w is 6. *)
-Definition in_block (m : nat) (e : edge) : edge := (7 * m + fst e, 7 * m + snd e).
-(** The port p_0 of block m leads to the triangle w of the block before; p_3 and p_2 lead to w of its own block. *)
-Definition port_0 (m : nat) : graph := match m with 0 => [] | S b => [(7 * b + 6, 7 * m + 0)] end.
-Definition port_3 (m : nat) : graph := [(7 * m + 3, 7 * m + 6)].
-Definition port_2 (m : nat) : graph := [(7 * m + 2, 7 * m + 6)].
-
-(** All dual edges of n blocks, and the triangles. *)
-Definition dual_edges (d : side) (n : nat) : graph :=
-  flat_map (fun m => map (in_block m) (inner d) ++ port_0 m ++ port_3 m ++ port_2 m) (seq 0 n).
-Definition all_triangles (d : side) (n : nat) : list nat :=
-  flat_map (fun m => map (fun t => 7 * m + t) (seq 0 (triangles d) ++ [6])) (seq 0 n).
-(** The solid ones: the n blocks from m on have the inner colours [xs]; p_0 and p_3 are solid, p_2 is not. *)
-Fixpoint solid_from (d : side) (m : nat) (xs : list coloring) : graph :=
-  match xs with
-  | [] => []
-  | x :: r => (map (in_block m) (solid (inner d) x) ++ port_0 m ++ port_3 m) ++ solid_from d (S m) r
-  end.
-Definition solid_edges (d : side) (xs : list coloring) : graph := solid_from d 0 xs.
-
-Definition before_splits : side := before (split 4 2).
-Definition after_splits : side := after (split 4 2).
-
+(** ** A mesh of n blocks *)
 Definition walk_from (order : list nat) (m n : nat) : list nat := flat_map (fun m => map (fun t => 7 * m + t) order) (seq m n).
 
 Lemma path_from order m n : hd 6 order = 0 -> last order 0 = 6 ->
@@ -116,10 +87,9 @@ Proof.
     rewrite !app_assoc. do 3 apply Permutation_app_tail. apply Permutation_app_comm.
 Qed.
 
-Theorem one_strip_before n : 0 < n ->
-  stripped (all_triangles before_splits n) (solid_edges before_splits (repeat the_loop n)) [walk_from [0; 1; 2; 3; 6] 0 n].
+Theorem one_strip_before : One_strip_before.
 Proof.
-  intros H. destruct n as [|n]; [lia|]. split; [|split].
+  intros n H. exists (walk_from [0; 1; 2; 3; 6] 0 n). destruct n as [|n]; [lia|]. split; [|split].
   - intros [E|[]]. discriminate.
   - cbn [concat]. rewrite app_nil_r. now apply permutes_with.
   - cbn [map concat]. rewrite app_nil_r. apply Permutation_map. exact (solid_before 0 n).
@@ -173,11 +143,9 @@ Proof.
   - specialize (IH (S m) e). rewrite !(map_app undirected), !in_app_iff in IH. tauto.
 Qed.
 
-Theorem one_strip_would_do n : 0 < n -> exists G,
-  incl (map undirected G) (map undirected (dual_edges after_splits n)) /\
-  exists strip, stripped (all_triangles after_splits n) G [strip].
+Theorem one_strip_would_do : One_strip_would_do.
 Proof.
-  intros H. exists (path_edges (walk_from [0; 1; 5; 4; 3; 2; 6] 0 n)). split.
+  intros n H. exists (path_edges (walk_from [0; 1; 5; 4; 3; 2; 6] 0 n)). split.
   - destruct n as [|n]; [lia|]. exact (detours_inside n 0).
   - exists (walk_from [0; 1; 5; 4; 3; 2; 6] 0 n). split; [|split].
     + intros [E|[]]. destruct n; [lia|discriminate].
@@ -189,11 +157,9 @@ Proof.
 Qed.
 
 (** The same of a rule, in strips: n disjoint copies, one strip before, at least n + 1 after. *)
-Theorem no_rule_competes n (T : table) x strips : 0 < n -> safe (split 4 2) T -> length x = 7 ->
-  T the_ports the_loop = Some x ->
-  stripped (all_triangles after_splits n) (solid_edges after_splits (repeat x n)) strips -> n + 1 <= length strips.
+Theorem no_rule_competes : No_rule_competes.
 Proof.
-  intros H S Lx E St. apply number_of_strips in St.
+  intros n T x strips H S Lx E St. apply number_of_strips in St.
   pose proof (many_strips_after n (repeat x n) H (repeat_length x n)) as M.
   assert (F : Forall (legal (split 4 2) the_ports the_loop) (repeat x n)).
   { apply Forall_forall. intros y I. apply repeat_spec in I as ->. now apply (legal_of_safe T). }

@@ -1,7 +1,7 @@
 (** * Every meeting of two kinds, and every closing of one *)
 Require Import Arith Bool List NArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Arcs Rings Header Kinds Ends Bounds.
+Require Import Statements Checker Frontier Fold Arcs Rings Header Kinds Ends Bounds.
 
 Definition colors : list bool := [false; true].
 Lemma in_colors b : In b colors.

@@ -1,11 +1,11 @@
 (** * An operation that is done
 
-    [Sequences.operation] speaks of a mesh, a patch and a table. Here it is met: a fan of three triangles, beside which lie two
+    [operation] speaks of a mesh, a patch and a table. Here it is met: a fan of three triangles, beside which lie two
     others, is split by the shipped rule; a strip comes into it from outside. *)
 Require Import Arith Bool List Permutation ZArith Lia.
 Import ListNotations.
-Require Import Spec Table Strips Symmetry Sequences Answers Shipped.
-Require Split.
+Require Import Statements Table Strips Symmetry Sequences.
+Require Split Shipped.
 
 (** Vertices 0, 1, 2 are the points of the ports; 3, 4, 5 are the fan, 6 and 7 the two new triangles; 8 and 9 lie outside.
     The strips are 9, 8, 3, 4, which comes in at port 0, and 5 alone; afterwards 9, 8, 3, 6, 7, 4, 5. *)
@@ -38,12 +38,13 @@ Proof.
   - change (ports (split 3 1)) with 3. now rewrite map_id.
 Qed.
 
-Theorem operation_met : local (split 3 1) (lookup (Split.full 3 1)) /\
-  valid (edges mesh_before) /\ strips_of mesh_before = 2%Z /\
-  operation (split 3 1) (lookup (Split.full 3 1)) mesh_before (-1) mesh_after /\ strips_of mesh_after = 1%Z.
+Theorem operation_met : Operation_met Shipped.shipped.
 Proof.
-  split; [|split; [|split; [|split]]].
-  - apply by_split. simpl. tauto.
+  exists mesh_before, mesh_after. split; [|split; [|split; [|split]]].
+  - split; [repeat constructor; simpl; lia|]. intros v D. change (In v [3; 4; 5; 8; 9]).
+    destruct (in_dec Nat.eq_dec v [3; 4; 5; 8; 9]) as [I|N]; [exact I|]. exfalso. apply D. simpl in N.
+    unfold degree, meets. cbn [edges mesh_before map fst snd].
+    repeat match goal with |- context [?a =? v] => destruct (Nat.eqb_spec a v); [subst; tauto|] end. reflexivity.
   - apply (valid_is_stripped (nodes mesh_before)).
     + repeat constructor; simpl; lia.
     + simpl. intros e I. intuition (subst; simpl; tauto).

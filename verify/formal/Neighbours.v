@@ -4,7 +4,7 @@
     ports is what a key tells of neighbouring ones. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Strips Locality Drawing Checker Rows Symmetry Frontier Route.
+Require Import Statements Graph Strips Locality Drawing Checker Rows Symmetry Frontier Route.
 
 (** Three edges at one vertex are too many. *)
 Lemma three_edges G v e1 e2 e3 : In e1 G -> In e2 G -> In e3 G -> e1 <> e2 -> e1 <> e3 -> e2 <> e3 ->

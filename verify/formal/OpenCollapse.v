@@ -3,7 +3,7 @@
     One section of the certificate serves all positions of the same k, and the boundary collapses as well. *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Table Checker Rows Symmetry Tables_open_collapse Rows_fan_collapse.
+Require Import Statements Table Checker Rows Symmetry Tables_open_collapse Rows_fan_collapse.
 
 Definition full (k i j : nat) : trie := Tables_open_collapse.table [k; i; j].
 Definition by_key (k : nat) : trie := reduced false (open_fan k) (Rows_fan_collapse.rows [k]).

@@ -3,7 +3,7 @@
     None adds an isolated triangle; with neighbouring gaps none costs a strip. *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Table Checker Rows Symmetry Tables_open_split Rows_open_split.
+Require Import Statements Table Checker Rows Symmetry Tables_open_split Rows_open_split.
 
 Definition full (k i j : nat) : trie := Tables_open_split.table [k; i; j].
 Definition by_key (k i j : nat) : trie :=

@@ -3,7 +3,7 @@
     The same stages, each twice: after an even number of triangles of the fan and after an odd one. *)
 Require Import Arith Bool List ZArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Frontier Classes Facts.
+Require Import Statements Frontier Classes Facts.
 
 Definition parity (n : nat) : nat := if Nat.even n then 0 else 1.
 Definition with_parity (arrows : list arrow) : list arrow :=

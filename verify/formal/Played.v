@@ -3,7 +3,7 @@
     The steps of a route, taken arc by arc: what [ring], [close] and [path_end] say is what [play] says. *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Arcs Rings Closings.
+Require Import Statements Checker Frontier Fold Arcs Rings Closings.
 
 Lemma books_eq (f : frontier) (n n' i i' : nat) : n = n' -> i = i' -> Some (f, (n, i)) = Some (f, (n', i')).
 Proof. now intros -> ->. Qed.

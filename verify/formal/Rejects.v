@@ -8,7 +8,7 @@
     could easily have: a ring turned by one place too few, a path reversed as if it had an edge less. *)
 Require Import Arith Bool List.
 Import ListNotations.
-Require Import Spec Table Checker Rows Symmetry.
+Require Import Statements Table Checker Rows Symmetry.
 Require Split OpenSplit.
 
 Fixpoint put (t : trie) (c : coloring) (answer : option coloring) : trie :=

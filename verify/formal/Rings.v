@@ -4,7 +4,7 @@
     docs/automaton.md, on the books of [Frontier.v]. *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Arcs.
+Require Import Statements Checker Frontier Fold Arcs.
 
 Definition plus_score (v w : score) : score := (fst v + fst w, snd v + snd w).
 

@@ -1,10 +1,10 @@
 (** * The sides of all families as routes
 
-    Each side of [Spec.v]'s families is drawn triangle by triangle along a route. This file proves that the drawing along the
+    Each side of [Statements.v]'s families is drawn triangle by triangle along a route. This file proves that the drawing along the
     route is the drawing of the side, and that the best colouring which [Fold.v] keeps is best among all that are legal. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Strips Locality Drawing Checker Rows Symmetry Frontier Fold.
+Require Import Statements Graph Strips Locality Drawing Checker Rows Symmetry Frontier Fold.
 
 (** ** Shapes: what is drawn, whatever the colours *)
 Inductive kind := put | next | mark | chord.
@@ -103,14 +103,14 @@ Section Side.
     apply Permutation_app_head, parts_swap.
   Qed.
 
-  Lemma drawn_graph l : forall a t c G gone, possibles (map move_of l) c ->
+  Lemma drawn_graph l : forall a t c G gone, feasibles (map move_of l) c ->
     Permutation (graph_of (draw_moves (map move_of l) c (Drawn G (k + a) (k + t) gone)))
       (solid (map shift (joins a t l)) c ++ ports_of (triangles_of l) ++ G).
   Proof.
-    induction l as [|[[| | |] n] l IH]; intros a t [|b c] G gone Po; cbn [map possibles] in Po; try contradiction; [reflexivity|..];
+    induction l as [|[[| | |] n] l IH]; intros a t [|b c] G gone Po; cbn [map feasibles] in Po; try contradiction; [reflexivity|..];
       destruct Po as [Pb Po]; cbn [map draw_moves joins triangles_of fst snd app];
       unfold draw_move at 1; cbn [what move_of step_of fst snd vertex point label_of edge_of at_tip at_anchor graph_of Frontier.gone].
-    - cbn [possible what move_of step_of fst] in Pb. subst b. cbn [app solid]. rewrite (IH a n c _ _ Po), port_edge_of, (ports_cons n (triangles_of l)).
+    - cbn [feasible what move_of step_of fst] in Pb. subst b. cbn [app solid]. rewrite (IH a n c _ _ Po), port_edge_of, (ports_cons n (triangles_of l)).
       apply Permutation_app_head, parts_swap.
     - rewrite (IH a n c _ _ Po), port_edge_of, (ports_cons n (triangles_of l)). destruct b; cbn [app solid]; [apply parts_swap_edge|].
       apply Permutation_app_head, parts_swap.
@@ -156,15 +156,15 @@ Section Side.
   (** The choices of a colouring of the inner edges: the first triangle is joined to nothing. *)
   Definition choices (x : coloring) : coloring := false :: arranged m r x.
 
-  Lemma all_possible l : forall c, (forall x, In x l -> fst x <> put) -> length c = length l -> possibles (map move_of l) c.
+  Lemma all_possible l : forall c, (forall x, In x l -> fst x <> put) -> length c = length l -> feasibles (map move_of l) c.
   Proof.
-    induction l as [|[y n] l IH]; intros [|b c] N L; try discriminate; [exact I|]. injection L as L. cbn [map possibles]. split.
+    induction l as [|[y n] l IH]; intros [|b c] N L; try discriminate; [exact I|]. injection L as L. cbn [map feasibles]. split.
     - specialize (N (y, n) (or_introl eq_refl)). cbn [fst] in N. destruct y; cbn; auto. contradiction.
     - apply IH; [intros y' J; apply N; now right|exact L].
   Qed.
-  Lemma possible_choices x : length (choices x) = length sh -> possibles (map move_of sh) (choices x).
+  Lemma possible_choices x : length (choices x) = length sh -> feasibles (map move_of sh) (choices x).
   Proof.
-    destruct first as (t & l & E & N). unfold choices. intros L. rewrite E in *. injection L as L. cbn [map possibles].
+    destruct first as (t & l & E & N). unfold choices. intros L. rewrite E in *. injection L as L. cbn [map feasibles].
     split; [reflexivity|]. now apply all_possible.
   Qed.
 

@@ -4,7 +4,7 @@
     kept; its recolouring is worked out here, from the rule that it is a copy of. *)
 Require Import Arith Bool List NArith Lia.
 Import ListNotations.
-Require Import Spec Graph Locality Table Drawing Checker.
+Require Import Statements Graph Locality Table Drawing Checker.
 
 Inductive symmetry := Turn (n : nat) | Mirror (n : nat).
 Inductive row := Rule (ports joined recoloring : N) | Copy (ports joined : N) (by_symmetry : symmetry).

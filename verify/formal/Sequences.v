@@ -1,49 +1,12 @@
 (** * Whole meshes, and sequences of operations
 
     A mesh is the list of its triangles and the graph of its solid dual edges. An operation sees a mesh as a patch and the
-    rest. The port points, which [Spec.v] puts in the middle of the dual edges that leave the patch, are no part of a mesh;
+    rest. The port points, which [Statements.v] puts in the middle of the dual edges that leave the patch, are no part of a mesh;
     here they are passed over. Flips are left out: they may give ports up. *)
 Require Import Arith Bool List Permutation ZArith Lia.
 Import ListNotations.
-Require Import Spec Graph Locality Strips Drawing Checker Rows Symmetry.
-
-(** ** Meshes *)
-Record mesh := Mesh { nodes : list nat; edges : graph }.
-(** Triangles are listed once, and solid edges join triangles of the mesh. *)
-Definition sane (M : mesh) : Prop := NoDup (nodes M) /\ forall v, degree (edges M) v <> 0 -> In v (nodes M).
-(** The number of strips of a valid mesh ([Strips.v]). *)
-Definition strips_of (M : mesh) : Z := Z.of_nat (length (nodes M)) - Z.of_nat (length (edges M)).
-Definition none_isolated (M : mesh) : Prop := forall v, In v (nodes M) -> degree (edges M) v <> 0.
-
-(** Passing over points: two edges that end at a point become one; a point without edges is dropped. *)
-Inductive without_points : list nat -> graph -> graph -> Prop :=
-| no_points G : without_points [] G G
-| dashed x xs G H : degree G x = 0 -> without_points xs G H -> without_points (x :: xs) G H
-| through x xs u v R G H : Permutation (map undirected G) (map undirected ((u, x) :: (x, v) :: R)) ->
-    u <> x -> v <> x -> degree R x = 0 -> without_points xs ((u, v) :: R) H -> without_points (x :: xs) G H.
-
-(** With its triangles named by [f], the mesh [M] is side [d] of patch [p], coloured [s] and [x], in the middle of [O]; the other
-    triangles are [others]. *)
-Definition looks_like (p : patch) (d : side) (s x : coloring) (O : graph) (others : list nat) (f : nat -> nat) (M : mesh) : Prop :=
-  exists G, without_points (seq 0 (ports p)) (O ++ drawing d s x) G /\ renamed f G (edges M) /\
-    Permutation (nodes M) (map f (seq (ports p) (triangles d) ++ others)).
-
-(** One operation: the patch is recoloured as the table says, everything else stays as it is. [told] is what the rule says
-    of the number of strips: triangles gained less solid edges gained. *)
-Definition operation (p : patch) (T : table) (M : mesh) (told : Z) (M' : mesh) : Prop :=
-  exists s c x O others f,
-    (forall u v, f u = f v -> u = v) /\
-    length s = ports p /\ length c = length (inner (before p)) /\ T s c = Some x /\ length x = length (inner (after p)) /\
-    rest_of_mesh p O /\
-    (forall v, In v others -> ports p + Nat.max (triangles (before p)) (triangles (after p)) <= v) /\
-    looks_like p (before p) s c O others f M /\ looks_like p (after p) s x O others f M' /\
-    told = (Z.of_nat (triangles (after p)) - Z.of_nat (triangles (before p)) - (Z.of_nat (solids x) - Z.of_nat (solids c)))%Z.
-
-(** Any number of operations, each with a patch and a table that satisfy [allowed]. *)
-Inductive sequence (allowed : patch -> table -> Prop) (M : mesh) : Z -> mesh -> Prop :=
-| nothing_done : sequence allowed M 0 M
-| one_more p T M' M'' told told' : sequence allowed M told M' -> allowed p T -> operation p T M' told' M'' ->
-    sequence allowed M (told + told') M''.
+Require Import Statements Graph Locality Strips Drawing Checker Rows Symmetry.
+Export Meshes.
 
 (** ** Points *)
 Lemma degree_alike G G' v : Permutation (map undirected G) (map undirected G') -> degree G v = degree G' v.
@@ -260,5 +223,5 @@ Proof.
 Qed.
 
 (** The number that [strips_of] tells is that of the strips, however they are listed. *)
-Theorem strips_counted M strips : stripped (nodes M) (edges M) strips -> strips_of M = Z.of_nat (length strips).
-Proof. intros S. apply number_of_strips in S. unfold strips_of. lia. Qed.
+Theorem strips_counted : Strips_counted.
+Proof. intros M strips S. apply number_of_strips in S. unfold strips_of. lia. Qed.

@@ -1,7 +1,7 @@
 (** * What a header that passes serves *)
-Require Import Arith Bool List NArith.
+Require Import Arith Bool List NArith Lia.
 Import ListNotations.
-Require Import Spec Header Kinds Bounds Meetings Walks WalkFamilies WalkOpen.
+Require Import Statements Header Kinds Bounds Meetings Walks WalkFamilies WalkOpen.
 
 (** What the header's check has found is never looked into here. *)
 Local Opaque found closed bounds_ok closings_ok meetings_ok.
@@ -40,12 +40,27 @@ Section Served.
     intros Hk Hi. destruct parts_ok as (F & M & S). apply (served _ _ _ of_open); [exact (boundary_collapse_walked H (found H) F S k i Hk Hi)|]. intros s J lab Ls. apply open_clean. exact Ls.
   Qed.
 
-  (** Whatever lies behind the arrays, the answers are the same. *)
-  Theorem served_inside H' : same_inside H H' ->
-    (forall k a s J, 1 <= a < k -> split_answer H' k a s J = split_answer H k a s J) /\
-    (forall k s J, 1 <= k -> collapse_answer H' k s J = collapse_answer H k s J) /\
-    (forall k i j s J, i < j <= k -> open_split_answer H' k i j s J = open_split_answer H k i j s J) /\
-    (forall k i s J, boundary_split_answer H' k i s J = boundary_split_answer H k i s J) /\
-    (forall k s J, fan_collapse_answer H' k s J = fan_collapse_answer H k s J).
-  Proof. exact (answers_inside H (found H) (proj1 parts_ok) (proj2 (all_four _ _ _ _ ok)) H'). Qed.
+  Theorem automaton_serves : Automaton_serves H.
+  Proof.
+    intros [k a|k a|k i j|k i j|k i|k i]; cbn [possible patch_at closed_at answer];
+      rewrite ?andb_true_iff, ?Nat.leb_le, ?Nat.ltb_lt; intros Po.
+    - apply split_served; lia.
+    - apply collapse_served; lia.
+    - apply open_split_served; lia.
+    - apply open_collapse_served; lia.
+    - apply boundary_split_served; lia.
+    - apply boundary_collapse_served; lia.
+  Qed.
+  Theorem automaton_inside : Automaton_inside H.
+  Proof.
+    intros H' L o Po s J. destruct (answers_inside H (found H) (proj1 parts_ok) (proj2 (all_four _ _ _ _ ok)) H' L) as (A & B & C & D & E).
+    destruct o as [k a|k a|k i j|k i j|k i|k i]; cbn [possible answer] in *;
+      rewrite ?andb_true_iff, ?Nat.leb_le, ?Nat.ltb_lt in Po.
+    - apply A; lia.
+    - apply B; lia.
+    - apply C; lia.
+    - apply E.
+    - apply D.
+    - apply E.
+  Qed.
 End Served.

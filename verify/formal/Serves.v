@@ -6,7 +6,7 @@
     size. *)
 Require Import Arith Bool List Permutation ZArith FMapPositive Lia.
 Import ListNotations.
-Require Import Spec Checker Frontier Fold Route.
+Require Import Statements Checker Frontier Fold Route.
 
 (** ** A frontier that serves as well as another
 

@@ -1,71 +1,61 @@
-(** * Sequences of operations by the shipped local rules
-
-    The rules of every fan of at most eight triangles, in every position; not those of longer fans, and not flips. *)
-Require Import Arith Bool List ZArith Lia.
+(** * The shipped tables, position by position *)
+Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Table Checker Rows Symmetry Sequences Answers.
-Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse.
+Require Import Statements Table Checker Rows Symmetry Linked.
+Require Split Collapse OpenSplit OpenCollapse BoundarySplit BoundaryCollapse LinkedTables.
 
-Inductive local : patch -> table -> Prop :=
-| by_split k a : In (k, a) arcs -> local (split k a) (lookup (Split.full k a))
-| by_collapse k a : In (k, a) arcs -> local (collapse k a) (lookup (Collapse.full k a))
-| by_open_split k i j : In (k, i, j) gap_pairs -> local (open_split k i j) (lookup (OpenSplit.full k i j))
-| by_open_collapse k i j : In (k, i, j) gap_pairs -> local (open_collapse k i j) (lookup (OpenCollapse.full k i j))
-| by_boundary_split k i : In (k, i) gaps -> local (boundary_split k i) (lookup (BoundarySplit.full k i))
-| by_boundary_collapse k i : In (k, i) gaps -> local (boundary_collapse k i) (lookup (BoundaryCollapse.full k i)).
+(** What the shipped headers answer to fans of at most eight triangles, and the reduced tables of the certificates. *)
+Definition shipped (o : position) : table :=
+  lookup match o with
+         | split_at k a => Split.full k a | collapse_at k a => Collapse.full k a
+         | open_split_at k i j => OpenSplit.full k i j | open_collapse_at k i j => OpenCollapse.full k i j
+         | boundary_split_at k i => BoundarySplit.full k i | boundary_collapse_at k i => BoundaryCollapse.full k i
+         end.
+Definition by_key (o : position) : table :=
+  lookup match o with
+         | split_at k a => Split.by_key k a | collapse_at k _ => Collapse.by_key k
+         | open_split_at k i j => OpenSplit.by_key k i j | open_collapse_at k _ _ => OpenCollapse.by_key k
+         | boundary_split_at k i => BoundarySplit.by_key k i | boundary_collapse_at k _ => BoundaryCollapse.by_key k
+         end.
+(** The lists of the linked rules. *)
+Definition lists (o : position) : coloring -> list alternative :=
+  match o with
+  | split_at k a => LinkedTables.split_lists k a | collapse_at k _ => LinkedTables.collapse_lists k | _ => fun _ => []
+  end.
 
-(** Those that never isolate a triangle: around vertices inside the mesh, and splits of a boundary vertex whose new edge lies
-    inside. *)
-Inductive local_inside : patch -> table -> Prop :=
-| inside_split k a : In (k, a) arcs -> local_inside (split k a) (lookup (Split.full k a))
-| inside_collapse k a : In (k, a) arcs -> local_inside (collapse k a) (lookup (Collapse.full k a))
-| inside_open_split k i j : In (k, i, j) gap_pairs -> local_inside (open_split k i j) (lookup (OpenSplit.full k i j)).
+Ltac bounds := cbn [possible valence_at listed has_lists] in *; rewrite ?andb_true_iff, ?Nat.leb_le, ?Nat.ltb_lt in *.
 
-Definition well_formed (p : patch) : bool := well_formed_side p (before p) && well_formed_side p (after p).
-Lemma all_well_formed :
-  forallb (fun '(k, a) => well_formed (split k a) && well_formed (collapse k a)) arcs &&
-  forallb (fun '(k, i, j) => well_formed (open_split k i j) && well_formed (open_collapse k i j)) gap_pairs &&
-  forallb (fun '(k, i) => well_formed (boundary_split k i) && well_formed (boundary_collapse k i)) gaps = true.
-Proof. vm_compute. reflexivity. Qed.
-Lemma sensible_sides p : well_formed p = true -> sensible p (before p) /\ sensible p (after p).
-Proof. unfold well_formed. rewrite andb_true_iff. intros [W0 W1]. split; now apply well_formed_sensible. Qed.
+Lemma within_more p T strips alone alone' : within p T strips alone -> alone <= alone' -> within p T strips alone'.
+Proof. intros W H s c x Ls Lc E. destruct (W s c x Ls Lc E). split; lia. Qed.
 
-Lemma local_fine p T : local p T -> sensible p (before p) /\ sensible p (after p) /\ safe p T.
+Theorem rules_right : Rules_right shipped.
 Proof.
-  pose proof all_well_formed as W. rewrite !andb_true_iff, !forallb_forall in W. destruct W as [[Wa Wp] Wg].
-  intros [k a I|k a I|k i j I|k i j I|k i I|k i I]; pose proof I as R.
-  1, 2: apply Wa in I; apply arcs_ok in R as [K R].
-  3, 4: apply Wp in I; apply gap_pairs_ok in R as [K R].
-  5, 6: apply Wg in I; apply gaps_ok in R as [K R].
-  all: apply andb_prop in I as [I0 I1].
-  - apply sensible_sides in I0 as [S0 S1]. split; [exact S0|]. split; [exact S1|]. apply (Split.every_position k a K R).
-  - apply sensible_sides in I1 as [S0 S1]. split; [exact S0|]. split; [exact S1|]. apply (Collapse.every_position k a K R).
-  - apply sensible_sides in I0 as [S0 S1]. split; [exact S0|]. split; [exact S1|]. apply (OpenSplit.every_position k i j K R).
-  - apply sensible_sides in I1 as [S0 S1]. split; [exact S0|]. split; [exact S1|]. apply (OpenCollapse.every_position k i j K R).
-  - apply sensible_sides in I0 as [S0 S1]. split; [exact S0|]. split; [exact S1|]. apply (BoundarySplit.every_position k i K R).
-  - apply sensible_sides in I1 as [S0 S1]. split; [exact S0|]. split; [exact S1|]. apply (BoundaryCollapse.every_position k i K R).
+  intros [k a|k a|k i j|k i j|k i|k i] Po K; bounds.
+  - apply (Split.every_position k a); lia.
+  - apply (Collapse.every_position k a); lia.
+  - apply (OpenSplit.every_position k i j); lia.
+  - apply (OpenCollapse.every_position k i j); lia.
+  - destruct (BoundarySplit.every_position k i) as (C & S & W); [lia|lia|]. split; [exact C|]. split; [exact S|].
+    eapply within_more; [exact W|]. cbn [isolated_at]. destruct (Nat.even k), (Nat.even i); cbn; lia.
+  - apply (BoundaryCollapse.every_position k i); lia.
 Qed.
-Lemma inside_local p T : local_inside p T -> local p T.
-Proof. intros [k a I|k a I|k i j I]; now constructor. Qed.
-Lemma inside_fine p T : local_inside p T -> sensible p (before p) /\ sensible p (after p) /\ safe p T.
-Proof. intros I. now apply local_fine, inside_local. Qed.
-Lemma inside_never_isolates p T : local_inside p T -> exists strips, within p T strips 0.
+Theorem even_gaps : Even_gaps shipped.
+Proof. intros k i K Hi. apply (BoundarySplit.every_position k i K Hi). Qed.
+
+Theorem rows_say_the_same : Rows_say_the_same shipped by_key.
 Proof.
-  intros [k a I|k a I|k i j I].
-  - apply arcs_ok in I as [K R]. eexists. apply (Split.every_position k a K R).
-  - apply arcs_ok in I as [K R]. eexists. apply (Collapse.every_position k a K R).
-  - apply gap_pairs_ok in I as [K R]. eexists. apply (OpenSplit.every_position k i j K R).
+  intros [k a|k a|k i j|k i j|k i|k i] Po K L; bounds.
+  - apply (check_proves _ _ _ _ _ _ (Split.checked k a ltac:(lia) ltac:(lia) ltac:(lia))).
+  - apply (check_proves _ _ _ _ _ _ (Collapse.checked k a ltac:(lia) ltac:(lia) ltac:(lia))).
+  - apply (check_proves _ _ _ _ _ _ (OpenSplit.checked k i j ltac:(lia) ltac:(lia) ltac:(lia))).
+  - apply (check_proves _ _ _ _ _ _ (OpenCollapse.checked k i j ltac:(lia) ltac:(lia) ltac:(lia))).
+  - apply (check_proves _ _ _ _ _ _ (BoundarySplit.checked k i ltac:(lia) ltac:(lia))).
+  - apply (check_proves _ _ _ _ _ _ (BoundaryCollapse.checked k i ltac:(lia) ltac:(lia))).
 Qed.
 
-Theorem stays_valid M told M' : sequence local M told M' -> valid (edges M) -> valid (edges M').
-Proof. exact (sequence_valid local local_fine M told M'). Qed.
-Theorem strips_told M told M' : sequence local M told M' -> (strips_of M' = strips_of M + told)%Z.
-Proof. exact (sequence_told local local_fine M told M'). Qed.
-Theorem never_isolated M told M' : sequence local_inside M told M' -> none_isolated M -> none_isolated M'.
-Proof. exact (sequence_none_isolated local_inside inside_fine M told M' inside_never_isolates). Qed.
-Theorem half_as_many_strips M told M' : sequence local_inside M told M' -> sane M -> none_isolated M ->
-  (2 * strips_of M' <= Z.of_nat (length (nodes M')))%Z.
+Theorem linked_rules_right : Linked_rules_right lists.
 Proof.
-  intros Q S N. apply half_as_many; [exact (sequence_sane local_inside inside_fine M told M' Q S)|].
-  exact (never_isolated M told M' Q N).
+  intros [k a|k a|k i j|k i j|k i|k i] Po K L; bounds; try discriminate.
+  - pose proof (LinkedTables.split_checked k a ltac:(lia) ltac:(lia) ltac:(lia)) as C. split; [exact (lists_best _ _ C)|exact (lists_tell _ _ C)].
+  - pose proof (LinkedTables.collapse_checked k a ltac:(lia) ltac:(lia)) as C. split; [exact (lists_best _ _ C)|exact (lists_tell _ _ C)].
 Qed.

@@ -1,7 +1,7 @@
 (** * Vertex splits of closed fans, k = 3 ... 8 *)
 Require Import Arith Bool List Lia.
 Import ListNotations.
-Require Import Spec Table Checker Rows Symmetry Tables_split Rows_split.
+Require Import Statements Table Checker Rows Symmetry Tables_split Rows_split.
 
 (** The shipped table of position (k, a), and the certificate's rows for it. *)
 Definition full (k a : nat) : trie := Tables_split.table [k; a].

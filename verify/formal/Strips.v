@@ -1,11 +1,11 @@
 (** * Valid means: made of strips
 
-    [Spec.v] calls a graph valid when no degree exceeds two and every edge is a bridge. This file proves that a graph
+    [Statements.v] calls a graph valid when no degree exceeds two and every edge is a bridge. This file proves that a graph
     is valid exactly when its vertices can be listed strip by strip, each vertex once, so that the solid edges are the
     pairs of neighbours in the lists; and that the number of strips is then the number of vertices less that of edges. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph.
+Require Import Statements Graph.
 
 (** ** The number of strips *)
 Lemma path_edges_length l : l <> [] -> length (path_edges l) + 1 = length l.

@@ -5,18 +5,19 @@
     entry, with the image of the table that the checker has accepted; this file proves that this is enough. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Locality Strips Table Drawing Checker Rows.
+Require Import Statements Graph Locality Strips Table Drawing Checker Rows.
 
 (** ** Renaming the vertices of a graph *)
 Section Renamed.
   Variable f : nat -> nat.
   Hypothesis injective : forall u v, f u = f v -> u = v.
 
-  Definition moved (e : edge) : edge := (f (fst e), f (snd e)).
+  Local Notation moved := (Statements.moved f).
+  Local Notation renamed := (Statements.renamed f).
 
   Lemma degree_moved G v : degree (map moved G) (f v) = degree G v.
   Proof.
-    induction G as [|e G IH]; [reflexivity|]. simpl map. rewrite !degree_cons, IH. f_equal. unfold meets, moved. simpl.
+    induction G as [|e G IH]; [reflexivity|]. simpl map. rewrite !degree_cons, IH. f_equal. unfold meets, Statements.moved. simpl.
     assert (E : forall u, (f u =? f v) = (u =? v)).
     { intros u. destruct (Nat.eqb_spec u v) as [->|N]; [apply Nat.eqb_refl|]. apply Nat.eqb_neq. intros Q. now apply N, injective. }
     now rewrite !E.
@@ -40,9 +41,6 @@ Section Renamed.
     induction G as [|[a b] G IH]; [reflexivity|]. simpl map. change (moved (a, b)) with (f a, f b).
     now rewrite !valid_cons, IH, !degree_moved, linked_moved.
   Qed.
-
-  (** [G'] is [G] with its vertices renamed; order and directions do not count. *)
-  Definition renamed (G G' : graph) : Prop := Permutation (map undirected (map moved G)) (map undirected G').
 
   Lemma renamed_valid G G' : renamed G G' -> (valid G' <-> valid G).
   Proof.
@@ -454,7 +452,7 @@ Lemma check_holds p strips lonely closed full by_key :
 Proof. intros C. apply check_proves in C as (R & S & W & _). now split. Qed.
 
 (** A turn that takes t_a of a closed fan to t_0, and A to D; the mirror of an open fan, which may exchange A and D, too.
-    Vertices are numbered as in [Spec.v]: ports, fan, inserted triangles. *)
+    Vertices are numbered as in [Statements.v]: ports, fan, inserted triangles. *)
 Definition moved_fan (k : nat) (f : nat -> nat) (inserted : list nat) : list nat :=
   map f (seq 0 k) ++ map (fun t => k + f t) (seq 0 k) ++ map (fun t => k + t) inserted.
 Definition turned (k a : nat) : list nat := moved_fan k (fun t => (t + (k - a)) mod k) [k + 1; k].

@@ -4,7 +4,7 @@
     solid to the right. [Nothing] stands for a whole subtree without an answer. *)
 Require Import Bool List NArith FMapPositive Number Hexadecimal.
 Import ListNotations.
-Require Import Spec.
+Require Import Statements.
 
 Inductive trie := Nothing | Answer (x : coloring) | Fork (dashed solid : trie).
 

@@ -4,7 +4,7 @@
     holds what they tell, in the order of the dump, for fans of up to five triangles and for flips. *)
 Require Import Arith Bool List NArith ZArith.
 Import ListNotations.
-Require Import Spec Table.
+Require Import Statements Table.
 Require ToldNumbers Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
 
 (** The changes when ports [s] and inner edges [c] become [s'] and [x]: in strips, which are triangles less solid edges

@@ -1,7 +1,7 @@
 (** * The header's answers to every family of fans *)
 Require Import Arith Bool List NArith Permutation Sorted Lia.
 Import ListNotations.
-Require Import Spec Strips Locality Drawing Checker Rows Symmetry Frontier Fold Route EveryFan Entries.
+Require Import Statements Strips Locality Drawing Checker Rows Symmetry Frontier Fold Route EveryFan Entries.
 Require Import Arcs Rings Closings Header Kinds Ends Meetings Played Keys Neighbours Walks.
 
 Lemma links_eq H w e : links H w e = rev (trace H w e) ++ [solid_link e].

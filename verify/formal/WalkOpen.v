@@ -4,7 +4,7 @@
     nothing. *)
 Require Import Arith Bool List NArith Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Strips Locality Drawing Checker Rows Symmetry Frontier Fold Route EveryFan Entries.
+Require Import Statements Graph Strips Locality Drawing Checker Rows Symmetry Frontier Fold Route EveryFan Entries.
 Require Import Arcs Rings Closings Header Kinds Ends Meetings Played Keys Neighbours Walks WalkFamilies.
 
 (** ** Any shape, with colours for its steps *)
@@ -14,7 +14,7 @@ Section Shape.
     (edges_inside : forall e, In e (inner d) -> fst e < triangles d /\ snd e < triangles d)
     (all_drawn : Permutation (triangles_of sh) (seq 0 (triangles d)))
     (colours : length s = k) (len : length ch = length sh)
-    (may : possibles (map (move_of d k s lab) sh) ch)
+    (may : feasibles (map (move_of d k s lab) sh) ch)
     (alike : Permutation (map undirected (solid (joins (triangles d) (S (triangles d)) sh) ch)) (map undirected (solid (inner d) x)))
     (count : solids ch = solids x).
   Let z := k + triangles d.
@@ -67,7 +67,7 @@ Proof. induction l as [|v l IH]; intros u; [reflexivity|]. cbn [path_edges lengt
 
 Lemma open_possible k i j d s lab xM xS xP c : i < j <= k -> length xM = j - i + 1 -> length xS = k - j -> length xP = i ->
   length (false :: xM ++ c :: xS ++ closing i xP) = length (open_shape k i j) /\
-  possibles (map (move_of d k s lab) (open_shape k i j)) (false :: xM ++ c :: xS ++ closing i xP).
+  feasibles (map (move_of d k s lab) (open_shape k i j)) (false :: xM ++ c :: xS ++ closing i xP).
 Proof.
   intros H LM LS LP.
   assert (Lb : length (closing i xP) = length (behind i)).
@@ -75,12 +75,12 @@ Proof.
   assert (Ln : length (false :: xM ++ c :: xS ++ closing i xP) = length (open_shape k i j)).
   { unfold open_shape. cbn [length]. rewrite !app_length. cbn [length]. rewrite !app_length, Lb, !map_length, !app_length, !seq_length. cbn [length]. lia. }
   split; [exact Ln|].
-  assert (W : forall l c', length c' = length l -> (forall y, In y l -> fst y <> put) -> forall l2 c2, possibles (map (move_of d k s lab) l2) c2 ->
-    possibles (map (move_of d k s lab) (l ++ l2)) (c' ++ c2)).
-  { induction l as [|[y n] l IH]; intros [|b c'] L N l2 c2 P; try discriminate; [exact P|]. injection L as L. cbn [map app possibles]. split.
+  assert (W : forall l c', length c' = length l -> (forall y, In y l -> fst y <> put) -> forall l2 c2, feasibles (map (move_of d k s lab) l2) c2 ->
+    feasibles (map (move_of d k s lab) (l ++ l2)) (c' ++ c2)).
+  { induction l as [|[y n] l IH]; intros [|b c'] L N l2 c2 P; try discriminate; [exact P|]. injection L as L. cbn [map app feasibles]. split.
     - specialize (N (y, n) (or_introl eq_refl)). cbn [fst] in N. destruct y; cbn; auto. contradiction.
     - apply IH; auto. intros y' I. apply N. now right. }
-  assert (Tail : possibles (map (move_of d k s lab) (((mark, i) :: map (pair next) (seq (S i) (j - S i) ++ [k + 1]) ++ (chord, 0) :: map (pair next) (seq j (k - j))) ++ behind i))
+  assert (Tail : feasibles (map (move_of d k s lab) (((mark, i) :: map (pair next) (seq (S i) (j - S i) ++ [k + 1]) ++ (chord, 0) :: map (pair next) (seq j (k - j))) ++ behind i))
     ((xM ++ c :: xS) ++ closing i xP)).
   { apply W.
     - cbn [length]. rewrite !app_length. cbn [length]. rewrite !map_length, app_length, !seq_length. cbn [length]. lia.

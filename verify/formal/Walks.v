@@ -1,7 +1,7 @@
 (** * The header's answers to one and to two arcs *)
 Require Import Arith Bool List NArith Permutation Lia.
 Import ListNotations.
-Require Import Spec Strips Locality Drawing Checker Rows Symmetry Frontier Fold Route EveryFan Entries.
+Require Import Statements Strips Locality Drawing Checker Rows Symmetry Frontier Fold Route EveryFan Entries.
 Require Import Arcs Rings Closings Header Kinds Ends Meetings Played Keys.
 
 (** ** From arcs with labels to letters *)
@@ -171,8 +171,6 @@ Definition right_walk (p : patch) (round : bool) (walk : coloring -> coloring ->
     valid (drawing (before p) s c) -> tells_labels round (ports p) s J (label_in st) -> best p s c (walk s J).
 
 (** The answer is a function of the key; as a table it is correct. *)
-Definition serves_keys (p : patch) (round : bool) (answer : coloring -> coloring -> coloring) : Prop :=
-  exists T, correct p T /\ safe p T /\ reduces_to p round T (fun s J => Some (answer s J)).
 Lemma served p round walk clean : right_walk p round walk ->
   (forall s J lab, length s = ports p -> tells_labels round (ports p) s J lab -> tells_labels round (ports p) s (clean s J) lab) ->
   serves_keys p round (fun s J => walk s (clean s J)).

@@ -1,56 +1,16 @@
 (** * What holds for the whole mesh
 
     docs/theory.md, "What holds for the whole mesh": the number of strips is bounded by what is counted at the strip ends, if no
-    dashed dual edge joins ends of two different strips. The theorems of [Main.v] say so with [stripped] of [Spec.v] and
-    the definitions down to [simple]. *)
+    dashed dual edge joins ends of two different strips. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Spec Graph Strips Locality Symmetry.
-
-(** ** The definitions
-
-    The dual graph of a mesh of finitely many triangles has an edge for each mesh edge that two triangles share, so two edges for two
-    triangles that share two. A triangle has three sides; those that no dual edge crosses lie on the boundary. The colours are
-    those of the dual edges, in order. A strip is the list of its triangles; [valid_is_stripped] says that there are such lists
-    exactly for the valid colourings. *)
-Record stripification := Stripification
-  { faces : list nat; dual : graph; colors : coloring; strips : list (list nat) }.
-Definition solid_edges (M : stripification) : graph := solid (dual M) (colors M).
-Definition dashed_edges (M : stripification) : graph := solid (dual M) (map negb (colors M)).
-Definition well_formed (M : stripification) : Prop :=
-  NoDup (faces M) /\
-  (forall e, In e (dual M) -> In (fst e) (faces M) /\ In (snd e) (faces M)) /\
-  (forall t, degree (dual M) t <= 3) /\
-  length (colors M) = length (dual M) /\
-  stripped (faces M) (solid_edges M) (strips M).
-
-(** Strip ends and isolated triangles: the triangles with at most one solid edge. *)
-Definition at_end (M : stripification) (t : nat) : bool := degree (solid_edges M) t <=? 1.
-(** The dashed edges that join two of them, and whether these are of one strip. *)
-Definition meetings (M : stripification) : graph :=
-  filter (fun e => at_end M (fst e) && at_end M (snd e)) (dashed_edges M).
-Definition both_in (l : list nat) (e : edge) : bool := existsb (Nat.eqb (fst e)) l && existsb (Nat.eqb (snd e)) l.
-Definition same_strip (M : stripification) (e : edge) : bool := existsb (fun l => both_in l e) (strips M).
-
-(** What is counted: T, S, I, C and B of docs/theory.md; and the dashed edges between ends of two strips. *)
-Definition triangle_count (M : stripification) : nat := length (faces M).
-Definition strip_count (M : stripification) : nat := length (strips M).
-Definition isolated_count (M : stripification) : nat := length (filter (fun t => degree (solid_edges M) t =? 0) (faces M)).
-Definition own_meetings (M : stripification) : nat := length (filter (same_strip M) (meetings M)).
-Definition boundary_sides (M : stripification) : nat := list_sum (map (fun t => 3 - degree (dual M) t) (filter (at_end M) (faces M))).
-Definition other_meetings (M : stripification) : nat := length (filter (fun e => negb (same_strip M e)) (meetings M)).
-
-(** The assumptions: no dashed edge joins ends of two different strips; and, for the second inequality, no two triangles share
-    two edges, and none shares an edge with itself. *)
-Definition ends_joined (M : stripification) : Prop := other_meetings M = 0.
-Definition simple (M : stripification) : Prop :=
-  NoDup (map undirected (dual M)) /\ forall e, In e (dual M) -> fst e <> snd e.
+Require Import Statements Graph Strips Locality Symmetry.
+Import Whole.
 
 (** Every valid colouring of a dual graph is spoken of. *)
-Theorem whole_mesh_covers ts D c : NoDup ts -> (forall e, In e D -> In (fst e) ts /\ In (snd e) ts) -> (forall t, degree D t <= 3) ->
-  length c = length D -> valid (solid D c) -> exists ls, well_formed (Stripification ts D c ls).
+Theorem whole_mesh_covers : Whole_mesh_covers.
 Proof.
-  intros N I D3 L V. destruct (valid_stripped ts (solid D c) N) as (ls & S); [|exact V|now exists ls].
+  intros ts D c N I D3 L V. destruct (valid_stripped ts (solid D c) N) as (ls & S); [|exact V|now exists ls].
   intros e J. apply I. exact (solid_incl _ _ _ J).
 Qed.
 
@@ -90,10 +50,9 @@ Proof.
 Qed.
 
 (** Whatever the ends of different strips do, their meetings counted like a strip's own. *)
-Theorem whole_mesh_any M : well_formed M ->
-  6 * strip_count M <= triangle_count M + 2 * isolated_count M + 2 * (own_meetings M + other_meetings M) + boundary_sides M.
+Theorem whole_mesh_any : Whole_mesh_any.
 Proof.
-  intros W. unfold own_meetings, other_meetings. rewrite filter_split. pose proof W as (N & I & D & L & S).
+  intros M W. unfold own_meetings, other_meetings. rewrite filter_split. pose proof W as (N & I & D & L & S).
   pose proof (number_of_strips _ _ _ S) as C.
   pose proof (handshake (faces M) (solid_edges M) N (fun e J => in_faces M e W (or_introl J))) as H.
   pose proof (meetings_counted M W) as K.
@@ -108,9 +67,8 @@ Proof.
   destruct (Nat.leb_spec (degree (solid_edges M) t) 1), (Nat.eqb_spec (degree (solid_edges M) t) 0); rewrite ?sum_cons; cbn [length]; lia.
 Qed.
 
-Theorem whole_mesh M : well_formed M -> ends_joined M ->
-  6 * strip_count M <= triangle_count M + 2 * isolated_count M + 2 * own_meetings M + boundary_sides M.
-Proof. intros W J. pose proof (whole_mesh_any M W) as A. rewrite J in A. lia. Qed.
+Theorem whole_mesh : Whole_mesh.
+Proof. intros M W J. pose proof (whole_mesh_any M W) as A. rewrite J in A. lia. Qed.
 
 (** ** The second inequality
 
@@ -219,8 +177,8 @@ Proof.
   rewrite !sum_cons. cbn [length]. specialize (IH (fun m I => O m (or_intror I))). specialize (O l (or_introl eq_refl)). lia.
 Qed.
 
-Theorem whole_mesh_quarter M : well_formed M -> ends_joined M -> simple M -> 4 * strip_count M <= triangle_count M + boundary_sides M.
-Proof. intros W J U. pose proof (whole_mesh M W J). pose proof (own_bound M W U). lia. Qed.
+Theorem whole_mesh_quarter : Whole_mesh_quarter.
+Proof. intros M W J U. pose proof (whole_mesh M W J). pose proof (own_bound M W U). lia. Qed.
 
 (** ** Meshes that meet the bounds, and meshes that break them
 

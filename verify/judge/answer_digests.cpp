@@ -28,25 +28,19 @@ std::string words_of(const Operation& operation) {
 /// The lines that are still missing are those of `expected`.
 void read_lines(StreamLines& lines, std::map<std::string, std::uint32_t> expected, DigestComparison& result) {
   while (!expected.empty()) {
-    const std::optional<std::string_view> line = lines.next();
-    const auto fail = [&](const std::string& what) {
-      throw BadDump(fmt::format("line {}: {}; \"{}\" is still missing", lines.number(), what, expected.begin()->first));
-    };
-    if (!line) fail("the end");
-    const std::size_t space = std::min(line->rfind(' '), line->size());
-    const auto position = expected.find(std::string(line->substr(0, space)));
-    if (position == expected.end()) fail(fmt::format("\"{}\" is no position that is missing", *line));
+    const std::string& missing = expected.begin()->first;
+    const std::string_view line = lines.next(missing);
+    const std::size_t space = std::min(line.rfind(' '), line.size());
+    const auto position = expected.find(std::string(line.substr(0, space)));
+    if (position == expected.end())
+      lines.fail(fmt::format("\"{}\" is no position that is missing, such as \"{}\"", line, missing));
     ++result.positions;
-    if (const std::string right = fmt::format("{} {:08x}", position->first, position->second); *line != right)
+    if (const std::string right = fmt::format("{} {:08x}", position->first, position->second); line != right)
       result.differences.add(
-          fmt::format("line {}: \"{}\", the answers that were judged make it \"{}\"\n", lines.number(), *line, right));
+          fmt::format("line {}: \"{}\", the answers that were judged make it \"{}\"\n", lines.number(), line, right));
     expected.erase(position);
   }
-  const std::optional<std::string_view> last = lines.next();
-  if (!last || *last != last_line)
-    throw BadDump(
-        fmt::format("line {}: expected \"{}\", found \"{}\"", lines.number(), last_line, last.value_or("the end")));
-  if (lines.next() || lines.left_over()) throw BadDump(fmt::format("line {}: text after the end", lines.number()));
+  lines.expect_last(std::string(last_line));
 }
 
 }  // namespace
@@ -65,14 +59,8 @@ void AnswerDigests::add(const Operation& operation, Colors configuration, const 
 }
 
 DigestComparison compare_digests(std::FILE* stream, const AnswerDigests& expected) {
-  DigestComparison result;
-  StreamLines lines(stream);
-  try {
-    read_lines(lines, expected.by_position(), result);
-  } catch (const BadDump& bad) {
-    result.fault = bad.what();
-  }
-  return result;
+  return found_in<DigestComparison>(
+      stream, [&](StreamLines& lines, DigestComparison& result) { read_lines(lines, expected.by_position(), result); });
 }
 
 DigestComparison compare_digests_of(const std::string& program, const AnswerDigests& expected) {

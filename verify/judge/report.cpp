@@ -2,23 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "model/quantity.hpp"
 
 namespace restrip::verify {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      result += fmt::format("\\{}", c);
-    else if (static_cast<unsigned char>(c) < ' ')
-      result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      result += c;
-  }
-  return result + '"';
-}
 
 /// "answers of the shipped headers proved: 32 in 1 position (flip 1)"; empty when there are none.
 std::string answers_line(const char* what, const std::map<std::string, Totals::Answers>& answers) {
@@ -34,12 +23,11 @@ std::string answers_line(const char* what, const std::map<std::string, Totals::A
                      quantity(sum.positions, "position"), list);
 }
 
-std::string json_of_answers(const std::map<std::string, Totals::Answers>& answers) {
-  std::string text = "{";
+nlohmann::ordered_json json_of(const std::map<std::string, Totals::Answers>& answers) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const auto& [family, count] : answers)
-    text += fmt::format("{}{}: {{\"positions\": {}, \"answers\": {}}}", text.size() == 1 ? "" : ", ", quoted(family),
-                        count.positions, count.entries);
-  return text + '}';
+    json[family] = {{"positions", count.positions}, {"answers", count.entries}};
+  return json;
 }
 
 }  // namespace
@@ -79,22 +67,30 @@ std::string last_line(const Totals& totals) {
 }
 
 std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals) {
-  std::string text = "{\n  \"claims\": [";
-  for (std::size_t i = 0; i < claims.size(); ++i) {
-    const ClaimResult& claim = claims[i];
-    text += fmt::format(
-        "{}\n    {{\"family\": {}, \"claim\": {}, \"method\": {}, \"cases\": {}, \"seconds\": {:.3f}, \"holds\": {}, "
-        "\"failures\": {}, \"counterexample\": {}}}",
-        i == 0 ? "" : ",", quoted(claim.subject), quoted(claim.claim), quoted(claim.method), claim.cases, claim.seconds,
-        claim.held(), claim.failures, claim.held() ? "null" : quoted(claim.counterexample));
+  nlohmann::ordered_json json{{"claims", nlohmann::ordered_json::array()},
+                              {"rules", totals.rules},
+                              {"alternatives", totals.alternatives},
+                              {"configurations", totals.configurations},
+                              {"recolorings", totals.pairs},
+                              {"answers_proved", json_of(totals.answers)},
+                              {"answers_not_compared", json_of(totals.not_compared)},
+                              {"graph_only", totals.graph_only},
+                              {"read", text_of(totals.read)},
+                              {"failed", totals.failed},
+                              {"verified", totals.failed == 0}};
+  for (const ClaimResult& claim : claims) {
+    json["claims"].push_back({{"family", claim.subject},
+                              {"claim", claim.claim},
+                              {"method", claim.method},
+                              {"cases", claim.cases},
+                              {"seconds", claim.seconds},
+                              {"holds", claim.held()},
+                              {"failures", claim.failures},
+                              {"counterexample", nullptr}});
+    if (!claim.held()) json["claims"].back()["counterexample"] = claim.counterexample;
   }
-  return text + fmt::format(
-                    "\n  ],\n  \"rules\": {},\n  \"alternatives\": {},\n  \"configurations\": {},\n  \"recolorings\": "
-                    "{},\n  \"answers_proved\": {},\n  \"answers_not_compared\": {},\n  \"graph_only\": {},\n"
-                    "  \"read\": {},\n  \"failed\": {},\n  \"verified\": {}\n}}\n",
-                    totals.rules, totals.alternatives, totals.configurations, totals.pairs,
-                    json_of_answers(totals.answers), json_of_answers(totals.not_compared), totals.graph_only,
-                    quoted(text_of(totals.read)), totals.failed, totals.failed == 0);
+  // What a program printed may be in a counterexample: bytes that are not UTF-8 are shown as replaced.
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace restrip::verify

@@ -131,27 +131,16 @@ void count(Compared& compared, const std::string& family, std::uint64_t entries)
 
 class DumpReader {
  public:
-  DumpReader(std::FILE* stream, const ExpectedDump& expected, DumpComparison& result)
-      : lines_(stream), expected_(expected), result_(result) {}
+  DumpReader(StreamLines& lines, const ExpectedDump& expected, DumpComparison& result)
+      : lines_(lines), expected_(expected), result_(result) {}
 
   void run() {
-    expect(std::string(title));
+    lines_.expect(std::string(title));
     read_tables();
-    expect(fmt::format("end {}", result_.lines));
-    if (lines_.next() || lines_.left_over()) throw BadDump(fmt::format("line {}: text after the end", lines_.number()));
+    lines_.expect_last(fmt::format("end {}", result_.lines));
   }
 
  private:
-  std::string_view next_line(const std::string& expected) {
-    const std::optional<std::string_view> line = lines_.next();
-    if (!line) throw BadDump(fmt::format("line {}: expected \"{}\", found the end", lines_.number() + 1, expected));
-    return *line;
-  }
-  void expect(const std::string& whole) {
-    if (const std::string_view line = next_line(whole); line != whole)
-      throw BadDump(fmt::format("line {}: expected \"{}\", found \"{}\"", lines_.number(), whole, line));
-  }
-
   void read_tables() {
     std::map<std::string, std::function<void()>, std::less<>> missing;
     for (const ExpectedTable& table : expected_.tables)
@@ -159,11 +148,11 @@ class DumpReader {
     for (const ExpectedLists& lists : expected_.lists)
       missing.emplace(fmt::format("table {} {}", lists.family, lists.position), [&] { lists_of(lists); });
     while (!missing.empty()) {
-      const std::string_view header = next_line(missing.begin()->first);
+      const std::string_view header = lines_.next(missing.begin()->first);
       const auto table = missing.find(header);
       if (table == missing.end())
-        throw BadDump(fmt::format("line {}: \"{}\" is no table that is still missing, such as \"{}\"", lines_.number(),
-                                  header, missing.begin()->first));
+        lines_.fail(
+            fmt::format("\"{}\" is no table that is still missing, such as \"{}\"", header, missing.begin()->first));
       table->second();
       missing.erase(table);
     }
@@ -190,7 +179,7 @@ class DumpReader {
     prefix_ += ' ';
     append_mask(prefix_, configuration.ports);
     prefix_ += ' ';
-    const std::string_view line = next_line(prefix_);
+    const std::string_view line = lines_.next(prefix_);
     ++result_.lines;
     if (line.starts_with(prefix_)) {
       std::string_view rest = line.substr(prefix_.size());
@@ -205,12 +194,11 @@ class DumpReader {
           return Answer{{*inner, *kept}, strips, isolated};
       }
     }
-    throw BadDump(
-        fmt::format("line {}: table {}: expected \"{}\" and \"-\" or two masks, {} and {} bits at most, and the change "
-                    "in strips{}, "
-                    "found \"{}\"",
-                    lines_.number(), operation.name(), prefix_, operation.after.inner_edges(), operation.ports(),
-                    expected_.tells_isolated ? " and in isolated triangles" : "", line));
+    lines_.fail(fmt::format(
+        "table {}: expected \"{}\" and \"-\" or two masks, {} and {} bits at most, and the change in strips{}, found "
+        "\"{}\"",
+        operation.name(), prefix_, operation.after.inner_edges(), operation.ports(),
+        expected_.tells_isolated ? " and in isolated triangles" : "", line));
   }
 
   void lists_of(const ExpectedLists& lists) {
@@ -218,19 +206,18 @@ class DumpReader {
     Compared& compared = result_.lists[static_cast<std::size_t>(against)];
     for (Mask ports = 0; ports < mask_count(lists.ports); ++ports) {
       const std::string expected = lists.lines == nullptr ? fmt::format("{:x} ", ports) : lists.lines->at(ports);
-      const std::string_view found = next_line(expected);
+      const std::string_view found = lines_.next(expected);
       ++result_.lines;
-      const auto text = [&] {
-        return fmt::format("line {}, table {} {}: expected \"{}\", found \"{}\"", lines_.number(), lists.family,
-                           lists.position, expected, found);
-      };
-      if (lists.lines == nullptr && !found.starts_with(expected)) throw BadDump(text());
-      if (lists.lines != nullptr && found != expected) compared.differences.add(text());
+      const std::string other =
+          fmt::format("table {} {}: expected \"{}\", found \"{}\"", lists.family, lists.position, expected, found);
+      if (lists.lines == nullptr && !found.starts_with(expected)) lines_.fail(other);
+      if (lists.lines != nullptr && found != expected)
+        compared.differences.add(fmt::format("line {}: {}", lines_.number(), other));
     }
     count(compared, lists.family, mask_count(lists.ports));
   }
 
-  StreamLines lines_;
+  StreamLines& lines_;
   const ExpectedDump& expected_;
   DumpComparison& result_;
   FitTables tables_;
@@ -257,13 +244,8 @@ bool DumpComparison::agrees() const {
 }
 
 DumpComparison compare_dump(std::FILE* stream, const ExpectedDump& expected) {
-  DumpComparison result;
-  try {
-    DumpReader(stream, expected, result).run();
-  } catch (const BadDump& bad) {
-    result.fault = bad.what();
-  }
-  return result;
+  return found_in<DumpComparison>(
+      stream, [&](StreamLines& lines, DumpComparison& result) { DumpReader(lines, expected, result).run(); });
 }
 
 DumpComparison compare_answers(const ExpectedDump& expected, const AnswerOf& answer) {

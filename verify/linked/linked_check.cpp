@@ -108,13 +108,13 @@ class BesideCheck {
   LinkedCheck& check_;
 };
 
-void check_claims(const LinkedTask& task, LinkedCheck& check) {
-  for (std::size_t i = 0; i < linked_claim_words.size(); ++i) {
-    const StatedClaim& claim = task.lists->claims[i];
-    if (claim.number != check.counts[i])
-      check.claims.add(fmt::format("{}:{}: \"claim {} {}\"\n  wrong claim: recounted {}", task.file, claim.line,
-                                   linked_claim_words[i], claim.number, check.counts[i]));
-  }
+using ClaimedNumbers = std::array<std::int64_t, linked_claim_words.size()>;
+
+void check_claims(const LinkedTask& task, const ClaimedNumbers& counts, Failures& wrong) {
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (const StatedClaim& claim = task.lists->claims[i]; claim.number != counts[i])
+      wrong.add(fmt::format("{}:{}: \"claim {} {}\"\n  wrong claim: recounted {}", task.file, claim.line,
+                            linked_claim_words[i], claim.number, counts[i]));
 }
 
 /// The partner of each port, four bits each: itself where it has none, as have those behind the patch's own.
@@ -131,21 +131,22 @@ std::uint64_t partners(PortPairs joined, unsigned ports, unsigned places) {
 
 }  // namespace
 
-LinkedCheck check_linked(const LinkedTask& task) {
-  LinkedCheck check;
+void check_linked(const LinkedTask& task, LinkedCheck& check) {
+  ClaimedNumbers counts{};
   const Operation& operation = task.section->operations.front();
   const Side& after = operation.after;
-  check.searched = searched(operation);
+  ++check.sections;
+  check.searched = check.searched && searched(operation);
   double last = thread_seconds();
   std::optional<BesideCheck> beside;
-  if (check.searched) beside.emplace(task, check);
+  if (searched(operation)) beside.emplace(task, check);
   for (Mask ports = 0; ports < mask_count(after.ports()); ++ports) {
     const List list = task.lists->list(ports);
     const std::vector<Recoloring> recolorings = recolorings_of(after, ports);
     check.recolorings += recolorings.size();
-    check.counts[0] += list.empty() ? 0 : 1;
-    check.counts[1] += static_cast<std::int64_t>(list.size());
-    check.counts[2] = std::max(check.counts[2], static_cast<std::int64_t>(list.size()));
+    const auto length = static_cast<std::int64_t>(list.size());
+    counts = {counts[0] + (list.empty() ? 0 : 1), counts[1] + length, std::max(counts[2], length)};
+    check.rows += list.size();
     check_list(after, recolorings, ports, list, task.file, check.lists);
     const double listed = thread_seconds();
     check.listing_seconds += listed - last;
@@ -153,8 +154,7 @@ LinkedCheck check_linked(const LinkedTask& task) {
     last = thread_seconds();
     check.beside_seconds += last - listed;
   }
-  check_claims(task, check);
-  return check;
+  check_claims(task, counts, check.claims);
 }
 
 std::vector<std::string> dump_of(const Section& section, const SectionLists& lists, unsigned places) {

@@ -6,6 +6,7 @@
 
 namespace restrip::verify {
 
+/// What was found in sections, all together.
 struct LinkedCheck {
   std::uint64_t recolorings = 0;     ///< of all ports
   std::uint64_t worlds = 0;          ///< (ports, matching outside)
@@ -17,7 +18,8 @@ struct LinkedCheck {
   Failures best;       ///< beside some matching the first sound row is not the best
   Failures local;      ///< for what the colours alone tell, it is not as good as the local rule
   Failures claims;
-  std::array<std::int64_t, linked_claim_words.size()> counts{};
+  std::uint64_t sections = 0;
+  std::uint64_t rows = 0;
   double listing_seconds = 0;  ///< processor time
   double beside_seconds = 0;
 };
@@ -31,7 +33,8 @@ struct LinkedTask {
   std::string local_file;
 };
 
-LinkedCheck check_linked(const LinkedTask& task);
+/// Adds what is found there.
+void check_linked(const LinkedTask& task, LinkedCheck& check);
 
 /// The lines that a dump of the compiled tables must have for this section, without newlines: for each port mask its
 /// list, with the pairings as they are found on the graph, of so many ports each.

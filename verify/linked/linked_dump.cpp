@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 
 #include "certificate/stream_lines.hpp"
@@ -13,10 +12,10 @@ namespace {
 
 class Reader {
  public:
-  Reader(std::FILE* stream, unsigned max_k, LinkedDumpCheck& check) : lines_(stream), max_k_(max_k), check_(check) {}
+  Reader(StreamLines& lines, unsigned max_k, LinkedDumpCheck& check) : lines_(lines), max_k_(max_k), check_(check) {}
 
   void run() {
-    expect("restrip-linked-dump 1");
+    lines_.expect("restrip-linked-dump 1");
     for (const LinkedFamily& family : linked_families(max_k_)) {
       std::map<Numbers, const Operation*> operations;  // in the order in which they come
       for (const Section& section : family.local.sections)
@@ -24,23 +23,10 @@ class Reader {
       for (const Operation& operation : family.local.unlisted) operations.emplace(operation.numbers, &operation);
       for (const auto& [place, operation] : operations) read_table(family.name, *operation);
     }
-    expect(fmt::format("end {}", entries_));
-    if (lines_.next() || lines_.left_over()) fail("text after the end");
+    lines_.expect_last(fmt::format("end {}", entries_));
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw BadDump(fmt::format("line {}{}: {}", lines_.number(), table_, what));
-  }
-  void next(const std::string& expected) {
-    const std::optional<std::string_view> line = lines_.next();
-    if (!line) fail(fmt::format("expected \"{}\" next, found the end", expected));
-    rest_ = line_ = *line;
-  }
-  void expect(const std::string& whole) {
-    next(whole);
-    if (line_ != whole) fail(fmt::format("expected \"{}\", found \"{}\"", whole, line_));
-  }
   std::string_view word() {
     const std::size_t end = std::min(rest_.find(' '), rest_.size());
     const std::string_view found = rest_.substr(0, end);
@@ -48,28 +34,26 @@ class Reader {
     return found;
   }
   Mask mask_in(std::string_view digits) const {
-    Mask mask = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), mask, 16);
-    if (error != std::errc{} || end != digits.data() + digits.size())
-      fail(fmt::format("expected a hexadecimal number in \"{}\"", line_));
-    return mask;
+    const std::uint64_t mask = lines_.number_in(digits, 16);
+    if (mask > ~Mask{0}) lines_.fail(fmt::format("expected a mask, found \"{}\"", digits));
+    return static_cast<Mask>(mask);
   }
   Branch branch() {
     const std::string_view found = word();
     if (!found.starts_with('#')) return {Branch::Kind::leaf, mask_in(found)};
     const Mask node = mask_in(found.substr(1));
-    if (node >= questions_.size()) fail(fmt::format("there is no node {:x} above \"{}\"", node, line_));
+    if (node >= questions_.size()) lines_.fail(fmt::format("there is no node {:x} above \"{}\"", node, line_));
     return {Branch::Kind::node, node};
   }
   unsigned port() {
     const Mask port = mask_in(word());
-    if (port >= operation_->before.ports()) fail(fmt::format("there is no port {} in \"{}\"", port, line_));
+    if (port >= operation_->before.ports()) lines_.fail(fmt::format("there is no port {} in \"{}\"", port, line_));
     return port;
   }
 
   void read_question() {
     if (mask_in(word().substr(1)) != questions_.size())
-      fail(fmt::format("expected node {:x}, found \"{}\"", questions_.size(), line_));
+      lines_.fail(fmt::format("expected node {:x}, found \"{}\"", questions_.size(), line_));
     Question question{port(), branch(), branch(), {}};
     while (!rest_.empty()) {
       const unsigned other = port();
@@ -81,9 +65,8 @@ class Reader {
 
   void read_table(const std::string& family, const Operation& operation) {
     operation_ = &operation;
-    table_.clear();
-    expect(fmt::format("table {} {}", family, operation.position));
-    table_ = fmt::format(", table {} {}", family, operation.position);
+    lines_.expect(fmt::format("table {} {}", family, operation.position));
+    lines_.place = fmt::format(", table {} {}", family, operation.position);
     ++check_.positions;
     questions_.clear();
     judges_.clear();
@@ -91,18 +74,19 @@ class Reader {
     known_.clear();
     for (Mask inner = 0; inner < mask_count(operation.before.inner_edges()); ++inner)
       for (Mask ports = 0; ports < mask_count(operation.before.ports()); ++ports) read_entry({inner, ports});
-    table_.clear();
+    lines_.place.clear();
   }
 
   void read_entry(Colors before) {
     const std::string expected = fmt::format("{:x} {:x} ", before.inner, before.ports);
-    for (next(expected); line_.starts_with('#'); next(expected)) read_question();
-    if (!line_.starts_with(expected)) fail(fmt::format("expected \"{}\", found \"{}\"", expected, line_));
+    const auto next = [&] { rest_ = line_ = lines_.next(expected); };
+    for (next(); line_.starts_with('#'); next()) read_question();
+    if (!line_.starts_with(expected)) lines_.fail(fmt::format("expected \"{}\", found \"{}\"", expected, line_));
     ++entries_;
     rest_.remove_prefix(expected.size());
     const bool answered = rest_ != "-";
     const Branch root = answered ? branch() : Branch{};
-    if (answered && !rest_.empty()) fail(fmt::format("more words than an entry has: \"{}\"", line_));
+    if (answered && !rest_.empty()) lines_.fail(fmt::format("more words than an entry has: \"{}\"", line_));
     const Survey own = survey(operation_->before, before);
     if (own.valid != answered) return wrong(before, own.valid ? "valid, and nothing picked" : "not valid");
     if (!answered) return;
@@ -120,16 +104,15 @@ class Reader {
   void wrong(Colors before, const std::string& what) {
     check_.wrong.add(check_.wrong.count != 0
                          ? std::string{}
-                         : fmt::format("line {}{}, inner {:x}, ports {:x}\n    {}\n  {}", lines_.number(), table_,
+                         : fmt::format("line {}{}, inner {:x}, ports {:x}\n    {}\n  {}", lines_.number(), lines_.place,
                                        before.inner, before.ports, drawn(operation_->before, before), what));
   }
 
-  StreamLines lines_;
+  StreamLines& lines_;
   unsigned max_k_;
   LinkedDumpCheck& check_;
   std::string_view line_;
   std::string_view rest_;
-  std::string table_;
   std::uint64_t entries_ = 0;
   const Operation* operation_ = nullptr;
   std::vector<Question> questions_;
@@ -140,13 +123,8 @@ class Reader {
 }  // namespace
 
 LinkedDumpCheck check_linked_dump(std::FILE* stream, unsigned max_k) {
-  LinkedDumpCheck check;
-  try {
-    Reader(stream, max_k, check).run();
-  } catch (const BadDump& bad) {
-    check.fault = bad.what();
-  }
-  return check;
+  return found_in<LinkedDumpCheck>(
+      stream, [&](StreamLines& lines, LinkedDumpCheck& check) { Reader(lines, max_k, check).run(); });
 }
 
 LinkedDumpCheck check_linked_dump_of(const std::string& program, unsigned max_k) {

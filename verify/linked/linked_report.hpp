@@ -6,7 +6,7 @@
 
 namespace restrip::verify {
 
-/// `checks` has one entry for each section, in order.
-void report_linked(const LinkedFamily& family, const std::vector<LinkedCheck>& checks, const ClaimListener& listener);
+/// `sum` is what was found in all sections.
+void report_linked(const LinkedFamily& family, const LinkedCheck& sum, const ClaimListener& listener);
 
 }  // namespace restrip::verify

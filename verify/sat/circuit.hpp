@@ -13,7 +13,6 @@ class Circuit {
   /// The constants: variable 1, which the first clause makes true.
   static constexpr Literal yes = 1;
   static constexpr Literal no = -1;
-  static constexpr Literal constant(bool value) { return value ? yes : no; }
 
   Literal input() { return ++cnf_.variables; }
   Literal all_of(Clause terms);

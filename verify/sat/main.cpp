@@ -5,11 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <stdexcept>
+#include <nlohmann/json.hpp>
 
 #include "files/system_calls.hpp"
-#include "model/exit_code.hpp"
 #include "model/input.hpp"
+#include "model/program.hpp"
 #include "sat/prove.hpp"
 
 namespace {
@@ -21,20 +21,9 @@ struct Sums {
   std::size_t failed = 0;
   std::size_t clauses = 0;
   std::size_t proof_lines = 0;
+  std::size_t core = 0;
   sat::ControlResult controls;
 };
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (c == '\n')
-      result += "\\n";
-    else
-      result += c;
-  }
-  return result + '"';
-}
 
 std::string line_of(const sat::PositionResult& result, bool controls) {
   std::string line = fmt::format("{:<28} {:>9} {:>7} {:>11} {:>6} {:>7.2f}", result.name, result.variables,
@@ -47,13 +36,18 @@ std::string line_of(const sat::PositionResult& result, bool controls) {
   return line + '\n';
 }
 
-std::string json_of(const sat::PositionResult& result) {
-  return fmt::format(
-      "    {{\"position\": {}, \"variables\": {}, \"clauses\": {}, \"proof_lines\": {}, \"core\": {}, \"seconds\": "
-      "{:.3f}, \"altered_formulas\": {}, \"cut_proofs\": {}, \"refused\": {}, \"proved\": {}, \"fault\": {}}}",
-      quoted(result.name), result.variables, result.clauses, result.proof_lines, result.core, result.seconds,
-      result.controls.altered_formulas, result.controls.cut_proofs, result.controls.refused, result.fault.empty(),
-      quoted(result.fault.empty() ? result.controls.fault : result.fault));
+nlohmann::ordered_json json_of(const sat::PositionResult& result) {
+  return {{"position", result.name},
+          {"variables", result.variables},
+          {"clauses", result.clauses},
+          {"proof_lines", result.proof_lines},
+          {"core", result.core},
+          {"seconds", result.seconds},
+          {"altered_formulas", result.controls.altered_formulas},
+          {"cut_proofs", result.controls.cut_proofs},
+          {"refused", result.controls.refused},
+          {"proved", result.fault.empty()},
+          {"fault", result.fault.empty() ? result.controls.fault : result.fault}};
 }
 
 std::string last_line(const Sums& sums, const sat::Options& options) {
@@ -61,6 +55,8 @@ std::string last_line(const Sums& sums, const sat::Options& options) {
       fmt::format("{}: {} positions, {} clauses, {} proof lines checked by {}",
                   sums.failed == 0 ? "proved" : fmt::format("NOT proved ({} failed)", sums.failed), sums.positions,
                   sums.clauses, sums.proof_lines, options.checker.empty() ? "restrip-sat" : options.checker);
+  if (!options.lrat_checker.empty())
+    line += fmt::format(", the {} on which they rest by {}", sums.core, options.lrat_checker);
   if (options.controls)
     line += fmt::format("; {} altered formulas satisfiable; {} of {} cut proofs refused",
                         sums.controls.altered_formulas, sums.controls.refused, sums.controls.cut_proofs);
@@ -69,7 +65,7 @@ std::string last_line(const Sums& sums, const sat::Options& options) {
 
 int run(const sat::Options& options, bool as_json) {
   Sums sums;
-  std::string json;
+  nlohmann::ordered_json positions = nlohmann::ordered_json::array();
   const bool show_progress = as_json && isatty(STDERR_FILENO) != 0;
   if (!as_json)
     fmt::print("{:<28} {:>9} {:>7} {:>11} {:>6} {:>7}{}\n", "position", "variables", "clauses", "proof lines", "core",
@@ -79,23 +75,22 @@ int run(const sat::Options& options, bool as_json) {
     sums.failed += result.held() ? 0U : 1U;
     sums.clauses += result.clauses;
     sums.proof_lines += result.proof_lines;
+    sums.core += result.core;
     sums.controls.altered_formulas += result.controls.altered_formulas;
     sums.controls.cut_proofs += result.controls.cut_proofs;
     sums.controls.refused += result.controls.refused;
     if (show_progress) fmt::print(stderr, "\r{} positions", sums.positions);
     if (as_json)
-      json += (json.empty() ? "" : ",\n") + json_of(result);
+      positions.push_back(json_of(result));
     else
       fmt::print("{}", line_of(result, options.controls));
     std::fflush(stdout);
   });
   if (show_progress) fmt::print(stderr, "\r\x1b[K");
   if (as_json)
-    fmt::print("{{\n  \"proved\": {},\n  \"positions\": [\n{}\n  ]\n}}\n", sums.failed == 0, json);
+    fmt::print("{}\n", nlohmann::ordered_json{{"proved", sums.failed == 0}, {"positions", positions}}.dump(2));
   else
     fmt::print("{}", last_line(sums, options));
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw std::runtime_error("standard output: what was found could not be written");
   return sums.failed == 0 ? all_claims_hold : some_claim_fails;
 }
 
@@ -127,9 +122,13 @@ int main(int argc, char** argv) {
   app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
   app.add_option("--family", options.families, "Only this certificate, such as split; may be repeated");
   app.add_option("--solver", options.solver, "Called as SOLVER -q --no-binary FORMULA PROOF")->capture_default_str();
-  app.add_option("--checker", options.checker,
-                 "Another proof checker, such as drat-trim, called as CHECKER FORMULA PROOF");
-  app.add_option("--out", options.out, "Keep formulas and proofs in this folder");
+  auto* const checker = app.add_option("--checker", options.checker,
+                                       "Another proof checker, such as drat-trim, called as CHECKER FORMULA PROOF");
+  app.add_option("--lrat-checker", options.lrat_checker,
+                 "A checker of LRAT, such as restrip-lrat, that must accept each proof as well; called as CHECKER "
+                 "FORMULA PROOF")
+      ->excludes(checker);
+  app.add_option("--out", options.out, "Keep formulas and proofs, as DRAT and as LRAT, in this folder");
   auto* const controls =
       app.add_flag("--controls", options.controls,
                    "Alter rows, which must make the formulas satisfiable, and cut lines out of the proofs");
@@ -151,11 +150,6 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? all_claims_hold : bad_input;
   }
 
-  try {
-    return files.empty() ? run(options, as_json) : check_one(files[0], files[1]);
-  } catch (const std::exception& error) {
-    std::fflush(stdout);
-    fmt::print(stderr, "restrip-sat: {}\n", error.what());
-    return bad_input;
-  }
+  return exit_code_of("restrip-sat",
+                      [&] { return files.empty() ? run(options, as_json) : check_one(files[0], files[1]); });
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "sat/rup.hpp"
@@ -13,8 +14,8 @@ namespace {
 constexpr std::size_t of_the_formula = std::numeric_limits<std::size_t>::max();
 
 /// Follows the clauses used back from the empty clause.
-std::vector<std::size_t> core_of(const std::vector<std::vector<RupClauses::Id>>& used_by_step,
-                                 const std::vector<std::size_t>& step_of_clause) {
+ProofVerdict core_of(const std::vector<std::vector<RupClauses::Id>>& used_by_step,
+                     const std::vector<std::size_t>& step_of_clause, std::size_t in_formula) {
   std::vector<bool> needed(used_by_step.size(), false);
   needed.back() = true;
   std::vector<std::size_t> core;
@@ -25,7 +26,18 @@ std::vector<std::size_t> core_of(const std::vector<std::vector<RupClauses::Id>>&
       if (step_of_clause[id] != of_the_formula) needed[step_of_clause[id]] = true;
   }
   std::reverse(core.begin(), core.end());
-  return core;
+
+  std::vector<std::size_t> number_of_step(used_by_step.size(), 0);
+  for (std::size_t i = 0; i < core.size(); ++i) number_of_step[core[i]] = in_formula + 1 + i;
+  std::vector<std::vector<std::size_t>> hints;
+  for (const std::size_t step : core) {
+    hints.emplace_back();
+    // The clauses used are listed from the conflict back.
+    for (auto id = used_by_step[step].rbegin(); id != used_by_step[step].rend(); ++id)
+      hints.back().push_back(step_of_clause[*id] == of_the_formula ? *id + std::size_t{1}
+                                                                   : number_of_step[step_of_clause[*id]]);
+  }
+  return {true, {}, std::move(core), std::move(hints)};
 }
 
 }  // namespace
@@ -41,17 +53,30 @@ ProofVerdict check_proof(const Cnf& cnf, const Proof& proof) {
     used_by_step.emplace_back();
     if (next.deletes) {
       if (!clauses.remove(next.clause))
-        return {false, fmt::format("line {}: deletes a clause that is not there", next.line), {}};
+        return {false, fmt::format("line {}: deletes a clause that is not there", next.line), {}, {}};
       continue;
     }
     auto used = clauses.used_to_derive(next.clause);
-    if (!used) return {false, fmt::format("line {}: does not follow by unit propagation", next.line), {}};
+    if (!used) return {false, fmt::format("line {}: does not follow by unit propagation", next.line), {}, {}};
     used_by_step.back() = std::move(*used);
-    if (next.clause.empty()) return {true, {}, core_of(used_by_step, step_of_clause)};
+    if (next.clause.empty()) return core_of(used_by_step, step_of_clause, cnf.clauses.size());
     clauses.add(next.clause);
     step_of_clause.push_back(step);
   }
-  return {false, "the empty clause is missing", {}};
+  return {false, "the empty clause is missing", {}, {}};
+}
+
+std::string lrat_of(const Cnf& cnf, const Proof& proof, const ProofVerdict& verdict) {
+  fmt::memory_buffer text;
+  for (std::size_t i = 0; i < verdict.core.size(); ++i) {
+    fmt::format_to(std::back_inserter(text), "{} ", cnf.clauses.size() + 1 + i);
+    for (const Literal literal : proof[verdict.core[i]].clause)
+      fmt::format_to(std::back_inserter(text), "{} ", literal);
+    fmt::format_to(std::back_inserter(text), "0 ");
+    for (const std::size_t hint : verdict.hints[i]) fmt::format_to(std::back_inserter(text), "{} ", hint);
+    fmt::format_to(std::back_inserter(text), "0\n");
+  }
+  return fmt::to_string(text);
 }
 
 }  // namespace restrip::verify::sat

@@ -66,6 +66,7 @@ class Prover {
     }
     folder_.finish(file_ + ".cnf");
     if (!model) folder_.finish(file_ + ".drat");
+    if (verdict_.proved) folder_.finish(file_ + ".lrat");
     return std::move(result_);
   }
 
@@ -89,7 +90,15 @@ class Prover {
     }
     verdict_ = check_proof(parse_dimacs(formula_file, read_file(formula_file)), proof_);
     result_.core = verdict_.core.size();
-    if (!verdict_.proved) result_.fault = fmt::format("the proof is wrong: {}", verdict_.fault);
+    if (!verdict_.proved) {
+      result_.fault = fmt::format("the proof is wrong: {}", verdict_.fault);
+      return;
+    }
+    folder_.write(file_ + ".lrat", lrat_of(cnf, proof_, verdict_));
+    if (!options_.lrat_checker.empty() &&
+        !foreign_checker_agrees(options_.lrat_checker, formula_file, folder_.path(file_ + ".lrat"),
+                                folder_.path(file_ + ".answer")))
+      result_.fault = fmt::format("{} does not accept the proof", options_.lrat_checker);
   }
 
   void alter_rows(const Position& position, const std::vector<Bound>& bounds) {

@@ -14,8 +14,9 @@ struct Options {
   std::vector<std::string> families;  ///< of certificates; all when empty
   unsigned max_k = largest_fan;
   std::string solver = "cadical";
-  std::string checker;  ///< another one, instead of ours
-  std::string out;      ///< where formulas and proofs are kept; nowhere when empty
+  std::string checker;       ///< another one, instead of ours
+  std::string lrat_checker;  ///< one that confirms what ours has found, given the proof as LRAT; none when empty
+  std::string out;           ///< where formulas and proofs are kept; nowhere when empty
   bool controls = false;
   std::size_t control_rows = 2;  ///< rows that the controls alter at each position; 0 for every row
   unsigned threads = 1;

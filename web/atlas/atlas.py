@@ -188,7 +188,7 @@ def body_of(page, sides, met):
             f'{legend(page)}<form id="filter" hidden>{filters}{sorting}<label>solid ports <input name="ports" size="10" placeholder="0 3"></label>'
             '<output></output></form>'
             f'<style>@media (max-width: 700px), print {{ {heads} }}</style>'
-            f'<div class="wide"><table id="rules"><thead><tr>{"".join(f"<th>{c}</th>" for c in columns)}</tr></thead><tbody>\n{rows}\n</tbody></table></div>'
+            f'<div class="wide" tabindex="0"><table id="rules"><thead><tr>{"".join(f"<th>{c}</th>" if c else "<td></td>" for c in columns)}</tr></thead><tbody>\n{rows}\n</tbody></table></div>'
             f'<script type="application/json" id="patches">{patches}</script>')
 
 
@@ -216,7 +216,7 @@ def index_body(groups, picture, met):
             rows += (f'<tr><td><a href="{page.name}.html">{escaped(page.section.text)}</a></td><td>{grouped(len(page.section.rules))}</td>'
                      f'<td>{grouped(claims["valid"])}</td><td>{grouped(page.costing)}</td><td>{signed(claims["worst-isolated"])}</td>'
                      + (f"<td>{100 * page.met / sum(met.values()):.1f} %</td>" if with_met else "") + "</tr>")
-        table = ('<div class="wide"><table class="index"><thead><tr><th></th><th>rules</th><th>valid configurations</th>'
+        table = ('<div class="wide" tabindex="0"><table class="index"><thead><tr><td></td><th>rules</th><th>valid configurations</th>'
                  f'<th>of which cost a {pages[0].unit}</th><th>most triangles isolated</th>{"<th>splits of real meshes</th>" if with_met else ""}'
                  f'</tr></thead><tbody>{rows}</tbody></table></div>')
         abouts = dict.fromkeys(position.description.about for page in pages for position in page.positions)

@@ -1,10 +1,19 @@
-/** Reads OBJ, OFF, PLY, GLB, or an OpenMesh progressive mesh (PM); the extension of `name` decides. Polygons are cut into
- * triangles. A baked mesh is given as its bytes. Throws an Error that says what is wrong. */
-export function readMesh(name: string, content: ArrayBuffer | Uint8Array): Mesh | ProgressiveMesh | BakedMesh;
+/** Compiles the readers of the program `restrip`: their bytes, or where to fetch them from; the file restrip-readers.wasm of this
+ * package when nothing is given. Throws an Error where it cannot be had. */
+export function loadReaders(source?: WebAssembly.Module | ArrayBuffer | ArrayBufferView | URL | string): Promise<ReadMesh>;
 
+/** Reads a mesh file: OBJ, OFF, PLY, STL, glTF and GLB, progressive meshes (PM) of OpenMesh and of Hoppe, and baked meshes; the
+ * extension of `name` decides. Strips and polygons become triangles; vertices of glTF at one place become one. Throws an Error
+ * that says what is wrong, in the program's words. A .gltf whose buffers are files of their own cannot be read. */
+export type ReadMesh = (name: string, content: ArrayBuffer | ArrayBufferView) => Promise<Mesh | ProgressiveMesh | BakedMesh>;
+
+interface Read {
+  /** What vertices of the file have beside their places, in words; empty if nothing. */
+  leftOut: string;
+}
 /** Three numbers a vertex, three a triangle. */
-export interface Mesh { points: number[]; triangles: number[]; base?: undefined; baked?: undefined }
+export interface Mesh extends Read { points: Float32Array; triangles: Uint32Array; base?: undefined; baked?: undefined }
 /** See Restrip.progressive. */
-export interface ProgressiveMesh { points: number[]; base: number[]; splits: number[]; triangles?: undefined; baked?: undefined }
+export interface ProgressiveMesh extends Read { points: Float32Array; base: Uint32Array; splits: Uint32Array; triangles?: undefined; baked?: undefined }
 /** See Restrip.baked. */
-export interface BakedMesh { baked: Uint8Array; triangles?: undefined; base?: undefined }
+export interface BakedMesh extends Read { baked: Uint8Array; triangles?: undefined; base?: undefined }

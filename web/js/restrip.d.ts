@@ -131,9 +131,9 @@ export class StripMesh implements Disposable {
   updateList(options?: { whole?: boolean }): Range[];
   /** That list, 3 indices a triangle. A view, not a copy. */
   readonly listIndices: Uint32Array;
-  /** Strips of the mesh as it is, made anew by the fastest way there is here; those that are kept do not change. Copies of
-   * their index buffer and of their triangles, as in `ribbon`. Linear time. */
-  fromScratch(options?: { cost?: Cost }): { indices: Uint32Array; ribbon: Uint32Array };
+  /** A copy of the index buffer of strips that are made anew, by the fastest way there is here, in a copy of the mesh as it
+   * is; those that are kept do not change. Linear time. */
+  fromScratch(options?: { cost?: Cost }): Uint32Array;
   /** The index buffer: one triangle strip with restarts. A view, not a copy. */
   readonly indices: Uint32Array;
   /** A copy of the triangles, 3 numbers each. */
@@ -151,6 +151,8 @@ export class StripMesh implements Disposable {
    * triangles beyond its three sides (`none` at the boundary), a mask of the sides where its strip goes on, and the strip,
    * named by its lowest triangle. Side 0 is from the first corner to the second. Linear time. */
   readonly ribbon: Uint32Array;
+  /** The same of the strips that fromScratch() made last; empty before. */
+  readonly scratchRibbon: Uint32Array;
   /** The strips as lines, 8 numbers a segment: two points, the strip, 1 at its end. Linear time. */
   readonly lines: Float32Array;
   /** Where a ray meets the mesh first, or null. Linear time. */

@@ -2,6 +2,7 @@
 //
 // The library is one WebAssembly module without imports. Arguments that are lists are copied in; the index buffer is
 // looked at where it lies.
+import { compiled } from './module.mjs';
 
 const families = ['split', 'collapse', 'open-split', 'open-collapse', 'boundary-split', 'boundary-collapse', 'flip'];
 const costs = { strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart: 3, swap: 1, isolated: 0 } };
@@ -15,19 +16,7 @@ export const small = new URL('./restrip-small.wasm', import.meta.url);
 
 /// Compiles the module: its bytes, or where to fetch it from; the file beside this one when nothing is given.
 export async function load(source = new URL('./restrip.wasm', import.meta.url)) {
-  let module;
-  if (source instanceof WebAssembly.Module) module = source;
-  else if (source instanceof ArrayBuffer || ArrayBuffer.isView(source)) module = await WebAssembly.compile(source);
-  else if (String(source).startsWith('file:')) {
-    const files = 'node:fs/promises';  // a name that bundlers for browsers do not look for
-    const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ files);
-    module = await WebAssembly.compile(await readFile(new URL(source)));
-  } else {
-    const answer = await fetch(source);
-    if (!answer.ok) throw new Error(`${source}: ${answer.status} ${answer.statusText}`);
-    module = await WebAssembly.compile(await answer.arrayBuffer());
-  }
-  const instance = await WebAssembly.instantiate(module, {});
+  const instance = await WebAssembly.instantiate(await compiled(source), {});
   instance.exports._initialize();
   // A number of WebAssembly is signed; ours are addresses, some above 2 GB, and counts.
   const unsigned = (call) => (typeof call === 'function' ? (...values) => call(...values) >>> 0 : call);
@@ -280,8 +269,7 @@ export class StripMesh {
   updateList({ whole: all = false } = {}) { return this.#ranges(this.#wasm.restrip_update_list(this.#kept, all ? 1 : 0)); }
   get listIndices() { return listAt(this.#wasm, this.#wasm.restrip_list(this.#kept), Uint32Array, 1); }
   fromScratch({ cost = 'strips' } = {}) {
-    const indices = listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost)), Uint32Array, 1).slice();
-    return { indices, ribbon: listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 1), Uint32Array, 9).slice() };
+    return listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost)), Uint32Array, 1).slice();
   }
   #ranges(address) {
     const flat = listAt(this.#wasm, address, Uint32Array, 2);
@@ -303,6 +291,7 @@ export class StripMesh {
   get valid() { return this.#wasm.restrip_valid(this.#kept) === 1; }
 
   get ribbon() { return listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 0), Uint32Array, 9).slice(); }
+  get scratchRibbon() { return listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 1), Uint32Array, 9).slice(); }
   get lines() { return listAt(this.#wasm, this.#wasm.restrip_lines(this.#kept), Float32Array, 1).slice(); }
   pick(from, along) {
     for (const [what, place] of [['from', from], ['along', along]])

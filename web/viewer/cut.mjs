@@ -2,6 +2,7 @@
 // and the patch as the rule mended it; on the mesh and as drawings that point at each other.
 import { none } from '../js/restrip.mjs';
 import { cross, unit } from './camera.mjs';
+import { largestPuzzle } from './puzzles.mjs';
 import { fanPicture, listed, representative, ringPicture, ruleName } from './patch.mjs';
 
 /// Milliseconds from the click on, at which the new triangles begin to open, are open, and the rule has mended.
@@ -204,6 +205,7 @@ export class Cut {
     const { by, viewer } = this;
     const last = viewer.figures.operations > 0 ? viewer.mesh.last : null;
     this.#mark();
+    by('take').disabled = !(last?.kind === 'split' && last.closed && last.k <= largestPuzzle);
     if (!last) {
       by('last-text').textContent = 'None yet.';
       by('last-pictures').replaceChildren();

@@ -1,20 +1,87 @@
-// What the page shows, as the part of its address behind #, so that a link shows it to others.
+// The parts of the page, and what it shows as the part of its address behind #, so that a link shows it to others.
+
+/// A part, and what can be done on the picture while it is shown.
+const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, STL, glTF, PM, baked.';
+const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.', turn: '', race: 'Drag to turn both.', use: usual };
+
+/// Choices that an address names, but for these values.
+const usualChoices = { policy: null, cost: 'strips', mode: 'level', style: 'strips', rival: 'scratch', 'race-policy': 'quick', 'race-cost': 'indices', stride: '0.01' };
 
 /// The state that an address names; numbers and lists are checked where they are used.
 export const readLink = (hash) => Object.fromEntries(new URLSearchParams(hash.replace(/^#/, '')));
 
 /// Puts a state into the address; what is empty is left out.
-export function writeLink(state) {
+function writeLink(state) {
   const told = Object.entries(state).filter(([, value]) => value !== undefined && value !== '');
   const hash = `#${new URLSearchParams(told).toString().replaceAll('%2C', ',')}`;
   if (hash !== location.hash) history.replaceState(null, '', hash);
 }
 
 /// A camera's place as text, and back; null where the text is none.
-export const placeText = ({ yaw, pitch, distance, target }) => [yaw, pitch, distance, ...target].map((n) => n.toFixed(3)).join(',');
-export function placeOf(text) {
+const placeText = ({ yaw, pitch, distance, target }) => [yaw, pitch, distance, ...target].map((n) => n.toFixed(3)).join(',');
+function placeOf(text) {
   const numbers = (text ?? '').split(',').map(Number);
   if (numbers.length !== 6 || !numbers.every(Number.isFinite) || numbers[2] <= 0) return null;
   const [yaw, pitch, distance, ...target] = numbers;
   return { yaw, pitch: Math.max(-1.5, Math.min(1.5, pitch)), distance, target };
+}
+
+export class Link {
+  #telling = 0;
+  #known = '';  // the address as it was followed or told
+
+  constructor(viewer, by) {
+    this.viewer = viewer;
+    this.by = by;
+    addEventListener('hashchange', () => this.follow());
+  }
+
+  /// Shows what the address names; what it does not name stays.
+  follow() {
+    const { by, viewer } = this;
+    this.#known = location.hash;
+    const state = readLink(this.#known);
+    viewer.part = Object.hasOwn(parts, state.part ?? '') ? state.part : 'ribbon';
+    for (const id of Object.keys(usualChoices)) {
+      const option = state[id] === undefined ? null : [...by(id).options].find(({ value, disabled }) => value === state[id] && !disabled);
+      if (!option || by(id).value === option.value) continue;
+      by(id).value = option.value;
+      by(id).dispatchEvent(new Event('change'));
+    }
+    const level = Number(state.level ?? NaN);
+    if (Number.isInteger(level) && level >= 0 && level <= viewer.mesh.levels && level !== viewer.level) viewer.moveTo(level);
+    for (const record of (state.cut ?? '').split(',').filter(Boolean).map(Number))
+      if (!viewer.clicks.includes(record) && viewer.canSplit(record)) viewer.splitRecord(record);
+    const place = placeOf(state.view);
+    if (place) viewer.camera.place = place;
+    this.#showPart();
+    viewer.turn.goTo(state);
+    viewer.ask();
+  }
+  #showPart() {
+    const { by, viewer } = this;
+    for (const part of Object.keys(parts)) {
+      by(`part-${part}`).hidden = part !== viewer.part;
+      const link = by('parts').querySelector(`[href="#part=${part}"]`);
+      if (part === viewer.part) link.setAttribute('aria-current', 'page');
+      else link.removeAttribute('aria-current');
+    }
+    document.body.dataset.part = viewer.part;
+    by('hint').textContent = parts[viewer.part];
+    if (['ribbon', 'race'].includes(viewer.part)) by(`part-${viewer.part}`).querySelector('.claim').after(by('level-row'));
+  }
+
+  /// Brings the address in step with what has settled, at most once in a while: with the light on every frame calls this.
+  tell() {
+    this.#telling ||= setTimeout(() => {
+      const { by, viewer } = this;
+      this.#telling = 0;
+      if (!viewer.settled || location.hash !== this.#known) return;  // another address is about to be followed
+      const view = placeText(viewer.camera.place);
+      const choices = Object.entries(usualChoices).map(([id, ordinary]) => [id, by(id).value === ordinary ? undefined : by(id).value]);
+      writeLink({ part: viewer.part, level: viewer.level, ...Object.fromEntries(choices), cut: viewer.clicks.join(','),
+        view: view === placeText(viewer.home) ? undefined : view, ...viewer.turn.state });
+      this.#known = location.hash;
+    }, 400);
+  }
 }

@@ -43,6 +43,12 @@ export class Patch {
   face(i, corners) {
     this.extra += `<path class="face" data-face="${i}" d="M${corners.map((p) => p.map((c) => c.toFixed(1)).join(',')).join('L')}z"/>`;
   }
+  /// The name of a triangle, beside its node: so far away, turned by so much from where something is.
+  name(node, toward, away, turn, text) {
+    const [x, y] = toward.map((c, n) => (c - node[n]) * away / Math.hypot(toward[0] - node[0], toward[1] - node[1]));
+    const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
+    this.extra += `<text x="${(node[0] + cos * x - sin * y).toFixed(1)}" y="${(node[1] + sin * x + cos * y).toFixed(1)}">${text}</text>`;
+  }
   svg(description) {
     const dots = this.nodes.map(([x, y]) => `M${x.toFixed(1)},${y.toFixed(1)}h0`).join('');
     const paths = { ...this.faces, ...this.strokes, node: dots };
@@ -70,8 +76,9 @@ export function fanPicture(k, a, loop, ports, description, { click = false, face
   return patch.svg(description);
 }
 
-/// The ring with chord after it, in the same way; its ports cannot be clicked. `marked`: inner edges to point at.
-export function ringPicture(k, a, inner, ports, description, { click = false, faces = false, marked = 0n } = {}) {
+/// The ring with chord after it, in the same way; its ports cannot be clicked. `marked`: inner edges to point at;
+/// `named`: each triangle has its name on it.
+export function ringPicture(k, a, inner, ports, description, { click = false, faces = false, named = false, marked = 0n } = {}) {
   const rim = rimOf(k, a);
   const patch = new Patch();
   const toward = (first, last) => middle(...rim.slice(first, last + 1)).map((c) => 200 + (c - 200) * 0.45);
@@ -91,6 +98,11 @@ export function ringPicture(k, a, inner, ports, description, { click = false, fa
     if (click) patch.hit(`inner ${edge}`, `edge between ${names[i]} and ${names[j]}`, has(inner, edge), line);
   });
   for (let i = 0; i < k; ++i) patch.port(i, rim[i], rim[i + 1], has(ports, i));
+  if (named) {
+    // Between the port and an edge; behind the new triangles is nothing.
+    for (let i = 0; i < k; ++i) patch.name(patch.nodes[i], middle(rim[i], rim[i + 1]), 26, 0.9, names[i]);
+    [rim[0], rim[a]].forEach((place, n) => patch.name(patch.nodes[k + n], place, 44, 0, names[k + n]));
+  }
   return patch.svg(description);
 }
 
@@ -101,7 +113,7 @@ export function ringEdges(k, a) {
 }
 
 /// Pairs of consecutive solid ports that are joined in a closed fan, each as [port, the one that precedes it].
-function joinedPairs(k, loop, ports) {
+export function joinedPairs(k, loop, ports) {
   const solid = [];
   for (let i = 0; i < k; ++i) if (has(ports, i)) solid.push(i);
   const pairs = [];
@@ -116,13 +128,13 @@ function joinedPairs(k, loop, ports) {
 }
 
 /// Bit j (j - 1) / 2 + i is the pair of ports i < j.
-const maskOf = (pairs) => pairs.reduce((mask, [p, q]) => {
+export const pairsMask = (pairs) => pairs.reduce((mask, [p, q]) => {
   const [i, j] = p < q ? [p, q] : [q, p];
   return mask | 1n << BigInt(j * (j - 1) / 2 + i);
 }, 0n);
 
 /// The smallest key (ports, joined pairs; docs/certificate.md) in the orbit of a closed fan that is split at (k, a), which has
-/// a row in the atlas; or the key of the fan itself.
+/// a row in the atlas, with the map of triangles that leads there; or the key of the fan itself.
 export function representative(k, a, loop, ports, itself = false) {
   const pairs = joinedPairs(k, loop, ports);
   const maps = itself ? [(i) => i] : [(i) => i, (i) => (((a - 1 - i) % k) + k) % k];
@@ -131,8 +143,8 @@ export function representative(k, a, loop, ports, itself = false) {
   for (const map of maps) {
     let moved = 0n;
     for (let i = 0; i < k; ++i) if (has(ports, i)) moved |= 1n << BigInt(map(i));
-    const joined = maskOf(pairs.map(([p, q]) => [map(p), map(q)]));
-    if (!best || moved < best.ports || (moved === best.ports && joined < best.joined)) best = { ports: moved, joined };
+    const joined = pairsMask(pairs.map(([p, q]) => [map(p), map(q)]));
+    if (!best || moved < best.ports || (moved === best.ports && joined < best.joined)) best = { ports: moved, joined, map };
   }
   return best;
 }

@@ -1,5 +1,4 @@
-// From a mesh file to what the viewer shows: a progressive mesh, and the normals of its finest level.
-import { readMesh } from '../js/formats.mjs';
+// From what a mesh file has to what the viewer shows: a progressive mesh, and the normals of its finest level.
 
 function normalsOf(points, triangles) {
   const normals = new Float32Array(points.length);
@@ -17,9 +16,9 @@ function normalsOf(points, triangles) {
   return normals;
 }
 
-/// A generator of the share that is done; it returns the mesh. Throws an Error that says what is wrong with the file.
-export function* prepared(restrip, name, bytes) {
-  const read = readMesh(name, bytes);
+/// A generator of the share that is done; it returns the mesh. `read` is as the readers give it (js/formats.d.ts). Throws an
+/// Error that says what is wrong.
+export function* prepared(restrip, name, read) {
   const mesh = read.baked ? restrip.baked(read.baked) : read.base ? restrip.progressive(read) : yield* restrip.simplifying(read);
   try {
     if (mesh.levels === 0) throw new Error(`${name}: no edge of it can be collapsed, so it has one level only`);

@@ -93,7 +93,6 @@ void main() { pixel = vec4(mix(vec3(0.5), hue(fract(strip * 0.6180339887)), 0.62
 
 export class Scene {
   bytesUploaded = 0;  // of the index buffer, since it was asked last
-  wholeUploads = 0;
   #gl;
   #programs = {};
   #room = 0;
@@ -154,17 +153,23 @@ export class Scene {
     gl.bufferData(gl.ARRAY_BUFFER, points, gl.STATIC_DRAW);
     this.#room = 0;
   }
-  /// Copies the ranges that changed; everything only where the buffer has outgrown its room.
-  upload(indices, ranges) {
+  /// Storage for so many indices, so that none need be made while they grow.
+  reserve(length) {
     const gl = this.#gl;
     gl.bindVertexArray(this.surface);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, 4 * length, gl.DYNAMIC_DRAW);
+    this.#room = length;
+  }
+  /// Copies the ranges that changed; everything only where the buffer has outgrown its room.
+  upload(indices, ranges) {
+    const gl = this.#gl;
     if (indices.length > this.#room) {
-      this.#room = Math.ceil(indices.length * 1.3);
-      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, 4 * this.#room, gl.DYNAMIC_DRAW);
+      this.reserve(Math.ceil(indices.length * 1.3));
       ranges = [{ first: 0, count: indices.length }];
-      ++this.wholeUploads;
     }
+    gl.bindVertexArray(this.surface);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
     for (const { first, count } of ranges) {
       if (count === 0) continue;
       gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, 4 * first, indices, first, count);
@@ -189,10 +194,10 @@ export class Scene {
     gl.bufferData(gl.ARRAY_BUFFER, lines, gl.DYNAMIC_DRAW);
   }
 
-  /// `style`: shaded, strips (the ribbon as it was painted), lines (over the surface). `patch`: triangles to be
-  /// marked. `list`: draws these triangles instead of the live buffer, to compare with it. `time`: of the light that runs
+  /// `style`: shaded, list (the same from a buffer that is a triangle list), strips (the ribbon as it was painted), lines
+  /// (over the surface). `patch`: triangles to be marked. `glow`: triangles that are lit, and how much, from 0 to 1. `list`: draws these triangles instead of the live buffer, to compare with it. `time`: of the light that runs
   /// along strips, in seconds; less than 0: none.
-  draw(camera, { style, length, patch, list, ink, paper, time = -1 }) {
+  draw(camera, { style, length, patch, glow, list, ink, paper, time = -1 }) {
     const gl = this.#gl;
     this.#clear(paper);
     const view = camera.view();
@@ -208,11 +213,12 @@ export class Scene {
         gl.drawElements(gl.TRIANGLES, list.length, gl.UNSIGNED_INT, 0);
       } else {
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
-        gl.drawElements(gl.TRIANGLE_STRIP, length, gl.UNSIGNED_INT, 0);
+        gl.drawElements(style === 'list' ? gl.TRIANGLES : gl.TRIANGLE_STRIP, length, gl.UNSIGNED_INT, 0);
       }
     }
     gl.disable(gl.POLYGON_OFFSET_FILL);
-    if (patch && patch.length > 0) this.#drawPatch(patch, this.#surfaceProgram(view, projection, 1));
+    if (glow?.strength > 0) this.#drawOver(glow.triangles, this.#surfaceProgram(view, projection, 1), 0.4 * glow.strength);
+    if (patch?.length > 0) this.#drawPatch(patch, this.#surfaceProgram(view, projection, 1));
     if (style === 'lines' && !list) this.#drawLines(multiply(projection, view), 1.5 * (window.devicePixelRatio || 1));
   }
   #clear(paper) {
@@ -249,22 +255,27 @@ export class Scene {
     gl.uniform1f(at('flatness'), flatness);
     return at('paint');
   }
-  #drawPatch(patch, color) {
+  #drawOver(triangles, color, opacity, edges = []) {
     const gl = this.#gl;
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthFunc(gl.LEQUAL);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.other);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, patch, gl.STREAM_DRAW);
-    gl.uniform4f(color, 1, 0.72, 0.1, 0.55);
-    gl.drawElements(gl.TRIANGLES, patch.length, gl.UNSIGNED_INT, 0);
-    const edges = [];
-    for (let i = 0; i < patch.length; i += 3) edges.push(patch[i], patch[i + 1], patch[i + 1], patch[i + 2], patch[i + 2], patch[i]);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array(edges), gl.STREAM_DRAW);
-    gl.uniform4f(color, 0.25, 0.1, 0, 1);
-    gl.drawElements(gl.LINES, edges.length, gl.UNSIGNED_INT, 0);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, triangles, gl.STREAM_DRAW);
+    gl.uniform4f(color, 1, 0.72, 0.1, opacity);
+    gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_INT, 0);
+    if (edges.length > 0) {
+      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array(edges), gl.STREAM_DRAW);
+      gl.uniform4f(color, 0.25, 0.1, 0, 1);
+      gl.drawElements(gl.LINES, edges.length, gl.UNSIGNED_INT, 0);
+    }
     gl.depthFunc(gl.LESS);
     gl.disable(gl.BLEND);
+  }
+  #drawPatch(patch, color) {
+    const edges = [];
+    for (let i = 0; i < patch.length; i += 3) edges.push(patch[i], patch[i + 1], patch[i + 1], patch[i + 2], patch[i + 2], patch[i]);
+    this.#drawOver(patch, color, 0.55, edges);
   }
   #drawLines(all, width) {
     const gl = this.#gl;

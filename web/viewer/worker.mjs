@@ -1,10 +1,12 @@
 // The worker that prepares one mesh, so that the page goes on meanwhile.
+import { loadReaders } from '../js/formats.mjs';
 import { load } from '../js/restrip.mjs';
 import { prepared } from './prepare.mjs';
 
-onmessage = async ({ data: { wasm, name, bytes } }) => {
+onmessage = async ({ data: { wasm, readers, name, bytes } }) => {
   try {
-    const steps = prepared(await load(wasm), name, bytes);
+    const readMesh = await loadReaders(readers);
+    const steps = prepared(await load(wasm), name, await readMesh(name, bytes));
     for (;;) {
       const { done, value } = steps.next();
       postMessage(done ? { mesh: value } : { share: value });

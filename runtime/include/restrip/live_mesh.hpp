@@ -127,15 +127,4 @@ class LiveMesh {
   std::optional<BufferHistory> buffers_;  // where there is a history; in step with it
 };
 
-/// For a mesh that stays as it is: a triangle list in, the indices of strips with primitive restart out. `report` tells
-/// what of the list was left out. Throws as StripMesh::build and stripify do.
-template <class Triangles>
-[[nodiscard]] std::vector<std::uint32_t> strips_of(const Triangles& triangles, std::size_t vertex_count,
-                                                   Effort effort = Effort::full, Cost cost = Cost::indices(),
-                                                   BuildReport* report = nullptr) {
-  StripMesh mesh = StripMesh::build(triangles, vertex_count, report);
-  stripify(mesh, effort, cost);
-  return strip_indices(mesh);
-}
-
 }  // namespace restrip

@@ -1,9 +1,9 @@
 // restrip: triangle strips kept while the mesh changes, by proven local rules. Header-only, C++20, standard library
 // only.
 //
-// Start with live_mesh.hpp (mesh, strips and index buffer in one object), or with search/keeper.hpp and mesh/mesh.hpp
-// for a mesh of your own (what it must offer). The folders are floors: each includes only those named before it here,
-// and the two of a line do not know each other.
+// Start with live_mesh.hpp (mesh, strips and index buffer in one object), with search/strips_of.hpp for a mesh that
+// stays as it is, or with search/keeper.hpp and mesh/mesh.hpp for a mesh of your own (what it must offer). The folders
+// are floors: each includes only those named before it here, and the two of a line do not know each other.
 //
 //   rules/                   look a rule up: constexpr, knows no mesh
 //   mesh/                    what a mesh must offer, StripMesh, checks of preconditions, walks
@@ -25,6 +25,7 @@
 #include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/refusal.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/triangle_list.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/mesh/watched.hpp"
 #include "restrip/operations/adopt.hpp"
@@ -62,6 +63,7 @@
 #include "restrip/search/sided_mesh.hpp"
 #include "restrip/search/strip_locator.hpp"
 #include "restrip/search/stripify.hpp"
+#include "restrip/search/strips_of.hpp"
 #include "restrip/search/tunnel.hpp"
 #include "restrip/search/window.hpp"
 #include "restrip/search/window_rounds.hpp"

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-#include "frontier_search.hpp"
 #include "naive_patch.hpp"
+#include "outside_frontier.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/adopt.hpp"
 #include "restrip/operations/join.hpp"
@@ -351,7 +351,7 @@ class LargeFan {
   }
   [[nodiscard]] long best(const StripMesh& mesh, const naive::Patch& after, const naive::Analysis& before) const {
     const naive::Bits ports = solid_ports(mesh);
-    return naive::FrontierSearch(after, ports, naive::key_of(fan_, ports, before.joined)).best();
+    return naive::best_for_key(after, ports, naive::key_of(fan_, ports, before.joined));
   }
 
   bool closed_;

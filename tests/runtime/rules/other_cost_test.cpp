@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "naive_turns.hpp"
-#include "restrip/rules/exact.hpp"
+#include "fan_operation.hpp"
 #include "turn_frontier.hpp"
 
 namespace restrip::exact {
@@ -26,78 +25,8 @@ static_assert(best_fan_collapse(1, 0, 0).value == Value{0, 1});
 
 constexpr naive::Weights weights{RESTRIP_TEST_WEIGHTS};
 
-struct Key {
-  Word ports = 0;
-  Word joined = 0;
-  Turns turns;
-};
-struct LongKey {
-  BitSpan ports;
-  BitSpan joined;
-  LongTurns turns;
-};
-
-// The operations by number, with all their positions.
-struct OperationAt {
-  int family = 0;
-  std::size_t k = 0;
-  std::size_t i = 0;  // a, or the first gap
-  std::size_t j = 0;
-
-  naive::TurnPatch patch() const {
-    switch (family) {
-      case 0:
-        return naive::turning_split(k, i);
-      case 1:
-        return naive::turning_collapse(k);
-      case 2:
-        return naive::turning_open_split(k, i, j);
-      case 3:
-        return naive::turning_boundary_split(k, i);
-      default:
-        return naive::turning_fan_collapse(k);
-    }
-  }
-
-  Recoloring best(const Key& key) const {
-    switch (family) {
-      case 0:
-        return best_split(k, i, key.ports, key.joined, key.turns);
-      case 1:
-        return best_collapse(k, key.ports, key.joined, key.turns);
-      case 2:
-        return best_open_split(k, i, j, key.ports, key.joined, key.turns);
-      case 3:
-        return best_boundary_split(k, i, key.ports, key.joined, key.turns);
-      default:
-        return best_fan_collapse(k, key.ports, key.joined, key.turns);
-    }
-  }
-
-  Value best(const LongKey& key, MutableBitSpan colors) const {
-    switch (family) {
-      case 0:
-        return best_split(k, i, key.ports, key.joined, colors, key.turns);
-      case 1:
-        return best_collapse(k, key.ports, key.joined, colors, key.turns);
-      case 2:
-        return best_open_split(k, i, j, key.ports, key.joined, colors, key.turns);
-      case 3:
-        return best_boundary_split(k, i, key.ports, key.joined, colors, key.turns);
-      default:
-        return best_fan_collapse(k, key.ports, key.joined, colors, key.turns);
-    }
-  }
-
-  std::string text() const {
-    const char* names[] = {"split", "collapse", "open split", "boundary split", "fan collapse"};
-    return std::string(names[family]) + " k " + std::to_string(k) + " at " + std::to_string(i) + " " +
-           std::to_string(j);
-  }
-};
-
-std::vector<OperationAt> operations(std::size_t k) {
-  std::vector<OperationAt> all;
+std::vector<FanOperation> operations(std::size_t k) {
+  std::vector<FanOperation> all;
   for (std::size_t a = 1; k >= 3 && a < k; ++a) all.push_back({0, k, a, 0});
   if (k >= 3) all.push_back({1, k, 0, 0});
   for (std::size_t i = 0; i < k; ++i) {
@@ -123,7 +52,7 @@ struct Sound {
 };
 
 // Every key of one operation, in four steps: ports, what is behind them, what is joined. Returns the number of keys.
-std::size_t check_all_keys(const OperationAt& operation) {
+std::size_t check_all_keys(const FanOperation& operation) {
   const naive::TurnPatch patch = operation.patch();
   const std::size_t k = operation.k;
   const std::size_t colors = patch.graph.edges.size();
@@ -160,7 +89,7 @@ std::size_t check_all_keys(const OperationAt& operation) {
           // Of two ports in a ring either bit stands for the pair.
           const bool two = patch.graph.cyclic && count_bits(ports) == 2 && joined != 0;
           const Word meant = two ? ports : joined;
-          const Recoloring best = operation.best({ports, joined, {left, right}});
+          const Recoloring best = operation.best(ports, joined, Turns{left, right});
           const int at = best.colors < number_of.size() ? number_of[best.colors] : -1;
           if (at < 0 || (sounds[static_cast<std::size_t>(at)].needed & ~meant) != 0 ||
               costs[static_cast<std::size_t>(at)] != least[meant]) {
@@ -190,7 +119,7 @@ TEST(OtherCost, EveryKeyOfEveryPosition) {
   std::size_t words = 1;
   for (std::size_t k = 1; k <= largest; ++k) {
     words *= 7;  // a dashed port, or a solid one, joined or not, with one of three things behind it
-    for (const OperationAt& operation : operations(k)) {
+    for (const FanOperation& operation : operations(k)) {
       EXPECT_EQ(check_all_keys(operation), words) << operation.text();
       if (testing::Test::HasFailure()) return;
     }
@@ -198,22 +127,15 @@ TEST(OtherCost, EveryKeyOfEveryPosition) {
 }
 
 void check_one(std::mt19937_64& random, std::size_t k) {
-  OperationAt operation{static_cast<int>(random() % 5), k, 0, 0};
-  operation.i = operation.family == 0 ? 1 + random() % (k - 1) : random() % k;
-  operation.j = operation.i + 1 + random() % (k - operation.i);
+  const FanOperation operation = random_operation(random, k);
+  const auto [ports, joined] = RandomKey(random, k);
   const naive::TurnPatch patch = operation.patch();
   const std::size_t colors = patch.graph.edges.size();
-  // Between a handful of ports and all of them, each pair joined seldom or nearly always, strips that end or go on.
-  const std::uint64_t solid_of_64 = random() % 3 == 0 ? random() % 4 : random() % 65;
-  const std::uint64_t joined_of_8 = random() % 9;
+  // Strips that end or go on.
   const std::uint64_t left_of_8 = random() % 9;
-  naive::Bits ports(k);
-  naive::Bits joined(k);
   naive::Bits left(k);
   naive::Bits right(k);
   for (std::size_t x = 0; x < k; ++x) {
-    ports[x] = random() % 64 < solid_of_64;
-    joined[x] = ports[x] && random() % 8 < joined_of_8;
     left[x] = random() % 8 < left_of_8;
     right[x] = !left[x] && random() % 2 == 0;
   }
@@ -223,10 +145,9 @@ void check_one(std::mt19937_64& random, std::size_t k) {
   const std::vector<Word> left_words = naive::words_of(left);
   const std::vector<Word> right_words = naive::words_of(right);
   std::vector<Word> out(words_for(colors == 0 ? 1 : colors), 0);
-  const Value value = operation.best(LongKey{BitSpan{port_words.data()},
-                                             BitSpan{joined_words.data()},
-                                             {BitSpan{left_words.data()}, BitSpan{right_words.data()}}},
-                                     MutableBitSpan{out.data()});
+  const Value value =
+      operation.best(BitSpan{port_words.data()}, BitSpan{joined_words.data()}, MutableBitSpan{out.data()},
+                     LongTurns{BitSpan{left_words.data()}, BitSpan{right_words.data()}});
   const naive::Bits inner = naive::bits_from(out, colors);
   const naive::Analysis truth = naive::analyze(patch.graph, inner, ports);
   ASSERT_TRUE(truth.valid);
@@ -237,7 +158,7 @@ void check_one(std::mt19937_64& random, std::size_t k) {
             naive::TurnFrontier(patch, ports, joined, behind, weights).least());
   if (k > max_word_valence) return;
   const Recoloring word =
-      operation.best(Key{naive::mask_of(ports), naive::mask_of(joined), {naive::mask_of(left), naive::mask_of(right)}});
+      operation.best(naive::mask_of(ports), naive::mask_of(joined), Turns{naive::mask_of(left), naive::mask_of(right)});
   EXPECT_EQ(word.value, value);
   EXPECT_EQ(naive::bits_of(word.colors, colors), inner);
 }

@@ -12,6 +12,7 @@
 #include <random>
 #include <vector>
 
+#include "random_colors.hpp"
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -145,6 +146,54 @@ TEST(Anneal, DependsOnItsArgumentsAlone) {
   };
   EXPECT_EQ(order(1), order(1));
   EXPECT_NE(order(1), order(2));
+}
+
+// Of an exchange at the end of a strip. The recount does each on the mesh and counts all of it before and after.
+TEST(Anneal, LeastChangeIsWhatTheRecountSays) {
+  std::mt19937 random(7);
+  std::size_t exact = 0;
+  std::size_t all = 0;
+  std::vector<StripMesh> meshes = tiny_meshes();
+  meshes.push_back(sample::sphere(1));
+  meshes.push_back(sample::rectangle(5, 4));
+  for (StripMesh& mesh : meshes)
+    for (unsigned round = 0; round < 200; ++round) {
+      mesh.clear_colors();
+      color_at_random(mesh, 0.9, random);
+      const Cost cost = annealed_costs[round % annealed_costs.size()];
+      const auto counted = [&] {
+        const ColoringReport report = check_coloring(mesh);
+        return static_cast<std::int64_t>(cost.restart * report.strips + cost.swap * count_swaps(mesh) +
+                                         cost.isolated * report.isolated);
+      };
+      const detail::Annealing annealing(detail::ColoringCopy(mesh), cost, 1);
+      for (std::uint32_t h = 0; h < 4 * mesh.triangle_bound(); ++h) {
+        const StripMesh::Halfedge here{h};
+        if (StripMesh::side(here) == 3 || mesh.solid(here) || mesh.solid_degree(StripMesh::triangle(here)) > 1)
+          continue;
+        const StripMesh::Halfedge there = mesh.opposite(here);
+        if (StripMesh::on_boundary(there) || mesh.solid_degree(StripMesh::triangle(there)) < 2) continue;
+        for (const unsigned before : {0U, 1U}) {
+          const StripMesh::Halfedge out =
+              before != 0 ? StripMesh::next(StripMesh::next(there)) : StripMesh::next(there);
+          const std::int64_t told = annealing.least_change(h, before);
+          const std::int64_t was = counted();
+          mesh.set_solid(out, false);
+          mesh.set_solid(here, true);
+          const bool valid = check_coloring(mesh).valid;
+          const std::int64_t is = counted();
+          mesh.set_solid(here, false);
+          mesh.set_solid(out, true);
+          if (!valid) continue;
+          ++all;
+          if (told == std::numeric_limits<std::int64_t>::min()) continue;
+          ++exact;
+          ASSERT_EQ(told, is - was);
+        }
+      }
+    }
+  EXPECT_GT(exact, 1000U);
+  EXPECT_GT(2 * exact, all);
 }
 
 TEST(Anneal, AnEmptyMeshCostsNothing) {

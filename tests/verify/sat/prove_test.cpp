@@ -167,7 +167,7 @@ TEST(SatProofs, ProofsAreKeptWhole) {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(options.out)) names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  ASSERT_EQ(names, (std::vector<std::string>{"flip.cnf", "flip.drat"}));
+  ASSERT_EQ(names, (std::vector<std::string>{"flip.cnf", "flip.drat", "flip.lrat"}));
   const Cnf cnf = parse_dimacs("flip.cnf", read_file(options.out + "/flip.cnf"));
   const Proof proof = parse_proof("flip.drat", read_file(options.out + "/flip.drat"), cnf.variables);
   EXPECT_TRUE(check_proof(cnf, proof).proved);

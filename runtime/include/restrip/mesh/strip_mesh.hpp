@@ -17,42 +17,15 @@
 
 #include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/refusal.hpp"
+#include "restrip/mesh/triangle_list.hpp"
 #include "restrip/precondition.hpp"
 
 namespace restrip {
 
-using Vertex = std::uint32_t;    ///< index of a vertex
-using Triangle = std::uint32_t;  ///< index of a triangle
-inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-
-#ifndef RESTRIP_MAX_TRIANGLES
-/// The most triangles that a StripMesh holds, 2^29 - 1: a halfedge has 29 bits for its triangle. Tests define it
-/// smaller.
-#define RESTRIP_MAX_TRIANGLES ((std::size_t{1} << 29) - 1)
-#endif
-
 namespace detail {
 class TwoSteps;
 class TrialColors;
-
-template <class T>
-concept IndexList = requires(const T& t) {
-  requires std::is_same_v<std::remove_cv_t<typename decltype(std::span(t))::element_type>, std::uint32_t> ||
-      std::is_same_v<std::remove_cv_t<typename decltype(std::span(t))::element_type>, std::uint16_t>;
-};
 }  // namespace detail
-
-/// What StripMesh::build found in its input. Nothing is repaired silently: every triangle of the input is either in
-/// the mesh or counted here as left out.
-struct BuildReport {
-  std::size_t degenerate_triangles = 0;    ///< left out: a corner twice
-  std::size_t out_of_range_triangles = 0;  ///< left out: a corner that is no vertex
-  std::size_t boundary_edges = 0;          ///< edges of one triangle
-  std::size_t non_manifold_edges = 0;      ///< edges of three triangles or more: no strip crosses them
-  std::size_t inconsistent_edges = 0;  ///< edges of two triangles that disagree in orientation: no strip crosses them
-  std::size_t non_manifold_vertices =
-      0;  ///< vertices of several fans, or on one of the edges above: operations refuse them
-};
 
 /// An indexed triangle mesh with colored dual edges. Models SplittableMesh, CollapsibleMesh and FlippableMesh.
 ///
@@ -71,23 +44,22 @@ class StripMesh {
   };
 
   static constexpr std::size_t max_triangles = RESTRIP_MAX_TRIANGLES;
-  static_assert(max_triangles < std::size_t{1} << 29);
 
   StripMesh() = default;
 
-  /// Builds adjacency for triangles given as corner triples, counter-clockwise; all dual edges dashed. Linear time.
-  /// `vertex_count`: valid corners are 0 … vertex_count - 1. `origin`, if given, receives for each triangle of the mesh
-  /// its index in `triangles` (they differ only when some are left out). Throws std::length_error, before anything is
-  /// read, when there are more than `max_triangles` triangles or more than 2^32 - 1 vertices.
-  [[nodiscard]] static StripMesh build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
+  /// Builds adjacency for the triangles of a list, anything that a TriangleList can be made of: 16-bit or 32-bit
+  /// indices, or corner triples, counter-clockwise; all dual edges dashed. Linear time. `vertex_count`: valid corners
+  /// are 0 … vertex_count - 1. `origin`, if given, receives for each triangle of the mesh its index in the list (they
+  /// differ only when some are left out). Throws, before a corner is read, std::length_error when there are more than
+  /// `max_triangles` triangles or more than 2^32 - 1 vertices, and std::invalid_argument when the number of indices is
+  /// not a multiple of three.
+  template <class Triangles>
+  [[nodiscard]] static StripMesh build(const Triangles& triangles, std::size_t vertex_count,
                                        BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr);
-  /// Builds the mesh from an index buffer, anything that a std::span of 16-bit or 32-bit unsigned integers can be made
-  /// of: three corners for each triangle. Throws std::invalid_argument too, when the number of indices is not a
-  /// multiple of three. Takes 12 bytes a triangle for the time of the call.
-  template <class Indices>
-  requires detail::IndexList<Indices>
-  [[nodiscard]] static StripMesh build(const Indices& indices, std::size_t vertex_count, BuildReport* report = nullptr,
-                                       std::vector<std::uint32_t>* origin = nullptr);
+  [[nodiscard]] static StripMesh build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
+                                       BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr) {
+    return build<std::span<const std::array<Vertex, 3>>>(triangles, vertex_count, report, origin);
+  }
 
   // ---- walking
   [[nodiscard]] static constexpr Halfedge halfedge(Triangle t, unsigned side = 0) noexcept { return {t << 2 | side}; }
@@ -363,7 +335,7 @@ class StripMesh {
   Halfedge unlink(Halfedge chord, Halfedge back, bool has_left, bool has_right, Room& freed) noexcept;
   void set_spoke(Vertex v, Halfedge h) noexcept { spoke_[v] = h.id; }
   Vertex new_vertex(Vertex wanted);
-  void join_edges(BuildReport& report);
+  class Sides;
   void find_non_manifold_vertices(BuildReport& report);
 
   std::vector<Record> triangles_;

@@ -50,7 +50,7 @@ namespace restrip {
 template <NumberedMesh Mesh>
 std::uint64_t anneal(Mesh& mesh, Cost cost, const AnnealOptions& options) {
   auto&& sides = by_sides(mesh);
-  detail::Annealing annealing(sides, cost, options.seed);
+  detail::Annealing annealing(detail::ColoringCopy(sides), cost, options.seed);
   annealing.keep();
   for (std::uint32_t round = 0; round < options.rounds && annealing.least() != 0; ++round) {
     annealing.cool(options.moves != 0 ? options.moves : annealing.triangle_count() * std::uint64_t{100}, options.heat);

@@ -65,6 +65,47 @@ std::size_t tunnel_from_scratch(Mesh& mesh, std::uint64_t states) {
   return locator.strips();
 }
 
+/// Colours from scratch, or from those there are where swaps have no weight, as stripify() says.
+inline void color_from_scratch(Annealing& annealing, Effort effort, Cost cost, std::uint64_t limit,
+                               std::uint64_t seed) {
+  const std::uint64_t triangles = annealing.triangle_count();
+  if (cost.swap != 0) {
+    annealing.grow();
+    annealing.settle_ends();
+  }
+  if (effort == Effort::fast) return;
+  if (cost.swap != 0) {
+    annealing.keep();
+    annealing.grow();
+    annealing.stir_ends(2);
+  }
+  const auto cool = [&annealing](std::uint64_t moves, std::uint32_t heat) {
+    annealing.cool(moves, heat);
+    annealing.keep();
+  };
+  annealing.keep();
+  // On regular meshes the strips as they have grown are hard to beat.
+  cool(10 * triangles, 0);
+  cool(limit != 0 && effort == Effort::full ? limit : 100 * triangles, 100);
+  annealing.go_back();
+  WindowRounds windows(cost, seed);
+  windows.run(annealing.colors(), WindowRounds::round_budget(triangles), {.triangles = 20});
+  annealing.keep();
+  if (effort == Effort::best) {
+    // Small meshes take next to no time, so they are searched until luck does not matter.
+    const std::uint64_t budget = limit != 0 ? limit : std::max<std::uint64_t>(1000 * triangles, 250'000);
+    const std::uint64_t moves = budget * 2 / 5;
+    cool(moves, 100);
+    annealing.go_back();
+    const std::uint64_t stop = windows.spent() + (budget - moves);
+    while (windows.spent() < stop && annealing.colors().cost(cost) != 0)
+      windows.run(annealing.colors(), stop - windows.spent(), {.triangles = 60});
+    annealing.keep();
+  }
+  // Colours that cost as little as those before stay as they were.
+  annealing.go_back();
+}
+
 }  // namespace detail
 
 template <NumberedMesh Mesh>
@@ -79,38 +120,8 @@ std::size_t stripify(Mesh& mesh, Effort effort, Cost cost, std::uint64_t limit, 
     const std::size_t fewer = detail::tunnel_from_scratch(sides, strips_alone && limit != 0 ? limit : states);
     if (strips_alone) return fewer;
   }
-  detail::Annealing annealing(sides, cost, seed);
-  if (cost.swap != 0) {
-    annealing.grow();
-    annealing.settle_ends(2);
-  }
-  if (effort != Effort::fast) {
-    const auto cool = [&annealing](std::uint64_t moves, std::uint32_t heat) {
-      annealing.cool(moves, heat);
-      annealing.keep();
-    };
-    annealing.keep();
-    // On regular meshes the strips as they have grown are hard to beat.
-    cool(10 * triangles, 0);
-    cool(limit != 0 && effort == Effort::full ? limit : 100 * triangles, 100);
-    annealing.go_back();
-    WindowRounds windows(cost, seed);
-    windows.run(annealing.colors(), WindowRounds::round_budget(triangles), {.triangles = 20});
-    annealing.keep();
-    if (effort == Effort::best) {
-      // Small meshes take next to no time, so they are searched until luck does not matter.
-      const std::uint64_t budget = limit != 0 ? limit : std::max<std::uint64_t>(1000 * triangles, 250'000);
-      const std::uint64_t moves = budget * 2 / 5;
-      cool(moves, 100);
-      annealing.go_back();
-      const std::uint64_t stop = windows.spent() + (budget - moves);
-      while (windows.spent() < stop && annealing.colors().cost(cost) != 0)
-        windows.run(annealing.colors(), stop - windows.spent(), {.triangles = 60});
-      annealing.keep();
-    }
-    // Colours that cost as little as those before stay as they were.
-    annealing.go_back();
-  }
+  detail::Annealing annealing(detail::ColoringCopy(sides), cost, seed);
+  detail::color_from_scratch(annealing, effort, cost, limit, seed);
   annealing.give(sides);
   return annealing.strips();
 }

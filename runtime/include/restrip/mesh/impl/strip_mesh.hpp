@@ -439,105 +439,52 @@ inline StripMesh::Halfedge StripMesh::turn_edge(Halfedge h) {
   return h;
 }
 
-template <class Indices>
-requires detail::IndexList<Indices> StripMesh StripMesh::build(const Indices& indices, std::size_t vertex_count,
-                                                               BuildReport* report,
-                                                               std::vector<std::uint32_t>* origin) {
-  const std::span corners(indices);
-  if (corners.size() % 3 != 0) RESTRIP_THROW(std::invalid_argument, "restrip: a triangle has three indices");
-  std::vector<std::array<Vertex, 3>> triangles(corners.size() / 3);
-  for (std::size_t i = 0; i < corners.size(); ++i) triangles[i / 3][i % 3] = corners[i];
-  return build(triangles, vertex_count, report, origin);
-}
+/// The halfedges of the triangles, for JoinSides.
+class StripMesh::Sides {
+ public:
+  static constexpr std::uint32_t not_joined = edge_of_mesh;
 
-inline StripMesh StripMesh::build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
-                                  BuildReport* report_out, std::vector<std::uint32_t>* origin) {
-  if (triangles.size() > max_triangles)
-    RESTRIP_THROW(std::length_error, "restrip: more triangles than a StripMesh can hold");
-  if (vertex_count > none) RESTRIP_THROW(std::length_error, "restrip: a StripMesh has at most 2^32 - 1 vertices");
+  explicit Sides(StripMesh& mesh) noexcept : mesh_(&mesh), triangles_(mesh.triangles_.data()) {}
+
+  [[nodiscard]] std::size_t triangle_bound() const noexcept { return mesh_->triangles_.size(); }
+  [[nodiscard]] static bool takes(Triangle /*t*/) noexcept { return true; }
+  [[nodiscard]] Vertex corner(std::uint32_t h) const noexcept { return triangles_[h >> 2].corner[h & 3U]; }
+  [[nodiscard]] std::uint32_t& link(std::uint32_t h) const noexcept { return triangles_[h >> 2].link[h & 3U]; }
+  [[nodiscard]] static std::uint32_t joined(std::uint32_t h) noexcept { return h << 1; }
+  [[nodiscard]] std::uint32_t across(std::uint32_t h) const noexcept { return link(h) >> 1; }
+  void odd_edge(Vertex v, Vertex w) const noexcept { mesh_->non_manifold_[v] = mesh_->non_manifold_[w] = 1; }
+
+ private:
+  StripMesh* mesh_;
+  Record* triangles_;
+};
+
+template <class Triangles>
+StripMesh StripMesh::build(const Triangles& triangles, std::size_t vertex_count, BuildReport* report_out,
+                           std::vector<std::uint32_t>* origin) {
+  const TriangleList list(triangles);
+  detail::expect_vertices(vertex_count);
   StripMesh mesh;
   BuildReport report;
   mesh.spoke_.assign(vertex_count, none);
   mesh.non_manifold_.assign(vertex_count, 0);
-  mesh.triangles_.reserve(triangles.size());
+  mesh.triangles_.reserve(list.size());
   if (origin != nullptr) origin->clear();
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    const auto& [a, b, c] = triangles[i];
-    if (a >= vertex_count || b >= vertex_count || c >= vertex_count) {
+  for (Triangle t = 0; t < list.size(); ++t) {
+    if (!list.in_range(t, vertex_count)) {
       ++report.out_of_range_triangles;
-    } else if (a == b || b == c || c == a) {
+    } else if (list.degenerate(t)) {
       ++report.degenerate_triangles;
     } else {
-      mesh.triangles_.push_back({triangles[i], {edge_of_mesh, edge_of_mesh, edge_of_mesh}});
-      if (origin != nullptr) origin->push_back(static_cast<std::uint32_t>(i));
+      mesh.triangles_.push_back({{list.corner(t << 2), list.corner(t << 2 | 1U), list.corner(t << 2 | 2U)}, {}});
+      if (origin != nullptr) origin->push_back(t);
     }
   }
 
-  mesh.join_edges(report);
+  detail::JoinSides<true, Sides>(Sides(mesh), vertex_count, report).run();
   mesh.find_non_manifold_vertices(report);
   if (report_out != nullptr) *report_out = report;
   return mesh;
-}
-
-/// Joins the halfedges of each mesh edge. They are found at its smaller vertex: the halfedges of each vertex come one
-/// after the other, in the order of their triangles, and each of its edges is known by its larger vertex. So no vertex
-/// is too large: O(triangles + vertices).
-inline void StripMesh::join_edges(BuildReport& report) {
-  const auto low_of = [this](Halfedge h) { return std::min(from(h), to(h)); };
-  // A counting sort: first_at[v] counts the halfedges of v, then says where they end, and then where they begin.
-  std::vector<std::uint32_t> first_at(spoke_.size() + 1, 0);
-  for (Triangle t = 0; t < triangles_.size(); ++t)
-    for (unsigned s = 0; s < 3; ++s) ++first_at[low_of(halfedge(t, s))];
-  for (std::size_t v = 1; v < first_at.size(); ++v) first_at[v] += first_at[v - 1];
-  std::vector<Halfedge> sorted(3 * triangles_.size());
-  for (auto t = static_cast<Triangle>(triangles_.size()); t-- > 0;)
-    for (unsigned s = 3; s-- > 0;) sorted[--first_at[low_of(halfedge(t, s))]] = halfedge(t, s);
-
-  struct Edge {
-    Vertex high;
-    std::uint32_t first;  // the halfedge met first; with `outside` once it is joined
-  };
-  constexpr std::uint32_t inconsistent = none - 1;
-  constexpr std::uint32_t non_manifold = none;
-  std::vector<Edge> edges;             // of one vertex
-  std::vector<std::uint32_t> edge_to;  // in `edges`, if that is an edge to the vertex
-  edge_to.assign(spoke_.size(), none);
-  const auto vertices = static_cast<Vertex>(spoke_.size());
-  for (Vertex low = 0; low < vertices; ++low) {
-    edges.clear();
-    for (std::uint32_t i = first_at[low]; i < first_at[low + std::size_t{1}]; ++i) {
-      const Halfedge h = sorted[i];
-      const Vertex high = std::max(from(h), to(h));
-      const std::uint32_t e = edge_to[high];
-      if (e >= edges.size() || edges[e].high != high) {
-        edge_to[high] = static_cast<std::uint32_t>(edges.size());
-        edges.push_back({high, h.id});
-        continue;
-      }
-      std::uint32_t& first = edges[e].first;
-      if (first == inconsistent || first == non_manifold) {
-        first = non_manifold;
-      } else if ((first & outside) != 0) {
-        const Halfedge g{first & ~outside};
-        const Halfedge back = opposite(g);
-        link_of(g) = link_of(back) = edge_of_mesh;
-        first = non_manifold;
-      } else if (from({first}) != to(h)) {
-        first = inconsistent;
-      } else {
-        join({first}, h);
-        first |= outside;
-      }
-    }
-    for (const auto& [high, first] : edges) {
-      if (first != inconsistent && first != non_manifold) {
-        report.boundary_edges += (first & outside) == 0 ? 1U : 0U;
-        continue;
-      }
-      ++(first == inconsistent ? report.inconsistent_edges : report.non_manifold_edges);
-      non_manifold_[low] = non_manifold_[high] = 1;
-    }
-  }
 }
 
 inline void StripMesh::find_non_manifold_vertices(BuildReport& report) {

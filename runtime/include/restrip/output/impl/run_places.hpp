@@ -70,7 +70,8 @@ class RunPlaces {
     while (bits == 0 && ++word < totals_.sizes.size()) bits = totals_.sizes[word];
     if (bits != 0) return totals_.first_of[word * 64 + static_cast<std::size_t>(std::countr_zero(bits))];
     for (word = totals_.sizes.size(); word-- > 0;)
-      if (totals_.sizes[word] != 0) return totals_.first_of[word * 64 + std::bit_width(totals_.sizes[word]) - 1];
+      if (totals_.sizes[word] != 0)
+        return totals_.first_of[word * 64 + 63 - static_cast<std::size_t>(std::countl_zero(totals_.sizes[word]))];
     return no_place;
   }
 

@@ -172,7 +172,7 @@ void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
   const detail::Seen seen = detail::seen_over(mesh, h);
   const detail::Exits<Mesh> out = detail::exits(mesh, h);
   const bool cut_before = out.count > 0 && follow(mesh, mesh.opposite(out.side[0]), begin, least, 0);
-  std::reverse(strip_.begin() + begin, strip_.begin() + links_);
+  std::reverse(strip_.data() + begin, strip_.data() + links_);
   if (links_ == strip_.size()) strip_.resize(2 * links_ + 64);
   strip_[links_++] = {t, seen.edge ^ seen.apex, 0, run};
   const bool cut_behind = out.count > 1 && follow(mesh, mesh.opposite(out.side[1]), begin, 1, 1);

@@ -120,7 +120,7 @@ void BasicStripBuffer<Index>::write(const Text& text, std::uint32_t first) noexc
 template <class Index>
 void BasicStripBuffer<Index>::blank(std::uint32_t first, std::uint32_t end) noexcept {
   if (first >= end) return;
-  std::fill(cells_.begin() + first, cells_.begin() + end, restart);
+  std::fill(cells_.data() + first, cells_.data() + end, restart);
   mark(first, end);
 }
 
@@ -130,11 +130,11 @@ void BasicStripBuffer<Index>::move(std::uint32_t place, std::uint32_t before, st
   detail::Run run = places_.run(place);
   const std::uint32_t old = std::exchange(run.first, first);
   if (old == first) return;
-  const auto from = cells_.begin() + old;
+  const Index* from = cells_.data() + old;
   if (first < old)
-    std::copy(from, from + run.length, cells_.begin() + first);
+    std::copy(from, from + run.length, cells_.data() + first);
   else
-    std::copy_backward(from, from + run.length, cells_.begin() + run.end());
+    std::copy_backward(from, from + run.length, cells_.data() + run.end());
   mark(first, run.end());
   blank(old, std::min(first, old + run.length));
   blank(std::max(run.end(), old), old + run.length);

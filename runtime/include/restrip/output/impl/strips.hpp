@@ -7,6 +7,7 @@
 
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/invalid_coloring.hpp"
+#include "restrip/output/impl/sided_writer.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip {
@@ -58,10 +59,6 @@ typename Mesh::Halfedge first_exit(const Mesh& mesh, Triangle t) {
   if (!mesh.solid(h)) h = mesh.next(h);
   return mesh.solid(h) ? h : mesh.next(h);
 }
-inline StripMesh::Halfedge first_exit(const StripMesh& mesh, Triangle t) noexcept {
-  return StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(mesh.solid_sides(t))));
-}
-
 // The halfedge over which the strip that comes in over `entry` goes on; `entry` where it ends.
 template <NumberedMesh Mesh>
 typename Mesh::Halfedge exit_behind(const Mesh& mesh, typename Mesh::Halfedge entry) {
@@ -70,12 +67,6 @@ typename Mesh::Halfedge exit_behind(const Mesh& mesh, typename Mesh::Halfedge en
   const auto left = mesh.next(right);
   return mesh.solid(left) ? left : entry;
 }
-inline StripMesh::Halfedge exit_behind(const StripMesh& mesh, StripMesh::Halfedge entry) noexcept {
-  const Triangle t = StripMesh::triangle(entry);
-  const unsigned ways = mesh.solid_sides(t) & ~(1U << StripMesh::side(entry));
-  return ways == 0 ? entry : StripMesh::halfedge(t, static_cast<unsigned>(std::countr_zero(ways)));
-}
-
 // The halfedge over which t is left for its neighbour u in the strip.
 template <NumberedMesh Mesh>
 typename Mesh::Halfedge exit_to(const Mesh& mesh, Triangle t, Triangle u) {
@@ -193,11 +184,6 @@ void append_indices(const Mesh& mesh, std::span<const Triangle> strip, std::vect
 }
 
 // Writes the strip that ends at t from there, as append_indices does, but follows the colours.
-struct WrittenStrip {
-  Triangle other_end;
-  bool wrong;  // it began with a turn to the right
-  bool wrong_backwards;
-};
 template <NumberedMesh Mesh>
 WrittenStrip append_from(const Mesh& mesh, Triangle t, std::vector<std::uint32_t>& indices) {
   if (solid_degree(mesh, t) == 0) {
@@ -323,6 +309,7 @@ std::size_t strip_index_count(const Mesh& mesh, const Strips& strips) {
 template <NumberedMesh Mesh>
 std::vector<std::uint32_t> strip_indices(const Mesh& mesh) {
   RESTRIP_ASSERT(check_coloring(mesh).valid, "strip_indices", "the colouring is not valid");
+  if constexpr (std::same_as<Mesh, StripMesh>) return detail::SidedWriter(mesh).run();
   std::vector<std::uint32_t> indices;
   const std::size_t triangles = detail::count_triangles(mesh);
   indices.reserve(triangles + triangles / 2);

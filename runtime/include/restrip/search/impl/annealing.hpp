@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -35,8 +36,8 @@ namespace restrip::detail {
 /// moves at flawed triangles are tried, a few of a hundred triangles once the strips are good.
 class Annealing : private ColoringCopy {
  public:
-  template <SidedMesh Mesh>
-  Annealing(const Mesh& mesh, Cost cost, std::uint64_t seed) : ColoringCopy(mesh), cost_(cost), random_(seed) {}
+  Annealing(ColoringCopy colors, Cost cost, std::uint64_t seed)
+      : ColoringCopy(std::move(colors)), cost_(cost), random_(seed) {}
 
   using ColoringCopy::give;
   using ColoringCopy::strips;
@@ -48,7 +49,10 @@ class Annealing : private ColoringCopy {
   }
 
   /// Colours it anew: strips of few indices in one pass.
-  void grow() { Growing(across_, solid_).run(); }
+  void grow() {
+    Growing(across_, solid_).run();
+    trees_kept_ = false;
+  }
 
   /// Keeps the colours as they are if they cost less than those kept before. Linear time.
   void keep() {
@@ -88,14 +92,47 @@ class Annealing : private ColoringCopy {
     }
   }
 
-  /// Without a temperature, moves at the ends of strips, so often over all of them.
-  void settle_ends(unsigned rounds) {
+  /// Once over all ends of strips, the moves there that make the colours cheaper.
+  void settle_ends() {
+    for (Triangle t = 0; t < across_.size(); ++t)
+      for (unsigned s = 0; s < 3 && !full(t); ++s)
+        if (const std::uint32_t h = t << 2 | s; !solid(h) && across(h) != none) settle(h);
+  }
+  /// So often over all of them, moves drawn at random that cost nothing.
+  void stir_ends(unsigned rounds) {
     temperature_ = 0;
     for (unsigned round = 0; round < rounds; ++round)
       for (Triangle t = 0; t < across_.size(); ++t) {
         if (full(t)) continue;
         for (unsigned s = 0; s < 3; ++s) try_move(t << 2 | s);
       }
+  }
+
+  /// The dashed h is made solid, and in the triangle across, which has two solid edges, the one before it is taken out
+  /// (`before` 1) or the one after it (0): what this adds to the cost, or the least number where triangles beside these
+  /// are the same one. The triangle of h must have room. Most moves that are tried come to nothing, and this says so
+  /// without a change of colours.
+  [[nodiscard]] std::int64_t least_change(std::uint32_t h, unsigned before) const noexcept {
+    const std::uint32_t g = across(h);
+    const unsigned after_g = (g & 3U) == 2 ? 0 : (g & 3U) + 1;
+    const unsigned before_g = (g & 3U) == 0 ? 2 : (g & 3U) - 1;
+    const std::uint32_t there = across((g & ~3U) | (before != 0 ? before_g : after_g));  // over the edge taken out
+    const std::uint32_t kept = across((g & ~3U) | (before != 0 ? after_g : before_g));   // over the one that stays
+    const unsigned turn_here = turn(h);
+    const unsigned turn_there = turn(there);
+    const std::uint32_t behind = turn_here == 0 ? none : across(other(h));
+    const std::uint32_t beyond = turn_there == 0 ? none : across(other(there));
+    if (kept >> 2 == h >> 2 || kept >> 2 == there >> 2 || behind >> 2 == there >> 2 || behind >> 2 == g >> 2)
+      return std::numeric_limits<std::int64_t>::min();
+    // The turn from the edge taken out to the one that stays. A turn is 1 or 2, and the other way round 3 less that.
+    const unsigned to_kept = before + 1;
+    const unsigned turn_kept = turn(kept);
+    int swaps = int{turn_here == to_kept} + int{turn_kept == 3 - to_kept};
+    swaps -= int{turn_there == 3 - to_kept} + int{turn_kept == to_kept};
+    if (behind != none) swaps += int{turn(behind) == turn_here};
+    if (beyond != none) swaps -= int{turn(beyond) == turn_there};
+    return std::int64_t{cost_.swap} * swaps +
+           std::int64_t{cost_.isolated} * (int{turn_there == 0} - int{turn_here == 0});
   }
 
  private:
@@ -120,6 +157,27 @@ class Annealing : private ColoringCopy {
     if (b != none && is_swap(b)) ++swaps;
     const unsigned alone = (a == none ? 1U : 0U) + (b == none ? 1U : 0U);
     return std::int64_t{cost_.swap} * swaps - cost_.restart - std::int64_t{cost_.isolated} * alone;
+  }
+
+  // Makes the dashed h solid where that saves something; its triangle has room for it.
+  void settle(std::uint32_t h) {
+    const std::uint32_t g = across(h);
+    Cuts cuts;
+    std::int64_t change = 0;
+    if (full(g >> 2)) {
+      const std::int64_t after = least_change(h, 0);
+      const std::int64_t before = least_change(h, 1);
+      if (after >= 0 && before >= 0) return;
+      const std::uint32_t out = (g & ~3U) | ((g & 3U) + (before < after ? 2 : 1)) % 3;
+      change -= price(out);
+      flip(out);
+      cuts = {{out}, 1};
+    }
+    flip(h);
+    change += price(h);
+    flip(h);
+    if (change >= 0 || are_ends_of_one(h >> 2, g >> 2, 8 * longest_walk)) return take_back(cuts);
+    flip(h);
   }
 
   // ---- strips from end to end. Nearly all are walked; where a walk gets long, trees know.
@@ -158,11 +216,11 @@ class Annealing : private ColoringCopy {
   }
 
   // Are t and u the two ends of one strip? Walks from both until the shorter walk ends.
-  [[nodiscard]] bool are_ends_of_one(Triangle t, Triangle u) {
+  [[nodiscard]] bool are_ends_of_one(Triangle t, Triangle u, unsigned longest = longest_walk) {
     if (solid_[t] == 0 || solid_[u] == 0) return false;
     std::uint32_t from_t = only_side(t);
     std::uint32_t from_u = only_side(u);
-    for (unsigned steps = 0; steps < longest_walk; ++steps) {
+    for (unsigned steps = 0; steps < longest; ++steps) {
       const std::uint32_t there = across(from_t);
       if (there >> 2 == u) return true;
       from_t = other(there);
@@ -231,11 +289,16 @@ class Annealing : private ColoringCopy {
       cuts.edges[cuts.count++] = e;
     };
     if (solid(h)) {
+      if (-price(h) > allowed) return;
       cut(h);
     } else {
       const std::uint32_t which = random_.bits() >> 30;
-      if (full(h >> 2)) cut((h & ~3U) | ((h & 3U) + 1 + (which & 1U)) % 3);
-      if (full(g >> 2)) cut((g & ~3U) | ((g & 3U) + 1 + (which >> 1)) % 3);
+      const bool full_here = full(h >> 2);
+      const bool full_there = full(g >> 2);
+      if (full_here != full_there && (full_here ? least_change(g, which & 1U) : least_change(h, which >> 1)) > allowed)
+        return;
+      if (full_here) cut((h & ~3U) | ((h & 3U) + 1 + (which & 1U)) % 3);
+      if (full_there) cut((g & ~3U) | ((g & 3U) + 1 + (which >> 1)) % 3);
       bool possible = change - cost_.restart - 2 * std::int64_t{cost_.isolated} <= allowed;
       if (possible) {
         flip(h);

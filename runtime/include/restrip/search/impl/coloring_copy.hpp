@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
+#include "restrip/mesh/triangle_list.hpp"
 #include "restrip/search/sided_mesh.hpp"
 
 namespace restrip::detail {
@@ -33,11 +34,33 @@ class ColoringCopy {
       solid_[t] = static_cast<std::uint8_t>(mesh.solid_sides(t));
     }
   }
+  /// The triangles of a list, by their places there, all dual edges dashed. What find_neighbors() leaves out is no
+  /// triangle.
+  template <class Element>
+  ColoringCopy(const TriangleList<Element>& list, std::size_t vertex_count)
+      : across_(list.size()), alive_(list.size(), true), triangles_(list.size()), solid_(list.size(), 0) {
+    BuildReport report;
+    find_neighbors(list, vertex_count, across_, report);
+    if (report.degenerate_triangles + report.out_of_range_triangles == 0) return;
+    for (Triangle t = 0; t < across_.size(); ++t) {
+      if (list.is_triangle(t, vertex_count)) continue;
+      alive_[t] = false;
+      --triangles_;
+    }
+  }
+  template <class Element>
+  ColoringCopy(Trusted /*trust*/, const TriangleList<Element>& list, std::size_t vertex_count)
+      : across_(list.size()), alive_(list.size(), true), triangles_(list.size()), solid_(list.size(), 0) {
+    find_neighbors(trusted, list, vertex_count, across_);
+  }
   /// Colours the mesh.
   template <SidedMesh Mesh>
   void give(Mesh& mesh) const {
     mesh.set_colors(solid_);
   }
+
+  /// opposite() of a solid side.
+  [[nodiscard]] Halfedge across_solid(Halfedge h) const noexcept { return {across(h.id)}; }
 
   // What SidedMesh asks.
   [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept {

@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
 
@@ -19,13 +18,17 @@ namespace restrip::detail {
 /// other, and few triangles are left behind between them (Akeley, Haeberli, Burns, "tomesh.c", 1990; swaps as Evans,
 /// Skiena, Varshney, "Optimizing triangle strips for fast rendering", 1996).
 ///
-/// Linear time; memory: a byte a triangle and 4 for each whose neighbours are taken, at most 13.
+/// Linear time; memory: 13 bytes a triangle. What a neighbour is like is as good as random, and a branch on it would
+/// mispredict: there is none at a step.
 class Growing {
  public:
   /// `across`: for each triangle the opposite halfedges, 4 * triangle + side, or none; three times none where there is
   /// no triangle. `solid` receives the solid sides.
   Growing(std::span<const std::array<std::uint32_t, 3>> across, std::span<std::uint8_t> solid)
-      : across_(across), solid_(solid), left_(across.size(), 0) {}
+      : across_(across),
+        solid_(solid),
+        left_(std::make_unique_for_overwrite<std::uint8_t[]>(across.size())),
+        waiting_(std::make_unique_for_overwrite<Triangle[]>(3 * across.size() + 1)) {}
 
   void run() {
     std::fill(solid_.begin(), solid_.end(), std::uint8_t{0});
@@ -33,75 +36,104 @@ class Growing {
       unsigned neighbors = 0;
       for (const std::uint32_t there : across_[t]) neighbors += there != none ? 1U : 0U;
       left_[t] = neighbors == 0 ? taken : static_cast<std::uint8_t>(neighbors);
-      if (neighbors == 1 || neighbors == 2) waiting_[neighbors].push_back(t);
+      if (neighbors == 1 || neighbors == 2) waiting_[neighbors * across_.size() + count_[neighbors]++] = t;
     }
     for (Triangle t = first(); t != none; t = first()) {
-      take(t);
-      const Turn turn = grow(t << 2 | 3U, Turn::none);
-      if (solid_[t] == 0) continue;
+      left_[t] = taken;
+      const std::uint32_t out = first_way(t);
+      if (out == none) continue;
+      for (unsigned s = 0; s < 3; ++s)
+        if (s != (out & 3U)) tell_neighbor(t, s);
+      const Turn turn = grow(out, Turn::none);
       // The other way round the first turn is the one before, and has changed sides.
       const Turn before = turn == Turn::right ? Turn::left : turn == Turn::left ? Turn::right : Turn::none;
-      grow(t << 2 | static_cast<std::uint32_t>(std::countr_zero(solid_[t])), before);
+      const Way way = way_on(out, before);
+      if (way.out != none) grow(way.out, way.turn);
     }
   }
 
  private:
   enum class Turn : std::uint8_t { none, right, left };
-  static constexpr std::uint8_t taken = 255;
+  struct Way {
+    std::uint32_t out = none;  // halfedge
+    Turn turn = Turn::none;
+  };
+  static constexpr unsigned taken = 16;  // stays above 3 while three neighbours are taken
 
   // A triangle that is not taken, with the fewest neighbours left; none when there is no more.
-  Triangle first() {
-    for (unsigned count = 0; count < waiting_.size(); ++count)
-      while (!waiting_[count].empty()) {
-        const Triangle t = waiting_[count].back();
-        waiting_[count].pop_back();
-        if (left_[t] == count) return t;
+  Triangle first() noexcept {
+    for (unsigned neighbors = 0; neighbors < 3; ++neighbors)
+      while (count_[neighbors] != 0) {
+        const Triangle t = waiting_[neighbors * across_.size() + --count_[neighbors]];
+        if (left_[t] == neighbors) return t;
       }
-    while (next_ < left_.size() && left_[next_] == taken) ++next_;
-    return next_ < left_.size() ? next_ : none;
+    while (next_ < across_.size() && left_[next_] > 3) ++next_;
+    return next_ < across_.size() ? next_ : none;
   }
 
-  void take(Triangle t) {
-    left_[t] = taken;
-    for (const std::uint32_t there : across_[t])
-      if (there != none && left_[there >> 2] != taken) waiting_[--left_[there >> 2]].push_back(there >> 2);
+  // That t is taken. A neighbour that is taken itself goes onto a fourth list, which has one place.
+  void tell_neighbor(Triangle t, unsigned side) noexcept {
+    const std::uint32_t there = across_[t][side];
+    const Triangle u = there == none ? t : there >> 2;
+    const unsigned neighbors = --left_[u];
+    const unsigned list = std::min(neighbors, 3U);
+    waiting_[list * across_.size() + count_[list]] = u;
+    count_[list] += static_cast<Triangle>(neighbors < 3);
   }
 
-  // Goes on from the triangle of `in`, entered over that side or from nowhere (side 3), as far as it gets. Returns the
-  // first turn.
-  Turn grow(std::uint32_t in, Turn last) {
+  // The neighbours left of the triangle over a side of t, which is taken.
+  [[nodiscard]] unsigned left_over(Triangle t, unsigned side) const noexcept {
+    const std::uint32_t there = across_[t][side];
+    return left_[there == none ? t : there >> 2];
+  }
+  // From the triangle that a strip begins at.
+  [[nodiscard]] std::uint32_t first_way(Triangle t) const noexcept {
+    unsigned best = 0;
+    for (unsigned s = 1; s < 3; ++s)
+      if (left_over(t, s) < left_over(t, best)) best = s;
+    return left_over(t, best) > 3 ? none : t << 2 | best;
+  }
+  // From the triangle of `in`, entered over that side.
+  [[nodiscard]] Way way_on(std::uint32_t in, Turn last) const noexcept {
+    const Triangle t = in >> 2;
+    const unsigned entered = in & 3U;
+    const unsigned right = entered == 2 ? 0 : entered + 1;
+    const unsigned left = entered == 0 ? 2 : entered - 1;
+    // Where no turn is a swap, the lower side is preferred.
+    const Turn avoided = last != Turn::none ? last : entered == 1 ? Turn::right : Turn::left;
+    const unsigned score_right = 2 * left_over(t, right) + static_cast<unsigned>(avoided == Turn::right);
+    const unsigned score_left = 2 * left_over(t, left) + static_cast<unsigned>(avoided == Turn::left);
+    if (std::min(score_right, score_left) > 2 * 3 + 1) return {};
+    const bool turns_left = score_left < score_right;
+    return {t << 2 | (turns_left ? left : right), turns_left ? Turn::left : Turn::right};
+  }
+
+  // Goes on over the halfedge, as far as it gets. Returns the first turn. Of the neighbours of a triangle the one
+  // before is taken and the next is going to be, so only the third has to be told.
+  Turn grow(std::uint32_t out, Turn last) noexcept {
     Turn first_turn = Turn::none;
+    solid_[out >> 2] = static_cast<std::uint8_t>(solid_[out >> 2] | 1U << (out & 3U));
     for (;;) {
+      const std::uint32_t in = across_[out >> 2][out & 3U];
       const Triangle t = in >> 2;
-      const unsigned entered = in & 3U;
-      unsigned out = 3;
-      unsigned least = 8;
-      Turn turn = Turn::none;
-      for (unsigned s = 0; s < 3; ++s) {
-        const std::uint32_t there = across_[t][s];
-        if (s == entered || there == none || left_[there >> 2] == taken) continue;
-        const Turn this_turn = entered == 3 ? Turn::none : s == (entered + 1) % 3 ? Turn::right : Turn::left;
-        const unsigned score = 2U * left_[there >> 2] + (this_turn != Turn::none && this_turn == last ? 1U : 0U);
-        if (score >= least) continue;
-        least = score;
-        out = s;
-        turn = this_turn;
-      }
-      if (out == 3) return first_turn;
-      in = across_[t][out];
-      solid_[t] = static_cast<std::uint8_t>(solid_[t] | 1U << out);
-      solid_[in >> 2] = static_cast<std::uint8_t>(1U << (in & 3U));
-      take(in >> 2);
-      if (turn == Turn::none) continue;
-      if (first_turn == Turn::none) first_turn = turn;
-      last = turn;
+      left_[t] = taken;
+      const Way way = way_on(in, last);
+      solid_[t] = static_cast<std::uint8_t>(1U << (in & 3U));
+      if (way.out == none) return first_turn;
+      solid_[t] = static_cast<std::uint8_t>(1U << (in & 3U) | 1U << (way.out & 3U));
+      tell_neighbor(t, 3 - (in & 3U) - (way.out & 3U));
+      out = way.out;
+      last = way.turn;
+      if (first_turn == Turn::none) first_turn = last;
     }
   }
 
   std::span<const std::array<std::uint32_t, 3>> across_;
   std::span<std::uint8_t> solid_;
-  std::vector<std::uint8_t> left_;                // neighbours that are not taken, of those that are not
-  std::array<std::vector<Triangle>, 3> waiting_;  // by that number; some have another one by now
+  std::unique_ptr<std::uint8_t[]> left_;  // neighbours that are not taken, of those that are not
+  // By that number, 0 to 2, each list with room for all triangles; some have another number by now.
+  std::unique_ptr<Triangle[]> waiting_;
+  std::array<Triangle, 4> count_{};
   Triangle next_ = 0;
 };
 

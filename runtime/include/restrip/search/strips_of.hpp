@@ -1,0 +1,90 @@
+// Strips of a mesh that stays as it is: a triangle list in, the indices of its strips out.
+//
+//   const std::vector<std::uint32_t> indices = strips_of(list, vertex_count);   // draw with primitive restart
+//
+// No mesh is made where the cost allows that: the neighbours of the list are all that is needed. So this is quicker
+// than StripMesh::build, stripify and strip_indices one after the other.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "restrip/mesh/cost.hpp"
+#include "restrip/mesh/strip_mesh.hpp"
+#include "restrip/mesh/triangle_list.hpp"
+#include "restrip/output/strips.hpp"
+#include "restrip/search/stripify.hpp"
+
+namespace restrip {
+
+/// A triangle list in (what a TriangleList can be made of), the indices of strips with primitive restart out: those of
+/// strip_indices() after stripify() of StripMesh::build(). `report` tells what of the list was left out; it takes the
+/// time of building a mesh. Throws as TriangleList, find_neighbors() and stripify() do.
+template <class Triangles>
+[[nodiscard]] std::vector<std::uint32_t> strips_of(const Triangles& triangles, std::size_t vertex_count,
+                                                   Effort effort = Effort::full, Cost cost = Cost::indices(),
+                                                   BuildReport* report = nullptr);
+/// The same for a list that is known to be an oriented manifold, as strips_of(trusted, list, vertex_count).
+template <class Triangles>
+[[nodiscard]] std::vector<std::uint32_t> strips_of(Trusted trust, const Triangles& triangles, std::size_t vertex_count,
+                                                   Effort effort = Effort::full, Cost cost = Cost::indices());
+
+namespace detail {
+
+/// Corners and colours of a list, for SidedWriter.
+template <class Element>
+class ListedStrips {
+ public:
+  using Halfedge = StripMesh::Halfedge;
+
+  ListedStrips(const TriangleList<Element>& list, const ColoringCopy& colors) noexcept : list_(list), colors_(colors) {}
+
+  [[nodiscard]] std::size_t triangle_count() const noexcept { return colors_.triangle_count(); }
+  [[nodiscard]] std::size_t triangle_bound() const noexcept { return colors_.triangle_bound(); }
+  [[nodiscard]] bool alive(Triangle t) const noexcept { return colors_.alive(t); }
+  [[nodiscard]] unsigned solid_sides(Triangle t) const noexcept { return colors_.solid_sides(t); }
+  [[nodiscard]] unsigned solid_beside(Halfedge h) const noexcept { return colors_.solid_beside(h); }
+  [[nodiscard]] Halfedge opposite(Halfedge h) const noexcept { return colors_.across_solid(h); }
+  [[nodiscard]] Vertex from(Halfedge h) const noexcept { return list_.corner(h.id); }
+
+ private:
+  TriangleList<Element> list_;
+  const ColoringCopy& colors_;
+};
+
+template <class Element>
+std::vector<std::uint32_t> strips_of_list(const TriangleList<Element>& list, ColoringCopy colors, Effort effort,
+                                          Cost cost) {
+  Annealing annealing(std::move(colors), cost, 1);
+  color_from_scratch(annealing, effort, cost, 0, 1);
+  const ListedStrips<Element> strips(list, annealing.colors());
+  return SidedWriter(strips).run();
+}
+
+}  // namespace detail
+
+template <class Triangles>
+std::vector<std::uint32_t> strips_of(const Triangles& triangles, std::size_t vertex_count, Effort effort, Cost cost,
+                                     BuildReport* report) {
+  if (report == nullptr && cost.swap != 0) {
+    const TriangleList list(triangles);
+    return detail::strips_of_list(list, detail::ColoringCopy(list, vertex_count), effort, cost);
+  }
+  StripMesh mesh = StripMesh::build(triangles, vertex_count, report);
+  stripify(mesh, effort, cost);
+  return strip_indices(mesh);
+}
+
+template <class Triangles>
+std::vector<std::uint32_t> strips_of(Trusted /*trust*/, const Triangles& triangles, std::size_t vertex_count,
+                                     Effort effort, Cost cost) {
+  const TriangleList list(triangles);
+  RESTRIP_ASSERT(detail::is_oriented_manifold(list, vertex_count), "strips_of",
+                 "the list that is trusted is no oriented manifold");
+  if (cost.swap == 0) return strips_of(triangles, vertex_count, effort, cost);
+  return detail::strips_of_list(list, detail::ColoringCopy(trusted, list, vertex_count), effort, cost);
+}
+
+}  // namespace restrip

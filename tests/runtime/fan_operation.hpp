@@ -1,0 +1,85 @@
+// The operations on fans by number, with all that restrip::exact answers for them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <string>
+
+#include "naive_turns.hpp"
+#include "restrip/rules/exact.hpp"
+
+namespace restrip::exact {
+
+struct FanOperation {
+  static constexpr const char* names[] = {"split", "collapse", "open split", "boundary split", "fan collapse"};
+
+  int family = 0;
+  std::size_t k = 0;
+  std::size_t i = 0;  // a, or the first gap
+  std::size_t j = 0;
+
+  naive::TurnPatch patch() const {
+    switch (family) {
+      case 0:
+        return naive::turning_split(k, i);
+      case 1:
+        return naive::turning_collapse(k);
+      case 2:
+        return naive::turning_open_split(k, i, j);
+      case 3:
+        return naive::turning_boundary_split(k, i);
+      default:
+        return naive::turning_fan_collapse(k);
+    }
+  }
+
+  // Of masks or of bit strings, with or without what is known of turns.
+  template <class... Key>
+  auto best(const Key&... key) const {
+    switch (family) {
+      case 0:
+        return best_split(k, i, key...);
+      case 1:
+        return best_collapse(k, key...);
+      case 2:
+        return best_open_split(k, i, j, key...);
+      case 3:
+        return best_boundary_split(k, i, key...);
+      default:
+        return best_fan_collapse(k, key...);
+    }
+  }
+
+  std::string text() const {
+    return std::string(names[family]) + " k " + std::to_string(k) + " at " + std::to_string(i) + " " +
+           std::to_string(j);
+  }
+};
+
+// Anywhere, and at either end more often.
+inline FanOperation random_operation(std::mt19937_64& random, std::size_t k) {
+  FanOperation operation{static_cast<int>(random() % 5), k, 0, 0};
+  operation.i = operation.family == 0 ? 1 + random() % (k - 1) : random() % k;
+  operation.j = operation.i + 1 + random() % (k - operation.i);
+  if (operation.family != 0 && random() % 4 == 0) operation.i = 0;
+  if (random() % 4 == 0) operation.j = k;
+  return operation;
+}
+
+struct RandomKey {
+  naive::Bits ports;
+  naive::Bits joined;
+
+  // Between a handful of ports and all of them, and each pair joined seldom or nearly always.
+  RandomKey(std::mt19937_64& random, std::size_t k) : ports(k), joined(k) {
+    const std::uint64_t solid_of_64 = random() % 3 == 0 ? random() % 4 : random() % 65;
+    const std::uint64_t joined_of_8 = random() % 9;
+    for (std::size_t x = 0; x < k; ++x) {
+      ports[x] = random() % 64 < solid_of_64;
+      joined[x] = ports[x] && random() % 8 < joined_of_8;
+    }
+  }
+};
+
+}  // namespace restrip::exact

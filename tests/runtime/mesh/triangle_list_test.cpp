@@ -1,0 +1,146 @@
+// The neighbours in a triangle list are those that a table of all edges tells, whatever the list is; the report says
+// what is wrong with it, and a list that is trusted has the same neighbours.
+#include "restrip/mesh/triangle_list.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "restrip/mesh/strip_mesh.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using sample::Corners;
+using Across = std::vector<std::array<std::uint32_t, 3>>;
+
+struct Expected {
+  Across across;
+  BuildReport report;
+};
+
+// Every edge with all its sides.
+Expected from_table(const std::vector<Corners>& list, std::size_t vertices) {
+  Expected expected;
+  expected.across.assign(list.size(), {none, none, none});
+  std::map<std::pair<Vertex, Vertex>, std::vector<std::uint32_t>> edges;
+  for (Triangle t = 0; t < list.size(); ++t) {
+    const Corners& c = list[t];
+    if (*std::max_element(c.begin(), c.end()) >= vertices)
+      ++expected.report.out_of_range_triangles;
+    else if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
+      ++expected.report.degenerate_triangles;
+    else
+      for (unsigned s = 0; s < 3; ++s) edges[std::minmax(c[s], c[(s + 1) % 3])].push_back(4 * t + s);
+  }
+  for (const auto& entry : edges) {
+    const std::vector<std::uint32_t>& sides = entry.second;
+    const auto from = [&](std::size_t i) { return list[sides[i] / 4][sides[i] % 4]; };
+    if (sides.size() == 1) {
+      ++expected.report.boundary_edges;
+    } else if (sides.size() > 2) {
+      ++expected.report.non_manifold_edges;
+    } else if (from(0) == from(1)) {
+      ++expected.report.inconsistent_edges;
+    } else {
+      expected.across[sides[0] / 4][sides[0] % 4] = sides[1];
+      expected.across[sides[1] / 4][sides[1] % 4] = sides[0];
+    }
+  }
+  return expected;
+}
+
+void expect_table(const std::vector<Corners>& list, std::size_t vertices) {
+  const Expected expected = from_table(list, vertices);
+  Across across(list.size());
+  BuildReport report;
+  report.boundary_edges = 77;
+  find_neighbors(TriangleList(list), vertices, across, report);
+  ASSERT_EQ(across, expected.across);
+  ASSERT_EQ(report.degenerate_triangles, expected.report.degenerate_triangles);
+  ASSERT_EQ(report.out_of_range_triangles, expected.report.out_of_range_triangles);
+  ASSERT_EQ(report.boundary_edges, expected.report.boundary_edges);
+  ASSERT_EQ(report.non_manifold_edges, expected.report.non_manifold_edges);
+  ASSERT_EQ(report.inconsistent_edges, expected.report.inconsistent_edges);
+  // The mesh that is built of it has the same neighbours, by its own handles.
+  BuildReport of_mesh;
+  std::vector<std::uint32_t> origin;
+  const StripMesh mesh = StripMesh::build(list, vertices, &of_mesh, &origin);
+  ASSERT_EQ(of_mesh.boundary_edges, report.boundary_edges);
+  ASSERT_EQ(of_mesh.non_manifold_edges, report.non_manifold_edges);
+  ASSERT_EQ(of_mesh.inconsistent_edges, report.inconsistent_edges);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned s = 0; s < 3; ++s) {
+      const StripMesh::Halfedge there = mesh.opposite(StripMesh::halfedge(t, s));
+      const std::uint32_t named =
+          StripMesh::on_boundary(there) ? none : 4 * origin[StripMesh::triangle(there)] + StripMesh::side(there);
+      ASSERT_EQ(named, across[origin[t]][s]);
+    }
+  const std::size_t faults = report.degenerate_triangles + report.out_of_range_triangles + report.non_manifold_edges +
+                             report.inconsistent_edges;
+  if (faults != 0) return;
+  Across of_trusted(list.size());
+  find_neighbors(trusted, TriangleList(list), vertices, of_trusted);
+  ASSERT_EQ(of_trusted, across);
+}
+
+TEST(TriangleList, NeighborsAreThoseOfEverySoup) {
+  std::mt19937 random(1);
+  for (unsigned round = 0; round < 4000; ++round) {
+    const std::size_t vertices = 3 + round % 7;
+    std::vector<Corners> list(random() % 12);
+    // Some soups have corners twice and corners out of range, others do not.
+    const auto corner = [&] { return static_cast<Vertex>(random() % (vertices + (round % 3 == 0 ? 1 : 0))); };
+    for (Corners& c : list) do
+        c = {corner(), corner(), corner()};
+      while (round % 2 == 0 && (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]));
+    expect_table(list, vertices);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(TriangleList, NeighborsAreThoseOfMeshesInAnyOrder) {
+  std::mt19937 random(2);
+  for (const StripMesh& mesh : sample::meshes()) {
+    std::vector<Corners> list = sample::triangles_of(mesh);
+    std::shuffle(list.begin(), list.end(), random);
+    expect_table(list, mesh.vertex_bound());
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(TriangleList, ReadsTriplesAndIndicesOfTwoSizes) {
+  const std::vector<Corners> triples{{0, 1, 2}, {2, 1, 3}, {3, 3, 0}, {1, 0, 9}};
+  std::vector<std::uint32_t> wide;
+  for (const Corners& c : triples) wide.insert(wide.end(), c.begin(), c.end());
+  const std::vector<std::uint16_t> narrow(wide.begin(), wide.end());
+  const TriangleList of_triples(triples);
+  const TriangleList of_wide(wide);
+  const TriangleList of_narrow(narrow);
+  ASSERT_EQ(of_triples.size(), 4U);
+  ASSERT_EQ(of_wide.size(), 4U);
+  ASSERT_EQ(of_narrow.size(), 4U);
+  for (Triangle t = 0; t < 4; ++t)
+    for (unsigned s = 0; s < 3; ++s) {
+      EXPECT_EQ(of_triples.corner(4 * t + s), triples[t][s]);
+      EXPECT_EQ(of_wide.corner(4 * t + s), triples[t][s]);
+      EXPECT_EQ(of_narrow.corner(4 * t + s), triples[t][s]);
+    }
+  EXPECT_TRUE(of_narrow.is_triangle(1, 4));
+  EXPECT_FALSE(of_narrow.is_triangle(1, 3));
+  EXPECT_TRUE(of_narrow.degenerate(2));
+  EXPECT_FALSE(of_narrow.in_range(3, 4));
+  EXPECT_THROW((void)TriangleList(std::span(wide).first(8)), std::invalid_argument);
+  Across across(4);
+  BuildReport report;
+  EXPECT_THROW(find_neighbors(of_wide, std::size_t{1} << 32, across, report), std::length_error);
+}
+
+}  // namespace
+}  // namespace restrip

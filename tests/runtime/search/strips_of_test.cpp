@@ -1,0 +1,78 @@
+// From a list to strips without a mesh: the same indices as by way of a StripMesh, for every effort and cost, whatever
+// the list is and whether it is trusted or not.
+#include "restrip/search/strips_of.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include "restrip/output/check_buffer.hpp"
+#include "sample_meshes.hpp"
+
+namespace restrip {
+namespace {
+
+using sample::Corners;
+using Indices = std::vector<std::uint32_t>;
+
+Indices by_way_of_a_mesh(const std::vector<Corners>& list, std::size_t vertices, Effort effort, Cost cost) {
+  StripMesh mesh = StripMesh::build(list, vertices);
+  stripify(mesh, effort, cost);
+  return strip_indices(mesh);
+}
+
+TEST(StripsOf, AreThoseOfTheMesh) {
+  for (const StripMesh& mesh : sample::meshes()) {
+    const std::vector<Corners> list = sample::triangles_of(mesh);
+    const std::size_t vertices = mesh.vertex_bound();
+    for (const Cost cost : {Cost::indices(), Cost{100, 70, 1}, Cost::strips()})
+      for (const Effort effort : {Effort::fast, Effort::full}) {
+        const Indices expected = by_way_of_a_mesh(list, vertices, effort, cost);
+        EXPECT_EQ(strips_of(list, vertices, effort, cost), expected);
+        BuildReport report;
+        EXPECT_EQ(strips_of(list, vertices, effort, cost, &report), expected);
+        if (report.non_manifold_edges + report.inconsistent_edges != 0) continue;
+        EXPECT_EQ(strips_of(trusted, list, vertices, effort, cost), expected);
+      }
+  }
+}
+
+TEST(StripsOf, WhatIsLeftOutIsNotDrawn) {
+  std::mt19937 random(3);
+  for (unsigned round = 0; round < 300; ++round) {
+    const auto vertices = static_cast<Vertex>(5 + round % 20);
+    std::vector<Corners> list(1 + random() % 40);
+    for (Corners& c : list)
+      for (Vertex& v : c) v = static_cast<Vertex>(random() % (vertices + 1));
+    BuildReport report;
+    const StripMesh mesh = StripMesh::build(list, vertices, &report);
+    const Indices indices = strips_of(list, vertices, Effort::fast);
+    ASSERT_EQ(indices, by_way_of_a_mesh(list, vertices, Effort::fast, Cost::indices()));
+    ASSERT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), triangles_of(mesh));
+    ASSERT_EQ(mesh.triangle_count() + report.degenerate_triangles + report.out_of_range_triangles, list.size());
+  }
+}
+
+TEST(StripsOf, TakesShortIndicesAndAnEmptyList) {
+  const StripMesh mesh = sample::sphere(3);
+  std::vector<std::uint16_t> narrow;
+  for (const Corners& c : sample::triangles_of(mesh)) narrow.insert(narrow.end(), c.begin(), c.end());
+  const Indices indices = strips_of(narrow, mesh.vertex_bound());
+  EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), triangles_of(mesh));
+  EXPECT_EQ(strips_of(trusted, narrow, mesh.vertex_bound()), indices);
+  EXPECT_TRUE(strips_of(std::vector<Corners>{}, 0, Effort::fast).empty());
+  EXPECT_TRUE(strips_of(trusted, std::vector<Corners>{}, 4).empty());
+}
+
+TEST(StripsOf, TakesFewerIndicesThanTheFewestStripsAndMoreWithLessEffort) {
+  const StripMesh mesh = sample::torus(60, 50);
+  const std::vector<Corners> list = sample::triangles_of(mesh);
+  const std::size_t fast = strips_of(list, mesh.vertex_bound(), Effort::fast).size();
+  EXPECT_LT(fast, strips_of(list, mesh.vertex_bound(), Effort::fast, Cost::strips()).size());
+  EXPECT_LT(strips_of(list, mesh.vertex_bound(), Effort::full).size(), fast);
+}
+
+}  // namespace
+}  // namespace restrip

@@ -1,0 +1,17 @@
+// The tests of the verifier notice every deliberate fault of mutants.txt.
+#include "../support/mutant_tests.hpp"
+
+int main(int argc, char** argv) {
+  restrip::testing_support::MutantTests tests;
+  // The quick ones first.
+  tests.stages = {
+      "Description.*:Families.*:Forged*:Orbits.*:OperationJudge.*Corpus:OperationJudge.Good*:OperationJudge.Symm*",
+      "Corpus.*Hold:TableDump.*:OperationJudge.*",
+      "*AutomatonRejects.NothingInAGoodCertificate/0:OperationHeader.*",
+      "Corpus.Damaged*:Lists.Good*",
+  };
+  // Of the automaton's each takes a second or more: faults that they notice name them.
+  tests.left_out = "Lists.EveryFlipped*:*AutomatonRejects*:AutomatonFans.*";
+  tests.seconds = 120;
+  return restrip::testing_support::MutantRun(tests).run(argc, argv);
+}

@@ -1,0 +1,139 @@
+// The part Your turn in Chromium: lines are clicked with the mouse and by keys until nobody can do better; what is wrong is
+// named and marked on the way; each set of the reason is shown, and then the visitor's colours again; the link has puzzle and
+// colours; a patch that was cut becomes a puzzle.
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { faultsOf } from './accessible.mjs';
+
+const verdict = (page) => page.run('document.getElementById("turn-verdict").textContent');
+const turn = (page) => page.run(() => {
+  const { puzzle, inner, best, number } = restripViewer.turn;
+  return { name: puzzle.name, k: puzzle.k, a: puzzle.a, inner: Number(inner), best: Number(best), edges: puzzle.edges.length, number };
+});
+/// Clicks the middle of a line as a mouse does: between its first triangle and the side that it crosses.
+async function click(page, edge) {
+  const [x, y] = await page.run((name) => {
+    const line = document.querySelector(`#turn-after [data-edge="${name}"]`);
+    const [from, to] = [0, 1].map((n) => line.points[n]);
+    const place = new DOMPoint((from.x + 2 * to.x) / 3, (from.y + 2 * to.y) / 3).matrixTransform(line.getScreenCTM());
+    return [place.x, place.y];
+  }, `inner ${edge}`);
+  for (const type of ['mousePressed', 'mouseReleased']) await page.send('Input.dispatchMouseEvent', { type, x, y, button: 'left', clickCount: 1 });
+}
+
+export async function checkTurn(browser, address, scratch) {
+  const page = await browser.page(360, 640, { dark: true });
+  await page.open(`${address}#part=turn`);
+  await page.until(() => window.restripViewer?.turn.puzzle && window.restripViewer.settled);
+  const first = await turn(page);
+  assert.equal(first.number, 0);
+  assert.match(await verdict(page), /^\d strips in the patch; before the split there were \d\. Fewer are possible\.$/);
+  writeFileSync(join(scratch, 'turn-phone.png'), await page.screenshot());
+
+  // Mouse and keys in turn, up to the rule. The line keeps the focus.
+  for (let edge = 0; edge < first.edges; ++edge) {
+    if ((first.inner ^ first.best) >> edge & 1) {
+      if (edge % 2 === 0) await click(page, edge);
+      else {
+        await page.run((name) => document.querySelector(`#turn-after [data-edge="${name}"]`).focus(), `inner ${edge}`);
+        for (const type of ['keyDown', 'keyUp'])
+          await page.send('Input.dispatchKeyEvent', { type, key: 'Enter', code: 'Enter', windowsVirtualKeyCode: 13 });
+      }
+      assert.equal(await page.run('document.activeElement.dataset.edge'), `inner ${edge}`);
+    }
+  }
+  assert.equal((await turn(page)).inner, first.best);
+  assert.match(await verdict(page), /Nobody can do better/);
+  assert.equal(await page.run('document.querySelectorAll("#turn-after .wrong").length'), 0);
+
+  // Its reason, set by set.
+  await page.run(() => { document.querySelector('#part-turn details').open = true; });
+  const sets = await page.run(() => [...document.querySelectorAll('#turn-reason [data-set]')].map((button) => {
+    button.click();
+    const found = { pressed: document.querySelectorAll('#turn-reason [aria-pressed=true]').length, own: button.getAttribute('aria-pressed'),
+      wrong: document.querySelectorAll('#turn-after .wrong').length, clickable: document.querySelectorAll('#turn-after .hit').length,
+      text: document.getElementById('turn-verdict').textContent };
+    return found;
+  }));
+  assert.ok(sets.length >= 2);
+  for (const set of sets) {
+    assert.deepEqual([set.pressed, set.own, set.clickable], [1, 'true', 0]);
+    assert.ok(set.wrong > 0);
+    assert.match(set.text, /^Not your colours\. With these lines solid, .*(branches|close a cycle|get joined)\./);
+  }
+  writeFileSync(join(scratch, 'turn-reason.png'), await page.screenshot());
+  assert.equal(await page.run('document.documentElement.scrollWidth'), 360);
+  assert.deepEqual(await faultsOf(page), []);
+  await page.run(() => [...document.querySelectorAll('#turn-reason [data-set]')].at(-1).click());
+  assert.equal((await turn(page)).inner, first.best);
+  assert.equal(await page.run('document.querySelectorAll("#turn-after .hit").length'), first.edges);
+
+  // What is wrong, by name: the two new triangles and one beside them closed; all lines solid; ports joined.
+  const say = async (puzzle, mine) => {
+    await page.run((hash) => { location.hash = hash; }, `#part=turn&puzzle=${puzzle}&mine=${mine.toString(16)}`);
+    await page.until((name, inner) => restripViewer.turn.puzzle.name === name && Number(restripViewer.turn.inner) === inner, puzzle, mine);
+    return verdict(page);
+  };
+  assert.match(await say('3-1-0-0', 0b100011), /^Not safe: t0, A and D close a cycle\./);
+  assert.match(await say('3-1-0-0', 0b111111), /^Not safe: A has three solid lines, so it branches\./);
+  assert.match(await say('4-2-0-3', 0b10), /^Not safe: the lines that leave t0 and t1 get joined\./);
+  assert.equal(await page.run('document.querySelectorAll("#turn-after .wrong").length'), 2);
+  await page.until(() => location.hash.includes('puzzle=4-2-0-3&mine=2'));
+
+  // From one puzzle to the next, and by number; a vertex too large for certificates.
+  await page.run(() => { document.getElementById('turn-next').click(); });
+  const next = await turn(page);
+  await page.run(() => { document.getElementById('turn-back').click(); });
+  assert.equal((await turn(page)).number, next.number - 1);
+  await page.run(() => {
+    const number = document.getElementById('turn-number');
+    number.value = 9999999;
+    number.dispatchEvent(new Event('change'));
+  });
+  assert.equal((await turn(page)).number, await page.run('restripViewer.turn.puzzles.count') - 1);
+  await say('10-4-7-0', 1);
+  assert.match(await page.run('document.getElementById("turn-reason").textContent'), /end at vertices of 8 triangles/);
+  assert.deepEqual(page.faults, []);
+
+  // The patch that was cut, wide and light.
+  const wide = await browser.page(1280, 800);
+  await wide.open(`${address}#part=cut`);
+  await wide.until(() => window.restripViewer?.figures !== undefined && window.restripViewer.settled);
+  await wide.run('restripViewer.moveTo(700)');  // by collapses
+  await wide.until('restripViewer.settled && document.getElementById("take").disabled');
+  const last = await wide.run(() => {
+    document.getElementById('anywhere').click();
+    const { k, a, before, ports } = restripViewer.mesh.last;
+    return { k, a, strips: restripViewer.restrip.rule({ family: 'split', k, a, edges: before, ports }).strips };
+  });
+  await wide.until('restripViewer.settled');
+  await wide.run(() => document.getElementById('take').click());
+  await wide.until('restripViewer.turn.puzzle && restripViewer.part === "turn"');
+  const taken = await turn(wide);
+  assert.deepEqual([taken.k, taken.a], [last.k, Math.min(last.a, last.k - last.a)]);
+  assert.equal(await wide.run('restripViewer.turn.puzzle.after(restripViewer.turn.best) - restripViewer.turn.puzzle.before'), last.strips);
+  assert.match(await wide.run('document.getElementById("turn-where").textContent'), /^The patch that you cut/);
+  // The link follows while the light runs, too.
+  await wide.run(() => { restripViewer.light = true; location.hash = '#part=cut'; });
+  await wide.until('/part=cut&level/.test(location.hash)');
+  await wide.run('restripViewer.light = false');
+  // An address that comes when the old state is about to be told is followed, and not overwritten.
+  await wide.run(async () => {
+    const later = window.setTimeout;
+    let tell;
+    while (!tell) {  // else it is to be told already
+      window.setTimeout = (call) => { tell = call; return 1; };
+      restripViewer.link.tell();
+      window.setTimeout = later;
+      if (!tell) await new Promise((passed) => setTimeout(passed, 100));
+    }
+    location.hash = '#part=ribbon';
+    tell();
+  });
+  await wide.until('document.body.dataset.part === "ribbon"');
+  await wide.run(() => { location.hash = '#part=turn'; });
+  await wide.until('document.body.dataset.part === "turn" && restripViewer.settled');
+  writeFileSync(join(scratch, 'turn.png'), await wide.screenshot());
+  assert.deepEqual(wide.faults, []);
+}

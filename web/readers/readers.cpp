@@ -1,0 +1,112 @@
+// The readers of the program `restrip` for JavaScript (js/formats.mjs): one module for each file that is read. The
+// caller writes the bytes into memory taken by readers_take, and looks at the Found that readers_read returns.
+//
+// The readers throw. This module has nobody who would catch: an exception's sentence goes to JavaScript, which throws
+// it on and drops the module with all of its memory.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "common/bad_input.hpp"
+#include "lod/mesh_formats.hpp"
+#include "meshes/mend.hpp"
+
+#ifdef __wasm__
+#define READERS_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+
+extern "C" [[noreturn]] __attribute__((import_module("readers"), import_name("refuse"))) void readers_refuse(
+    const char*);
+
+// What the compiler makes of `throw`.
+extern "C" void* __cxa_allocate_exception(std::size_t bytes) noexcept { return std::malloc(bytes); }
+extern "C" void __cxa_free_exception(void* memory) noexcept { std::free(memory); }
+extern "C" [[noreturn]] void __cxa_throw(void* thrown, void* /*type*/, void (* /*destroy*/)(void*)) {
+  readers_refuse(static_cast<std::exception*>(thrown)->what());
+}
+#else  // where it is compiled only to be checked
+#define READERS_EXPORT(name) extern "C"
+#endif
+
+namespace {
+
+using namespace restrip::tools;
+
+/// Addresses, and how many numbers or characters there are; lists that the kind has not are empty.
+struct Found {
+  enum class Kind : std::uint32_t { mesh, progressive, baked } kind = Kind::mesh;
+  const void* points = nullptr;  // three floats each
+  std::uint32_t point_numbers = 0;
+  const void* triangles = nullptr;  // of a mesh, or of the base of a progressive one: three vertices each
+  std::uint32_t triangle_numbers = 0;
+  const void* splits = nullptr;  // of a progressive mesh: v_s, v_t, v_l, v_r each
+  std::uint32_t split_numbers = 0;
+  const void* baked = nullptr;  // the bytes of a baked mesh
+  std::uint32_t baked_bytes = 0;
+  const void* left_out = nullptr;  // what the vertices of the file have besides: a sentence's end
+  std::uint32_t left_out_bytes = 0;
+};
+
+ReadMesh mesh;
+std::string left_out;
+Found found;
+
+template <class List>
+void give(const List& list, std::size_t numbers, const void*& address, std::uint32_t& count) {
+  address = list.data();
+  count = static_cast<std::uint32_t>(list.size() * numbers);
+}
+
+void tell(Soup& soup, bool repeats_vertices) {
+  // glTF repeats a vertex wherever a normal or a texture breaks; a strip crosses it.
+  if (Mended mended; repeats_vertices) weld(soup, mended);
+  give(soup.points, 3, found.points, found.point_numbers);
+  give(soup.triangles, 3, found.triangles, found.triangle_numbers);
+  left_out = attributes_in_words(soup.left_out_attributes);
+}
+void tell(const ProgressiveMesh& progressive) {
+  found.kind = Found::Kind::progressive;
+  give(progressive.points, 3, found.points, found.point_numbers);
+  give(progressive.base, 3, found.triangles, found.triangle_numbers);
+  give(progressive.splits, 4, found.splits, found.split_numbers);
+}
+void tell(const BakedBytes& baked) {
+  found.kind = Found::Kind::baked;
+  give(baked.bytes, 1, found.baked, found.baked_bytes);
+  left_out = attributes_in_words(baked.left_out_attributes);
+}
+
+std::string extension_of(std::string_view name) {
+  std::string extension(name.substr(std::min(name.rfind('.'), name.size())));
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+}  // namespace
+
+READERS_EXPORT(readers_take)
+void* readers_take(std::uint32_t bytes) { return std::malloc(bytes); }
+
+/// `name` decides by its extension.
+READERS_EXPORT(readers_read)
+const Found* readers_read(const char* bytes, std::uint32_t count, const char* name, std::uint32_t name_bytes) {
+  const std::string file(name, name_bytes);
+  const ReadBeside nothing_beside = [&](const std::string& other) -> std::string {
+    throw BadInput(file + ": keeps part of itself in '" + other +
+                   "', which is not at hand; save it as one file (.glb)");
+  };
+  const std::string extension = extension_of(file);
+  mesh = parse_mesh({bytes, count}, extension, file, nothing_beside);
+  if (auto* soup = std::get_if<Soup>(&mesh)) tell(*soup, extension == ".glb" || extension == ".gltf");
+  if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) tell(*progressive);
+  if (const auto* baked = std::get_if<BakedBytes>(&mesh)) tell(*baked);
+  give(left_out, 1, found.left_out, found.left_out_bytes);
+  return &found;
+}

@@ -1,0 +1,39 @@
+// What the visitor's hands do: pointers, keys, buttons and choices.
+
+export function listen(viewer, by) {
+  by('light').setAttribute('aria-pressed', String(viewer.light));
+  by('light').addEventListener('click', () => {
+    viewer.light = !viewer.light;
+    by('light').setAttribute('aria-pressed', String(viewer.light));
+    viewer.ask();
+  });
+  by('picture').addEventListener('click', () => viewer.savePicture());
+  viewer.camera.listen(by('canvas'), () => viewer.changed(), (event) => {
+    if (viewer.part === 'cut') viewer.cut.click(viewer.pane.rayAt(event));
+  });
+  by('canvas').addEventListener('keydown', (event) => {
+    if (event.key === 'Enter' && viewer.part === 'cut') viewer.cut.click(viewer.pane.ray(0, 0));
+  });
+  by('canvas').addEventListener('pointermove', (event) => {
+    viewer.cursor = viewer.pane.placeOf(event);
+    if (event.buttons !== 0) return;
+    if (by('mode').value === 'cursor') viewer.changed();
+    else if (viewer.part === 'cut' && viewer.cut.shown) viewer.cut.pointFrom(viewer.pane.rayAt(event));
+  });
+  by('level').addEventListener('input', () => viewer.moveTo(+by('level').value));
+  by('down').addEventListener('click', () => viewer.step(-1));
+  by('up').addEventListener('click', () => viewer.step(1));
+  for (const id of ['policy', 'cost']) by(id).addEventListener('change', () => viewer.begin());
+  by('mode').addEventListener('change', () => {
+    // Out of order baked strips are lost; the base has them again.
+    const lost = by('policy').value === 'baked' && by('mode').value === 'level' && !viewer.mesh.figures.baked;
+    if (lost) viewer.begin();
+    else viewer.changed();
+  });
+  by('style').addEventListener('change', () => viewer.ask());
+  document.addEventListener('keydown', (event) => {
+    if (['SELECT', 'INPUT'].includes(event.target.tagName)) return;
+    if (event.key === '.') viewer.step(1);
+    if (event.key === ',') viewer.step(-1);
+  });
+}

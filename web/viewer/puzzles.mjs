@@ -1,0 +1,54 @@
+// The puzzles of the part Your turn: every rule of the certificate of splits, those that real meshes meet most often first
+// (web/puzzles.py), and patches from elsewhere.
+import { listed, representative, ruleName } from './patch.mjs';
+import { Puzzle, fullest } from './judge.mjs';
+import { reasonBack } from './reason.mjs';
+
+/// Vertices of more triangles are too crowded to draw.
+export const largestPuzzle = 24;
+
+export class Puzzles {
+  #rows;
+  #numbers;
+
+  constructor(text) {
+    const [counted, ...lines] = text.trim().split('\n');
+    this.counted = Number(counted);  // splits of real meshes
+    this.#rows = lines.map((line) => {
+      const [, met, k, a, ports, joined, reason] = /^(\d+) (\d+) (\d+) (\w+) (\w+) (.*)$/.exec(line);
+      return { met: +met, k: +k, a: +a, ports: BigInt(`0x${ports}`), joined: BigInt(`0x${joined}`), reason };
+    });
+    this.#numbers = new Map(this.#rows.map((row, n) => [ruleName(row.k, row.a, row), n]));
+  }
+  get count() { return this.#rows.length; }
+  /// How many splits of real meshes met it.
+  met(n) { return this.#rows[n].met; }
+  at(n) {
+    const { k, a, ports, joined } = this.#rows[n];
+    return new Puzzle(k, a, fullest(k, ports, joined), ports);
+  }
+  /// A patch from elsewhere, which is valid; seen from its other new triangle where that is how tables have it.
+  of({ k, a, loop, ports }) {
+    const seen = listed(k, a, BigInt(loop), BigInt(ports));
+    return new Puzzle(k, seen.a, seen.loop, seen.ports);
+  }
+  /// The rule of a puzzle: which it is, its name in the atlas, and its reason for the very patch. Null beyond the certificate.
+  find(puzzle) {
+    const { k, a, loop, ports } = puzzle;
+    if (k > 8) return null;
+    const key = representative(k, a, loop, ports);
+    const rule = ruleName(k, a, key);
+    const index = this.#numbers.get(rule);
+    if (index === undefined) throw new Error(`the certificate has no rule ${rule}`);
+    return { index, rule, reason: reasonBack(puzzle, key.map, this.#rows[index].reason) };
+  }
+  /// The puzzle that a link names, or null.
+  named(text, restrip) {
+    const found = /^(\d{1,2})-(\d{1,2})-([0-9a-f]{1,6})-([0-9a-f]{1,6})$/.exec(text ?? '');
+    if (!found) return null;
+    const [k, a] = [+found[1], +found[2]];
+    const [loop, ports] = [found[3], found[4]].map((mask) => BigInt(`0x${mask}`));
+    const within = k >= 3 && k <= largestPuzzle && a >= 1 && a < k && (loop | ports) < 1n << BigInt(k);
+    return within && restrip.rule({ family: 'split', k, a, edges: loop, ports }).valid ? this.of({ k, a, loop, ports }) : null;
+  }
+}

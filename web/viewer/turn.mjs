@@ -1,0 +1,219 @@
+// Your turn: a visitor colours a patch after its split; the page counts the strips, names what is wrong, and shows from the
+// certificate why nobody can do better.
+import { embedded } from './embedded.mjs';
+import { fanPicture, ringPicture } from './patch.mjs';
+import { bitsIn } from './judge.mjs';
+import { shown } from './reason.mjs';
+import { Puzzles } from './puzzles.mjs';
+import { cutColors } from './cut.mjs';
+
+const counted = (n, what) => `${n.toLocaleString('en')} ${what}${n === 1 ? '' : 's'}`;
+const together = (words) => (words.length < 2 ? words.join('') : `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`);
+const bitsOf = (mask) => [...mask.toString(2)].reverse().flatMap((bit, n) => (bit === '1' ? [n] : []));
+
+/// What is wrong with a colouring, in a few words.
+export function faultText({ names }, { kind, triangles, ports }) {
+  const named = together(triangles.map((node) => names[node]));
+  if (kind === 'branch') return `${named} has three solid lines, so it branches`;
+  if (kind === 'cycle') return `${named} close a cycle`;
+  return `the lines that leave ${together(ports.map((port) => names[port]))} get joined`;
+}
+const whyNot = {
+  branch: 'A strip enters a triangle once and leaves it once.',
+  cycle: 'A strip has two ends.',
+  join: 'They were not joined before. Outside they may be two ends of one strip, which would become a cycle; a rule does not look there.'
+};
+
+export class Turn {
+  puzzle = null;
+  inner = 0n;  // solid inner edges
+  seen = null;  // of the reason: { inner, fault } that is shown in place of the visitor's colours
+  #loading = null;
+
+  constructor(viewer, by) {
+    this.viewer = viewer;
+    this.by = by;
+    by('take').addEventListener('click', () => this.take());
+    by('turn-again').addEventListener('click', () => this.#paint(this.first));
+    by('turn-rule').addEventListener('click', () => this.#paint(this.best));
+    by('turn-back').addEventListener('click', () => this.go(this.number - 1));
+    by('turn-next').addEventListener('click', () => this.go(this.number + 1));
+    by('turn-number').addEventListener('change', () => this.go(Math.round(+by('turn-number').value) - 1));
+    const board = by('turn-after');
+    board.addEventListener('click', (event) => this.#press(event.detail === 0 ? event.target : this.#nearest(event)));
+    board.addEventListener('keydown', (event) => {
+      if (event.key !== 'Enter' && event.key !== ' ') return;
+      event.preventDefault();
+      this.#press(event.target);
+    });
+    board.addEventListener('pointermove', (event) => this.#near(event.pointerType === 'mouse' ? this.#nearest(event) : null));
+    board.addEventListener('pointerleave', () => this.#near(null));
+    by('turn-reason').addEventListener('click', ({ target }) => target.dataset.set && this.#see(target));
+  }
+
+  // ---- which puzzle
+  #load() {
+    return this.#loading ??= embedded('puzzles').then((bytes) => {
+      this.puzzles = new Puzzles(new TextDecoder().decode(bytes));
+      this.by('turn-number').max = this.puzzles.count;
+      this.by('turn-count').textContent = `of ${this.puzzles.count.toLocaleString('en')}`;
+    });
+  }
+  /// The puzzle and the colours that a link names; without them what is there, at first the puzzle that is met most often.
+  async goTo({ puzzle, mine }) {
+    if (this.viewer.part !== 'turn' && puzzle === undefined) return;
+    await this.#load();
+    const named = this.puzzles.named(puzzle, this.viewer.restrip);
+    if (named && named.name !== this.puzzle?.name) this.#begin(named);
+    else if (!this.puzzle) this.#begin(this.puzzles.at(0));
+    if (!/^[0-9a-f]{1,8}$/.test(mine ?? '')) return;
+    const inner = BigInt(`0x${mine}`);
+    if (inner < 1n << BigInt(this.puzzle.edges.length) && inner !== this.inner) this.#paint(inner);
+  }
+  /// What a link says of it.
+  get state() {
+    if (!this.puzzle || this.viewer.part !== 'turn') return {};
+    return { puzzle: this.puzzle.name, mine: this.inner === this.first ? undefined : this.inner.toString(16) };
+  }
+  go(number) {
+    this.#begin(this.puzzles.at(Math.max(0, Math.min(this.puzzles.count - 1, number || 0))));
+  }
+  /// The split that was seen last.
+  async take() {
+    const { k, a, before, ports } = this.viewer.mesh.last;
+    await this.#load();
+    this.#begin(this.puzzles.of({ k, a, loop: before, ports }), true);
+    location.hash = '#part=turn';
+  }
+  #begin(puzzle, own = false) {
+    const { k, a, loop, ports } = this.puzzle = puzzle;
+    this.best = this.viewer.restrip.rule({ family: 'split', k, a, edges: loop, ports }).colors;
+    this.first = cutColors(k, a, loop);
+    const found = this.puzzles.find(puzzle);
+    this.number = found ? found.index : -1;
+    this.by('turn-number').value = found ? found.index + 1 : '';
+    this.by('turn-before').innerHTML = fanPicture(k, a, loop, ports, 'the patch before the split');
+    this.#tellWhere(found, own);
+    this.#tellReason(found);
+    this.#paint(this.first);
+  }
+
+  // ---- what is pressed
+  /// The line that is nearest to a pointer, if one is near.
+  #nearest({ clientX, clientY }) {
+    const lines = [...this.by('turn-after').querySelectorAll('.hit')];
+    if (lines.length === 0) return null;
+    const place = new DOMPoint(clientX, clientY).matrixTransform(lines[0].getScreenCTM().inverse());
+    const away = ({ points }) => Math.min(...[1, 2].map((n) => {
+      const [from, to] = [points[n - 1], points[n]];
+      const [x, y] = [to.x - from.x, to.y - from.y];
+      const along = Math.max(0, Math.min(1, ((place.x - from.x) * x + (place.y - from.y) * y) / (x * x + y * y)));
+      return Math.hypot(from.x + along * x - place.x, from.y + along * y - place.y);
+    }));
+    const best = lines.reduce((one, other) => (away(other) < away(one) ? other : one));
+    return away(best) < 32 ? best : null;
+  }
+  #near(line) {
+    for (const each of this.by('turn-after').querySelectorAll('.hit')) each.classList.toggle('near', each === line);
+  }
+  #press(line) {
+    const { edge } = line?.dataset ?? {};
+    if (edge === undefined) return;
+    this.#paint(this.inner ^ 1n << BigInt(edge.replace('inner ', '')));
+    this.by('turn-after').querySelector(`[data-edge="${edge}"]`).focus({ preventScroll: true });
+  }
+
+  // ---- what is seen
+  #paint(inner) {
+    this.inner = inner;
+    this.#see(null);
+    this.viewer.ask();  // so that the link follows
+  }
+  /// Shows the set of a button of the reason, or the visitor's colours; a button that is pressed again ends it.
+  #see(button) {
+    const same = button?.getAttribute('aria-pressed') === 'true';
+    for (const each of this.by('turn-reason').querySelectorAll('[data-set]')) each.setAttribute('aria-pressed', String(each === button && !same));
+    const of = button && !same ? this.lists[button.dataset.list] : null;
+    this.seen = of && { inner: of.why[button.dataset.set].set | of.solid, fault: of.why[button.dataset.set].fault };
+    this.#draw();
+  }
+  #draw() {
+    const { k, a, ports } = this.puzzle;
+    const fault = this.seen ? this.seen.fault : this.puzzle.fault(this.inner);
+    const marked = (fault?.edges ?? []).reduce((mask, edge) => mask | 1n << BigInt(edge), 0n);
+    const board = this.by('turn-after');
+    board.innerHTML = ringPicture(k, a, this.seen ? this.seen.inner : this.inner, ports, 'the patch after the split',
+      { click: !this.seen, faces: true, named: true, marked });
+    for (const node of fault?.triangles ?? []) board.querySelector(`[data-face="${node}"]`).classList.add('wrong');
+    this.#tellVerdict(fault);
+  }
+
+  // ---- what is said
+  /// `fault`: of what is seen.
+  #tellVerdict(fault) {
+    const { puzzle, inner, best } = this;
+    const verdict = this.by('turn-verdict');
+    const [strips, least] = [inner, best].map((colors) => puzzle.after(colors));
+    const [alone, leastAlone] = [inner, best].map((colors) => puzzle.alone(colors));
+    const solved = !fault && strips === least && alone.length === leastAlone.length;
+    verdict.className = fault ? 'unsafe' : solved ? 'solved' : '';
+    if (fault) {
+      const begins = this.seen ? 'Not your colours. With these lines solid, ' : 'Not safe: ';
+      verdict.textContent = `${begins}${faultText(puzzle, fault)}. ${whyNot[fault.kind]}`;
+      return;
+    }
+    const { before } = puzzle;
+    const count = `${counted(strips, 'strip')} in the patch; before the split there ${before === 1 ? 'was' : 'were'} ${before}.`;
+    const worth = inner === best ? 'Nobody can do better; the rule does the same.'
+      : solved ? 'Nobody can do better. The rule takes other lines, which are as good.'
+        : strips > least ? 'Fewer are possible.'
+          : `Nobody has fewer, but ${isAlone(puzzle, alone)}, and it can be done with ${leastAlone.length === 0 ? 'none' : 'fewer'} alone.`;
+    verdict.textContent = `${count} ${worth}`;
+  }
+  #tellWhere(found, own) {
+    const { k, a } = this.puzzle;
+    const where = this.by('turn-where');
+    where.textContent = `${own ? 'The patch that you cut: a' : 'A'} vertex of ${k} triangles, ${a} of which go to one end of the new edge. `;
+    if (!found) return;
+    const met = this.puzzles.met(found.index);
+    const share = 10000 * met / this.puzzles.counted;
+    const often = `Of 10,000 splits in real meshes ${share < 0.01 ? 'under 0.01' : share.toFixed(2)} meet its rule, `;
+    where.append(met === 0 ? 'Splits in four real meshes did not meet its rule, ' : often,
+      Object.assign(document.createElement('a'), { href: `atlas/split-${k}-${a}.html#${found.rule}`, textContent: found.rule }), '.');
+  }
+  #tellReason(found) {
+    const { puzzle, best } = this;
+    const edges = puzzle.edges.length;
+    const said = `Fewer strips means fewer dashed lines. The rule leaves ${edges - bitsIn(best)} of the ${edges} lines inside dashed.`;
+    this.lists = found ? shown(puzzle, found.reason, best) : [];
+    this.by('turn-reason').innerHTML = found
+      ? `<p>${said} Nobody can leave fewer. Press a set of lines to see why they cannot all be solid.</p>` +
+        this.lists.map((list, n) => listText(puzzle, best, list, n)).join('')
+      : `<p>${said} Certificates with such reasons end at vertices of 8 triangles. A proof for vertices of any number of triangles says
+        that nobody can leave fewer.</p>`;
+  }
+}
+
+const isAlone = ({ names }, triangles) => `${together(triangles.map((node) => names[node]))} ${triangles.length === 1 ? 'is' : 'are'} alone`;
+
+/// One list of a reason as a page has it: its case, its sets as buttons, and what they show.
+function listText(puzzle, best, { solid, dashed, why, least, left }, list) {
+  const line = (edge) => puzzle.edgeName(edge);
+  const given = [...bitsOf(solid).map((edge) => `${line(edge)} is solid`), ...bitsOf(dashed).map((edge) => `${line(edge)} is dashed`)];
+  const parts = given.length > 0 ? [`<h3>If ${together(given)}</h3>`] : [];
+  const quantity = { 1: '', 2: 'both ' };
+  const sets = why.map(({ set, fault }, n) => `<li>
+    <button data-list="${list}" data-set="${n}" aria-pressed="false">${bitsOf(set).map(line).join(', ')}</button>
+    ${quantity[bitsIn(set)] ?? 'all '}solid: ${faultText(puzzle, fault)}.</li>`);
+  if (why.length > 0) parts.push(`<ol class="sets">${sets.join('')}</ol>`);
+  const own = why.length > 1 ? `No two sets share a line, so each has a dashed line of its own: ${why.length}`
+    : why.length === 1 ? 'One line is dashed' : 'No other line need be dashed';
+  const settled = bitsIn(dashed);
+  const all = settled > 0 ? `, with ${settled === 1 ? 'the line' : `the ${settled} lines`} of this case ${least}` : '';
+  const ours = puzzle.edges.length - bitsIn(best);
+  const its = puzzle.alone(best).length;
+  const alone = least === ours && its > 0
+    ? ` With no more dashed lines than that, ${isAlone(puzzle, left)}, ${left.length > its ? 'more than' : 'as many as'} under the rule.` : '';
+  parts.push(`<p>${own}${all}. The rule leaves ${least > ours ? 'fewer' : 'as many'}.${alone}</p>`);
+  return parts.join('');
+}
