@@ -27,8 +27,8 @@ class Growing {
   Growing(std::span<const std::array<std::uint32_t, 3>> across, std::span<std::uint8_t> solid)
       : across_(across),
         solid_(solid),
-        left_(std::make_unique_for_overwrite<std::uint8_t[]>(across.size())),
-        waiting_(std::make_unique_for_overwrite<Triangle[]>(3 * across.size() + 1)) {}
+        left_(new std::uint8_t[across.size()]),
+        waiting_(new Triangle[3 * across.size() + 1]) {}
 
   void run() {
     std::fill(solid_.begin(), solid_.end(), std::uint8_t{0});
@@ -130,6 +130,7 @@ class Growing {
 
   std::span<const std::array<std::uint32_t, 3>> across_;
   std::span<std::uint8_t> solid_;
+  // Neither is read before it is written.
   std::unique_ptr<std::uint8_t[]> left_;  // neighbours that are not taken, of those that are not
   // By that number, 0 to 2, each list with room for all triangles; some have another number by now.
   std::unique_ptr<Triangle[]> waiting_;
