@@ -35,12 +35,12 @@ inline Seen seen_over(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
 // The solid sides of a triangle.
 template <class Mesh>
 struct Exits {
-  std::array<typename Mesh::Halfedge, 3> side{};
+  std::array<typename Mesh::Halfedge, 3> side;
   unsigned count = 0;
 };
 template <NumberedMesh Mesh>
 Exits<Mesh> exits(const Mesh& mesh, typename Mesh::Halfedge h) {
-  Exits<Mesh> exits;
+  Exits<Mesh> exits{{h, h, h}};
   for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
     exits.side[exits.count] = h;
     exits.count += mesh.solid(h) ? 1U : 0U;
