@@ -187,8 +187,7 @@ std::uint32_t BasicStripBuffer<Index>::widen(std::uint32_t left, std::uint32_t r
 
 // ---- gaps
 
-// Moves the last run into a gap, again and again. A cut wastes about two and a half indices, half of them at each of its
-// ends.
+// Moves the last run into a gap, again and again. A cut wastes some two and a half indices, half of them at each end.
 template <class Index>
 void BasicStripBuffer<Index>::close_gaps() noexcept {
   for (std::uint32_t moved = 0;;) {
