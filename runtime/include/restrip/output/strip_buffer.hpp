@@ -22,9 +22,9 @@
 // the smallest gap that is large enough, or to the end of the buffer.
 //
 // Length. A cut takes three indices, less those that it saves, and there are gaps. Where both are more than 9 % of the
-// indices needed, and gaps alone more than 4 %, an update moves the last runs into gaps, which it may widen. The buffer
-// of a scanned mesh has some 1.10 times the indices of strip_indices(). Strips that repeat no index, such as those of a
-// grid, take more: a cut for 28 triangles is 11 % already. A triangle list has 3 indices a triangle.
+// indices needed, an update moves the last runs into gaps, which it may widen. The buffer of a scanned mesh has some
+// 1.09 times the indices of strip_indices(). Strips that repeat no index, such as those of a grid, take more: a cut for
+// 28 triangles is 11 % already. A triangle list has 3 indices a triangle.
 //
 // Time. An update takes time linear in the triangles that changed: it reads the runs that they are in and short runs
 // that join them, slides at most 60 indices for each run that grows, and moves at most some 600 to close gaps. No

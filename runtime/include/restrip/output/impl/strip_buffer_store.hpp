@@ -14,8 +14,7 @@ namespace detail {
 inline constexpr std::uint32_t moved_for_a_run = 60;      // at most, so that a run that grew stays where it is
 inline constexpr std::uint32_t moved_for_a_gap = 400;     // at most, so that the last run fits into it
 inline constexpr std::uint32_t moved_by_an_update = 200;  // into gaps: none is closed beyond this
-inline constexpr std::uint64_t tolerated_gaps = 40;       // per mille of what is needed
-inline constexpr std::uint64_t tolerated_waste = 90;      // the same, of gaps and cuts
+inline constexpr std::uint64_t tolerated_waste = 90;      // per mille of what is needed
 inline constexpr std::uint32_t shortest_run = 4;
 }  // namespace detail
 
@@ -188,7 +187,7 @@ std::uint32_t BasicStripBuffer<Index>::widen(std::uint32_t left, std::uint32_t r
 
 // ---- gaps
 
-// Moves the last run into a gap, again and again. A cut wastes about two indices, one for each of its ends.
+// Moves the last run into a gap, again and again. A cut wastes some two and a half indices, half of them at each end.
 template <class Index>
 void BasicStripBuffer<Index>::close_gaps() noexcept {
   for (std::uint32_t moved = 0;;) {
@@ -199,10 +198,8 @@ void BasicStripBuffer<Index>::close_gaps() noexcept {
       cells_.resize(run.end());
       places_.set_length(run.end());
     }
-    const std::uint64_t needed = places_.used() - places_.cuts();
-    const std::uint64_t gaps = places_.length() - places_.used();
-    const bool wasteful = 1000 * gaps > detail::tolerated_gaps * needed &&
-                          1000 * (gaps + places_.cuts()) > detail::tolerated_waste * needed;
+    const std::uint64_t needed = places_.used() - std::uint64_t{places_.cuts()} * 5 / 4;
+    const bool wasteful = 1000 * (places_.length() - needed) > detail::tolerated_waste * needed;
     const std::uint32_t before = places_.find_gap(run.length);
     if (!wasteful || moved >= detail::moved_by_an_update || before == nothing) return;
     if (places_.gap(before) < run.length && places_.next(before) != last) {
