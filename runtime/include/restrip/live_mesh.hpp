@@ -32,21 +32,23 @@ struct LiveOptions {
   std::size_t history = 0;       ///< triangles that may have changed in all frames that can be undone; 0: no history
 };
 
-/// Stays where it is: neither copied nor moved. Each call throws what its parts throw.
-class LiveMesh {
+/// Stays where it is: neither copied nor moved. Each call throws what its parts throw. `Mesh` is StripMesh: this is a
+/// template so that searches and buffers are compiled where a LiveMesh is used, not wherever this header is included.
+template <class Mesh>
+class BasicLiveMesh {
  public:
-  using Halfedge = StripMesh::Halfedge;
+  using Halfedge = typename Mesh::Halfedge;
 
   /// `triangles`: what StripMesh::build takes. `report` tells what of them was left out.
   template <class Triangles>
-  LiveMesh(const Triangles& triangles, std::size_t vertex_count, LiveOptions options = {},
-           BuildReport* report = nullptr)
-      : LiveMesh(StripMesh::build(triangles, vertex_count, report), options, true) {}
+  BasicLiveMesh(const Triangles& triangles, std::size_t vertex_count, LiveOptions options = {},
+                BuildReport* report = nullptr)
+      : BasicLiveMesh(Mesh::build(triangles, vertex_count, report), options, true) {}
   /// A mesh with the colours that it has.
-  explicit LiveMesh(StripMesh mesh, LiveOptions options = {}) : LiveMesh(std::move(mesh), options, false) {}
-  LiveMesh(const LiveMesh&) = delete;
-  LiveMesh& operator=(const LiveMesh&) = delete;
-  ~LiveMesh() = default;
+  explicit BasicLiveMesh(Mesh mesh, LiveOptions options = {}) : BasicLiveMesh(std::move(mesh), options, false) {}
+  BasicLiveMesh(const BasicLiveMesh&) = delete;
+  BasicLiveMesh& operator=(const BasicLiveMesh&) = delete;
+  ~BasicLiveMesh() = default;
 
   /// The halfedge from v to w, or {none}, which every operation refuses. O(valence of v).
   [[nodiscard]] Halfedge edge(Vertex v, Vertex w) const noexcept {
@@ -85,17 +87,17 @@ class LiveMesh {
 
   /// Draw them as one triangle strip with primitive restart.
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return buffer_.indices(); }
-  [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
-  [[nodiscard]] Keeper<StripMesh>& keeper() noexcept { return keeper_; }
+  [[nodiscard]] const Mesh& mesh() const noexcept { return mesh_; }
+  [[nodiscard]] Keeper<Mesh>& keeper() noexcept { return keeper_; }
 
  private:
-  LiveMesh(StripMesh&& mesh, const LiveOptions& options, bool from_scratch)
+  BasicLiveMesh(Mesh&& mesh, const LiveOptions& options, bool from_scratch)
       : mesh_(std::move(mesh)), keeper_(colored(mesh_, options, from_scratch), options.policy, options.cost) {
     if (options.history != 0) history_.emplace(mesh_, options.history);
     mesh_.watch(&changed_);
     buffer_.rebuild(mesh_);
   }
-  static StripMesh& colored(StripMesh& mesh, const LiveOptions& options, bool from_scratch) {
+  static Mesh& colored(Mesh& mesh, const LiveOptions& options, bool from_scratch) {
     if (from_scratch) stripify(mesh, options.effort, options.cost);
     return mesh;
   }
@@ -109,11 +111,13 @@ class LiveMesh {
     return done;
   }
 
-  StripMesh mesh_;
-  Keeper<StripMesh> keeper_;
+  Mesh mesh_;
+  Keeper<Mesh> keeper_;
   std::vector<Triangle> changed_;
   StripBuffer buffer_;
   std::optional<History> history_;
 };
+
+using LiveMesh = BasicLiveMesh<StripMesh>;
 
 }  // namespace restrip

@@ -53,13 +53,9 @@ class StripMesh {
   /// differ only when some are left out). Throws, before a corner is read, std::length_error when there are more than
   /// `max_triangles` triangles or more than 2^32 - 1 vertices, and std::invalid_argument when the number of indices is
   /// not a multiple of three.
-  template <class Triangles>
+  template <class Triangles = std::span<const std::array<Vertex, 3>>>
   [[nodiscard]] static StripMesh build(const Triangles& triangles, std::size_t vertex_count,
                                        BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr);
-  [[nodiscard]] static StripMesh build(std::span<const std::array<Vertex, 3>> triangles, std::size_t vertex_count,
-                                       BuildReport* report = nullptr, std::vector<std::uint32_t>* origin = nullptr) {
-    return build<std::span<const std::array<Vertex, 3>>>(triangles, vertex_count, report, origin);
-  }
 
   // ---- walking
   [[nodiscard]] static constexpr Halfedge halfedge(Triangle t, unsigned side = 0) noexcept { return {t << 2 | side}; }

@@ -20,7 +20,6 @@
 // and read and write nothing outside their arguments.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cstddef>
 

@@ -2,7 +2,6 @@
 // dashes; the second lights. split(), collapse() and flip() do both, hooks.hpp hands them out one by one.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -69,7 +68,8 @@ struct FlipChange {
 
 template <class Bits>
 Layout layout_after_split(const Fan<Bits>& fan, bool both) noexcept {
-  const auto [low, high] = std::minmax({fan.left, fan.right});
+  const std::size_t low = fan.left < fan.right ? fan.left : fan.right;
+  const std::size_t high = fan.left < fan.right ? fan.right : fan.left;
   if (fan.closed) return ring_with_chord(fan.k, fan.right);
   return both ? path_with_chord(fan.k, low, high) : path(fan.k, low);
 }
@@ -232,9 +232,9 @@ int isolated_behind(const Mesh& mesh, std::span<const typename Mesh::Halfedge> g
   for (std::size_t i = 0; i < given_up.size(); ++i) {
     bool counts = true;
     for (auto side = mesh.next(given_up[i]); !(side == given_up[i]); side = mesh.next(side)) {
-      const auto found = std::find(given_up.begin(), given_up.end(), side) - given_up.begin();
-      const bool goes_too = static_cast<std::size_t>(found) < given_up.size();
-      if (goes_too ? static_cast<std::size_t>(found) < i : bool{mesh.solid(side)}) counts = false;
+      std::size_t found = 0;
+      while (found < given_up.size() && !(given_up[found] == side)) ++found;
+      if (found < given_up.size() ? found < i : bool{mesh.solid(side)}) counts = false;
     }
     isolated += counts ? 1 : 0;  // a triangle behind two of them once, for the first
   }

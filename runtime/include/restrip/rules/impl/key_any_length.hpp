@@ -1,7 +1,6 @@
 // restrip/rules/key.hpp for bit strings of any length: the same questions answered by walking, one step an element.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 
 #include "restrip/rules/bits.hpp"
@@ -66,8 +65,8 @@ struct Walker {
     if (below(a) == above(a) || below(d) == above(d)) return;
     const std::size_t one = strand_end(a);
     const std::size_t two = strand_end(d);
-    const std::size_t low = std::min(one, two);
-    const std::size_t high = std::max(one, two);
+    const std::size_t low = one < two ? one : two;
+    const std::size_t high = one < two ? two : one;
     if (low == high || !port(low) || !port(high)) return;
     if (!any_port(low + 1, high)) {
       result.set(patch.port(high));

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
+#include <vector>
 
 #include "restrip/mesh/strip_mesh.hpp"
 
@@ -25,10 +25,7 @@ class Growing {
   /// `across`: for each triangle the opposite halfedges, 4 * triangle + side, or none; three times none where there is
   /// no triangle. `solid` receives the solid sides.
   Growing(std::span<const std::array<std::uint32_t, 3>> across, std::span<std::uint8_t> solid)
-      : across_(across),
-        solid_(solid),
-        left_(new std::uint8_t[across.size()]),
-        waiting_(new Triangle[3 * across.size() + 1]) {}
+      : across_(across), solid_(solid), left_(across.size()), waiting_(3 * across.size() + 1) {}
 
   void run() {
     std::fill(solid_.begin(), solid_.end(), std::uint8_t{0});
@@ -130,10 +127,9 @@ class Growing {
 
   std::span<const std::array<std::uint32_t, 3>> across_;
   std::span<std::uint8_t> solid_;
-  // Neither is read before it is written.
-  std::unique_ptr<std::uint8_t[]> left_;  // neighbours that are not taken, of those that are not
+  std::vector<std::uint8_t> left_;  // neighbours that are not taken, of those that are not
   // By that number, 0 to 2, each list with room for all triangles; some have another number by now.
-  std::unique_ptr<Triangle[]> waiting_;
+  std::vector<Triangle> waiting_;
   std::array<Triangle, 4> count_{};
   Triangle next_ = 0;
 };

@@ -1,0 +1,37 @@
+// strips_of() for programs in other languages that measure it beside its rivals (scripts/scratch_table.py).
+#include "restrip/search/strips_of.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+extern "C" {
+
+/// Is the list of `count` indices an oriented manifold, but for its vertices?
+int restrip_bench_is_manifold(const std::uint32_t* ids, std::size_t count, std::size_t vertices) {
+  const restrip::TriangleList list(std::span<const std::uint32_t>(ids, count));
+  std::vector<std::array<std::uint32_t, 3>> across(list.size());
+  restrip::BuildReport report;
+  restrip::find_neighbors(list, vertices, across, report);
+  return report.degenerate_triangles + report.out_of_range_triangles + report.non_manifold_edges +
+                     report.inconsistent_edges ==
+                 0
+             ? 1
+             : 0;
+}
+
+/// Writes the indices of strips of effort `fast` to `out`, at most 2 * count + 4, and returns how many.
+std::size_t restrip_bench_strips(const std::uint32_t* ids, std::size_t count, std::size_t vertices, int trust,
+                                 std::uint32_t* out) {
+  const std::span<const std::uint32_t> list(ids, count);
+  const std::vector<std::uint32_t> indices =
+      trust != 0 ? restrip::strips_of(restrip::trusted, list, vertices, restrip::Effort::fast)
+                 : restrip::strips_of(list, vertices, restrip::Effort::fast);
+  std::copy(indices.begin(), indices.end(), out);
+  return indices.size();
+}
+
+}  // extern "C"
