@@ -18,6 +18,7 @@
 
 #include "coloring_cost.hpp"
 #include "hand_made_mesh.hpp"
+#include "random_colors.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -173,7 +174,7 @@ TEST(Window, IsTheLeastOfAllColoringsOfSmallMeshes) {
   std::size_t compared = 0;
   for (StripMesh& mesh : small)
     for (const double share : {0.0, 0.7, 1.0}) {
-      moves::color_randomly(mesh, random, share);
+      color_at_random(mesh, share, random);
       compared += expect_least(mesh, moves::all_triangles(mesh), random());
       ASSERT_FALSE(HasFailure());
     }
@@ -186,7 +187,7 @@ TEST(Window, IsTheLeastOfAllColoringsOfSmallPatches) {
   std::size_t compared = 0;
   for (StripMesh& mesh : meshes)
     for (int round = 0; round < 20; ++round) {
-      moves::color_randomly(mesh, random, round % 4 == 0 ? 0.6 : 1.0);
+      color_at_random(mesh, round % 4 == 0 ? 0.6 : 1.0, random);
       if (round % 5 == 0) stripify(mesh, Effort::fast, Cost::indices());
       for (const std::vector<Triangle>& patch : small_patches(mesh, random)) {
         compared += expect_least(mesh, patch, random());
