@@ -17,6 +17,6 @@ int main() {
   end_of_frame();
   live.split({live.edge(600, 641), live.edge(600, 559)});  // vertex 600, along its edges to 641 and 559
   end_of_frame();
-  live.undo();  // the split: the very triangles and strips there were
+  live.undo();  // the split: the very triangles, strips and indices there were
   end_of_frame();
 }

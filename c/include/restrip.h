@@ -328,9 +328,9 @@ RESTRIP_API restrip_status restrip_mesh_strip_indices_u16(const restrip_mesh* me
 
 /* An index buffer kept in step with the mesh, of which an update writes only what changed. A mesh has one at a time. */
 
-/* Forms of the buffer. Strips are to be drawn as a triangle strip with primitive restart; there are at most 1.10 times
- * the indices that the strips need, and 128. A list is to be drawn as a triangle list: an update writes less, and the
- * buffer is about twice as long. */
+/* Forms of the buffer. Strips are to be drawn as a triangle strip with primitive restart; as a rule
+ * there are at most 1.10 times the indices that the strips need, and up to 1.2 times where strips repeat no index, as
+ * in a grid. A list is to be drawn as a triangle list: an update writes less, and the buffer is about twice as long. */
 enum { RESTRIP_STRIPS_U32 = 0, RESTRIP_STRIPS_U16 = 1, RESTRIP_LIST_U32 = 2, RESTRIP_LIST_U16 = 3 };
 /* Consecutive indices of the buffer. */
 typedef struct restrip_range {

@@ -21,6 +21,17 @@ std::vector<std::uint32_t> list_of(const StripMesh& mesh) {
   return list;
 }
 
+/// Handles, corners and colours.
+std::vector<std::uint32_t> colored_triangles(const StripMesh& mesh) {
+  std::vector<std::uint32_t> all;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
+    if (!mesh.alive(t)) continue;
+    const auto corners = mesh.corners(t);
+    all.insert(all.end(), {t, corners[0], corners[1], corners[2], mesh.solid_sides(t)});
+  }
+  return all;
+}
+
 /// A GPU's copy of the buffer, written by the ranges alone.
 struct Uploaded {
   std::vector<std::uint32_t> indices;
@@ -53,16 +64,39 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
       ASSERT_EQ(live.keeper().strips(), count_strips(live.mesh()));
     };
     gpu.indices.assign(live.indices().begin(), live.indices().end());
+    // The indices at the end of each frame; undo and redo give them back one for one.
+    std::vector<std::vector<std::uint32_t>> looks{gpu.indices};
+    std::size_t at = 0;
     for (int frame = 0; frame < 60; ++frame) {
       const unsigned choice = random() % 4;
-      if (choice == 0)
-        live.undo();
-      else if (choice == 1)
-        live.redo();
-      else
+      if (choice == 0) {
+        at -= live.undo() ? 1U : 0U;
+      } else if (choice == 1) {
+        at += live.redo() ? 1U : 0U;
+      } else {
+        const auto before = colored_triangles(live.mesh());
         operate(live, random, static_cast<int>(random() % 30));
+        if (colored_triangles(live.mesh()) != before) {
+          looks.resize(at + 1);
+          if (random() % 4 == 0) {
+            // What has not been ended is a frame of its own.
+            ASSERT_TRUE(live.undo());
+            ASSERT_EQ(colored_triangles(live.mesh()), before);
+            ASSERT_TRUE(live.redo());
+            expect_drawn();
+            looks.push_back(gpu.indices);
+            ASSERT_TRUE(live.undo());
+          } else {
+            expect_drawn();
+            looks.push_back(gpu.indices);
+            ++at;
+          }
+        }
+      }
       expect_drawn();
       if (HasFatalFailure()) return;
+      ASSERT_LT(at, looks.size());
+      ASSERT_EQ(gpu.indices, looks[at]);
     }
   }
 }

@@ -19,6 +19,7 @@
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/checked.hpp"
+#include "restrip/output/buffer_history.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
@@ -72,18 +73,29 @@ class BasicLiveMesh {
 
   /// Ends a frame: the ranges of indices() that must be uploaded, ascending; valid until the next call.
   std::span<const IndexRange> update() {
-    if (history_) history_->frame(mesh_, changed_);
-    return bring_in_step();
+    const auto ranges = buffer_.update(mesh_, changed_);
+    if (history_) {
+      buffers_->note(buffer_, changed_);
+      if (history_->frame(mesh_, changed_)) buffers_->frame(buffer_, history_->undoable());
+    }
+    changed_.clear();
+    return ranges;
   }
   /// Takes back the last frame, or does it again; what has not been ended by update() counts as a frame. Triangles,
-  /// handles and colours are those there were. False when there is nothing to take back. Then update(). Linear time in
-  /// the mesh.
+  /// handles, colours and indices() are those there were, one for one. False when there is nothing to take back. Then
+  /// update(), which returns what is to be uploaded. Linear time in the mesh.
   bool undo() {
     if (!history_) return false;
-    history_->frame(mesh_, changed_);
-    return counted_anew(history_->undo(mesh_));
+    update();
+    buffer_.keep_ranges();
+    return buffers_->undo(buffer_) && counted_anew(history_->undo(mesh_));
   }
-  bool redo() { return history_ && counted_anew(history_->redo(mesh_)); }
+  bool redo() {
+    if (!history_) return false;
+    update();
+    buffer_.keep_ranges();
+    return buffers_->redo(buffer_) && counted_anew(history_->redo(mesh_));
+  }
 
   /// Draw them as one triangle strip with primitive restart.
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return buffer_.indices(); }
@@ -93,20 +105,18 @@ class BasicLiveMesh {
  private:
   BasicLiveMesh(Mesh&& mesh, const LiveOptions& options, bool from_scratch)
       : mesh_(std::move(mesh)), keeper_(colored(mesh_, options, from_scratch), options.policy, options.cost) {
-    if (options.history != 0) history_.emplace(mesh_, options.history);
     mesh_.watch(&changed_);
     buffer_.rebuild(mesh_);
+    if (options.history == 0) return;
+    history_.emplace(mesh_, options.history);
+    buffers_.emplace(buffer_);
   }
   static Mesh& colored(Mesh& mesh, const LiveOptions& options, bool from_scratch) {
     if (from_scratch) stripify(mesh, options.effort, options.cost);
     return mesh;
   }
-  std::span<const IndexRange> bring_in_step() {
-    const auto ranges = buffer_.update(mesh_, changed_);
-    changed_.clear();
-    return ranges;
-  }
   bool counted_anew(bool done) {
+    changed_.clear();  // the buffer has it already
     if (done) keeper_.rebuild();
     return done;
   }
@@ -116,6 +126,7 @@ class BasicLiveMesh {
   std::vector<Triangle> changed_;
   StripBuffer buffer_;
   std::optional<History> history_;
+  std::optional<BufferHistory> buffers_;  // where there is a history; in step with it
 };
 
 using LiveMesh = BasicLiveMesh<StripMesh>;

@@ -36,9 +36,9 @@ class History {
       : last_(mesh), most_(most_triangles) {}
 
   /// Ends a frame. `changed`: as the watch of the mesh made it since the frame before; not cleared. Frames that were
-  /// undone and not redone are forgotten. A frame in which nothing changed is none. After std::bad_alloc the history
-  /// must not be used any more.
-  void frame(const StripMesh& mesh, std::span<const Triangle> changed);
+  /// undone and not redone are forgotten. A frame in which nothing changed is none: then false. After std::bad_alloc
+  /// the history must not be used any more.
+  bool frame(const StripMesh& mesh, std::span<const Triangle> changed);
 
   /// Gives the mesh back as it was before the last frame, or after the one that was undone last. False when there is
   /// none. Call after frame() alone: what has changed since is lost. The watch of the mesh is told. Keepers of the mesh
@@ -114,7 +114,7 @@ void History::put(std::vector<Value>& list, const Tail<Value>& tail, bool forwar
   list.insert(list.end(), now.begin(), now.end());
 }
 
-inline void History::frame(const StripMesh& mesh, std::span<const Triangle> changed) {
+inline bool History::frame(const StripMesh& mesh, std::span<const Triangle> changed) {
   named_.assign(changed.begin(), changed.end());
   std::sort(named_.begin(), named_.end());
   named_.erase(std::unique(named_.begin(), named_.end()), named_.end());
@@ -132,7 +132,7 @@ inline void History::frame(const StripMesh& mesh, std::span<const Triangle> chan
         if (v != none) corners_.push_back(v);
     if (before.corner != after.corner || before.link != after.link) frame.triangles.push_back({t, before, after});
   }
-  if (frame.triangles.empty()) return;
+  if (frame.triangles.empty()) return false;
   while (frames_.size() > done_) {
     kept_ -= frames_.back().triangles.size();
     frames_.pop_back();
@@ -155,6 +155,7 @@ inline void History::frame(const StripMesh& mesh, std::span<const Triangle> chan
     frames_.pop_front();
     --done_;
   }
+  return true;
 }
 
 inline void History::apply(StripMesh& mesh, const Frame& frame, bool forward) {

@@ -1,8 +1,8 @@
 // StripBuffer: an index buffer of strips that is kept in step with a mesh, rewriting only what changed.
 //
 // A renderer that draws strips while the level of detail moves does not want to write its whole index buffer again
-// after every few operations. Here each strip is a *run* of indices in a place of its own; when triangles change, the
-// runs they are in are patched where they are, and little else is written.
+// after every few operations. Here strips are cut into *runs* of at most 36 triangles, each in a place of its own. When
+// triangles change, the runs that they are in are written anew, and little else.
 //
 //   std::vector<Triangle> changed;
 //   mesh.watch(&changed);
@@ -15,21 +15,21 @@
 // StripBuffer16 has 16-bit ones, for meshes whose vertices are numbered below 65,535. Any mesh will do that numbers its
 // triangles and vertices (mesh/numbered_mesh.hpp). When a triangle list is the better choice: triangle_list_buffer.hpp.
 //
-// How it works. What stays of a run is copied as it is, in either direction; between two such stretches the new
-// triangles are written, and one index is repeated where the order of the two indices at the seam is the wrong one. A
-// text that became shorter may be filled up with repeated indices, which draw degenerate triangles, so that the rest of
-// the run stays where it is. A text that became longer takes the gap behind or before its place, or its neighbours
-// slide, or it moves to a gap that is large enough, or to the end. Strips longer than 200 indices are several runs.
+// How it works. An update follows the strips from the triangles that changed to the ends of their runs and divides what
+// it has read into new runs. It cuts where the strip repeats an index, which the cut saves. A new run takes the place
+// of an old one, so that its beginning or its end stays where it is, and is written from the first index that differs
+// to the last. A run that became longer uses the gaps beside its place; otherwise its neighbours slide, or it moves to
+// the smallest gap that is large enough, or to the end of the buffer.
 //
-// Length. Gaps, repeated indices and divided strips waste indices. Where they waste more than 8 % of the indices that
-// the strips need, an update also closes gaps: runs from the end of the buffer go into gaps, neighbours slide together.
-// So after each update indices().size() is at most 1.10 times the indices that strip_indices() writes, and 128 more. A
-// triangle list has 3 indices a triangle: strips stay below that where they need less than 2.7.
+// Length. A cut takes three indices, less those that it saves, and there are gaps. Where both are more than 9 % of the
+// indices needed, an update moves the last runs into gaps, which it may widen. The buffer of a scanned mesh has some
+// 1.09 times the indices of strip_indices(). Strips that repeat no index, such as those of a grid, take more: a cut for
+// 28 triangles is 11 % already. A triangle list has 3 indices a triangle.
 //
-// Time. An update takes time linear in the triangles that changed and in the runs they are in, 200 indices each at
-// most. Closing gaps writes at most 160 indices and 4 for each index that was written before, and looks at no more than
-// 64 runs and one for four indices of these runs. No update takes time linear in the mesh, but for the growth of its
-// arrays, which reserve() takes beforehand. Memory: 8 bytes a triangle, 4 an index besides the index itself, 36 a run.
+// Time. An update takes time linear in the triangles that changed: it reads the runs that they are in and short runs
+// that join them, slides at most 60 indices for each run that grows, and moves at most some 600 to close gaps. No
+// update takes time linear in the mesh, but for the growth of its arrays, which reserve() takes beforehand. Memory: 4
+// bytes a triangle, the indices, and 36 bytes a run.
 #pragma once
 
 #include <array>
@@ -38,11 +38,11 @@
 #include <limits>
 #include <span>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/output/impl/run_places.hpp"
+#include "restrip/output/strips.hpp"
 
 namespace restrip {
 
@@ -84,114 +84,94 @@ class BasicStripBuffer {
   template <NumberedMesh Mesh>
   std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed);
 
+  /// What the last update returned, or a BufferHistory, is returned by the next update once more.
+  void keep_ranges() noexcept { told_ = false; }
+
   [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
   /// Number of runs.
   [[nodiscard]] std::size_t runs() const noexcept { return places_.runs(); }
-  /// Indices that draw runs, the restart index behind each included; the rest of the buffer is gaps and repeated
-  /// indices that could go.
-  [[nodiscard]] std::size_t used() const noexcept { return places_.used() - places_.pads(); }
+  /// Indices that draw runs, the restart index behind each included; the rest of the buffer is gaps.
+  [[nodiscard]] std::size_t used() const noexcept { return places_.used(); }
   /// Room for a mesh of this many triangle numbers, at 2 indices each.
-  void reserve(std::size_t triangles);
+  void reserve(std::size_t triangles) {
+    run_of_.reserve(triangles);
+    cells_.reserve(2 * triangles);
+  }
 
  private:
-  static constexpr std::uint32_t nothing = 0xFFFFFFFFU;  // no triangle, no place
-  static constexpr std::uint32_t gone = nothing - 1;     // whose: a triangle that is to be written anew
-  static constexpr std::uint32_t pending = nothing - 1;  // At::place: is being written anew
+  friend class BufferHistory;
 
-  struct At {
-    std::uint32_t place = nothing;
-    std::uint32_t offset = 0;  // of the index that completes the triangle
+  using State = detail::RunPlaces::State;
+  static constexpr std::uint32_t nothing = 0xFFFFFFFFU;  // no run
+  static constexpr std::uint32_t reading = nothing - 1;  // run_of_: read by this update
+
+  // A triangle of a strip that is read. Triangles and edges are the exclusive or of their vertices: less an edge, a
+  // triangle is the third corner, from whichever side the strip is read.
+  struct Link {
+    std::uint32_t triangle;
+    std::uint32_t corners;
+    std::uint32_t edge;  // to the next triangle
+    std::uint32_t run;   // that it was in, or nothing
   };
-  // A part of a strip: a triangle, or a stretch of a run that stays as it is.
-  struct Piece {
-    std::array<std::uint32_t, 3> corner{};  // counter-clockwise
-    std::uint32_t triangle = nothing;       // nothing: a stretch
-    std::uint8_t enters = 3;                // the corner opposite to the edge over which the strip comes, 3: it begins
-    std::uint8_t leaves = 3;
-    bool forward = true;
-    std::uint32_t place = 0;
-    std::uint32_t from = 0;
-    std::uint32_t to = 0;
-    std::uint32_t pads = 0;
+  // Links begin … end of strip_, as a run.
+  struct Text {
+    std::uint32_t begin;
+    std::uint32_t end;
+    std::uint32_t first;  // in text_
+    std::uint32_t length;
+    std::uint32_t cuts;
+    std::uint32_t place;  // of an old run that it takes, or nothing
   };
-  // A run to be stored.
-  struct Fresh {
-    std::uint32_t begin = 0;  // in text_
-    std::uint32_t length = 0;
-    std::uint32_t pads = 0;
-    std::uint32_t cuts = 0;          // its ends where the strip goes on
-    std::uint32_t target = nothing;  // the place that most of it comes from
-    std::uint32_t wish = 0;          // where it should begin, so that this stays where it is
-    bool aligned = false;            // wish is known
-    // Two stretches of that place, so many indices apart from what they were.
-    std::uint32_t head = 0;
-    std::uint32_t tail = 0;
-    std::uint32_t shift = 0;
+  // A run seen from one of its ends.
+  struct Start {
+    const Link* link;
+    std::ptrdiff_t step;                  // to the next link
+    std::ptrdiff_t edge;                  // to the link that has the edge to the next triangle
+    std::array<std::uint32_t, 3> corner;  // the last two are those of that edge
+    bool swaps;                           // the second triangle repeats an index
   };
 
-  void forget(std::uint32_t t);
+  void begin_reading() noexcept;
   void touch(std::uint32_t place);
   template <class Mesh>
-  void collect(const Mesh& mesh, std::uint32_t start);
+  bool follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint32_t begin, std::uint32_t least,
+              std::uint32_t edge_goes);
   template <class Mesh>
-  void follow(const Mesh& mesh, typename Mesh::Halfedge in);
-  static std::uint32_t pads_within(const std::uint32_t* whose, std::uint32_t from, std::uint32_t to) noexcept;
+  void read(const Mesh& mesh, std::uint32_t t);
+  [[nodiscard]] std::uint32_t best_cut(std::uint32_t near, std::uint32_t begin) const noexcept;
   template <class Mesh>
-  Piece load(const Mesh& mesh, typename Mesh::Halfedge in) const;
-  void assemble();
-  void emit(std::size_t begin, std::size_t end);
-  void generate(std::size_t begin, std::size_t end, std::uint32_t target);
-  void append(const Piece& piece, bool leaves);
-  void append_stretch(Piece piece, std::uint32_t target, bool squeeze, std::uint32_t& may_pad);
-  void put(Index cell, std::uint32_t whose) {
-    text_.push_back(cell);
-    names_.push_back(whose);
-  }
-  static void flip(Piece& piece) noexcept {
-    std::swap(piece.enters, piece.leaves);
-    piece.forward = !piece.forward;
-  }
-  static constexpr std::uint32_t is_cut(std::uint8_t side, bool divided) noexcept {
-    return side != 3 || divided ? 1 : 0;
-  }
-  static constexpr std::size_t weight(const Piece& piece) noexcept {
-    return piece.triangle != nothing ? 6 : 4 * (piece.to - piece.from + 1);
-  }
+  [[nodiscard]] Start start(const Mesh& mesh, const Text& text, bool forward) const;
+  [[nodiscard]] bool is_forward(const Text& text) const noexcept;
+  template <class Mesh>
+  void write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts);
   void prepare();
   void store() noexcept;
-  void store_in_place(std::size_t begin, std::size_t end) noexcept;
-  bool make_room(std::uint32_t p, std::uint32_t cells) noexcept;
-  void place_anew(const Fresh& fresh) noexcept;
-  void write(std::uint32_t p, std::uint32_t first, const Fresh& fresh, bool all) noexcept;
+  [[nodiscard]] bool store_in_place(const Text& text) noexcept;
+  void store_anew(const Text& text) noexcept;
+  void own(const Text& text, std::uint32_t place) noexcept;
+  void remove(std::uint32_t place) noexcept;
+  void write(const Text& text, std::uint32_t first) noexcept;
   void blank(std::uint32_t first, std::uint32_t end) noexcept;
-  void slide(std::uint32_t p, std::uint32_t first) noexcept;
-  void remove(std::uint32_t p) noexcept;
+  void move(std::uint32_t place, std::uint32_t before, std::uint32_t first) noexcept;
+  std::uint32_t widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing, std::uint32_t most) noexcept;
+  void close_gaps() noexcept;
   void mark(std::size_t first, std::size_t end) noexcept;
-  void compact() noexcept;
-  std::size_t move_from_the_end(std::size_t budget) noexcept;
-  void slide_together(std::uint32_t p) noexcept;
-  void move(std::uint32_t p, std::uint32_t before) noexcept;
-  void trim() noexcept;
-  void merge_ranges() noexcept;
+  void sort_ranges() noexcept;
 
   std::vector<Index> cells_;
-  std::vector<std::uint32_t> whose_;  // by cell: the triangle that it completes
-  std::vector<At> at_;                // by triangle
+  std::vector<std::uint32_t> run_of_;  // by triangle: the place of its run
   detail::RunPlaces places_;
-  std::uint32_t cursor_ = 0;  // compaction goes on behind this place
-  bool stale_ = true;         // an update was interrupted: the next one writes everything anew
+  bool stale_ = true;    // an update was interrupted: the next one writes everything anew
+  bool rebuilt_ = true;  // the last one did
+  bool told_ = true;     // what is in written_
   std::vector<Range> written_;
-  std::size_t marked_ = 0;  // indices written so far
   // What the current update works on.
-  std::vector<std::uint32_t> touched_;
-  std::vector<Piece> pieces_;
-  std::vector<Fresh> fresh_;
-  std::vector<Fresh> homeless_;
+  std::vector<std::uint32_t> dirty_;  // places whose runs are read
+  std::vector<Link> strip_;
+  std::uint32_t links_ = 0;  // so many of strip_
   std::vector<Index> text_;
-  std::vector<std::uint32_t> names_;
-  std::size_t begin_ = 0;       // of the run that is being written, in text_
-  std::size_t most_steps_ = 0;  // of this compaction
-  std::size_t seen_ = 0;        // about how many indices the strip has so far
+  std::uint32_t letters_ = 0;  // so many of text_
+  std::vector<Text> texts_;
 };
 
 using StripBuffer = BasicStripBuffer<std::uint32_t>;
@@ -200,6 +180,4 @@ using StripBuffer16 = BasicStripBuffer<std::uint16_t>;
 }  // namespace restrip
 
 #include "restrip/output/impl/strip_buffer.hpp"
-#include "restrip/output/impl/strip_buffer_compact.hpp"
 #include "restrip/output/impl/strip_buffer_store.hpp"
-#include "restrip/output/impl/strip_buffer_text.hpp"

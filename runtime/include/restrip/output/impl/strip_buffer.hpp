@@ -1,4 +1,4 @@
-// BasicStripBuffer, member by member. Included by strip_buffer.hpp.
+// Strips read and written as runs. Included by strip_buffer.hpp.
 #pragma once
 
 #include <algorithm>
@@ -11,17 +11,42 @@
 namespace restrip {
 
 namespace detail {
-// Chosen by measurement on the ways of keeping strips (bench/buffer.cpp); all in indices but where said.
-inline constexpr std::uint32_t longest_run = 200;         // below RunPlaces::largest_gap
-inline constexpr std::uint32_t longest_merged_run = 144;  // runs of one strip that meet become one up to this
-inline constexpr std::size_t wasted_soft = 80;            // per mille of what is needed: from here on gaps are closed
-inline constexpr std::size_t wasted_hard = 90;            // from here on at any price
-inline constexpr std::uint32_t worth_filling = 16;        // gaps for which the last run is divided
-inline constexpr std::uint32_t easily_moved = 12;         // runs that are moved out of the way
-inline constexpr std::uint32_t pads_in_a_run = 16;        // one index in so many may be there for alignment alone
-inline constexpr std::size_t compaction_base = 160;       // moved by a compaction, at most, and
-inline constexpr std::size_t compaction_times = 4;        // so many times what the update wrote
-inline constexpr std::size_t compaction_steps = 64;       // runs looked at, and one for four indices of new text
+// Chosen by measurement under all policies; in triangles.
+inline constexpr std::uint32_t longest_joined_run = 28;  // runs of one strip that meet become one up to this
+inline constexpr std::uint32_t cut_window = 4;           // by which a cut may be off
+inline constexpr std::uint32_t longest_run = longest_joined_run + 2 * cut_window;
+
+// A triangle entered over a halfedge; the edge is the exclusive or of its vertices.
+struct Seen {
+  std::uint32_t edge;
+  std::uint32_t apex;  // the corner opposite to it
+};
+template <NumberedMesh Mesh>
+Seen seen_over(const Mesh& mesh, typename Mesh::Halfedge h) {
+  const auto second = mesh.next(h);
+  return {from_of(mesh, h) ^ from_of(mesh, second), from_of(mesh, mesh.next(second))};
+}
+inline Seen seen_over(const StripMesh& mesh, StripMesh::Halfedge h) noexcept {
+  const Vertex apex = mesh.from(StripMesh::next(StripMesh::next(h)));
+  const std::array<Vertex, 3> corner = mesh.corners(StripMesh::triangle(h));
+  return {corner[0] ^ corner[1] ^ corner[2] ^ apex, apex};
+}
+
+// The solid sides of a triangle.
+template <class Mesh>
+struct Exits {
+  std::array<typename Mesh::Halfedge, 3> side;
+  unsigned count = 0;
+};
+template <NumberedMesh Mesh>
+Exits<Mesh> exits(const Mesh& mesh, typename Mesh::Halfedge h) {
+  Exits<Mesh> exits{{h, h, h}};
+  for (int side = 0; side < 3; ++side, h = mesh.next(h)) {
+    exits.side[exits.count] = h;
+    exits.count += mesh.solid(h) ? 1U : 0U;
+  }
+  return exits;
+}
 
 template <class Vector>
 void make_buffer_room(Vector& vector, std::size_t more) {
@@ -33,31 +58,20 @@ template <class Index>
 template <NumberedMesh Mesh>
 void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
   stale_ = true;
-  places_.clear();
+  places_ = {};
   cells_.clear();
-  whose_.clear();
-  at_.assign(mesh.triangle_bound(), At{});
-  written_.clear();
-  cursor_ = 0;
-  touched_.clear();
+  run_of_.assign(mesh.triangle_bound(), nothing);
   const auto bound = static_cast<std::uint32_t>(mesh.triangle_bound());
   for (std::uint32_t t = 0; t < bound; ++t) {
-    if (!mesh.has_triangle(t) || at_[t].place != nothing) continue;
-    const auto h = mesh.halfedge(t);
-    const int degree = static_cast<int>(mesh.solid(h)) + static_cast<int>(mesh.solid(mesh.next(h))) +
-                       static_cast<int>(mesh.solid(mesh.next(mesh.next(h))));
-    if (degree > 1) continue;
-    text_.clear();
-    names_.clear();
-    fresh_.clear();
-    collect(mesh, t);
-    assemble();
+    if (!mesh.has_triangle(t) || run_of_[t] != nothing || detail::solid_degree(mesh, t) > 1) continue;
+    begin_reading();
+    read(mesh, t);
     prepare();
-    for (const Fresh& fresh : fresh_) place_anew(fresh);
+    store();
     written_.clear();
   }
   written_.assign(1, {0, cells_.size()});
-  marked_ = 0;
+  told_ = rebuilt_ = true;
   stale_ = false;
 }
 
@@ -69,221 +83,209 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
     return written_;
   }
   stale_ = true;
-  written_.clear();
-  touched_.clear();
-  text_.clear();
-  names_.clear();
-  fresh_.clear();
-  if (at_.size() < mesh.triangle_bound()) {
-    detail::make_buffer_room(at_, mesh.triangle_bound() - at_.size());
-    at_.resize(mesh.triangle_bound());
+  rebuilt_ = false;
+  if (std::exchange(told_, true)) written_.clear();
+  begin_reading();
+  if (run_of_.size() < mesh.triangle_bound()) {
+    detail::make_buffer_room(run_of_, mesh.triangle_bound() - run_of_.size());
+    run_of_.resize(mesh.triangle_bound(), nothing);
   }
   for (const std::uint32_t t : changed)
-    if (t < at_.size()) forget(t);
+    if (t < run_of_.size() && run_of_[t] != nothing) touch(run_of_[t]);
   for (const std::uint32_t t : changed) {
-    if (t >= mesh.triangle_bound() || at_[t].place != nothing || !mesh.has_triangle(t)) continue;
-    collect(mesh, t);
-    assemble();
+    if (t < mesh.triangle_bound() && mesh.has_triangle(t)) {
+      if (run_of_[t] != reading) read(mesh, t);
+    } else if (t < run_of_.size()) {
+      run_of_[t] = nothing;
+    }
   }
   prepare();
   store();
-  compact();
-  trim();
-  merge_ranges();
+  if (!changed.empty()) close_gaps();
+  sort_ranges();
   stale_ = false;
   return written_;
 }
 
-// The triangle has to be written anew.
 template <class Index>
-void BasicStripBuffer<Index>::forget(std::uint32_t t) {
-  At& at = at_[t];
-  if (at.place >= pending) return;
-  whose_[places_.first(at.place) + at.offset] = gone;
-  touch(at.place);
-  at.place = nothing;
+void BasicStripBuffer<Index>::begin_reading() noexcept {
+  dirty_.clear();
+  texts_.clear();
+  links_ = letters_ = 0;
 }
 
 template <class Index>
 void BasicStripBuffer<Index>::touch(std::uint32_t place) {
-  if (places_.touched(place)) return;
-  touched_.push_back(place);
-  places_.set_touched(place, true);
+  if (places_.state(place) != State::settled) return;
+  dirty_.push_back(place);
+  places_.set_state(place, State::dirty);
 }
 
 // ---- the strip around a triangle
 
+// Reads from the triangle of the halfedge `in` on. An edge that a triangle is entered over belongs to the link that the
+// triangle has, or to the one before. The strip, from link `begin` on, will have `least` triangles at least. True if it
+// goes on in a run that stays as it is.
 template <class Index>
 template <class Mesh>
-typename BasicStripBuffer<Index>::Piece BasicStripBuffer<Index>::load(const Mesh& mesh,
-                                                                      typename Mesh::Halfedge in) const {
-  Piece piece;
-  const auto second = mesh.next(in);
-  piece.corner = {static_cast<std::uint32_t>(mesh.from(in)), static_cast<std::uint32_t>(mesh.from(second)),
-                  static_cast<std::uint32_t>(mesh.from(mesh.next(second)))};
-  for (const std::uint32_t v : piece.corner)
-    if (v >= restart) RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
-  piece.triangle = static_cast<std::uint32_t>(mesh.triangle(in));
-  return piece;
-}
-
-template <class Index>
-template <class Mesh>
-void BasicStripBuffer<Index>::collect(const Mesh& mesh, std::uint32_t start) {
-  pieces_.clear();
-  seen_ = 0;
-  const auto first = mesh.halfedge(start);
-  Piece middle = load(mesh, first);
-  at_[start].place = pending;
-  auto h = first;
-  for (std::uint8_t side = 0; side < 3; ++side, h = mesh.next(h)) {
-    if (!mesh.solid(h)) continue;
-    const auto opposite_corner = static_cast<std::uint8_t>((side + 2) % 3);
-    if (middle.enters == 3) {
-      middle.enters = opposite_corner;
-      follow(mesh, mesh.opposite(h));
-      std::reverse(pieces_.begin(), pieces_.end());
-      for (Piece& piece : pieces_) flip(piece);
-      pieces_.push_back(middle);
-    } else {
-      pieces_[pieces_.size() - 1].leaves = opposite_corner;
-      follow(mesh, mesh.opposite(h));
-      return;
-    }
-  }
-  if (middle.enters == 3) pieces_.push_back(middle);
-}
-
-// Repeated indices that could go: of each gap between two triangles all, or all but one.
-template <class Index>
-std::uint32_t BasicStripBuffer<Index>::pads_within(const std::uint32_t* whose, std::uint32_t from,
-                                                   std::uint32_t to) noexcept {
-  std::uint32_t pads = 0;
-  std::uint32_t gap = 0;
-  for (std::uint32_t i = from; i < to; ++i) {
-    gap = whose[i] == nothing ? gap + 1 : 0;
-    pads += gap != 0 && gap % 2 == 0 ? 2 : 0;
-  }
-  return pads;
-}
-
-template <class Index>
-template <class Mesh>
-void BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge in) {
+bool BasicStripBuffer<Index>::follow(const Mesh& mesh, typename Mesh::Halfedge in, std::uint32_t begin,
+                                     std::uint32_t least, std::uint32_t edge_goes) {
+  std::uint32_t links = links_;
+  std::uint32_t known = nothing;  // a run that may be read
+  bool stays = false;
   for (;;) {
-    const auto t = static_cast<std::uint32_t>(mesh.triangle(in));
-    const At at = at_[t];
-    if (at.place == pending) return;
-    std::uint32_t far = nothing;   // offset of the last triangle of the stretch that begins here
-    std::uint32_t last = nothing;  // the triangle before it
-    if (at.place != nothing) {
-      const std::uint32_t used = places_.used(at.place);
-      if (!places_.touched(at.place)) {
-        if (seen_ + used > detail::longest_merged_run) return;
-        touch(at.place);
+    const std::uint32_t t = detail::triangle_of(mesh, in);
+    const std::uint32_t run = run_of_[t];
+    if (run != known) {
+      if (run == reading) break;
+      if (run != nothing && places_.state(run) == State::settled) {
+        stays = std::max(links - begin, least) + places_.run(run).triangles > detail::longest_joined_run;
+        if (stays) break;
+        touch(run);
       }
-      const std::uint32_t* whose = whose_.data() + places_.first(at.place);
-      std::uint32_t right = at.offset + 1;
-      while (right + 1 < used && whose[right] == nothing) ++right;
-      std::uint32_t left = at.offset - 1;
-      while (left > 1 && whose[left] == nothing) --left;
-      const bool goes_right = right + 1 < used && whose[right] < gone;
-      const bool goes_left = left > 1 && whose[left] < gone;
-      if (goes_right && goes_left) return;  // the colouring is not valid
-      Piece stretch;
-      stretch.place = at.place;
-      // The stretch ends before the last triangle that stays, `far`; `last` is the one before that.
-      if (goes_right) {
-        std::uint32_t end = right + 1;
-        while (end + 1 < used && whose[end] != gone) ++end;
-        while (whose[--end] == nothing) {
-        }
-        stretch.from = right;
-        if (end != right) {
-          far = stretch.to = end;
-          while (whose[--stretch.to] == nothing) {
-          }
-          last = whose[stretch.to];
-        }
-      } else if (goes_left) {
-        std::uint32_t begin = left - 1;
-        while (begin > 1 && whose[begin] != gone) --begin;
-        while (whose[++begin] == nothing) {
-        }
-        stretch.to = left;
-        stretch.forward = false;
-        if (begin != left) {
-          far = stretch.from = begin;
-          while (whose[++stretch.from] == nothing) {
-          }
-          last = whose[stretch.from];
-        }
-      }
-      if (far != nothing) stretch.pads = pads_within(whose, stretch.from, stretch.to);
-      const std::uint32_t far_triangle = far == nothing ? nothing : whose[far];
-      forget(t);
-      if (far != nothing) {
-        Piece end = load(mesh, in);
-        end.enters = 2;
-        const auto second = mesh.next(in);
-        const bool over_second = mesh.solid(second);
-        end.leaves = over_second ? 0 : 1;
-        at_[t].place = pending;
-        pieces_.push_back(end);
-        pieces_.push_back(stretch);
-        seen_ += stretch.to - stretch.from + 3;
-        // Into the last triangle of the stretch, from the one before it.
-        auto h = mesh.halfedge(far_triangle);
-        for (int side = 0; side < 3; ++side, h = mesh.next(h))
-          if (mesh.solid(h) && static_cast<std::uint32_t>(mesh.triangle(mesh.opposite(h))) == last) break;
-        in = h;
-        forget(far_triangle);
-        at_[far_triangle].place = nothing;
-      }
+      known = run;
     }
-    Piece piece = load(mesh, in);
-    piece.enters = 2;
-    at_[piece.triangle].place = pending;
-    seen_ += 2;
-    const auto second = mesh.next(in);
-    const auto third = mesh.next(second);
-    if (mesh.solid(second)) {
-      piece.leaves = 0;
-      in = mesh.opposite(second);
-    } else if (mesh.solid(third)) {
-      piece.leaves = 1;
-      in = mesh.opposite(third);
-    }
-    pieces_.push_back(piece);
-    if (piece.leaves == 3) return;
+    run_of_[t] = reading;
+    if (links == strip_.size()) strip_.resize(2 * strip_.size() + 64);
+    Link* link = strip_.data() + links++;
+    const detail::Seen seen = detail::seen_over(mesh, in);
+    link->triangle = t;
+    link->corners = seen.edge ^ seen.apex;
+    link->run = run;
+    (link - edge_goes)->edge = seen.edge;
+    const auto step = strip_step(mesh, in);
+    if (!step.goes_on) break;
+    in = step.in;
+  }
+  links_ = links;
+  return stays;
+}
+
+// Reads the strip through t as far as it is to be written anew, and writes it as runs that are not too long.
+template <class Index>
+template <class Mesh>
+void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
+  const std::uint32_t begin = links_;
+  const std::uint32_t run = std::exchange(run_of_[t], reading);
+  const std::uint32_t least = run != nothing ? places_.run(run).triangles : 1;
+  const auto h = mesh.halfedge(t);
+  const detail::Seen seen = detail::seen_over(mesh, h);
+  const detail::Exits<Mesh> out = detail::exits(mesh, h);
+  const bool cut_before = out.count > 0 && follow(mesh, mesh.opposite(out.side[0]), begin, least, 0);
+  std::reverse(strip_.data() + begin, strip_.data() + links_);
+  if (links_ == strip_.size()) strip_.resize(2 * links_ + 64);
+  strip_[links_++] = {t, seen.edge ^ seen.apex, 0, run};
+  const bool cut_behind = out.count > 1 && follow(mesh, mesh.opposite(out.side[1]), begin, 1, 1);
+  const std::uint32_t triangles = links_ - begin;
+  const std::uint32_t parts = triangles > detail::longest_run ? (triangles - 1) / detail::longest_joined_run + 1 : 1;
+  std::uint32_t from = begin;
+  for (std::uint32_t part = 1; part <= parts; ++part) {
+    const std::uint32_t to = part == parts ? links_ : best_cut(begin + triangles * part / parts, from);
+    const std::uint32_t cuts = std::uint32_t{part > 1 || cut_before} + std::uint32_t{part < parts || cut_behind};
+    write_text(mesh, from, to, cuts);
+    from = to;
   }
 }
 
-// ---- what has been written
-
+// Where to cut the strip: near a link, and so that few indices are repeated. A strip repeats one where it turns around
+// the same vertex in two triangles, but not in those beside a cut.
 template <class Index>
-void BasicStripBuffer<Index>::merge_ranges() noexcept {
-  marked_ = 0;
-  std::sort(written_.begin(), written_.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
-  std::size_t kept = 0;
-  for (Range range : written_) {
-    if (range.first >= cells_.size()) continue;
-    range.count = std::min(range.count, cells_.size() - range.first);
-    if (kept != 0 && range.first <= written_[kept - 1].first + written_[kept - 1].count) {
-      Range& last = written_[kept - 1];
-      last.count = std::max(last.count, range.first + range.count - last.first);
-    } else {
-      written_[kept++] = range;
-    }
+std::uint32_t BasicStripBuffer<Index>::best_cut(std::uint32_t near, std::uint32_t begin) const noexcept {
+  const auto turns_around = [&](std::uint32_t i) { return strip_[i - 1].edge ^ strip_[i].corners ^ strip_[i].edge; };
+  std::uint32_t best = near;
+  std::uint32_t most = 0;
+  const std::uint32_t last = std::min(near + detail::cut_window, links_ - 4);
+  for (std::uint32_t cut = std::max(near - detail::cut_window, begin + 3); cut <= last; ++cut) {
+    std::uint32_t saved = 0;
+    for (std::uint32_t i = cut - 2; i <= cut; ++i) saved += std::uint32_t{turns_around(i) == turns_around(i + 1)};
+    if (saved > most) best = cut;
+    most = std::max(most, saved);
   }
-  written_.resize(kept);
+  return best;
+}
+
+// ---- a run as indices
+
+// The first triangle from one end or the other.
+template <class Index>
+template <class Mesh>
+typename BasicStripBuffer<Index>::Start BasicStripBuffer<Index>::start(const Mesh& mesh, const Text& text,
+                                                                       bool forward) const {
+  Start start{&strip_[forward ? text.begin : text.end - 1], forward ? 1 : -1, forward ? 0 : -1, {}, false};
+  const Link* link = start.link;
+  auto h = mesh.halfedge(link->triangle);
+  if (text.end - text.begin > 1)
+    for (int i = 0; i < 2 && detail::from_of(mesh, h) != (link->corners ^ link[start.edge].edge); ++i) h = mesh.next(h);
+  for (std::uint32_t& corner : start.corner) {
+    corner = detail::from_of(mesh, h);
+    h = mesh.next(h);
+  }
+  link += start.step;
+  if (text.end - text.begin > 2) start.swaps = (start.corner[2] ^ link->corners ^ link[start.edge].edge) == 0;
+  return start;
+}
+
+// Does the text begin or end as what it takes the place of?
+template <class Index>
+bool BasicStripBuffer<Index>::is_forward(const Text& text) const noexcept {
+  if (text.place == nothing || text.end - text.begin < 2) return true;
+  const detail::Run& run = places_.run(text.place);
+  const auto first = static_cast<Index>(strip_[text.begin].corners ^ strip_[text.begin].edge);
+  const auto last = static_cast<Index>(strip_[text.end - 1].corners ^ strip_[text.end - 2].edge);
+  const bool as_before = cells_[run.first] == first || cells_[run.end() - 2] == last;
+  return as_before || (cells_[run.first] != last && cells_[run.end() - 2] != first);
 }
 
 template <class Index>
-void BasicStripBuffer<Index>::reserve(std::size_t triangles) {
-  at_.reserve(triangles);
-  cells_.reserve(2 * triangles);
-  whose_.reserve(2 * triangles);
+template <class Mesh>
+void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, std::uint32_t cuts) {
+  const std::uint32_t triangles = end - begin;
+  Text text{begin, end, letters_, 0, cuts, nothing};
+  // It takes the place of a run that a triangle of it was in, one in the middle if possible.
+  for (std::uint32_t i = 0; i < triangles && text.place == nothing; ++i) {
+    const std::uint32_t run = strip_[begin + (i + triangles / 2) % triangles].run;
+    if (run == nothing || places_.state(run) != State::dirty) continue;
+    text.place = run;
+    places_.set_state(run, State::claimed);
+  }
+  if (text_.size() < letters_ + 2 * triangles + 2) text_.resize(2 * (text_.size() + triangles + 1));
+  const bool forward = is_forward(text);
+  Start run = start(mesh, text, forward);
+  // Perhaps shorter from the other end.
+  if (run.swaps)
+    if (const Start other = start(mesh, text, !forward); !other.swaps) run = other;
+  std::uint32_t p = run.corner[1];
+  std::uint32_t q = run.corner[2];
+  std::uint32_t in = p ^ q;
+  std::uint32_t largest = std::max({run.corner[0], p, q});
+  Index* out = text_.data() + letters_;
+  for (const std::uint32_t corner : run.corner) *out++ = static_cast<Index>(corner);
+  // Each further triangle has the last two indices p, q already and adds its third corner x. Where it is left over the
+  // edge (p, x), p is repeated before x. Strips turn at random: no branch.
+  const Link* link = run.link;
+  for (std::uint32_t i = 2; i < triangles; ++i) {
+    link += run.step;
+    const std::uint32_t x = link->corners ^ in;
+    in = link[run.edge].edge;
+    const auto repeats = std::uint32_t{(in ^ x) == p};
+    *out = static_cast<Index>(p);
+    out += repeats;
+    *out++ = static_cast<Index>(x);
+    p = q ^ ((p ^ q) & (0U - repeats));
+    q = x;
+    largest = std::max(largest, x);
+  }
+  if (triangles > 1) {
+    const std::uint32_t x = (link + run.step)->corners ^ in;
+    *out++ = static_cast<Index>(x);
+    largest = std::max(largest, x);
+  }
+  if (largest >= restart)
+    RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
+  *out++ = restart;
+  letters_ = static_cast<std::uint32_t>(out - text_.data());
+  text.length = letters_ - text.first;
+  texts_.push_back(text);
 }
 
 }  // namespace restrip

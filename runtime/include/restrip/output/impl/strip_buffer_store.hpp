@@ -1,4 +1,4 @@
-// Where the indices of a strip go, as near as possible to where they were. Included by strip_buffer.hpp.
+// Where the indices of a run go, as near as possible to where they were. Included by strip_buffer.hpp.
 #pragma once
 
 #include <algorithm>
@@ -9,249 +9,240 @@
 
 namespace restrip {
 
-// Room for all that is to come.
+namespace detail {
+// Chosen by measurement under all policies; in indices but where said.
+inline constexpr std::uint32_t moved_for_a_run = 60;      // at most, so that a run that grew stays where it is
+inline constexpr std::uint32_t moved_for_a_gap = 400;     // at most, so that the last run fits into it
+inline constexpr std::uint32_t moved_by_an_update = 200;  // into gaps: none is closed beyond this
+inline constexpr std::uint64_t tolerated_waste = 90;      // per mille of what is needed
+inline constexpr std::uint32_t shortest_run = 4;
+}  // namespace detail
+
+// Room for all that is to come, so that nothing throws.
 template <class Index>
 void BasicStripBuffer<Index>::prepare() {
-  std::size_t cells = 0;
-  for (const Fresh& fresh : fresh_) cells += fresh.length;
-  most_steps_ = detail::compaction_steps + cells / 4;
-  const std::size_t ranges = cells / 4 + 4 * (fresh_.size() + touched_.size() + most_steps_);
-  detail::make_buffer_room(cells_, cells);
-  detail::make_buffer_room(whose_, cells);
-  detail::make_buffer_room(written_, ranges);
-  detail::make_buffer_room(text_, 256);
-  detail::make_buffer_room(names_, 256);
-  detail::make_buffer_room(homeless_, fresh_.size());
-  detail::make_buffer_room(fresh_, 1);
-  places_.make_room(fresh_.size() + most_steps_);
+  constexpr std::size_t slides_for_a_run = detail::moved_for_a_run / detail::shortest_run;
+  constexpr std::size_t slides = (detail::moved_for_a_gap + detail::moved_by_an_update) / detail::shortest_run;
+  detail::make_buffer_room(cells_, letters_);
+  detail::make_buffer_room(written_, dirty_.size() + 3 * (slides_for_a_run + 1) * texts_.size() + 3 * slides);
+  places_.make_room(texts_.size());
 }
 
 template <class Index>
-void BasicStripBuffer<Index>::mark(std::size_t first, std::size_t end) noexcept {
-  marked_ += end - first;
-  if (!written_.empty()) {
-    Range& last = written_.back();
-    if (first >= last.first && first <= last.first + last.count + 2) {
-      last.count = std::max(last.count, end - last.first);
-      return;
+void BasicStripBuffer<Index>::store() noexcept {
+  for (const std::uint32_t place : dirty_)
+    if (places_.state(place) == State::dirty) remove(place);
+  for (Text& text : texts_)
+    if (text.place != nothing && !store_in_place(text)) {
+      remove(text.place);
+      text.place = nothing;
+    }
+  for (const Text& text : texts_)
+    if (text.place == nothing) store_anew(text);
+}
+
+// False where there is no room.
+template <class Index>
+bool BasicStripBuffer<Index>::store_in_place(const Text& text) noexcept {
+  const std::uint32_t before = places_.previous(text.place);
+  const std::uint32_t room = places_.limit(text.place) - places_.run(before).end();
+  if (text.length > room) {
+    const std::uint32_t missing = text.length - room;
+    if (widen(before, places_.next(text.place), missing, detail::moved_for_a_run) == 0) return false;
+  }
+  const detail::Run old = places_.run(text.place);
+  std::uint32_t first = old.first;
+  if (text.length != old.length) {
+    // Of its beginning and its end, the one that stays as it is for longer.
+    const Index* now = cells_.data() + old.first;
+    const Index* then = text_.data() + text.first;
+    const std::uint32_t both = std::min(text.length, old.length);
+    std::uint32_t head = 0;
+    while (head < both && now[head] == then[head]) ++head;
+    std::uint32_t tail = 0;
+    while (tail < both && now[old.length - 1 - tail] == then[text.length - 1 - tail]) ++tail;
+    const std::uint32_t high = places_.limit(text.place) - text.length;
+    const bool fits_at_end = old.end() >= places_.run(before).end() + text.length;
+    if (fits_at_end && (tail > head || first > high)) first = old.end() - text.length;
+    first = std::min(first, high);
+  }
+  write(text, first);
+  blank(old.first, std::min(first, old.end()));
+  blank(std::max(first + text.length, old.first), old.end());
+  places_.set(text.place, {first, text.length, text.end - text.begin, text.cuts});
+  own(text, text.place);
+  return true;
+}
+
+// In the smallest gap that is large enough, or at the end.
+template <class Index>
+void BasicStripBuffer<Index>::store_anew(const Text& text) noexcept {
+  std::uint32_t before = places_.find_gap(text.length);
+  if (before == nothing || places_.gap(before) < text.length) before = places_.last();
+  const std::uint32_t first = places_.run(before).end();
+  if (first + text.length > places_.limit(before)) {
+    mark(cells_.size(), first + text.length);
+    cells_.resize(first + text.length, restart);
+    places_.set_length(first + text.length);
+  }
+  write(text, first);
+  own(text, places_.insert(before, {first, text.length, text.end - text.begin, text.cuts}));
+}
+
+template <class Index>
+void BasicStripBuffer<Index>::own(const Text& text, std::uint32_t place) noexcept {
+  for (std::uint32_t i = text.begin; i < text.end; ++i) run_of_[strip_[i].triangle] = place;
+  places_.set_state(place, State::settled);
+}
+
+template <class Index>
+void BasicStripBuffer<Index>::remove(std::uint32_t place) noexcept {
+  blank(places_.run(place).first, places_.run(place).end());
+  places_.remove(place);
+}
+
+// ---- cells
+
+// From the first index that differs to the last.
+template <class Index>
+void BasicStripBuffer<Index>::write(const Text& text, std::uint32_t first) noexcept {
+  const Index* then = text_.data() + text.first;
+  Index* now = cells_.data() + first;
+  std::uint32_t begin = 0;
+  std::uint32_t end = text.length;
+  while (begin < end && now[begin] == then[begin]) ++begin;
+  while (begin < end && now[end - 1] == then[end - 1]) --end;
+  std::copy(then + begin, then + end, now + begin);
+  mark(first + begin, first + end);
+}
+
+template <class Index>
+void BasicStripBuffer<Index>::blank(std::uint32_t first, std::uint32_t end) noexcept {
+  if (first >= end) return;
+  std::fill(cells_.data() + first, cells_.data() + end, restart);
+  mark(first, end);
+}
+
+// Moves the run of a place to `first`, in the gap behind `before` or within the gaps on both sides of it.
+template <class Index>
+void BasicStripBuffer<Index>::move(std::uint32_t place, std::uint32_t before, std::uint32_t first) noexcept {
+  detail::Run run = places_.run(place);
+  const std::uint32_t old = std::exchange(run.first, first);
+  if (old == first) return;
+  const Index* from = cells_.data() + old;
+  if (first < old)
+    std::copy(from, from + run.length, cells_.data() + first);
+  else
+    std::copy_backward(from, from + run.length, cells_.data() + run.end());
+  mark(first, run.end());
+  blank(old, std::min(first, old + run.length));
+  blank(std::max(run.end(), old), old + run.length);
+  if (before == places_.previous(place)) return places_.set(place, run);
+  places_.remove(place);
+  places_.insert(before, run);  // into the same place: it was freed last
+}
+
+// Slides runs from `right` on to the right, or those up to `left` to the left, until `missing` cells more lie between
+// the two. Returns how many indices were moved; none where it would be more than `most`. Runs that are to be written
+// stay.
+template <class Index>
+std::uint32_t BasicStripBuffer<Index>::widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing,
+                                             std::uint32_t most) noexcept {
+  struct Side {
+    std::uint32_t cost = 0;
+    std::uint32_t last = 0;
+    std::uint32_t found = 0;
+  };
+  const auto look = [&](std::uint32_t place, bool rightwards) {
+    for (Side side; place != detail::RunPlaces::head && places_.state(place) == State::settled;) {
+      const std::uint32_t before = places_.previous(place);
+      side.cost += places_.run(place).length;
+      if (side.cost > most) break;
+      side.last = place;
+      side.found += places_.gap(rightwards ? place : before);
+      if (side.found >= missing) return side;
+      place = rightwards ? places_.next(place) : before;
+    }
+    return Side{};
+  };
+  Side side = look(right, true);
+  const bool rightwards = side.cost != 0;
+  if (rightwards) most = side.cost - 1;
+  if (const Side other = look(left, false); other.cost != 0) {
+    std::uint32_t first = places_.run(places_.previous(other.last)).end() + other.found - missing;
+    for (std::uint32_t place = other.last;; place = places_.next(place)) {
+      move(place, places_.previous(place), first);
+      if (place == left) return other.cost;
+      first = places_.run(place).end();
     }
   }
-  if (written_.size() == written_.capacity() && !written_.empty()) {
-    // No room to tell it exactly.
+  if (!rightwards) return 0;
+  std::uint32_t end = places_.limit(side.last) - (side.found - missing);
+  for (std::uint32_t place = side.last;; place = places_.previous(place)) {
+    end -= places_.run(place).length;
+    move(place, places_.previous(place), end);
+    if (place == right) return side.cost;
+  }
+}
+
+// ---- gaps
+
+// Moves the last run into a gap, again and again. A cut wastes some two and a half indices, half of them at each end.
+template <class Index>
+void BasicStripBuffer<Index>::close_gaps() noexcept {
+  for (std::uint32_t moved = 0;;) {
+    const std::uint32_t last = places_.last();
+    const detail::Run run = places_.run(last);
+    // A gap at the end is no part of the buffer.
+    if (run.end() < cells_.size()) {
+      cells_.resize(run.end());
+      places_.set_length(run.end());
+    }
+    const std::uint64_t needed = places_.used() - std::uint64_t{places_.cuts()} * 5 / 4;
+    const bool wasteful = 1000 * (places_.length() - needed) > detail::tolerated_waste * needed;
+    const std::uint32_t before = places_.find_gap(run.length);
+    if (!wasteful || moved >= detail::moved_by_an_update || before == nothing) return;
+    if (places_.gap(before) < run.length && places_.next(before) != last) {
+      const std::uint32_t missing = run.length - places_.gap(before);
+      const std::uint32_t cost = widen(before, places_.next(before), missing, detail::moved_for_a_gap);
+      if (cost == 0) return;
+      moved += cost;
+    }
+    move(last, before, places_.run(before).end());
+    moved += run.length;
+  }
+}
+
+// ---- what has been written
+
+template <class Index>
+void BasicStripBuffer<Index>::mark(std::size_t first, std::size_t end) noexcept {
+  if (first == end) return;
+  // What is written is mostly beside what was written before.
+  if (!written_.empty()) {
     Range& last = written_.back();
-    const std::size_t begin = std::min(last.first, first);
-    last = {begin, std::max(last.first + last.count, end) - begin};
-    return;
+    const std::size_t last_end = last.first + last.count;
+    if (first <= last_end && last.first <= end) {
+      last.first = std::min(last.first, first);
+      last.count = std::max(last_end, end) - last.first;
+      return;
+    }
   }
   written_.push_back({first, end - first});
 }
 
 template <class Index>
-void BasicStripBuffer<Index>::blank(std::uint32_t first, std::uint32_t end) noexcept {
-  for (std::uint32_t i = first; i < end; ++i) {
-    const std::uint32_t begin = i;
-    for (; i < end && cells_[i] != restart; ++i) {
-      whose_[i] = nothing;
-      cells_[i] = restart;
-    }
-    if (i != begin) mark(begin, i);
-    if (i < end) whose_[i] = nothing;
+void BasicStripBuffer<Index>::sort_ranges() noexcept {
+  std::sort(written_.begin(), written_.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
+  std::size_t kept = 0;
+  for (const auto& [first, count] : written_) {
+    const std::size_t end = std::min(first + count, cells_.size());
+    if (first >= end) break;
+    if (kept == 0 || first > written_[kept - 1].first + written_[kept - 1].count + 2) written_[kept++] = {first, 0};
+    Range& last = written_[kept - 1];
+    last.count = std::max(last.count, end - last.first);
   }
-}
-
-template <class Index>
-void BasicStripBuffer<Index>::remove(std::uint32_t p) noexcept {
-  if (cursor_ == p) cursor_ = places_.previous(p);
-  blank(places_.first(p), places_.end(p));
-  places_.set_touched(p, false);
-  places_.set_claimed(p, false);
-  places_.remove(p);
-}
-
-template <class Index>
-void BasicStripBuffer<Index>::write(std::uint32_t p, std::uint32_t first, const Fresh& fresh, bool all) noexcept {
-  Index* cell = cells_.data() + first;
-  std::uint32_t* whose = whose_.data() + first;
-  const Index* text = text_.data() + fresh.begin;
-  const std::uint32_t* names = names_.data() + fresh.begin;
-  for (std::uint32_t i = 0; i < fresh.length; ++i) {
-    const std::uint32_t begin = i;
-    for (; i < fresh.length && cell[i] != text[i]; ++i) cell[i] = text[i];
-    if (i != begin) mark(first + begin, first + i);
-  }
-  for (std::uint32_t i = 0; i < fresh.length; ++i) {
-    if (all || whose[i] != names[i]) {
-      whose[i] = names[i];
-      if (names[i] < gone) at_[names[i]] = {p, i};
-    }
-  }
-}
-
-// The texts fresh_[begin] … fresh_[end - 1], in order, into the place that all of them name, as near as possible to
-// where they wish to be. What finds no room is homeless.
-template <class Index>
-void BasicStripBuffer<Index>::store_in_place(std::size_t begin, std::size_t end) noexcept {
-  const std::uint32_t p = fresh_[begin].target;
-  const std::uint32_t old_first = places_.first(p);
-  const std::uint32_t old_end = places_.end(p);
-  const std::uint32_t low = places_.end(places_.previous(p));
-  std::size_t total = 0;
-  std::size_t keeper = begin;
-  for (std::size_t i = begin; i < end; ++i) {
-    total += fresh_[i].length;
-    if (fresh_[i].length > fresh_[keeper].length) keeper = i;
-  }
-  while (total > places_.limit(p) - low) {
-    if (end - begin == 1 && make_room(p, static_cast<std::uint32_t>(total))) break;
-    std::size_t least = begin;
-    for (std::size_t i = begin; i < end; ++i)
-      if (fresh_[i].length < fresh_[least].length) least = i;
-    total -= fresh_[least].length;
-    homeless_.push_back(fresh_[least]);
-    std::move(fresh_.begin() + static_cast<std::ptrdiff_t>(least) + 1,
-              fresh_.begin() + static_cast<std::ptrdiff_t>(end), fresh_.begin() + static_cast<std::ptrdiff_t>(least));
-    --end;
-    if (begin == end) return remove(p);
-    keeper = begin;
-    for (std::size_t i = begin; i < end; ++i)
-      if (fresh_[i].length > fresh_[keeper].length) keeper = i;
-  }
-  const std::uint32_t bottom = places_.end(places_.previous(p));
-  if (end - begin == 1 && fresh_[begin].shift != 0) {
-    Fresh& only = fresh_[begin];
-    const bool fits_right =
-        static_cast<std::int32_t>(only.wish - bottom) >= 0 && only.wish + only.length <= places_.limit(p);
-    const bool fits_left = static_cast<std::int32_t>(only.wish - only.shift - bottom) >= 0;
-    if (fits_left && (only.tail > only.head || !fits_right)) only.wish -= only.shift;
-  }
-  std::uint32_t at = bottom;
-  for (std::size_t i = begin; i < end; ++i) {
-    std::uint32_t& wish = fresh_[i].wish;
-    if (static_cast<std::int32_t>(wish - at) < 0) wish = at;
-    at = wish + fresh_[i].length;
-  }
-  at = places_.limit(p);
-  for (std::size_t i = end; i-- > begin;) {
-    std::uint32_t& wish = fresh_[i].wish;
-    wish = std::min(wish, at - fresh_[i].length);
-    at = wish;
-  }
-  // The largest keeps the number.
-  places_.set(p, fresh_[keeper].wish, fresh_[keeper].length, fresh_[keeper].pads);
-  places_.set_cuts(p, fresh_[keeper].cuts);
-  at = old_first;
-  std::uint32_t before = places_.previous(p);
-  for (std::size_t i = begin; i < end; ++i) {
-    const Fresh& fresh = fresh_[i];
-    if (i == keeper) {
-      before = p;
-      write(p, fresh.wish, fresh, fresh.wish != old_first);
-    } else {
-      before = places_.insert(before, fresh.wish, fresh.length, fresh.pads);
-      places_.set_cuts(before, fresh.cuts);
-      write(before, fresh.wish, fresh, true);
-    }
-    blank(at, std::min(fresh.wish, old_end));
-    at = std::max(at, fresh.wish + fresh.length);
-  }
-  blank(at, old_end);
-  places_.set_touched(p, false);
-  places_.set_claimed(p, false);
-}
-
-// Slides neighbours of p until there is room for so many cells between them, if that is cheaper than another place.
-template <class Index>
-bool BasicStripBuffer<Index>::make_room(std::uint32_t p, std::uint32_t cells) noexcept {
-  using detail::RunPlaces;
-  const std::uint32_t missing = cells - (places_.limit(p) - places_.end(places_.previous(p)));
-  const std::uint32_t most = 2 * cells;
-  for (const std::uint32_t q : {places_.next(p), places_.previous(p)}) {
-    if (q == RunPlaces::head || places_.touched(q)) continue;
-    const std::uint32_t size = places_.used(q);
-    if (size < missing || size > detail::easily_moved || 3 * size > cells) continue;
-    const std::uint32_t before = places_.find_gap(size);
-    if (before == RunPlaces::no_place || before == q || before == places_.previous(q) || before == p ||
-        before == places_.previous(p))
-      continue;
-    move(q, before);
-    return true;
-  }
-  std::uint32_t cost = 0;
-  std::uint32_t found = 0;
-  std::uint32_t q = p;
-  while (found < missing) {
-    q = places_.next(q);
-    if (q == RunPlaces::head || places_.touched(q)) break;
-    cost += places_.used(q);
-    if (cost > most) break;
-    found += places_.gap(q);
-  }
-  if (found >= missing) {
-    std::uint32_t end = places_.limit(q) - (found - missing);
-    for (; q != p; q = places_.previous(q)) {
-      end -= places_.used(q);
-      const std::uint32_t now = places_.first(q);
-      if (now < end) slide(q, end);
-      end = places_.first(q);
-    }
-    return true;
-  }
-  cost = found = 0;
-  q = p;
-  while (found < missing) {
-    q = places_.previous(q);
-    if (q == RunPlaces::head || places_.touched(q)) return false;
-    cost += places_.used(q);
-    if (cost > most) return false;
-    found += places_.gap(places_.previous(q));
-  }
-  std::uint32_t first = places_.end(places_.previous(q)) + (found - missing);
-  for (; q != p; q = places_.next(q)) {
-    if (places_.first(q) > first) slide(q, first);
-    first = places_.end(q);
-  }
-  return true;
-}
-
-template <class Index>
-void BasicStripBuffer<Index>::place_anew(const Fresh& fresh) noexcept {
-  std::uint32_t before = places_.find_gap(fresh.length);
-  std::uint32_t first = 0;
-  if (before == detail::RunPlaces::no_place) {
-    before = places_.last();
-    first = places_.length();
-    cells_.resize(first + fresh.length, restart);
-    whose_.resize(first + fresh.length, nothing);
-    places_.set_length(first + fresh.length);
-    mark(first + fresh.length - 1, first + fresh.length);  // set by resize(), so write() does not mark it
-  } else {
-    first = places_.end(before) + std::min((places_.gap(before) - fresh.length) / 2, 4U);
-  }
-  const std::uint32_t p = places_.insert(before, first, fresh.length, fresh.pads);
-  places_.set_cuts(p, fresh.cuts);
-  write(p, first, fresh, true);
-}
-
-template <class Index>
-void BasicStripBuffer<Index>::store() noexcept {
-  for (const std::uint32_t p : touched_)
-    if (!places_.claimed(p)) remove(p);
-  std::sort(fresh_.begin(), fresh_.end(), [](const Fresh& a, const Fresh& b) {
-    if (a.target != b.target) return a.target < b.target;
-    if (a.wish != b.wish) return static_cast<std::int32_t>(a.wish - b.wish) < 0;
-    return a.begin < b.begin;  // otherwise the buffer would depend on how a library sorts
-  });
-  homeless_.clear();
-  for (std::size_t i = 0; i < fresh_.size();) {
-    std::size_t end = i + 1;
-    while (end < fresh_.size() && fresh_[end].target == fresh_[i].target) ++end;
-    if (fresh_[i].target == nothing)
-      homeless_.insert(homeless_.end(), fresh_.begin() + static_cast<std::ptrdiff_t>(i), fresh_.end());
-    else
-      store_in_place(i, end);
-    i = end;
-  }
-  for (const Fresh& fresh : homeless_) place_anew(fresh);
+  written_.resize(kept);
 }
 
 }  // namespace restrip

@@ -1,0 +1,185 @@
+// BufferHistory: undo and redo of whole frames of a StripBuffer, index by index.
+//
+// After History (mesh/history.hpp) has given a mesh back, an update would draw it right, but elsewhere in the buffer.
+// This gives back the very indices there were, in their places, and all that the buffer knows of them: what is done
+// after an undo has the same bytes as if it had been done at once. LiveMesh has both histories in step.
+//
+//   BufferHistory buffers(buffer);
+//   ... operations of a frame ...
+//   buffer.update(mesh, changed);
+//   buffers.note(buffer, changed);
+//   if (history.frame(mesh, changed)) buffers.frame(buffer, history.undoable());
+//   changed.clear();
+//   if (history.undo(mesh)) buffers.undo(buffer);      // and changed.clear(): the buffer is in step
+//   for (const auto& range : buffer.update(mesh, changed)) upload(range);
+//
+// A frame takes time and memory linear in what its update read and wrote, but for a logarithm: what has changed is kept
+// once, as it was before or after. Besides, there is one copy of the buffer.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "restrip/output/strip_buffer.hpp"
+
+namespace restrip {
+
+class BufferHistory {
+ public:
+  /// Begins with the buffer as it is. Linear time.
+  explicit BufferHistory(StripBuffer& buffer) : last_(buffer) {
+    note_all(buffer);
+    take(buffer);
+  }
+
+  /// After each update, with what it was told, and after each rebuild(). After an exception the history must not be
+  /// used any more; the same holds for frame().
+  void note(const StripBuffer& buffer, std::span<const std::uint32_t> changed);
+  /// Ends a frame, of all updates since the frame before. Frames that were undone and not redone are forgotten, and the
+  /// oldest, so that no more than `most` are kept.
+  void frame(StripBuffer& buffer, std::size_t most);
+
+  /// Gives the buffer back as it was before the last frame, or after the one that was undone last. False when there is
+  /// none; then it is as it was after the last frame. What has been written is returned by the next update.
+  bool undo(StripBuffer& buffer);
+  bool redo(StripBuffer& buffer);
+
+ private:
+  /// Values of an array that are exchanged with what is there now.
+  template <class Value>
+  struct Values {
+    std::vector<std::uint32_t> at;  // ascending
+    std::vector<Value> value;
+    std::size_t size = 0;  // of the array
+    void take(std::vector<std::uint32_t>& named, std::vector<Value>& last, const std::vector<Value>& now, Value beyond);
+    void exchange_with(std::vector<Value>& array, Value beyond);
+  };
+  struct Frame {
+    Values<std::uint32_t> cells;
+    Values<std::uint32_t> run_of;
+    Values<detail::RunPlaces::Place> places;
+    detail::RunPlaces::Totals totals;
+  };
+
+  void note_all(const StripBuffer& buffer);
+  Frame take(StripBuffer& buffer);
+  static void exchange(Frame& frame, StripBuffer& buffer);
+  void put(Frame& frame, StripBuffer& buffer);
+  void forget_unframed(StripBuffer& buffer);
+
+  StripBuffer last_;  // as it was at the end of the last frame
+  std::deque<Frame> frames_;
+  std::size_t done_ = 0;              // frames that are not undone
+  std::vector<std::uint32_t> cells_;  // that updates since may have changed
+  std::vector<std::uint32_t> triangles_;
+  std::vector<std::uint32_t> places_;
+};
+
+inline void BufferHistory::note_all(const StripBuffer& buffer) {
+  cells_.resize(std::max(buffer.cells_.size(), last_.cells_.size()));
+  triangles_.resize(std::max(buffer.run_of_.size(), last_.run_of_.size()));
+  places_.resize(std::max(buffer.places_.places_.size(), last_.places_.places_.size()));
+  for (auto* const list : {&cells_, &triangles_, &places_}) std::iota(list->begin(), list->end(), 0U);
+}
+
+inline void BufferHistory::note(const StripBuffer& buffer, std::span<const std::uint32_t> changed) {
+  if (buffer.rebuilt_) return note_all(buffer);
+  for (const auto& [first, count] : buffer.written_)
+    for (std::size_t i = first; i < first + count; ++i) cells_.push_back(static_cast<std::uint32_t>(i));
+  triangles_.insert(triangles_.end(), changed.begin(), changed.end());
+  for (std::uint32_t i = 0; i < buffer.links_; ++i) triangles_.push_back(buffer.strip_[i].triangle);
+}
+
+// From `last`, which is brought in step, the values before. `named` is cleared.
+template <class Value>
+void BufferHistory::Values<Value>::take(std::vector<std::uint32_t>& named, std::vector<Value>& last,
+                                        const std::vector<Value>& now, Value beyond) {
+  for (std::size_t i = std::min(last.size(), now.size()); i < std::max(last.size(), now.size()); ++i)
+    named.push_back(static_cast<std::uint32_t>(i));
+  std::sort(named.begin(), named.end());
+  named.erase(std::unique(named.begin(), named.end()), named.end());
+  size = last.size();
+  last.resize(std::max(last.size(), now.size()), beyond);
+  for (const std::uint32_t i : named) {
+    if (i >= last.size()) break;
+    const Value after = i < now.size() ? now[i] : beyond;
+    if (last[i] == after) continue;
+    at.push_back(i);
+    value.push_back(std::exchange(last[i], after));
+  }
+  last.resize(now.size(), beyond);
+  named.clear();
+}
+
+template <class Value>
+void BufferHistory::Values<Value>::exchange_with(std::vector<Value>& array, Value beyond) {
+  const std::size_t now = array.size();
+  array.resize(std::max(now, size), beyond);
+  for (std::size_t i = 0; i < at.size(); ++i) std::swap(array[at[i]], value[i]);
+  array.resize(std::exchange(size, now), beyond);
+}
+
+inline BufferHistory::Frame BufferHistory::take(StripBuffer& buffer) {
+  detail::RunPlaces& places = buffer.places_;
+  for (const std::uint32_t p : places.changed_) places.places_[p].named = false;
+  places_.insert(places_.end(), places.changed_.begin(), places.changed_.end());
+  places.changed_.clear();
+  Frame frame;
+  frame.cells.take(cells_, last_.cells_, buffer.cells_, StripBuffer::restart);
+  frame.run_of.take(triangles_, last_.run_of_, buffer.run_of_, StripBuffer::nothing);
+  frame.places.take(places_, last_.places_.places_, places.places_, {});
+  frame.totals = std::exchange(last_.places_.totals_, places.totals_);
+  return frame;
+}
+
+inline void BufferHistory::exchange(Frame& frame, StripBuffer& buffer) {
+  frame.cells.exchange_with(buffer.cells_, StripBuffer::restart);
+  frame.run_of.exchange_with(buffer.run_of_, StripBuffer::nothing);
+  frame.places.exchange_with(buffer.places_.places_, {});
+  std::swap(frame.totals, buffer.places_.totals_);
+}
+
+inline void BufferHistory::frame(StripBuffer& buffer, std::size_t most) {
+  frames_.resize(done_);
+  frames_.push_back(take(buffer));
+  while (frames_.size() > most) frames_.pop_front();
+  done_ = frames_.size();
+}
+
+// What the frame has is told by the next update, and goes into the buffer and the copy.
+inline void BufferHistory::put(Frame& frame, StripBuffer& buffer) {
+  detail::make_buffer_room(buffer.written_, frame.cells.at.size() + 1);
+  buffer.mark(std::min(frame.cells.size, buffer.cells_.size()), std::max(frame.cells.size, buffer.cells_.size()));
+  for (const std::uint32_t i : frame.cells.at) buffer.mark(i, i + std::size_t{1});
+  buffer.keep_ranges();
+  Frame copy = frame;
+  exchange(copy, last_);
+  exchange(frame, buffer);
+}
+
+inline void BufferHistory::forget_unframed(StripBuffer& buffer) {
+  Frame unframed = take(buffer);
+  put(unframed, buffer);
+}
+
+inline bool BufferHistory::undo(StripBuffer& buffer) {
+  forget_unframed(buffer);
+  if (done_ == 0) return false;
+  put(frames_[--done_], buffer);
+  return true;
+}
+
+inline bool BufferHistory::redo(StripBuffer& buffer) {
+  forget_unframed(buffer);
+  if (done_ == frames_.size()) return false;
+  put(frames_[done_++], buffer);
+  return true;
+}
+
+}  // namespace restrip
