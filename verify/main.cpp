@@ -93,13 +93,8 @@ int main(int argc, char** argv) {
                                                      name == "--digest-command" || name == "--headers" ||
                                                      name == "--family")
       operation->excludes(option);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? all_claims_hold : bad_input;
-  }
   const auto given = [&](const char* name) { return !app.get_option(name)->empty(); };
-  return exit_code_of("restrip-verify", [&] {
+  return exit_code_of(app, argc, argv, [&] {
     refuse_if(!own.operation.empty() && own.certificate.empty() && own.header.empty() && options.dump_command.empty(),
               "--operation needs --certificate, --header or both");
     refuse_if(options.max_k > largest_fan &&

@@ -85,16 +85,16 @@ void check_dump(const std::string& subject, const std::string& how_read, const C
   double seconds = thread_seconds() - start;
   const Compared& listed = comparison.of(Against::certificate);
   const Compared& unlisted = comparison.of(Against::own_patch);
-  const auto report = [&](const Compared::Count& count, Failures failures, const char* claim, const char* method) {
+  const auto report = [&](const AnswerCount& count, Failures failures, const char* claim, const char* method) {
     // What was to be compared and was not, because the dump could not be read, does not hold.
     if (!comparison.fault.empty()) failures.add(comparison.fault);
     if (count.entries == 0 && failures.count == 0) return;
     listener({subject, claim, fmt::format("{}, {}", method, quantity(count.positions, "position")), count.entries,
               std::exchange(seconds, 0), failures.count, failures.first});
   };
-  report(listed.sum(), listed.differences, "every answer is the certificate's row, in its positions", how_read.c_str());
-  const Compared::Count judged{listed.sum().positions + unlisted.sum().positions,
-                               listed.sum().entries + unlisted.sum().entries};
+  AnswerCount judged = sum_of(listed.families);
+  report(judged, listed.differences, "every answer is the certificate's row, in its positions", how_read.c_str());
+  judged += sum_of(unlisted.families);
   Failures wrong = listed.wrong;
   wrong.add(unlisted.wrong);
   report(judged, wrong, "every answer is sound and best", "worlds, all recolourings");
@@ -104,18 +104,14 @@ void check_dump(const std::string& subject, const std::string& how_read, const C
     report(judged, told, "every answer tells what it changes", "counted before and after");
   }
   const Compared& lists = comparison.of_lists(Against::certificate);
-  report(lists.sum(), lists.differences, "their lists of alternatives are the certificates'", how_read.c_str());
+  report(sum_of(lists.families), lists.differences, "their lists of alternatives are the certificates'",
+         how_read.c_str());
   for (const Compared* compared : {&listed, &unlisted})
-    for (const auto& [family, count] : compared->families) {
-      if (compared->differences.count + compared->wrong.count != 0 || !comparison.fault.empty()) continue;
-      totals.answers[family].positions += count.positions;
-      totals.answers[family].entries += count.entries;
-    }
+    for (const auto& [family, count] : compared->families)
+      if (compared->differences.count + compared->wrong.count == 0 && comparison.fault.empty())
+        totals.answers[family] += count;
   for (const Compared* compared : {&comparison.of(Against::nothing), &comparison.of_lists(Against::nothing)})
-    for (const auto& [family, count] : compared->families) {
-      totals.not_compared[family].positions += count.positions;
-      totals.not_compared[family].entries += count.entries;
-    }
+    for (const auto& [family, count] : compared->families) totals.not_compared[family] += count;
 }
 
 /// Compares digests of the answers of another look-up with those of the answers that were judged.
@@ -395,13 +391,10 @@ std::string last_line_of(const OperationOptions& options, const Totals& totals) 
                       totals.configurations == 1 ? "it" : "them");
   if (!options.certificate.empty()) text += ", " + quantity(totals.rules, "rule");
   if (!options.linked_certificate.empty()) text += ", " + quantity(totals.alternatives, "alternative");
-  const auto sum = [](const std::map<std::string, Totals::Answers>& answers) {
-    std::uint64_t entries = 0;
-    for (const auto& family : answers) entries += family.second.entries;
-    return entries;
-  };
-  if (sum(totals.answers) != 0) text += fmt::format(", {} of the table", quantity(sum(totals.answers), "answer"));
-  if (sum(totals.not_compared) != 0) text += fmt::format(", {} more NOT compared", sum(totals.not_compared));
+  const std::uint64_t answers = sum_of(totals.answers).entries;
+  if (answers != 0) text += fmt::format(", {} of the table", quantity(answers, "answer"));
+  const std::uint64_t more = sum_of(totals.not_compared).entries;
+  if (more != 0) text += fmt::format(", {} more NOT compared", more);
   text += ", " + quantity(totals.claims, "claim");
   if (totals.failed != 0) text += fmt::format(" of which {} failed", totals.failed);
   return text + fmt::format("; read: {}\n", text_of(totals.read));

@@ -64,12 +64,7 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   app.add_flag("--facts", facts, "Read no certificate: print the worst that an operation costs in fans of any valence");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? all_claims_hold : bad_input;
-  }
-  return exit_code_of("restrip-verify-automaton", [&] {
+  return exit_code_of(app, argc, argv, [&] {
     // What the other options ask for is then not done: that is no way to ignore them.
     for (const char* name : {"--tables-dir", "--dump-command", "--tables-max-k", "--max-k", "--every"})
       if (facts && !app.get_option(name)->empty())

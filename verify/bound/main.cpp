@@ -43,12 +43,7 @@ int main(int argc, char** argv) {
       "  restrip-verify-bound bunny.obj bunny.bound");
   app.add_option("mesh", mesh, "An OBJ file of triangles")->required();
   app.add_option("certificate", certificate, "What `restrip stripify --bound-certificate` wrote")->required();
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? all_claims_hold : bad_input;
-  }
-  return exit_code_of("restrip-verify-bound", [&] {
+  return exit_code_of(app, argc, argv, [&] {
     try {
       return run(mesh, certificate);
     } catch (const FalseBound& error) {

@@ -1,6 +1,4 @@
-#include <algorithm>
-#include <numeric>
-
+#include "judge/merged_sets.hpp"
 #include "judge/orbits.hpp"
 
 namespace restrip::verify {
@@ -12,24 +10,6 @@ std::vector<Mask> images_of_masks(const Permutation& permutation) {
     images.push_back(moved(mask, permutation));
   return images;
 }
-
-/// Sets that are merged; each is known by its smallest member.
-class MergedSets {
- public:
-  explicit MergedSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), Mask{0}); }
-  Mask smallest(Mask member) {
-    while (parent_[member] != member) member = parent_[member] = parent_[parent_[member]];
-    return member;
-  }
-  void merge(Mask one, Mask other) {
-    const Mask a = smallest(one);
-    const Mask b = smallest(other);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<Mask> parent_;
-};
 
 }  // namespace
 

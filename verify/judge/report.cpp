@@ -10,20 +10,17 @@ namespace restrip::verify {
 namespace {
 
 /// "answers of the shipped headers proved: 32 in 1 position (flip 1)"; empty when there are none.
-std::string answers_line(const char* what, const std::map<std::string, Totals::Answers>& answers) {
+std::string answers_line(const char* what, const AnswerCounts& answers) {
   if (answers.empty()) return {};
-  Totals::Answers sum;
+  const AnswerCount sum = sum_of(answers);
   std::string list;
-  for (const auto& [family, count] : answers) {
-    sum.positions += count.positions;
-    sum.entries += count.entries;
+  for (const auto& [family, count] : answers)
     list += fmt::format("{}{} {}", list.empty() ? "" : ", ", family, count.positions);
-  }
   return fmt::format("answers of the shipped headers {}: {} in {} ({})\n", what, grouped(sum.entries),
                      quantity(sum.positions, "position"), list);
 }
 
-nlohmann::ordered_json json_of(const std::map<std::string, Totals::Answers>& answers) {
+nlohmann::ordered_json json_of(const AnswerCounts& answers) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const auto& [family, count] : answers)
     json[family] = {{"positions", count.positions}, {"answers", count.entries}};
@@ -31,6 +28,12 @@ nlohmann::ordered_json json_of(const std::map<std::string, Totals::Answers>& ans
 }
 
 }  // namespace
+
+AnswerCount sum_of(const AnswerCounts& counts) {
+  AnswerCount sum;
+  for (const auto& family : counts) sum += family.second;
+  return sum;
+}
 
 std::string text_of(const Sources& sources) {
   std::vector<std::string> all = sources.of_headers;

@@ -43,6 +43,21 @@ struct Sources {
 /// "certificates and compiled tables", or "certificates only; no header was read".
 std::string text_of(const Sources& sources);
 
+/// Answers of tables, and in how many positions they are.
+struct AnswerCount {
+  std::uint64_t positions = 0;
+  std::uint64_t entries = 0;
+
+  AnswerCount& operator+=(const AnswerCount& more) {
+    positions += more.positions;
+    entries += more.entries;
+    return *this;
+  }
+};
+/// By the word that the headers of the tables begin with: "open-collapse".
+using AnswerCounts = std::map<std::string, AnswerCount>;
+AnswerCount sum_of(const AnswerCounts& counts);
+
 struct Totals {
   unsigned max_k = 0;                ///< of the largest fans
   std::uint64_t rules = 0;           ///< rows, copies included
@@ -53,14 +68,10 @@ struct Totals {
   std::uint64_t failed = 0;
   Sources read;
   bool graph_only = false;  ///< an operation that is not checked to be one on a mesh
-  struct Answers {
-    std::uint64_t positions = 0;
-    std::uint64_t entries = 0;
-  };
   /// Answers of the shipped headers by operation: those that were all found right, and those that were read but not
   /// looked at, because their family was not chosen.
-  std::map<std::string, Answers> answers;
-  std::map<std::string, Answers> not_compared;
+  AnswerCounts answers;
+  AnswerCounts not_compared;
 };
 
 /// Called for each claim as soon as it is settled, in a fixed order.

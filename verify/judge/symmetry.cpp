@@ -5,6 +5,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "judge/merged_sets.hpp"
+
 namespace restrip::verify {
 namespace {
 
@@ -36,27 +38,6 @@ unsigned edge_between(const Side& side, unsigned one, unsigned other) {
   throw std::logic_error("a symmetry takes an edge to none");
 }
 
-/// Sets of nodes that generators take to each other.
-class NodeOrbits {
- public:
-  explicit NodeOrbits(unsigned nodes) : parent_(nodes) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  unsigned root(unsigned node) const {
-    while (parent_[node] != node) node = parent_[node];
-    return node;
-  }
-  void merge(const Permutation& permutation) {
-    for (unsigned node = 0; node < permutation.size(); ++node) parent_[root(node)] = root(permutation[node]);
-  }
-  unsigned size_of(unsigned node) const {
-    unsigned size = 0;
-    for (unsigned other = 0; other < parent_.size(); ++other) size += root(other) == root(node) ? 1U : 0U;
-    return size;
-  }
-
- private:
-  std::vector<unsigned> parent_;
-};
-
 }  // namespace
 
 Symmetries::Symmetries(const Operation& operation, Keep keep)
@@ -64,19 +45,22 @@ Symmetries::Symmetries(const Operation& operation, Keep keep)
   // From the last node to the first: the symmetries that leave all nodes before it where they are.
   const ColoredGraph plain = graph({});
   const std::vector<unsigned> kinds = refined_colors(plain);
-  NodeOrbits orbits(plain.size());
+  MergedSets orbits(plain.size());  // of nodes that generators take to each other
   for (unsigned node = plain.size(); node-- > 0;) {
     Permutation fixed(node + 1);
     std::iota(fixed.begin(), fixed.end(), 0U);
     for (unsigned image = node + 1; image < plain.size(); ++image) {
-      if (kinds[image] != kinds[node] || orbits.root(image) == orbits.root(node)) continue;
+      if (kinds[image] != kinds[node] || orbits.smallest(image) == orbits.smallest(node)) continue;
       fixed[node] = image;
       const std::optional<Permutation> found = isomorphism(plain, plain, fixed);
       if (!found) continue;
-      orbits.merge(*found);
+      for (unsigned from = 0; from < found->size(); ++from) orbits.merge(from, (*found)[from]);
       generators_.push_back(symmetry_of(*found));
     }
-    order_ *= orbits.size_of(node);
+    unsigned images = 0;
+    for (unsigned other = 0; other < plain.size(); ++other)
+      images += orbits.smallest(other) == orbits.smallest(node) ? 1U : 0U;
+    order_ *= images;
   }
 }
 

@@ -122,13 +122,6 @@ class TableJudge {
   std::vector<const Row*> row_of_class_;
 };
 
-/// Where the entries of a table are counted.
-void count(Compared& compared, const std::string& family, std::uint64_t entries) {
-  Compared::Count& count = compared.families[family];
-  ++count.positions;
-  count.entries += entries;
-}
-
 class DumpReader {
  public:
   DumpReader(StreamLines& lines, const ExpectedDump& expected, DumpComparison& result)
@@ -169,7 +162,7 @@ class DumpReader {
       if (judge) judge->entry(lines_.number(), configuration, answer);
       if (expected_.with_digests) result_.digests.add(operation, configuration, answer);
     });
-    count(compared, operation.family, result_.lines - lines_before);
+    compared.families[operation.family] += {1, result_.lines - lines_before};
   }
 
   /// What the next line answers; nullopt when it says that there is nothing to answer.
@@ -214,7 +207,7 @@ class DumpReader {
       if (lists.lines != nullptr && found != expected)
         compared.differences.add(fmt::format("line {}: {}", lines_.number(), other));
     }
-    count(compared, lists.family, mask_count(lists.ports));
+    compared.families[lists.family] += {1, mask_count(lists.ports)};
   }
 
   StreamLines& lines_;
@@ -225,15 +218,6 @@ class DumpReader {
 };
 
 }  // namespace
-
-Compared::Count Compared::sum() const {
-  Count sum;
-  for (const auto& family : families) {
-    sum.positions += family.second.positions;
-    sum.entries += family.second.entries;
-  }
-  return sum;
-}
 
 bool DumpComparison::agrees() const {
   const auto none = [](const Compared& compared) {
@@ -261,7 +245,7 @@ DumpComparison compare_answers(const ExpectedDump& expected, const AnswerOf& ans
       ++entries;
       if (judge) judge->entry(entries, configuration, answer(*table.operation, configuration));
     });
-    count(compared, table.operation->family, entries);
+    compared.families[table.operation->family] += {1, entries};
     result.lines += entries;
   }
   return result;

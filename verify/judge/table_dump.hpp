@@ -52,18 +52,12 @@ struct Answer {
   std::optional<int> isolated;
 };
 
-/// How much was compared, by the word that the headers of the tables begin with: "open-collapse".
+/// What was compared.
 struct Compared {
-  struct Count {
-    std::uint64_t positions = 0;
-    std::uint64_t entries = 0;
-  };
-  std::map<std::string, Count> families;
+  AnswerCounts families;
   Failures differences;  ///< from the rows of a certificate, or between lists
   Failures wrong;        ///< answers that are not sound, or not the best
   Failures told;         ///< answers that tell another change than there is
-
-  Count sum() const;
 };
 
 struct DumpComparison {

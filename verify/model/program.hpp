@@ -1,8 +1,9 @@
 #pragma once
-// How the verifying programs end.
+// How the verifying programs begin and end.
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
@@ -13,9 +14,15 @@ inline constexpr int all_claims_hold = 0;
 inline constexpr int some_claim_fails = 1;
 inline constexpr int bad_input = 2;
 
-/// The exit code of what a program does: what `work` says, or bad_input when it throws or its output was not written.
+/// Reads the command line and does the work. The exit code: what `work` says, or bad_input when the command line is not
+/// well formed, when the work throws or when its output was not written.
 template <class Work>
-int exit_code_of(const char* program, const Work& work) {
+int exit_code_of(CLI::App& app, int argc, char** argv, const Work& work) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? all_claims_hold : bad_input;
+  }
   try {
     const int code = work();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
@@ -23,7 +30,7 @@ int exit_code_of(const char* program, const Work& work) {
     return code;
   } catch (const std::exception& error) {
     std::fflush(stdout);
-    fmt::print(stderr, "{}: {}\n", program, error.what());
+    fmt::print(stderr, "{}: {}\n", app.get_name(), error.what());
     return bad_input;
   }
 }

@@ -5,8 +5,6 @@
 namespace restrip::verify::sat {
 namespace {
 
-using Fault = EncodingFault;
-
 /// together[u][v]: a solid path leads from node u to node v.
 using Together = std::vector<std::vector<Literal>>;
 
@@ -28,25 +26,22 @@ struct Colors {
 };
 
 /// No three edges of a triangle are solid. Triangles have at most three dual edges.
-void require_degrees(Circuit& circuit, const Colors& colors, bool forgive_all, bool forgive_inserted) {
+void require_degrees(Circuit& circuit, const Colors& colors) {
   const auto edges = colors.edges_by_node();
-  for (unsigned node = 0; node < colors.graph.nodes; ++node) {
-    if (edges[node].size() < 3 || forgive_all || (forgive_inserted && colors.graph.inserted[node])) continue;
-    circuit.require({-edges[node][0], -edges[node][1], -edges[node][2]});
-  }
+  for (unsigned node = 0; node < colors.graph.nodes; ++node)
+    if (edges[node].size() == 3) circuit.require({-edges[node][0], -edges[node][1], -edges[node][2]});
 }
 
 /// Lays the edges down one after the other (Kruskal): a solid edge must not join two nodes that are together already,
 /// and then it joins whoever is together with its two ends.
-template <class Forgiven>
-Together require_no_cycles(Circuit& circuit, const Colors& colors, const Forgiven& forgiven) {
+Together require_no_cycles(Circuit& circuit, const Colors& colors) {
   const unsigned n = colors.graph.nodes;
   Together together(n, std::vector<Literal>(n, Circuit::no));
   for (unsigned node = 0; node < n; ++node) together[node][node] = Circuit::yes;
   for (std::size_t i = 0; i < colors.inner.size(); ++i) {
     const Literal edge = colors.inner[i];
     const auto [u, v] = colors.graph.edges[i];
-    if (!forgiven(i)) circuit.require({-edge, -together[u][v]});
+    circuit.require({-edge, -together[u][v]});
     Together now = together;
     for (unsigned x = 0; x < n; ++x)
       for (unsigned y = x + 1; y < n; ++y)
@@ -59,40 +54,32 @@ Together require_no_cycles(Circuit& circuit, const Colors& colors, const Forgive
 
 /// For all ports i < j: both are solid, and joined.
 std::vector<std::vector<Literal>> joined_pairs(Circuit& circuit, const Position& position,
-                                               const std::vector<Literal>& ports, const Together& together,
-                                               Fault fault) {
+                                               const std::vector<Literal>& ports, const Together& together) {
   std::vector<std::vector<Literal>> joined(ports.size());
   for (std::size_t j = 0; j < ports.size(); ++j)
     for (std::size_t i = 0; i < j; ++i) {
       const unsigned one = position.before.owner[i];
       const unsigned other = position.before.owner[j];
-      const bool never = fault == Fault::joined_never || (fault == Fault::joined_by_triangle && one != other);
-      joined[j].push_back(never ? Circuit::no : circuit.all_of({ports[i], ports[j], together[one][other]}));
+      joined[j].push_back(circuit.all_of({ports[i], ports[j], together[one][other]}));
     }
   return joined;
 }
 
 /// Ports joined after were joined before.
 void require_pairs(Circuit& circuit, const Position& position, const Encoding& names, const Together& before,
-                   const Together& after, Fault fault) {
-  if (fault == Fault::drop_pairs) return;
+                   const Together& after) {
   for (std::size_t i = 0; i < names.ports.size(); ++i)
-    for (std::size_t j = i + 1; j < names.ports.size(); ++j) {
-      if (fault == Fault::forget_some_pairs && i == 0 && j == 1) continue;
-      const Literal allowed =
-          fault == Fault::forbid_all_pairs ? Circuit::no : before[position.before.owner[i]][position.before.owner[j]];
+    for (std::size_t j = i + 1; j < names.ports.size(); ++j)
       circuit.require({-names.ports_after[i], -names.ports_after[j],
-                       -after[position.after.owner[i]][position.after.owner[j]], allowed});
-    }
+                       -after[position.after.owner[i]][position.after.owner[j]],
+                       before[position.before.owner[i]][position.before.owner[j]]});
 }
 
 /// Literals "at least m of these", with m of any size.
 class Count {
  public:
-  Count(Circuit& circuit, const std::vector<Literal>& terms, int off = 0)
-      : at_least_(circuit.at_least(terms)), off_(off) {}
+  Count(Circuit& circuit, const std::vector<Literal>& terms) : at_least_(circuit.at_least(terms)) {}
   Literal at_least(int m) const {
-    m += off_;
     if (m <= 0) return Circuit::yes;
     return static_cast<std::size_t>(m) < at_least_.size() ? at_least_[static_cast<std::size_t>(m)] : Circuit::no;
   }
@@ -100,7 +87,6 @@ class Count {
 
  private:
   std::vector<Literal> at_least_;
-  int off_;
 };
 
 /// Isolated triangles and ports given up.
@@ -114,15 +100,13 @@ std::vector<Literal> isolated_terms(Circuit& circuit, const Colors& after, const
 
 /// Requires that the recolouring of every configuration that has the key of a bound beats the bound, in lexicographic
 /// order.
-void require_better(Circuit& circuit, const Position& position, const Encoding& names, const std::vector<Bound>& bounds,
-                    Fault fault) {
-  const int off = fault == Fault::count_one_short ? 1 : (fault == Fault::count_one_long ? -1 : 0);
+void require_better(Circuit& circuit, const Position& position, const Encoding& names,
+                    const std::vector<Bound>& bounds) {
   std::vector<Literal> solid_terms = names.after;
   if (position.gives_ports_up)
     solid_terms.insert(solid_terms.end(), names.ports_after.begin(), names.ports_after.end());
-  const Count solid(circuit, solid_terms, off);
-  const Count isolated(circuit, isolated_terms(circuit, {position.after, names.after, names.ports_after}, names.ports),
-                       fault == Fault::isolated_off_by_one ? 1 : 0);
+  const Count solid(circuit, solid_terms);
+  const Count isolated(circuit, isolated_terms(circuit, {position.after, names.after, names.ports_after}, names.ports));
   const Count kept(circuit, names.ports_after);
   for (const Bound& bound : bounds) {
     Clause other_key;
@@ -138,7 +122,7 @@ void require_better(Circuit& circuit, const Position& position, const Encoding& 
       circuit.require(std::move(clause));
     };
     const Literal more_solid = solid.at_least(bound.solid + 1);
-    const Literal fewer_isolated = fault == Fault::forget_isolated ? Circuit::no : isolated.at_most(bound.isolated - 1);
+    const Literal fewer_isolated = isolated.at_most(bound.isolated - 1);
     require({solid.at_least(bound.solid)});
     if (position.gives_ports_up) {
       require({more_solid, isolated.at_most(bound.isolated)});
@@ -147,12 +131,6 @@ void require_better(Circuit& circuit, const Position& position, const Encoding& 
       require({more_solid, fewer_isolated});
     }
   }
-}
-
-Position with_chord_misplaced(Position position) {
-  for (PatchGraph* graph : {&position.before, &position.after})
-    if (graph->has_chord) graph->edges.back().other = (graph->edges.back().other + 1) % graph->nodes;
-  return position;
 }
 
 }  // namespace
@@ -178,8 +156,7 @@ std::vector<Bound> bounds_of(const Position& position, const std::vector<Row>& r
   return bounds;
 }
 
-Encoding encode(const Position& given, const std::vector<Bound>& bounds, Fault fault) {
-  const Position position = fault == Fault::chord_misplaced ? with_chord_misplaced(given) : given;
+Encoding encode(const Position& position, const std::vector<Bound>& bounds) {
   Circuit circuit;
   Encoding names;
   for (std::size_t i = 0; i < position.before.owner.size(); ++i) names.ports.push_back(circuit.input());
@@ -193,27 +170,16 @@ Encoding encode(const Position& given, const std::vector<Bound>& bounds, Fault f
     }
 
   const Colors before{position.before, names.before, names.ports};
-  require_degrees(circuit, before, fault == Fault::any_degree_before, false);
-  const Together together_before =
-      require_no_cycles(circuit, before, [&](std::size_t) { return fault == Fault::any_cycle_before; });
+  require_degrees(circuit, before);
+  const Together together_before = require_no_cycles(circuit, before);
 
   const Colors after{position.after, names.after, names.ports_after};
-  require_degrees(circuit, after, fault == Fault::loosen_degree, fault == Fault::loosen_new_degree);
-  const auto forgiven = [&](std::size_t edge) {
-    const bool is_chord = position.after.has_chord && edge + 1 == position.after.edges.size();
-    return fault == Fault::drop_all_cycles || (fault == Fault::drop_outer_cycle && !is_chord) ||
-           (fault == Fault::drop_chord_cycles && is_chord);
-  };
-  const Together together_after = require_no_cycles(circuit, after, forgiven);
+  require_degrees(circuit, after);
+  const Together together_after = require_no_cycles(circuit, after);
 
-  require_pairs(circuit, position, names, together_before, together_after, fault);
-  names.joined = joined_pairs(circuit, position, names.ports, together_before, fault);
-  require_better(circuit, position, names, bounds, fault);
-
-  if (fault == Fault::chord_never && position.after.has_chord) circuit.require({-names.after.back()});
-  if (fault == Fault::first_edge_never && !names.after.empty()) circuit.require({-names.after.front()});
-  if (fault == Fault::empty_ports_only)
-    for (const Literal port : names.ports) circuit.require({-port});
+  require_pairs(circuit, position, names, together_before, together_after);
+  names.joined = joined_pairs(circuit, position, names.ports, together_before);
+  require_better(circuit, position, names, bounds);
   names.cnf = circuit.cnf();
   return names;
 }

@@ -144,12 +144,6 @@ int main(int argc, char** argv) {
   check->expected(2)->type_name("FILE FILE");
   for (CLI::Option* option : app.get_options())
     if (option != check && option->get_name() != "--help") check->excludes(option);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? all_claims_hold : bad_input;
-  }
-
-  return exit_code_of("restrip-sat",
+  return exit_code_of(app, argc, argv,
                       [&] { return files.empty() ? run(options, as_json) : check_one(files[0], files[1]); });
 }
