@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "locator_agrees.hpp"
-#include "naive_patch.hpp"
+#include "random_colors.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
@@ -84,24 +84,6 @@ class Throwing {
   mutable std::size_t left_;
   bool late_;
 };
-
-/// Any valid colouring: edges in any order, each with probability `percent`, if it may be solid.
-void color_at_random(StripMesh& mesh, std::mt19937& random, unsigned percent) {
-  mesh.clear_colors();
-  std::vector<StripMesh::Halfedge> edges;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned side = 0; side < 3 && mesh.alive(t); ++side) edges.push_back(StripMesh::halfedge(t, side));
-  std::shuffle(edges.begin(), edges.end(), random);
-  naive::UnionFind strips(mesh.triangle_bound());
-  for (const auto h : edges) {
-    const auto g = mesh.opposite(h);
-    if (StripMesh::on_boundary(g) || random() % 100 >= percent) continue;
-    const Triangle a = StripMesh::triangle(h);
-    const Triangle b = StripMesh::triangle(g);
-    if (!mesh.solid(h) && mesh.solid_degree(a) < 2 && mesh.solid_degree(b) < 2 && strips.unite(a, b))
-      mesh.set_solid(h, true);
-  }
-}
 
 std::vector<std::array<Vertex, 3>> corners(const StripMesh& mesh) {
   std::vector<std::array<Vertex, 3>> all;
@@ -183,7 +165,7 @@ TEST(Exceptions, OfEveryCallLeaveAValidColoring) {
   for (const StripMesh& start : sample::meshes()) {
     StripMesh mesh = start;
     for (int round = 0; round < 12; ++round) {
-      color_at_random(mesh, random, 40 + 20 * static_cast<unsigned>(round % 4));
+      color_at_random(mesh, 0.4 + 0.2 * (round % 4), random);
       const auto t = static_cast<Triangle>(random() % mesh.triangle_bound());
       auto h = StripMesh::halfedge(t, static_cast<unsigned>(random() % 3));
       if (random() % 4 == 0) h = mesh.opposite(h);
@@ -201,8 +183,8 @@ TEST(Exceptions, InLongFansLeaveAValidColoring) {
   for (const StripMesh& start : {sample::double_cone(20), sample::open_double_cone(20), sample::double_cone(70),
                                  sample::open_double_cone(70), sample::open_double_cone(3)}) {
     StripMesh mesh = start;
-    for (const unsigned percent : {60U, 95U}) {
-      color_at_random(mesh, random, percent);
+    for (const double share : {0.6, 0.95}) {
+      color_at_random(mesh, share, random);
       std::vector<StripMesh::Halfedge> spokes;
       for_each_spoke(mesh, 0, [&](StripMesh::Halfedge spoke) { spokes.push_back(spoke); });
       const auto h = spokes[spokes.size() / 3];
@@ -219,20 +201,15 @@ TEST(Exceptions, WhilePlayingBakedFlipsLeaveAValidColoring) {
   for (const StripMesh& start : sample::meshes()) {
     for (int round = 0; round < 6; ++round) {
       StripMesh mesh = start;
-      color_at_random(mesh, random, 80);
+      color_at_random(mesh, 0.8, random);
       const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % mesh.triangle_bound()), 0);
       const Where where{h, turn_ccw(mesh, h), Where::Spokes::both};
       if (check_split(mesh, where) != Refusal::granted) continue;
       StripMesh plain = mesh;
       const auto chord = split_baked(plain, where, {}).halfedge;
       StripMesh wanted = plain;
-      color_at_random(wanted, random, 90);
-      std::vector<StripMesh::Halfedge> flips;
-      for (Triangle t = 0; t < plain.triangle_bound(); ++t)
-        for (unsigned side = 0; side < 3 && plain.alive(t); ++side) {
-          const auto g = StripMesh::halfedge(t, side);
-          if (g.id < plain.opposite(g).id && plain.solid(g) != wanted.solid(g)) flips.push_back(g);
-        }
+      color_at_random(wanted, 0.9, random);
+      const std::vector<StripMesh::Halfedge> flips = sample::recolored_edges(plain, wanted);
       fail_everywhere(
           mesh, [&](Throwing& m) { split_baked(m, where, flips); }, round % 2 == 0);
       fail_everywhere(
@@ -246,19 +223,14 @@ TEST(Exceptions, WhilePlayingBakedFlipsLeaveAValidColoring) {
 TEST(Exceptions, WhilePlayingManyFlipsLeaveAValidColoring) {
   std::mt19937 random(4);
   StripMesh mesh = sample::torus(20, 20);
-  color_at_random(mesh, random, 80);
+  color_at_random(mesh, 0.8, random);
   const Where where{StripMesh::halfedge(0, 0), turn_ccw(mesh, turn_ccw(mesh, StripMesh::halfedge(0, 0))),
                     Where::Spokes::both};
   StripMesh plain = mesh;
   split_baked(plain, where, {});
   StripMesh wanted = plain;
-  color_at_random(wanted, random, 90);
-  std::vector<StripMesh::Halfedge> flips;
-  for (Triangle t = 0; t < plain.triangle_bound(); ++t)
-    for (unsigned side = 0; side < 3; ++side) {
-      const auto g = StripMesh::halfedge(t, side);
-      if (g.id < plain.opposite(g).id && plain.solid(g) != wanted.solid(g)) flips.push_back(g);
-    }
+  color_at_random(wanted, 0.9, random);
+  const std::vector<StripMesh::Halfedge> flips = sample::recolored_edges(plain, wanted);
   ASSERT_GT(flips.size(), detail::flips_without_allocation);
   Throwing played(mesh, never, false);
   split_baked(played, where, flips);
@@ -291,7 +263,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
     for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
       for (int round = 0; round < 8; ++round) {
         StripMesh colored = start;
-        color_at_random(colored, random, 70);
+        color_at_random(colored, 0.7, random);
         const auto h = StripMesh::halfedge(static_cast<Triangle>(random() % colored.triangle_bound()), 1);
         const Where where{h, turn_ccw(colored, h), Where::Spokes::both};
         const std::array<Refusal, 4> refusals{check_split(colored, where), check_collapse(colored, h),

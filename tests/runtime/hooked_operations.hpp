@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/linked_hooks.hpp"
 #include "restrip/output/strips.hpp"
@@ -17,7 +18,6 @@
 namespace restrip::hooked {
 
 using Spoke = StripMesh::Halfedge;
-using Spokes = VertexSplit<Spoke>::Spokes;
 
 inline void expect_same_colors(const StripMesh& one, const StripMesh& two) {
   ASSERT_EQ(one.triangle_bound(), two.triangle_bound());
@@ -72,25 +72,8 @@ inline Rewrite<Spoke> hooked_flip(StripMesh& mesh, Spoke h, HookRules rules = Ho
 }
 
 inline Spoke any_halfedge(const StripMesh& mesh, std::mt19937& random) {
-  for (;;) {
-    const auto t = static_cast<Triangle>(random() % mesh.triangle_bound());
-    if (!mesh.alive(t)) continue;
-    const Spoke h = StripMesh::halfedge(t, static_cast<unsigned>(random() % 3));
-    return random() % 3 == 0 ? mesh.opposite(h) : h;
-  }
-}
-
-/// Draws a split; the spokes that do not count are not to be looked at.
-inline VertexSplit<Spoke> any_split(const StripMesh& mesh, std::mt19937& random) {
-  VertexSplit<Spoke> where;
-  where.left = where.right = any_halfedge(mesh, random);
-  for (auto turns = 1 + random() % 5; turns > 0 && !StripMesh::on_boundary(where.right); --turns)
-    where.right = turn_ccw(mesh, where.right);
-  if (mesh.leaves_boundary(where.left) && random() % 2 == 0) {
-    where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
-    (where.spokes == Spokes::left_only ? where.right : where.left) = {};
-  }
-  return where;
+  const Spoke h = random_halfedge(mesh, random);
+  return random() % 3 == 0 ? mesh.opposite(h) : h;
 }
 
 inline void expect_what_operations_give(HookRules rules) {
@@ -109,7 +92,7 @@ inline void expect_what_operations_give(HookRules rules) {
         if (check_flip(one, h) != Refusal::granted) continue;
         expect_same(hooked_flip(two, h, rules), linked ? flip_and_link(one, h) : flip(one, h));
       } else if (grow) {
-        const auto where = any_split(one, random);
+        const auto where = random_split(one, any_halfedge(one, random), random);
         if (check_split(one, where) != Refusal::granted) continue;
         expect_same(hooked_split(two, where, rules), linked ? split_and_link(one, where) : split(one, where));
       } else {

@@ -5,29 +5,26 @@
 #include <random>
 #include <vector>
 
-#include "restrip/mesh/strip_mesh.hpp"
+#include "naive_patch.hpp"
+#include "sample_meshes.hpp"
 
 namespace restrip {
 
-// Colours dual edges solid in random order wherever that keeps the colouring valid, with the given probability.
-inline void color_at_random(StripMesh& mesh, double share, std::mt19937& random) {
-  std::vector<StripMesh::Halfedge> edges;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned s = 0; s < 3; ++s)
-      if (mesh.alive(t) && !StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, s))))
-        edges.push_back(StripMesh::halfedge(t, s));
+// Colours the mesh anew: dual edges become solid in random order wherever that keeps the colouring valid, with the
+// given probability.
+template <class Random>
+void color_at_random(StripMesh& mesh, double share, Random& random) {
+  mesh.clear_colors();
+  std::vector<StripMesh::Halfedge> edges = sample::dual_edges(mesh);
   std::shuffle(edges.begin(), edges.end(), random);
-  std::vector<Triangle> component(mesh.triangle_bound());
-  for (Triangle t = 0; t < component.size(); ++t) component[t] = t;
+  naive::UnionFind strips(mesh.triangle_bound());
   for (const StripMesh::Halfedge h : edges) {
     const Triangle a = StripMesh::triangle(h);
     const Triangle b = StripMesh::triangle(mesh.opposite(h));
-    if (mesh.solid_degree(a) > 1 || mesh.solid_degree(b) > 1 || component[a] == component[b]) continue;
+    if (mesh.solid_degree(a) > 1 || mesh.solid_degree(b) > 1 || strips.find(a) == strips.find(b)) continue;
     if (std::uniform_real_distribution<>()(random) > share) continue;
+    strips.unite(a, b);
     mesh.set_solid(h, true);
-    const Triangle from = component[a];
-    for (Triangle& c : component)
-      if (c == from) c = component[b];
   }
 }
 

@@ -20,11 +20,24 @@ inline StripMesh::Halfedge random_halfedge(const StripMesh& mesh, std::mt19937& 
   }
 }
 
+/// A split at this spoke, drawn at random, legal or not; the spoke that does not count is not to be looked at.
+inline VertexSplit<StripMesh::Halfedge> random_split(const StripMesh& mesh, StripMesh::Halfedge h,
+                                                     std::mt19937& random) {
+  using Spokes = VertexSplit<StripMesh::Halfedge>::Spokes;
+  VertexSplit<StripMesh::Halfedge> where{h, h, Spokes::both};
+  for (auto turns = 1 + random() % 4; turns > 0 && !StripMesh::on_boundary(where.right); --turns)
+    where.right = turn_ccw(mesh, where.right);
+  if (mesh.leaves_boundary(h) && random() % 2 == 0) {
+    where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
+    (where.spokes == Spokes::left_only ? where.right : where.left) = {};
+  }
+  return where;
+}
+
 // Returns false when the operation drawn was not possible.
 template <class Keeper>
 bool random_operation(Keeper& keeper, std::mt19937& random, bool grow) {
   using Halfedge = StripMesh::Halfedge;
-  using Spokes = VertexSplit<Halfedge>::Spokes;
   const StripMesh& mesh = keeper.mesh();
   const Halfedge h = random_halfedge(mesh, random);
   const std::size_t before = keeper.strips();
@@ -40,15 +53,7 @@ bool random_operation(Keeper& keeper, std::mt19937& random, bool grow) {
     if (check_collapse(mesh, h) != Refusal::granted) return false;
     done = keeper.collapse(h);
   } else {
-    VertexSplit<Halfedge> where{h, h, Spokes::both};
-    for (int turns = 1 + static_cast<int>(random() % 4); turns > 0; --turns)
-      if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh, where.right);
-    if (mesh.leaves_boundary(h) && random() % 2 == 0)
-      where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
-    if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return false;
-    // The spoke that does not count must not be looked at.
-    if (where.spokes == Spokes::left_only) where.right = {};
-    if (where.spokes == Spokes::right_only) where.left = {};
+    const VertexSplit<Halfedge> where = random_split(mesh, h, random);
     if (check_split(mesh, where) != Refusal::granted) return false;
     done = keeper.split(where);
   }

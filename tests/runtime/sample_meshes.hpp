@@ -27,6 +27,23 @@ inline std::vector<Corners> triangles_of(const StripMesh& mesh) {
   return triangles;
 }
 
+// All dual edges, each from one side.
+inline std::vector<StripMesh::Halfedge> dual_edges(const StripMesh& mesh) {
+  std::vector<StripMesh::Halfedge> edges;
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned side = 0; mesh.alive(t) && side < 3; ++side)
+      if (const StripMesh::Halfedge h = StripMesh::halfedge(t, side); h.id < mesh.opposite(h).id)
+        if (!StripMesh::on_boundary(mesh.opposite(h))) edges.push_back(h);
+  return edges;
+}
+
+// Those whose colours differ between two colourings of the same mesh.
+inline std::vector<StripMesh::Halfedge> recolored_edges(const StripMesh& one, const StripMesh& other) {
+  std::vector<StripMesh::Halfedge> edges = dual_edges(one);
+  std::erase_if(edges, [&](StripMesh::Halfedge h) { return one.solid(h) == other.solid(h); });
+  return edges;
+}
+
 inline StripMesh octahedron() {
   const std::vector<Corners> t{{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   return StripMesh::build(t, 6);

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <set>
 #include <vector>
 
@@ -19,6 +18,7 @@
 namespace restrip::moves {
 
 using Halfedge = StripMesh::Halfedge;
+using sample::dual_edges;
 
 inline constexpr std::int32_t any_price = 1'000'000;
 
@@ -83,16 +83,6 @@ inline std::vector<Triangle> all_triangles(const StripMesh& mesh) {
   return all;
 }
 
-// All dual edges, each from one side.
-inline std::vector<Halfedge> dual_edges(const StripMesh& mesh) {
-  std::vector<Halfedge> edges;
-  for (const Triangle t : all_triangles(mesh))
-    for (unsigned side = 0; side < 3; ++side)
-      if (const Halfedge h = StripMesh::halfedge(t, side); h.id < mesh.opposite(h).id)
-        if (!StripMesh::on_boundary(mesh.opposite(h))) edges.push_back(h);
-  return edges;
-}
-
 // Calls visit(mesh, cost) for every valid colouring of every sample mesh of fewer than eight triangles, and of some
 // more; one of some_costs with each.
 template <class Visit>
@@ -109,25 +99,6 @@ void for_each_small_coloring(Visit&& visit) {
       if (check_coloring(mesh).valid) visit(mesh, some_costs[colors % some_costs.size()]);
       if (testing::Test::HasFailure()) return;
     }
-  }
-}
-
-// A random valid colouring, `share` of the edges that could be solid being so.
-inline void color_randomly(StripMesh& mesh, std::mt19937& random, double share) {
-  mesh.clear_colors();
-  std::vector<Halfedge> edges;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned side = 0; side < 3; ++side)
-      if (const Halfedge h = StripMesh::halfedge(t, side); !StripMesh::on_boundary(mesh.opposite(h)))
-        edges.push_back(h);
-  std::shuffle(edges.begin(), edges.end(), random);
-  for (const Halfedge h : edges) {
-    const Triangle t = StripMesh::triangle(h);
-    const Triangle u = StripMesh::triangle(mesh.opposite(h));
-    if (mesh.solid(h) || t == u || mesh.solid_degree(t) == 2 || mesh.solid_degree(u) == 2) continue;
-    if (std::uniform_real_distribution<>(0, 1)(random) > share) continue;
-    mesh.set_solid(h, true);
-    if (!check_coloring(mesh).valid) mesh.set_solid(h, false);
   }
 }
 

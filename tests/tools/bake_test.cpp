@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "common/bad_input.hpp"
+#include "lod/baked_file.hpp"
 #include "lod/component_strips.hpp"
 #include "lod/mesh_files.hpp"
 #include "lod/simplify.hpp"
@@ -75,12 +76,12 @@ TEST(Bake, AClosedMeshHasOneStripAtEveryLevel) {
   EXPECT_EQ(played.levels_compared, 2 * 3 * played.levels.size());
 }
 
-// Every level has fewer indices, most by a seventh, and few colours change.
+// Every level has fewer indices, most by a seventh, and the colours that change take few bytes.
 TEST(Bake, IndicesAreFewerWhereTheyAreTheCost) {
   const Soup soup = make_mesh(4000);
   const ProgressiveMesh mesh = simplify(soup, {0.05, BoundaryPolicy::move}).mesh;
   const BakedMesh strips = bake(mesh);
-  const BakedMesh indices = bake(mesh, {1'000'000, Cost::indices()});
+  const BakedMesh indices = bake(mesh, {.cost = Cost::indices()});
   ReplayOptions options;
   options.repeats = 0;
   const ReplayReport of_strips = replay(played_from(strips), soup.triangles, options);
@@ -90,7 +91,8 @@ TEST(Bake, IndicesAreFewerWhereTheyAreTheCost) {
   ASSERT_EQ(of_strips.levels.size(), of_indices.levels.size());
   for (std::size_t i = 0; i < of_strips.levels.size(); ++i)
     EXPECT_LT(of_indices.levels[i].indices * 10, of_strips.levels[i].indices * 9) << i;
-  EXPECT_LT(indices.records.flips.size(), strips.records.flips.size());
+  constexpr std::size_t bytes_a_record = 30;  // what docs/strips.md aims at; here the base counts too
+  EXPECT_LE(baked_bytes(indices).size(), bytes_a_record * indices.records.size());
 }
 
 TEST(Bake, ReplayNoticesStripsThatAreNotTheMeshs) {

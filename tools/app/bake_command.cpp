@@ -94,7 +94,8 @@ Subcommand add_bake(CLI::App& app) {
       ->required();
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--effort", command.bake.effort,
-                  "search budget per record, in edges; with --cost indices one look at a strip end costs 125")
+                  "search budget per record, in edges; with --cost indices each 3,900 are a look at a strip end and a "
+                  "triangle of an exact window")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
       ->capture_default_str();
   add_cost_option(*sub, command.bake.cost);

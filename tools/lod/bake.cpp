@@ -22,6 +22,7 @@
 #include "restrip/search/strip_locator.hpp"
 #include "restrip/search/stripify.hpp"
 #include "restrip/search/tunnel.hpp"
+#include "restrip/search/window.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -80,6 +81,8 @@ class Baker {
 
   /// The dual edges whose colours have changed since the last split, sorted.
   [[nodiscard]] std::vector<Halfedge> flips() {
+    // After long searches the list is a thousand times as long as what has changed for good.
+    std::erase_if(changed_, [this](Triangle t) { return mesh_.solid_sides(t) == noted_[t]; });
     std::sort(changed_.begin(), changed_.end());
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
     std::vector<Halfedge> flips;
@@ -240,10 +243,15 @@ class StripBaker final : public Baker {
       rounds_.run(mesh(), locator_, tunnel_, effort_ / 4, counts_->needed(),
                   [this](Triangle t) { return counts_->can_spare(t); });
       if (strips() < strips_before) counts_->recount(mesh());
-      // Where little is found, the next try can wait, and the longer the more often that was so.
-      const bool poor = 64 * (strips_before - strips()) <= strips_before - counts_->needed();
+      // Where little is found, the next try can wait, and the longer the more often that was so. Where some of many
+      // strips too many are found, as in components that need more than they are known to, waiting goes on for a while.
+      const std::size_t found = strips_before - strips();
+      const std::size_t wanted = strips_before - counts_->needed();
       waited_ = 0;
-      wait_ = poor ? std::min<std::size_t>(2 * wait_, 1024) : 1;
+      if (64 * found <= wanted)
+        wait_ = std::min<std::size_t>(2 * wait_, 1024);
+      else
+        wait_ = 8 * found < wanted ? std::max<std::size_t>(wait_ / 2, 1) : 1;
     }
     if (strips() < strips_before) return;
     // Searches that found nothing have wandered, and those flips need not be played.
@@ -269,20 +277,22 @@ class StripBaker final : public Baker {
   std::size_t waited_ = 0;
 };
 
-/// Bakes fewest indices: after each plain split a search at the strip ends around it, with chains as long as they get.
+/// Bakes fewest indices: after each plain split a short search at the strip ends around it, with chains as long as they
+/// get, then an exact window. It changes the fewest colours that a saving takes, because each is played at run time.
 class IndexBaker final : public Baker {
  public:
-  IndexBaker(BakedMesh& baked, const BakeOptions& options) : Baker(baked), search_(options.cost) {
-    constexpr std::size_t effort_of_a_look = 125;
+  IndexBaker(BakedMesh& baked, const BakeOptions& options)
+      : Baker(baked), search_(options.cost), window_(options.cost, 1, Windings::priced, Ties::fewest_changes) {
+    constexpr std::size_t effort_of_each = 3'900;  // look, and triangle of a window
+    const std::size_t each = options.effort / effort_of_each;
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
-    limits_ = {.looks = static_cast<std::uint32_t>(std::min(options.effort / effort_of_a_look, most)),
-               .length = EndSearch::max_length,
-               .worse = 2};
+    limits_ = {.looks = static_cast<std::uint32_t>(std::min(each, most)), .length = EndSearch::max_length, .worse = 2};
+    size_ = static_cast<std::uint32_t>(std::min(each, Window::max_triangles));
   }
 
  private:
   [[nodiscard]] std::size_t strips() const override { return strips_; }
-  [[nodiscard]] std::size_t states() const override { return search_.counts().looked; }
+  [[nodiscard]] std::size_t states() const override { return search_.counts().looked + window_.counts().tried; }
 
   void begin(StripMesh& base) override {
     stripify(base, Effort::best, search_.cost());
@@ -292,12 +302,17 @@ class IndexBaker final : public Baker {
   void bake_split(const VertexSplit<Halfedge>& where, Vertex v_t) override {
     const Rewrite<Halfedge> done = split_plainly(where, v_t);
     edge_triangles(mesh(), done.halfedge, from_);
+    const Triangle inserted = from_.front();
     add_rings(mesh(), from_, 2);
-    strips_ += static_cast<std::size_t>(done.strips + search_.run(mesh(), from_, limits_).strips);
+    ColoringChange change = search_.run(mesh(), from_, limits_);
+    if (size_ > 1) change += window_.around(mesh(), inserted, {.triangles = size_}).change;
+    strips_ += static_cast<std::size_t>(done.strips + change.strips);
   }
 
   EndSearch search_;
   EndLimits limits_;
+  Window window_;
+  std::uint32_t size_ = 0;  // of a window, in triangles
   std::size_t strips_ = 0;
   std::vector<Triangle> from_;
 };

@@ -14,7 +14,8 @@ namespace restrip::tools {
 
 struct BakeOptions {
   /// Fewest strips: work for a record that would add one, in edges walked by the search for short trails, some 30 ns
-  /// each. Other costs: 125 of it are one look at a strip end (end_search.hpp), of which each record has so many.
+  /// each. Other costs: each 3,900 of it are a look at a strip end (end_search.hpp) and a triangle more in an exact
+  /// window (window.hpp) for each record; a window has at most 100.
   std::size_t effort = 250'000;
   Cost cost = Cost::strips();  ///< what is to be low at every level
 };
@@ -43,7 +44,8 @@ struct BakeReport {
 /// Stripifies the base and walks up. After each split whose connected component has more strips than it is known to
 /// need it looks for the fewest flips that leave one strip less: first around the split, and where that fails, by
 /// tunnelling from further away. Under another cost it lowers the cost around each split by chains of moves at strip
-/// ends. Throws BadInput when a split cannot be done, naming it. Deterministic but for `seconds`.
+/// ends and by an exact window. Throws BadInput when a split cannot be done, naming it. Deterministic but for
+/// `seconds`.
 [[nodiscard]] BakedMesh bake(ProgressiveMesh mesh, const BakeOptions& options = {}, BakeReport* report = nullptr);
 
 }  // namespace restrip::tools

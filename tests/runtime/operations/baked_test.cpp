@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
@@ -33,29 +34,9 @@ std::size_t valid_strips(const StripMesh& mesh) {
   return report.strips;
 }
 
-// The dual edges whose colours differ between two colourings of the same mesh.
-std::vector<Halfedge> difference(const StripMesh& one, const StripMesh& other) {
-  std::vector<Halfedge> out;
-  for (Triangle t = 0; t < one.triangle_bound(); ++t)
-    for (unsigned side = 0; side < 3; ++side) {
-      const Halfedge h = StripMesh::halfedge(t, side);
-      if (one.alive(t) && one.solid(h) != other.solid(h) && h.id < one.opposite(h).id) out.push_back(h);
-    }
-  return out;
-}
-
 Where random_place(const StripMesh& mesh, std::mt19937& random) {
-  Halfedge h;
-  do
-    h = {(static_cast<std::uint32_t>(random() % mesh.triangle_bound()) << 2) |
-         static_cast<std::uint32_t>(random() % 3)};
-  while (!mesh.alive(h));
-  Where where{h, h, Spokes::both};
-  for (unsigned turns = 1 + static_cast<unsigned>(random() % 4); turns > 0; --turns)
-    if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh, where.right);
-  if (random() % 2 == 0) std::swap(where.left, where.right);
-  if (mesh.leaves_boundary(h) && random() % 2 == 0)
-    where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
+  Where where = random_split(mesh, random_halfedge(mesh, random), random);
+  if (where.spokes == Spokes::both && random() % 2 == 0) std::swap(where.left, where.right);
   return where;
 }
 
@@ -79,7 +60,7 @@ TEST(Baked, FlipsGiveTheColoringTheyWereTakenFromAndTakeItBack) {
       const auto plainly = split_baked(plain, where, {});
       ASSERT_EQ(static_cast<int>(valid_strips(plain)), static_cast<int>(strips) + plainly.strips);
 
-      const std::vector<Halfedge> flips = difference(plain, by_rules);
+      const std::vector<Halfedge> flips = sample::recolored_edges(plain, by_rules);
       const auto done = split_baked(mesh, where, std::span<const Halfedge>(flips));
       ASSERT_EQ(done.halfedge, plainly.halfedge);
       ASSERT_EQ(colors(mesh), colors(by_rules));
@@ -129,7 +110,7 @@ Sequence sequence_on(StripMesh mesh, unsigned seed, int tries) {
     StripMesh plain = mesh;
     split_baked(plain, where, {}, v_t);
     split_and_join(mesh, where, v_t);
-    for (const Halfedge h : difference(plain, mesh)) sequence.records.flips.push_back(h);
+    for (const Halfedge h : sample::recolored_edges(plain, mesh)) sequence.records.flips.push_back(h);
     sequence.records.first.push_back(static_cast<std::uint32_t>(sequence.records.flips.size()));
     sequence.levels.push_back(colors(mesh));
   }

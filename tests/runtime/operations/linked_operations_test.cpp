@@ -17,6 +17,7 @@
 
 #include "naive_patch.hpp"
 #include "outside_frontier.hpp"
+#include "random_colors.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/output/strips.hpp"
@@ -29,22 +30,6 @@ using FanHalfedge = StripMesh::Halfedge;
 using FanSplit = VertexSplit<FanHalfedge>;
 
 constexpr std::size_t to_the_end = std::numeric_limits<std::size_t>::max();
-
-template <class Random>
-void recolor_mesh(StripMesh& mesh, Random& random) {
-  mesh.clear_colors();
-  std::vector<FanHalfedge> edges;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned side = 0; mesh.alive(t) && side < 3; ++side)
-      if (const auto h = StripMesh::halfedge(t, side); !StripMesh::on_boundary(mesh.opposite(h))) edges.push_back(h);
-  std::shuffle(edges.begin(), edges.end(), random);
-  naive::UnionFind strips(mesh.triangle_bound());
-  for (const FanHalfedge h : edges) {
-    const Triangle t = StripMesh::triangle(h);
-    const Triangle u = StripMesh::triangle(mesh.opposite(h));
-    if (mesh.solid_degree(t) < 2 && mesh.solid_degree(u) < 2 && strips.unite(t, u)) mesh.set_solid(h, true);
-  }
-}
 
 std::vector<FanHalfedge> spokes_around(const StripMesh& mesh, Vertex v) {
   std::vector<FanHalfedge> spokes;
@@ -225,7 +210,7 @@ void check_rules(const StripMesh& mesh, const std::set<Vertex>& centers, const O
 template <class Random>
 void check_fan(StripMesh mesh, Vertex v, Random& random, FanTally& tally) {
   using Spokes = FanSplit::Spokes;
-  recolor_mesh(mesh, random);
+  color_at_random(mesh, 1, random);
   const std::vector<FanHalfedge> spokes = spokes_around(mesh, v);
   FanSplit where{spokes[random() % spokes.size()], spokes[random() % spokes.size()], Spokes::both};
   if (mesh.leaves_boundary(where.left) && random() % 3 == 0)
@@ -240,7 +225,7 @@ void check_fan(StripMesh mesh, Vertex v, Random& random, FanTally& tally) {
       tally);
   const FanHalfedge chord = split(mesh, where).halfedge;
   if (check_collapse(mesh, chord) != Refusal::granted) return;
-  recolor_mesh(mesh, random);
+  color_at_random(mesh, 1, random);
   check_rules(
       mesh, {mesh.from(chord), mesh.to(chord)},
       [&](StripMesh& copy, const auto& rules) {

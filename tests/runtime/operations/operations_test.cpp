@@ -18,6 +18,8 @@
 
 #include "naive_patch.hpp"
 #include "outside_frontier.hpp"
+#include "random_colors.hpp"
+#include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/adopt.hpp"
 #include "restrip/operations/join.hpp"
@@ -87,12 +89,8 @@ class Walk {
   unsigned pick(std::size_t below) { return static_cast<unsigned>(random_() % below); }
 
   Halfedge any_halfedge() {
-    for (;;) {
-      const auto t = static_cast<Triangle>(pick(mesh.triangle_bound()));
-      if (!mesh.alive(t)) continue;
-      const Halfedge h = StripMesh::halfedge(t, pick(3));
-      return pick(4) == 0 ? mesh.opposite(h) : h;
-    }
+    const Halfedge h = random_halfedge(mesh, random_);
+    return pick(4) == 0 ? mesh.opposite(h) : h;
   }
 
   /// Does an operation and notes what it reports, for check().
@@ -363,24 +361,6 @@ class LargeFan {
   std::vector<Triangle> split_triangles_;
 };
 
-// Dual edges become solid in random order, as far as that makes no triangle of three solid edges and no cycle.
-void color_at_random(StripMesh& mesh, std::mt19937& random) {
-  mesh.clear_colors();
-  std::vector<Halfedge> all;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
-    for (unsigned side = 0; mesh.alive(t) && side < 3; ++side)
-      if (!StripMesh::on_boundary(mesh.opposite(StripMesh::halfedge(t, side))))
-        all.push_back(StripMesh::halfedge(t, side));
-  std::shuffle(all.begin(), all.end(), random);
-  all.resize(all.size() * (1 + random() % 8) / 8);
-  naive::UnionFind strips(mesh.triangle_bound());
-  for (const Halfedge h : all) {
-    const Triangle t = StripMesh::triangle(h);
-    const Triangle u = StripMesh::triangle(mesh.opposite(h));
-    if (mesh.solid_degree(t) < 2 && mesh.solid_degree(u) < 2 && strips.unite(t, u)) mesh.set_solid(h, true);
-  }
-}
-
 // What an operation told is what a count finds, and the patch is as good as the second search says.
 void expect_best(const ColoringReport& before, const StripMesh& mesh, const Rewrite<Halfedge>& told,
                  const naive::Analysis& outcome, long best) {
@@ -400,7 +380,7 @@ TEST(Operations, LargeFansGetTheBestColors) {
     const bool closed = n % 3 == 0;
     SCOPED_TRACE(testing::Message() << "number " << n << (closed ? " closed " : " open ") << k);
     StripMesh mesh = closed ? sample::double_cone(k) : open_fan(k);
-    color_at_random(mesh, random);
+    color_at_random(mesh, static_cast<double>(1 + random() % 8) / 8, random);
     std::vector<Halfedge> spokes;
     for_each_spoke(mesh, 0, [&](Halfedge h) { spokes.push_back(h); });
     Where where;
@@ -429,7 +409,7 @@ TEST(Operations, LargeFansGetTheBestColors) {
     if (HasFailure()) return;
     ++splits;
 
-    color_at_random(mesh, random);
+    color_at_random(mesh, static_cast<double>(1 + random() % 8) / 8, random);
     const naive::Analysis split_before = fan.split(mesh);
     ASSERT_TRUE(split_before.valid);
     const ColoringReport between = check_coloring(mesh);

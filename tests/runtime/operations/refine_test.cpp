@@ -15,6 +15,7 @@
 
 #include "../../support/sanitizers.hpp"
 #include "locator_agrees.hpp"
+#include "random_operation.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
@@ -95,11 +96,8 @@ class RefineWalk {
 
  private:
   Halfedge random_halfedge() {
-    for (;;) {
-      const Halfedge h{static_cast<std::uint32_t>(random_() % mesh_.triangle_bound()) << 2 |
-                       static_cast<std::uint32_t>(random_() % 3)};
-      if (mesh_.alive(h)) return random_() % 2 == 0 ? h : mesh_.opposite(h);
-    }
+    const Halfedge h = restrip::random_halfedge(mesh_, random_);
+    return random_() % 2 == 0 ? h : mesh_.opposite(h);
   }
 
   void tell(const Rewrite<Halfedge>& done) {
@@ -216,9 +214,7 @@ TEST(Refine, KeepersFollow) {
     Census told = census_of(mesh);
     for (std::uint32_t n = 0; n < test::large(4000); ++n) {
       const bool grow = mesh.triangle_count() < 200 || (mesh.triangle_count() < 600 && random() % 2 == 0);
-      const Halfedge h{static_cast<std::uint32_t>(random() % mesh.triangle_bound()) << 2 |
-                       static_cast<std::uint32_t>(random() % 3)};
-      if (!mesh.alive(h)) continue;
+      const Halfedge h = random_halfedge(mesh, random);
       const bool face = random() % 2 == 0;
       Rewrite<Halfedge> done;
       if (grow)

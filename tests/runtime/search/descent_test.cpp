@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "coloring_cost.hpp"
+#include "random_colors.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
 #include "strip_moves.hpp"
@@ -80,7 +81,7 @@ TEST(Moves, ArePricedAsCountedInRandomColorings) {
   std::mt19937 random(7);
   for (StripMesh& mesh : sample::meshes()) {
     for (const double share : {0.3, 0.7, 1.0}) {
-      color_randomly(mesh, random, share);
+      color_at_random(mesh, share, random);
       for (const Cost& cost : some_costs) {
         Descent descent(cost);
         expect_limits_right(mesh, descent);
@@ -113,7 +114,7 @@ TEST(Descent, RepeatedEndsWhereNoMoveImproves) {
   for (StripMesh& mesh : sample::meshes()) {
     for (const Cost& cost : some_costs) {
       for (const std::uint32_t tries : {0U, 3U}) {
-        color_randomly(mesh, random, 0.6);
+        color_at_random(mesh, 0.6, random);
         const ColoringChange before = cost_of(mesh);
         Descent descent(cost);
         ColoringChange sum;
@@ -136,7 +137,7 @@ TEST(Descent, ChainsFindWhatSingleMovesDoNot) {
   int gained = 0;
   for (StripMesh& mesh : sample::meshes()) {
     for (const Cost& cost : {Cost::indices(), Cost::strips()}) {
-      color_randomly(mesh, random, 0.5);
+      color_at_random(mesh, 0.5, random);
       Descent descent(cost);
       descent.run(mesh, all_triangles(mesh));
       const ColoringChange before = cost_of(mesh);

@@ -53,13 +53,7 @@ Halfedge operation_at(StripLocator& locator, StripMesh& mesh, Halfedge h, std::m
     fan_triangles(mesh, done.halfedge, patch);
     locator.after_patch(mesh, patch);
   } else {
-    using Spokes = VertexSplit<Halfedge>::Spokes;
-    VertexSplit<Halfedge> where{h, h, Spokes::both};
-    for (int turns = 1 + static_cast<int>(random() % 4); turns > 0; --turns)
-      if (!StripMesh::on_boundary(where.right)) where.right = turn_ccw(mesh, where.right);
-    if (mesh.leaves_boundary(h) && random() % 2 == 0)
-      where.spokes = random() % 2 == 0 ? Spokes::left_only : Spokes::right_only;
-    if (where.spokes == Spokes::right_only && StripMesh::on_boundary(where.right)) return {};
+    const VertexSplit<Halfedge> where = random_split(mesh, h, random);
     if (check_split(mesh, where) != Refusal::granted) return {};
     fan_triangles(mesh, h, patch);
     locator.before_patch(mesh, patch);

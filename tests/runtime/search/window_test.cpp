@@ -1,7 +1,8 @@
 // A window finds what exhaustive search finds: on patches small enough to try every colouring of the edges inside, with
-// and without edges that leave them, it has the least price and tells what has changed; with limits it says when it may
-// have missed something. It touches no other edge, is never worse than before, and depends on its seed alone. Prices
-// are counted here along the strips and in the index buffer, not by the sums of the search.
+// and without edges that leave them, it has the least price and tells what has changed, and with Ties::fewest_changes
+// no colouring of that price is nearer to the one before; with limits it says when it may have missed something. It
+// touches no other edge, is never worse than before, and depends on its seed alone. Prices are counted here along the
+// strips and in the index buffer, not by the sums of the search.
 #include "restrip/search/window.hpp"
 
 #include <gtest/gtest.h>
@@ -12,10 +13,12 @@
 #include <limits>
 #include <random>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "coloring_cost.hpp"
 #include "hand_made_mesh.hpp"
+#include "random_colors.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
@@ -58,12 +61,22 @@ std::vector<Halfedge> edges_inside(const StripMesh& mesh, std::span<const Triang
   return edges;
 }
 
-// Every colouring of these edges that is valid, the mesh as it was afterwards: the least price for each cost, windings
-// ignored and priced.
-using Least = std::array<std::array<std::int64_t, 2>, window_costs.size()>;
-Least least_of_all(StripMesh mesh, std::span<const Halfedge> edges) {
+// The edges that have other colours in another mesh.
+std::size_t differing(std::span<const Halfedge> edges, const StripMesh& a, const StripMesh& b) {
+  return static_cast<std::size_t>(
+      std::count_if(edges.begin(), edges.end(), [&](Halfedge h) { return a.solid(h) != b.solid(h); }));
+}
+
+// A colouring: its price, and how many edges it changes.
+using Cheapness = std::pair<std::int64_t, std::size_t>;
+
+// Every colouring of these edges that is valid: the least price for each cost, windings ignored and priced, and the
+// fewest edges that a colouring of that price changes.
+using Least = std::array<std::array<Cheapness, 2>, window_costs.size()>;
+Least least_of_all(const StripMesh& start, std::span<const Halfedge> edges) {
+  StripMesh mesh = start;
   Least least;
-  for (auto& of_cost : least) of_cost.fill(std::numeric_limits<std::int64_t>::max());
+  for (auto& of_cost : least) of_cost.fill({std::numeric_limits<std::int64_t>::max(), 0});
   const auto degree_of = [&](Triangle t) { return mesh.solid_degree(t); };
   for (std::uint32_t colors = 0; colors < 1U << edges.size(); ++colors) {
     for (std::size_t e = 0; e < edges.size(); ++e) mesh.set_solid(edges[e], (colors >> e & 1U) != 0);
@@ -72,16 +85,26 @@ Least least_of_all(StripMesh mesh, std::span<const Halfedge> edges) {
     });
     if (!degrees || !check_coloring(mesh).valid) continue;
     const Counted count = counted(mesh);
+    const std::size_t changes = differing(edges, mesh, start);
     for (std::size_t c = 0; c < window_costs.size(); ++c)
       for (const Windings windings : {Windings::ignored, Windings::priced}) {
-        std::int64_t& so_far = least[c][static_cast<std::size_t>(windings)];
-        so_far = std::min(so_far, price(count, window_costs[c], windings));
+        Cheapness& so_far = least[c][static_cast<std::size_t>(windings)];
+        so_far = std::min(so_far, {price(count, window_costs[c], windings), changes});
       }
   }
   return least;
 }
 
-// Runs a window of each cost on copies of the mesh. Returns how many results were compared.
+struct Asked {
+  WindowLimits limits;
+  Ties ties;
+};
+constexpr std::array<Asked, 4> ways_to_ask{{{exact, Ties::random},
+                                            {exact, Ties::fewest_changes},
+                                            {{}, Ties::fewest_changes},
+                                            {{.slack = 0, .states = 2}, Ties::random}}};
+
+// Runs windows of each cost on copies of the mesh. Returns how many results were compared.
 std::size_t expect_least(const StripMesh& start, std::span<const Triangle> patch, std::uint64_t seed) {
   const std::vector<Halfedge> edges = edges_inside(start, patch);
   EXPECT_LE(edges.size(), 15U);
@@ -90,18 +113,25 @@ std::size_t expect_least(const StripMesh& start, std::span<const Triangle> patch
   std::size_t compared = 0;
   for (std::size_t c = 0; c < window_costs.size(); ++c)
     for (const Windings windings : {Windings::ignored, Windings::priced})
-      for (const WindowLimits& limits : {exact, WindowLimits{}, WindowLimits{.slack = 0, .states = 2}}) {
+      for (const Asked& asked : ways_to_ask) {
         StripMesh mesh = start;
-        Window window(window_costs[c], seed, windings);
-        const WindowChange done = window.inside(mesh, patch, limits);
+        Window window(window_costs[c], seed, windings, asked.ties);
+        const WindowChange done = window.inside(mesh, patch, asked.limits);
         EXPECT_TRUE(check_coloring(mesh).valid);
         const Counted after = counted(mesh);
         EXPECT_EQ(done.change, after.colors - before.colors);
         EXPECT_EQ(done.windings, after.windings - before.windings);
         const std::int64_t reached = price(after, window_costs[c], windings);
-        const std::int64_t goal = least[c][static_cast<std::size_t>(windings)];
-        if (limits.slack == WindowLimits::no_limit) {
+        const auto [goal, fewest] = least[c][static_cast<std::size_t>(windings)];
+        const std::size_t changes = differing(edges, mesh, start);
+        if (asked.limits.slack == WindowLimits::no_limit) {
           EXPECT_TRUE(done.proven);
+          if (asked.ties == Ties::fewest_changes) {
+            EXPECT_EQ(changes, fewest);
+          }
+        }
+        if (asked.ties == Ties::fewest_changes && reached == price(before, window_costs[c], windings)) {
+          EXPECT_EQ(changes, 0U);
         }
         EXPECT_GE(reached, goal);
         EXPECT_LE(reached, price(before, window_costs[c], windings));
@@ -144,7 +174,7 @@ TEST(Window, IsTheLeastOfAllColoringsOfSmallMeshes) {
   std::size_t compared = 0;
   for (StripMesh& mesh : small)
     for (const double share : {0.0, 0.7, 1.0}) {
-      moves::color_randomly(mesh, random, share);
+      color_at_random(mesh, share, random);
       compared += expect_least(mesh, moves::all_triangles(mesh), random());
       ASSERT_FALSE(HasFailure());
     }
@@ -157,7 +187,7 @@ TEST(Window, IsTheLeastOfAllColoringsOfSmallPatches) {
   std::size_t compared = 0;
   for (StripMesh& mesh : meshes)
     for (int round = 0; round < 20; ++round) {
-      moves::color_randomly(mesh, random, round % 4 == 0 ? 0.6 : 1.0);
+      color_at_random(mesh, round % 4 == 0 ? 0.6 : 1.0, random);
       if (round % 5 == 0) stripify(mesh, Effort::fast, Cost::indices());
       for (const std::vector<Triangle>& patch : small_patches(mesh, random)) {
         compared += expect_least(mesh, patch, random());

@@ -2,8 +2,9 @@
 //
 // A window is a set of triangles, as a rule a ball around one. The dual edges between two triangles of it may change
 // their colours, all others are frozen. Of all valid colourings of the mesh that differ in those edges alone the window
-// takes a cheapest one, and of several one at random, so that windows that change nothing in the cost still lead to
-// other colourings, of which other windows may find cheaper ones.
+// takes a cheapest one. Of several it takes one at random, so that windows that change nothing in the cost still lead
+// to other colourings, of which other windows may find cheaper ones; or, where each changed colour has to be written
+// somewhere, one that changes the fewest (Ties).
 //
 // Method. The triangles are coloured one by one. What has been coloured tells the rest of the window no more than this,
 // for each edge on its frontier: dashed, or else how the strip turns in front of it, and where it comes from: from
@@ -56,6 +57,13 @@ struct WindowChange {
 /// What whole strips that begin with the wrong turn from both ends cost.
 enum class Windings : std::uint8_t { ignored, priced };
 
+/// Which of several cheapest colourings a window takes.
+enum class Ties : std::uint8_t {
+  random,         ///< one at random
+  fewest_changes  ///< one that changes the colours of the fewest edges, so none where nothing is cheaper; else at
+                  ///< random
+};
+
 /// Sums over all calls.
 struct WindowCounts {
   std::uint64_t windows = 0;
@@ -69,8 +77,9 @@ class Window {
   static constexpr std::size_t max_triangles = 100;
 
   /// Equal seeds and equal calls give equal results, on every machine.
-  explicit Window(Cost cost = Cost::indices(), std::uint64_t seed = 1, Windings windings = Windings::priced) noexcept
-      : cost_(cost), random_(seed), search_(cost, windings == Windings::priced) {}
+  explicit Window(Cost cost = Cost::indices(), std::uint64_t seed = 1, Windings windings = Windings::priced,
+                  Ties ties = Ties::random) noexcept
+      : cost_(cost), random_(seed), search_(cost, windings == Windings::priced, ties == Ties::fewest_changes) {}
 
   /// A ball around a triangle, which must be alive. The mesh must have a valid colouring, and has one after each single
   /// change of a colour. The price of the whole mesh never rises. Time: that of the search, which depends on the limits

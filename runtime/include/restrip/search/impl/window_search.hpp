@@ -59,11 +59,12 @@ class WindowSearch {
  public:
   /// A limit on what is dropped.
   struct Limits {
-    std::int64_t slack = 0;  ///< states that cost so much more than the least of their layer, in units of `price`
+    std::int64_t slack = 0;  ///< states that cost so much more than the least of their layer, in units of price()
     std::size_t states = 0;  ///< what a layer may have beyond these, the dearest
   };
 
-  WindowSearch(Cost cost, bool windings) noexcept : cost_(cost), priced_{cost.swap != 0, cost.swap != 0 && windings} {}
+  WindowSearch(Cost cost, bool windings, bool stays) noexcept
+      : cost_(cost), priced_{cost.swap != 0, cost.swap != 0 && windings}, stays_(stays) {}
 
   /// Twice the cost, so that an end is half a strip.
   [[nodiscard]] std::int64_t price(const WindowTally& tally) const noexcept {
@@ -81,11 +82,14 @@ class WindowSearch {
   [[nodiscard]] const WindowTally& tally_of_best() const noexcept { return tally_of_best_; }
   [[nodiscard]] const WindowTally& tally_of_present() const noexcept { return tally_of_present_; }
   /// Nothing that was dropped could have been cheaper.
-  [[nodiscard]] bool proven() const noexcept { return price(tally_of_best_) <= least_dropped_; }
+  [[nodiscard]] bool proven() const noexcept { return price(tally_of_best_) * unit <= least_dropped_; }
   /// Colourings of a step tried in all searches.
   [[nodiscard]] std::uint64_t tried() const noexcept { return tried_; }
 
  private:
+  // Of price(), in the price of a state; with `stays_` a changed edge counts 1, and no window has so many edges.
+  static constexpr std::int64_t unit = 1024;
+
   struct State {
     Frontier frontier;
     std::int64_t price = 0;
@@ -112,7 +116,7 @@ class WindowSearch {
   template <class Choice>
   [[nodiscard]] static WindowTally tally_of(std::span<const WindowTriangle> triangles,
                                             std::span<const WindowPlan::Step> steps, Choice&& choice);
-  void expand(std::span<const WindowTriangle> step, const Limits& limits, PseudoRandom& random);
+  void expand(std::span<const WindowTriangle> step, PseudoRandom& random);
   void offer(const State& state, unsigned opened, PseudoRandom& random);
   void drop_dear(const Limits& limits);
   void drop_above(std::int64_t highest);
@@ -120,11 +124,13 @@ class WindowSearch {
 
   Cost cost_;
   Marks priced_;
+  bool stays_;
   std::vector<State> layer_;
   std::vector<State> next_;
   std::vector<std::uint32_t> table_;  // 1 + place in next_, or 0
   std::vector<Node> nodes_;
   std::vector<std::int64_t> prices_;
+  std::int64_t slack_ = 0;
   std::int64_t least_ = 0;
   std::int64_t price_of_present_ = 0;
   std::int64_t least_dropped_ = 0;
@@ -228,13 +234,15 @@ inline void WindowSearch::run(std::span<const WindowTriangle> triangles, std::sp
   tally_of_present_ = tally_of(triangles, steps, [&](std::size_t i) {
     return unsigned{triangles[steps[i].first].present} & triangles[steps[i].first].leaving;
   });
-  price_of_present_ = price(tally_of_present_);
+  price_of_present_ = price(tally_of_present_) * unit;
   least_dropped_ = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+  slack_ = limits.slack < no_limit / unit ? limits.slack * unit + unit - 1 : no_limit;
   nodes_.clear();
   layer_.assign(1, State{});
   layer_.front().present = true;
   for (const WindowPlan::Step& step : steps) {
-    expand(triangles.subspan(step.first, step.count), limits, random);
+    expand(triangles.subspan(step.first, step.count), random);
     drop_dear(limits);
     layer_.swap(next_);
   }
@@ -244,7 +252,7 @@ inline void WindowSearch::run(std::span<const WindowTriangle> triangles, std::sp
   tally_of_best_ = tally_of(triangles, steps, [&](std::size_t i) { return unsigned{best_[i]}; });
 }
 
-inline void WindowSearch::expand(std::span<const WindowTriangle> step, const Limits& limits, PseudoRandom& random) {
+inline void WindowSearch::expand(std::span<const WindowTriangle> step, PseudoRandom& random) {
   const WindowTriangle& first = step.front();
   const unsigned present = first.present & first.leaving;
   next_.clear();
@@ -262,9 +270,10 @@ inline void WindowSearch::expand(std::span<const WindowTriangle> step, const Lim
         WindowTally tally;
         ++tried_;
         if (take(step, opened, priced_, state.frontier, tally)) {
-          state.price += price(tally);
+          state.price += price(tally) * unit;
+          if (stays_) state.price += sides_in(opened ^ present);
           state.present = from.present && opened == present;
-          const bool dear = least_ < state.price - limits.slack;
+          const bool dear = least_ < state.price - slack_;
           if (state.price <= price_of_present_ && (!dear || state.present))
             offer(state, opened, random);
           else if (dear)
@@ -312,7 +321,7 @@ inline void WindowSearch::rehash() {
 }
 
 inline void WindowSearch::drop_dear(const Limits& limits) {
-  if (limits.slack < std::numeric_limits<std::int64_t>::max() - least_) drop_above(least_ + limits.slack);
+  if (slack_ < std::numeric_limits<std::int64_t>::max() - least_) drop_above(least_ + slack_);
   if (next_.size() <= limits.states) return;
   prices_.clear();
   for (const State& state : next_) prices_.push_back(state.price);
