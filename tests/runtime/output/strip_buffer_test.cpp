@@ -140,6 +140,25 @@ TEST(StripBuffer, WritesOnlyWhatDiffers) {
   EXPECT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
 }
 
+// Runs that lie within one strip, and have become short, are one after an update that names a triangle of either.
+TEST(StripBuffer, ShortRunsOfAStripBecomeOne) {
+  StripMesh mesh = sample::torus(30, 30);
+  ASSERT_EQ(stripify(mesh, Effort::full), 1U);
+  std::vector<Triangle> changed;
+  mesh.watch(&changed);
+  StripBuffer buffer(mesh);
+  for (Triangle t = 0; t < mesh.triangle_bound(); t += 3) {
+    for (unsigned side = 0; side < 3; ++side) mesh.set_solid(StripMesh::halfedge(t, side), false);
+    buffer.update(mesh, changed);
+    changed.clear();
+  }
+  const std::size_t strips = check_coloring(mesh).strips;
+  EXPECT_GT(buffer.runs(), strips);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) buffer.update(mesh, std::vector<Triangle>{t});
+  EXPECT_EQ(buffer.runs(), strips);
+  EXPECT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
+}
+
 TEST(StripBuffer, SixteenBitIndices) {
   std::mt19937 random(13);
   StripMesh mesh = sample::torus(20, 20);
