@@ -1,4 +1,4 @@
-// strips_of() for programs in other languages that measure it beside its rivals (scripts/scratch_table.py).
+// strips_of() as C functions, for scripts/scratch_table.py, which measures it beside other libraries.
 #include "restrip/search/strips_of.hpp"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace {
 /// Operations are named by their places here.
 constexpr std::array<std::string_view, 7> names = {"split",          "collapse",          "open-split", "open-collapse",
                                                    "boundary-split", "boundary-collapse", "flip"};
-constexpr std::string_view last_line = "rules outside the tables: 0";
+constexpr std::string_view end_of_digests = "rules outside the tables: 0";
 
 /// The operation's number, and its position in three numbers, of which those that it does not have are 0.
 std::string words_of(const Operation& operation) {
@@ -40,7 +40,7 @@ void read_lines(StreamLines& lines, std::map<std::string, std::uint32_t> expecte
           fmt::format("line {}: \"{}\", the answers that were judged make it \"{}\"\n", lines.number(), line, right));
     expected.erase(position);
   }
-  lines.expect_last(std::string(last_line));
+  lines.expect_last(std::string(end_of_digests));
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ nlohmann::ordered_json json_of(const sat::PositionResult& result) {
           {"fault", result.fault.empty() ? result.controls.fault : result.fault}};
 }
 
-std::string last_line(const Sums& sums, const sat::Options& options) {
+std::string closing_line(const Sums& sums, const sat::Options& options) {
   std::string line =
       fmt::format("{}: {} positions, {} clauses, {} proof lines checked by {}",
                   sums.failed == 0 ? "proved" : fmt::format("NOT proved ({} failed)", sums.failed), sums.positions,
@@ -90,7 +90,7 @@ int run(const sat::Options& options, bool as_json) {
   if (as_json)
     fmt::print("{}\n", nlohmann::ordered_json{{"proved", sums.failed == 0}, {"positions", positions}}.dump(2));
   else
-    fmt::print("{}", last_line(sums, options));
+    fmt::print("{}", closing_line(sums, options));
   return sums.failed == 0 ? all_claims_hold : some_claim_fails;
 }
 
