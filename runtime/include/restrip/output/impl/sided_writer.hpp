@@ -74,11 +74,12 @@ class SidedWriter {
     unsigned last_turn = 0;
     unsigned free_turn = left;
     Halfedge entry = solid == 0 ? Halfedge{} : mesh_.opposite(side_of(t, first));
-    while (solid != 0) {
+    unsigned turn = solid;  // not 0 as long as the strip goes on
+    while (turn != 0) {
       written = indices(size);
       t = StripMesh::triangle(entry);
       const unsigned side = StripMesh::side(entry);
-      const unsigned turn = mesh_.solid_beside(entry);
+      turn = mesh_.solid_beside(entry);
       // The corner that the entry does not have comes next, and before it, for a swap, the last but one again.
       const std::uint32_t third = corner(t, side + 2);
       if (turn == 0) {
