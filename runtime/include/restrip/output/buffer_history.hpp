@@ -45,8 +45,9 @@ class BufferHistory {
   /// oldest, so that no more than `most` are kept.
   void frame(StripBuffer& buffer, std::size_t most);
 
-  /// Gives the buffer back as it was before the last frame, or after the one that was undone last. False when there is
-  /// none; then it is as it was after the last frame. What has been written is returned by the next update.
+  /// undo() gives the buffer back as it was before the last frame that is not undone, redo() as it was after the frame
+  /// that was undone last. Both first take back what was noted since the last frame, and return false when there is no
+  /// such frame. The next update() returns the ranges that were written.
   bool undo(StripBuffer& buffer);
   bool redo(StripBuffer& buffer);
 

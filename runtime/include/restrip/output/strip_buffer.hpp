@@ -21,15 +21,16 @@
 // to the last. A run that became longer uses the gaps beside its place; otherwise its neighbours slide, or it moves to
 // the smallest gap that is large enough, or to the end of the buffer.
 //
-// Length. A cut takes three indices, less those that it saves, and there are gaps. Where both are more than 9 % of the
-// indices needed, an update moves the last runs into gaps, which it may widen. The buffer of a scanned mesh has some
-// 1.09 times the indices of strip_indices(). Strips that repeat no index, such as those of a grid, take more: a cut for
-// 28 triangles is 11 % already. A triangle list has 3 indices a triangle.
+// Length. A cut takes three indices, less those that it saves, and there are gaps. Where cuts and gaps together exceed
+// 9 % of the indices needed, an update moves the last runs into gaps, which it may widen. The buffer of a scanned mesh
+// has some 1.09 times the indices of strip_indices(), at coarse levels up to 1.13 times. Strips that repeat no index,
+// such as those of a grid, take more: one cut for every 28 triangles is 11 % already. A triangle list has 3 indices a
+// triangle.
 //
-// Time. An update takes time linear in the triangles that changed: it reads the runs that they are in and short runs
-// that join them, slides at most 60 indices for each run that grows, and moves at most some 600 to close gaps. No
-// update takes time linear in the mesh, but for the growth of its arrays, which reserve() takes beforehand. Memory: 4
-// bytes a triangle, the indices, and 36 bytes a run.
+// Time. An update takes time linear in the triangles that changed, but for sorting the ranges that it returns: it reads
+// the runs that they are in and short runs that join them, slides at most 60 indices for each run that grows, and moves
+// at most some 600 to close gaps. No update takes time linear in the mesh, but for the growth of its arrays, which
+// reserve() takes beforehand for the two largest. Memory: 4 bytes a triangle, the indices, and 40 bytes a run.
 #pragma once
 
 #include <array>
@@ -84,7 +85,8 @@ class BasicStripBuffer {
   template <NumberedMesh Mesh>
   std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed);
 
-  /// What the last update returned, or a BufferHistory, is returned by the next update once more.
+  /// Makes the next update() return the ranges of the last one again, besides its own, for a caller that has not
+  /// uploaded them; the same for ranges that a BufferHistory has written.
   void keep_ranges() noexcept { told_ = false; }
 
   [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
