@@ -13,6 +13,7 @@
 #include <limits>
 #include <new>
 #include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,10 +21,13 @@
 
 #include "locator_agrees.hpp"
 #include "random_colors.hpp"
+#include "random_operation.hpp"
+#include "restrip/live_mesh.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/baked.hpp"
 #include "restrip/operations/linked.hpp"
+#include "restrip/output/check_buffer.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/tables/operations/merge.hpp"
@@ -317,6 +321,59 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
   }
   EXPECT_GT(failed, 200U);
   for (const std::size_t times : begun) EXPECT_GT(times, 5U);
+}
+
+// What is drawn is right again after the next update, and frames that can no longer be undone are not.
+TEST(Exceptions, OfAllocationsLeaveALiveMeshThatIsDrawnRight) {
+  std::size_t failed = 0;
+  for (const bool undoes : {false, true}) {
+    for (std::size_t allocation = 0;; ++allocation) {
+      std::mt19937 random(6);
+      LiveMesh live(sample::torus(16, 16), {.history = 10'000});
+      std::vector<std::uint32_t> drawn(live.indices().begin(), live.indices().end());
+      const auto upload = [&](std::span<const IndexRange> ranges) {
+        drawn.resize(live.indices().size());
+        for (const auto& [first, count] : ranges)
+          std::copy_n(live.indices().begin() + static_cast<std::ptrdiff_t>(first), count,
+                      drawn.begin() + static_cast<std::ptrdiff_t>(first));
+      };
+      const auto change = [&] {
+        for (int n = 0; n < 10; ++n) random_operation(live.keeper(), random, n % 2 == 0);
+      };
+      const auto expect_drawn = [&](const char* when) {
+        ASSERT_EQ(triangles_of_strips(live.indices()), triangles_of(live.mesh())) << when << ", " << allocation;
+        ASSERT_TRUE(std::equal(drawn.begin(), drawn.end(), live.indices().begin(), live.indices().end()))
+            << when << ", " << allocation;
+      };
+      for (int frame = 0; frame < 2; ++frame) {
+        change();
+        upload(live.update());
+      }
+      change();
+      if (undoes) upload(live.update());
+      std::span<const IndexRange> ranges;
+      bool threw = false;
+      allocations_left = allocation;
+      try {
+        if (undoes)
+          live.undo();
+        else
+          ranges = live.update();
+      } catch (const std::bad_alloc&) {
+        threw = true;
+      }
+      allocations_left = never;
+      if (!threw) upload(ranges);
+      upload(live.update());
+      expect_drawn("after the next update");
+      live.undo();
+      upload(live.update());
+      expect_drawn("after an undo");
+      if (!threw) break;
+      ++failed;
+    }
+  }
+  EXPECT_GT(failed, 10U);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
@@ -33,8 +34,9 @@ struct LiveOptions {
   std::size_t history = 0;       ///< triangles that may have changed in all frames that can be undone; 0: no history
 };
 
-/// Stays where it is: neither copied nor moved. Each call throws what its parts throw. `Mesh` is StripMesh: this is a
-/// template so that searches and buffers are compiled where a LiveMesh is used, not wherever this header is included.
+/// Stays where it is: neither copied nor moved. Each call throws what its parts throw; after an exception of update(),
+/// undo() or redo() the frames before cannot be undone. `Mesh` is StripMesh: this is a template so that searches and
+/// buffers are compiled where a LiveMesh is used, not wherever this header is included.
 template <class Mesh>
 class BasicLiveMesh {
  public:
@@ -73,10 +75,17 @@ class BasicLiveMesh {
 
   /// Ends a frame: the ranges of indices() that must be uploaded, ascending; valid until the next call.
   std::span<const IndexRange> update() {
+    if (std::exchange(interrupted_, false)) {
+      history_.reset();
+      buffers_.reset();
+      buffer_ = {};  // to be written as a whole
+    }
     const auto ranges = buffer_.update(mesh_, changed_);
     if (history_) {
+      interrupted_ = true;
       buffers_->note(buffer_, changed_);
       if (history_->frame(mesh_, changed_)) buffers_->frame(buffer_, history_->undoable());
+      interrupted_ = false;
     }
     changed_.clear();
     return ranges;
@@ -85,16 +94,10 @@ class BasicLiveMesh {
   /// handles, colours and indices() are those there were, one for one. False when there is nothing to take back. Then
   /// update(), which returns what is to be uploaded. Linear time in the mesh.
   bool undo() {
-    if (!history_) return false;
-    update();
-    buffer_.keep_ranges();
-    return buffers_->undo(buffer_) && counted_anew(history_->undo(mesh_));
+    return stepped([this] { return buffers_->undo(buffer_) && counted_anew(history_->undo(mesh_)); });
   }
   bool redo() {
-    if (!history_) return false;
-    update();
-    buffer_.keep_ranges();
-    return buffers_->redo(buffer_) && counted_anew(history_->redo(mesh_));
+    return stepped([this] { return buffers_->redo(buffer_) && counted_anew(history_->redo(mesh_)); });
   }
 
   /// Draw them as one triangle strip with primitive restart.
@@ -115,6 +118,16 @@ class BasicLiveMesh {
     if (from_scratch) stripify(mesh, options.effort, options.cost);
     return mesh;
   }
+  template <class Step>
+  bool stepped(Step&& step) {
+    if (history_) update();
+    if (!history_) return false;  // there is none, or it was given up
+    buffer_.keep_ranges();
+    interrupted_ = true;
+    const bool done = step();
+    interrupted_ = false;
+    return done;
+  }
   bool counted_anew(bool done) {
     changed_.clear();  // the buffer has it already
     if (done) keeper_.rebuild();
@@ -127,6 +140,7 @@ class BasicLiveMesh {
   StripBuffer buffer_;
   std::optional<History> history_;
   std::optional<BufferHistory> buffers_;  // where there is a history; in step with it
+  bool interrupted_ = false;              // by an exception, so that the histories may be out of step
 };
 
 using LiveMesh = BasicLiveMesh<StripMesh>;

@@ -86,6 +86,20 @@ TEST(StripBuffer, IsNeverMuchLongerThanTheStrips) {
   }
 }
 
+// Where a strip is cut is a share of its triangles, whose product with the number of cuts needs more than 32 bits.
+TEST(StripBuffer, CutsAStripOfHundredsOfThousandsOfTriangles) {
+  StripMesh mesh = sample::rectangle(200'000, 1);
+  for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+    for (unsigned side = 0; side < 3; ++side) {
+      const auto h = StripMesh::halfedge(t, side);
+      if (!StripMesh::on_boundary(mesh.opposite(h))) mesh.set_solid(h, true);
+    }
+  const StripBuffer buffer(mesh);
+  EXPECT_GT(buffer.runs(), mesh.triangle_count() / 37);
+  EXPECT_LE(buffer.runs(), mesh.triangle_count() / 20);
+  EXPECT_TRUE(check_buffer(buffer, mesh).right());
+}
+
 // The most indices between two restart indices.
 std::size_t longest_run(std::span<const std::uint32_t> indices) {
   std::size_t longest = 0;

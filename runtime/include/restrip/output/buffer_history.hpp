@@ -39,7 +39,7 @@ class BufferHistory {
   }
 
   /// After each update, with what it was told, and after each rebuild(). After an exception the history must not be
-  /// used any more; the same holds for frame().
+  /// used any more; the same holds for frame(), undo() and redo().
   void note(const StripBuffer& buffer, std::span<const std::uint32_t> changed);
   /// Ends a frame, of all updates since the frame before. Frames that were undone and not redone are forgotten, and the
   /// oldest, so that no more than `most` are kept.
@@ -161,7 +161,9 @@ inline void BufferHistory::put(Frame& frame, StripBuffer& buffer) {
   buffer.keep_ranges();
   Frame copy = frame;
   exchange(copy, last_);
+  const bool stale = std::exchange(buffer.stale_, true);  // should there be no memory
   exchange(frame, buffer);
+  buffer.stale_ = stale;
 }
 
 inline void BufferHistory::forget_unframed(StripBuffer& buffer) {

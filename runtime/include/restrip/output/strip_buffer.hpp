@@ -80,8 +80,8 @@ class BasicStripBuffer {
   /// Brings the buffer in step with the mesh. `changed` names every triangle whose corners, neighbours or colours have
   /// changed since the last call, and those inserted and removed, as StripMesh::watch does; repetitions do no harm.
   /// Returns the ranges whose indices may have changed, ascending and apart from each other; the buffer may have grown
-  /// or shrunk. Valid until the next call. Throws as rebuild() does; then indices() is as it was before, and the next
-  /// update writes everything anew.
+  /// or shrunk. Valid until the next call. Throws as rebuild() does; then indices() is as it was before, unless
+  /// everything was to be written, and the next update writes everything anew.
   template <NumberedMesh Mesh>
   std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed);
 

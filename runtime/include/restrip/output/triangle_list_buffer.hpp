@@ -101,21 +101,21 @@ class BasicTriangleListBuffer {
     }
     // The last triangles fill what is left.
     std::sort(free_.begin(), free_.end());
-    while (!free_.empty()) {
+    for (std::size_t filled = 0; filled < free_.size();) {
       const auto last = static_cast<std::uint32_t>(owner_.size() - 1);
       if (owner_[last] == no_slot) {
         free_.pop_back();
       } else {
-        const std::uint32_t slot = free_.front();
+        const std::uint32_t slot = free_[filled++];
         write(slot,
               {cells_[std::size_t{3} * last], cells_[std::size_t{3} * last + 1], cells_[std::size_t{3} * last + 2]});
         owner_[slot] = owner_[last];
         slot_[owner_[last]] = slot;
-        free_.erase(free_.begin());
       }
       owner_.pop_back();
       cells_.resize(cells_.size() - 3);
     }
+    free_.clear();
     merge_ranges();
     stale_ = false;
     return written_;

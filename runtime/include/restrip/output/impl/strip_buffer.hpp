@@ -86,6 +86,7 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
   rebuilt_ = false;
   if (std::exchange(told_, true)) written_.clear();
   begin_reading();
+  places_.make_room(0);  // a copy has none, nor has what a BufferHistory gave back
   if (run_of_.size() < mesh.triangle_bound()) {
     detail::make_buffer_room(run_of_, mesh.triangle_bound() - run_of_.size());
     run_of_.resize(mesh.triangle_bound(), nothing);
@@ -180,7 +181,8 @@ void BasicStripBuffer<Index>::read(const Mesh& mesh, std::uint32_t t) {
   const std::uint32_t parts = triangles > detail::longest_run ? (triangles - 1) / detail::longest_joined_run + 1 : 1;
   std::uint32_t from = begin;
   for (std::uint32_t part = 1; part <= parts; ++part) {
-    const std::uint32_t to = part == parts ? links_ : best_cut(begin + triangles * part / parts, from);
+    const auto share = static_cast<std::uint32_t>(std::uint64_t{triangles} * part / parts);
+    const std::uint32_t to = part == parts ? links_ : best_cut(begin + share, from);
     const std::uint32_t cuts = std::uint32_t{part > 1 || cut_before} + std::uint32_t{part < parts || cut_behind};
     write_text(mesh, from, to, cuts);
     from = to;
