@@ -2,7 +2,6 @@
 #include "restrip/search/strips_of.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,14 +12,7 @@ extern "C" {
 /// Is the list of `count` indices an oriented manifold, but for its vertices?
 int restrip_bench_is_manifold(const std::uint32_t* ids, std::size_t count, std::size_t vertices) {
   const restrip::TriangleList list(std::span<const std::uint32_t>(ids, count));
-  std::vector<std::array<std::uint32_t, 3>> across(list.size());
-  restrip::BuildReport report;
-  restrip::find_neighbors(list, vertices, across, report);
-  return report.degenerate_triangles + report.out_of_range_triangles + report.non_manifold_edges +
-                     report.inconsistent_edges ==
-                 0
-             ? 1
-             : 0;
+  return restrip::detail::is_oriented_manifold(list, vertices) ? 1 : 0;
 }
 
 /// Writes the indices of strips of effort `fast` to `out`, at most 2 * count + 4, and returns how many.
