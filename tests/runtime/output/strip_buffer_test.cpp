@@ -258,5 +258,12 @@ TEST(StripBuffer, AnUpdateEndsWhereColorsAreNotValid) {
   EXPECT_EQ(triangles_of_strips(buffer.indices()), sample::triangles_of(mesh));
 }
 
+TEST(StripBuffer, AMeshWithoutTrianglesWritesNothing) {
+  const StripMesh mesh = StripMesh::build(std::vector<sample::Corners>{}, 0);
+  StripBuffer buffer;
+  EXPECT_TRUE(buffer.update(mesh, {}).empty());
+  EXPECT_TRUE(buffer.indices().empty());
+}
+
 }  // namespace
 }  // namespace restrip

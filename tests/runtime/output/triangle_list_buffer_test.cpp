@@ -73,5 +73,12 @@ TEST(TriangleListBuffer, WritesTheCornersThatChanged) {
   EXPECT_THROW(TriangleListBuffer16{beyond}, std::length_error);
 }
 
+TEST(TriangleListBuffer, AMeshWithoutTrianglesWritesNothing) {
+  const StripMesh mesh = StripMesh::build(std::vector<sample::Corners>{}, 0);
+  TriangleListBuffer buffer;
+  EXPECT_TRUE(buffer.update(mesh, {}).empty());
+  EXPECT_TRUE(buffer.indices().empty());
+}
+
 }  // namespace
 }  // namespace restrip

@@ -54,6 +54,13 @@ struct IndexRange {
   friend constexpr bool operator==(const IndexRange&, const IndexRange&) = default;
 };
 
+namespace detail {
+
+/// Sorts ranges, cuts them off at `end`, and joins those that are at most `gap` indices apart.
+inline void join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap) noexcept;
+
+}  // namespace detail
+
 /// `Index`: an unsigned type of 16 or 32 bits.
 template <class Index>
 class BasicStripBuffer {
@@ -158,7 +165,6 @@ class BasicStripBuffer {
   std::uint32_t widen(std::uint32_t left, std::uint32_t right, std::uint32_t missing, std::uint32_t most) noexcept;
   void close_gaps() noexcept;
   void mark(std::size_t first, std::size_t end) noexcept;
-  void sort_ranges() noexcept;
 
   std::vector<Index> cells_;
   std::vector<std::uint32_t> run_of_;  // by triangle: the place of its run

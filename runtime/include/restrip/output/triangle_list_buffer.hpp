@@ -59,7 +59,7 @@ class BasicTriangleListBuffer {
     slot_.assign(mesh.triangle_bound(), no_slot);
     for (std::uint32_t t = 0; t < slot_.size(); ++t)
       if (mesh.has_triangle(t)) append(t, corners_of(mesh, t));
-    written_.assign(1, {0, cells_.size()});
+    written_.assign(cells_.empty() ? 0 : 1, {0, cells_.size()});
     stale_ = false;
   }
 
@@ -116,7 +116,7 @@ class BasicTriangleListBuffer {
       cells_.resize(cells_.size() - 3);
     }
     free_.clear();
-    merge_ranges();
+    detail::join_ranges(written_, cells_.size(), 0);
     stale_ = false;
     return written_;
   }
@@ -169,22 +169,6 @@ class BasicTriangleListBuffer {
       written_.push_back({std::size_t{3} * slot + i, 1});
     }
   }
-  void merge_ranges() {
-    std::sort(written_.begin(), written_.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
-    std::size_t kept = 0;
-    for (const Range& range : written_) {
-      if (range.first >= cells_.size()) break;
-      const std::size_t end = std::min(range.first + range.count, cells_.size());
-      if (kept != 0 && range.first <= written_[kept - 1].first + written_[kept - 1].count) {
-        Range& last = written_[kept - 1];
-        last.count = std::max(last.first + last.count, end) - last.first;
-      } else {
-        written_[kept++] = {range.first, end - range.first};
-      }
-    }
-    written_.resize(kept);
-  }
-
   std::vector<Index> cells_;
   std::vector<std::uint32_t> owner_;  // by slot
   std::vector<std::uint32_t> slot_;   // by triangle

@@ -70,7 +70,7 @@ void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
     store();
     written_.clear();
   }
-  written_.assign(1, {0, cells_.size()});
+  written_.assign(cells_.empty() ? 0 : 1, {0, cells_.size()});
   told_ = rebuilt_ = true;
   stale_ = false;
 }
@@ -103,7 +103,7 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
   prepare();
   store();
   if (!changed.empty()) close_gaps();
-  sort_ranges();
+  detail::join_ranges(written_, cells_.size(), 2);
   stale_ = false;
   return written_;
 }

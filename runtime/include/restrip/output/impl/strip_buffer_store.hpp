@@ -231,18 +231,17 @@ void BasicStripBuffer<Index>::mark(std::size_t first, std::size_t end) noexcept 
   written_.push_back({first, end - first});
 }
 
-template <class Index>
-void BasicStripBuffer<Index>::sort_ranges() noexcept {
-  std::sort(written_.begin(), written_.end(), [](const Range& a, const Range& b) { return a.first < b.first; });
+inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap) noexcept {
+  std::sort(ranges.begin(), ranges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::size_t kept = 0;
-  for (const auto& [first, count] : written_) {
-    const std::size_t end = std::min(first + count, cells_.size());
-    if (first >= end) break;
-    if (kept == 0 || first > written_[kept - 1].first + written_[kept - 1].count + 2) written_[kept++] = {first, 0};
-    Range& last = written_[kept - 1];
-    last.count = std::max(last.count, end - last.first);
+  for (const auto& [first, count] : ranges) {
+    const std::size_t behind = std::min(first + count, end);
+    if (first >= behind) break;
+    if (kept == 0 || first > ranges[kept - 1].first + ranges[kept - 1].count + gap) ranges[kept++] = {first, 0};
+    IndexRange& last = ranges[kept - 1];
+    last.count = std::max(last.count, behind - last.first);
   }
-  written_.resize(kept);
+  ranges.resize(kept);
 }
 
 }  // namespace restrip

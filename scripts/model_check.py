@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""Proves the look-ups in C by a bounded model checker, CBMC 6 or later: for each position one formula says that for some
+colours, ports and recolouring the answer is missing, unsound, tells a wrong number of strips or is not the best, or that
+something is read out of bounds or overflows. verify/bounded/look_up.c judges; the patches are written here, in their words
+of docs/notation.md, as in check_reasons.py.
+
+  scripts/model_check.py --header DIR/restrip_tables.h                   every position up to k = 8
+  scripts/model_check.py --header DIR/restrip_tables.h --max-k 5         a part of them
+  scripts/model_check.py --operation tables/operations/bisect.json --header DIR/restrip_bisect.h
+
+Each formula has assertions that must fail, so that a formula that says nothing is noticed. Exit code: 0 all is proved, 1
+something is not (the position and the assertion are named), 2 a file cannot be read, or there is no CBMC.
+"""
+import argparse
+import concurrent.futures
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+from check_reasons import fan_patch, graphs_of  # noqa: E402
+
+JUDGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify", "bounded", "look_up.c")
+MOST = {"strips": 2, "forest": 3, "matching": 1}
+
+
+def row(k, ring, *gaps):
+    """Triangles, inner edges and owners of a fan; with two gaps A and D are joined."""
+    fan = ["t%d" % i for i in range(k)]
+    order = []
+    for i in range(k + 1):
+        order += [name for name, gap in zip("AD", gaps) if gap == i] + fan[i:i + 1]
+    patch = fan_patch(order, ring, len(gaps) == 2, fan)
+    at = order.index
+    return len(order), [(at(one), at(other)) for one, other in patch.inner], [at(owner) for owner in fan]
+
+
+def families(max_k):
+    """Every position of every operation in the tables: its name, its question, before, after."""
+    question = "const restrip_rule r = restrip_%s(%s, inner, ports); return (answer){r.colors, r.valid ? ports : 0, r.strips, r.valid};"
+    for k in range(1, max_k + 1):
+        closed = [("split", (a,), True, (0, a)) for a in range(1, k)] if k > 2 else []
+        opened = [("open_split", (i, j), False, (i, j)) for j in range(k + 1) for i in range(j)]
+        boundary = [("boundary_split", (i,), False, (i,)) for i in range(k + 1)]
+        for name, numbers, ring, gaps in closed + opened + boundary:
+            fan, refined = row(k, ring), row(k, ring, *gaps)
+            for operation, one, other in (name, fan, refined), (name.replace("split", "collapse"), refined, fan):
+                called = ", ".join(str(n) for n in (k,) + numbers)
+                yield "%s(%s)" % (operation, called), question % (operation, called), one, other, {}
+    flip = "const restrip_flip_rule r = restrip_flip(inner, ports); return (answer){r.inner, r.ports, r.strips, r.valid};"
+    yield "flip()", flip, (2, [(0, 1)], [0, 0, 1, 1]), (2, [(0, 1)], [1, 0, 0, 1]), {"MAY_GO": 15}
+
+
+def own(path):
+    """The one position of an operation file."""
+    with open(path, encoding="utf-8") as file:
+        said = json.load(file)
+    if "cost" in said or said["constraint"] not in MOST:
+        raise ValueError("%s: an order of preference of its own" % path)
+    before, after = graphs_of(said)
+    gives, matching = said.get("give_up", "none"), said["constraint"] == "matching"
+    ports = {"none": [], "all": range(len(before[2]))}[gives] if isinstance(gives, str) else gives
+    identifier = said["name"].replace("-", "_")
+    question = "const restrip_operation_rule r = restrip_rule_of_%s(inner, ports); return (answer){r.colors, r.ports, r.strips, r.valid};"
+    yield identifier + "()", question % identifier, before, after, {
+        "MOST": MOST[said["constraint"]], "MAY_GO": sum(1 << p for p in ports), "COUNTS": int(not matching), "ANY_COLORS": int(matching)}
+
+
+def position_text(header, question, before, after, words):
+    lines = ['#include "%s"' % os.path.abspath(header)]
+    for when, (triangles, edges, owners) in ("before", before), ("after", after):
+        lines += ["enum { TRIANGLES_%s = %d, EDGES_%s = %d };" % (when.upper(), triangles, when.upper(), len(edges))]
+        for name, numbers in ("one", [e[0] for e in edges]), ("other", [e[1] for e in edges]), ("owner", owners):
+            lines.append("static const unsigned char %s_%s[] = {%s};" % (when, name, ", ".join(str(n) for n in numbers or [0])))
+    counted = {"PORTS": len(before[2]), "MOST": 2, "MAY_GO": 0, "COUNTS": 1, "ANY_COLORS": 0, **words}
+    lines += [] if after[1] or counted["MAY_GO"] else ["#define ONE_RECOLORING"]
+    lines += ["enum { %s = %d };" % pair for pair in counted.items()]
+    return "\n".join(lines + ["static answer ask(u32 inner, u32 ports) { %s }" % question]) + "\n"
+
+
+def any_argument(header):
+    """A program that calls each function of a header with any arguments."""
+    with open(header, encoding="utf-8") as file:
+        declared = re.findall(r"^(restrip_\w+) (restrip_\w+)\((.*)\);$", file.read(), re.M)
+    lines = ['#include "%s"' % os.path.abspath(header), "uint32_t nondet_u32(void);", "int main(void) {"]
+    for kind, name, arguments in declared:
+        asked = ", ".join(["nondet_u32()"] * len(arguments.split(",")))
+        lines.append('  { const %s r = %s(%s); __CPROVER_assert(!r.valid, "control: %s has no answers"); }' % (kind, name, asked, name))
+    return "\n".join(lines + ["}"]) + "\n"
+
+
+def faults(cbmc, header, text, judge):
+    """Checks one formula: how many assertions it has, and what does not hold of them."""
+    with open(header, encoding="utf-8") as file:
+        implementation = re.search(r"^#ifdef (\w+_IMPLEMENTATION)$", file.read(), re.M).group(1)
+    with tempfile.TemporaryDirectory() as folder:
+        written = os.path.join(folder, "position.h" if judge else "any_argument.c")
+        with open(written, "w", encoding="utf-8") as file:
+            file.write(text)
+        run = subprocess.run([cbmc, judge or written, "-D" + implementation, '-DPOSITION="%s"' % written, "--unwind", "34"],
+                             capture_output=True, text=True)
+    found = re.findall(r"^\[\S+\] (?:line \d+ )?(.*): ([A-Z]+)$", run.stdout, re.M)
+    if not any(name.startswith("control") for name, _ in found):
+        raise ValueError("%s: it said nothing of the assertions: %s" % (cbmc, (run.stdout + run.stderr).strip()[-1000:]))
+    expected = lambda name: "FAILURE" if name.startswith("control") else "SUCCESS"
+    return len(found), sorted({name for name, verdict in found if verdict != expected(name)})
+
+
+def model_checker():
+    """The path of CBMC, or what is missing. 5.12 fails on arrays of the tables' size."""
+    cbmc = shutil.which("cbmc")
+    if not cbmc:
+        raise ValueError("there is no cbmc; Debian 13 has a package of this name")
+    version = subprocess.run([cbmc, "--version"], capture_output=True, text=True).stdout.strip()
+    if int(version.split(".")[0] or 0) < 6:
+        raise ValueError("cbmc %s is too old: 6 or later is needed" % version)
+    return cbmc
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--header", help="the look-up in C, as restrip-generate writes it; without it, only CBMC is looked for")
+    parser.add_argument("--operation", help="the operation file that it is of; without, it is of the families")
+    parser.add_argument("--max-k", type=int, default=8, help="the largest fan (8)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many at a time")
+    options = parser.parse_args()
+    try:
+        cbmc = model_checker()
+        if not options.header:
+            return 0
+        asked = list(own(options.operation) if options.operation else families(options.max_k))
+        work = [("any arguments", any_argument(options.header), None)]
+        work += [(name, position_text(options.header, *rest), JUDGE) for name, *rest in asked]
+        assertions, wrong, operations = 0, 0, {}
+        with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+            results = pool.map(lambda one: faults(cbmc, options.header, *one[1:]), work)
+            for number, ((name, _, judge), (count, failed)) in enumerate(zip(work, results), 1):
+                if sys.stderr.isatty():
+                    print("\r%d of %d formulas" % (number, len(work)), end="\r\n"[number == len(work)], file=sys.stderr, flush=True)
+                if failed:
+                    print("%s: NOT PROVED: %s" % (name, "; ".join(failed)), flush=True)
+                assertions, wrong = assertions + count, wrong + bool(failed)
+                if judge:
+                    operation = name.split("(")[0]
+                    operations[operation] = operations.get(operation, 0) + 1
+    except (AttributeError, OSError, ValueError, KeyError) as error:
+        print("model_check.py: %s" % error, file=sys.stderr)
+        return 2
+    for operation, positions in operations.items():
+        size = "" if options.operation or operation == "flip" else " k <= %d" % options.max_k
+        print("%s %s%s, positions: %d" % ("not all proved:" if wrong else "proved:", operation, size, positions))
+    print("%s: %d positions, %d assertions; read: the look-up in C, %s" % (
+        "NOT proved (%d formulas failed)" % wrong if wrong else "proved in all", len(asked), assertions, os.path.basename(options.header)))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

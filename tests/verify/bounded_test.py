@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Claims: verify/bounded/look_up.c holds for what the generator writes in C and its controls fail, in small positions of
+every operation and for operation files; after a change of any one of some entries it does not hold. Here each question is
+asked of a program, as no model checker need be installed; where CBMC is, it is asked too. Without it, scripts/model_check.py
+says what is missing.
+
+    bounded_test.py restrip-generate ROOT SCRATCH
+"""
+import itertools
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+generate, root, scratch = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]).resolve()
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(root / "scripts"))
+import model_check  # noqa: E402
+
+CONTROLS = {"control: nothing is as good", "control: nothing is worse"}
+scratch.mkdir(parents=True, exist_ok=True)
+
+
+def failed(header, position):
+    """The assertions that fail for a header at a position of model_check.py, and those that must."""
+    name, *rest = position
+    (scratch / "position.h").write_text(model_check.position_text(header, *rest))
+    implementation = re.search(r"^#ifdef (\w+_IMPLEMENTATION)$", header.read_text(), re.M)[1]
+    subprocess.run(["cc", "-std=c11", "-O1", "-D" + implementation, '-DPOSITION="%s"' % (scratch / "position.h"), "-I", root / "verify/bounded",
+                    root / "tests/verify/bounded_driver.c", "-o", scratch / "driver"], check=True)
+    printed = subprocess.run([scratch / "driver"], capture_output=True, text=True, check=True).stdout
+    after, may_go = rest[2], rest[3].get("MAY_GO", 0)
+    return set(printed.splitlines()), CONTROLS if after[1] or may_go else {"control: nothing is as good"}
+
+
+def holds(header, position):
+    found, controls = failed(header, position)
+    assert found == controls, (position[0], found)
+
+
+subprocess.run([generate, "tables", "--language", "c", "--max-k", "4", "--out", scratch], check=True, capture_output=True)
+families = scratch / "restrip_tables.h"
+positions = {position[0]: position for position in model_check.families(4)}
+assert len(positions) == 1 + 2 * (2 + 3) + 2 * (1 + 3 + 6 + 10) + 2 * (2 + 3 + 4 + 5), len(positions)
+for name in ("split(3, 1)", "split(3, 2)", "collapse(3, 2)", "open_split(2, 0, 2)", "open_split(3, 1, 2)", "open_collapse(3, 0, 3)",
+             "boundary_split(3, 2)", "boundary_collapse(3, 0)", "boundary_collapse(1, 0)", "flip()"):
+    holds(families, positions[name])
+
+altered = scratch / "altered.h"
+refused = 0
+for name in ("bisect", "merge-boundary", "flip-matching"):
+    file = root / "tables/operations" / (name + ".json")
+    subprocess.run([generate, "rules", "--operation", file, "--language", "c", "--out", scratch], check=True, capture_output=True)
+    header = scratch / ("restrip_%s.h" % name.replace("-", "_"))
+    position, = model_check.own(file)
+    holds(header, position)
+    text = header.read_text()
+    data = text.index("restrip_entries_of_")
+    for number in itertools.islice(re.finditer(r"\b\d+\b,", text[text.index("{", data):]), 2, 9, 3):
+        start = text.index("{", data) + number.start()
+        altered.write_text(text[:start] + str(int(number[0][:-1]) ^ 1) + text[start + len(number[0]) - 1:])
+        found, controls = failed(altered, position)
+        assert found - CONTROLS, (name, number[0])
+        refused += 1
+assert refused == 9, refused
+
+script = [sys.executable, "-B", root / "scripts/model_check.py"]
+(scratch / "empty").mkdir(exist_ok=True)
+run = subprocess.run(script, capture_output=True, text=True, env={**os.environ, "PATH": str(scratch / "empty")})
+assert run.returncode == 2 and "there is no cbmc" in run.stderr, run
+if subprocess.run(script, capture_output=True).returncode == 0:
+    run = subprocess.run(script + ["--header", families, "--max-k", "1"], capture_output=True, text=True)
+    assert run.returncode == 0 and "proved: flip, positions: 1\nproved in all: 7 positions, " in run.stdout, run
+    run = subprocess.run(script + ["--operation", file, "--header", altered], capture_output=True, text=True)
+    assert run.returncode == 1 and "NOT PROVED" in run.stdout, run
+print("%d headers with one entry changed are refused" % refused)
