@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <span>
 #include <type_traits>
@@ -227,6 +228,12 @@ void stripify_both(StripMesh mesh) {
     }
 }
 
+/// How many operations each walk does: 2,000, or what RESTRIP_LOCKSTEP says.
+inline int lockstep_operations() {
+  const char* said = std::getenv("RESTRIP_LOCKSTEP");
+  return said ? std::atoi(said) : 2000;
+}
+
 /// Under every policy and either cost.
 template <class Foreign>
 void walk_in_lockstep(const StripMesh& start, bool boundary, unsigned seed) {
@@ -234,7 +241,7 @@ void walk_in_lockstep(const StripMesh& start, bool boundary, unsigned seed) {
     for (const PolicyRow& row : policies) {
       Foreign foreign(start);
       Lockstep<Foreign> both(start, foreign, row.policy, cost, seed);
-      both.run(2000);
+      both.run(lockstep_operations());
       if (boundary) {
         EXPECT_GT(both.one_sided(), 5);
       }
