@@ -40,7 +40,7 @@ def generator(programs, largest, repeats):
 
 def verifier(programs, families):
     command = [programs / "restrip-verify", "--tables-dir", ROOT / "tables", "--dump-command", programs / "restrip-dump-tables",
-               "--json", "--threads", "1"]
+               "--json", "-", "--threads", "1"]
     for family in families:
         command += ["--family", family]
     seconds, text = run(command)

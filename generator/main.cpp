@@ -16,7 +16,9 @@
 #include "compare/compare_command.hpp"
 #include "count.hpp"
 #include "dump.hpp"
+#include "files/report_output.hpp"
 #include "files/system_calls.hpp"
+#include "json_option.hpp"
 #include "languages/languages.hpp"
 #include "operations/describe.hpp"
 #include "operations/operation_words.hpp"
@@ -88,6 +90,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember(language_files()))
       ->allow_extra_args(false)
       ->excludes(shard_option);
+  add_json_option(*tables_command, tables.json);
   tables_command->footer(
       "\nExample, two shares by two machines, then all together:\n"
       "  restrip-generate tables --shard 1/2 --out /tmp/shards\n"
@@ -101,6 +104,8 @@ int main(int argc, char** argv) {
   auto* merge_command = app.add_subcommand("merge", "Write from all shards what `tables` writes without --shard");
   merge_command->add_option("--in", merge_in, "Directory that holds the shards")->required();
   merge_command->add_option("--out", merge_out, "Directory that receives the tables")->required();
+  std::string merge_json;
+  add_json_option(*merge_command, merge_json);
   merge_command->footer("\nExample:\n  restrip-generate merge --in /tmp/shards --out /tmp/tables\n");
 
   AutomatonOptions automaton;
@@ -118,10 +123,7 @@ int main(int argc, char** argv) {
           "a swap), or R,S,I, the weights of a strip, a swap and an isolated triangle")
       ->capture_default_str()
       ->excludes(served_option);
-  automaton_command
-      ->add_option("--json", automaton.json,
-                   "Write its figures to this file; - for standard output, in place of the text")
-      ->excludes(served_option);
+  add_json_option(*automaton_command, automaton.json)->excludes(served_option);
   automaton_command
       ->add_option("--classes", automaton.classes,
                    "Write every class with a best colouring of each case to this JSON file, for pictures")
@@ -149,8 +151,7 @@ int main(int argc, char** argv) {
                    "table and look-up; may be given several times")
       ->check(CLI::IsMember(language_files()))
       ->allow_extra_args(false);
-  rules_command->add_option("--json", rules.json,
-                            "Write the figures to this file; - for standard output, in place of the text");
+  add_json_option(*rules_command, rules.json);
   rules_command->footer(
       "\nExamples, from the top of the source tree; the second writes restrip_bisect.h and restrip_bisect.rs:\n"
       "  restrip-generate rules --operation tables/operations/bisect.json --out /tmp/rules\n"
@@ -194,10 +195,10 @@ int main(int argc, char** argv) {
       "  restrip-generate describe --family collapse --k 6 --at 3 --constraint matching > pairs.json\n");
 
   unsigned count_max_k = 8;
-  bool json = false;
+  std::string count_to;
   auto* count_command = app.add_subcommand("count", "Count configurations and orbits, beside the paper's figures");
   count_command->add_option("--max-k", count_max_k, "Largest valence")->check(CLI::Range(3, 12))->capture_default_str();
-  count_command->add_flag("--json", json, "Print JSON");
+  add_json_option(*count_command, count_to);
 
   const Subcommand compare_command = add_compare(app);
 
@@ -214,7 +215,7 @@ int main(int argc, char** argv) {
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
     if (*automaton_command)
       served.empty() ? make_automaton_files(automaton) : make_served_headers(served, automaton.out);
-    if (*merge_command) merge_shards(merge_in, merge_out);
+    if (*merge_command) merge_shards(merge_in, merge_out, merge_json);
     if (*rules_command) make_rules(rules);
     if (*dump_command) {
       const Description& chosen = family_named(family);
@@ -230,7 +231,8 @@ int main(int argc, char** argv) {
       fmt::print("{}",
                  operation_file_text(position_of(family_named(described_family), numbers, place_options), constraint));
     }
-    if (*count_command) fmt::print("{}", json ? count_json(count_max_k) : count_report(count_max_k));
+    if (*count_command)
+      restrip::files::ReportOutput(count_to).print(count_report(count_max_k), count_json(count_max_k));
     if (*compare_command.line) code = compare_command.run();
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");
   } catch (const std::exception& error) {

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -20,6 +21,7 @@
 #include "digest.hpp"
 #include "emit.hpp"
 #include "files/output.hpp"
+#include "files/report_output.hpp"
 #include "languages/languages.hpp"
 #include "progress.hpp"
 #include "shard.hpp"
@@ -210,8 +212,16 @@ std::vector<files::NamedBytes> other_languages(const std::vector<SolvedFamily>& 
   return files;
 }
 
+/// The files and what was solved for them.
+std::string written_json(unsigned max_k, const std::vector<files::NamedBytes>& files) {
+  nlohmann::ordered_json json{{"max_k", max_k}, {"files", nlohmann::ordered_json::array()}};
+  for (const auto& [name, bytes] : files) json["files"].push_back({{"path", name.string()}, {"bytes", bytes.size()}});
+  return json.dump(2) + "\n";
+}
+
 /// From all sections, or, when C++ is not among the languages, those of the rules.
-void write_tables(files::OutputSet& out, std::vector<Section> all, const TablesOptions& options) {
+void write_tables(files::OutputSet& out, const files::ReportOutput& report, std::vector<Section> all,
+                  const TablesOptions& options) {
   const Families families = by_family(std::move(all));
   const Packings packings = packings_of(families.rules, options.max_k);
   TableFiles tables;
@@ -223,25 +233,27 @@ void write_tables(files::OutputSet& out, std::vector<Section> all, const TablesO
     for (files::NamedBytes& file : tables.take()) written.push_back(std::move(file));
   }
   out.write(written);
-  fmt::print("{}", tables.told);
+  report.print(tables.told, written_json(options.max_k, written));
 }
 
 }  // namespace
 
 void make_tables(const TablesOptions& options) {
   files::OutputSet out = table_files(options.out, options.languages);
+  const files::ReportOutput report(options.json);
   std::vector<Section> all = sections_of(families(), options.max_k, options.goal);
   const bool cpp = options.languages.contains("c++");
   if (!cpp) std::erase_if(all, [](const Section& section) { return section.linked; });
   std::vector<std::size_t> everything(all.size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
   solve_sections(all, everything, options.threads, cpp ? Wanted::rules_and_text : Wanted::rules);
-  write_tables(out, std::move(all), options);
+  write_tables(out, report, std::move(all), options);
 }
 
 void make_shard(const TablesOptions& options) {
   const Shard shard = shard_named(options.shard);
   files::OutputSet out(options.out, {file_name(shard)});
+  const files::ReportOutput report(options.json);
   const std::string id = generator_id(RESTRIP_VERSION);
   std::vector<Section> all = sections_of(families(), options.max_k);
   const std::vector<std::size_t> places = share_of(all, shard.index, shard.count);
@@ -253,33 +265,33 @@ void make_shard(const TablesOptions& options) {
     rows += all[i].rows.size();
   }
   const std::string text = shard_text(shard, options.max_k, id, solved);
-  out.write({{file_name(shard), text}});
-  fmt::print("shard {} of {}: {} of {} sections, {}, {}\n", shard.index, shard.count, solved.size(), all.size(),
-             counted(rows, "row"), counted(text.size(), "byte"));
+  const std::vector<files::NamedBytes> written{{file_name(shard), text}};
+  out.write(written);
+  report.print(fmt::format("shard {} of {}: {} of {} sections, {}, {}\n", shard.index, shard.count, solved.size(),
+                           all.size(), counted(rows, "row"), counted(text.size(), "byte")),
+               written_json(options.max_k, written));
 }
 
-void merge_shards(const std::string& in, const std::string& folder) {
+void merge_shards(const std::string& in, const std::string& folder, const std::string& json) {
   TablesOptions options;
   files::OutputSet out = table_files(folder, options.languages);
+  const files::ReportOutput report(json);
   Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
   options.max_k = merged.max_k;
-  write_tables(out, std::move(merged.sections), options);
+  write_tables(out, report, std::move(merged.sections), options);
 }
 
 void make_automaton_files(const AutomatonOptions& options) {
   const auto& [cost, folder, json, classes] = options;
   const Weights weights = weights_named(cost);
   files::OutputSet out(folder, {header_path("automaton"), certificate_path("automaton")});
-  std::optional<files::Output> json_out;
-  if (!json.empty() && json != "-") json_out.emplace(json, files::OutputRules{{".json"}, {}});
+  const files::ReportOutput report(json);
   std::optional<files::Output> classes_out;
   if (!classes.empty()) classes_out.emplace(classes, files::OutputRules{{".json"}, {}});
   const AutomatonFiles made(weights);
-  const std::string figures = automaton_json(made.automaton);
   out.write({{header_path("automaton"), made.header.text}, {certificate_path("automaton"), made.certificate.text}});
-  if (json_out) json_out->write(figures);
   if (classes_out) classes_out->write(classes_json(made.automaton));
-  fmt::print("{}", json == "-" ? figures : made.summary());
+  report.print(made.summary(), automaton_json(made.automaton));
 }
 
 }  // namespace restrip::generator

@@ -15,6 +15,7 @@ struct TablesOptions {
   unsigned threads = 1;
   Goal goal = Goal::strips;
   std::set<std::string> languages{"c++"};  ///< of language_files()
+  std::string json;                        ///< file for a list of what was written, "-" for standard output, or empty
 };
 
 // All of these look at their output paths before they work, say on standard output what they wrote, show progress on a
@@ -27,7 +28,7 @@ void make_tables(const TablesOptions& options);
 void make_shard(const TablesOptions& options);
 
 /// What make_tables() writes, from the shards in the folder `in`.
-void merge_shards(const std::string& in, const std::string& out);
+void merge_shards(const std::string& in, const std::string& out, const std::string& json);
 
 /// The automaton's header and certificate.
 struct AutomatonOptions {

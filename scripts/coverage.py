@@ -79,7 +79,7 @@ REPORTS = {
     ],
     "sat": [Line(r"^(?P<operation>[a-z-]+)(?: k (?P<k>\d+))? .* \d+\.\d+$", ["Complete", "Locally optimal"], "SAT, each proof checked by a function extracted from Coq", CERTIFICATES)],
     "bounded": [
-        Line(r"^proved: (?P<operation>[a-z_]+)(?: k <= (?P<k>\d+))?, positions: \d+$", RULE, "a bounded model checker", "look-up in C"),
+        Line(r"^proved: (?P<operation>[a-z_]+)(?: k = (?P<k>\d+))?, positions: \d+$", RULE, "a bounded model checker", "look-up in C"),
     ],
     "compiler": [
         Line(r"^proved while this was compiled: splits, collapses and flips, k <= (?P<k>\d+)$", RULE, "`static_assert`", TABLES,

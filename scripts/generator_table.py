@@ -56,7 +56,7 @@ def header(*heads):
 
 
 def print_counts(generate):
-    counts = json.loads(subprocess.check_output([generate, "count", "--json"]))
+    counts = json.loads(subprocess.check_output([generate, "count", "--json", "-"]))
     header("operation", "k", "configurations", "valid, by a", "orbits of all, by a", "orbits of valid, by a",
            "valid whose rule adds a strip, by a")
     for operation in ("split", "collapse"):

@@ -12,6 +12,7 @@ Each formula has assertions that must fail, so that a formula that says nothing 
 something is not (the position and the assertion are named), 2 a file cannot be read, or there is no CBMC.
 """
 import argparse
+import collections
 import concurrent.futures
 import json
 import os
@@ -39,10 +40,10 @@ def row(k, ring, *gaps):
     return len(order), [(at(one), at(other)) for one, other in patch.inner], [at(owner) for owner in fan]
 
 
-def families(max_k):
+def families(max_k, min_k=1):
     """Every position of every operation in the tables: its name, its question, before, after."""
     question = "const restrip_rule r = restrip_%s(%s, inner, ports); return (answer){r.colors, r.valid ? ports : 0, r.strips, r.valid};"
-    for k in range(1, max_k + 1):
+    for k in range(min_k, max_k + 1):
         closed = [("split", (a,), True, (0, a)) for a in range(1, k)] if k > 2 else []
         opened = [("open_split", (i, j), False, (i, j)) for j in range(k + 1) for i in range(j)]
         boundary = [("boundary_split", (i,), False, (i,)) for i in range(k + 1)]
@@ -101,13 +102,19 @@ def faults(cbmc, header, text, judge):
         written = os.path.join(folder, "position.h" if judge else "any_argument.c")
         with open(written, "w", encoding="utf-8") as file:
             file.write(text)
-        run = subprocess.run([cbmc, judge or written, "-D" + implementation, '-DPOSITION="%s"' % written, "--unwind", "34"],
+        run = subprocess.run([cbmc, judge or written, "-D" + implementation, "-I", folder, "--unwind", "34"],
                              capture_output=True, text=True)
     found = re.findall(r"^\[\S+\] (?:line \d+ )?(.*): ([A-Z]+)$", run.stdout, re.M)
     if not any(name.startswith("control") for name, _ in found):
         raise ValueError("%s: it said nothing of the assertions: %s" % (cbmc, (run.stdout + run.stderr).strip()[-1000:]))
     expected = lambda name: "FAILURE" if name.startswith("control") else "SUCCESS"
     return len(found), sorted({name for name, verdict in found if verdict != expected(name)})
+
+
+def group_of(name):
+    """Of "split(5, 2)": "split k = 5"."""
+    operation, numbers = name[:-1].split("(")
+    return operation + (" k = " + numbers.split(",")[0] if numbers else "")
 
 
 def model_checker():
@@ -126,16 +133,19 @@ def main():
     parser.add_argument("--header", help="the look-up in C, as restrip-generate writes it; without it, only CBMC is looked for")
     parser.add_argument("--operation", help="the operation file that it is of; without, it is of the families")
     parser.add_argument("--max-k", type=int, default=8, help="the largest fan (8)")
+    parser.add_argument("--min-k", type=int, default=1, help="the smallest fan (1), to share the work among machines")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many at a time")
     options = parser.parse_args()
     try:
         cbmc = model_checker()
         if not options.header:
             return 0
-        asked = list(own(options.operation) if options.operation else families(options.max_k))
+        asked = list(own(options.operation) if options.operation else families(options.max_k, options.min_k))
         work = [("any arguments", any_argument(options.header), None)]
         work += [(name, position_text(options.header, *rest), JUDGE) for name, *rest in asked]
-        assertions, wrong, operations = 0, 0, {}
+        assertions, wrong = 0, 0
+        left = collections.Counter(group_of(name) for name, _, judge in work if judge)
+        positions, broken = dict(left), set()
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
             results = pool.map(lambda one: faults(cbmc, options.header, *one[1:]), work)
             for number, ((name, _, judge), (count, failed)) in enumerate(zip(work, results), 1):
@@ -145,14 +155,14 @@ def main():
                     print("%s: NOT PROVED: %s" % (name, "; ".join(failed)), flush=True)
                 assertions, wrong = assertions + count, wrong + bool(failed)
                 if judge:
-                    operation = name.split("(")[0]
-                    operations[operation] = operations.get(operation, 0) + 1
+                    group = group_of(name)
+                    left[group] -= 1
+                    broken.update([group] if failed else [])
+                    if left[group] == 0 and group not in broken:
+                        print("proved: %s, positions: %d" % (group, positions[group]), flush=True)
     except (AttributeError, OSError, ValueError, KeyError) as error:
         print("model_check.py: %s" % error, file=sys.stderr)
         return 2
-    for operation, positions in operations.items():
-        size = "" if options.operation or operation == "flip" else " k <= %d" % options.max_k
-        print("%s %s%s, positions: %d" % ("not all proved:" if wrong else "proved:", operation, size, positions))
     print("%s: %d positions, %d assertions; read: the look-up in C, %s" % (
         "NOT proved (%d formulas failed)" % wrong if wrong else "proved in all", len(asked), assertions, os.path.basename(options.header)))
     return 1 if wrong else 0

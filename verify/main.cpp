@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
+#include "files/report_output.hpp"
 #include "model/program.hpp"
 #include "verify.hpp"
 
@@ -16,15 +17,16 @@ using namespace restrip::verify;
 
 /// `verify` takes a listener and returns totals; `last` makes the last line of them.
 template <class Verify, class Last>
-int run(const Verify& verify, const Last& last, bool as_json) {
+int run(const Verify& verify, const Last& last, const std::string& json) {
+  const restrip::files::ReportOutput out(json);
   std::vector<ClaimResult> claims;
-  if (!as_json) fmt::print("{}", heading());
+  if (!out.replaces_text()) fmt::print("{}", heading());
   const Totals totals = verify([&](const ClaimResult& result) {
     claims.push_back(result);
-    if (!as_json) fmt::print("{}", line_of(result));
+    if (!out.replaces_text()) fmt::print("{}", line_of(result));
     std::fflush(stdout);
   });
-  fmt::print("{}", as_json ? json_of(claims, totals) : last(totals));
+  out.print(last(totals), json_of(claims, totals));
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
 }
 
@@ -40,7 +42,7 @@ int main(int argc, char** argv) {
   Options options;
   OperationOptions own;
   options.show_progress = isatty(STDERR_FILENO) != 0;
-  bool as_json = false;
+  std::string json;
 
   CLI::App app("Proves the rewriting rules: reads the certificates and checks every claim for every configuration.");
   app.name("restrip-verify");
@@ -83,7 +85,7 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(3U, largest_judged_fan));
   app.add_flag("--all", options.second_formulation,
                "Check also that a second formulation (forbidden sets, no strip walked) agrees everywhere");
-  app.add_flag("--json", as_json, "Print the claims as JSON");
+  add_json_option(app, json);
   app.add_option("--family", options.families, "Only this certificate, such as split; may be repeated");
   app.add_option("--threads", options.threads, "How many threads; the result does not depend on it")
       ->capture_default_str()
@@ -112,7 +114,7 @@ int main(int argc, char** argv) {
           !options.families.empty() && given(name),
           fmt::format("{} judges all rules, so --family has no effect on it; run them one after the other", name));
     if (own.operation.empty())
-      return run([&](const auto& listener) { return verify_tables(options, listener); }, last_line, as_json);
+      return run([&](const auto& listener) { return verify_tables(options, listener); }, last_line, json);
     own.dump_command = options.dump_command;
     const bool of_a_family = has_family(own.operation);
     refuse_if(!of_a_family && given("--max-k"),
@@ -124,6 +126,6 @@ int main(int argc, char** argv) {
     own.threads = options.threads;
     own.max_k = options.max_k;
     return run([&](const auto& listener) { return verify_operation(own, listener); },
-               [&](const auto& totals) { return last_line_of(own, totals); }, as_json);
+               [&](const auto& totals) { return last_line_of(own, totals); }, json);
   });
 }

@@ -11,6 +11,8 @@
 
 #include "compare/compare.hpp"
 #include "counted.hpp"
+#include "files/report_output.hpp"
+#include "json_option.hpp"
 #include "operations/description_file.hpp"
 
 namespace restrip::generator {
@@ -20,7 +22,7 @@ struct CompareCommand {
   std::string a;
   std::string b;
   std::vector<std::string> operations;
-  bool json = false;
+  std::string json;
 };
 
 std::vector<std::vector<int>> pairs_of(const PortPairs& joined) {
@@ -98,11 +100,12 @@ std::string as_json(const RulesCompared& found) {
 }
 
 int run(const CompareCommand& command) {
+  const files::ReportOutput out(command.json, {command.a, command.b});
   std::vector<Description> own;
   for (const std::string& file : command.operations)
     for (Description& description : read_descriptions(file)) own.push_back(std::move(description));
   const RulesCompared found = compare(read_rule_file(command.a), read_rule_file(command.b), own);
-  fmt::print("{}", command.json ? as_json(found) : as_text(found));
+  out.print(as_text(found), as_json(found));
   return found.first ? 1 : 0;
 }
 
@@ -116,7 +119,7 @@ Subcommand add_compare(CLI::App& app) {
   sub->add_option("B", command.b, "Another one of the same kind and operation")->required();
   sub->add_option("--operation", command.operations,
                   "Operation file, unless it is a shipped family; of use where rules differ");
-  sub->add_flag("--json", command.json, "Print JSON");
+  add_json_option(*sub, command.json);
   sub->footer(
       "\nTells whether the rules are the same, or others that cost the same, or which is the first that costs more or\n"
       "less. Lists of linked rules are compared line by line. That rules are the best ones is for restrip-verify to\n"

@@ -16,6 +16,7 @@
 #include "certificate_text.hpp"
 #include "counted.hpp"
 #include "files/output.hpp"
+#include "files/report_output.hpp"
 #include "languages/languages.hpp"
 #include "operations/description_file.hpp"
 #include "operations/operation_text.hpp"
@@ -174,8 +175,7 @@ void make_rules(const RulesOptions& options) {
   }
   for (const Description& description : descriptions) paths.merge(paths_of(description, options.languages));
   files::OutputSet out(options.out, {paths.begin(), paths.end()});
-  std::optional<files::Output> json_out;
-  if (!options.json.empty() && options.json != "-") json_out.emplace(options.json, files::OutputRules{{".json"}, {}});
+  const files::ReportOutput report(options.json, {options.files.begin(), options.files.end()});
 
   std::vector<files::NamedBytes> texts;
   nlohmann::ordered_json json;
@@ -193,9 +193,7 @@ void make_rules(const RulesOptions& options) {
     text += told(made);
   }
   out.write(texts);
-  const std::string json_text = json.dump(2) + "\n";
-  if (json_out) json_out->write(json_text);
-  fmt::print("{}", options.json == "-" ? json_text : text);
+  report.print(text, json.dump(2) + "\n");
 }
 
 }  // namespace restrip::generator

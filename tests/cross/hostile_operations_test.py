@@ -123,7 +123,7 @@ def main():
             return texts
 
         def programs_json(header):
-            return subprocess.run([folder / "restrip-verify", "--operation", file, "--header", header, "--json"], capture_output=True, text=True,
+            return subprocess.run([folder / "restrip-verify", "--operation", file, "--header", header, "--json", "-"], capture_output=True, text=True,
                                   check=False).stdout
 
         tables = []  # of JSON, without its words

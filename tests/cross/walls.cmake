@@ -15,8 +15,10 @@ string(APPEND allowed_in_bench "|\"(files|common|meshes|lod|replay)/.*\"|\"rm_tr
 # Doors that are there on purpose: adapters to other libraries, the other backend of batches.
 set(door_adapters "<(OpenMesh|CGAL)/.*>")
 set(door_parallel_ranges "<tbb/.*>")
-# restrip-sat writes files as the other programs do. What the verifier reads, it reads by itself.
-set(door_sat "\"files/(output|system_calls).hpp\"")
+# The verifying programs write files as the others do. What the verifier reads, it reads by itself.
+set(door_reports "\"files/(output|report_output|system_calls).hpp\"")
+# The patch that a model checker is asked about, which a script writes.
+set(door_bounded "\"position.h\"")
 # The readers of the program, for JavaScript.
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
 # The C header that the generator writes includes what programs of C need.
@@ -30,7 +32,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
-set(floors_verify files model certificate judge linked automaton|bound|sat)
+set(floors_verify files|position.h model certificate judge linked automaton|bound|bounded|sat)
 set(floors_tools files|restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
@@ -90,7 +92,8 @@ function(judge room source line out)
   endif()
   if(source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
      OR source MATCHES "/parallel_ranges" AND what MATCHES "^(${door_parallel_ranges})$"
-     OR source MATCHES "/verify/sat/" AND what MATCHES "^(${door_sat})$"
+     OR source MATCHES "/verify/(sat/|([a-z]+/)?main.cpp)" AND what MATCHES "^(${door_reports})$"
+     OR source MATCHES "/verify/bounded/" AND what MATCHES "^(${door_bounded})$"
      OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
      OR source MATCHES "/generator/languages/templates/" AND what MATCHES "^(${door_templates})$"
      OR source MATCHES "/generator/languages/templates/tables_check.c$" AND what MATCHES "^(${door_check})$"

@@ -26,7 +26,7 @@ def must_be(found, wanted):
 
 
 def compared(a, b, code, *more):
-    return json.loads(said("compare", a, b, "--json", *more, code=code))
+    return json.loads(said("compare", a, b, "--json", "-", *more, code=code))
 
 
 def sealed(text):

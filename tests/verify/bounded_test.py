@@ -27,7 +27,7 @@ def failed(header, position):
     name, *rest = position
     (scratch / "position.h").write_text(model_check.position_text(header, *rest))
     implementation = re.search(r"^#ifdef (\w+_IMPLEMENTATION)$", header.read_text(), re.M)[1]
-    subprocess.run(["cc", "-std=c11", "-O1", "-D" + implementation, '-DPOSITION="%s"' % (scratch / "position.h"), "-I", root / "verify/bounded",
+    subprocess.run(["cc", "-std=c11", "-O1", "-D" + implementation, "-I", scratch, "-I", root / "verify/bounded",
                     root / "tests/verify/bounded_driver.c", "-o", scratch / "driver"], check=True)
     printed = subprocess.run([scratch / "driver"], capture_output=True, text=True, check=True).stdout
     after, may_go = rest[2], rest[3].get("MAY_GO", 0)

@@ -35,7 +35,7 @@ foreach(file IN LISTS shipped)  # the certificate and the compiled table
   operation_program_test(shipped.${name} "\nverified: .*/${name}.json: .* answers of the table, " ${${name}}
                          --header ${RESTRIP_TABLES_DIR}/include/restrip/tables/operations/${header}.hpp --dump-command "$<TARGET_FILE:print_operations> ${name}")
 endforeach()
-operation_program_test(json "\"verified\": true" ${bisect} --json)
+operation_program_test(json "\"verified\": true" ${bisect} --json -)
 operation_program_test(wrong_certificate "merge.cert:2: expected \"operation bisect\"" --operation
                        ${RESTRIP_TABLES_DIR}/operations/bisect.json --certificate
                        ${RESTRIP_TABLES_DIR}/certificates/operations/merge.cert)

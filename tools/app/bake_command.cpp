@@ -11,8 +11,8 @@
 #include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/counted.hpp"
-#include "common/report_output.hpp"
 #include "files/output.hpp"
+#include "files/report_output.hpp"
 #include "lod/bake.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/mesh_files.hpp"
@@ -35,7 +35,7 @@ struct BakeCommand {
 
 int run(const BakeCommand& command) {
   const files::Output out(command.out, {extensions_of(writes_baked), {command.mesh}});
-  const ReportOutput told(command.json, {command.mesh, command.out});
+  const files::ReportOutput told(command.json, {command.mesh, command.out});
   const MeshFormat& format = format_to_write(command.out, writes_baked, ".baked");
   Source source = source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
   BakeReport report;

@@ -15,8 +15,8 @@
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
-#include "common/report_output.hpp"
 #include "files/output.hpp"
+#include "files/report_output.hpp"
 #include "lod/mesh_files.hpp"
 #include "restrip/output/strips.hpp"
 
@@ -64,7 +64,7 @@ Converted converted(const Soup& soup, const ConvertCommand& command, const MeshF
 
 /// A baked mesh as it is, byte by byte, from one kind of file into the other.
 int convert_baked(const BakedBytes& found, const ConvertCommand& command, const MeshFormat& format,
-                  const files::Output& out, const ReportOutput& report) {
+                  const files::Output& out, const files::ReportOutput& report) {
   refuse_mending(command.mesh, command.mending);
   out.write(format.write_baked(found.bytes, command.gltf));
   const ProgressiveMesh& mesh = found.baked.mesh;
@@ -81,7 +81,7 @@ int convert_baked(const BakedBytes& found, const ConvertCommand& command, const 
 
 int run(const ConvertCommand& command) {
   const files::Output out(command.out, {extensions_of(writes_any), {command.mesh}});
-  const ReportOutput report(command.json, {command.mesh, command.out});
+  const files::ReportOutput report(command.json, {command.mesh, command.out});
   const MeshFormat& format = format_to_write(command.out, writes_any);
   ReadMesh read = read_mesh_file(command.mesh, command.attributes);
   const auto* baked = std::get_if<BakedBytes>(&read);

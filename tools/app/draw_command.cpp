@@ -21,9 +21,9 @@
 #include "app/source.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
-#include "common/report_output.hpp"
 #include "files/output.hpp"
 #include "files/reading.hpp"
+#include "files/report_output.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/file_strips.hpp"
@@ -143,7 +143,7 @@ std::vector<std::string> drawn_extensions() {
 
 int run(const DrawCommand& command) {
   const files::Output out(command.out, {drawn_extensions(), {command.mesh}});
-  const ReportOutput report(command.json, {command.mesh, command.out});
+  const files::ReportOutput report(command.json, {command.mesh, command.out});
   const std::string format = files::extension_of(command.out);
   if (format.empty())  // a device
     throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}",

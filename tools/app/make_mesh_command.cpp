@@ -9,8 +9,8 @@
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/counted.hpp"
-#include "common/report_output.hpp"
 #include "files/output.hpp"
+#include "files/report_output.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
 
@@ -26,7 +26,7 @@ struct MakeMeshCommand {
 
 int run(const MakeMeshCommand& command) {
   const files::Output out(command.out, {extensions_of(writes_mesh), {}});
-  const ReportOutput report(command.json, {command.out});
+  const files::ReportOutput report(command.json, {command.out});
   const MeshFormat& format = format_to_write(command.out, writes_mesh);
   const Soup soup = make_mesh(command.triangles, command.seed);
   out.write(format.write_mesh(soup));

@@ -8,8 +8,8 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
-#include "common/report_output.hpp"
 #include "files/output.hpp"
+#include "files/report_output.hpp"
 #include "lod/simplify.hpp"
 #include "paper/paper_report.hpp"
 
@@ -39,7 +39,7 @@ int run(const PaperCommand& command) {
   for (const files::NamedBytes& file : with_report(csv_files(RuleFigures{}), csv_files(std::vector<PaperMesh>{}), ""))
     names.push_back(file.name);
   files::OutputSet out(command.out, names, {{}, command.meshes});
-  const ReportOutput report(command.json, command.meshes);
+  const files::ReportOutput report(command.json, command.meshes);
   std::vector<PaperSubject> subjects;
   for (const std::filesystem::path& mesh : command.meshes) subjects.push_back(read_subject(mesh, command.mending));
   const RuleFigures figures = rule_figures();

@@ -12,8 +12,8 @@
 #include "app/options.hpp"
 #include "app/source.hpp"
 #include "common/counted.hpp"
-#include "common/report_output.hpp"
 #include "files/output.hpp"
+#include "files/report_output.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/made_mesh.hpp"
 #include "meshes/soup_builder.hpp"
@@ -72,7 +72,7 @@ int run(const ReplayCommand& command) {
     level.emplace(command.out, files::OutputRules{extensions_of(writes_strips), {command.mesh}});
   std::optional<files::Output> trace;
   if (!command.trace.empty()) trace.emplace(command.trace, files::OutputRules{{".trace"}, {command.mesh, command.out}});
-  const ReportOutput out(command.json, {command.mesh, command.out, command.trace});
+  const files::ReportOutput out(command.json, {command.mesh, command.out, command.trace});
   const MeshFormat* format = level ? &format_to_write(command.out, writes_strips) : nullptr;
   Source source = command.built_in
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)

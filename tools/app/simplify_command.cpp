@@ -10,8 +10,8 @@
 #include "app/level_file.hpp"
 #include "app/options.hpp"
 #include "common/counted.hpp"
-#include "common/report_output.hpp"
 #include "files/output.hpp"
+#include "files/report_output.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/soup_builder.hpp"
 #include "restrip/search/stripify.hpp"
@@ -32,7 +32,7 @@ struct SimplifyCommand {
 
 int run(const SimplifyCommand& command) {
   const files::Output out(command.out, {extensions_of(writes_strips_or_progressive), {command.mesh}});
-  const ReportOutput report(command.json, {command.mesh, command.out});
+  const files::ReportOutput report(command.json, {command.mesh, command.out});
   const MeshFormat& format = format_to_write(command.out, writes_strips_or_progressive, ".pm");
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);

@@ -9,7 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
-#include "common/report_output.hpp"
+#include "files/report_output.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/mesh_report.hpp"
 
@@ -23,7 +23,7 @@ struct StatsCommand {
 };
 
 int run(const StatsCommand& command) {
-  const ReportOutput out(command.json, {command.mesh});
+  const files::ReportOutput out(command.json, {command.mesh});
   ReadMesh read = read_mesh_file(command.mesh);
   const std::string level = std::holds_alternative<Soup>(read) ? "" : " (its finest level)";
   Soup soup = finest_level(std::move(read), command.mesh.string());

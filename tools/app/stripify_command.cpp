@@ -11,9 +11,9 @@
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
-#include "common/report_output.hpp"
 #include "common/stopwatch.hpp"
 #include "files/output.hpp"
+#include "files/report_output.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/bound_certificate.hpp"
@@ -58,7 +58,7 @@ int run(const StripifyCommand& command) {
   std::optional<files::Output> certificate_file;
   if (!command.certificate.empty())
     certificate_file.emplace(command.certificate, files::OutputRules{{}, {command.mesh, command.out}});
-  const ReportOutput out(command.json, {command.mesh, command.out, command.certificate});
+  const files::ReportOutput out(command.json, {command.mesh, command.out, command.certificate});
   const MeshFormat* format = strip_file ? &format_to_write(command.out, writes_strips) : nullptr;
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);

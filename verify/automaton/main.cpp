@@ -5,11 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 
 #include "automaton/facts.hpp"
 #include "automaton/verify_automaton.hpp"
+#include "files/report_output.hpp"
 #include "model/program.hpp"
 #include "model/quantity.hpp"
 
@@ -17,16 +19,26 @@ namespace {
 
 using namespace restrip::verify;
 
-int run(const AutomatonOptions& options) {
-  fmt::print("{}", heading());
-  const AutomatonTotals totals = verify_automaton(options, [](const ClaimResult& result) {
-    fmt::print("{}", line_of(result));
+int run(const AutomatonOptions& options, const std::string& json) {
+  const restrip::files::ReportOutput out(json);
+  std::vector<ClaimResult> claims;
+  if (!out.replaces_text()) fmt::print("{}", heading());
+  const AutomatonTotals totals = verify_automaton(options, [&](const ClaimResult& result) {
+    claims.push_back(result);
+    if (!out.replaces_text()) fmt::print("{}", line_of(result));
     std::fflush(stdout);
   });
-  fmt::print("{}: {}, {}, {} of arcs, {} of which {} failed; read: {}\n",
-             totals.failed == 0 ? "verified" : "NOT verified", quantity(totals.classes, "class", "es"),
-             quantity(totals.rows, "row"), quantity(totals.kinds, "kind"), quantity(totals.claims, "claim"),
-             totals.failed, text_of(totals.read));
+  out.print(fmt::format("{}: {}, {}, {} of arcs, {} of which {} failed; read: {}\n",
+                        totals.failed == 0 ? "verified" : "NOT verified", quantity(totals.classes, "class", "es"),
+                        quantity(totals.rows, "row"), quantity(totals.kinds, "kind"), quantity(totals.claims, "claim"),
+                        totals.failed, text_of(totals.read)),
+            text_of({{"claims", json_of(claims)},
+                     {"classes", totals.classes},
+                     {"rows", totals.rows},
+                     {"kinds", totals.kinds},
+                     {"read", text_of(totals.read)},
+                     {"failed", totals.failed},
+                     {"verified", totals.failed == 0}}));
   return totals.failed == 0 ? all_claims_hold : some_claim_fails;
 }
 
@@ -35,6 +47,7 @@ int run(const AutomatonOptions& options) {
 int main(int argc, char** argv) {
   AutomatonOptions options;
   bool facts = false;
+  std::string json;
   CLI::App app("Proves the certificate of an automaton: rules of fans of any valence, under the cost that it states.");
   app.name("restrip-verify-automaton");
   app.footer(
@@ -64,13 +77,14 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
   app.add_flag("--facts", facts, "Read no certificate: print the worst that an operation costs in fans of any valence");
+  add_json_option(app, json);
   return exit_code_of(app, argc, argv, [&] {
     // What the other options ask for is then not done: that is no way to ignore them.
-    for (const char* name : {"--tables-dir", "--dump-command", "--tables-max-k", "--max-k", "--every"})
+    for (const char* name : {"--tables-dir", "--dump-command", "--tables-max-k", "--max-k", "--every", "--json"})
       if (facts && !app.get_option(name)->empty())
         throw std::invalid_argument(
             fmt::format("--facts reads and searches nothing, so {} has no effect; leave it out", name));
-    if (!facts) return run(options);
+    if (!facts) return run(options, json);
     fmt::print("{}", table_of(facts_of_every_fan()));
     return all_claims_hold;
   });

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 
 #include "bound/bound_check.hpp"
 #include "bound/triangle_list.hpp"
+#include "files/report_output.hpp"
+#include "judge/report.hpp"
 #include "model/program.hpp"
 #include "model/quantity.hpp"
 
@@ -17,16 +19,27 @@ namespace {
 
 using namespace restrip::verify;
 
-int run(const std::string& mesh, const std::string& certificate) {
+int run(const std::string& mesh, const std::string& certificate, const std::string& json) {
+  const restrip::files::ReportOutput out(json, {mesh, certificate});
   const TriangleList list = read_obj(mesh);
-  if (list.left_out != 0)
+  if (list.left_out != 0 && !out.replaces_text())
     fmt::print("{}: left out {} with a corner twice\n", mesh, quantity(list.left_out, "triangle"));
-  const ProvenBound bound = check_bound(certificate, list);
-  fmt::print("verified: no index buffer of {} has fewer than {} indices, {:.4f} per triangle; read: {} and {} of {}\n",
-             quantity_grouped(list.triangles.size(), "triangle"), grouped(bound.indices),
-             static_cast<double>(bound.indices) / static_cast<double>(list.triangles.size()), mesh,
-             quantity_grouped(bound.cuts, "cut"), certificate);
-  return all_claims_hold;
+  nlohmann::ordered_json report{{"triangles", list.triangles.size()}, {"left_out", list.left_out}};
+  std::string text;
+  try {
+    const ProvenBound bound = check_bound(certificate, list);
+    text = fmt::format(
+        "verified: no index buffer of {} has fewer than {} indices, {:.4f} per triangle; read: {} and {} of {}\n",
+        quantity_grouped(list.triangles.size(), "triangle"), grouped(bound.indices),
+        static_cast<double>(bound.indices) / static_cast<double>(list.triangles.size()), mesh,
+        quantity_grouped(bound.cuts, "cut"), certificate);
+    report.update({{"indices", bound.indices}, {"cuts", bound.cuts}, {"verified", true}});
+  } catch (const FalseBound& error) {
+    text = fmt::format("NOT verified: {}\n", error.what());
+    report.update({{"fault", error.what()}, {"verified", false}});
+  }
+  out.print(text, text_of(report));
+  return report["verified"] ? all_claims_hold : some_claim_fails;
 }
 
 }  // namespace
@@ -34,6 +47,7 @@ int run(const std::string& mesh, const std::string& certificate) {
 int main(int argc, char** argv) {
   std::string mesh;
   std::string certificate;
+  std::string json;
   CLI::App app("Proves that no index buffer of a mesh has fewer indices than a certificate says.");
   app.name("restrip-verify-bound");
   app.footer(
@@ -43,12 +57,6 @@ int main(int argc, char** argv) {
       "  restrip-verify-bound bunny.obj bunny.bound");
   app.add_option("mesh", mesh, "An OBJ file of triangles")->required();
   app.add_option("certificate", certificate, "What `restrip stripify --bound-certificate` wrote")->required();
-  return exit_code_of(app, argc, argv, [&] {
-    try {
-      return run(mesh, certificate);
-    } catch (const FalseBound& error) {
-      fmt::print("NOT verified: {}\n", error.what());
-      return some_claim_fails;
-    }
-  });
+  add_json_option(app, json);
+  return exit_code_of(app, argc, argv, [&] { return run(mesh, certificate, json); });
 }

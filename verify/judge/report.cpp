@@ -69,31 +69,38 @@ std::string last_line(const Totals& totals) {
                      text_of(totals.read));
 }
 
-std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals) {
-  nlohmann::ordered_json json{{"claims", nlohmann::ordered_json::array()},
-                              {"rules", totals.rules},
-                              {"alternatives", totals.alternatives},
-                              {"configurations", totals.configurations},
-                              {"recolorings", totals.pairs},
-                              {"answers_proved", json_of(totals.answers)},
-                              {"answers_not_compared", json_of(totals.not_compared)},
-                              {"graph_only", totals.graph_only},
-                              {"read", text_of(totals.read)},
-                              {"failed", totals.failed},
-                              {"verified", totals.failed == 0}};
+nlohmann::ordered_json json_of(const std::vector<ClaimResult>& claims) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const ClaimResult& claim : claims) {
-    json["claims"].push_back({{"family", claim.subject},
-                              {"claim", claim.claim},
-                              {"method", claim.method},
-                              {"cases", claim.cases},
-                              {"seconds", claim.seconds},
-                              {"holds", claim.held()},
-                              {"failures", claim.failures},
-                              {"counterexample", nullptr}});
-    if (!claim.held()) json["claims"].back()["counterexample"] = claim.counterexample;
+    json.push_back({{"family", claim.subject},
+                    {"claim", claim.claim},
+                    {"method", claim.method},
+                    {"cases", claim.cases},
+                    {"seconds", claim.seconds},
+                    {"holds", claim.held()},
+                    {"failures", claim.failures},
+                    {"counterexample", nullptr}});
+    if (!claim.held()) json.back()["counterexample"] = claim.counterexample;
   }
-  // What a program printed may be in a counterexample: bytes that are not UTF-8 are shown as replaced.
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  return json;
+}
+
+std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals) {
+  return text_of({{"claims", json_of(claims)},
+                  {"rules", totals.rules},
+                  {"alternatives", totals.alternatives},
+                  {"configurations", totals.configurations},
+                  {"recolorings", totals.pairs},
+                  {"answers_proved", json_of(totals.answers)},
+                  {"answers_not_compared", json_of(totals.not_compared)},
+                  {"graph_only", totals.graph_only},
+                  {"read", text_of(totals.read)},
+                  {"failed", totals.failed},
+                  {"verified", totals.failed == 0}});
+}
+
+std::string text_of(const nlohmann::ordered_json& report) {
+  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace restrip::verify

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,9 @@ std::string line_of(const ClaimResult& result);
 /// The answers of the shipped headers, a line each for what was proved and what was not compared, if there is any; then
 /// "verified: …" or "NOT verified: …", and at its end what was read.
 std::string last_line(const Totals& totals);
+nlohmann::ordered_json json_of(const std::vector<ClaimResult>& claims);
 std::string json_of(const std::vector<ClaimResult>& claims, const Totals& totals);
+/// What a program printed may be in a counterexample: bytes that are not UTF-8 are shown as replaced.
+std::string text_of(const nlohmann::ordered_json& report);
 
 }  // namespace restrip::verify

@@ -7,12 +7,18 @@
 #include <cstdio>
 #include <exception>
 #include <stdexcept>
+#include <string>
 
 namespace restrip::verify {
 
 inline constexpr int all_claims_hold = 0;
 inline constexpr int some_claim_fails = 1;
 inline constexpr int bad_input = 2;
+
+/// The option that every program has.
+inline void add_json_option(CLI::App& app, std::string& file) {
+  app.add_option("--json", file, "Write the report as JSON to this file; - for standard output, in place of the text");
+}
 
 /// Reads the command line and does the work. The exit code: what `work` says, or bad_input when the command line is not
 /// well formed, when the work throws or when its output was not written.

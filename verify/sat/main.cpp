@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "files/report_output.hpp"
 #include "files/system_calls.hpp"
 #include "model/input.hpp"
 #include "model/program.hpp"
@@ -63,11 +64,13 @@ std::string closing_line(const Sums& sums, const sat::Options& options) {
   return line + "; read: certificates only; no header was read\n";
 }
 
-int run(const sat::Options& options, bool as_json) {
+int run(const sat::Options& options, const std::string& json) {
+  const restrip::files::ReportOutput out(json);
+  const bool text = !out.replaces_text();
   Sums sums;
   nlohmann::ordered_json positions = nlohmann::ordered_json::array();
-  const bool show_progress = as_json && isatty(STDERR_FILENO) != 0;
-  if (!as_json)
+  const bool show_progress = !text && isatty(STDERR_FILENO) != 0;
+  if (text)
     fmt::print("{:<28} {:>9} {:>7} {:>11} {:>6} {:>7}{}\n", "position", "variables", "clauses", "proof lines", "core",
                "seconds", options.controls ? " altered  cut proofs refused" : "");
   sat::prove_tables(options, [&](const sat::PositionResult& result) {
@@ -80,17 +83,13 @@ int run(const sat::Options& options, bool as_json) {
     sums.controls.cut_proofs += result.controls.cut_proofs;
     sums.controls.refused += result.controls.refused;
     if (show_progress) fmt::print(stderr, "\r{} positions", sums.positions);
-    if (as_json)
-      positions.push_back(json_of(result));
-    else
-      fmt::print("{}", line_of(result, options.controls));
+    positions.push_back(json_of(result));
+    if (text) fmt::print("{}", line_of(result, options.controls));
     std::fflush(stdout);
   });
   if (show_progress) fmt::print(stderr, "\r\x1b[K");
-  if (as_json)
-    fmt::print("{}\n", nlohmann::ordered_json{{"proved", sums.failed == 0}, {"positions", positions}}.dump(2));
-  else
-    fmt::print("{}", closing_line(sums, options));
+  out.print(closing_line(sums, options),
+            nlohmann::ordered_json{{"proved", sums.failed == 0}, {"positions", positions}}.dump(2) + "\n");
   return sums.failed == 0 ? all_claims_hold : some_claim_fails;
 }
 
@@ -107,7 +106,7 @@ int check_one(const std::string& formula, const std::string& proof) {
 int main(int argc, char** argv) {
   restrip::files::ignore_file_size_signal();
   sat::Options options;
-  bool as_json = false;
+  std::string json;
   std::vector<std::string> files;
 
   CLI::App app(
@@ -136,7 +135,7 @@ int main(int argc, char** argv) {
                  "Rows that --controls alters at each position; 0 for every row")
       ->capture_default_str()
       ->needs(controls);
-  app.add_flag("--json", as_json, "Print the results as JSON");
+  add_json_option(app, json);
   app.add_option("--threads", options.threads, "How many threads; the result does not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
@@ -145,5 +144,5 @@ int main(int argc, char** argv) {
   for (CLI::Option* option : app.get_options())
     if (option != check && option->get_name() != "--help") check->excludes(option);
   return exit_code_of(app, argc, argv,
-                      [&] { return files.empty() ? run(options, as_json) : check_one(files[0], files[1]); });
+                      [&] { return files.empty() ? run(options, json) : check_one(files[0], files[1]); });
 }

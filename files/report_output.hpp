@@ -10,20 +10,23 @@
 
 #include "files/output.hpp"
 
-namespace restrip::tools {
+namespace restrip::files {
 
 class ReportOutput {
  public:
   /// `json`: the argument of the option, empty where it was not given. Tests the file before the work; it must end in
   /// .json and be none of the inputs. Throws what files::Output throws.
-  ReportOutput(const std::string& json, std::vector<std::filesystem::path> inputs);
+  explicit ReportOutput(const std::string& json, std::vector<std::filesystem::path> inputs = {});
+
+  /// Whether standard output is for JSON alone, so that lines on the way are not printed.
+  [[nodiscard]] bool replaces_text() const noexcept { return to_stdout_; }
 
   /// Both end with a line feed, or are empty.
   void print(std::string_view text, std::string_view json) const;
 
  private:
   bool to_stdout_;
-  std::optional<files::Output> file_;
+  std::optional<Output> file_;
 };
 
-}  // namespace restrip::tools
+}  // namespace restrip::files

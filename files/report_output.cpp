@@ -1,14 +1,14 @@
-#include "common/report_output.hpp"
+#include "files/report_output.hpp"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-namespace restrip::tools {
+namespace restrip::files {
 
 ReportOutput::ReportOutput(const std::string& json, std::vector<std::filesystem::path> inputs)
     : to_stdout_(json == "-") {
-  if (!json.empty() && !to_stdout_) file_.emplace(json, files::OutputRules{{".json"}, std::move(inputs)});
+  if (!json.empty() && !to_stdout_) file_.emplace(json, OutputRules{{".json"}, std::move(inputs)});
 }
 
 void ReportOutput::print(std::string_view text, std::string_view json) const {
@@ -20,4 +20,4 @@ void ReportOutput::print(std::string_view text, std::string_view json) const {
   fmt::print("{}", text);
 }
 
-}  // namespace restrip::tools
+}  // namespace restrip::files
