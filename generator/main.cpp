@@ -13,17 +13,17 @@
 #include <vector>
 
 #include "automaton/served.hpp"
+#include "common/json_option.hpp"
 #include "compare/compare_command.hpp"
-#include "count.hpp"
-#include "dump.hpp"
 #include "files/report_output.hpp"
 #include "files/system_calls.hpp"
-#include "json_option.hpp"
 #include "languages/languages.hpp"
 #include "operations/describe.hpp"
 #include "operations/operation_words.hpp"
 #include "operations/write.hpp"
-#include "table_files.hpp"
+#include "tables/count.hpp"
+#include "tables/dump.hpp"
+#include "tables/table_files.hpp"
 
 using namespace restrip::generator;
 

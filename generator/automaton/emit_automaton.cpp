@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "certificate_text.hpp"
-#include "number_lines.hpp"
+#include "common/number_lines.hpp"
+#include "tables/certificate_text.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "automaton/automaton.hpp"
-#include "emit.hpp"
+#include "tables/emit.hpp"
 
 namespace restrip::generator {
 

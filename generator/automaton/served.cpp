@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <variant>
 
-#include "emit.hpp"
 #include "files/output.hpp"
 #include "operations/description_file.hpp"
+#include "tables/emit.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "counted.hpp"
+#include "common/counted.hpp"
 #include "operations/operation_words.hpp"
 #include "solve/section.hpp"
 

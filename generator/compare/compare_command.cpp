@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "common/counted.hpp"
+#include "common/json_option.hpp"
 #include "compare/compare.hpp"
-#include "counted.hpp"
 #include "files/report_output.hpp"
-#include "json_option.hpp"
 #include "operations/description_file.hpp"
 
 namespace restrip::generator {

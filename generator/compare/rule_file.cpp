@@ -7,9 +7,9 @@
 #include <string_view>
 #include <tuple>
 
-#include "certificate_text.hpp"
+#include "common/line_reader.hpp"
 #include "files/reading.hpp"
-#include "line_reader.hpp"
+#include "tables/certificate_text.hpp"
 
 namespace restrip::generator {
 namespace {

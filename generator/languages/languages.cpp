@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "common/number_lines.hpp"
 #include "languages/templates.hpp"
-#include "number_lines.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "layout.hpp"
 #include "operations/operation_layout.hpp"
+#include "tables/layout.hpp"
 
 namespace restrip::generator {
 

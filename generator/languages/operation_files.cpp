@@ -6,10 +6,10 @@
 
 #include <algorithm>
 
-#include "emit.hpp"
+#include "common/number_lines.hpp"
 #include "languages/languages.hpp"
 #include "languages/templates.hpp"
-#include "number_lines.hpp"
+#include "tables/emit.hpp"
 
 namespace restrip::generator {
 namespace {

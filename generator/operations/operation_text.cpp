@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "emit.hpp"
-#include "number_lines.hpp"
+#include "common/number_lines.hpp"
+#include "tables/emit.hpp"
 
 namespace restrip::generator {
 namespace {

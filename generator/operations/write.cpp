@@ -13,13 +13,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "certificate_text.hpp"
-#include "counted.hpp"
+#include "common/counted.hpp"
 #include "files/output.hpp"
 #include "files/report_output.hpp"
 #include "languages/languages.hpp"
 #include "operations/description_file.hpp"
 #include "operations/operation_text.hpp"
+#include "tables/certificate_text.hpp"
 
 namespace restrip::generator {
 namespace {

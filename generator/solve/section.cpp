@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "share.hpp"
+#include "common/share.hpp"
 
 namespace restrip::generator {
 namespace {

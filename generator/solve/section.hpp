@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "common/progress.hpp"
 #include "operations/tie_break.hpp"
-#include "progress.hpp"
 #include "solve/claims.hpp"
 #include "solve/search.hpp"
 #include "solve/symmetry.hpp"

@@ -1,9 +1,9 @@
 // The generator's shards.
 #include <set>
 
-#include "certificate_text.hpp"
-#include "digest.hpp"
-#include "shard.hpp"
+#include "common/digest.hpp"
+#include "tables/certificate_text.hpp"
+#include "tables/shard.hpp"
 #include "target.hpp"
 
 namespace restrip::fuzz {

@@ -1,5 +1,5 @@
 // Reasons as text, and how long they get. Whether they are true is the verifier's question.
-#include "reason.hpp"
+#include "solve/reason.hpp"
 
 #include <gtest/gtest.h>
 

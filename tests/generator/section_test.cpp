@@ -6,8 +6,8 @@
 
 #include <map>
 
-#include "digest.hpp"
-#include "packing.hpp"
+#include "common/digest.hpp"
+#include "tables/packing.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -1,5 +1,5 @@
 // Shards: that they share the work out, that what is read back is what was solved, and that a wrong one is refused.
-#include "shard.hpp"
+#include "tables/shard.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -8,8 +8,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "certificate_text.hpp"
-#include "digest.hpp"
+#include "common/digest.hpp"
+#include "tables/certificate_text.hpp"
 
 namespace restrip::generator {
 namespace {

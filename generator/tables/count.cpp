@@ -1,4 +1,4 @@
-#include "count.hpp"
+#include "tables/count.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "digest.hpp"
+#include "common/digest.hpp"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

@@ -1,4 +1,4 @@
-#include "table_files.hpp"
+#include "tables/table_files.hpp"
 
 #include <fmt/format.h>
 
@@ -16,16 +16,16 @@
 
 #include "automaton/automaton.hpp"
 #include "automaton/emit_automaton.hpp"
-#include "certificate_text.hpp"
-#include "counted.hpp"
-#include "digest.hpp"
-#include "emit.hpp"
+#include "common/counted.hpp"
+#include "common/digest.hpp"
+#include "common/progress.hpp"
+#include "common/share.hpp"
 #include "files/output.hpp"
 #include "files/report_output.hpp"
 #include "languages/languages.hpp"
-#include "progress.hpp"
-#include "shard.hpp"
-#include "share.hpp"
+#include "tables/certificate_text.hpp"
+#include "tables/emit.hpp"
+#include "tables/shard.hpp"
 
 namespace restrip::generator {
 namespace {

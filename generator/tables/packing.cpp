@@ -1,4 +1,4 @@
-#include "packing.hpp"
+#include "tables/packing.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "layout.hpp"
+#include "tables/layout.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "reason.hpp"
+#include "solve/reason.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "reason_search.hpp"
+#include "solve/reason_search.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -1,4 +1,4 @@
-#include "certificate_text.hpp"
+#include "tables/certificate_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,7 @@
 #include <tuple>
 #include <utility>
 
-#include "reason.hpp"
+#include "solve/reason.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -1,4 +1,4 @@
-#include "shard.hpp"
+#include "tables/shard.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include <string_view>
 #include <tuple>
 
-#include "certificate_text.hpp"
-#include "digest.hpp"
+#include "common/digest.hpp"
+#include "common/line_reader.hpp"
 #include "files/reading.hpp"
-#include "line_reader.hpp"
+#include "tables/certificate_text.hpp"
 
 namespace restrip::generator {
 

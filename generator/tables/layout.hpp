@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "emit.hpp"
+#include "tables/emit.hpp"
 
 namespace restrip::generator {
 

@@ -1,4 +1,4 @@
-#include "emit.hpp"
+#include "tables/emit.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "certificate_text.hpp"
-#include "number_lines.hpp"
+#include "common/number_lines.hpp"
+#include "tables/certificate_text.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "packing.hpp"
 #include "solve/section.hpp"
+#include "tables/packing.hpp"
 
 namespace restrip::generator {
 

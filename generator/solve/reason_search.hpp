@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "reason.hpp"
+#include "solve/reason.hpp"
 
 namespace restrip::generator {
 

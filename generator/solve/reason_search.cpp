@@ -1,4 +1,4 @@
-#include "reason_search.hpp"
+#include "solve/reason_search.hpp"
 
 #include <algorithm>
 #include <bit>

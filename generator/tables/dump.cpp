@@ -1,4 +1,4 @@
-#include "dump.hpp"
+#include "tables/dump.hpp"
 
 #include <fmt/format.h>
 
