@@ -1,5 +1,5 @@
 // A look-up in C held by a bounded model checker against every recolouring of one patch: for all colours and ports at
-// once, no run but a formula. scripts/model_check.py writes position.h, which has the patch and asks the look-up:
+// once, no run but a formula. scripts/model_check.py writes the patch beside it and asks the look-up:
 //
 //   TRIANGLES_BEFORE, EDGES_BEFORE, TRIANGLES_AFTER, EDGES_AFTER, PORTS
 //   before_one, before_other, after_one, after_other: the two triangles of each inner edge
