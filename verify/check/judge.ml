@@ -16,6 +16,12 @@ type nat =
 | O
 | S of nat
 
+(** val option_map : ('a1 -> 'a2) -> 'a1 option -> 'a2 option **)
+
+let option_map f = function
+| Some a -> Some (f a)
+| None -> None
+
 (** val fst : ('a1 * 'a2) -> 'a1 **)
 
 let fst = function
@@ -39,10 +45,21 @@ let rec app l m =
   | [] -> m
   | a :: l1 -> a :: (app l1 m)
 
+type comparison =
+| Eq
+| Lt
+| Gt
+
 (** val id : __ -> __ **)
 
 let id x =
   x
+
+(** val pred : nat -> nat **)
+
+let pred n = match n with
+| O -> n
+| S u -> u
 
 (** val add : nat -> nat -> nat **)
 
@@ -91,6 +108,84 @@ module Nat =
 
   let ltb n m =
     leb (S n) m
+ end
+
+type positive =
+| XI of positive
+| XO of positive
+| XH
+
+module Pos =
+ struct
+  (** val succ : positive -> positive **)
+
+  let rec succ = function
+  | XI p -> XO (succ p)
+  | XO p -> XI p
+  | XH -> XO XH
+
+  (** val compare_cont : comparison -> positive -> positive -> comparison **)
+
+  let rec compare_cont r x y =
+    match x with
+    | XI p ->
+      (match y with
+       | XI q -> compare_cont r p q
+       | XO q -> compare_cont Gt p q
+       | XH -> Gt)
+    | XO p ->
+      (match y with
+       | XI q -> compare_cont Lt p q
+       | XO q -> compare_cont r p q
+       | XH -> Gt)
+    | XH -> (match y with
+             | XH -> r
+             | _ -> Lt)
+
+  (** val compare : positive -> positive -> comparison **)
+
+  let compare =
+    compare_cont Eq
+
+  (** val eqb : positive -> positive -> bool **)
+
+  let rec eqb p q =
+    match p with
+    | XI p0 -> (match q with
+                | XI q0 -> eqb p0 q0
+                | _ -> false)
+    | XO p0 -> (match q with
+                | XO q0 -> eqb p0 q0
+                | _ -> false)
+    | XH -> (match q with
+             | XH -> true
+             | _ -> false)
+
+  (** val ltb : positive -> positive -> bool **)
+
+  let ltb x y =
+    match compare x y with
+    | Lt -> true
+    | _ -> false
+
+  (** val iter_op : ('a1 -> 'a1 -> 'a1) -> positive -> 'a1 -> 'a1 **)
+
+  let rec iter_op op p a =
+    match p with
+    | XI p0 -> op a (iter_op op p0 (op a a))
+    | XO p0 -> iter_op op p0 (op a a)
+    | XH -> a
+
+  (** val to_nat : positive -> nat **)
+
+  let to_nat x =
+    iter_op add x (S O)
+
+  (** val of_succ_nat : nat -> positive **)
+
+  let rec of_succ_nat = function
+  | O -> XH
+  | S x -> succ (of_succ_nat x)
  end
 
 (** val nth : nat -> 'a1 list -> 'a1 -> 'a1 **)
@@ -589,6 +684,73 @@ let drawn d s x =
   | Some st -> draw (inner_edges d) x st
   | None -> None
 
+type binary_state = (nat * positive) list
+
+(** val unary : (nat * positive) -> nat * nat **)
+
+let unary n =
+  ((fst n), (pred (Pos.to_nat (snd n))))
+
+(** val books : binary_state -> state **)
+
+let books st =
+  map unary st
+
+(** val blank_labels : nat -> binary_state **)
+
+let blank_labels size0 =
+  map (fun v -> (O, (Pos.of_succ_nat v))) (seq O size0)
+
+(** val count_edge : nat -> binary_state -> binary_state **)
+
+let rec count_edge v = function
+| [] -> []
+| n :: r ->
+  let (d, l) = n in
+  (match v with
+   | O -> ((S d), l) :: r
+   | S v' -> n :: (count_edge v' r))
+
+(** val replace : positive -> positive -> binary_state -> binary_state **)
+
+let replace old new0 st =
+  map (fun n -> if Pos.eqb (snd n) old then ((fst n), new0) else n) st
+
+(** val add_edge : edge -> binary_state -> binary_state option **)
+
+let add_edge e st =
+  let (da, la) = nth (fst e) st ((S (S O)), XH) in
+  let (db, lb) = nth (snd e) st ((S (S O)), XH) in
+  if (&&) ((&&) (Nat.ltb da (S (S O))) (Nat.ltb db (S (S O))))
+       (negb (Pos.eqb la lb))
+  then Some
+         (let st' = count_edge (fst e) (count_edge (snd e) st) in
+          if Pos.ltb la lb then replace lb la st' else replace la lb st')
+  else None
+
+(** val add_edges :
+    edge list -> coloring -> binary_state -> binary_state option **)
+
+let rec add_edges es c st =
+  match es with
+  | [] -> Some st
+  | e :: es' ->
+    (match c with
+     | [] -> Some st
+     | b :: c' ->
+       if b
+       then (match add_edge e st with
+             | Some st' -> add_edges es' c' st'
+             | None -> None)
+       else add_edges es' c' st)
+
+(** val drawn_with_labels : side -> coloring -> coloring -> state option **)
+
+let drawn_with_labels d s x =
+  match add_edges (port_edges d) s (blank_labels (size d)) with
+  | Some st -> option_map books (add_edges (inner_edges d) x st)
+  | None -> None
+
 type place = { deg : nat; port : nat option }
 
 type frontier = { anchor : place; tip : place; same : bool }
@@ -922,7 +1084,7 @@ let course_at = function
 let weigh o s c x =
   let p = patch_at o in
   let r = course_at o in
-  (match drawn p.before s c with
+  (match drawn_with_labels p.before s c with
    | Some st ->
      let ss = map (step_of (ports p) s (label_in st)) r.way in
      (match best_entry (extends remember ss blank_entries) with

@@ -9,6 +9,8 @@ type nat =
 | O
 | S of nat
 
+val option_map : ('a1 -> 'a2) -> 'a1 option -> 'a2 option
+
 val fst : ('a1 * 'a2) -> 'a1
 
 val snd : ('a1 * 'a2) -> 'a2
@@ -17,7 +19,14 @@ val length : 'a1 list -> nat
 
 val app : 'a1 list -> 'a1 list -> 'a1 list
 
+type comparison =
+| Eq
+| Lt
+| Gt
+
 val id : __ -> __
+
+val pred : nat -> nat
 
 val add : nat -> nat -> nat
 
@@ -32,6 +41,30 @@ module Nat :
   val leb : nat -> nat -> bool
 
   val ltb : nat -> nat -> bool
+ end
+
+type positive =
+| XI of positive
+| XO of positive
+| XH
+
+module Pos :
+ sig
+  val succ : positive -> positive
+
+  val compare_cont : comparison -> positive -> positive -> comparison
+
+  val compare : positive -> positive -> comparison
+
+  val eqb : positive -> positive -> bool
+
+  val ltb : positive -> positive -> bool
+
+  val iter_op : ('a1 -> 'a1 -> 'a1) -> positive -> 'a1 -> 'a1
+
+  val to_nat : positive -> nat
+
+  val of_succ_nat : nat -> positive
  end
 
 val nth : nat -> 'a1 list -> 'a1 -> 'a1
@@ -203,6 +236,24 @@ val good : score -> score -> bool
 val size : side -> nat
 
 val drawn : side -> coloring -> coloring -> state option
+
+type binary_state = (nat * positive) list
+
+val unary : (nat * positive) -> nat * nat
+
+val books : binary_state -> state
+
+val blank_labels : nat -> binary_state
+
+val count_edge : nat -> binary_state -> binary_state
+
+val replace : positive -> positive -> binary_state -> binary_state
+
+val add_edge : edge -> binary_state -> binary_state option
+
+val add_edges : edge list -> coloring -> binary_state -> binary_state option
+
+val drawn_with_labels : side -> coloring -> coloring -> state option
 
 type place = { deg : nat; port : nat option }
 

@@ -15,19 +15,75 @@ let largest_vertex = (1 lsl bits) - 1
 let directed u v = (u lsl bits) lor v
 let undirected u v = if u < v then directed u v else directed v u
 
-module Edges = Hashtbl.Make (struct
-  type t = int
+(* Numbers by mesh edge: a key lies in the first free place at or after its own, so that there is no gap between the two. *)
+module Edges = struct
+  type t = { mutable keys : int array; mutable values : int array; mutable length : int }
 
-  let equal (a : int) (b : int) = a = b
+  let free = -1
+  let create size = { keys = Array.make size free; values = Array.make size 0; length = 0 }
+  let length edges = edges.length
+  let next keys i = (i + 1) land (Array.length keys - 1)
 
-  let hash key =
+  (* Sizes are powers of two. *)
+  let own_place keys key =
     let mixed = key * 0x1E3779B97F4A7C15 in
-    mixed lxor (mixed lsr 29) land max_int
-end)
+    (mixed lxor (mixed lsr 29)) land (Array.length keys - 1)
+
+  (* Where the key lies, or where it would. *)
+  let place keys (key : int) =
+    let rec from i =
+      let there = keys.(i) in
+      if there = key || there = free then i else from (next keys i)
+    in
+    from (own_place keys key)
+
+  let mem edges key = edges.keys.(place edges.keys key) = key
+
+  let find_opt edges key =
+    let i = place edges.keys key in
+    if edges.keys.(i) = key then Some edges.values.(i) else None
+
+  let find edges key =
+    let i = place edges.keys key in
+    if edges.keys.(i) = key then edges.values.(i) else raise Not_found
+
+  let iter f edges = Array.iteri (fun i key -> if key <> free then f key edges.values.(i)) edges.keys
+
+  let rec replace edges key value =
+    let i = place edges.keys key in
+    if edges.keys.(i) = key then edges.values.(i) <- value
+    else if 2 * (edges.length + 1) > Array.length edges.keys then (
+      let larger = create (2 * Array.length edges.keys) in
+      iter (replace larger) edges;
+      edges.keys <- larger.keys;
+      edges.values <- larger.values;
+      replace edges key value)
+    else (
+      edges.keys.(i) <- key;
+      edges.values.(i) <- value;
+      edges.length <- edges.length + 1)
+
+  (* The keys behind it, up to the next gap, are put in again. *)
+  let remove edges key =
+    let i = place edges.keys key in
+    if edges.keys.(i) = key then (
+      let rec put_again i =
+        let key = edges.keys.(i) in
+        if key <> free then (
+          edges.keys.(i) <- free;
+          let to_ = place edges.keys key in
+          edges.keys.(to_) <- key;
+          edges.values.(to_) <- edges.values.(i);
+          put_again (next edges.keys i))
+      in
+      edges.keys.(i) <- free;
+      edges.length <- edges.length - 1;
+      put_again (next edges.keys i))
+end
 
 type t = {
-  third : int Edges.t; (* of the triangle to the left of a directed mesh edge *)
-  solid : unit Edges.t; (* undirected *)
+  third : Edges.t; (* of the triangle to the left of a directed mesh edge *)
+  solid : Edges.t; (* undirected; a set *)
   mutable triangles : int;
   mutable isolated : int;
 }
@@ -83,7 +139,7 @@ let expect_both_sides mesh u v =
 let make_solid mesh (u, v) =
   if is_solid mesh u v then refuse "edge %d %d becomes solid, but it is solid already" u v;
   expect_both_sides mesh u v;
-  Edges.replace mesh.solid (undirected u v) ()
+  Edges.replace mesh.solid (undirected u v) 0
 
 let make_dashed mesh (u, v) =
   if not (is_solid mesh u v) then refuse "edge %d %d becomes dashed, but it is not solid" u v;
@@ -138,7 +194,7 @@ let iter_triangles mesh f =
 
 (* Counts everything anew, by walking along all strips from their ends. *)
 let expect_whole mesh =
-  Edges.iter (fun key () -> expect_both_sides mesh (key lsr bits) (key land largest_vertex)) mesh.solid;
+  Edges.iter (fun key _ -> expect_both_sides mesh (key lsr bits) (key land largest_vertex)) mesh.solid;
   let triangles = ref 0 and isolated = ref 0 and ends = ref 0 and passed = ref 0 in
   let walk (a, b, c) =
     incr ends;

@@ -5,13 +5,8 @@
     their configurations counted; scripts/prove.sh wants to see the same numbers from the printer of the tables. *)
 Require Import Arith Bool List NArith Lia.
 Import ListNotations.
-Require Import Statements.
+Require Import Statements Positions.
 Require Shipped LinkedTables.
-
-Definition arcs : list (nat * nat) := flat_map (fun k => map (fun a => (k, a)) (seq 1 (k - 1))) (seq 3 6).
-Definition gaps : list (nat * nat) := flat_map (fun k => map (fun i => (k, i)) (seq 0 (S k))) (seq 1 8).
-Definition gap_pairs : list (nat * nat * nat) :=
-  flat_map (fun '(k, i) => map (fun j => (k, i, j)) (seq (S i) (k - i))) gaps.
 
 Definition all_positions : list position :=
   map (fun '(k, a) => split_at k a) arcs ++ map (fun '(k, a) => collapse_at k a) arcs ++

@@ -7,14 +7,14 @@
     one at hand is a best one ([judge_right], [judge_flip_right]). *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
-Require Import Statements Graph Strips Locality Drawing Checker Rows Symmetry Frontier Fold Route EveryFan.
+Require Import Statements Graph Strips Locality Drawing Checker Labels Rows Symmetry Frontier Fold Route EveryFan.
 Import Runs.
 
 (** Of the patch at [o] with the ports [s] and the inner edges [c]; [x] is the recolouring at hand. The route counts two
     vertices more than there are triangles, which are isolated. *)
 Definition weigh (o : position) (s c x : coloring) : option verdict :=
   let p := patch_at o in let r := course_at o in
-  match drawn (before p) s c with
+  match drawn_with_labels (before p) s c with
   | None => None
   | Some st =>
       let ss := map (step_of (ports p) s (label_in st)) (way r) in
@@ -38,6 +38,7 @@ Theorem weigh_right o s c x v : possible o = true -> length s = ports (patch_at 
 Proof.
   intros Po Ls Lc E p. destruct (course_right o Po) as [W A]. fold p in W, A, Ls, Lc.
   set (r := course_at o) in *. unfold weigh in E. fold p in E. fold r in E.
+  rewrite labels_drawn in E.
   pose proof (drawn_ok p (before p) s c W) as D. destruct (drawn (before p) s c) as [st|]; [|discriminate].
   destruct D as [D V]. set (ss := map (step_of (ports p) s (label_in st)) (way r)) in *.
   destruct (fold_best p (way r) (met_first r) (met_last r) (left_over r) A s c st Ls D) as (y & Ey & By).

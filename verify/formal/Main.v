@@ -10,9 +10,10 @@ Require Import Arith Bool List NArith.
 Import ListNotations.
 Require Import Statements.
 Require Locality Strips Shipped Answers Flip EveryFan EverySize EveryFigures Figures Rejects Met WholeMesh LowerBound FlowBound Check Lrat.
-Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects.
+Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects ToldRejects.
 Require Split OpenSplit Symmetry Sequences.
-Require Told ToldNumbers Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
+Require Positions Told Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
+Require Told_split Told_collapse Told_open_split Told_open_collapse Told_boundary_split Told_boundary_collapse Told_flip.
 
 (** ** Statements *)
 Theorem locality : Locality.
@@ -110,27 +111,24 @@ Theorem answers : Forall (fun o => right_at o (Shipped.shipped o)) Answers.all_p
 Proof. exact Answers.all_right. Qed.
 Print Assumptions answers.
 (** The look-up of [Statements.v] and the compiled one answer alike, for every key of every position up to k = 7, and tell alike
-    of solid edges and isolated triangles up to k = 5. *)
+    of solid edges and isolated triangles. *)
 Theorem automaton_looked_up : map fst AutomatonNumbers.digests = Header.positions 7 /\
   forallb (fun d => N.eqb (Header.digest_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d)) AutomatonNumbers.digests = true.
 Proof. exact Automaton.looked_up. Qed.
 Print Assumptions automaton_looked_up.
-Theorem automaton_told :
-  map fst (filter (Automaton.small 5) AutomatonNumbers.told_digests) = Header.positions 5 /\
-  forallb (fun d => N.eqb (Automaton.told_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d))
-    (filter (Automaton.small 5) AutomatonNumbers.told_digests) = true.
+Theorem automaton_told : map fst AutomatonNumbers.told_digests = Header.positions 7 /\
+  forallb (fun d => N.eqb (Automaton.told_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d)) AutomatonNumbers.told_digests = true.
 Proof. exact Automaton.looked_up_told. Qed.
 Print Assumptions automaton_told.
-(** What the headers tell of strips and isolated triangles, for fans of up to five triangles and for flips; [Told.v] says what is
-    listed. *)
+(** What every answer of the headers tells of strips and isolated triangles; [Telling.tells] says what it must be. *)
 Theorem answers_tell :
-  Forall (fun at_ => Told.tells false (Told.of_two split at_) (Told.two Tables_split.table at_) (Told.two ToldNumbers.split at_)) Told.arcs /\
-  Forall (fun at_ => Told.tells false (Told.of_two collapse at_) (Told.two Tables_collapse.table at_) (Told.two ToldNumbers.collapse at_)) Told.arcs /\
-  Forall (fun at_ => Told.tells false (Told.of_three open_split at_) (Told.three Tables_open_split.table at_) (Told.three ToldNumbers.open_split at_)) Told.gap_pairs /\
-  Forall (fun at_ => Told.tells false (Told.of_three open_collapse at_) (Told.three Tables_open_collapse.table at_) (Told.three ToldNumbers.open_collapse at_)) Told.gap_pairs /\
-  Forall (fun at_ => Told.tells false (Told.of_two boundary_split at_) (Told.two Tables_boundary_split.table at_) (Told.two ToldNumbers.boundary_split at_)) Told.gaps /\
-  Forall (fun at_ => Told.tells false (Told.of_two boundary_collapse at_) (Told.two Tables_boundary_collapse.table at_) (Told.two ToldNumbers.boundary_collapse at_)) Told.gaps /\
-  Told.tells true flip (Tables_flip.table []) (ToldNumbers.flip []).
+  Forall (fun at_ => Telling.tells false (Told.of_two split at_) (Told.two Tables_split.table at_) (Told.two Told_split.table at_)) Positions.arcs /\
+  Forall (fun at_ => Telling.tells false (Told.of_two collapse at_) (Told.two Tables_collapse.table at_) (Told.two Told_collapse.table at_)) Positions.arcs /\
+  Forall (fun at_ => Telling.tells false (Told.of_three open_split at_) (Told.three Tables_open_split.table at_) (Told.three Told_open_split.table at_)) Positions.gap_pairs /\
+  Forall (fun at_ => Telling.tells false (Told.of_three open_collapse at_) (Told.three Tables_open_collapse.table at_) (Told.three Told_open_collapse.table at_)) Positions.gap_pairs /\
+  Forall (fun at_ => Telling.tells false (Told.of_two boundary_split at_) (Told.two Tables_boundary_split.table at_) (Told.two Told_boundary_split.table at_)) Positions.gaps /\
+  Forall (fun at_ => Telling.tells false (Told.of_two boundary_collapse at_) (Told.two Tables_boundary_collapse.table at_) (Told.two Told_boundary_collapse.table at_)) Positions.gaps /\
+  Telling.tells true flip (Tables_flip.table []) (Told_flip.table []).
 Proof. exact Told.answers_tell. Qed.
 Print Assumptions answers_tell.
 (** Meshes to which the bounds apply, and of which they are equations: T, S, I, C, B, and the meetings of two strips. Without the
@@ -167,7 +165,8 @@ Theorem every_counts : map (fun k => map (EveryFigures.split_counts k) (seq 1 (k
   [[(44, 0)]; [(160, 0); (160, 2)]; [(572, 0); (572, 6)]]%N.
 Proof. exact EveryFigures.counted. Qed.
 Print Assumptions every_counts.
-(** Wrong tables, wrong rows and wrong automata are refused: of these one bit was changed, or an array is too short. *)
+(** Wrong tables, wrong rows, wrong told numbers (how many, and whether all of them are refused) and wrong automata are refused:
+    of these one bit was changed, one answer left out or made up, or an array is too short. *)
 Theorem wrong_tables_refused : length (Rejects.wrong_tables 3 1) = 348 /\ Rejects.refused 3 1 && Rejects.refused 4 2 = true.
 Proof. exact Rejects.wrong_tables_refused. Qed.
 Print Assumptions wrong_tables_refused.
@@ -188,6 +187,9 @@ Theorem careless_images_refused :
     [(2, (1, 2)); (3, (2, 3)); (3, (1, 3)); (4, (3, 4))] = true.
 Proof. exact Rejects.careless_images_refused. Qed.
 Print Assumptions careless_images_refused.
+Theorem wrong_told_refused : ToldRejects.small = [(788, true); (848, true); (439, true)] /\ ToldRejects.large = repeat (5, true) 6.
+Proof. exact ToldRejects.wrong_told_refused. Qed.
+Print Assumptions wrong_told_refused.
 Theorem wrong_automata_refused : forallb (fun H => negb (Meetings.header_ok H)) AutomatonRejects.wrong_automata = true.
 Proof. exact AutomatonRejects.wrong_automata_refused. Qed.
 Print Assumptions wrong_automata_refused.

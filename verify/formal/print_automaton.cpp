@@ -4,9 +4,8 @@
 //
 // The dump is text: `restrip-automaton-dump 2`; for each array `array NAME SIZE` and its numbers, hexadecimal, one a
 // line; for each position `answers FAMILY POSITION keys N digest D told T`; at last `end N`, N the number of lines that
-// are numbers or answers. The answers become lists of families, positions and digests; Header.v and Told.v say what is
-// digested.
-// Anything unexpected ends the program with a message and exit code 1.
+// are numbers or answers. The answers become lists of families, positions and digests; Header.v and Automaton.v say
+// what is digested. Anything unexpected ends the program with a message and exit code 1.
 #include <cstddef>
 #include <cstdlib>
 #include <exception>

@@ -9,9 +9,9 @@
 // has a line `ports (recolouring partners)+` for each port mask.
 //
 // A table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read, and
-// Linked.v how the lists of linked rules are. What the answers of fans of up to told_max_k triangles and of the flip
-// tell becomes ToldNumbers.v, which Told.v reads. At the end of a file stands the function from positions, lists of
-// numbers such as [8; 3], to the family's tables. Printed to the standard output: each family, how many positions it
+// Linked.v how the lists of linked rules are. What the answers tell becomes a trie as well, in Told_FAMILY.v, which
+// Told.v reads. At the end of a file stands the function from positions, lists of numbers such as [8; 3], to the
+// family's tables. Printed to the standard output: each family, how many positions it
 // has, and how many answers (of linked rules: lists). Anything unexpected ends the program with a message and exit
 // code 1.
 #include <array>
@@ -81,9 +81,9 @@ Header read_header(const std::string& line) {
   return header;
 }
 
-constexpr long no_answer = -1;
+constexpr long no_leaf = -1;
 
-// A fork of two nodes, by number; or a leaf: no_answer and the mask.
+// A fork of two nodes, by number; or a leaf: no_leaf and the mask.
 using Node = std::array<long, 2>;
 
 std::string hexadecimal(std::size_t number, int digits) {
@@ -134,10 +134,51 @@ class Masks {
   std::size_t at_ = 0;
 };
 
+// A leaf for each index whose value is not no_leaf; the lowest bit of an index decides first.
+class Trie {
+ public:
+  Trie(const Header& header, const std::vector<long>& leaves) : depth_(header.ports + header.before), leaves_(leaves) {
+    node(0, 0);
+    if (nodes_.size() >= leaf) fail(header.family + ": too many nodes for four digits");
+  }
+
+  // The nodes, eight digits each.
+  std::string digits() const {
+    std::string text;
+    for (const auto [dashed, solid] : nodes_)
+      text += hexadecimal(dashed == no_leaf ? leaf : static_cast<std::size_t>(dashed), 4) +
+              hexadecimal(static_cast<std::size_t>(solid), 4);
+    return text;
+  }
+
+ private:
+  static constexpr std::size_t leaf = 0xffff;
+
+  // The number of the subtrie in which the first `depth` bits are `bits`.
+  long node(unsigned depth, std::size_t bits) {
+    Node found;
+    if (depth == depth_) {
+      if (leaves_[bits] == no_leaf) return 0;
+      found = {no_leaf, leaves_[bits]};
+    } else {
+      found = {node(depth + 1, bits), node(depth + 1, bits | std::size_t{1} << depth)};
+      if (found == Node{0, 0}) return 0;
+    }
+    const auto [place, fresh] = numbers_.try_emplace(found, nodes_.size() + 1);
+    if (fresh) nodes_.push_back(found);
+    return place->second;
+  }
+
+  unsigned depth_;
+  const std::vector<long>& leaves_;
+  std::vector<Node> nodes_;  // node n is nodes_[n - 1]; node 0 has no leaf
+  std::map<Node, long> numbers_;
+};
+
 class Table {
  public:
   explicit Table(const Header& header)
-      : header_(header), answers_(std::size_t{1} << (header.ports + header.before), no_answer) {}
+      : header_(header), answers_(std::size_t{1} << (header.ports + header.before), no_leaf), told_(answers_) {}
 
   std::size_t configurations() const { return answers_.size(); }
 
@@ -158,50 +199,19 @@ class Table {
     const int strips = masks.change();
     const int isolated = masks.change();
     masks.end();
-    told_ += hexadecimal(static_cast<std::size_t>(256 * (strips + 128) + isolated + 128), 4);
     if (answer >> header_.after != 0) fail(header_.family + ": answer too wide: " + line);
     answers_[number] = static_cast<long>(answer);
+    told_[number] = 256 * (strips + 128) + isolated + 128;
   }
 
-  // What the answers tell, four digits each, in the order of their lines: 256 (strips + 128) + isolated + 128.
-  const std::string& told() const { return told_; }
-
-  // The nodes, eight digits each.
-  std::string digits() {
-    node(0, 0);
-    if (nodes_.size() >= leaf) fail(header_.family + ": too many nodes for four digits");
-    std::string text;
-    for (const auto [dashed, solid] : nodes_)
-      text += hexadecimal(dashed == no_answer ? leaf : static_cast<std::size_t>(dashed), 4) +
-              hexadecimal(static_cast<std::size_t>(solid), 4);
-    return text;
-  }
+  // Ports first, then the inner edges before.
+  std::string answers() const { return Trie(header_, answers_).digits(); }
+  std::string told() const { return Trie(header_, told_).digits(); }
 
  private:
-  static constexpr std::size_t leaf = 0xffff;
-
-  // The number of the subtrie in which the first `depth` bits are `bits`: ports first, then `before`, lowest bits
-  // first.
-  long node(unsigned depth, std::size_t bits) {
-    Node found;
-    if (depth == header_.ports + header_.before) {
-      const long answer = answers_[bits];
-      if (answer == no_answer) return 0;
-      found = {no_answer, answer};
-    } else {
-      found = {node(depth + 1, bits), node(depth + 1, bits | std::size_t{1} << depth)};
-      if (found == Node{0, 0}) return 0;
-    }
-    const auto [place, fresh] = numbers_.try_emplace(found, nodes_.size() + 1);
-    if (fresh) nodes_.push_back(found);
-    return place->second;
-  }
-
   Header header_;
-  std::string told_;
   std::vector<long> answers_;  // index before << number of ports | ports
-  std::vector<Node> nodes_;    // node n is nodes_[n - 1]; node 0 has no answer
-  std::map<Node, long> numbers_;
+  std::vector<long> told_;     // by the same index
 };
 
 // Prints digits as texts of that name, cut into pieces; their names, for a list.
@@ -216,39 +226,11 @@ std::string print_texts(std::ostream& out, const std::string& name, const std::s
   return texts;
 }
 
-// What answers tell, by family: a function from positions to lists of texts.
-class ToldFile {
- public:
-  explicit ToldFile(const std::string& directory) : path_(directory + "/ToldNumbers.v"), out_(path_) {
-    out_ << "(* Printed by print_tables from a table dump. *)\n"
-            "Require Import List Number.\nImport ListNotations.\nLocal Open Scope hex_uint_scope.\n";
-  }
-  void add(const Header& header, const std::string& digits) {
-    if (header.ports > told_max_k) return;
-    const std::string texts = print_texts(
-        out_, "text_" + header.family + (header.position.empty() ? "" : "_") + header.joined_by("_"), digits);
-    cases_[header.family] += "  | [" + header.joined_by("; ") + "]%nat => [" + texts + "]\n";
-  }
-  void close() {
-    for (const auto& [family, cases] : cases_)
-      out_ << "Definition " << family << " (position : list nat) : list Number.uint :=\n  match position with\n"
-           << cases << "  | _ => []\n  end.\n";
-    out_.close();
-    if (!out_) fail("cannot write " + path_);
-  }
-
- private:
-  static constexpr unsigned told_max_k = 5;
-  std::string path_;
-  std::ofstream out_;
-  std::map<std::string, std::string> cases_;
-};
-
 // The file of one family. A table is a text of hexadecimal digits, cut into pieces, and what is made of it.
 class File {
  public:
-  File(const std::string& directory, const Header& header)
-      : path_(directory + "/Tables_" + header.family + ".v"),
+  File(const std::string& directory, const std::string& kind, const Header& header)
+      : path_(directory + "/" + kind + "_" + header.family + ".v"),
         out_(path_),
         type_(header.linked() ? "list (list alternative)" : "trie"),
         nothing_(header.linked() ? "[]" : "Nothing") {
@@ -313,11 +295,11 @@ void print_all(std::istream& in, const std::string& directory) {
   if (!std::getline(in, line) || line != "restrip-table-dump 4") fail("not a table dump");
   std::size_t lines = 0;
   std::map<std::string, File> files;
-  ToldFile told(directory);
+  std::map<std::string, File> told_files;
   std::vector<std::string> families;  // in the order of the dump
   while (std::getline(in, line) && line.rfind("table ", 0) == 0) {
     const Header header = read_header(line);
-    const auto [place, fresh] = files.try_emplace(header.family, directory, header);
+    const auto [place, fresh] = files.try_emplace(header.family, directory, "Tables", header);
     if (fresh) families.push_back(header.family);
     File& file = place->second;
     if (header.linked()) {
@@ -330,12 +312,13 @@ void print_all(std::istream& in, const std::string& directory) {
       if (!std::getline(in, line)) fail("the dump ends in the middle of a table");
       table.read_line(i, line);
     }
-    file.add(header, table.digits(), "table_of " + std::to_string(header.after) + "%nat");
-    told.add(header, table.told());
+    file.add(header, table.answers(), "table_of " + std::to_string(header.after) + "%nat");
+    told_files.try_emplace(header.family, directory, "Told", header)
+        .first->second.add(header, table.told(), "table_of 16%nat");
   }
   if (line != "end " + std::to_string(lines)) fail("the dump does not end with `end " + std::to_string(lines) + "`");
   for (auto& [family, file] : files) file.close();
-  told.close();
+  for (auto& [family, file] : told_files) file.close();
   for (const std::string& family : families) std::cout << family << ' ' << files.at(family).counts() << '\n';
 }
 

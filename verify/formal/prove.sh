@@ -103,7 +103,7 @@ done
 
 # What the printer has read, family by family, against what the theorems speak of.
 printf '%s\n' 'From Coq Require Import NArith List.' 'From Restrip Require Import Answers.' 'Set Printing Width 1000.' 'Eval vm_compute in counts.' \
-  'From Restrip Require Told AutomatonNumbers.' 'Eval vm_compute in (list_max (map fst Told.arcs),' \
+  'From Restrip Require Positions AutomatonNumbers.' 'Eval vm_compute in (list_max (map fst Positions.arcs),' \
   '  list_max (map (fun d => hd 0 (snd (fst d))) AutomatonNumbers.digests))%nat.' >"$out/counts.v"
 (cd "$out" && coqc -R coq Restrip counts.v) >"$out/counts"
 mapfile -t proved < <(grep -o '[0-9]*%N' "$out/counts" | paste - - | tr -d 'N%')
@@ -128,7 +128,7 @@ took() {
 say "coqchk (log: $out/coqchk.log)"
 checking=$SECONDS
 modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.WholeMesh Restrip.LowerBound Restrip.FlowBound Restrip.Flip
-  Restrip.EveryFan Restrip.Lrat Restrip.Check Restrip.Facts Restrip.EveryBoundary Restrip.Served)
+  Restrip.EveryFan Restrip.Lrat Restrip.Check Restrip.Facts Restrip.EveryBoundary Restrip.Served Restrip.Telling)
 [ "$full" = no ] || modules=(Restrip.Main)
 coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
 grep -q '^\* Axioms: <none>' "$out/coqchk.log"
@@ -158,11 +158,12 @@ for i in "${!theorems[@]}"; do
     whole_mesh*) files=(WholeMesh) ;;
     every_rule_pays | one_strip_* | no_rule_competes) files=(LowerBound) ;;
     no_buffer_has_fewer) files=(FlowBound) ;;
-    judge_* | chosen_is_safe) files=(Check) ;;
+    judge_* | chosen_is_safe) files=(Labels Check) ;;
     refutes_right) files=(Lrat) ;;
     automaton_*) files=(Automaton) ;;
     answers) files=(Answers) ;;
-    answers_tell) files=(Told) ;;
+    answers_tell) files=(Told_{split,collapse,open_split,open_collapse,boundary_split,boundary_collapse,flip} Marks Telling Told) ;;
+    wrong_told_refused) files=(ToldRejects) ;;
     every_counts) files=(EveryFigures) ;;
     valid_* | costing_*) files=(Figures) ;;
     wrong_automata_refused) files=(AutomatonRejects) ;;
@@ -189,6 +190,6 @@ for line in "${printed[@]}"; do
 done
 printf '%-26s %8s %12s  %s\n\n' "all but the lists" "" "$sum" "every position"
 echo "what answers tell was compared for k <= $told"
-echo "what the automaton answers was compared for k <= $looked_up"
+echo "what the automaton answers and tells was compared for k <= $looked_up"
 echo "Theorems about the same files come from one run; its seconds are given for each."
 echo "All proved in $((SECONDS - started)) s; read: certificates, compiled tables, lists of the compiled tables, numbers of the compiled automaton"
