@@ -196,7 +196,7 @@ class Coverage:
 
     def operations(self, names):
         files = {path.stem for path in self.root.glob("tables/operations/*.json")}
-        for some, words in ((set(ALL), "all"), (set(FANS), "all but flips"), (files, "the operation files"), ({"any mesh"}, "any mesh")):
+        for some, words in ((set(ALL) | files, "all, and the operation files"), (set(ALL), "all"), (set(FANS), "all but flips"), (files, "the operation files"), ({"any mesh"}, "any mesh")):
             if names == some:
                 return words
         return ", ".join([name + "s" for name in ALL if name in names] + sorted(f"`{name}`" for name in names - set(ALL)))

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "restrip/rules/rules.hpp"
+#include "restrip/tables/linked.hpp"
 #include "restrip/tables/operations/bisect.hpp"
 #include "restrip/tables/operations/bisect_matching.hpp"
 
@@ -287,6 +288,67 @@ void bits() {
   }
 }
 
+/// What members hold of which nothing is said.
+void defaults() {
+  Digest told("defaults");
+  told.add(Rule{});
+  told.add(exact::Recoloring{});
+  told.add(detail::InnerPairs{});
+  told.add(tables::OperationRule{});
+  const FlipRule flip;
+  const SplitPosition split;
+  const GapPair gaps;
+  const Gap gap;
+  const detail::Layout patch;
+  const tables::FamilyPosition place;
+  const tables::PositionTriangles triangles;
+  const tables::PatchTriangle triangle;
+  const LinkedRule linked;
+  const tables::OperationTable<std::uint8_t, 1> table{};
+  const tables::SurfaceOperation<std::uint8_t, 1, 1, 1> surface{};
+  const tables::SurfaceFamily<std::uint8_t, 1, 1, 1, 1> family{};
+  const tables::PositionTable<std::uint8_t> view;
+  for (const std::size_t number :
+       {static_cast<std::size_t>(flip.inner),
+        std::size_t{flip.ports},
+        static_cast<std::size_t>(flip.strips),
+        static_cast<std::size_t>(flip.valid),
+        split.k,
+        split.a,
+        gaps.k,
+        gaps.i,
+        gaps.j,
+        gap.k,
+        gap.i,
+        patch.k,
+        patch.inserted,
+        patch.opposite,
+        static_cast<std::size_t>(patch.ring),
+        std::size_t{place.before.triangles},
+        std::size_t{place.before.edges},
+        std::size_t{place.ports},
+        place.first,
+        std::size_t{triangles.vertices},
+        triangles.first_before,
+        triangles.first_after,
+        std::size_t{triangle.from},
+        std::size_t{triangle.from_side},
+        std::size_t{linked.recoloring},
+        std::size_t{linked.pairing},
+        std::size_t{table.ports},
+        static_cast<std::size_t>(table.matching),
+        std::size_t{surface.vertices},
+        static_cast<std::size_t>(family.matching),
+        std::size_t{view.ports},
+        static_cast<std::size_t>(view.matching),
+        std::size_t{view.vertices},
+        static_cast<std::size_t>(BitSpan{}.words == nullptr),
+        static_cast<std::size_t>(detail::LongLetters{}.pair),
+        detail::LongLetters{}.first,
+        static_cast<std::size_t>(detail::WordLetters{}.ports | detail::WordLetters{}.joined)})
+    told.add(number);
+}
+
 void operations() {
   Digest told("operations");
   for (std::uint32_t inner = 0; inner < 2; ++inner)
@@ -345,6 +407,7 @@ int main() {
     return 0;
   }
   bits();
+  defaults();
   rules();
   keys();
   automaton();
