@@ -12,8 +12,10 @@ are left alone: they are checked in debug builds only, and tests/runtime/precond
 well, 1 a mutant survives without a reason, or a reason without a place.
 """
 import argparse
+import concurrent.futures
 import os
 import pathlib
+import queue
 import re
 import subprocess
 import sys
@@ -27,7 +29,8 @@ SWAPPED = {a: b for pair in SWAPS for a, b in (pair.split(), reversed(pair.split
 SWAPPED.update({"*": "+", "/": "*", "%": "/", "^": "|", "!": "", "~": ""})
 TOKEN = re.compile(r"0x[0-9a-fA-F]+|\b\d+|\btrue\b|\bfalse\b|<=>|<<=|>>=|->|::|<<|>>|<=|>=|==|!=|&&|\|\||\+\+|--|\+=|-=|&=|\|=|[-+*/%&|^<>!~]")
 UNARY = "!~"
-TIMEOUT = 10
+TURNING = ("arc_walk.hpp", "automaton_format.hpp", "exact.hpp")  # asked a second time, with an automaton that tells turns
+TIMEOUT = 10  # seconds; the judge takes a fraction of one
 
 
 def code_of(text):
@@ -70,27 +73,35 @@ def mutants_of(file, text):
 class Judge:
     """Compiles tokens_judge.cpp against headers, the changed one first, and says what it prints; None where it does not."""
 
-    def __init__(self, root, indices, scratch):
-        self.root, self.indices, self.scratch = root, indices, scratch
-        self.program = scratch / "judge"
+    FLAGS = ["-std=c++20", "-O1", "-w", "-D_GLIBCXX_ASSERTIONS"]
 
-    def says(self, changed=(), turns=False):
-        include = [self.scratch / "changed"] + [self.indices / "include"] * turns + [self.root / "runtime/include", self.root / "tables/include"]
-        for file, text in changed:
-            place = self.scratch / "changed" / file.split("include/", 1)[1]
-            place.parent.mkdir(parents=True, exist_ok=True)
-            place.write_text(text)
+    def __init__(self, root, shared, own):
+        self.source, self.own, self.standard, self.turning = root / "tests/runtime/tokens_judge.cpp", own, shared / "standard.hpp", shared / "indices/include"
+        self.include = [root / "runtime/include", root / "tables/include"]
+        own.mkdir()
+
+    def compile_standard_headers(self):
+        lines = re.findall(r"^#include <.*>\n", self.source.read_text(encoding="utf-8"), re.M)
+        self.standard.write_text("".join(lines))
+        subprocess.run(["c++", *self.FLAGS, "-x", "c++-header", self.standard, "-o", str(self.standard) + ".gch"], check=True)
+
+    def says(self, file=None, text="", turns=False):
+        changed = self.own / "changed" / file.split("include/", 1)[1] if file else None
+        if changed:
+            changed.parent.mkdir(parents=True, exist_ok=True)
+            changed.write_text(text)
         try:
-            command = ["c++", "-std=c++20", "-O1", "-w", "-D_GLIBCXX_ASSERTIONS"] + [word for folder in include for word in ("-I", folder)]
-            if subprocess.run(command + [self.root / "tests/runtime/tokens_judge.cpp", "-o", self.program], capture_output=True).returncode != 0:
+            folders = [self.own / "changed"] + [self.turning] * turns + self.include
+            command = ["c++", *self.FLAGS, "-include", self.standard] + [word for folder in folders for word in ("-I", folder)]
+            if subprocess.run(command + [self.source, "-o", self.own / "judge"], capture_output=True).returncode != 0:
                 return None
-            run = subprocess.run([self.program], capture_output=True, timeout=TIMEOUT)
+            run = subprocess.run([self.own / "judge"], capture_output=True, timeout=TIMEOUT)
             return run.stdout if run.returncode == 0 else None
         except subprocess.TimeoutExpired:
             return None
         finally:
-            for file, _ in changed:
-                (self.scratch / "changed" / file.split("include/", 1)[1]).unlink()
+            if changed:
+                changed.unlink()
 
 
 def reasons(path):
@@ -110,6 +121,7 @@ def main():
     parser.add_argument("root", type=pathlib.Path)
     parser.add_argument("generate")
     parser.add_argument("--only", default="")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--sample", type=int, default=0)
     options = parser.parse_args()
     root = options.root.resolve()
@@ -125,27 +137,39 @@ def main():
         chosen = unlisted[len(unlisted) // options.sample // 2::max(1, len(unlisted) // options.sample)][:options.sample]
     refused, survived = 0, 0
     with tempfile.TemporaryDirectory() as folder:
-        scratch = pathlib.Path(folder)
-        subprocess.run([options.generate, "automaton", "--cost", "indices", "--out", scratch / "indices"], check=True, capture_output=True)
-        judge = Judge(root, scratch / "indices", scratch)
-        right, right_turns = judge.says(), judge.says(turns=True)
+        shared = pathlib.Path(folder)
+        subprocess.run([options.generate, "automaton", "--cost", "indices", "--out", shared / "indices"], check=True, capture_output=True)
+        idle = queue.SimpleQueue()
+        judges = [Judge(root, shared, shared / str(number)) for number in range(options.jobs)]
+        judges[0].compile_standard_headers()
+        right, right_turns = judges[0].says(), judges[0].says(turns=True)
         if not right or not right_turns:
             raise ValueError("the judge says nothing of the sources as they are")
-        for number, mutant in enumerate(chosen, 1):
-            changed = [(mutant.file, mutant.applied(texts[mutant.file]))]
-            survives = judge.says(changed) == right and (
-                not mutant.file.endswith(("arc_walk.hpp", "automaton_format.hpp", "exact.hpp")) or judge.says(changed, turns=True) == right_turns)
-            known = {key_of(mutant, str(mutant.ordinal)), key_of(mutant, "*")} & set(listed)
-            refused, survived = refused + (not survives), survived + survives
-            if survives and not known:
-                faults.append("survives: %s" % mutant)
-                print(faults[-1], flush=True)
-            if sys.stderr.isatty():
-                print("\r%d of %d" % (number, len(chosen)), end="", file=sys.stderr, flush=True)
+        for judge in judges:
+            idle.put(judge)
+
+        def survives(mutant):
+            judge = idle.get()
+            try:
+                text = mutant.applied(texts[mutant.file])
+                return judge.says(mutant.file, text) == right and (
+                    not mutant.file.endswith(TURNING) or judge.says(mutant.file, text, turns=True) == right_turns)
+            finally:
+                idle.put(judge)
+
+        with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+            for number, (mutant, lives) in enumerate(zip(chosen, pool.map(survives, chosen)), 1):
+                refused, survived = refused + (not lives), survived + lives
+                if lives and not {key_of(mutant, str(mutant.ordinal)), key_of(mutant, "*")} & set(listed):
+                    faults.append("survives: %s" % mutant)
+                    print(faults[-1], flush=True)
+                if sys.stderr.isatty():
+                    print("\r%d of %d" % (number, len(chosen)), end="", file=sys.stderr, flush=True)
     print("%d of %d tokens altered: %d refused, %d survive, %d without a reason" %
           (len(chosen), len(mutants), refused, survived, sum(fault.startswith("survives") for fault in faults)))
     for fault in faults:
-        print(fault, file=sys.stderr)
+        if not fault.startswith("survives"):
+            print(fault)
     return 1 if faults else 0
 
 

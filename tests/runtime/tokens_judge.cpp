@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <initializer_list>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,6 +18,8 @@
 namespace {
 
 using namespace restrip;
+
+using Sizes = std::initializer_list<std::size_t>;
 
 class Digest {
  public:
@@ -112,7 +115,7 @@ void rules() {
   for (std::size_t k = 1; k <= 5; ++k)
     for (Word colors = 0; colors < bit(k + 4); ++colors)
       for (Word ports = 0; ports < bit(k + 1); ++ports) rules_of(told, k, colors, ports);
-  for (const std::size_t k : {6, 7, 8, 9, 13, 31, 32, 33, 60, 61})
+  for (const std::size_t k : Sizes{6, 7, 8, 9, 13, 31, 32, 33, 60, 61})
     for (int n = 0; n < (k < 10 ? 3000 : 60); ++n) rules_of(told, k, some_bits(k + 3) & some_bits(k + 3), some_bits(k));
   for (const bool inner : {false, true})
     for (unsigned ports = 0; ports < 32; ++ports) {
@@ -134,8 +137,8 @@ void keys() {
   Digest told("keys");
   Word joined = 0;
   const MutableBitSpan to = MutableBitSpan::of(joined);
-  for (const std::size_t k : {1, 2, 3, 4, 5, 8, 12, 30, 59, 61})
-    for (int n = 0; n < (k < 6 ? 400 : 80); ++n) {
+  for (const std::size_t k : Sizes{1, 2, 3, 4, 5, 8, 12, 30, 59, 61})
+    for (std::size_t n = 0; n < (k < 6 ? 400 : 80); ++n) {
       const Word colors = some_bits(k + 4 - n % 2);
       const Word ports = some_bits(k + (n % 8 == 0 ? 1 : 0));
       const BitSpan c = BitSpan::of(colors);
@@ -188,7 +191,7 @@ void keys() {
             told.add(joined);
           });
     }
-  for (const std::size_t k : {64, 65, 130})
+  for (const std::size_t k : Sizes{64, 65, 130})
     for (int n = 0; n < 20; ++n) {
       const std::vector<Word> colors = long_bits(k + 3);
       const std::vector<Word> ports = long_bits(k);
@@ -248,9 +251,9 @@ void automaton() {
   for (std::size_t k = 1; k <= 5; ++k)
     for (Word ports = 0; ports < bit(k); ++ports)
       for (Word joined = 0; joined < bit(k); ++joined) ask(k, ports, joined, some_turns(k));
-  for (const std::size_t k : {8, 17, 61})
+  for (const std::size_t k : Sizes{8, 17, 61})
     for (int n = 0; n < (k < 10 ? 300 : 20); ++n) ask(k, some_bits(k), some_bits(k), some_turns(k));
-  for (const std::size_t k : {63, 64, 65, 66, 130})
+  for (const std::size_t k : Sizes{63, 64, 65, 66, 130})
     for (int n = 0; n < 20; ++n) {
       const std::vector<Word> ports = long_bits(k);
       const std::vector<Word> joined = long_bits(k);
