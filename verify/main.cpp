@@ -40,7 +40,6 @@ void refuse_if(bool condition, const std::string& what) {
 
 int main(int argc, char** argv) {
   Options options;
-  OperationOptions own;
   options.show_progress = isatty(STDERR_FILENO) != 0;
   std::string json;
 
@@ -54,14 +53,14 @@ int main(int argc, char** argv) {
       "  build/release/bin/restrip-verify --operation tables/operations/bisect.json \\\n"
       "    --certificate tables/certificates/operations/bisect.cert");
   CLI::Option* const operation = app.add_option(
-      "--operation", own.operation,
+      "--operation", options.operation,
       "An operation or family of one's own: its file. With it go only "
       "--certificate, --linked-certificate, --header, --dump-command, --max-k, --all, --threads and --json");
   CLI::Option* const certificate =
-      app.add_option("--certificate", own.certificate, "The certificate of the operation")->needs(operation);
-  app.add_option("--linked-certificate", own.linked_certificate, "The certificate of its linked rules")
+      app.add_option("--certificate", options.certificate, "The certificate of the operation")->needs(operation);
+  app.add_option("--linked-certificate", options.linked_certificate, "The certificate of its linked rules")
       ->needs(certificate);
-  app.add_option("--header", own.header,
+  app.add_option("--header", options.header,
                  "The header of the operation's table, which is read before a program made of it is run")
       ->needs(operation);
   app.add_option("--tables-dir", options.tables_dir, "The folder with MANIFEST and certificates/")
@@ -97,7 +96,8 @@ int main(int argc, char** argv) {
       operation->excludes(option);
   const auto given = [&](const char* name) { return !app.get_option(name)->empty(); };
   return exit_code_of(app, argc, argv, [&] {
-    refuse_if(!own.operation.empty() && own.certificate.empty() && own.header.empty() && options.dump_command.empty(),
+    refuse_if(!options.operation.empty() && options.certificate.empty() && options.header.empty() &&
+                  options.dump_command.empty(),
               "--operation needs --certificate, --header or both");
     refuse_if(options.max_k > largest_fan &&
                   (options.headers_only || !options.linked_dump_command.empty() || !options.digest_commands.empty()),
@@ -113,19 +113,15 @@ int main(int argc, char** argv) {
       refuse_if(
           !options.families.empty() && given(name),
           fmt::format("{} judges all rules, so --family has no effect on it; run them one after the other", name));
-    if (own.operation.empty())
+    if (options.operation.empty())
       return run([&](const auto& listener) { return verify_tables(options, listener); }, last_line, json);
-    own.dump_command = options.dump_command;
-    const bool of_a_family = has_family(own.operation);
+    const bool of_a_family = has_family(options.operation);
     refuse_if(!of_a_family && given("--max-k"),
-              fmt::format("{} describes no family, so --max-k has no effect; leave it out", own.operation));
-    refuse_if(!of_a_family && !own.dump_command.empty() && own.header.empty(),
+              fmt::format("{} describes no family, so --max-k has no effect; leave it out", options.operation));
+    refuse_if(!of_a_family && !options.dump_command.empty() && options.header.empty(),
               "--dump-command with --operation needs --header: the program was compiled from that file, which is read "
               "before the program is run");
-    own.second_formulation = options.second_formulation;
-    own.threads = options.threads;
-    own.max_k = options.max_k;
-    return run([&](const auto& listener) { return verify_operation(own, listener); },
-               [&](const auto& totals) { return last_line_of(own, totals); }, json);
+    return run([&](const auto& listener) { return verify_operation(options, listener); },
+               [&](const auto& totals) { return last_line_of(options, totals); }, json);
   });
 }

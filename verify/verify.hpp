@@ -21,34 +21,27 @@ struct Options {
   unsigned threads = 2;
   unsigned max_k = largest_fan;  ///< tests use smaller tables
   bool show_progress = false;    ///< on standard error
+
+  // Of an operation, or family, of a user's own, beside the dump command and what follows the families.
+  std::string operation;           ///< the file that describes it
+  std::string certificate;         ///< the file with its rules; empty: none is checked
+  std::string linked_certificate;  ///< the file with its linked rules, which are compared with the others; or empty
+  std::string header;              ///< the table as the generator wrote it; empty: it is not read
 };
 
 /// Checks everything and hands each claim to the listener. InputError when a certificate or the manifest is not well
 /// formed.
 Totals verify_tables(const Options& options, const ClaimListener& listener);
 
-/// An operation, or family, of a user's own.
-struct OperationOptions {
-  std::string operation;    ///< the file that describes it
-  std::string certificate;  ///< the file with its rules; empty: none is checked
-  std::string
-      linked_certificate;    ///< the file with its linked rules, which are compared with the others; empty: likewise
-  std::string header;        ///< the table as the generator wrote it; empty: it is not read
-  std::string dump_command;  ///< prints the compiled tables; empty: they are not checked
-  bool second_formulation = false;
-  unsigned threads = 2;
-  unsigned max_k = largest_fan;  ///< of a family
-};
-
-/// Verifies the one family, or operation, that the file describes. InputError when the description or the certificate
-/// is not well formed. Memory grows with 2 to the number of inner edges and ports of a side: docs/operation-file.md has
-/// figures.
-Totals verify_operation(const OperationOptions& options, const ClaimListener& listener);
+/// Verifies the one family, or operation, that the file describes, and the answers of its dump command, whose header is
+/// read before it is run. InputError when the description or a certificate is not well formed. Memory grows with 2 to
+/// the number of inner edges and ports of a side: docs/operation-file.md has figures.
+Totals verify_operation(const Options& options, const ClaimListener& listener);
 
 /// Whether the file describes a family. InputError as above.
 bool has_family(const std::string& operation_file);
 
 /// "verified: split-face.json: 20 rules, …", or "NOT verified: …".
-std::string last_line_of(const OperationOptions& options, const Totals& totals);
+std::string last_line_of(const Options& options, const Totals& totals);
 
 }  // namespace restrip::verify

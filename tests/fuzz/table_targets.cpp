@@ -12,7 +12,6 @@
 #include "linked/linked_dump.hpp"
 #include "model/input.hpp"
 #include "sat/cnf.hpp"
-#include "sat/drat_proof.hpp"
 #include "sealed.hpp"
 #include "target.hpp"
 

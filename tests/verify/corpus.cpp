@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "certificate/manifest.hpp"
 #include "naive_tables.hpp"
@@ -123,6 +124,41 @@ std::vector<Damage> damages() {
   std::vector<Damage> result;
   for (const fs::path& file : files) result.push_back(read_damage(file));
   return result;
+}
+
+std::string Alteration::in(std::string text) const {
+  std::size_t place = ('\n' + text).find('\n' + what);
+  if (place == std::string::npos) place = text.find(what);
+  if (place == std::string::npos) throw std::runtime_error(fmt::format("{}: no \"{}\"", of, what));
+  return text.replace(place, what.size() + (by ? 0 : 1), by.value_or(""));
+}
+
+std::string text_to_alter(const std::string& name) { return bytes_of(fs::path(RESTRIP_CORPUS_DIR) / "altered" / name); }
+
+std::vector<Alteration> alterations(const std::string& file) {
+  std::vector<Alteration> all;
+  Alteration next;
+  char last = 0;
+  for (const std::string& line : lines_of(text_to_alter(file))) {
+    if (line.empty() || line.starts_with("#")) continue;
+    const std::string text = line.substr(std::min<std::size_t>(line.size(), 2));
+    const std::string before = line[0] == last ? "\n" : "";
+    if (line[0] == 'o')
+      next.of = argument(line);
+    else if (line[0] == '-')
+      next.what = before.empty() ? text : next.what + before + text;
+    else if (line[0] == '+')
+      next.by = before.empty() ? text : *next.by + before + text;
+    else if (line[0] != '=')
+      throw std::runtime_error(fmt::format("{}: unknown line \"{}\"", file, line));
+    else if (before.empty())
+      all.push_back({next.of, next.what, std::exchange(next.by, {}), text});
+    else
+      all.back().says += before + text;
+    last = line[0];
+  }
+  if (all.empty()) throw std::runtime_error(file + ": no case");
+  return all;
 }
 
 void write_manifest(const fs::path& tables_dir) {

@@ -16,6 +16,7 @@
 //   keep-manifest             do not bring the MANIFEST up to date afterwards
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,27 @@ class DamagedTables {
  private:
   std::filesystem::path path_;
 };
+
+/// A text that is altered in one place, and what has to be said of it: a case of a file of tests/corpus/altered. Lines
+/// of one kind that follow each other are lines of one text, and "#" begins a comment:
+///
+///   of NAME       the text that the following cases alter
+///   - TEXT        what goes, at the beginning of a line if it stands at one; without `+` the end of the line goes as
+///   well
+///   + TEXT        what comes in its place
+///   = TEXT        part of what is said; nothing where the text is right
+struct Alteration {
+  std::string of;
+  std::string what;
+  std::optional<std::string> by;
+  std::string says;
+
+  /// The text with the alteration; throws std::runtime_error where it cannot be made.
+  std::string in(std::string text) const;
+};
+std::vector<Alteration> alterations(const std::string& file);
+/// What an `of` names, as it stands beside these files.
+std::string text_to_alter(const std::string& name);
 
 /// Writes a MANIFEST that lists what is in the folder, with its present bytes and rows.
 void write_manifest(const std::filesystem::path& tables_dir);

@@ -1,6 +1,6 @@
 // The families of tables/families.json are those of docs/notation.md: every position of fans up to ten triangles is
-// there, listed or not as that page says, and its patches are those that the tests write down by hand. Files that say
-// something else than a family are refused with their line.
+// there, listed or not as that page says, and its patches are those that the tests write down by hand.
+// Files that say something else than a family are refused with their line: Description.OneAlterationIsNamed.
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "corpus.hpp"
 #include "model/family.hpp"
 #include "model/input.hpp"
 #include "naive_tables.hpp"
@@ -78,84 +79,22 @@ TEST(Families, AreThoseOfTheNotation) {
   }
 }
 
-const std::string one_family = R"family({
-  "restrip_operation": 1,
-  "operations": [{
-    "name": "fan", "numbers": ["k", "i"],
-    "where": "2 <= k, i < k",
-    "position": "k {k} i {i}", "section": "k {k}",
-    "before": {"path": ["t[0,k)"]},
-    "after": {"ring": ["A", "t[0,1)", "D", "t[1,k)"], "chord": ["A", "D"]},
-    "at_most": [{"where": "i = 2 k - 4", "strips": 0}]
-  }]
-})family";
-
-TEST(Families, FilesThatAreWrongAreRefusedWithTheLine) {
-  const std::vector<Description> good = parse_descriptions("f.json", one_family);
+TEST(Families, AreReadAtTheirPositions) {
+  const std::vector<Description> good = parse_descriptions("f.json", text_to_alter("fan.json"));
   ASSERT_EQ(good.size(), 1U);
   EXPECT_EQ(good[0].positions(3), (std::vector<Numbers>{{2, 0}, {2, 1}, {3, 0}, {3, 1}, {3, 2}}));
   EXPECT_TRUE(good[0].serves_every_position());
   EXPECT_EQ(good[0].at({3, 1}).most_strips, std::nullopt);
   EXPECT_EQ(good[0].at({3, 2}).most_strips, 0);
-  struct Fault {
-    std::string from;
-    std::string to;
-    std::string said;
-  };
-  const std::vector<Fault> faults{
-      {"{", "\xef\xbb\xbf{", "f.json:1:1: expected no byte order mark before the file; save it as UTF-8 without one"},
-      {"\"fan\"", "\"vec2\"",
-       "f.json:4:13: operations[0].name: expected a name that is free, \"vec2\" is a keyword of GLSL"},
-      {"\"numbers\"", "\"certificate\": \"split\", \"numbers\"",
-       "operations[0].certificate: expected a name that is free, \"split\" is a name of restrip"},
-      {"\"k {k} i {i}\"", "\"k {k}\\u001b i {i}\"", "operations[0].position: expected words of printable ASCII"},
-      {"\"k {k}\"", "\"k  {k}\"", "operations[0].section: expected words of printable ASCII"},
-      {"\"k {k}\"", "\"\"", "operations[0].section: expected words of printable ASCII"},
-      {"t[0,k)\"]}", "t\\n[0,k)\"]}", "operations[0].before.path[0]: expected letters and digits as the name"},
-      {"\"A\", \"t[0,1)", "\"A\\u202e\", \"t[0,1)",
-       "operations[0].after.ring[0]: expected letters and digits as the name"},
-      {"\"restrip_operation\": 1", "\"restrip_operation\": 2",
-       "f.json:2:24: restrip_operation: expected 1, the version"},
-      {"\"name\"", "\"nome\"", "f.json:4:5: operations[0].nome: unknown member"},
-      {"\"name\": \"fan\", ", "", "f.json:3:18: operations[0]: expected a member \"name\""},
-      {"[\"k\", \"i\"]", "[\"k\", 3]", "operations[0].numbers[1]: expected a text, found 3"},
-      {"i < k", "j < k", "f.json:5:14: operations[0].where: expected a sum of k, i, found \"j\""},
-      {"i < k", "i k", "operations[0].where: expected a comparison"},
-      {"i < k", "i > k", "operations[0].where: expected <, <=, >= or ="},
-      {"i < k", "i <", "operations[0].where: expected a sum of k, i, found \"\""},
-      {"t[0,k)\"]}", "t[0 k)\"]}", "f.json:7:25: operations[0].before.path[0]: expected a range"},
-      {"t[0,k)\"]}", "t[0,k]\"]}", "operations[0].before.path[0]: expected a range"},
-      {"\"ring\"", "\"circle\"", "f.json:8:15: operations[0].after.circle: unknown member"},
-      {"\"path\": ", "\"ring\": [\"A\"], \"path\": ", "operations[0].before: expected \"ring\" or \"path\", not both"},
-      {"\"k\", \"i\"]", "\"k\", \"i\"], \"constraint\": \"trees\"", "operations[0].constraint: expected \"strips\""},
-      {"t[0,k)\"]}", "t[0,k+20)\"]}", "operations[0].before.path[0]: expected numbers from 0 to 16"},
-      {"t[0,k)\"]}", "t[0,k)\", \"t[0,1)\"]}",
-       "operations[0].before.path: expected each triangle once, t0 stands there twice"},
-      {"[\"A\", \"D\"]", "[\"A\", \"t0\"]", "operations[0].after.chord: expected each edge once"},
-      {"[\"A\", \"D\"]", "[\"A\", \"t9\"]", "operations[0].after.chord[1]: no triangle is named t9"},
-      {"[\"A\", \"D\"]", "[\"A\"]", "operations[0].after.chord: expected two triangles"},
-      {"\"strips\": 0", "\"strips\": 0.5", "f.json:9:52: operations[0].at_most[0].strips: expected a number"},
-  };
-  for (const Fault& fault : faults) {
-    std::string text = one_family;
-    const std::size_t place = text.find(fault.from);
-    ASSERT_NE(place, std::string::npos) << fault.from;
-    text.replace(place, fault.from.size(), fault.to);
-    try {
-      (void)parse_descriptions("f.json", text);
-      ADD_FAILURE() << "taken: " << fault.to;
-    } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find(fault.said), std::string::npos)
-          << "expected: " << fault.said << "\nfound: " << error.what();
-    }
-  }
 }
 
 // A section that leaves a number out on which the patch after depends has no rules to offer.
 TEST(Families, SectionsServeOnePatch) {
-  std::string text = one_family;
-  const std::string after = "{\"ring\": [\"A\", \"t[0,1)\", \"D\", \"t[1,k)\"], \"chord\": [\"A\", \"D\"]}";
-  text.replace(text.find(after), after.size(), "{\"path\": [\"t[0,i)\", \"A\", \"t[i,k)\"]}");
+  const Alteration other_patches{"fan.json",
+                                 R"json({"ring": ["A", "t[0,1)", "D", "t[1,k)"], "chord": ["A", "D"]})json",
+                                 R"json({"path": ["t[0,i)", "A", "t[i,k)"]})json",
+                                 {}};
+  const std::string text = other_patches.in(text_to_alter("fan.json"));
   try {
     (void)families_of(parse_descriptions("f.json", text), 3);
     ADD_FAILURE() << "taken";

@@ -112,7 +112,7 @@ Verdict verdict_on(const std::string& operation_path, const std::optional<std::s
   const PassingFile certificate_file("certificate", certificate.value_or(""));
   const PassingFile linked_file("linked", linked.value_or(""));
   const PassingFile dump_file("dump", dump.value_or(""));
-  OperationOptions options;
+  Options options;
   options.operation = operation_path;
   options.threads = 1;
   if (certificate) options.certificate = certificate_file.path();

@@ -25,26 +25,24 @@ out=$root/build/formal
 certificates=(split collapse open-split fan-collapse boundary-split)
 started=$SECONDS
 
-need "${build_packages[@]}" coq make time
+need "${build_packages[@]}" coq make python3 time
 
 say "building restrip-dump-tables"
 cmake --preset programs >/dev/null
 cmake --build --preset programs --target restrip-dump-tables >/dev/null
 
-say "building the printers"
+say "building the printer of tables"
 mkdir -p "$out/coq" "$out/fresh"
-for printer in print_tables print_rows print_automaton; do
-  c++ -std=c++20 -O2 -o "$out/$printer" "verify/formal/$printer.cpp"
-done
+c++ -std=c++20 -O2 -o "$out/print_tables" verify/formal/print_tables.cpp
 
 say "printing the tables and the certificates"
 rm -f "$out"/fresh/*.v
 build/programs/bin/restrip-dump-tables >"$out/tables.dump"
 "$out/print_tables" "$out/fresh" <"$out/tables.dump" >"$out/printed"
 build/programs/bin/restrip-dump-tables --automaton --max-k 7 >"$out/automaton.dump"
-"$out/print_automaton" "$out/fresh" <"$out/automaton.dump"
+python3 verify/formal/print_coq.py automaton "$out/fresh" <"$out/automaton.dump"
 for family in "${certificates[@]}"; do
-  "$out/print_rows" "$out/fresh" <"tables/certificates/$family.cert"
+  python3 verify/formal/print_coq.py rows "$out/fresh" <"tables/certificates/$family.cert"
 done
 cp verify/formal/*.v "$out/fresh/"
 

@@ -3,14 +3,67 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cstdint>
+#include <cstdlib>
 #include <iterator>
+#include <string_view>
 
-#include "sat/number_reader.hpp"
+#include "model/input.hpp"
 
 namespace restrip::verify::sat {
 namespace {
 
 constexpr std::string_view header = "p cnf ";
+
+/// Lines of numbers that end with 0: what both formats are made of.
+class NumberReader {
+ public:
+  NumberReader(std::string file, std::string_view text) : file_(std::move(file)), text_(text) {}
+
+  bool at_end() const { return position_ == text_.size(); }
+  unsigned line() const { return line_; }
+
+  /// Goes on to the next line, which must end with a newline: a file that was cut off is noticed.
+  std::string_view next_line();
+  /// The numbers of `words`, all but the closing 0; InputError unless each is a literal of 1 … `variables`.
+  Clause clause(std::string_view words, int variables) const;
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(file_, line_, what); }
+
+ private:
+  std::string file_;
+  std::string_view text_;
+  std::size_t position_ = 0;
+  unsigned line_ = 0;
+};
+
+std::string_view NumberReader::next_line() {
+  ++line_;
+  const std::size_t end = text_.find('\n', position_);
+  if (end == std::string_view::npos) fail("the file ends in the middle of a line; was it cut off?");
+  const std::string_view line = text_.substr(position_, end - position_);
+  position_ = end + 1;
+  return line;
+}
+
+Clause NumberReader::clause(std::string_view words, int variables) const {
+  Clause clause;
+  const char* at = words.data();
+  const char* const end = at + words.size();
+  while (true) {
+    while (at != end && *at == ' ') ++at;
+    int number = 0;
+    const auto [rest, error] = std::from_chars(at, end, number);
+    if (error != std::errc() || (rest != end && *rest != ' '))
+      fail(fmt::format("expected numbers and a closing 0, found \"{}\"", words));
+    at = rest;
+    if (number == 0) break;
+    if (number > variables || number < -variables)
+      fail(fmt::format("there is no variable {}; the formula has {}", std::abs(std::int64_t{number}), variables));
+    clause.push_back(number);
+  }
+  if (at != end) fail(fmt::format("expected the end of the line after the 0, found \"{}\"", words));
+  return clause;
+}
 
 Cnf sizes_of(const NumberReader& reader, std::string_view line, std::size_t& clauses) {
   Cnf cnf;
@@ -49,6 +102,18 @@ Cnf parse_dimacs(const std::string& file, const std::string& text) {
   if (cnf.clauses.size() != announced)
     reader.fail(fmt::format("{} clauses announced, {} found", announced, cnf.clauses.size()));
   return cnf;
+}
+
+Proof parse_proof(const std::string& file, const std::string& text, int variables) {
+  NumberReader reader(file, text);
+  Proof proof;
+  while (!reader.at_end()) {
+    std::string_view line = reader.next_line();
+    const bool deletes = line.starts_with("d ");
+    if (deletes) line.remove_prefix(2);
+    proof.push_back({deletes, reader.clause(line, variables), reader.line()});
+  }
+  return proof;
 }
 
 }  // namespace restrip::verify::sat

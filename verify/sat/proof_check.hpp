@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sat/drat_proof.hpp"
+#include "sat/cnf.hpp"
 
 namespace restrip::verify::sat {
 

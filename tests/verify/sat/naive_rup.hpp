@@ -1,7 +1,7 @@
 #pragma once
 // Proof checking as plainly as it can be written: every clause is looked at again and again until nothing moves.
 
-#include "sat/drat_proof.hpp"
+#include "sat/cnf.hpp"
 
 namespace restrip::verify::sat::test {
 
