@@ -11,10 +11,15 @@ BIN is the folder of the programs. Languages whose tools are not given are left 
 """
 import argparse
 import re
+import shlex
 import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "generator/languages"))
+import language_test
 
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("bin", type=Path)
@@ -24,7 +29,8 @@ for tool in ("c-compiler", "rustc", "node", "chromium", "glslang", "vulkan"):
     parser.add_argument("--" + tool)
 ARGUMENTS = parser.parse_args()
 BIN, ROOT = ARGUMENTS.bin.resolve(), ARGUMENTS.root.resolve()
-DRIVERS = ROOT / "tests/generator/languages"
+TOOLS = {"c": (ARGUMENTS.c_compiler,), "rust": (ARGUMENTS.rustc,), "json": (ARGUMENTS.node,), "glsl": (ARGUMENTS.glslang, ARGUMENTS.vulkan),
+         "wgsl": (ARGUMENTS.node, ARGUMENTS.chromium)}
 MAX_K = 5
 TABLES, RULES = "tables/include/restrip/tables", "runtime/include/restrip/rules"
 
@@ -208,67 +214,27 @@ def check_files(scratch):
                 accepted(what, "certificates only; no header was read", verify(copy))
 
 
-class Language:
-    """How the program that checks a language is built from a folder of tables, and run."""
-
-    def __init__(self, scratch):
-        self.scratch = scratch
-        self.drivers = {"c": self.c}
-        if ARGUMENTS.rustc:
-            self.drivers["rust"] = self.rust
-        if ARGUMENTS.node:
-            self.drivers["json"] = lambda folder: f"'{ARGUMENTS.node}' '{folder}/restrip_tables_check.mjs'"
-        if ARGUMENTS.glslang and ARGUMENTS.vulkan:
-            self.drivers["glsl"] = self.glsl
-        if ARGUMENTS.node and ARGUMENTS.chromium:
-            self.drivers["wgsl"] = self.wgsl
-
-    @staticmethod
-    def built(*command):
-        done = run(*command)
-        if done.returncode != 0:
-            raise SystemExit(f"{command}: {done.stdout}{done.stderr}")
-
-    def c(self, folder):
-        self.built(ARGUMENTS.c_compiler, "-std=c99", folder / "restrip_tables_check.c", "-o", folder / "check")
-        return f"'{folder}/check'"
-
-    def rust(self, folder):
-        self.built(ARGUMENTS.rustc, "--edition", "2021", folder / "restrip_tables_check.rs", "-o", folder / "check")
-        return f"'{folder}/check'"
-
-    def glsl(self, folder):
-        self.built(ARGUMENTS.glslang, "-V", f"-I{folder}", folder / "restrip_tables_check.comp", "-o", folder / "shader.spv")
-        return f"'{ARGUMENTS.vulkan}' '{folder}/shader.spv' {MAX_K} '{folder}/restrip_tables.bin'"
-
-    def wgsl(self, folder):
-        (folder / "shader.wgsl").write_text((folder / "restrip_tables.wgsl").read_text(encoding="utf-8") +
-                                            (folder / "restrip_tables_check.wgsl").read_text(encoding="utf-8"), encoding="utf-8")
-        return (f"'{ARGUMENTS.node}' '{DRIVERS}/driver_wgsl.mjs' '{ARGUMENTS.chromium}' '{folder}' '{folder}/shader.wgsl' {MAX_K} "
-                f"'{folder}/restrip_tables.bin'")
-
-    def judged(self, language, folder):
-        """The digests of the shipped headers' answers are those of the language's."""
-        return run(BIN / "restrip-verify", "--headers", "--max-k", MAX_K, "--dump-command", f"'{BIN}/restrip-dump-tables' --max-k {MAX_K}",
-                   "--digest-command", self.drivers[language](folder))
-
-
 def check_languages(scratch):
     tables = scratch / "languages"
-    language = Language(scratch)
-    options = [f"--language={name}" for name in ("c", "rust", "json", "glsl", "wgsl")]
-    Language.built(BIN / "restrip-generate", "tables", "--max-k", MAX_K, "--out", tables, *options)
-    for name in language.drivers:
+    drivers = {name: language_test.LANGUAGES[name](*tools) for name, tools in TOOLS.items() if all(tools)}
+
+    def judged(language, folder):
+        """The digests of the shipped headers' answers are those of the language's."""
+        return run(BIN / "restrip-verify", "--headers", "--max-k", MAX_K, "--dump-command", f"'{BIN}/restrip-dump-tables' --max-k {MAX_K}",
+                   "--digest-command", shlex.join(map(str, drivers[language].digests(folder, folder, MAX_K))))
+
+    language_test.run(BIN / "restrip-generate", "tables", "--max-k", MAX_K, "--out", tables, *(f"--language={name}" for name in TOOLS))
+    for name in drivers:
         shutil.copytree(tables, scratch / name)
-        accepted(name, "compiled tables and digests of other languages only; no certificate was read", language.judged(name, scratch / name))
+        accepted(name, "compiled tables and digests of other languages only; no certificate was read", judged(name, scratch / name))
     for number, (what, name, file, fault) in enumerate(LANGUAGES):
-        if name not in language.drivers:
+        if name not in drivers:
             print(f"left out, a tool is missing: {what} ({file})")
             continue
         copy = scratch / f"{name}-{number}"
         shutil.copytree(tables, copy)
         put_in(copy / file, fault)
-        refused(f"{what} ({file})", "the answers that were judged make it", language.judged(name, copy))
+        refused(f"{what} ({file})", "the answers that were judged make it", judged(name, copy))
 
 
 def resum(tables, file):

@@ -1,10 +1,9 @@
 // Runs a compute shader on the first Vulkan device (VK_ICD_FILENAMES chooses it) with tables in binding 0, an output in
 // binding 1 and positions in binding 2, and prints what it puts out.
-//   driver_vulkan SHADER.spv K TABLES.bin…    the lines of digests, up to k = K for the first tables and up to k =
-//   4
+//   driver_vulkan SHADER.spv K TABLES.bin…    the lines of digests, up to k = K for the first tables and up to k = 4
 //                                             for the others, a line "== FILE" before each of those
 //   driver_vulkan SHADER.spv words N TABLES.bin     the N numbers that one invocation puts out
-#include <vulkan/vulkan.h>
+#include <vulkan/vulkan.hpp>
 
 #include <algorithm>
 #include <array>
@@ -12,27 +11,23 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace {
 
-[[noreturn]] void fail(const std::string& what) {
-  std::fprintf(stderr, "driver_vulkan: %s\n", what.c_str());
-  std::exit(1);
-}
+using Words = std::vector<std::uint32_t>;
 
-void check(VkResult result, const char* what) {
-  if (result != VK_SUCCESS) fail(std::string(what) + " gave " + std::to_string(result));
-}
-
-std::vector<std::uint32_t> words_of(const char* path) {
+Words words_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::vector<char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (bytes.empty() || bytes.size() % 4 != 0) fail(std::string(path) + " is not there, or no file of words");
-  std::vector<std::uint32_t> words(bytes.size() / 4);
+  if (bytes.empty() || bytes.size() % 4 != 0)
+    throw std::runtime_error(path + " is not there, or no file of words");
+  Words words(bytes.size() / 4);
   std::memcpy(words.data(), bytes.data(), bytes.size());
   return words;
 }
@@ -61,173 +56,110 @@ std::vector<Position> positions_up_to(std::uint32_t max_k) {
 }
 
 /// A device with one queue that computes, and what it takes to run one shader on it. Nothing is freed: the program
-/// ends.
+/// ends. What fails is thrown.
 class Computer {
  public:
-  explicit Computer(const std::vector<std::uint32_t>& shader) {
-    const VkApplicationInfo application{
-        VK_STRUCTURE_TYPE_APPLICATION_INFO, nullptr, nullptr, 0, nullptr, 0, VK_API_VERSION_1_0};
-    VkInstanceCreateInfo instance_info{};
-    instance_info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
-    instance_info.pApplicationInfo = &application;
-    VkInstance instance{};
-    check(vkCreateInstance(&instance_info, nullptr, &instance), "vkCreateInstance");
-    std::uint32_t count = 1;
-    const VkResult found = vkEnumeratePhysicalDevices(instance, &count, &physical_);
-    if ((found != VK_SUCCESS && found != VK_INCOMPLETE) || count == 0) fail("there is no Vulkan device");
-    std::uint32_t families = 8;
-    std::array<VkQueueFamilyProperties, 8> properties{};
-    vkGetPhysicalDeviceQueueFamilyProperties(physical_, &families, properties.data());
-    std::uint32_t family = 0;
-    while (family < families && (properties[family].queueFlags & VK_QUEUE_COMPUTE_BIT) == 0) ++family;
-    if (family == families) fail("no queue of the device computes");
+  explicit Computer(const Words& shader) {
+    const vk::ApplicationInfo application({}, 0, {}, 0, VK_API_VERSION_1_0);
+    const std::vector<vk::PhysicalDevice> found = vk::createInstance({{}, &application}).enumeratePhysicalDevices();
+    if (found.empty()) throw std::runtime_error("there is no Vulkan device");
+    physical_ = found[0];
+    const auto families = physical_.getQueueFamilyProperties();
+    const auto computes = [](const auto& one) { return static_cast<bool>(one.queueFlags & vk::QueueFlagBits::eCompute); };
+    const auto one = std::find_if(families.begin(), families.end(), computes);
+    if (one == families.end()) throw std::runtime_error("no queue of the device computes");
+    const auto family = static_cast<std::uint32_t>(one - families.begin());
     const float priority = 1;
-    VkDeviceQueueCreateInfo queue_info{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, nullptr, 0, family, 1, &priority};
-    VkDeviceCreateInfo device_info{};
-    device_info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-    device_info.queueCreateInfoCount = 1;
-    device_info.pQueueCreateInfos = &queue_info;
-    check(vkCreateDevice(physical_, &device_info, nullptr, &device_), "vkCreateDevice");
-    vkGetDeviceQueue(device_, family, 0, &queue_);
-    make_pipeline(shader);
-    const VkCommandPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr, 0, family};
-    check(vkCreateCommandPool(device_, &pool_info, nullptr, &pool_), "vkCreateCommandPool");
+    const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
+    device_ = physical_.createDevice({{}, queue});
+    queue_ = device_.getQueue(family, 0);
+    pool_ = device_.createCommandPool({{}, family});
+    std::array<vk::DescriptorSetLayoutBinding, 3> bindings;
+    for (std::uint32_t i = 0; i < 3; ++i)
+      bindings[i] = {i, vk::DescriptorType::eStorageBuffer, 1, vk::ShaderStageFlagBits::eCompute};
+    const vk::DescriptorSetLayout layout = device_.createDescriptorSetLayout({{}, bindings});
+    layout_ = device_.createPipelineLayout({{}, layout});
+    const vk::ShaderModule module = device_.createShaderModule({{}, shader});
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, module, "main");
+    pipeline_ = device_.createComputePipeline({}, {{}, stage, layout_}).value;
+    const vk::DescriptorPoolSize size(vk::DescriptorType::eStorageBuffer, 3);
+    set_ = device_.allocateDescriptorSets({device_.createDescriptorPool({{}, 1, size}), layout})[0];
   }
 
-  std::vector<std::uint32_t> run(const std::vector<std::uint32_t>& tables, const std::vector<Position>& positions,
-                                 std::size_t results, std::uint32_t groups) {
-    std::vector<std::uint32_t> places(4 * positions.size());
+  Words run(const Words& tables, const std::vector<Position>& positions, std::size_t results, std::uint32_t groups) {
+    Words places(4 * positions.size());
     std::memcpy(places.data(), positions.data(), 4 * places.size());
-    const std::array<Memory, 3> buffers{buffer_of(tables), buffer_of(std::vector<std::uint32_t>(results, 0)),
-                                        buffer_of(places)};
-    std::array<VkDescriptorBufferInfo, 3> infos{};
-    std::array<VkWriteDescriptorSet, 3> writes{};
+    const std::array<Memory, 3> buffers{buffer_of(tables), buffer_of(Words(results, 0)), buffer_of(places)};
     for (std::uint32_t i = 0; i < 3; ++i) {
-      infos[i] = {buffers[i].buffer, 0, VK_WHOLE_SIZE};
-      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-      writes[i].dstSet = set_;
-      writes[i].dstBinding = i;
-      writes[i].descriptorCount = 1;
-      writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-      writes[i].pBufferInfo = &infos[i];
+      const vk::DescriptorBufferInfo info(buffers[i].buffer, 0, VK_WHOLE_SIZE);
+      device_.updateDescriptorSets(vk::WriteDescriptorSet(set_, i, 0, vk::DescriptorType::eStorageBuffer, {}, info), {});
     }
-    vkUpdateDescriptorSets(device_, 3, writes.data(), 0, nullptr);
-    const VkCommandBufferAllocateInfo command_info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, pool_,
-                                                   VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
-    VkCommandBuffer commands{};
-    check(vkAllocateCommandBuffers(device_, &command_info, &commands), "vkAllocateCommandBuffers");
-    VkCommandBufferBeginInfo begin{};
-    begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-    check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 1, &set_, 0, nullptr);
-    vkCmdDispatch(commands, groups, static_cast<std::uint32_t>(positions.size()), 1);
-    VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_SHADER_WRITE_BIT,
-                            VK_ACCESS_HOST_READ_BIT};
-    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0,
-                         nullptr, 0, nullptr);
-    check(vkEndCommandBuffer(commands), "vkEndCommandBuffer");
-    VkSubmitInfo submit{};
-    submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO;
-    submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &commands;
-    check(vkQueueSubmit(queue_, 1, &submit, VK_NULL_HANDLE), "vkQueueSubmit");
-    check(vkQueueWaitIdle(queue_), "vkQueueWaitIdle");
-    std::vector<std::uint32_t> output(results);
+    const vk::CommandBuffer commands =
+        device_.allocateCommandBuffers({pool_, vk::CommandBufferLevel::ePrimary, 1})[0];
+    commands.begin(vk::CommandBufferBeginInfo());
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline_);
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, layout_, 0, set_, {});
+    commands.dispatch(groups, static_cast<std::uint32_t>(positions.size()), 1);
+    commands.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader, vk::PipelineStageFlagBits::eHost, {},
+                             vk::MemoryBarrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead), {}, {});
+    commands.end();
+    queue_.submit(vk::SubmitInfo({}, {}, commands));
+    queue_.waitIdle();
+    Words output(results);
     std::memcpy(output.data(), buffers[1].mapped, 4 * results);
     return output;
   }
 
  private:
   struct Memory {
-    VkBuffer buffer{};
+    vk::Buffer buffer;
     void* mapped = nullptr;
   };
 
-  Memory buffer_of(const std::vector<std::uint32_t>& words) {
-    Memory made;
-    VkBufferCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
-    info.size = 4 * words.size();
-    info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
-    check(vkCreateBuffer(device_, &info, nullptr, &made.buffer), "vkCreateBuffer");
-    VkMemoryRequirements needs{};
-    vkGetBufferMemoryRequirements(device_, made.buffer, &needs);
-    VkPhysicalDeviceMemoryProperties properties{};
-    vkGetPhysicalDeviceMemoryProperties(physical_, &properties);
-    constexpr VkMemoryPropertyFlags wanted = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  Memory buffer_of(const Words& words) {
+    const vk::Buffer buffer = device_.createBuffer({{}, 4 * words.size(), vk::BufferUsageFlagBits::eStorageBuffer});
+    const vk::MemoryRequirements needs = device_.getBufferMemoryRequirements(buffer);
+    const vk::PhysicalDeviceMemoryProperties properties = physical_.getMemoryProperties();
+    const vk::MemoryPropertyFlags wanted =
+        vk::MemoryPropertyFlagBits::eHostVisible | vk::MemoryPropertyFlagBits::eHostCoherent;
     std::uint32_t type = 0;
     while (type < properties.memoryTypeCount && ((needs.memoryTypeBits >> type & 1U) == 0 ||
                                                  (properties.memoryTypes[type].propertyFlags & wanted) != wanted))
       ++type;
-    if (type == properties.memoryTypeCount) fail("the device has no memory that the host sees");
-    const VkMemoryAllocateInfo allocate{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, nullptr, needs.size, type};
-    VkDeviceMemory memory{};
-    check(vkAllocateMemory(device_, &allocate, nullptr, &memory), "vkAllocateMemory");
-    check(vkBindBufferMemory(device_, made.buffer, memory, 0), "vkBindBufferMemory");
-    check(vkMapMemory(device_, memory, 0, VK_WHOLE_SIZE, 0, &made.mapped), "vkMapMemory");
-    std::memcpy(made.mapped, words.data(), 4 * words.size());
-    return made;
+    if (type == properties.memoryTypeCount) throw std::runtime_error("the device has no memory that the host sees");
+    const vk::DeviceMemory memory = device_.allocateMemory({needs.size, type});
+    device_.bindBufferMemory(buffer, memory, 0);
+    void* const mapped = device_.mapMemory(memory, 0, VK_WHOLE_SIZE);
+    std::memcpy(mapped, words.data(), 4 * words.size());
+    return {buffer, mapped};
   }
 
-  void make_pipeline(const std::vector<std::uint32_t>& shader) {
-    std::array<VkDescriptorSetLayoutBinding, 3> bindings{};
-    for (std::uint32_t i = 0; i < 3; ++i)
-      bindings[i] = {i, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr};
-    const VkDescriptorSetLayoutCreateInfo set_info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, nullptr, 0, 3,
-                                                   bindings.data()};
-    VkDescriptorSetLayout set_layout{};
-    check(vkCreateDescriptorSetLayout(device_, &set_info, nullptr, &set_layout), "vkCreateDescriptorSetLayout");
-    const VkPipelineLayoutCreateInfo layout_info{
-        VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, nullptr, 0, 1, &set_layout, 0, nullptr};
-    check(vkCreatePipelineLayout(device_, &layout_info, nullptr, &layout_), "vkCreatePipelineLayout");
-    const VkShaderModuleCreateInfo module_info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, nullptr, 0,
-                                               4 * shader.size(), shader.data()};
-    VkShaderModule module{};
-    check(vkCreateShaderModule(device_, &module_info, nullptr, &module), "vkCreateShaderModule");
-    VkComputePipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-    info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-    info.stage.module = module;
-    info.stage.pName = "main";
-    info.layout = layout_;
-    check(vkCreateComputePipelines(device_, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_), "vkCreateComputePipelines");
-    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 3};
-    const VkDescriptorPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO, nullptr, 0, 1, 1, &size};
-    VkDescriptorPool pool{};
-    check(vkCreateDescriptorPool(device_, &pool_info, nullptr, &pool), "vkCreateDescriptorPool");
-    const VkDescriptorSetAllocateInfo allocate{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO, nullptr, pool, 1,
-                                               &set_layout};
-    check(vkAllocateDescriptorSets(device_, &allocate, &set_), "vkAllocateDescriptorSets");
-  }
-
-  VkPhysicalDevice physical_{};
-  VkDevice device_{};
-  VkQueue queue_{};
-  VkPipelineLayout layout_{};
-  VkPipeline pipeline_{};
-  VkDescriptorSet set_{};
-  VkCommandPool pool_{};
+  vk::PhysicalDevice physical_;
+  vk::Device device_;
+  vk::Queue queue_;
+  vk::CommandPool pool_;
+  vk::PipelineLayout layout_;
+  vk::Pipeline pipeline_;
+  vk::DescriptorSet set_;
 };
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  if (argc < 4) fail("usage: driver_vulkan SHADER.spv K|words N TABLES.bin...");
-  Computer computer(words_of(argv[1]));
-  if (std::string(argv[2]) == "words") {
-    if (argc != 5) fail("words: expected their number and one file of tables");
-    for (const std::uint32_t word :
-         computer.run(words_of(argv[4]), {{0, 0, 0, 0}}, std::strtoul(argv[3], nullptr, 10), 1))
+int main(int argc, char** argv) try {
+  const std::vector<std::string> given(argv + 1, argv + argc);
+  if (given.size() < 3) throw std::runtime_error("usage: driver_vulkan SHADER.spv K|words N TABLES.bin...");
+  Computer computer(words_of(given[0]));
+  if (given[1] == "words") {
+    if (given.size() != 4) throw std::runtime_error("words: expected their number and one file of tables");
+    for (const std::uint32_t word : computer.run(words_of(given[3]), {{0, 0, 0, 0}}, std::stoul(given[2]), 1))
       std::printf("%u\n", word);
     return 0;
   }
-  auto max_k = static_cast<std::uint32_t>(std::strtoul(argv[2], nullptr, 10));
-  for (int i = 3; i < argc; ++i) {
-    if (i > 3) std::printf("== %s\n", argv[i]);
+  auto max_k = static_cast<std::uint32_t>(std::stoul(given[1]));
+  for (std::size_t i = 2; i < given.size(); ++i) {
+    if (i > 2) std::printf("== %s\n", given[i].c_str());
     const std::vector<Position> positions = positions_up_to(max_k);
-    const std::vector<std::uint32_t> digests = computer.run(words_of(argv[i]), positions, positions.size(), 16);
+    const Words digests = computer.run(words_of(given[i]), positions, positions.size(), 16);
     for (std::size_t at = 0; at < positions.size(); ++at) {
       const auto [operation, k, p, q] = positions[at];
       if (operation == 7)
@@ -238,4 +170,7 @@ int main(int argc, char** argv) {
     max_k = std::min(max_k, 4U);
   }
   return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "driver_vulkan: %s\n", error.what());
+  return 1;
 }

@@ -15,10 +15,14 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
+sys.path.insert(0, str(ROOT / "tests/support"))
+from json_schema import fits
+
 MAX_K = 8
 # The operations that read the rules of a family, by their numbers in the lines of digests.
 READERS = {"split": "0", "collapse": "1", "open_split": "2", "fan_collapse": "35", "boundary_split": "4", "flip": "6"}
@@ -60,80 +64,77 @@ def must_be_equal(what, found, expected):
         raise SystemExit(f"{what}: other answers than those of C++, in operations {wrong}:\n{found}\nexpected:\n{expected}")
 
 
-def altered_number(text, opening):
-    """The text with another number in place of the first that is not 0 behind `opening`, and not 255."""
-    begin = text.index(opening) + len(opening)
-    number = re.compile(r"\b(?!0\b|255\b)\d+").search(text, begin)
-    return text[:number.start()] + str(int(number[0]) ^ 1) + text[number.end():]
+class Language:
+    """How the programs of a language are made and run. `check` is the one that prints digests; `flags` are those with which all
+    of them are asked."""
+    flags = ()
 
-
-class Text:
-    """Languages whose tables are in their text."""
+    def digests(self, folder, scratch, max_k):
+        """The command that prints the digests up to this k."""
+        return *self.program((folder / self.check).read_text(encoding="utf-8"), folder, scratch, *(self.flags if max_k == MAX_K else ())), max_k
 
     def wanted(self, answers):
         return answers
 
+    def answers(self, folder, scratch, max_k):
+        return run(*self.digests(folder, scratch, max_k))
+
     def altered_answers(self, folder, scratch):
-        """The answers up to k = 4 with a rule of each family altered."""
+        """The answers up to k = 4 with a rule of each family altered: the first number of its rules that is not 0, and not 255."""
         text = (folder / self.file).read_text(encoding="utf-8")
         altered = scratch / "altered"
         answers = {}
         for family in READERS:
-            (altered / self.file).write_text(self.altered(text, family), encoding="utf-8")
+            rules = re.search(self.rules.format(family=family, FAMILY=family.upper()), text)
+            number = re.compile(r"\b(?!0\b|255\b)\d+").search(text, rules.end())
+            (altered / self.file).write_text(text[:number.start()] + str(int(number[0]) ^ 1) + text[number.end():], encoding="utf-8")
             answers[family] = self.answers(altered, scratch, 4)
         return answers
 
+    def example(self, text, folder, scratch):
+        return run(*self.program(text, folder, scratch))
 
-class C(Text):
-    file = "restrip_tables.h"
-    block = "c"
+
+class C(Language):
+    file, check, block = "restrip_tables.h", "restrip_tables_check.c", "c"
+    rules = r"restrip_{family}_rules\[\d+\] = "
+    flags = ("-O1",)
+    sanitizers = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 
     def __init__(self, gcc):
         self.gcc = gcc
 
-    def compiled(self, folder, scratch, *flags):
-        program = scratch / "driver"
-        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", *flags,
-            folder / "restrip_tables_check.c", "-o", program)
-        return program
+    def program(self, source, folder, scratch, *flags):
+        (scratch / "program.c").write_text(source, encoding="utf-8")
+        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic", "-Werror", *flags, "-I", folder,
+            scratch / "program.c", "-o", scratch / "program")
+        return (scratch / "program",)
 
-    def answers(self, folder, scratch, max_k):
-        return run(self.compiled(folder, scratch, "-O1" if max_k == MAX_K else "-O0"), max_k)
-
-    def altered(self, text, family):
-        return altered_number(text, re.search(rf"restrip_{family}_rules\[\d+\] = ", text)[0])
-
-    def example(self, text, folder, scratch):
-        (scratch / "example.c").write_text(text, encoding="utf-8")
-        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Werror", "-I", folder, scratch / "example.c", "-o", scratch / "example")
-        return run(scratch / "example")
+    def taken_as_cpp(self, source, folder):
+        run(self.gcc, "-x", "c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I", folder, "-fsyntax-only", source)
 
     def more(self, folder, scratch, expected):
         """No undefined behaviour, no library, and C++ takes it as well."""
-        checked = self.compiled(folder, scratch, "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-        must_be_equal("with sanitizers", run(checked, 6), expected(6))
+        source = (folder / self.check).read_text(encoding="utf-8")
+        must_be_equal("with sanitizers", run(*self.program(source, folder, scratch, "-O1", *self.sanitizers), 6), expected(6))
         data = scratch / "data.c"
         data.write_text('#define RESTRIP_TABLES_IMPLEMENTATION\n#include "restrip_tables.h"\n', encoding="utf-8")
         run(self.gcc, "-std=c99", "-O2", "-ffreestanding", "-I", folder, "-c", data, "-o", scratch / "data.o")
         called = run("nm", "--undefined-only", scratch / "data.o")
         if called:
             raise SystemExit(f"the data and bodies call something:\n{called}")
-        run(self.gcc, "-x", "c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I", folder, "-fsyntax-only", data)
+        self.taken_as_cpp(data, folder)
 
 
-class Json(Text):
-    file = "restrip_tables.json"
-    block = "python"
+class Json(Language):
+    file, check, block = "restrip_tables.json", "restrip_tables_check.mjs", "python"
+    rules = r'"{family}": (?:\[|\{{(?s:.*?)"rules": \[)'
 
-    def __init__(self, node, python):
+    def __init__(self, node, python=None):
         self.node, self.python = node, python
 
-    def answers(self, folder, scratch, max_k):
-        return run(self.node, folder / "restrip_tables_check.mjs", max_k)
-
-    def altered(self, text, family):
-        return altered_number(text, '"flip": [' if family == "flip" else
-                              text[:text.index('"rules": [', text.index(f'\n"{family}": {{')) + 10])
+    def digests(self, folder, scratch, max_k):
+        return self.node, folder / self.check, max_k
 
     def example(self, text, folder, scratch):
         return run(self.python, "-c", text, cwd=folder)
@@ -142,69 +143,60 @@ class Json(Text):
         """The file is as the schema says; files that are not are told apart."""
         schema = json.loads((ROOT / "docs/tables.schema.json").read_text(encoding="utf-8"))
         tables = json.loads((folder / self.file).read_text(encoding="utf-8"))
-        faults = list(against(schema, tables, schema))
-        if faults:
-            raise SystemExit(f"{self.file} is not as docs/tables.schema.json says: {faults[0]}")
+        if not fits(schema, tables, schema):
+            raise SystemExit(f"{self.file} is not as docs/tables.schema.json says")
         for arrays in tables["families"].values():
             del arrays["rules"][5:]  # enough to be spoilt
         for member in tables:
-            if not list(against(schema, {name: value for name, value in tables.items() if name != member}, schema)):
+            if fits(schema, {name: value for name, value in tables.items() if name != member}, schema):
                 raise SystemExit(f"docs/tables.schema.json does without {member}")
         for spoil in (lambda t: t["rows"].update(closed=[]), lambda t: t["flip"].pop(), lambda t: t.update(max_k=14),
                       lambda t: t["families"]["split"]["rules"].append(65536), lambda t: t.update(version=2),
                       lambda t: t["families"].update(other={}), lambda t: t["operations"][0].update(name="other")):
             spoilt = json.loads(json.dumps(tables))
             spoil(spoilt)
-            if not list(against(schema, spoilt, schema)):
+            if fits(schema, spoilt, schema):
                 raise SystemExit("docs/tables.schema.json takes tables that are wrong")
 
 
-KNOWN = set()  # schemas looked at
-
-
-class Rust(Text):
-    file = "restrip_tables.rs"
-    block = "rust"
+class Rust(Language):
+    file, check, block = "restrip_tables.rs", "restrip_tables_check.rs", "rust"
+    rules = r"const {FAMILY}_RULES: .* = &"
+    flags = ("-C", "opt-level=1")
 
     def __init__(self, rustc):
         self.rustc = rustc
 
-    def compiled(self, folder, scratch, source, *flags):
-        """The source beside the module, where `mod` looks for it."""
+    def program(self, source, folder, scratch, *flags):
+        """The source beside the modules, where `mod` looks for them."""
         work = scratch / "crate"
         work.mkdir(exist_ok=True)
-        shutil.copy(folder / self.file, work)
+        for module in folder.glob("restrip_*.rs"):
+            shutil.copy(module, work)
         (work / "program.rs").write_text(source, encoding="utf-8")
-        run(self.rustc, "--edition", "2021", "-D", "warnings", *flags, work / "program.rs", "-o", work / "program")
-        return work / "program"
+        run(self.rustc, "--edition", "2021", "-D", "warnings", "-C", "overflow-checks=on", *flags, work / "program.rs", "-o", work / "program")
+        return (work / "program",)
 
-    def answers(self, folder, scratch, max_k):
-        source = (folder / "restrip_tables_check.rs").read_text(encoding="utf-8")
-        flags = ("-C", "opt-level=1") if max_k == MAX_K else ()
-        return run(self.compiled(folder, scratch, source, "-C", "overflow-checks=on", *flags), max_k)
-
-    def altered(self, text, family):
-        return altered_number(text, re.search(rf"const {family.upper()}_RULES: .* = &", text)[0])
-
-    def example(self, text, folder, scratch):
-        return run(self.compiled(folder, scratch, text))
+    def core_alone(self, module, folder, scratch):
+        """The module does without the standard library and without unsafe code."""
+        self.program(f"#![no_std]\n#![forbid(unsafe_code)]\npub mod {module};\n", folder, scratch, "--crate-type", "lib")
 
     def more(self, folder, scratch, expected):
-        """The module does without the standard library and without unsafe code."""
-        self.compiled(folder, scratch, "#![no_std]\n#![forbid(unsafe_code)]\npub mod restrip_tables;\n", "--crate-type", "lib")
+        self.core_alone("restrip_tables", folder, scratch)
 
 
-class Shader:
+class Shader(Language):
     """Languages of shaders: the driver takes several files of tables at once."""
+
+    def digests(self, folder, scratch, max_k):
+        return *super().digests(folder, scratch, max_k), folder / "restrip_tables.bin"
 
     def wanted(self, answers):
         return answers if "RESTRIP_EVERY_POSITION" in os.environ else first_collapses(answers)
 
     def answers(self, folder, scratch, max_k):
         """Of the tables; and, because a device takes long to start, of those with an altered rule."""
-        shader = self.shader(folder, scratch, (folder / self.check).read_text(encoding="utf-8"))
-        printed = self.run(shader, scratch, max_k, folder / "restrip_tables.bin", *self.altered_files(folder, scratch))
-        answers, *others = re.split("^== .*\n", printed, flags=re.M)
+        answers, *others = re.split("^== .*\n", run(*self.digests(folder, scratch, max_k), *self.altered_files(folder, scratch)), flags=re.M)
         self.others = dict(zip(READERS, others))
         return answers
 
@@ -223,7 +215,7 @@ class Shader:
         return self.others
 
     def example(self, text, folder, scratch):
-        return self.run(self.shader(folder, scratch, text), scratch, "words", 4, folder / "restrip_tables.bin")
+        return run(*self.program(text, folder, scratch), "words", 4, folder / "restrip_tables.bin")
 
     def more(self, folder, scratch, expected):
         """The first word of the data is the checksum of the others, which the look-up names."""
@@ -237,67 +229,30 @@ class Shader:
 
 
 class Wgsl(Shader):
-    file, block, check = "restrip_tables.wgsl", "wgsl", "restrip_tables_check.wgsl"
+    file, check, block = "restrip_tables.wgsl", "restrip_tables_check.wgsl", "wgsl"
 
     def __init__(self, node, chromium):
         self.node, self.chromium = node, chromium
 
-    def shader(self, folder, scratch, source):
-        (scratch / "shader.wgsl").write_text((folder / self.file).read_text(encoding="utf-8") + source, encoding="utf-8")
-        return scratch / "shader.wgsl"
-
-    def run(self, shader, scratch, *words):
-        return run(self.node, HERE / "driver_wgsl.mjs", self.chromium, scratch, shader, *words)
+    def program(self, source, folder, scratch, *names):
+        """The source behind the look-up, or the look-ups of these names."""
+        texts = [(folder / name).read_text(encoding="utf-8") for name in names or (self.file,)]
+        (scratch / "shader.wgsl").write_text("".join(texts) + source, encoding="utf-8")
+        return self.node, HERE / "driver_wgsl.mjs", self.chromium, scratch, scratch / "shader.wgsl"
 
 
 class Glsl(Shader):
-    file, block, check = "restrip_tables.glsl", "glsl", "restrip_tables_check.comp"
+    file, check, block = "restrip_tables.glsl", "restrip_tables_check.comp", "glsl"
 
     def __init__(self, glslang, vulkan):
         self.glslang, self.vulkan = glslang, vulkan
 
-    def shader(self, folder, scratch, source):
+    def program(self, source, folder, scratch):
         (scratch / "shader.comp").write_text(source, encoding="utf-8")
-        said = subprocess.run([self.glslang, "-V", f"-I{folder}", scratch / "shader.comp", "-o", scratch / "shader.spv"],
-                              capture_output=True, text=True, check=False)
-        if said.returncode != 0 or "WARNING" in said.stdout:
-            raise SystemExit(f"glslangValidator: {said.stdout}{said.stderr}")
-        return scratch / "shader.spv"
-
-    def run(self, shader, scratch, *words):
-        return run(self.vulkan, shader, *words)
-
-
-def against(schema, value, whole):
-    """Faults of a value; of the words of JSON Schema those that our schema uses."""
-    if "$ref" in schema:
-        yield from against(whole["$defs"][schema["$ref"].split("/")[-1]], value, whole)
-        return
-    unknown = () if id(schema) in KNOWN else set(schema) - {"$schema", "$id", "$defs", "title", "description", "type", "const", "enum", "minimum", "maximum",
-                             "properties", "required", "additionalProperties", "items", "minItems", "maxItems"}
-    if unknown:
-        raise SystemExit(f"docs/tables.schema.json uses {unknown}, which this test does not know")
-    KNOWN.add(id(schema))
-    kinds = {"object": dict, "array": list, "integer": int, "string": str, "boolean": bool}
-    if "type" in schema and (not isinstance(value, kinds[schema["type"]]) or schema["type"] == "integer" and isinstance(value, bool)):
-        yield f"{str(value)[:50]} is not of type {schema['type']}"
-        return
-    if "const" in schema and value != schema["const"] or "enum" in schema and value not in schema["enum"]:
-        yield f"{value} is not {schema.get('const', schema.get('enum'))}"
-    if isinstance(value, int) and not schema.get("minimum", value) <= value <= schema.get("maximum", value):
-        yield f"{value} is out of range"
-    if isinstance(value, list):
-        if not schema.get("minItems", 0) <= len(value) <= schema.get("maxItems", len(value)):
-            yield f"{len(value)} elements"
-        for element in value:
-            yield from against(schema.get("items", {}), element, whole)
-    if isinstance(value, dict):
-        yield from (f"{name} is missing" for name in schema.get("required", []) if name not in value)
-        for name, member in value.items():
-            if name in schema.get("properties", {}):
-                yield from against(schema["properties"][name], member, whole)
-            elif not schema.get("additionalProperties", True):
-                yield f"{name} is unknown"
+        said = run(self.glslang, "-V", f"-I{folder}", scratch / "shader.comp", "-o", scratch / "shader.spv")
+        if "WARNING" in said:
+            raise SystemExit(f"glslangValidator: {said}")
+        return self.vulkan, scratch / "shader.spv"
 
 
 LANGUAGES = {"c": C, "json": Json, "rust": Rust, "glsl": Glsl, "wgsl": Wgsl}
@@ -316,12 +271,15 @@ def arguments(doc, *options):
     return given
 
 
-def example_of(page, block):
-    """A program of a page, and what it prints."""
-    example = re.search(rf"```{block}\n(.+?)```\n\n[^\n]*:\n\n```text\n(.+?)```", page, re.S)
+def check_example(language, heading, folder, scratch):
+    """The program that docs/languages.md has behind this heading prints what stands there."""
+    page = (ROOT / "docs/languages.md").read_text(encoding="utf-8").split(heading, 1)[1]
+    example = re.search(rf"```{language.block}\n(.+?)```\n\n[^\n]*:\n\n```text\n(.+?)```", page, re.S)
     if not example:
-        raise SystemExit(f"docs/languages.md has no ```{block} block followed by a line that ends with a colon and a ```text block")
-    return example[1], example[2]
+        raise SystemExit(f"docs/languages.md has no ```{language.block} block followed by a line that ends with a colon and a ```text block")
+    printed = language.example(example[1], folder, scratch)
+    if printed != example[2]:
+        raise SystemExit(f"the example of docs/languages.md prints\n{printed}instead of\n{example[2]}")
 
 
 def main():
@@ -345,10 +303,7 @@ def main():
     if noticed != len(READERS):
         raise SystemExit(f"{noticed} altered rules were asked for, not {len(READERS)}")
 
-    text, wanted = example_of((ROOT / "docs/languages.md").read_text(encoding="utf-8"), language.block)
-    printed = language.example(text, given.tables, given.scratch)
-    if printed != wanted:
-        raise SystemExit(f"the example of docs/languages.md prints\n{printed}instead of\n{wanted}")
+    check_example(language, "\n", given.tables, given.scratch)
     language.more(given.tables, given.scratch, expected_answers)
     print(f"{language.file}: {len(all_answers.splitlines())} digests agree, {noticed} altered rules were noticed")
 

@@ -12,7 +12,8 @@ import shlex
 import subprocess
 from pathlib import Path
 
-from language_test import HERE, ROOT, Glsl, Wgsl, arguments, example_of, run
+import language_test
+from language_test import ROOT, arguments, check_example, run
 
 MAX_K = 5
 NONE = (0, 0, 0, 0)  # valid, colours, ports, strips
@@ -25,11 +26,6 @@ THREE_NUMBERS = {
 # With a rule of its own for each configuration that a shader's words hold in 8 bits.
 FILES = (*sorted((ROOT / "tables/operations").glob("*.json")), *sorted((ROOT / "tests/corpus/operations/families").glob("*.json")),
          ROOT / "tests/corpus/operations/flip-forest.json")
-
-
-def arguments_of(at, inner, ports, ends=""):
-    """What a look-up is called with."""
-    return ", ".join(f"{number}{ends}" for number in (*at["numbers"], inner, ports))
 
 
 class Operation:
@@ -108,86 +104,75 @@ class Operation:
         return done.returncode == 0, done.stdout
 
 
-def four_numbers(text):
-    numbers = [int(word) for word in text.split()]
-    return [tuple(numbers[i:i + 4]) for i in range(0, len(numbers), 4)]
+class Asked:
+    """Languages whose program asks the look-ups. It reads rows of seven numbers: three of a position, the first mask of inner edges
+    and how many there are, the same of ports. `loops` is how it asks one operation, `u` ends a number."""
+    u = "u"
 
-
-class C:
-    block = "c"
-    extension = ".h"
-
-    def __init__(self, gcc):
-        self.gcc = gcc
-
-    def call(self, operation, at, inner, ports):
-        return f"  say(restrip_rule_of_{operation.identifier}({arguments_of(at, inner, ports, 'u')}));\n"
-
-    def loops(self, operation, at):
-        return (f"  for (inner = 0; inner < {1 << at['before']['edges']}u; ++inner)\n    for (ports = 0; ports < {1 << at['ports']}u; ++ports)\n    "
-                f"{self.call(operation, at, 'inner', 'ports').replace('inneru', 'inner').replace('portsu', 'ports')}")
-
-    def program(self, operations):
-        includes = "".join(f"#include \"restrip_{one.identifier}.h\"\n" for one in operations)
-        bodies = "".join(f"#define RESTRIP_{one.identifier.upper()}_IMPLEMENTATION\n#include \"restrip_{one.identifier}.h\"\n" for one in operations)
-        asked = "".join("".join(self.loops(one, at) for at in one.table["positions"]) + "".join(self.call(one, *more) for more in one.questions_beside())
-                        for one in operations)
-        return (f"#include <stdio.h>\n{includes}{bodies}static void say(restrip_operation_rule r) {{\n"
-                '  printf("%d %u %u %d\\n", r.valid, (unsigned)r.colors, (unsigned)r.ports, (int)r.strips);\n}\n'
-                f"int main(void) {{\n  uint32_t inner, ports;\n{asked}  return 0;\n}}\n")
+    def asked(self, operation):
+        rows = [(at["numbers"], 0, 1 << at["before"]["edges"], 0, 1 << at["ports"]) for at in operation.table["positions"]]
+        rows += [(at["numbers"], inner, 1, ports, 1) for at, inner, ports in operation.questions_beside()]
+        words = [word for numbers, *masks in rows for word in (*numbers, *[0] * (3 - len(numbers)), *masks)]
+        at = [f"rows[i + {place}{self.u}]" for place in range(7)]
+        call = ", ".join((*at[:len(operation.table["numbers"])], f"{at[3]} + inner", f"{at[5]} + ports"))
+        return self.loops.format(size=len(words), rows=", ".join(f"{word}{self.u}" for word in words), call=call, name=operation.identifier,
+                                 NAME=operation.identifier.upper())
 
     def answers(self, folder, scratch, operations):
-        (scratch / "driver.c").write_text(self.program(operations), encoding="utf-8")
-        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic", "-Werror", "-fsanitize=address,undefined",
-            "-fno-sanitize-recover=all", "-I", folder, scratch / "driver.c", "-o", scratch / "driver")
-        run(self.gcc, "-x", "c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I", folder, "-fsyntax-only", scratch / "driver.c")
-        return four_numbers(run(scratch / "driver"))
-
-    def example(self, text, folder, scratch):
-        (scratch / "example.c").write_text(text, encoding="utf-8")
-        run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Werror", "-I", folder, scratch / "example.c", "-o", scratch / "example")
-        return run(scratch / "example")
+        source = self.source(operations, "".join(map(self.asked, operations)))
+        numbers = [int(word) for word in run(*self.program(source, folder, scratch, *self.flags)).split()]
+        self.more_of(source, folder, scratch)
+        return [tuple(numbers[i:i + 4]) for i in range(0, len(numbers), 4)]
 
 
-class Rust(C):
-    block = "rust"
+class C(Asked, language_test.C):
+    extension = ".h"
+    flags = language_test.C.sanitizers
+    loops = """  {{
+    static const uint32_t rows[{size}] = {{{rows}}};
+    for (uint32_t i = 0; i < {size}u; i += 7u)
+      for (uint32_t inner = 0; inner < rows[i + 4u]; ++inner)
+        for (uint32_t ports = 0; ports < rows[i + 6u]; ++ports) say(restrip_rule_of_{name}({call}));
+  }}
+"""
+
+    def source(self, operations, asked):
+        headers = "".join(f"#include \"restrip_{one.identifier}.h\"\n" for one in operations)
+        bodies = "".join(f"#define RESTRIP_{one.identifier.upper()}_IMPLEMENTATION\n" for one in operations) + headers
+        return (f"#include <stdio.h>\n{headers}{bodies}static void say(restrip_operation_rule r) {{\n"
+                '  printf("%d %u %u %d\\n", r.valid, (unsigned)r.colors, (unsigned)r.ports, (int)r.strips);\n}\n'
+                f"int main(void) {{\n{asked}  return 0;\n}}\n")
+
+    def more_of(self, source, folder, scratch):
+        self.taken_as_cpp(scratch / "program.c", folder)
+
+
+class Rust(Asked, language_test.Rust):
     extension = ".rs"
+    u = ""
+    flags = ()
+    loops = """    let rows: [u32; {size}] = [{rows}];
+    for i in (0..{size}).step_by(7) {{
+        for inner in 0..rows[i + 4] {{
+            for ports in 0..rows[i + 6] {{
+                say(restrip_{name}::rule({call}).map(|r| (r.colors, r.ports, r.strips)));
+            }}
+        }}
+    }}
+"""
 
-    def __init__(self, rustc):
-        self.rustc = rustc
-
-    def call(self, operation, at, inner, ports):
-        return f"    say(restrip_{operation.identifier}::rule({arguments_of(at, inner, ports)}).map(|r| (r.colors, r.ports, r.strips)));\n"
-
-    def loops(self, operation, at):
-        return (f"    for inner in 0..{1 << at['before']['edges']} {{ for ports in 0..{1 << at['ports']} {{\n    "
-                f"{self.call(operation, at, 'inner', 'ports')}    }} }}\n")
-
-    def program(self, operations):
-        modules = "".join(f"#[path = \"{{}}/restrip_{one.identifier}.rs\"]\nmod restrip_{one.identifier};\n" for one in operations)
-        # One function for each, because compilers take long over large ones.
-        asked = "".join(f"fn ask_{one.identifier}() {{\n" + "".join(self.loops(one, at) for at in one.table["positions"]) +
-                        "".join(self.call(one, *more) for more in one.questions_beside()) + "}\n" for one in operations)
-        calls = "".join(f"    ask_{one.identifier}();\n" for one in operations)
+    def source(self, operations, asked):
+        modules = "".join(f"mod restrip_{one.identifier};\n" for one in operations)
         return (f"{modules}const _: () = assert!(restrip_split_face::rule(0, 0).is_some());\nfn say(rule: Option<(u32, u32, i32)>) {{\n"
                 '    let (c, p, s) = rule.unwrap_or((0, 0, 0));\n    println!("{} {} {} {}", rule.is_some() as u32, c, p, s);\n}\n'
-                f"{asked}fn main() {{\n{calls}}}\n")
+                f"fn main() {{\n{asked}}}\n")
 
-    def answers(self, folder, scratch, operations):
-        (scratch / "driver.rs").write_text(self.program(operations).replace("{}/restrip_", f"{folder}/restrip_"), encoding="utf-8")
-        run(self.rustc, "--edition", "2021", "-D", "warnings", "-C", "overflow-checks=on", scratch / "driver.rs", "-o", scratch / "driver")
-        library = scratch / "library.rs"
-        library.write_text(f"#![no_std]\n#![forbid(unsafe_code)]\n#[path = \"{folder}/restrip_bisect.rs\"]\npub mod restrip_bisect;\n", encoding="utf-8")
-        run(self.rustc, "--edition", "2021", "-D", "warnings", "--crate-type", "lib", library, "-o", scratch / "library.rlib")
-        return four_numbers(run(scratch / "driver"))
+    def more_of(self, source, folder, scratch):
+        self.core_alone("restrip_bisect", folder, scratch)
 
 
-class Json:
-    block = "python"
+class Json(language_test.Json):
     extension = ".json"
-
-    def __init__(self, _node, python):
-        self.python = python
 
     def answers(self, folder, _scratch, operations):
         """As docs/languages.md says that the file is read."""
@@ -207,31 +192,23 @@ class Json:
                 found.append((1, entry >> place["ports"], entry & ((1 << place["ports"]) - 1), strips))
         return found
 
-    def example(self, text, folder, _scratch):
-        return run(self.python, "-c", text, cwd=folder)
 
-
-class Shader:
-    """One invocation asks all, of one operation at a time; the look-ups of all are in the program."""
+class Shader(Asked):
+    """One invocation asks all, of one operation at a time; the look-ups of all are in the program. There is one call in it:
+    compilers of shaders put the look-up in place of each."""
+    block = None
     extension = ".bin"
 
     def answers(self, folder, scratch, operations):
         jobs = []
         for operation in operations:
-            # Rows: three numbers, the first mask of inner edges and how many there are, the same of ports. There is one call
-            # in the program: compilers of shaders put the look-up in place of each.
-            places = [(at["numbers"], 0, 1 << at["before"]["edges"], 0, 1 << at["ports"]) for at in operation.table["positions"]]
-            places += [(at["numbers"], inner, 1, ports, 1) for at, inner, ports in operation.questions_beside()]
-            rows = ", ".join(f"{word}u" for numbers, *masks in places for word in (*numbers, *[0] * (3 - len(numbers)), *masks))
-            count = sum(inner * ports for _, _, inner, _, ports in places)
-            call = ", ".join([*(f"rows[i + {place}u]" for place in range(len(operation.table["numbers"]))), "rows[i + 3u] + inner", "rows[i + 5u] + ports"])
-            asked = self.loops(7 * len(places), rows, f"restrip_rule_of_{operation.identifier}({call})")
-            source = "".join(self.declaration(one, 0 if one is operation else 2 + place) for place, one in enumerate(operations))
-            shader = self.compiled(folder, scratch, source + self.program(operation, asked), operations)
-            jobs.append((shader.rename(scratch / f"{operation.identifier}{shader.suffix}"), 2 * count + 1, folder / f"restrip_{operation.identifier}.bin"))
-        printed = iter(self.printed(scratch, jobs).split())
+            count = sum(1 for questions in (operation.questions(), operation.questions_beside()) for _ in questions)
+            tables = "".join(self.table.format(binding=0 if one is operation else 2 + place, name=one.identifier) for place, one in enumerate(operations))
+            *command, shader = self.compiled(tables, self.asked(operation), folder, scratch, operations)
+            jobs.append((shader.rename(scratch / f"{operation.identifier}{shader.suffix}"), "words", 2 * count + 1, folder / f"restrip_{operation.identifier}.bin"))
+        printed = iter(self.printed(command, jobs).split())
         found = []
-        for shader, words, _ in jobs:
+        for shader, _, words, _ in jobs:
             if next(printed) != "1":
                 raise SystemExit(f"{shader}: the checksum of the data is another")
             for _ in range(words // 2):
@@ -240,61 +217,62 @@ class Shader:
         return found
 
 
-class GlslTables(Shader, Glsl):
-    block = None
+class Glsl(Shader, language_test.Glsl):
+    table = "layout(std430, set = 0, binding = {binding}) readonly buffer Table{binding} {{ uint restrip_words_of_{name}[]; }};\n"
+    loops = """void main() {{
+  answers[0] = uint(restrip_words_of_{name}[0] == RESTRIP_CHECKSUM_OF_{NAME});
+  uint n = 1u;
+  const uint rows[{size}] = uint[{size}]({rows});
+  for (uint i = 0u; i < {size}u; i += 7u)
+    for (uint inner = 0u; inner < rows[i + 4u]; ++inner)
+      for (uint ports = 0u; ports < rows[i + 6u]; ++ports) {{
+        restrip_answer_of_{name} r = restrip_rule_of_{name}({call});
+        answers[n++] = (uint(r.valid) << 8u) | uint(r.strips + 64);
+        answers[n++] = (r.colors << 8u) | r.ports;
+      }}
+}}
+"""
 
-    def loops(self, size, rows, call):
-        return (f"  const uint rows[{size}] = uint[{size}]({rows});\n  for (uint i = 0u; i < {size}u; i += 7u)\n"
-                "    for (uint inner = 0u; inner < rows[i + 4u]; ++inner)\n      for (uint ports = 0u; ports < rows[i + 6u]; ++ports) {\n"
-                f"        ANSWER r = {call};\n        answers[n++] = (uint(r.valid) << 8u) | uint(r.strips + 64);\n"
-                "        answers[n++] = (r.colors << 8u) | r.ports;\n      }\n")
-
-    def declaration(self, one, binding):
-        return f"layout(std430, set = 0, binding = {binding}) readonly buffer Table{binding} {{ uint restrip_words_of_{one.identifier}[]; }};\n"
-
-    def program(self, operation, asked):
-        return (f"layout(std430, set = 0, binding = 1) buffer Answers {{ uint answers[]; }};\nINCLUDES\nvoid main() {{\n"
-                f"  answers[0] = uint(restrip_words_of_{operation.identifier}[0] == RESTRIP_CHECKSUM_OF_{operation.identifier.upper()});\n  uint n = 1u;\n"
-                f"{asked.replace('ANSWER', f'restrip_answer_of_{operation.identifier}')}}}\n")
-
-    def printed(self, scratch, jobs):
-        return "".join(self.run(shader, scratch, "words", *job) for shader, *job in jobs)
-
-    def compiled(self, folder, scratch, source, operations):
+    def compiled(self, tables, asked, folder, scratch, operations):
         includes = "".join(f"#include \"restrip_{one.identifier}.glsl\"\n" for one in operations)
-        return self.shader(folder, scratch, "#version 450\n#extension GL_GOOGLE_include_directive : require\nlayout(local_size_x = 1) in;\n" +
-                           source.replace("INCLUDES", includes))
+        return self.program("#version 450\n#extension GL_GOOGLE_include_directive : require\nlayout(local_size_x = 1) in;\n" + tables +
+                            f"layout(std430, set = 0, binding = 1) buffer Answers {{ uint answers[]; }};\n{includes}{asked}", folder, scratch)
+
+    def printed(self, command, jobs):
+        return "".join(run(*command, *job) for job in jobs)
 
 
-class WgslTables(Shader, Wgsl):
-    block = None
+class Wgsl(Shader, language_test.Wgsl):
+    table = "@group(0) @binding({binding}) var<storage, read> restrip_words_of_{name}: array<u32>;\n"
+    loops = """@group(0) @binding(1) var<storage, read_write> answers: array<u32>;
+@compute @workgroup_size(1)
+fn main() {{
+  answers[0] = u32(restrip_words_of_{name}[0] == RESTRIP_CHECKSUM_OF_{NAME});
+  var n = 1u;
+  var rows = array<u32, {size}>({rows});
+  for (var i = 0u; i < {size}u; i += 7u) {{
+    for (var inner = 0u; inner < rows[i + 4u]; inner++) {{
+      for (var ports = 0u; ports < rows[i + 6u]; ports++) {{
+        let r = restrip_rule_of_{name}({call});
+        answers[n] = (u32(r.valid) << 8u) | u32(r.strips + 64);
+        answers[n + 1u] = (r.colors << 8u) | r.ports;
+        n += 2u;
+      }}
+    }}
+  }}
+}}
+"""
 
-    def loops(self, size, rows, call):
-        return (f"  var rows = array<u32, {size}>({rows});\n  for (var i = 0u; i < {size}u; i += 7u) {{\n"
-                "    for (var inner = 0u; inner < rows[i + 4u]; inner++) {\n      for (var ports = 0u; ports < rows[i + 6u]; ports++) {\n"
-                f"        let r = {call};\n        answers[n] = (u32(r.valid) << 8u) | u32(r.strips + 64);\n"
-                "        answers[n + 1u] = (r.colors << 8u) | r.ports;\n        n += 2u;\n      }\n    }\n  }\n")
+    def compiled(self, tables, asked, folder, scratch, operations):
+        return self.program(tables + asked, folder, scratch, *(f"restrip_{one.identifier}.wgsl" for one in operations))
 
-    def declaration(self, one, binding):
-        return f"@group(0) @binding({binding}) var<storage, read> restrip_words_of_{one.identifier}: array<u32>;\n"
-
-    def program(self, operation, asked):
-        return ("@group(0) @binding(1) var<storage, read_write> answers: array<u32>;\n"
-                "@compute @workgroup_size(1)\nfn main() {\n"
-                f"  answers[0] = u32(restrip_words_of_{operation.identifier}[0] == RESTRIP_CHECKSUM_OF_{operation.identifier.upper()});\n  var n = 1u;\n{asked}}}\n")
-
-    def printed(self, scratch, jobs):
-        """In one browser, which takes long to start."""
-        (shader, *job), *more = jobs
-        return self.run(shader, scratch, "words", *job, *(word for job in more for word in job))
-
-    def compiled(self, folder, scratch, source, operations):
-        text = "".join((folder / f"restrip_{one.identifier}.wgsl").read_text(encoding="utf-8") for one in operations)
-        (scratch / "shader.wgsl").write_text(text + source, encoding="utf-8")
-        return scratch / "shader.wgsl"
+    def printed(self, command, jobs):
+        """In one browser, which takes long to start; `words` is said once."""
+        (shader, *words), *more = jobs
+        return run(*command, shader, *words, *(word for shader, _, *job in more for word in (shader, *job)))
 
 
-LANGUAGES = {"c": C, "json": Json, "rust": Rust, "glsl": GlslTables, "wgsl": WgslTables}
+LANGUAGES = {"c": C, "json": Json, "rust": Rust, "glsl": Glsl, "wgsl": Wgsl}
 
 
 def altered(folder, scratch, language):
@@ -335,11 +313,7 @@ def main():
         raise SystemExit("the verifier takes an altered table")
 
     if language.block in ("c", "python"):
-        page = (ROOT / "docs/languages.md").read_text(encoding="utf-8").split("\n## Operations of your own\n")[1]
-        text, wanted = example_of(page, language.block)
-        printed = language.example(text, folder, given.scratch)
-        if printed != wanted:
-            raise SystemExit(f"the example of docs/languages.md prints\n{printed}instead of\n{wanted}")
+        check_example(language, "\n## Operations of your own\n", folder, given.scratch)
     print(f"{len(operations)} operations, {asked} answers proved, an altered one refused")
 
 

@@ -3,10 +3,14 @@
 verifier proves the certificate, and refuses one that was forged or is for other positions. The shipped families under other
 names get the shipped rules, linked ones included. Files that make no family are refused by both programs with a sentence.
 
-  family_files_test.py GENERATOR VERIFIER CORPUS FAMILIES CERTIFICATES SCRATCH
+What is no operation on a mesh: where its file gives triangles, both programs refuse it and say where and why; where it gives
+graphs, both take it and say `graph only`. Operations given by triangles are not called so.
+
+  own_operations_test.py GENERATOR VERIFIER CORPUS FAMILIES CERTIFICATES SCRATCH
 """
 import copy
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -71,6 +75,28 @@ REFUSED_TRIANGLES = {
     "another form after": ({"after": {"path": ["u[0,k-2)"]}}, "after", "after"),
     "a section for all": ({"section": "k {k}"}, "has a section for each position", "expected all numbers"),
 }
+# Of the corpus: the place that both name, and a word of each.
+REFUSED_ON_A_MESH = {
+    "bad-name": ("before[0]", "20 letters", "20 letters"),
+    "both-forms": ("after", "a list of triangles", "a list of 1 to 16 triangles"),
+    "boundary-of-a-graph": ("boundary", "given by their triangles", "given by their triangles"),
+    "closed": ("before", "close up", "Euler characteristic 2"),
+    "crossed-ports": ("after[0]|before[1]", "c b is an edge of the rim after", "a d is on it before"),
+    "disconnected": ("before[1]", "not connected to triangle 0", "connected over edges"),
+    "handle": ("before", "handle", "Euler characteristic -1"),
+    "no-port": ("before", "expected 1 to 8 ports", "expected 1 to 8 ports, found 0"),
+    "overlapping-stretches": ("boundary[1]", "in a stretch already", "in two"),
+    "parity": ("after[0]|before[0]", "a m is an edge of the rim after", "a b is on it before"),
+    "pinched": ("before", "around a are 2 fans", "around a are several"),
+    "ring": ("before", "several parts", "Euler characteristic 0"),
+    "stretch-to-nowhere": ("boundary[0]", "m is none before", '"m" is not there before'),
+    "three-at-an-edge": ("before[2]", "has two triangles already", "found three"),
+    "too-many-ports": ("before", "expected 1 to 8 ports", "expected 1 to 8 ports, found 9"),
+    "turned-triangle": ("before[1]", "turn one of them", "opposite directions"),
+    "vanishing-rim": ("after[0]|before[1]", "edge of the rim", "the same rim"),
+    "vertex-twice": ("before[0]", "three different vertices", "three different vertices"),
+}
+GRAPH_ONLY = "graph only: not checked to be an operation on a mesh\n"
 
 
 def run(*command):
@@ -82,8 +108,13 @@ def expect(condition, what):
         sys.exit(what)
 
 
+def up_to(max_k):
+    """The option of families; none of single operations."""
+    return ("--max-k", max_k) if max_k else ()
+
+
 def solve(file, max_k=MAX_K):
-    return run(GENERATOR, "rules", "--operation", file, "--out", SCRATCH, "--max-k", max_k)
+    return run(GENERATOR, "rules", "--operation", file, "--out", SCRATCH, *up_to(max_k))
 
 
 def certificate(name):
@@ -91,7 +122,7 @@ def certificate(name):
 
 
 def verify(file, name, *options, max_k=MAX_K):
-    return run(VERIFIER, "--operation", file, "--certificate", certificate(name), "--max-k", max_k, *options)
+    return run(VERIFIER, "--operation", file, "--certificate", certificate(name), *up_to(max_k), *options)
 
 
 def sealed(lines):
@@ -229,8 +260,27 @@ def check_automaton():
     expect(both.returncode == 2 and "excludes" in both.stderr, both.stderr)
 
 
+def check_corpus():
+    """Single operations: those that are none on a mesh, and those that are graphs alone or lie on one."""
+    files = {file.stem: file for file in CORPUS.glob("refused/*.json")}
+    expect(files.keys() == REFUSED_ON_A_MESH.keys(), f"files and expectations differ: {files.keys() ^ REFUSED_ON_A_MESH.keys()}")
+    for name, (place, *words) in REFUSED_ON_A_MESH.items():
+        certificate(name).write_text("")
+        for done, word in zip((solve(files[name], None), verify(files[name], name, max_k=None)), words):
+            expect(done.returncode != 0, f"{name}: taken")
+            where = "|".join(re.escape(p) for p in place.split("|"))
+            expect(re.search(rf"{name}\.json:\d+(:\d+)?: ({where}): ", done.stderr), f"{name}: the place is not {place}: {done.stderr}")
+            expect(word in done.stderr, f"{name}: expected {word}: {done.stderr}")
+    graphs, shipped = sorted(CORPUS.glob("graphs/*.json")), sorted((FAMILIES.parent / "operations").glob("*.json"))
+    expect(len(graphs) >= 4 and len(shipped) >= 10, "files are missing")
+    for file in graphs + shipped:
+        for done in (solve(file, None), verify(file, file.stem, max_k=None)):
+            expect(done.returncode == 0, f"{file.stem}: {done.stderr}{done.stdout[-300:]}")
+            expect((GRAPH_ONLY in done.stdout) == (file in graphs), f"{file.stem}: graph only, or not? {done.stdout[-300:]}")
+
+
 def check_single():
-    done = run(GENERATOR, "rules", "--operation", CORPUS / "split-face.json", "--out", SCRATCH, "--max-k", MAX_K)
+    done = solve(CORPUS / "split-face.json")
     expect(done.returncode == 2 and "no family, so --max-k has no effect" in done.stderr, done.stderr)
 
 
@@ -241,4 +291,5 @@ check_ports_given_up()
 check_refused(FAN, REFUSED)
 check_refused(TRIANGLES, REFUSED_TRIANGLES)
 check_automaton()
+check_corpus()
 check_single()
