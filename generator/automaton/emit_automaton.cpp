@@ -33,10 +33,10 @@ struct HeaderNumbers {
   explicit HeaderNumbers(const Automaton& automaton) {
     // Rows and columns of equal numbers have equal numbers of cases as well.
     std::vector<const ArcClass*> of_row(automaton.meets.size());
-    std::vector<const ArcClass*> of_column(automaton.meets.at(0).size());
+    std::vector<const ArcClass*> of_column(columns(automaton));
     for (const ArcClass& c : automaton.classes) {
       if (c.can_be_first()) of_row[c.as_first] = &c;
-      if (!c.witness.empty()) of_column[c.as_second] = &c;
+      if (!c.witness.empty() && !of_row.empty()) of_column[c.as_second] = &c;
     }
     std::map<unsigned, std::size_t> numbers;
     for (std::size_t x = 0; x < of_row.size(); ++x)
@@ -60,6 +60,9 @@ struct HeaderNumbers {
     }
   }
 
+  static std::size_t columns(const Automaton& automaton) {
+    return automaton.meets.empty() ? 0 : automaton.meets[0].size();
+  }
   [[nodiscard]] std::size_t bytes() const {
     return (wide ? 2 : 1) * (next.size() + first.size() + second.size() + meet.size()) + 8 * before.size() +
            closed.size() + 2 * meetings.size();
@@ -71,7 +74,8 @@ struct HeaderNumbers {
     std::uint64_t cases = 0;
     for (Case c = 0; c < case_codes; ++c)
       if (to.costs[c])
-        cases |= std::uint64_t{automaton.number_of(from, step.before[c])} << 4U * automaton.number_of(to, c);
+        cases |= std::uint64_t{automaton.number_of(from, step.before[c]) | (step.given_up[c] ? 4U : 0U)}
+                 << 4U * automaton.number_of(to, c);
     return cases;
   }
 };
@@ -83,7 +87,9 @@ std::size_t longest_witness(const Automaton& automaton) {
 }
 
 std::string weights_text(const Weights& weights, const char* between) {
-  return fmt::format("{}{}{}{}{}", weights.restart, between, weights.swap, between, weights.isolated);
+  const std::string text =
+      fmt::format("{}{}{}{}{}", weights.restart, between, weights.swap, between, weights.isolated);
+  return gives_ports_up(weights) ? fmt::format("{}{}{}", text, between, weights.given_up) : text;
 }
 
 /// Rows one after the other, counted.
@@ -111,7 +117,8 @@ Rows class_rows(const Automaton& automaton) {
   for (std::size_t x = 0; x < automaton.classes.size(); ++x) {
     const ArcClass& c = automaton.classes[x];
     rows.add("class {} {} {} {}", x, c.witness.empty() ? "-" : c.witness,
-             c.can_be_first() ? std::to_string(c.as_first) : "-", x == 0 ? "-" : std::to_string(c.as_second));
+             c.can_be_first() ? std::to_string(c.as_first) : "-",
+             x == 0 || automaton.meets.empty() ? "-" : std::to_string(c.as_second));
     for (Case k = 0; k < case_codes; ++k)
       if (c.costs[k]) rows.add("value {} {} {}", x, text_of(k), *c.costs[k]);
     for (std::size_t place = 0; place < c.steps.size(); ++place) {
@@ -121,7 +128,8 @@ Rows class_rows(const Automaton& automaton) {
       rows.add("step {} {} {} {}", x, letter, step->to, step->cost);
       for (Case k = 0; k < case_codes; ++k)
         if (automaton.classes[step->to].costs[k])
-          rows.add("from {} {} {} {}", x, letter, text_of(k), text_of(step->before[k]));
+          rows.add("from {} {} {} {}{}", x, letter, text_of(k), text_of(step->before[k]),
+                   step->given_up[k] ? " given" : "");
     }
   }
   return rows;
@@ -148,21 +156,30 @@ std::vector<bool> witness_links(const Automaton& automaton, const std::string& w
 
 }  // namespace
 
+std::string automaton_name(const Automaton& automaton) {
+  return gives_ports_up(automaton.weights) ? "row-automaton" : "automaton";
+}
+
 RulesHeader automaton_header(const Automaton& automaton) {
   const HeaderNumbers all(automaton);
   const Weights& weights = automaton.weights;
+  const bool rows = gives_ports_up(weights);
   std::string text = fmt::format(
-      "// Rules of fans of any valence: {} classes of arcs, {} pairs of classes.\n"
-      "// The cost: {} for a strip, {} for a swap, {} for an isolated triangle.\n"
+      "// Rules of {} any {}: {} classes of arcs, {} pairs of classes.\n"
+      "// The cost: {} for a strip, {} for a swap, {} for an isolated triangle{}.\n"
       "// Written by `restrip-generate {}`. Do not edit: change the generator, then build the target `regenerate`.\n"
       "// Format {}, explained in restrip/tables/automaton_format.hpp.\n#pragma once\n\n"
       "#include \"restrip/tables/automaton_format.hpp\"\n\nnamespace restrip::tables {{\n\n",
-      automaton.classes.size(), all.meet.size(), weights.restart, weights.swap, weights.isolated,
-      weights == strips_weights ? "tables" : "automaton --cost " + weights_text(weights, ","),
+      rows ? "rows of" : "fans of", rows ? "length, ports given up" : "valence", automaton.classes.size(),
+      all.meet.size(), weights.restart, weights.swap, weights.isolated,
+      rows ? fmt::format(", {} for a port given up", weights.given_up) : "",
+      rows                        ? "automaton --operation"
+      : weights == strips_weights ? "tables"
+                                  : "automaton --cost " + weights_text(weights, ","),
       automaton_format_version);
-  text += fmt::format("inline constexpr ArcAutomaton<std::uint{}_t, {}, {}, {}, {}, {}> automaton{{\n",
-                      all.wide ? 16 : 8, letters_of(weights).size(), automaton.classes.size(), automaton.meets.size(),
-                      automaton.meets.at(0).size(), all.meetings.size());
+  text += fmt::format("inline constexpr ArcAutomaton<std::uint{}_t, {}, {}, {}, {}, {}> {}{{\n", all.wide ? 16 : 8,
+                      letters_of(weights).size(), automaton.classes.size(), automaton.meets.size(),
+                      HeaderNumbers::columns(automaton), all.meetings.size(), rows ? "row_automaton" : "automaton");
   const auto block = [&](const std::string& lines) { text += "    {\n" + lines + "    },\n"; };
   block(numbers(all.next));
   block(numbers(all.before, " {:#x},"));
@@ -188,10 +205,10 @@ AutomatonCertificate automaton_certificate(const Automaton& automaton) {
       meetings.add("meet {} {} {} {} {}", x, y, text_of(m.first), text_of(m.second), m.chord ? "chord" : "-");
     }
   const std::size_t rows = cost.count() + classes.count() + closings.count() + meetings.count();
-  return {sealed("restrip-certificate 2\nfamily automaton\n" + cost.section("cost") + classes.section("classes") +
-                     closings.section("closings") + meetings.section("meetings"),
-                 rows),
-          rows};
+  std::string text = fmt::format("restrip-certificate 2\nfamily {}\n", automaton_name(automaton)) +
+                     cost.section("cost") + classes.section("classes");
+  if (!gives_ports_up(automaton.weights)) text += closings.section("closings") + meetings.section("meetings");
+  return {sealed(text, rows), rows};
 }
 
 std::string automaton_json(const Automaton& automaton) {
@@ -211,7 +228,7 @@ std::string automaton_json(const Automaton& automaton) {
   json["letters"] = letters_of(automaton.weights).size();
   json["cases"] = cases_of(automaton.weights).size();
   json["meetings"]["rows"] = automaton.meets.size();
-  json["meetings"]["columns"] = automaton.meets.at(0).size();
+  json["meetings"]["columns"] = HeaderNumbers::columns(automaton);
   json["meetings"]["different"] = all.meetings.size();
   json["bytes"] = all.bytes();
   return json.dump(2) + "\n";

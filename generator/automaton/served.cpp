@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "automaton/emit_automaton.hpp"
+#include "automaton/row_shape.hpp"
 #include "files/output.hpp"
 #include "operations/description_file.hpp"
 #include "tables/emit.hpp"
@@ -20,7 +22,7 @@ namespace {
 
 [[noreturn]] void refuse(const Description& family, const std::string& reason) {
   throw std::runtime_error(
-      fmt::format("{}: {}; the automaton does not answer it, `rules` makes its tables", family.name, reason));
+      fmt::format("{}: {}; no automaton answers it, `rules` makes its tables", family.name, reason));
 }
 
 enum class Fan { closed, open };
@@ -92,6 +94,80 @@ std::string text_of(const Sum& sum) {
   return text.empty() ? "0" : text;
 }
 
+/// The parameters of a look-up: those that the number of ports depends on have their names in the call.
+std::string parameters_of(const Description& family, const Sum& size) {
+  std::string parameters;
+  for (std::size_t i = 0; i < family.numbers.size(); ++i)
+    parameters +=
+        fmt::format("{}std::size_t {}, ", size.factors.at(i) == 0 ? "[[maybe_unused]] " : "", number_names.at(i));
+  return parameters;
+}
+
+/// The head of a header up to the comment of its look-up.
+std::string head_of(const Description& family, const std::string& includes, const char* what) {
+  return fmt::format(
+      "// {}\n"
+      "// Written by `restrip-generate automaton --operation` from the operation file of {}. Do not edit.\n"
+      "// Explained in docs/automaton.md, \"Families of your own\".\n"
+      "#pragma once\n\n"
+      "{}\n"
+      "namespace restrip::exact {{\n\n"
+      "/// The best recolouring{}. The numbers of the family in their order: {}; {}.\n",
+      family.about.empty() ? family.name : family.about, family.name, includes, what, fmt::join(family.numbers, ", "),
+      family.range.empty() ? "any" : family.range);
+}
+
+/// The look-up of a fan that keeps every port, by the shipped automaton.
+std::string fan_header(const Description& family) {
+  const bool closed = fan_of(family) == Fan::closed;
+  const Sum size = triangles_after(family);
+  const std::string parameters = parameters_of(family, size);
+  const std::string name = identifier(family.name);
+  const std::string call = fmt::format("best_{}({}, ", closed ? "collapse" : "fan_collapse", text_of(size));
+  return head_of(family, "#include \"restrip/rules/exact.hpp\"\n", " that keeps every port") +
+         fmt::format(
+             "constexpr Recoloring best_{}({}Word ports, Word joined) noexcept {{\n"
+             "  return {}ports, joined);\n"
+             "}}\n"
+             "/// The same for bit strings, which may have any length.\n"
+             "inline Value best_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors) {{\n"
+             "  return {}ports, joined, colors);\n"
+             "}}\n\n"
+             "}}  // namespace restrip::exact\n",
+             name, parameters, call, name, parameters, call);
+}
+
+/// The look-up of a row whose ports may be given up, by the automaton of rows.
+std::string row_header(const Description& family) {
+  RowShape shape;
+  try {
+    shape = row_shape_of(family);
+  } catch (const std::runtime_error& error) {
+    refuse(family, error.what());
+  }
+  const Sum size = triangles_after(family);
+  const std::string parameters = parameters_of(family, size);
+  const std::string name = identifier(family.name);
+  Sum first;  // of all ports less shape.first, or shape.first
+  if (shape.from_end) first = size;
+  first.constant += shape.from_end ? (shape.front ? 1 : 0) + (shape.back ? 1 : 0) - static_cast<int>(shape.first)
+                                   : static_cast<int>(shape.first);
+  const std::string call = fmt::format("best_row<tables::row_automaton>({{{}, {}, {}, {}}}, ", text_of(size),
+                                       shape.front, shape.back, text_of(first));
+  return head_of(family, "#include \"restrip/rules/row.hpp\"\n#include \"restrip/tables/row_automaton.hpp\"\n",
+                 ", which may give ports up") +
+         fmt::format(
+             "constexpr RowRecoloring best_{}({}Word ports, Word joined) noexcept {{\n"
+             "  return {}ports, joined);\n"
+             "}}\n"
+             "/// The same for bit strings, which may have any length.\n"
+             "inline RowValue best_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors, MutableBitSpan kept) {{\n"
+             "  return {}ports, joined, colors, kept);\n"
+             "}}\n\n"
+             "}}  // namespace restrip::exact\n",
+             name, parameters, call, name, parameters, call);
+}
+
 std::string path_of(const Description& family) {
   return fmt::format("include/restrip/automaton/{}.hpp", identifier(family.name));
 }
@@ -101,49 +177,33 @@ std::string path_of(const Description& family) {
 std::string served_header(const Description& family) {
   if (family.numbers.empty()) refuse(family, "it is an operation with one position");
   if (family.constraint.most_edges != 2) refuse(family, "its solid edges are not strips");
-  if (family.gives_all_up) refuse(family, "ports may be given up, and the automaton keeps every port");
   if (family.own_cost) refuse(family, "it has a cost of its own");
-  const bool closed = fan_of(family) == Fan::closed;
-  const Sum size = triangles_after(family);
-  std::string parameters;
-  for (std::size_t i = 0; i < family.numbers.size(); ++i)
-    parameters +=
-        fmt::format("{}std::size_t {}, ", size.factors.at(i) == 0 ? "[[maybe_unused]] " : "", number_names.at(i));
-  const std::string name = identifier(family.name);
-  const std::string call = fmt::format("best_{}({}, ", closed ? "collapse" : "fan_collapse", text_of(size));
-  return fmt::format(
-      "// {}\n"
-      "// Written by `restrip-generate automaton --operation` from the operation file of {}. Do not edit.\n"
-      "// Explained in docs/automaton.md, \"Families of your own\".\n"
-      "#pragma once\n\n"
-      "#include \"restrip/rules/exact.hpp\"\n\n"
-      "namespace restrip::exact {{\n\n"
-      "/// The best recolouring that keeps every port. The numbers of the family in their order: {}; {}.\n"
-      "constexpr Recoloring best_{}({}Word ports, Word joined) noexcept {{\n"
-      "  return {}ports, joined);\n"
-      "}}\n"
-      "/// The same for bit strings, which may have any length.\n"
-      "inline Value best_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors) {{\n"
-      "  return {}ports, joined, colors);\n"
-      "}}\n\n"
-      "}}  // namespace restrip::exact\n",
-      family.about.empty() ? family.name : family.about, family.name, fmt::join(family.numbers, ", "),
-      family.range.empty() ? "any" : family.range, name, parameters, call, name, parameters, call);
+  return family.gives_all_up ? row_header(family) : fan_header(family);
 }
 
 void make_served_headers(const std::vector<std::string>& files, const std::string& out) {
-  std::vector<files::NamedBytes> headers;
+  std::vector<files::NamedBytes> made;
   std::vector<std::filesystem::path> paths;
+  const auto add = [&](const std::string& path, std::string text) {
+    paths.emplace_back(path);
+    made.push_back({path, std::move(text)});
+  };
+  bool rows = false;
   for (const std::string& file : files)
     for (const Description& family : read_descriptions(file)) {
-      paths.emplace_back(path_of(family));
-      if (std::count(paths.begin(), paths.end(), paths.back()) > 1)
+      if (std::count(paths.begin(), paths.end(), path_of(family)) != 0)
         throw std::runtime_error(fmt::format("{}: another of these files is named {} as well", file, family.name));
-      headers.push_back({path_of(family), served_header(family)});
+      add(path_of(family), served_header(family));
+      rows |= family.gives_all_up;
     }
+  if (rows) {
+    const Automaton automaton = make_automaton(row_weights);
+    add("include/restrip/tables/row_automaton.hpp", automaton_header(automaton).text);
+    add("certificates/row-automaton.cert", automaton_certificate(automaton).text);
+  }
   files::OutputSet set(out, paths);
-  set.write(headers);
-  for (const files::NamedBytes& header : headers) fmt::print("{}\n", header.name.string());
+  set.write(made);
+  for (const files::NamedBytes& file : made) fmt::print("{}\n", file.name.string());
 }
 
 }  // namespace restrip::generator

@@ -4,18 +4,20 @@
 
 namespace restrip::verify {
 
-ArcJoints::ArcJoints(std::size_t longest, bool tells_turns)
-    : telling_{100, tells_turns ? 1 : 0, 10000}, joints_(2 * case_count * case_count) {
+ArcJoints::ArcJoints(std::size_t longest, const Weights& weights)
+    : telling_{100, weights.tells_turns() ? 1 : 0, 10000, weights.gives_up() ? 1000000 : 0},
+      joints_(3 * case_count * case_count) {
+  const std::string letters = std::string(letters_of(telling_)) + (weights.gives_up() ? std::string(1, given_up_letter) : "");
   std::vector<std::string> words{""};
   for (std::size_t length = 1; length <= longest; ++length) {
     std::vector<std::string> longer;
     for (const std::string& word : words)
-      for (const char letter : letters_of(telling_))
+      for (const char letter : letters)
         if (!is_boundary(letter) || !has_boundary(word)) longer.push_back(word + letter);
     words = std::move(longer);
     if (length < 2) continue;
     for (const std::string& word : words)
-      for (Mask links = 0; links < mask_count(static_cast<unsigned>(length) + 1); ++links)
+      for (Mask links = 0; links < mask_count(static_cast<unsigned>(length) + 1); links += weights.gives_up() ? 2U : 1U)
         observe(word, links, length < longest);
   }
 }

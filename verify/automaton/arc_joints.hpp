@@ -24,7 +24,7 @@ struct ArcJoint {
 /// what it costs or in soundness, or when the longest words show something new.
 class ArcJoints {
  public:
-  ArcJoints(std::size_t longest, bool tells_turns);
+  ArcJoints(std::size_t longest, const Weights& weights);
 
   /// Nothing where links of different colours meet.
   const std::optional<ArcJoint>& at(std::size_t arc_case, std::size_t own_case, char letter) const {
@@ -35,7 +35,7 @@ class ArcJoints {
 
  private:
   static std::size_t place(std::size_t arc_case, std::size_t own_case, char letter) {
-    return 2 * (case_count * arc_case + own_case) + (is_joined(letter) ? 1U : 0U);
+    return 3 * (case_count * arc_case + own_case) + (letter == given_up_letter ? 2U : is_joined(letter) ? 1U : 0U);
   }
   void observe(const std::string& word, Mask links, bool may_be_new);
 

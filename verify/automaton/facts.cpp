@@ -167,7 +167,7 @@ std::array<std::vector<Way>, 4> all_ways() {
     ways[with_one].push_back({first, second, way.joined, alone - (x.right != '-' ? strips_weights.restart : 0)});
     if (d_passed) ways[in_path].push_back({first, second, way.joined, 0});
   };
-  const auto is_plain = [](std::size_t c) { return case_at(c).text().find_first_of("fq") == std::string::npos; };
+  const auto is_plain = [](std::size_t c) { return case_at(c).text().find_first_of("fqo") == std::string::npos; };
   for (std::size_t first = 0; first < case_count; ++first)
     for (std::size_t second = 0; is_plain(first) && second < case_count; ++second)
       for (const bool chord : {false, true})

@@ -8,6 +8,7 @@
 #include "automaton/automaton_dump.hpp"
 #include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
+#include "automaton/row.hpp"
 #include "judge/position_check.hpp"
 #include "model/input.hpp"
 #include "model/quantity.hpp"
@@ -45,30 +46,65 @@ std::string certificate_of(const AutomatonOptions& options, const std::string& f
 
 }  // namespace
 
-AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimListener& listener) {
-  AutomatonTotals totals;
-  ClaimTeller teller(totals, listener);
-  const std::string path = certificate_of(options, "automaton");
-  const AutomatonCertificate certificate = parse_automaton(path, read_file(path));
+namespace {
+
+void tell_classes(const AutomatonCertificate& certificate, unsigned every, AutomatonTotals& totals,
+                  ClaimTeller& teller) {
   totals.read.certificates = true;
-  const bool turns = certificate.weights.tells_turns();
   totals.classes += certificate.classes.size();
   totals.rows += certificate.rows;
-  const ClassCheck classes(certificate, turns ? options.every : 1);
+  const ClassCheck classes(certificate, every);
   totals.kinds += classes.arcs().size();
   for (const AutomatonClaim& claim : classes.claims())
     teller.tell(claim.claim, claim.method, claim.cases, claim.failures);
+}
+
+void tell_dump(AutomatonDumpCheck dump, unsigned max_k, AutomatonTotals& totals, ClaimTeller& teller) {
+  totals.read.of_headers.emplace_back("compiled automaton");
+  if (!dump.fault.empty()) dump.wrong_numbers.add(dump.fault);
+  teller.tell("every number of the header is the certificate's", "its dump", dump.numbers, dump.wrong_numbers);
+  teller.tell("every answer of the header is the certificate's", fmt::format("k <= {}, digests of its dump", max_k),
+              dump.keys, dump.wrong_answers);
+}
+
+AutomatonTotals verify_rows(const AutomatonOptions& options, const ClaimListener& listener) {
+  AutomatonTotals totals;
+  ClaimTeller teller(totals, listener);
+  const unsigned max_k = options.max_k == 0 ? largest_fan : options.max_k;
+  std::vector<RowOperation> operations;
+  for (const Description& family : parse_descriptions(options.operation, read_file(options.operation)))
+    for (RowOperation& operation : row_operations_of(family, max_k)) operations.push_back(std::move(operation));
+  const std::string path = certificate_of(options, name_of(AutomatonOf::rows));
+  const AutomatonCertificate certificate = parse_automaton(path, read_file(path), AutomatonOf::rows);
+  tell_classes(certificate, 1, totals, teller);
+  // Answers are read through steps that belong together only if all of that holds.
+  if (totals.failed != 0) return totals;
+  if (!options.dump_command.empty())
+    tell_dump(check_row_dump_of(options.dump_command, certificate, operations), max_k, totals, teller);
+  for (const RowOperation& operation : operations) {
+    const RowCheck check = check_row(certificate, operation);
+    teller.tell(fmt::format("every answer of {} is sound and best", operation.operation.name()),
+                "all configurations, worlds and recolourings", check.keys, check.failures);
+  }
+  return totals;
+}
+
+}  // namespace
+
+AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimListener& listener) {
+  if (!options.operation.empty()) return verify_rows(options, listener);
+  AutomatonTotals totals;
+  ClaimTeller teller(totals, listener);
+  const std::string path = certificate_of(options, name_of(AutomatonOf::fans));
+  const AutomatonCertificate certificate = parse_automaton(path, read_file(path));
+  const bool turns = certificate.weights.tells_turns();
+  tell_classes(certificate, turns ? options.every : 1, totals, teller);
   // Answers are read through steps and meetings that belong together only if all of that holds.
   if (totals.failed != 0) return totals;
 
-  if (!options.dump_command.empty()) {
-    totals.read.of_headers.emplace_back("compiled automaton");
-    AutomatonDumpCheck dump = check_automaton_dump_of(options.dump_command, certificate, options.tables_max_k);
-    if (!dump.fault.empty()) dump.wrong_numbers.add(dump.fault);
-    teller.tell("every number of the header is the certificate's", "its dump", dump.numbers, dump.wrong_numbers);
-    teller.tell("every answer of the header is the certificate's",
-                fmt::format("k <= {}, digests of its dump", options.tables_max_k), dump.keys, dump.wrong_answers);
-  }
+  if (!options.dump_command.empty())
+    tell_dump(check_automaton_dump_of(options.dump_command, certificate, options.tables_max_k), options.tables_max_k,
+              totals, teller);
 
   for (const Family& family : all_families(options.tables_max_k)) {
     if (certificate.weights != strips_weights || family.sections.front().operations.front().may_give_up != 0) continue;

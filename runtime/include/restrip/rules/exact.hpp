@@ -60,7 +60,7 @@ using LongTurns = restrip::detail::PortTurns<BitSpan>;
 
 namespace detail {
 
-using restrip::detail::ArcWalk;
+using restrip::detail::ArcEntry;
 using restrip::detail::LongLetters;
 using restrip::detail::WordLetters;
 
@@ -70,7 +70,7 @@ inline constexpr std::size_t max_stack_valence = 64;
 /// walk(room, color) as in arc_walk.hpp.
 template <class Walk>
 constexpr Recoloring on_word(const restrip::detail::Layout& patch, Word ports, Walk&& walk) noexcept {
-  ArcWalk::Entry room[max_stack_valence + 2];
+  ArcEntry room[max_stack_valence + 2];
   Recoloring result;
   walk(room, [&](std::size_t edge, bool solid) { result.colors |= Word{solid} << edge; });
   result.value = {count_bits(result.colors), restrip::detail::isolated(patch, result.colors, ports)};
@@ -79,7 +79,7 @@ constexpr Recoloring on_word(const restrip::detail::Layout& patch, Word ports, W
 
 template <class Walk>
 Value on_bits(const restrip::detail::Layout& patch, BitSpan ports, MutableBitSpan colors, Walk&& walk) {
-  const auto write = [&](ArcWalk::Entry* room) {
+  const auto write = [&](ArcEntry* room) {
     Value value;
     colors.clear(patch.colors());
     walk(room, [&](std::size_t edge, bool solid) {
@@ -91,10 +91,10 @@ Value on_bits(const restrip::detail::Layout& patch, BitSpan ports, MutableBitSpa
     return value;
   };
   if (patch.k <= max_stack_valence) {
-    ArcWalk::Entry room[max_stack_valence + 2];
+    ArcEntry room[max_stack_valence + 2];
     return write(room);
   }
-  std::vector<ArcWalk::Entry> room(patch.k + 2);
+  std::vector<ArcEntry> room(patch.k + 2);
   return write(room.data());
 }
 

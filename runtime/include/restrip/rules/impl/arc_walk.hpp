@@ -77,18 +77,20 @@ struct LongLetters {
   }
 };
 
+/// A letter behind a class, as a number.
+using ArcEntry = std::uint16_t;
+
 /// An arc with up to as many letters as there is room for.
+template <const auto& automaton = tables::automaton>
 class ArcWalk {
  public:
-  using Entry = std::uint16_t;
-
   /// `room` gets an entry for each letter and must outlive the walk.
-  constexpr explicit ArcWalk(Entry* room) noexcept : entries_(room) {}
+  constexpr explicit ArcWalk(ArcEntry* room) noexcept : entries_(room) {}
 
   constexpr void read(unsigned letter) noexcept {
-    const auto entry = static_cast<Entry>(tables::automaton.letters * class_ + letter);
+    const auto entry = static_cast<ArcEntry>(automaton.letters * class_ + letter);
     entries_[size_++] = entry;
-    class_ = tables::automaton.next[entry];
+    class_ = automaton.next[entry];
   }
   template <class Letters>
   constexpr void read(const Letters& letters, std::size_t from, std::size_t to) noexcept {
@@ -103,16 +105,33 @@ class ArcWalk {
   /// whether the first is solid. `end` is the case of the whole arc.
   template <class Link>
   constexpr bool for_each_link(unsigned end, Link&& link) const noexcept {
-    constexpr unsigned solid = tables::automaton.solid;
     for (std::size_t m = size_; m > 0; --m) {
-      link(m, (end & solid) != 0);
-      end = static_cast<unsigned>(tables::automaton.before[entries_[m - 1]] >> (4 * end) & 15U);
+      link(m, (end & automaton.solid) != 0);
+      end = before(m - 1, end);
     }
-    return (end & solid) != 0;
+    return (end & automaton.solid) != 0;
+  }
+
+  /// Of a row: calls letter(m, left, given, right) for the letters from the last to the first, m = 0: whether the links
+  /// to the left and to the right are solid, and whether the letter's own port is given up.
+  template <class Letter>
+  constexpr void for_each_letter(unsigned end, Letter&& letter) const noexcept {
+    for (std::size_t m = size_; m-- > 0;) {
+      const bool right = (end & automaton.solid) != 0;
+      end = before(m, end);
+      const bool given = (end & automaton.given_up) != 0;
+      end &= automaton.solid;
+      letter(m, end != 0, given, right);
+    }
   }
 
  private:
-  Entry* entries_;
+  /// The case before letter m.
+  [[nodiscard]] constexpr unsigned before(std::size_t m, unsigned end) const noexcept {
+    return static_cast<unsigned>(automaton.before[entries_[m]] >> (4 * end) & 15U);
+  }
+
+  ArcEntry* entries_;
   std::size_t size_ = 0;
   std::size_t class_ = 0;
 };
@@ -123,7 +142,7 @@ struct ArcMeeting {
   unsigned second = 0;  ///< the case of the arc from D to A
   bool chord = false;
 
-  constexpr ArcMeeting(const ArcWalk& one, const ArcWalk& other) noexcept {
+  constexpr ArcMeeting(const ArcWalk<>& one, const ArcWalk<>& other) noexcept {
     constexpr const auto& automaton = tables::automaton;
     const std::size_t place =
         automaton.seconds * automaton.first[one.arc_class()] + automaton.second[other.arc_class()];
@@ -137,10 +156,10 @@ struct ArcMeeting {
 /// The best recolouring of each family: color(edge, solid) is called once for every inner edge. `room` has two more
 /// entries than the fan has triangles. Two table reads for each triangle; letters are read once.
 template <class Letters, class Color>
-constexpr void walk_split(std::size_t k, std::size_t a, const Letters& letters, ArcWalk::Entry* room,
+constexpr void walk_split(std::size_t k, std::size_t a, const Letters& letters, ArcEntry* room,
                           Color&& color) noexcept {
-  ArcWalk one(room);
-  ArcWalk other(room + a);
+  ArcWalk<> one(room);
+  ArcWalk<> other(room + a);
   one.read(letters, 0, a);
   other.read(letters, a, k);
   const ArcMeeting meeting(one, other);
@@ -150,8 +169,8 @@ constexpr void walk_split(std::size_t k, std::size_t a, const Letters& letters, 
 }
 
 template <class Letters, class Color>
-constexpr void walk_collapse(std::size_t k, const Letters& letters, ArcWalk::Entry* room, Color&& color) noexcept {
-  ArcWalk whole(room);
+constexpr void walk_collapse(std::size_t k, const Letters& letters, ArcEntry* room, Color&& color) noexcept {
+  ArcWalk<> whole(room);
   whole.read(letters, 0, k);
   // The first link is the last one, too.
   whole.for_each_link(tables::automaton.closed[whole.arc_class()],
@@ -161,7 +180,7 @@ constexpr void walk_collapse(std::size_t k, const Letters& letters, ArcWalk::Ent
 /// An arc that begins inside an open fan, goes over the boundary and ends inside. It has `above` triangles before the
 /// boundary; its first link is edge `from`, and the edges behind the boundary are those from 0.
 template <class Color>
-constexpr void color_around(const ArcWalk& arc, unsigned end, std::size_t above, std::size_t from,
+constexpr void color_around(const ArcWalk<>& arc, unsigned end, std::size_t above, std::size_t from,
                             Color&& color) noexcept {
   const bool first = arc.for_each_link(end, [&](std::size_t m, bool solid) {
     // The two links on the boundary are dashed, and no edges; those behind them come first in path order.
@@ -175,9 +194,9 @@ constexpr void color_around(const ArcWalk& arc, unsigned end, std::size_t above,
 
 template <class Letters, class Color>
 constexpr void walk_open_split(std::size_t k, std::size_t i, std::size_t j, const Letters& letters,
-                               ArcWalk::Entry* room, Color&& color) noexcept {
-  ArcWalk one(room);
-  ArcWalk other(room + (j - i));
+                               ArcEntry* room, Color&& color) noexcept {
+  ArcWalk<> one(room);
+  ArcWalk<> other(room + (j - i));
   one.read(letters, i, j);
   other.read(letters, j, k);
   other.read(tables::automaton.boundary);
@@ -190,16 +209,16 @@ constexpr void walk_open_split(std::size_t k, std::size_t i, std::size_t j, cons
 
 /// An arc between two boundaries: the links there are dashed, and no edges.
 template <class Color>
-constexpr void color_path(const ArcWalk& path, Color&& color) noexcept {
+constexpr void color_path(const ArcWalk<>& path, Color&& color) noexcept {
   path.for_each_link(0, [&](std::size_t m, bool solid) {
     if (m < path.size()) color(m - 1, solid);
   });
 }
 
 template <class Letters, class Color>
-constexpr void walk_boundary_split(std::size_t k, std::size_t i, const Letters& letters, ArcWalk::Entry* room,
+constexpr void walk_boundary_split(std::size_t k, std::size_t i, const Letters& letters, ArcEntry* room,
                                    Color&& color) noexcept {
-  ArcWalk path(room);
+  ArcWalk<> path(room);
   if constexpr (tables::automaton.tells_turns) {
     path.read(letters, i, k);
     path.read(tables::automaton.boundary);
@@ -214,8 +233,8 @@ constexpr void walk_boundary_split(std::size_t k, std::size_t i, const Letters& 
 }
 
 template <class Letters, class Color>
-constexpr void walk_fan_collapse(std::size_t k, const Letters& letters, ArcWalk::Entry* room, Color&& color) noexcept {
-  ArcWalk path(room);
+constexpr void walk_fan_collapse(std::size_t k, const Letters& letters, ArcEntry* room, Color&& color) noexcept {
+  ArcWalk<> path(room);
   path.read(letters, 0, k);
   color_path(path, color);
 }
