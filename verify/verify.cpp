@@ -10,8 +10,8 @@
 #include "judge/family_report.hpp"
 #include "judge/operation_header.hpp"
 #include "judge/table_dump.hpp"
+#include "linked/linked_check.hpp"
 #include "linked/linked_dump.hpp"
-#include "linked/linked_report.hpp"
 #include "model/input.hpp"
 #include "model/quantity.hpp"
 

@@ -33,22 +33,11 @@ struct Sample {
 };
 
 std::vector<Sample> certificates(const std::string& folder, unsigned max_k) {
-  std::vector<Sample> samples;
-  for (const Family& family : all_families(max_k))
-    samples.push_back({family, read_file(folder + "/certificates/" + family.name + ".cert"), {}});
-  return samples;
-}
-
-std::vector<Sample> linked_certificates(const std::string& folder, unsigned max_k) {
+  const auto text_of = [&](const std::string& name) { return read_file(folder + "/certificates/" + name + ".cert"); };
   std::vector<Sample> samples;
   for (const LinkedFamily& family : linked_families(max_k))
-    samples.push_back({family.local, read_file(folder + "/certificates/" + family.name + ".cert"), family.name});
-  return samples;
-}
-
-std::vector<Sample> all_certificates(const std::string& folder, unsigned max_k) {
-  std::vector<Sample> samples = certificates(folder, max_k);
-  for (Sample& sample : linked_certificates(folder, max_k)) samples.push_back(std::move(sample));
+    samples.push_back({family.local, text_of(family.name), family.name});
+  for (const Family& family : all_families(max_k)) samples.push_back({family, text_of(family.name), {}});
   return samples;
 }
 
@@ -102,7 +91,7 @@ TEST_F(AlteredBytes, EveryOneOfTheFlips) {
 }
 
 TEST_F(AlteredBytes, EveryOneOfTheSmallTables) {
-  for (const Sample& sample : all_certificates(small_tables().string(), corpus_max_k))
+  for (const Sample& sample : certificates(small_tables().string(), corpus_max_k))
     for (std::size_t place = 0; place < sample.text.size(); ++place)
       for (const unsigned byte :
            {unsigned{'\n'}, unsigned{' '}, byte_at(sample.text, place) ^ 1U, static_cast<unsigned>(random_() % 256)})
@@ -110,7 +99,7 @@ TEST_F(AlteredBytes, EveryOneOfTheSmallTables) {
 }
 
 TEST_F(AlteredBytes, ThousandsOfTheShippedTables) {
-  for (const Sample& sample : all_certificates(RESTRIP_TABLES_DIR, largest_fan))
+  for (const Sample& sample : certificates(RESTRIP_TABLES_DIR, largest_fan))
     for (int i = 0; i < 500; ++i) {
       const std::size_t place = random_() % sample.text.size();
       expect_named(sample, place,
@@ -156,6 +145,7 @@ TEST(AlteredBytesWithNewSums, AreWrongOrAsRight) {
   int rejected = 0;
   int as_right = 0;
   for (const Sample& sample : certificates(small_tables().string(), corpus_max_k)) {
+    if (!sample.linked.empty()) continue;
     const std::size_t end = sample.text.rfind("end ");
     for (int i = 0; i < 2000; ++i) {
       const std::size_t place = random() % end;

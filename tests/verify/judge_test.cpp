@@ -3,12 +3,9 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <random>
 
@@ -106,21 +103,18 @@ TEST(OperationJudge, AFamilyOfOnesOwn) {
         add(naive.operations.front(), naive_table(name, naive, false).value());
       }
       const std::string dump = dump_text(texts);
-      const std::string path = fmt::format("{}/family-{}.json", testing::TempDir(), getpid());
-      std::ofstream(path) << described;
       const std::string certificate = certificate_text(name, tables);
-      const Verdict good = verdict_on(path, certificate, dump);
+      const Verdict good = verdict_on_text(described, certificate, dump);
       EXPECT_EQ(good.exit_code, 0) << section << ", " << give_up << '\n' << good.text;
       // One wrong row, and one wrong answer in a position that has no rules.
       std::vector<NaiveTable> worse = tables;
       worse.back().rows.at({0, 0}).after.inner = 0;
-      EXPECT_TRUE(verdict_on(path, certificate_text(name, worse), {}).says("not best: strips is"));
+      EXPECT_TRUE(verdict_on_text(described, certificate_text(name, worse), {}).says("not best: strips is"));
       const std::size_t unlisted = dump.find("table wedge k 3 at 3\n0 0 ") + 25;
       std::string altered = dump;
       altered.replace(unlisted, dump.find('\n', unlisted) - unlisted, "0 0 -1");
-      const Verdict bad = verdict_on(path, {}, altered);
+      const Verdict bad = verdict_on_text(described, {}, altered);
       EXPECT_TRUE(bad.says("table wedge k 3 at 3, inner 0, ports 0: ")) << bad.text;
-      std::remove(path.c_str());
     }
 }
 
@@ -138,10 +132,8 @@ TEST(OperationJudge, LinkedRulesOfOnesOwn) {
     tables.push_back(naive_table("cut", section, true).value());
   for (const NaiveLinked& linked : naive_linked(families))
     if (linked.good().family == "linked-split") lists.push_back(linked.good());
-  const std::string path = fmt::format("{}/linked-{}.json", testing::TempDir(), getpid());
-  std::ofstream(path) << described;
   const auto verdict = [&](const std::vector<NaiveLists>& stated) {
-    return verdict_on(path, certificate_text("cut", tables), {}, certificate_text("linked-cut", stated));
+    return verdict_on_text(described, certificate_text("cut", tables), {}, certificate_text("linked-cut", stated));
   };
   EXPECT_EQ(verdict(lists).exit_code, 0) << verdict(lists).text;
   std::vector<NaiveLists> shorter = lists;
@@ -149,7 +141,6 @@ TEST(OperationJudge, LinkedRulesOfOnesOwn) {
   shorter.back().count();
   EXPECT_TRUE(verdict(shorter).says("missing list: the ports 0 have no row") ||
               verdict(shorter).says("incomplete list"));
-  std::remove(path.c_str());
 }
 
 // The four symmetries of a flip, less those that the ports that may be given up or the cost forbid.
@@ -232,7 +223,6 @@ TEST(OperationJudge, AgreesWithANaiveMethodOnRandomOperations) {
   std::mt19937 random(seed);
   std::size_t judged = 0;
   std::size_t certified = 0;
-  const std::string path = fmt::format("{}/random-operation-{}.json", testing::TempDir(), getpid());
   for (unsigned round = 0; round < 40; ++round) {
     const auto ports = static_cast<unsigned>(1 + random() % 4);
     const std::string before = random_side(random, ports);
@@ -249,13 +239,11 @@ TEST(OperationJudge, AgreesWithANaiveMethodOnRandomOperations) {
     const NaiveSection section = naive_section(operation);
     const std::optional<NaiveTable> table = naive_table("random", section, false);
     if (!table) continue;
-    std::ofstream(path) << text;
     const Verdict verdict =
-        verdict_on(path, certificate_text("random", {*table}), dump_text(section.operations.front(), *table));
+        verdict_on_text(text, certificate_text("random", {*table}), dump_text(section.operations.front(), *table));
     ASSERT_EQ(verdict.exit_code, 0) << text << '\n' << verdict.text;
     ++certified;
   }
-  std::remove(path.c_str());
   EXPECT_GT(judged, 10000U);
   EXPECT_GT(certified, 15U);
 }

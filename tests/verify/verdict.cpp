@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "judge/family_report.hpp"
-#include "linked/linked_report.hpp"
+#include "linked/linked_check.hpp"
 #include "model/input.hpp"
 #include "verify.hpp"
 
@@ -119,6 +119,11 @@ Verdict verdict_on(const std::string& operation_path, const std::optional<std::s
   if (linked) options.linked_certificate = linked_file.path();
   if (dump) options.dump_command = "cat " + dump_file.path();
   return collected([&](const ClaimListener& listener) { verify_operation(options, listener); });
+}
+
+Verdict verdict_on_text(const std::string& operation, const std::optional<std::string>& certificate,
+                        const std::optional<std::string>& dump, const std::optional<std::string>& linked) {
+  return verdict_on(PassingFile("operation", operation).path(), certificate, dump, linked);
 }
 
 }  // namespace restrip::verify::test

@@ -38,8 +38,11 @@ extern const std::vector<std::string> corpus_operations;
 std::string corpus_path(const std::string& name);
 Operation corpus_operation(const std::string& name);
 
-/// The verdict on an operation's file on disk, with certificates and a dump as texts.
+/// The verdict on an operation's file on disk, or on the text of one, with certificates and a dump as texts.
 Verdict verdict_on(const std::string& operation_path, const std::optional<std::string>& certificate,
                    const std::optional<std::string>& dump, const std::optional<std::string>& linked = {});
+
+Verdict verdict_on_text(const std::string& operation, const std::optional<std::string>& certificate,
+                        const std::optional<std::string>& dump, const std::optional<std::string>& linked = {});
 
 }  // namespace restrip::verify::test

@@ -10,7 +10,7 @@
 #include "certificate/certificate_form.hpp"
 #include "certificate/reason_text.hpp"
 #include "model/family.hpp"
-#include "model/permutation.hpp"
+#include "model/key.hpp"
 
 namespace restrip::verify {
 

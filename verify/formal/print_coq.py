@@ -1,7 +1,14 @@
 """Prints what other programs have written as Coq files. Anything unexpected ends the script with a message.
 
-  print_coq.py rows DIRECTORY < FAMILY.cert      a certificate (docs/certificate.md) as Rows_FAMILY.v
+  print_coq.py tables DIRECTORY < dump           a table dump (docs/certificate.md) as Tables_FAMILY.v and Told_FAMILY.v
+  print_coq.py rows DIRECTORY < FAMILY.cert      a certificate (there as well) as Rows_FAMILY.v
   print_coq.py automaton DIRECTORY < dump        a dump of the automaton (there as well) as AutomatonNumbers.v
+
+Tables: a table becomes the list of the nodes of a binary trie, equal subtrees once; Table.v says how they are read, and
+Linked.v how the lists of linked rules are. What the answers tell becomes a trie as well, which Told.v reads. Only the
+flip keeps other ports than there were; the mask of its answer is after | kept << 1. At the end of a file stands the
+function from positions, lists of numbers such as [8; 3], to the family's tables. Printed to the standard output: each
+family, how many positions it has, and how many answers (of linked rules: lists).
 
 Rows: the recolouring of a copy is left out: Rows.v works it out again from the symmetry. Reasons and sums are left out,
 too: the proof searches. At the end of the file stands the function from positions, lists of numbers such as [8; 3], to
@@ -29,6 +36,151 @@ def matched(pattern, line):
 def write(directory, name, text):
     with open(os.path.join(directory, name), "w", encoding="ascii") as file:
         file.write(text)
+
+
+BITS = {  # of the masks before and after, beside k
+    "split": (0, 3), "collapse": (3, 0), "open-split": (-1, 2), "open-collapse": (2, -1), "boundary-split": (-1, 0),
+    "boundary-collapse": (0, -1), "linked-split": (None, 3), "linked-collapse": (None, 0)}
+LEAF = 0xffff  # in place of a fork's first node; behind it the mask
+PIECE = 2000  # digits of a text
+
+
+class Table:
+    """What the head of a table says: the family, the position, and how many bits each mask has."""
+
+    def __init__(self, head):
+        words = head.split()
+        self.family = words[1]
+        self.position = [word for word in words[2:] if word.isdigit()]
+        self.linked = self.family.startswith("linked-")
+        if head == "table flip":
+            self.ports, self.before, self.after = 4, 1, 5
+            return
+        if self.family not in BITS or not self.position or not 1 <= int(self.position[0]) <= 12:
+            fail("no head of a table: " + head)
+        self.ports = int(self.position[0])
+        before, after = BITS[self.family]
+        self.before = 0 if before is None else self.ports + before
+        self.after = self.ports + after
+
+    def read_answers(self, lines):
+        """The masks of the answers and what they tell, by before << ports | ports; -1 for no answer."""
+        known = [{"-": (-1, -1)} for _ in range(1 << self.ports)]  # by ports: what the rest of a line says
+        answers, told = [], []
+        for before in range(1 << self.before):
+            for ports, of_ports in enumerate(known):
+                line = next(lines, "")
+                start = "%x %x " % (before, ports)
+                if not line.startswith(start):
+                    fail("%s: line out of order: %s" % (self.family, line))
+                rest = line[len(start):]
+                if rest not in of_ports:
+                    of_ports[rest] = self.numbers(rest, ports)
+                answer, tells = of_ports[rest]
+                answers.append(answer)
+                told.append(tells)
+        return answers, told
+
+    def numbers(self, rest, ports):
+        recoloring, kept, strips, isolated = matched("(%s) (%s) (-?[0-9]+) (-?[0-9]+)" % (HEXADECIMAL, HEXADECIMAL), rest).groups()
+        answer, strips, isolated = int(recoloring, 16), int(strips), int(isolated)
+        if self.family == "flip":
+            answer |= int(kept, 16) << 1
+        elif int(kept, 16) != ports:
+            fail("%s: a port changes: %s" % (self.family, rest))
+        if answer >> self.after or not -128 <= strips <= 127 or not -128 <= isolated <= 127:
+            fail("%s: too wide: %s" % (self.family, rest))
+        return answer, 256 * (strips + 128) + isolated + 128
+
+    def read_lists(self, lines):
+        """All lists, for ascending port masks, as numbers of four digits: the length of a list, then for each
+        alternative its recolouring and its partners, high half first."""
+        digits = ""
+        for ports in range(1 << self.ports):
+            line = next(lines, "")
+            matched("%s(?: %s)+" % (HEXADECIMAL, HEXADECIMAL), line)
+            masks = [int(word, 16) for word in line.split()]
+            if masks[0] != ports or len(masks) % 2 == 0:
+                fail("%s: line out of order: %s" % (self.family, line))
+            if any(mask >> self.after for mask in masks[1::2]) or any(mask >> 32 for mask in masks[2::2]):
+                fail("%s: mask too wide: %s" % (self.family, line))
+            digits += "%04x" % (len(masks) // 2) + "".join("%04x%08x" % pair for pair in zip(masks[1::2], masks[2::2]))
+        return digits
+
+
+def trie_of(leaves):
+    """The nodes, eight digits each: a fork of two nodes by number, or LEAF and the mask; node 0 has no leaf. The lowest
+    bit of an index decides first."""
+    known = {}  # children of each node, (-1, mask) for a leaf
+    level = [known.setdefault((-1, leaf), len(known) + 1) if leaf >= 0 else 0 for leaf in leaves]
+    while len(level) > 1:
+        half = len(level) // 2
+        level = [known.setdefault(pair, len(known) + 1) if pair != (0, 0) else 0
+                 for pair in zip(level[:half], level[half:])]
+    children, numbers, digits = [None, *known], {0: 0}, []
+
+    def visit(node):
+        if node not in numbers:
+            first, second = children[node]
+            digits.append((LEAF, second) if first < 0 else (visit(first), visit(second)))
+            numbers[node] = len(digits)
+        return numbers[node]
+
+    visit(level[0])
+    if len(digits) >= LEAF:
+        fail("too many nodes for four digits")
+    return "".join("%04x%04x" % pair for pair in digits)
+
+
+class TableFile:
+    """The file of one family. A table is a text of hexadecimal digits, cut into pieces, and what is made of it."""
+
+    def __init__(self, linked):
+        self.kind, self.nothing = ("list (list alternative)", "[]") if linked else ("trie", "Nothing")
+        self.text = ("(* Printed by print_coq.py from a table dump. *)\nRequire Import List Number.\nImport ListNotations.\n"
+                     "Require Import %s.\nLocal Open Scope hex_uint_scope.\n" % ("Linked" if linked else "Table"))
+        self.cases = ""
+        self.positions = self.answers = 0
+
+    def add(self, table, digits, reader):
+        name = "_".join(table.position)
+        pieces = [digits[at:at + PIECE] for at in range(0, len(digits), PIECE)]
+        for number, piece in enumerate(pieces):
+            self.text += "Definition text_%s_%d : Number.uint := 0x1%s.\n" % (name, number, piece)
+        texts = "; ".join("text_%s_%d" % (name, number) for number in range(len(pieces)))
+        self.text += "Definition table_%s : %s := %s [%s].\n" % (name, self.kind, reader, texts)
+        self.cases += "  | [%s]%%nat => table_%s\n" % ("; ".join(table.position), name)
+        self.positions += 1
+        self.answers += 1 << table.ports + table.before
+
+    def write(self, directory, name):
+        write(directory, name, "%sDefinition table (position : list nat) : %s :=\n  match position with\n%s  | _ => %s\n  end.\n"
+              % (self.text, self.kind, self.cases, self.nothing))
+
+
+def print_tables(lines, directory):
+    if next(lines, "") != "restrip-table-dump 4":
+        fail("not a table dump")
+    files, told_files = {}, {}
+    line = next(lines, "")
+    while line.startswith("table "):
+        table = Table(line)
+        file = files.setdefault(table.family, TableFile(table.linked))
+        if table.linked:
+            file.add(table, table.read_lists(lines), "lists_of %d%%nat" % table.after)
+        else:
+            answers, told = table.read_answers(lines)
+            file.add(table, trie_of(answers), "table_of %d%%nat" % table.after)
+            told_files.setdefault(table.family, TableFile(False)).add(table, trie_of(told), "table_of 16%nat")
+        line = next(lines, "")
+    count = sum(file.answers for file in files.values())
+    if line != "end %d" % count or next(lines, None) is not None:
+        fail("the dump does not end with `end %d`" % count)
+    for kind, all_of_kind in (("Tables", files), ("Told", told_files)):
+        for family, file in all_of_kind.items():
+            file.write(directory, "%s_%s.v" % (kind, family.replace("-", "_")))
+    for family, file in files.items():
+        print(family.replace("-", "_"), file.positions, file.answers)
 
 
 def joined_to_preceding(pairs, ports, count, closed):
@@ -137,10 +289,13 @@ def print_automaton(lines, directory):
     write(directory, "AutomatonNumbers.v", text)
 
 
-if len(sys.argv) != 3 or sys.argv[1] not in ("rows", "automaton"):
-    fail("usage: print_coq.py (rows|automaton) DIRECTORY < input")
-with sys.stdin as given:
-    all_lines = given.read().split("\n")
-if len(all_lines) < 4 or all_lines.pop() != "":
-    fail("what is read is cut off")
-(print_rows if sys.argv[1] == "rows" else print_automaton)(all_lines, sys.argv[2])
+PRINTERS = {"tables": print_tables, "rows": print_rows, "automaton": print_automaton}
+if len(sys.argv) != 3 or sys.argv[1] not in PRINTERS:
+    fail("usage: print_coq.py (tables|rows|automaton) DIRECTORY < input")
+if sys.argv[1] == "tables":  # millions of lines
+    print_tables((line.rstrip("\n") for line in sys.stdin), sys.argv[2])
+else:
+    all_lines = sys.stdin.read().split("\n")
+    if len(all_lines) < 4 or all_lines.pop() != "":
+        fail("what is read is cut off")
+    PRINTERS[sys.argv[1]](all_lines, sys.argv[2])

@@ -31,14 +31,11 @@ say "building restrip-dump-tables"
 cmake --preset programs >/dev/null
 cmake --build --preset programs --target restrip-dump-tables >/dev/null
 
-say "building the printer of tables"
-mkdir -p "$out/coq" "$out/fresh"
-c++ -std=c++20 -O2 -o "$out/print_tables" verify/formal/print_tables.cpp
-
 say "printing the tables and the certificates"
+mkdir -p "$out/coq" "$out/fresh"
 rm -f "$out"/fresh/*.v
 build/programs/bin/restrip-dump-tables >"$out/tables.dump"
-"$out/print_tables" "$out/fresh" <"$out/tables.dump" >"$out/printed"
+python3 verify/formal/print_coq.py tables "$out/fresh" <"$out/tables.dump" >"$out/printed"
 build/programs/bin/restrip-dump-tables --automaton --max-k 7 >"$out/automaton.dump"
 python3 verify/formal/print_coq.py automaton "$out/fresh" <"$out/automaton.dump"
 for family in "${certificates[@]}"; do

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/permutation.hpp"
+#include "model/key.hpp"
 
 namespace restrip::verify {
 

@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <ctime>
-#include <exception>
 #include <mutex>
 #include <numeric>
-#include <thread>
 
 #include "judge/reason_check.hpp"
+#include "model/on_threads.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -196,29 +194,15 @@ std::vector<PositionCheck> check_positions(const std::vector<PositionTask>& task
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
 
   std::vector<PositionCheck> checks(tasks.size());
-  std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::size_t done = 0;
-  std::exception_ptr error;
-  const auto work = [&] {
-    try {
-      FitTables tables;
-      for (std::size_t i = next++; i < order.size(); i = next++) {
-        checks[order[i]] = check_position(tasks[order[i]], second_formulation, tables);
-        const std::lock_guard lock(mutex);
-        on_done(++done);
-      }
-    } catch (...) {
+  on_threads(threads, order.size(), [&] {
+    return [&, tables = FitTables()](std::size_t i) mutable {
+      checks[order[i]] = check_position(tasks[order[i]], second_formulation, tables);
       const std::lock_guard lock(mutex);
-      error = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (unsigned i = 1; i < threads; ++i) others.emplace_back(work);
-    work();
-  }
-  if (error) std::rethrow_exception(error);
+      on_done(++done);
+    };
+  });
   return checks;
 }
 

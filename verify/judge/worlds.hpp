@@ -44,4 +44,10 @@ class Worlds {
 /// True when no solid cycle runs through the patch, whose solid inner edges are `inner`, and the world.
 bool fits(const Side& side, const SolidGraph& inner, Mask ports, const World& world);
 
+/// The pairs that a world of strips joins.
+PortPairs pairs_of(const World& world);
+
+/// Whether two pairings close a cycle when they are laid together: found by following them in turn, without a graph.
+bool close_a_cycle(PortPairs one, PortPairs other, unsigned ports);
+
 }  // namespace restrip::verify

@@ -36,6 +36,9 @@ struct LinkedTask {
 /// Adds what is found there.
 void check_linked(const LinkedTask& task, LinkedCheck& check);
 
+/// Reports claim by claim what was found in all sections.
+void report_linked(const LinkedFamily& family, const LinkedCheck& sum, const ClaimListener& listener);
+
 /// The lines that a dump of the compiled tables must have for this section, without newlines: for each port mask its
 /// list, with the pairings as they are found on the graph, of so many ports each.
 std::vector<std::string> dump_of(const Section& section, const SectionLists& lists, unsigned places);

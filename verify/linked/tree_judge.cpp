@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "linked/pairs_outside.hpp"
+#include "judge/worlds.hpp"
 
 namespace restrip::verify {
 

@@ -144,53 +144,37 @@ void take_bounds(const JsonValue& value, const std::vector<std::string>& numbers
 
 }  // namespace
 
-class DescriptionReader {
- public:
-  explicit DescriptionReader(std::shared_ptr<const DescriptionSource> source) : source_(std::move(source)) {}
-
-  Description read(std::size_t place, Author author) const {
-    const JsonValue value = source_->description(place);
-    if (const std::optional<JsonValue> take = value.member("take"))
-      take->fail_found("no port can be taken, since a rule does not see the triangle behind a dashed port");
-    value.expect_object({"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up",
-                         "cost", "certificate", "numbers", "where", "listed", "position", "section", "linked",
-                         "at_most"});
-    Description description;
-    description.source_ = source_;
-    description.place_ = place;
-    description.name = name_of(value.required("name"), author);
-    if (const std::optional<JsonValue> about = value.member("about")) description.about = sentence_of(*about);
-    const std::optional<JsonValue> certificate = value.member("certificate");
-    description.certificate = certificate ? name_of(*certificate, author) : description.name;
-    if (const auto numbers = value.member("numbers"))
-      for (const JsonValue& number : numbers->list("a list of names", most_numbers))
-        description.numbers.push_back(number.string("a text"));
-    description.where = conditions_of(value, description.numbers, "where");
-    description.listed = conditions_of(value, description.numbers, "listed");
-    description.position = words_of(value, "position", every_number(description.numbers));
-    for (const std::string& number : description.numbers)
-      if (description.position.find(fmt::format("{{{}}}", number)) == std::string::npos)
-        value.required("position").fail(fmt::format("each number in braces, also \"{{{}}}\"", number));
-    description.section = words_of(value, "section", description.position);
-    if (!description.numbers.empty() && value.required("before").is_list() && description.serves_every_position())
-      value.required("section").fail_found("expected all numbers: triangles may be numbered anew at each position");
-    if (const auto linked = value.member("linked")) description.linked = linked->boolean("whether it has linked rules");
-    read_one_position(description);
-    return description;
-  }
-
- private:
-  /// What depends on the numbers is read when they are known; here once, so that faults are found.
-  static void read_one_position(const Description& description) {
-    for (unsigned k = 0; k <= most_searched_ports; ++k)
-      if (const std::vector<Numbers> positions = description.positions(k); !positions.empty()) {
-        (void)description.at(positions.front());
-        return;
-      }
-  }
-
-  std::shared_ptr<const DescriptionSource> source_;
-};
+Description::Description(std::shared_ptr<const DescriptionSource> source, std::size_t place, Author author)
+    : source_(std::move(source)), place_(place) {
+  const JsonValue value = source_->description(place_);
+  if (const std::optional<JsonValue> take = value.member("take"))
+    take->fail_found("no port can be taken, since a rule does not see the triangle behind a dashed port");
+  value.expect_object({"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up",
+                       "cost", "certificate", "numbers", "where", "listed", "position", "section", "linked",
+                       "at_most"});
+  name = name_of(value.required("name"), author);
+  if (const std::optional<JsonValue> sentence = value.member("about")) about = sentence_of(*sentence);
+  const std::optional<JsonValue> other_name = value.member("certificate");
+  certificate = other_name ? name_of(*other_name, author) : name;
+  if (const auto names = value.member("numbers"))
+    for (const JsonValue& number : names->list("a list of names", most_numbers))
+      numbers.push_back(number.string("a text"));
+  where = conditions_of(value, numbers, "where");
+  listed = conditions_of(value, numbers, "listed");
+  position = words_of(value, "position", every_number(numbers));
+  for (const std::string& number : numbers)
+    if (position.find(fmt::format("{{{}}}", number)) == std::string::npos)
+      value.required("position").fail(fmt::format("each number in braces, also \"{{{}}}\"", number));
+  section = words_of(value, "section", position);
+  if (!numbers.empty() && value.required("before").is_list() && serves_every_position())
+    value.required("section").fail_found("expected all numbers: triangles may be numbered anew at each position");
+  if (const auto flag = value.member("linked")) linked = flag->boolean("whether it has linked rules");
+  for (unsigned k = 0; k <= most_searched_ports; ++k)
+    if (const std::vector<Numbers> some = positions(k); !some.empty()) {
+      (void)at(some.front());
+      return;
+    }
+}
 
 std::vector<Numbers> Description::positions(unsigned max_k) const {
   std::vector<Numbers> all{{}};
@@ -265,14 +249,13 @@ std::vector<Description> parse_descriptions(const std::string& file, std::string
   const JsonValue version = whole.required("restrip_operation");
   if (!version.is_integer(1)) version.fail("1, the version of the format");
   const std::optional<JsonValue> list = whole.member("operations");
-  if (!list) return {DescriptionReader(source).read(0, author)};
+  if (!list) return {Description(source, 0, author)};
   whole.expect_object({"restrip_operation", "operations"});
   source->list = "operations";
   const std::size_t count = list->list("a list of operations", most_descriptions).size();
   if (count == 0) list->fail_found("expected a list of operations, found none");
   std::vector<Description> descriptions;
-  for (std::size_t place = 0; place < count; ++place)
-    descriptions.push_back(DescriptionReader(source).read(place, author));
+  for (std::size_t place = 0; place < count; ++place) descriptions.emplace_back(source, place, author);
   return descriptions;
 }
 

@@ -15,10 +15,17 @@ namespace restrip::verify {
 inline constexpr unsigned longest_name = 60;
 inline constexpr std::size_t most_numbers = 3;
 
+/// Who wrote a file. Names that restrip's own tables have are for restrip's own families alone.
+enum class Author { user, restrip };
+
 struct DescriptionSource;  ///< the file as it was read: what depends on the position is read from it for each anew
 
 class Description {
  public:
+  /// The one at this place in the list of a file. What depends on the numbers is read when they are known; here once,
+  /// so that faults are found.
+  Description(std::shared_ptr<const DescriptionSource> source, std::size_t place, Author author);
+
   std::string name;
   std::string about;        ///< a sentence; empty where there is none
   std::string certificate;  ///< the name of the certificate that has its rules
@@ -43,13 +50,9 @@ class Description {
   const std::string& file() const;
 
  private:
-  friend class DescriptionReader;
   std::shared_ptr<const DescriptionSource> source_;
   std::size_t place_ = 0;  ///< in the list of the file
 };
-
-/// Who wrote a file. Names that restrip's own tables have are for restrip's own families alone.
-enum class Author { user, restrip };
 
 /// InputError "file:line:column: member: expected …" when anything is not as docs/operation-file.md says.
 std::vector<Description> parse_descriptions(const std::string& file, std::string_view text,

@@ -7,8 +7,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "model/surface_reader.hpp"
-
 namespace restrip::verify {
 namespace {
 

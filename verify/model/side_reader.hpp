@@ -36,6 +36,10 @@ NamedRange range_of(const std::string& text, const NamedNumbers& numbers);
 /// The sides of a description, at one position.
 Sides read_sides(const JsonValue& description, const NamedNumbers& numbers);
 
+/// Where they are given by their triangles (docs/operation-file.md, "Triangles"), which have indices in a family
+/// ("Families"). InputError when they are no operation on a mesh.
+Sides read_surface(const JsonValue& description, const NamedNumbers& numbers);
+
 /// A graph, or triangles around rings and along paths. InputError, also when it is larger than the limits.
 Side read_side(const JsonValue& value, const NamedNumbers& numbers);
 

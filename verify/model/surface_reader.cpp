@@ -1,11 +1,10 @@
-#include "model/surface_reader.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 #include <stdexcept>
 
+#include "model/side_reader.hpp"
 #include "model/triangles.hpp"
 
 namespace restrip::verify {

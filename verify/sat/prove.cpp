@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include "model/coloring.hpp"
 #include "model/input.hpp"
+#include "model/on_threads.hpp"
 #include "sat/solver.hpp"
 #include "sat/work_folder.hpp"
 
@@ -152,30 +150,16 @@ void prove_tables(const Options& options, const std::function<void(const Positio
 
   const WorkFolder folder(options.out);
   std::vector<std::optional<PositionResult>> results(tasks.size());
-  std::atomic<std::size_t> next = 0;
   std::size_t told = 0;
   std::mutex mutex;
-  std::exception_ptr error;
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < tasks.size(); i = next++) {
-        PositionResult result = Prover(tasks[i], options, folder).prove();
-        const std::lock_guard lock(mutex);
-        results[i] = std::move(result);
-        for (; told < results.size() && results[told]; ++told) listener(*results[told]);
-      }
-    } catch (...) {
-      next = tasks.size();
+  on_threads(options.threads, tasks.size(), [&] {
+    return [&](std::size_t i) {
+      PositionResult result = Prover(tasks[i], options, folder).prove();
       const std::lock_guard lock(mutex);
-      error = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (unsigned i = 1; i < options.threads; ++i) others.emplace_back(work);
-    work();
-  }
-  if (error) std::rethrow_exception(error);
+      results[i] = std::move(result);
+      for (; told < results.size() && results[told]; ++told) listener(*results[told]);
+    };
+  });
 }
 
 }  // namespace restrip::verify::sat

@@ -1,14 +1,15 @@
-// One graph for each configuration of an operation: two configurations are in one orbit when their coloured graphs are
-// isomorphic. Its nodes:
+// For nauty, one graph for each configuration of an operation: two configurations are in one orbit when their coloured
+// graphs are isomorphic. Its nodes:
 //   * one for each port, coloured solid or dashed, and whether it may be given up; where no triangle of a side has
-//   several
-//     ports, it stands for the triangle as well;
+//     several ports, it stands for the triangle as well;
 //   * one for each other triangle, coloured by the side (before or after) that it belongs to;
 //   * one in the middle of each inner edge before the operation, coloured solid or dashed.
 // The inner edges after the operation are plain edges: they hold the position fast.
 //
 // nauty's canonical graph does not tell how large the colour classes are: all edges solid and all edges dashed have
 // the same canonical graph. So the class sizes are part of a configuration's canonical form.
+
+#include "judge/orbits.hpp"
 
 #include <nauty/nauty.h>
 
@@ -17,7 +18,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "judge/orbits.hpp"
+#include "judge/merged_sets.hpp"
 
 namespace restrip::verify {
 namespace {
@@ -192,7 +193,32 @@ bool counts_everything(const Operation& operation) {
   return true;
 }
 
+std::vector<Mask> images_of_masks(const Permutation& permutation) {
+  std::vector<Mask> images;
+  for (Mask mask = 0; mask < mask_count(static_cast<unsigned>(permutation.size())); ++mask)
+    images.push_back(moved(mask, permutation));
+  return images;
+}
+
 }  // namespace
+
+OrbitCounts merged_orbits(const Operation& operation, const Symmetries& symmetries, const std::vector<bool>& valid) {
+  const unsigned ports = operation.ports();
+  MergedSets sets(valid.size());
+  for (const Symmetry& symmetry : symmetries.generators()) {
+    const std::vector<Mask> ports_image = images_of_masks(symmetry.ports);
+    const std::vector<Mask> edges_image = images_of_masks(symmetry.edges_before);
+    for (Mask both = 0; both < valid.size(); ++both)
+      sets.merge(both, concatenated(edges_image[high_part(both, ports)], ports_image[low_part(both, ports)], ports));
+  }
+  OrbitCounts orbits;
+  for (Mask both = 0; both < valid.size(); ++both)
+    if (sets.smallest(both) == both) {
+      ++orbits.all;
+      orbits.valid += valid[both] ? 1U : 0U;
+    }
+  return orbits;
+}
 
 std::optional<OrbitCounts> nauty_orbits(const Operation& operation, const std::vector<bool>& valid) {
   if (!counts_everything(operation) || ConfigurationGraph::size_for(operation) > most_nodes) return {};
