@@ -7,18 +7,18 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "automaton/served.hpp"
-#include "common/json_option.hpp"
-#include "compare/compare_command.hpp"
+#include "compare/compare.hpp"
 #include "files/report_output.hpp"
 #include "files/system_calls.hpp"
 #include "languages/languages.hpp"
-#include "operations/describe.hpp"
+#include "operations/description_file.hpp"
 #include "operations/operation_words.hpp"
 #include "operations/write.hpp"
 #include "tables/count.hpp"
@@ -28,6 +28,24 @@
 using namespace restrip::generator;
 
 namespace {
+
+/// The option that every command with a report has.
+CLI::Option* add_json_option(CLI::App& command, std::string& file) {
+  return command.add_option("--json", file,
+                            "Write the report as JSON to this file; - for standard output, in place of the text");
+}
+
+/// The option of the languages; `of_cpp` is what is written in C++, `in_others` in the others.
+CLI::Option* add_language_option(CLI::App& command, std::set<std::string>& languages, const char* of_cpp,
+                                 const char* in_others) {
+  return command
+      .add_option("--language", languages,
+                  fmt::format("c++ (the default: {}), c, rust, json, glsl or wgsl: {} and look-up; may be given "
+                              "several times",
+                              of_cpp, in_others))
+      ->check(CLI::IsMember(language_files()))
+      ->allow_extra_args(false);
+}
 
 /// What tells the positions of a family apart.
 using PlaceOptions = std::array<const CLI::Option*, PositionNumbers{}.size()>;
@@ -82,13 +100,7 @@ int main(int argc, char** argv) {
       ->transform(CLI::CheckedTransformer(goals))
       ->default_str("strips")
       ->excludes(shard_option);
-  std::vector<std::string> tables_languages;
-  tables_command
-      ->add_option("--language", tables_languages,
-                   "c++ (the default: headers, certificates and MANIFEST), c, rust, json, glsl or wgsl: "
-                   "data and look-up; may be given several times")
-      ->check(CLI::IsMember(language_files()))
-      ->allow_extra_args(false)
+  add_language_option(*tables_command, tables.languages, "headers, certificates and MANIFEST", "data")
       ->excludes(shard_option);
   add_json_option(*tables_command, tables.json);
   tables_command->footer(
@@ -144,13 +156,7 @@ int main(int argc, char** argv) {
   rules_command
       ->add_option("--max-k", rules.max_k, "Families: positions whose first number is at most this, by default 8")
       ->check(CLI::Range(3, 10));
-  std::vector<std::string> rules_languages;
-  rules_command
-      ->add_option("--language", rules_languages,
-                   "c++ (the default: header and certificate), c, rust, json, glsl or wgsl: "
-                   "table and look-up; may be given several times")
-      ->check(CLI::IsMember(language_files()))
-      ->allow_extra_args(false);
+  add_language_option(*rules_command, rules.languages, "header and certificate", "table");
   add_json_option(*rules_command, rules.json);
   rules_command->footer(
       "\nExamples, from the top of the source tree; the second writes restrip_bisect.h and restrip_bisect.rs:\n"
@@ -200,7 +206,23 @@ int main(int argc, char** argv) {
   count_command->add_option("--max-k", count_max_k, "Largest valence")->check(CLI::Range(3, 12))->capture_default_str();
   add_json_option(*count_command, count_to);
 
-  const Subcommand compare_command = add_compare(app);
+  CompareOptions compared;
+  auto* compare_command = app.add_subcommand("compare", "Compare the rules of two certificates, or of two table dumps");
+  compare_command->add_option("A", compared.a, "A certificate, or what a program prints that dumps its tables")
+      ->required();
+  compare_command->add_option("B", compared.b, "Another one of the same kind and operation")->required();
+  compare_command->add_option("--operation", compared.operations,
+                              "Operation file, unless it is a shipped family; of use where rules differ");
+  add_json_option(*compare_command, compared.json);
+  compare_command->footer(
+      "\nTells whether the rules are the same, or others that cost the same, or which is the first that costs more or\n"
+      "less. Lists of linked rules are compared line by line. That rules are the best ones is for restrip-verify to\n"
+      "prove. docs/certificate.md describes the files.\n"
+      "Exit code: 0 the rules cost the same, 1 they do not, 2 bad input.\n"
+      "\nExample:\n"
+      "  restrip-generate tables --max-k 5 --out /tmp/strips\n"
+      "  restrip-generate tables --max-k 5 --tie-break indices --out /tmp/indices\n"
+      "  restrip-generate compare /tmp/strips/certificates/split.cert /tmp/indices/certificates/split.cert\n");
 
   int code = 0;
   try {
@@ -210,8 +232,6 @@ int main(int argc, char** argv) {
   }
   try {
     if (tables.threads == 0) tables.threads = std::max(1U, std::thread::hardware_concurrency());
-    if (!tables_languages.empty()) tables.languages = {tables_languages.begin(), tables_languages.end()};
-    if (!rules_languages.empty()) rules.languages = {rules_languages.begin(), rules_languages.end()};
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
     if (*automaton_command)
       served.empty() ? make_automaton_files(automaton) : make_served_headers(served, automaton.out);
@@ -231,9 +251,12 @@ int main(int argc, char** argv) {
       fmt::print("{}",
                  operation_file_text(position_of(family_named(described_family), numbers, place_options), constraint));
     }
-    if (*count_command)
-      restrip::files::ReportOutput(count_to).print(count_report(count_max_k), count_json(count_max_k));
-    if (*compare_command.line) code = compare_command.run();
+    if (*count_command) {
+      const restrip::files::ReportOutput out(count_to);
+      const CountReport report = count(count_max_k);
+      out.print(report.text, report.json);
+    }
+    if (*compare_command) code = compare(compared);
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");
   } catch (const std::exception& error) {
     fmt::print(stderr, "restrip-generate: {}\n", error.what());

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "operations/patch.hpp"
+#include "operations/operation.hpp"
 
 namespace restrip::generator {
 

@@ -1,9 +1,8 @@
-#include "operations/describe.hpp"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
+#include "operations/description_file.hpp"
 #include "operations/operation_words.hpp"
 #include "operations/tie_break.hpp"
 
@@ -40,8 +39,8 @@ OrderedJson json_of(const Preference& preference, const Side& after) {
       const CountWord& word = word_of(term.count);
       OrderedJson json{{"count", word.word}};
       if (term.weight != 1) json["weight"] = term.weight;
-      const Mask all = everything(word.among, after);
-      if (word.among != Among::nothing && (term.of & all) != all) json[member_of(word.among)] = places(term.of & all);
+      const Mask all = (Mask{1} << how_many(word.among, after)) - 1;
+      if ((term.of & all) != all) json[fmt::format("{}s", word.among)] = places(term.of & all);
       terms.push_back(json);
     }
     criteria.push_back(terms);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "operations/description_file.hpp"
@@ -19,25 +20,20 @@ namespace {
 class Numbering {
  public:
   Numbering(const SidePattern& pattern, const PositionNumbers& place) : place_(place) {
-    std::vector<std::string> names;
-    std::map<std::string, std::vector<int>> indices;
-    std::vector<std::string> single;
+    std::map<std::string, std::size_t> appeared;  // names of triangles with an index
+    std::vector<std::tuple<bool, std::size_t, Triangle>> all;
     for (const Chain& chain : pattern.chains)
-      for (const Stretch& stretch : chain.elements) {
-        if (!stretch.range) {
-          single.push_back(stretch.name);
-          continue;
-        }
-        if (!indices.contains(stretch.name)) names.push_back(stretch.name);
-        std::vector<int>& of_name = indices[stretch.name];
-        for (const auto& [name, index] : triangles(stretch)) of_name.push_back(index);
-      }
-    for (const std::string& name : names) {
-      std::sort(indices[name].begin(), indices[name].end());
-      for (const int index : indices[name]) add({name, index});
+      for (const Stretch& stretch : chain.elements)
+        for (const Triangle& triangle : triangles(stretch))
+          all.emplace_back(!stretch.range,
+                           stretch.range ? appeared.emplace(stretch.name, appeared.size()).first->second : all.size(),
+                           triangle);
+    std::sort(all.begin(), all.end());
+    for (const auto& [is_single, order, triangle] : all) {
+      if (!number_.emplace(triangle, size()).second)
+        throw std::runtime_error(fmt::format("{} is in it twice", text_of(triangle)));
+      with_index_ += is_single ? 0U : 1U;
     }
-    with_index_ = static_cast<unsigned>(number_.size());
-    for (const std::string& name : single) add({name, no_index});
   }
 
   [[nodiscard]] unsigned size() const { return static_cast<unsigned>(number_.size()); }
@@ -59,10 +55,6 @@ class Numbering {
 
   static std::string text_of(const Triangle& triangle) {
     return triangle.second == no_index ? triangle.first : fmt::format("{}_{}", triangle.first, triangle.second);
-  }
-  void add(const Triangle& triangle) {
-    if (!number_.emplace(triangle, size()).second)
-      throw std::runtime_error(fmt::format("{} is in it twice", text_of(triangle)));
   }
   [[nodiscard]] std::vector<Triangle> triangles(const Stretch& stretch) const {
     if (!stretch.range) return {{stretch.name, no_index}};
@@ -131,7 +123,7 @@ Side side_at(const SideForm& form, const Position& position, const char* member)
   }
 }
 
-/// Of a family that is given by its triangles.
+/// Where it is given by its triangles.
 SurfacePatch triangles_at(const Position& position) {
   const Description& family = *position.family;
   NamedPatch named;
@@ -204,7 +196,7 @@ std::vector<Position> positions_up_to(const Description& family, unsigned max_k)
 std::vector<Position> positions(const Description& family, unsigned k) {
   if (family.numbers.empty()) {
     Position only{&family, 0, 0, 0};
-    only.k = side_at(family.before, only, "before").ports();
+    only.k = make_patch(only).before.ports();
     return {only};
   }
   const unsigned last_at = family.numbers.size() > 1 ? k : 0;
@@ -217,7 +209,7 @@ std::vector<Position> positions(const Description& family, unsigned k) {
 }
 
 Patch make_patch(const Position& position) {
-  if (position.family->has_triangle_patterns()) return triangles_at(position).patch;
+  if (!position.family->is_graph_only()) return triangles_at(position).patch;
   Patch patch{side_at(position.family->before, position, "before"), side_at(position.family->after, position, "after")};
   if (patch.before.ports() != patch.after.ports())
     throw std::runtime_error(
@@ -225,9 +217,7 @@ Patch make_patch(const Position& position) {
   return patch;
 }
 
-Surface surface_at(const Position& position) {
-  return position.family->has_triangle_patterns() ? triangles_at(position).surface : position.family->surface;
-}
+Surface surface_at(const Position& position) { return triangles_at(position).surface; }
 
 Patch patch_of_rows(const Position& position) {
   if (!serves_every_position(*position.family)) return make_patch(position);

@@ -11,7 +11,7 @@
 
 #include "operations/formula.hpp"
 #include "operations/operation.hpp"
-#include "operations/triangle_pattern.hpp"
+#include "operations/triangles.hpp"
 
 namespace restrip::generator {
 
@@ -28,7 +28,7 @@ struct SidePattern {
   std::vector<Stretch> ports;  ///< who owns them; where there are none, each triangle with an index has one
 };
 
-/// A side in one of the forms that a file can give it in; triangles without indices are read into a Side.
+/// A side in one of the forms that a file can give it in: as a graph, as the chains of a pattern, or by its triangles.
 using SideForm = std::variant<Side, SidePattern, TrianglePatterns>;
 
 struct Description {
@@ -49,13 +49,11 @@ struct Description {
   bool linked = false;               ///< there are linked rules as well
   SideForm before;
   SideForm after;
-  std::vector<StretchPattern> boundary;  ///< of triangle patterns
-  Surface surface;  ///< of the only position, where that is given by its triangles; empty for the others
+  std::vector<StretchPattern> boundary;  ///< of triangles
 
   [[nodiscard]] bool is_pattern() const { return std::holds_alternative<SidePattern>(after); }
-  [[nodiscard]] bool has_triangle_patterns() const { return std::holds_alternative<TrianglePatterns>(after); }
   /// Nothing tells whether it is an operation on a mesh.
-  [[nodiscard]] bool is_graph_only() const { return !has_triangle_patterns() && surface.before.empty(); }
+  [[nodiscard]] bool is_graph_only() const { return !std::holds_alternative<TrianglePatterns>(after); }
 };
 
 /// The families of the shipped file, in its order.
@@ -93,7 +91,7 @@ struct Position {
 /// Throws std::runtime_error that names the position where a pattern makes no patch of triangles.
 [[nodiscard]] Patch make_patch(const Position& position);
 
-/// The triangles of a position; none where is_graph_only().
+/// The triangles of a position, which must not be is_graph_only().
 [[nodiscard]] Surface surface_at(const Position& position);
 
 /// The position of the rows that serve this one: numbers that its section leaves out are 0.

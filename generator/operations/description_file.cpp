@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -78,35 +79,6 @@ Side graph_from(const JsonValue& value) {
   return side;
 }
 
-NamedPatch::Triangles triangles_from(const JsonValue& value) {
-  NamedPatch::Triangles triangles;
-  for (const JsonValue& triangle : value.elements("triangles")) {
-    const std::vector<JsonValue> corners = triangle.elements("three vertices");
-    if (corners.size() != 3) triangle.refuse("expected three vertices");
-    triangles.push_back({corners[0].text(), corners[1].text(), corners[2].text()});
-    if (triangles.size() > most_nodes) triangle.refuse(fmt::format("expected 1 to {} triangles", most_nodes));
-  }
-  return triangles;
-}
-
-/// The patch of triangles with named vertices.
-SurfacePatch surface_from(const JsonValue& top) {
-  NamedPatch named{triangles_from(top["before"]), triangles_from(top["after"]), {}};
-  if (top.has("boundary"))
-    for (const JsonValue& stretch : top["boundary"].elements("stretches of the rim")) {
-      const std::vector<JsonValue> ends = stretch.elements("two vertices");
-      if (ends.size() != 2) stretch.refuse("expected two vertices");
-      named.boundary.push_back({ends[0].text(), ends[1].text()});
-    }
-  try {
-    return surface_patch(named);
-  } catch (const PatchFault& fault) {
-    const JsonValue member = top[fault.member];
-    if (fault.element < 0) member.refuse(fault.what());
-    member.elements("")[static_cast<std::size_t>(fault.element)].refuse(fault.what());
-  }
-}
-
 /// A formula in the file; a fault in it is told with its place.
 template <class Parse>
 auto formula(const JsonValue& value, const std::vector<std::string>& numbers, Parse&& parse) {
@@ -118,7 +90,9 @@ auto formula(const JsonValue& value, const std::vector<std::string>& numbers, Pa
   }
 }
 
+/// Vertices of a family may have indices.
 IndexedName vertex_from(const JsonValue& value, const std::vector<std::string>& numbers, const std::string& index) {
+  if (numbers.empty()) return {value.text(), {}};
   return formula(value, numbers, [&](const std::string& text, const std::vector<std::string>& all) {
     return parse_vertex(text, all, index);
   });
@@ -131,13 +105,14 @@ std::vector<Stretch> stretches_from(const JsonValue& value, const std::vector<st
   return stretches;
 }
 
-/// Triangles of a family: three vertices, and an index with its values where that stands for several.
-TrianglePatterns triangle_patterns_from(const JsonValue& value, const std::vector<std::string>& numbers) {
+/// Three vertices each; in a family an index with its values as well, where that stands for several.
+TrianglePatterns triangles_from(const JsonValue& value, const std::vector<std::string>& numbers) {
   TrianglePatterns patterns;
   for (const JsonValue& triangle : value.elements("triangles")) {
     const std::vector<JsonValue> words = triangle.elements("three vertices");
-    if (words.size() != 3 && words.size() != 4)
-      triangle.refuse("expected three vertices, and an index with its values where they have one");
+    if (words.size() != 3 && (words.size() != 4 || numbers.empty()))
+      triangle.refuse(numbers.empty() ? "expected three vertices"
+                                      : "expected three vertices, and an index with its values where they have one");
     TrianglePattern& pattern = patterns.emplace_back();
     if (words.size() == 4) {
       pattern.index = formula(words[3], numbers, parse_stretch);
@@ -152,7 +127,7 @@ TrianglePatterns triangle_patterns_from(const JsonValue& value, const std::vecto
   return patterns;
 }
 
-std::vector<StretchPattern> stretch_patterns_from(const JsonValue& value, const std::vector<std::string>& numbers) {
+std::vector<StretchPattern> stretches_of_rim_from(const JsonValue& value, const std::vector<std::string>& numbers) {
   std::vector<StretchPattern> stretches;
   for (const JsonValue& stretch : value.elements("stretches of the rim")) {
     const std::vector<JsonValue> ends = stretch.elements("two vertices");
@@ -207,11 +182,11 @@ Mask mask_from(const JsonValue& value, std::size_t count, const std::string& wha
   return mask;
 }
 
-void take_give_up(const JsonValue& value, Description& description) {
+/// `after` is null for patterns.
+void take_give_up(const JsonValue& value, const Side* after, Description& description) {
   if (!value.is_text()) {
-    const Side* side = std::get_if<Side>(&description.after);
-    if (side == nullptr) value.refuse("expected \"none\" or \"all\"");
-    description.may_give_up = mask_from(value, side->owner.size(), "port");
+    if (after == nullptr) value.refuse("expected \"none\" or \"all\"");
+    description.may_give_up = mask_from(value, after->owner.size(), "port");
     return;
   }
   const std::string word = value.text();
@@ -223,23 +198,23 @@ void take_give_up(const JsonValue& value, Description& description) {
 Term term_from(const JsonValue& value, const Side* after) {
   value.expect_members({"count", "weight", "edges", "triangles", "ports"});
   const JsonValue name = value["count"];
-  const auto known = count_words();
-  const auto word = std::find_if(known.begin(), known.end(), [&](const CountWord& w) { return w.word == name.text(); });
-  if (word == known.end()) {
-    std::vector<std::string> names;
-    for (const CountWord& w : known) names.emplace_back(w.word);
+  const auto* const word =
+      std::find_if(count_words.begin(), count_words.end(), [&](const CountWord& w) { return w.word == name.text(); });
+  if (word == count_words.end()) {
+    std::vector<std::string_view> names;
+    for (const CountWord& w : count_words) names.push_back(w.word);
     name.refuse(fmt::format("expected one of {}", fmt::join(names, ", ")));
   }
   Term term{word->count};
   constexpr std::int64_t heaviest = 1'000'000;
   if (value.has("weight")) term.weight = value["weight"].number(-heaviest, heaviest, "a weight");
-  if (word->among != Among::nothing && after != nullptr) term.of = everything(word->among, *after);
-  for (const Among among : {Among::edges, Among::triangles, Among::ports}) {
-    const std::string member = member_of(among);
+  if (!word->among.empty() && after != nullptr) term.of = (Mask{1} << how_many(word->among, *after)) - 1;
+  for (const std::string among : {"edge", "triangle", "port"}) {
+    const std::string member = among + "s";
     if (!value.has(member)) continue;
     if (word->among != among) value[member].refuse(fmt::format("\"{}\" does not choose among {}", word->word, member));
     if (after == nullptr) value[member].refuse("a pattern has different ones at each position; leave this out");
-    term.of = mask_from(value[member], how_many(among, *after), one_of(among));
+    term.of = mask_from(value[member], how_many(among, *after), among);
   }
   return term;
 }
@@ -289,6 +264,26 @@ void take_positions(const JsonValue& value, Description& family) {
   if (family.section.empty()) family.section = family.name;
 }
 
+/// The patch of a single operation, which no pattern gives: what is wrong with it has a place in the file.
+std::optional<Patch> patch_from(const JsonValue& value, const Description& description) {
+  if (!description.numbers.empty() || description.is_pattern()) return {};
+  if (description.is_graph_only()) {
+    Patch patch{std::get<Side>(description.before), std::get<Side>(description.after)};
+    if (patch.after.owner.size() != patch.before.owner.size())
+      value["after"]["ports"].refuse("expected as many ports as before");
+    return patch;
+  }
+  try {
+    return surface_patch(named_at(std::get<TrianglePatterns>(description.before),
+                                  std::get<TrianglePatterns>(description.after), description.boundary, {}))
+        .patch;
+  } catch (const PatchFault& fault) {
+    const JsonValue member = value[fault.member];
+    if (fault.element < 0) member.refuse(fault.what());
+    member.elements("")[static_cast<std::size_t>(fault.element)].refuse(fault.what());
+  }
+}
+
 Description description_from(const JsonValue& value, Author author) {
   if (value.has("take"))
     value["take"].refuse(
@@ -303,32 +298,26 @@ Description description_from(const JsonValue& value, Author author) {
   if (value.has("about")) description.about = sentence_from(value["about"]);
   description.certificate = value.has("certificate") ? name_from(value["certificate"], author) : description.name;
   take_positions(value, description);
-  if (value["before"].is_list() && !description.numbers.empty()) {
-    description.before = triangle_patterns_from(value["before"], description.numbers);
-    description.after = triangle_patterns_from(value["after"], description.numbers);
-    if (value.has("boundary")) description.boundary = stretch_patterns_from(value["boundary"], description.numbers);
+  if (value["before"].is_list()) {
+    description.before = triangles_from(value["before"], description.numbers);
+    description.after = triangles_from(value["after"], description.numbers);
+    if (value.has("boundary")) description.boundary = stretches_of_rim_from(value["boundary"], description.numbers);
     if (serves_every_position(description))
       value["section"].refuse("a family that is given by its triangles has a section for each position");
-  } else if (value["before"].is_list()) {
-    SurfacePatch surface = surface_from(value);
-    description.before = std::move(surface.patch.before);
-    description.after = std::move(surface.patch.after);
-    description.surface = std::move(surface.surface);
   } else {
     if (value.has("boundary")) value["boundary"].refuse("this is for patches given by their triangles");
     description.before = side_from(value["before"], description.numbers);
     description.after = side_from(value["after"], description.numbers);
+    if (description.before.index() != description.after.index())
+      value["after"].refuse("expected the form that \"before\" has");
   }
-  const Side* before = std::get_if<Side>(&description.before);
-  const Side* after = std::get_if<Side>(&description.after);
-  if ((before == nullptr) != (after == nullptr)) value["after"].refuse("expected the form that \"before\" has");
-  if (after != nullptr && after->owner.size() != before->owner.size())
-    value["after"]["ports"].refuse("expected as many ports as before");
+  const std::optional<Patch> patch = patch_from(value, description);
+  const Side* after = patch ? &patch->after : nullptr;
   if (after == nullptr && !value.has("constraint"))
     description.constraint = {};
   else
     description.constraint = constraint_from(value["constraint"]);
-  if (value.has("give_up")) take_give_up(value["give_up"], description);
+  if (value.has("give_up")) take_give_up(value["give_up"], after, description);
   description.preference = fewest_strips();
   if (description.constraint.most_edges == 1) description.preference.erase(description.preference.begin());
   description.own_cost = value.has("cost");

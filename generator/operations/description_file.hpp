@@ -1,4 +1,4 @@
-// Files of descriptions, as docs/operation-file.md has them: one description, or a list of them.
+// Files of descriptions, as docs/operation-file.md has them: one description, or a list of them, read and written.
 #pragma once
 
 #include <cstddef>
@@ -25,5 +25,10 @@ enum class Author { user, restrip };
 /// Reads the text of a file; `file` is only named in errors.
 [[nodiscard]] std::vector<Description> parse_descriptions(const std::string& file, const std::string& text,
                                                           Author author = Author::user);
+
+/// The operation file of a family at one position, with the preference of its shipped rules; named "split-k4-a2", or
+/// "flip-own". Under another constraint than that of the family the preference is the usual one, which is none in the
+/// file, and the constraint's word ends the name.
+[[nodiscard]] std::string operation_file_text(const Position& position, Constraint constraint = {});
 
 }  // namespace restrip::generator

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "solve/section.hpp"
@@ -38,5 +39,12 @@ struct OperationLayout {
 
 /// Of the positions of one description, which stays where it is for as long as the layout is used.
 [[nodiscard]] OperationLayout operation_layout(const std::vector<AnsweredPosition>& positions);
+
+/// The header in C++: docs/operation-file.md, "Table".
+[[nodiscard]] std::string operation_header(const OperationLayout& layout);
+
+/// Where the files of an operation lie in a folder of tables.
+[[nodiscard]] std::string operation_certificate_path(const std::string& name);
+[[nodiscard]] std::string operation_header_path(const std::string& name);
 
 }  // namespace restrip::generator

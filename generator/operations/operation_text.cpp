@@ -1,5 +1,3 @@
-#include "operations/operation_text.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,6 +5,7 @@
 #include <vector>
 
 #include "common/number_lines.hpp"
+#include "operations/operation_layout.hpp"
 #include "tables/emit.hpp"
 
 namespace restrip::generator {
@@ -60,52 +59,45 @@ struct Triangles {
   [[nodiscard]] std::string text() const { return triangles(before) + triangles(after) + "};\n"; }
 };
 
-/// What stands before the number of positions or triangles.
-std::string first_arguments(const OperationLayout& layout) {
-  return fmt::format("std::uint{}_t, {}", layout.width, layout.entries.size());
-}
-
-/// The table of an operation, from its type on.
-std::string operation_table(const OperationLayout& layout, const std::string& name) {
-  const Patch& patch = layout.positions[0].patch;
-  const std::string rules =
-      fmt::format("{},\n    {},\n    {},\n    {},\n    {{\n{}    }}}}", sizes(patch)[0], sizes(patch)[1],
-                  patch.before.ports(), layout.matching(), numbers(layout.entries));
-  if (layout.named().is_graph_only())
-    return fmt::format("OperationTable<{}> {}{{\n    {};\n", first_arguments(layout), name, rules);
-  const Triangles surface(layout);
-  return fmt::format("SurfaceOperation<{}{}> {}{{\n    {{{},\n    {},\n{}", first_arguments(layout), surface.counts(),
-                     name, rules, surface.vertices, surface.text());
-}
-
-/// The same of a family.
-std::string family_table(const OperationLayout& layout, const std::string& name) {
-  std::string positions;
-  for (const OperationLayout::At& at : layout.positions) {
-    const auto& [before, after] = sizes(at.patch);
-    positions += fmt::format("    {{{{{}}}, {}, {}, {}, {}}},\n", fmt::join(at.position.numbers(), ", "), before, after,
-                             at.patch.before.ports(), at.first);
+/// The table of an operation or a family, from its type on.
+std::string table(const OperationLayout& layout, const std::string& name) {
+  const OperationLayout::At& first = layout.positions[0];
+  const bool is_family = !layout.named().numbers.empty();
+  std::string arguments = fmt::format("std::uint{}_t, {}", layout.width, layout.entries.size());
+  std::string rules;
+  if (is_family) {
+    arguments += fmt::format(", {}", layout.positions.size());
+    std::string positions;
+    for (const OperationLayout::At& at : layout.positions) {
+      const auto& [before, after] = sizes(at.patch);
+      positions += fmt::format("    {{{{{}}}, {}, {}, {}, {}}},\n", fmt::join(at.position.numbers(), ", "), before,
+                               after, at.patch.before.ports(), at.first);
+    }
+    rules = fmt::format("{},\n    {},\n    {{{{\n{}    }}}},\n    {{\n{}    }}}}", layout.matching(),
+                        quoted_place(layout.named()), positions, numbers(layout.entries));
+  } else {
+    const auto& [before, after] = sizes(first.patch);
+    rules = fmt::format("{},\n    {},\n    {},\n    {},\n    {{\n{}    }}}}", before, after, first.patch.before.ports(),
+                        layout.matching(), numbers(layout.entries));
   }
-  const std::string rules = fmt::format("{},\n    {},\n    {{{{\n{}    }}}},\n    {{\n{}    }}}}", layout.matching(),
-                                        quoted_place(layout.named()), positions, numbers(layout.entries));
-  const std::string arguments = fmt::format("{}, {}", first_arguments(layout), layout.positions.size());
-  if (layout.named().is_graph_only()) return fmt::format("OperationFamily<{}> {}{{\n    {};\n", arguments, name, rules);
+  if (layout.named().is_graph_only())
+    return fmt::format("Operation{}<{}> {}{{\n    {};\n", is_family ? "Family" : "Table", arguments, name, rules);
   const Triangles surface(layout);
-  return fmt::format("SurfaceFamily<{}{}> {}{{\n    {{{},\n    {{{{\n{}    }}}},\n{}", arguments, surface.counts(),
-                     name, rules, surface.positions, surface.text());
+  return fmt::format("Surface{}<{}{}> {}{{\n    {{{},\n    {},\n{}", is_family ? "Family" : "Operation", arguments,
+                     surface.counts(), name, rules,
+                     is_family ? fmt::format("{{{{\n{}    }}}}", surface.positions) : std::to_string(surface.vertices),
+                     surface.text());
 }
 
 }  // namespace
 
 std::string operation_header(const OperationLayout& layout) {
   const Description& named = layout.named();
-  const std::string name = identifier(named.name);
   return fmt::format(
       "// {}\n// Written by `restrip-generate rules` from the operation file of {}. Do not edit.\n// Explained in "
       "restrip/tables/operation_format.hpp.\n#pragma once\n\n#include \"restrip/tables/operation_format.hpp\"\n\n"
       "namespace restrip::tables {{\n\ninline constexpr {}\n}}  // namespace restrip::tables\n",
-      named.about.empty() ? named.name : named.about, named.name,
-      named.numbers.empty() ? operation_table(layout, name) : family_table(layout, name));
+      named.about.empty() ? named.name : named.about, named.name, table(layout, identifier(named.name)));
 }
 
 std::string operation_certificate_path(const std::string& name) { return "certificates/operations/" + name + ".cert"; }

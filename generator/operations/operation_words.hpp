@@ -1,9 +1,10 @@
 // The words of operation files for what operation.hpp knows.
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <span>
-#include <string>
+#include <stdexcept>
+#include <string_view>
 
 #include "operations/operation.hpp"
 
@@ -12,27 +13,36 @@ namespace restrip::generator {
 /// By the most solid edges of a triangle, from one.
 inline constexpr std::array<const char*, 3> constraint_words{"matching", "strips", "forest"};
 
-/// What a count can be told to choose among.
-enum class Among { nothing, edges, triangles, ports };
-
 struct CountWord {
-  const char* word;
+  std::string_view word;
   Count count;
-  Among among;
+  std::string_view among =
+      {};  ///< what it can be told to choose among: "edge", "triangle" or "port"; the member has an s
 };
 
 /// Every count that a file can name.
-[[nodiscard]] std::span<const CountWord> count_words();
+inline constexpr std::array<CountWord, 10> count_words{{{"strips", Count::strips},
+                                                        {"isolated", Count::isolated},
+                                                        {"given_up", Count::given_up},
+                                                        {"kept", Count::kept, "port"},
+                                                        {"joined", Count::joined},
+                                                        {"solid", Count::solid, "edge"},
+                                                        {"ends", Count::ends, "triangle"},
+                                                        {"ends_at_port", Count::ends_at_port, "triangle"},
+                                                        {"neighbouring_ends", Count::neighbouring_ends},
+                                                        {"squares", Count::squares}}};
 
 /// std::logic_error for a count that files do not have.
-[[nodiscard]] const CountWord& word_of(Count count);
+[[nodiscard]] inline const CountWord& word_of(Count count) {
+  const auto* const found =
+      std::find_if(count_words.begin(), count_words.end(), [&](const CountWord& word) { return word.count == count; });
+  if (found == count_words.end()) throw std::logic_error("operation files have no word for this count");
+  return *found;
+}
 
-/// The member that chooses: "edges", "triangles", "ports"; and what one of them is called.
-[[nodiscard]] std::string member_of(Among among);
-[[nodiscard]] std::string one_of(Among among);
-
-/// How many there are to choose among, and all of them as a mask.
-[[nodiscard]] std::size_t how_many(Among among, const Side& after);
-[[nodiscard]] Mask everything(Among among, const Side& after);
+/// How many there are to choose among.
+[[nodiscard]] inline std::size_t how_many(std::string_view among, const Side& after) {
+  return among == "edge" ? after.edges.size() : among == "triangle" ? after.nodes : among == "port" ? after.ports() : 0;
+}
 
 }  // namespace restrip::generator

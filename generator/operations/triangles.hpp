@@ -1,23 +1,43 @@
-// A patch given by its triangles: docs/operation-file.md, "Triangles". Inner edges, ports and their order follow.
+// A patch given by its triangles: docs/operation-file.md, "Triangles", and "Families" where vertices have indices.
+// Inner edges, ports and their order follow.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "operations/patch.hpp"
+#include "operations/formula.hpp"
+#include "operations/operation.hpp"
 
 namespace restrip::generator {
 
-/// What stands in the file.
+/// What stands in the file of a single operation.
 struct NamedPatch {
   using Triangles = std::vector<std::array<std::string, 3>>;
   Triangles before;
   Triangles after;
   std::vector<std::array<std::string, 2>> boundary;
 };
+
+/// One triangle, or one for each value of an index.
+struct TrianglePattern {
+  std::array<IndexedName, 3> corners;
+  std::optional<Stretch> index;  ///< its name and values
+};
+
+/// A side for all positions.
+using TrianglePatterns = std::vector<TrianglePattern>;
+
+/// A stretch of the rim, from a vertex to a vertex.
+using StretchPattern = std::array<IndexedName, 2>;
+
+/// The triangles at one position, as the file of a single operation would name them: u[3] is u_3. Of too many a side
+/// has one more than it can have. Throws std::runtime_error when an index is negative.
+[[nodiscard]] NamedPatch named_at(const TrianglePatterns& before, const TrianglePatterns& after,
+                                  const std::vector<StretchPattern>& boundary, const PositionNumbers& place);
 
 /// A triangle as one meets it from the first: every other one across a side of one before it, which is its own side 0.
 struct SurfaceTriangle {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,18 +19,17 @@
 #include "files/report_output.hpp"
 #include "languages/languages.hpp"
 #include "operations/description_file.hpp"
-#include "operations/operation_text.hpp"
+#include "operations/operation_layout.hpp"
 #include "tables/certificate_text.hpp"
 
 namespace restrip::generator {
 namespace {
 
-/// All sections of one certificate, solved.
-struct Certificate {
-  std::vector<Section> sections;
-  std::size_t bytes = 0;  ///< of the tables
+/// A certificate, solved, with what reports tell of it.
+struct Solved {
+  Certificate certificate;
   Claims claims;          ///< of all sections; linked ones have none
-  std::size_t rows = 0;
+  std::size_t bytes = 0;  ///< of the tables
 };
 
 void expect_within_limits(const Section& section) {
@@ -45,22 +45,14 @@ void expect_within_limits(const Section& section) {
   }
 }
 
-Certificate solved_certificate(std::vector<Section> sections) {
-  Certificate made{std::move(sections), 0, {}, 0};
+Solved solved(Certificate certificate, bool with_text) {
   std::vector<Claims> parts;
-  for (Section& section : made.sections) {
+  for (Section& section : certificate.sections) {
     solve(section, Watched::yes);
-    if (!section.linked) parts.push_back(sum(section.claims));
-    made.rows += section.rows.size();
+    parts.insert(parts.end(), section.claims.begin(), section.claims.end());
+    if (with_text) section.text = section_text(section, Watched::yes);
   }
-  if (!parts.empty()) made.claims = sum(parts);
-  return made;
-}
-
-std::string text_of(const Certificate& made) {
-  std::string text = certificate_head(made.sections[0].certificate);
-  for (const Section& section : made.sections) text += section_text(section, Watched::yes);
-  return sealed(std::move(text), made.rows);
+  return {std::move(certificate), parts.empty() ? Claims{} : sum(parts), 0};
 }
 
 /// The files of a description.
@@ -75,8 +67,9 @@ std::set<std::filesystem::path> paths_of(const Description& description, const s
 }
 
 /// Their bytes. Positions that the certificate leaves out, because they are images of others, are solved for them.
-std::map<std::filesystem::path, std::string> files_of(const Description& description, Certificate& solved,
+std::map<std::filesystem::path, std::string> files_of(const Description& description, Solved& solved,
                                                       const std::set<std::string>& languages, unsigned max_k) {
+  const std::vector<Section>& known = solved.certificate.sections;
   std::vector<Description> every{description};
   every[0].listed.clear();
   every[0].section = description.place.empty() ? description.name : description.place;
@@ -90,12 +83,12 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
         return served.family == &description && served.numbers() == position.numbers();
       });
     };
-    const auto found = std::find_if(solved.sections.begin(), solved.sections.end(), serves);
-    if (found == solved.sections.end()) {
+    const auto found = std::find_if(known.begin(), known.end(), serves);
+    if (found == known.end()) {
       expect_within_limits(section);
       solve(section, Watched::yes);
     }
-    positions.push_back({position, found == solved.sections.end() ? &section : &*found});
+    positions.push_back({position, found == known.end() ? &section : &*found});
   }
   const OperationLayout layout = operation_layout(positions);
   solved.bytes += layout.bytes();
@@ -108,37 +101,37 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
   return files;
 }
 
-nlohmann::ordered_json figures(const Certificate& made) {
-  const Section& first = made.sections[0];
-  if (first.linked) return {{"name", first.certificate}, {"alternatives", made.rows}};
+nlohmann::ordered_json figures(const Solved& made) {
+  const auto& [name, sections] = made.certificate;
+  const std::size_t rows = made.certificate.rows();
+  if (made.certificate.linked()) return {{"name", name}, {"alternatives", rows}};
   double symmetries = 0;
-  for (const Section& section : made.sections) symmetries = std::max(symmetries, section.symmetries);
+  for (const Section& section : sections) symmetries = std::max(symmetries, section.symmetries);
   const Claims& claims = made.claims;
-  return {{"name", first.certificate},
+  return {{"name", name},
           {"configurations", claims.configurations},
           {"valid", claims.valid},
           {"orbits", claims.orbits},
           {"valid_orbits", claims.valid_orbits},
           {"symmetries", static_cast<std::uint64_t>(symmetries)},
-          {"keys", made.rows},
+          {"keys", rows},
           {"costing", claims.costing},
           {"worst_strips", claims.worst_strips},
           {"worst_isolated", claims.worst_isolated},
           {"bytes", made.bytes},
-          {"graph_only", first.position.family->is_graph_only()}};
+          {"graph_only", sections[0].position.family->is_graph_only()}};
 }
 
 /// The lines about it for people.
-std::string told(const Certificate& made) {
-  const Section& first = made.sections[0];
-  if (first.linked)
-    return fmt::format("{:<24} {:>6} {}\n", first.certificate, made.rows, plural(made.rows, "alternative"));
+std::string told(const Solved& made) {
+  const auto& [name, sections] = made.certificate;
+  const std::size_t rows = made.certificate.rows();
+  if (made.certificate.linked()) return fmt::format("{:<24} {:>6} {}\n", name, rows, plural(rows, "alternative"));
   const std::size_t configurations = made.claims.configurations;
   return fmt::format(
-      "{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", first.certificate, configurations,
-      plural(configurations, "configuration"), made.rows, plural(made.rows, "rule"), made.bytes,
-      plural(made.bytes, "byte"),
-      first.position.family->is_graph_only() ? "  graph only: not checked to be an operation on a mesh\n" : "");
+      "{:<24} {:>6} {:<14}  {:>5} {:<5}  {:>6} {}\n{}", name, configurations, plural(configurations, "configuration"),
+      rows, plural(rows, "rule"), made.bytes, plural(made.bytes, "byte"),
+      sections[0].position.family->is_graph_only() ? "  graph only: not checked to be an operation on a mesh\n" : "");
 }
 
 }  // namespace
@@ -160,19 +153,16 @@ void make_rules(const RulesOptions& options) {
   if (options.max_k && !has_family)
     throw std::runtime_error(
         fmt::format("{}: there is no family, so --max-k has no effect; leave it out", fmt::join(options.files, ", ")));
-  std::vector<std::vector<Section>> certificates;
   std::set<std::filesystem::path> paths;
   const unsigned max_k = options.max_k.value_or(most_ports);
   const bool certified = options.languages.contains("c++");
-  for (Section& section : sections_of(descriptions, max_k)) {
-    if (section.linked && !certified) continue;  // other languages have no linked rules
-    expect_within_limits(section);
-    if (certificates.empty() || certificates.back()[0].certificate != section.certificate) {
-      certificates.emplace_back();
-      if (certified) paths.insert(operation_certificate_path(section.certificate));
-    }
-    certificates.back().push_back(std::move(section));
-  }
+  std::vector<Section> all = sections_of(descriptions, max_k);
+  // Other languages have no linked rules.
+  if (!certified) std::erase_if(all, std::mem_fn(&Section::linked));
+  std::for_each(all.begin(), all.end(), expect_within_limits);
+  std::vector<Certificate> certificates = by_certificate(std::move(all));
+  for (const Certificate& certificate : certificates)
+    if (certified) paths.insert(operation_certificate_path(certificate.name));
   for (const Description& description : descriptions) paths.merge(paths_of(description, options.languages));
   files::OutputSet out(options.out, {paths.begin(), paths.end()});
   const files::ReportOutput report(options.json, {options.files.begin(), options.files.end()});
@@ -180,10 +170,10 @@ void make_rules(const RulesOptions& options) {
   std::vector<files::NamedBytes> texts;
   nlohmann::ordered_json json;
   std::string text;
-  for (std::vector<Section>& sections : certificates) {
-    Certificate made = solved_certificate(std::move(sections));
-    const std::string& name = made.sections[0].certificate;
-    if (certified) texts.push_back({operation_certificate_path(name), text_of(made)});
+  for (Certificate& certificate : certificates) {
+    Solved made = solved(std::move(certificate), certified);
+    const std::string& name = made.certificate.name;
+    if (certified) texts.push_back({operation_certificate_path(name), certificate_text(made.certificate)});
     for (const Description& description : descriptions) {
       if (description.certificate != name) continue;
       for (auto& [path, bytes] : files_of(description, made, options.languages, max_k))

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "operations/patch.hpp"
+#include "operations/operation.hpp"
 
 namespace restrip::generator {
 

@@ -188,6 +188,21 @@ void expect_served(const Position& position, const Position& rows) {
 
 }  // namespace
 
+Claims sum(const std::vector<Claims>& parts) {
+  Claims total = parts.at(0);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const Claims& part = parts[i];
+    total.configurations += part.configurations;
+    total.valid += part.valid;
+    total.orbits += part.orbits;
+    total.valid_orbits += part.valid_orbits;
+    total.costing += part.costing;
+    total.worst_strips = std::max(total.worst_strips, part.worst_strips);
+    total.worst_isolated = std::max(total.worst_isolated, part.worst_isolated);
+  }
+  return total;
+}
+
 std::vector<std::string> certificates_of(const std::vector<Description>& descriptions) {
   std::vector<std::string> names;
   for (const Description& description : descriptions) {

@@ -3,13 +3,14 @@
 // work is shared by threads and by machines.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "common/progress.hpp"
 #include "operations/tie_break.hpp"
-#include "solve/claims.hpp"
 #include "solve/search.hpp"
 #include "solve/symmetry.hpp"
 
@@ -20,6 +21,30 @@ struct Row : Choice {
   Key key;
   int witness = -1;  ///< index of the symmetry that leads to the representative; -1 for the representative itself
 };
+
+/// What certificates claim of the configurations of one operation; the words are those of docs/certificate.md.
+struct Claims {
+  std::size_t configurations = 0;
+  std::size_t valid = 0;
+  std::size_t orbits = 0;
+  std::size_t valid_orbits = 0;
+  std::size_t costing = 0;
+  int worst_strips = std::numeric_limits<int>::min();
+  int worst_isolated = std::numeric_limits<int>::min();
+
+  /// One valid configuration: what its rule changes, whether that counts as costing, and whether the configuration is
+  /// the smallest of its orbit.
+  void count(int strips, int isolated, bool costs, bool smallest) {
+    ++valid;
+    valid_orbits += smallest ? 1U : 0U;
+    costing += costs ? 1U : 0U;
+    worst_strips = std::max(worst_strips, strips);
+    worst_isolated = std::max(worst_isolated, isolated);
+  }
+};
+
+/// One number for several positions: counts add up, worst cases are the worst.
+[[nodiscard]] Claims sum(const std::vector<Claims>& parts);
 
 struct Section {
   std::string certificate;       ///< "fan-collapse"; "linked-split" for the linked rules of the split

@@ -110,6 +110,27 @@ std::string certificate_head(const std::string& name) {
   return fmt::format("restrip-certificate {}\noperation {}\n", certificate_version, name);
 }
 
+std::size_t Certificate::rows() const {
+  std::size_t n = 0;
+  for (const Section& section : sections) n += section.rows.size();
+  return n;
+}
+
+std::vector<Certificate> by_certificate(std::vector<Section> sections) {
+  std::vector<Certificate> all;
+  for (Section& section : sections) {
+    if (all.empty() || all.back().name != section.certificate) all.push_back({section.certificate, {}});
+    all.back().sections.push_back(std::move(section));
+  }
+  return all;
+}
+
+std::string certificate_text(const Certificate& certificate) {
+  std::string text = certificate_head(certificate.name);
+  for (const Section& section : certificate.sections) text += section.text;
+  return sealed(std::move(text), certificate.rows());
+}
+
 std::string sealed(std::string text, std::size_t rows) {
   std::uint64_t sum = 0;
   std::uint64_t weighted = 0;

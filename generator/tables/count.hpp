@@ -5,10 +5,10 @@
 
 namespace restrip::generator {
 
-/// A table in plain text with a line on what each count means.
-[[nodiscard]] std::string count_report(unsigned max_k);
-
-/// The counts as one JSON object.
-[[nodiscard]] std::string count_json(unsigned max_k);
+struct CountReport {
+  std::string text;  ///< a table with a line on what each count means
+  std::string json;  ///< one object
+};
+[[nodiscard]] CountReport count(unsigned max_k);
 
 }  // namespace restrip::generator

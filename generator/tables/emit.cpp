@@ -9,7 +9,6 @@
 #include <set>
 
 #include "common/number_lines.hpp"
-#include "tables/certificate_text.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -45,7 +44,7 @@ std::size_t configurations(const std::vector<unsigned>& flip_cells) {
       std::count_if(flip_cells.begin(), flip_cells.end(), [](unsigned cell) { return cell != 0xff; }));
 }
 
-std::string flip_header(const SolvedFamily& family) {
+std::string flip_header(const Certificate& family) {
   return banner(fmt::format("Rules of the {}: {} valid configurations.", family.name,
                             configurations(flip_cells(family.sections.at(0))))) +
          fmt::format("inline constexpr FlipTable {}{{\n", identifier(family.name)) +
@@ -59,12 +58,6 @@ std::string identifier(std::string name) {
   return name;
 }
 
-std::size_t SolvedFamily::rows() const {
-  std::size_t n = 0;
-  for (const Section& section : sections) n += section.rows.size();
-  return n;
-}
-
 std::string rows_header(const Packing& closed, const Packing& open, unsigned max_k) {
   std::string text = banner("Where the rows of keys start, index 1 << k | ports.");
   for (const auto& [name, packing] : {std::pair{"closed_rows", &closed}, {"open_rows", &open}}) {
@@ -74,7 +67,7 @@ std::string rows_header(const Packing& closed, const Packing& open, unsigned max
   return text + footer;
 }
 
-RulesHeader rules_header(const SolvedFamily& family, const Packing& packing, unsigned max_k) {
+RulesHeader rules_header(const Certificate& family, const Packing& packing, unsigned max_k) {
   if (family.sections.at(0).position.family->numbers.empty()) return {flip_header(family), 32};
   const RuleBlocks blocks = fill(family.sections, packing, max_k);
   const bool wide = *std::max_element(blocks.rules.begin(), blocks.rules.end()) > 0xff;
@@ -87,9 +80,9 @@ RulesHeader rules_header(const SolvedFamily& family, const Packing& packing, uns
   return {text + footer, blocks.rules.size() * (wide ? 2 : 1)};
 }
 
-RulesHeader linked_header(const std::vector<SolvedFamily>& families, unsigned max_k) {
+RulesHeader linked_header(const std::vector<Certificate>& families, unsigned max_k) {
   std::set<std::uint64_t> pairings;
-  for (const SolvedFamily& family : families)
+  for (const Certificate& family : families)
     for (const Section& section : family.sections)
       for (const Row& row : section.rows) pairings.insert(partners(row.key.joined.masks(), max_k));
   const std::vector<std::uint64_t> pairing(pairings.begin(), pairings.end());
@@ -99,7 +92,7 @@ RulesHeader linked_header(const std::vector<SolvedFamily>& families, unsigned ma
                       wide ? fmt::format(", {}", max_k) : "",
                       wide ? numbers(pairing, " {:#018x},") : numbers(pairing, " {:#010x},"));
   std::size_t bytes = pairing.size() * (wide ? 8 : 4);
-  for (const SolvedFamily& family : families) {
+  for (const Certificate& family : families) {
     std::vector<std::size_t> first(max_k + 1, 0);
     std::vector<std::size_t> start;
     std::size_t count = 0;
@@ -123,12 +116,6 @@ RulesHeader linked_header(const std::vector<SolvedFamily>& families, unsigned ma
     bytes += (wide ? 4 : 2) * (first.size() + start.size()) + 4 * count;
   }
   return {text + footer, bytes};
-}
-
-std::string certificate(const SolvedFamily& family) {
-  std::string text = certificate_head(family.name);
-  for (const Section& section : family.sections) text += section.text;
-  return sealed(std::move(text), family.rows());
 }
 
 }  // namespace restrip::generator

@@ -44,10 +44,10 @@ const TableArray* TableLayout::find(const std::string& name) const {
   return found == arrays.end() ? nullptr : &*found;
 }
 
-TableLayout table_layout(const std::vector<SolvedFamily>& families, const Packing& closed, const Packing& open,
+TableLayout table_layout(const std::vector<Certificate>& families, const Packing& closed, const Packing& open,
                          unsigned max_k) {
   TableLayout layout{max_k, {array_of("closed_rows", closed.start), array_of("open_rows", open.start)}};
-  for (const SolvedFamily& family : families) {
+  for (const Certificate& family : families) {
     const Description& acts = *family.sections.at(0).position.family;
     if (acts.numbers.empty()) {
       layout.arrays.push_back(array_of(identifier(family.name) + "_rules", flip_cells(family.sections.at(0))));

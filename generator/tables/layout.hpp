@@ -55,7 +55,7 @@ struct LookUp {
 [[nodiscard]] const std::vector<LookUp>& look_ups();
 
 /// The solved families of rules, with the packings of their keys.
-[[nodiscard]] TableLayout table_layout(const std::vector<SolvedFamily>& families, const Packing& closed,
+[[nodiscard]] TableLayout table_layout(const std::vector<Certificate>& families, const Packing& closed,
                                        const Packing& open, unsigned max_k);
 
 }  // namespace restrip::generator

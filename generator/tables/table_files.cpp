@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -103,22 +105,6 @@ files::OutputSet table_files(const std::string& out, const std::set<std::string>
   return files::OutputSet(out, in_order);
 }
 
-/// Solved sections, certificate by certificate.
-struct Families {
-  std::vector<SolvedFamily> rules;
-  std::vector<SolvedFamily> linked;
-};
-
-Families by_family(std::vector<Section> all) {
-  Families families;
-  for (Section& section : all) {
-    std::vector<SolvedFamily>& of_kind = section.linked ? families.linked : families.rules;
-    if (of_kind.empty() || of_kind.back().name != section.certificate) of_kind.push_back({section.certificate, {}});
-    of_kind.back().sections.push_back(std::move(section));
-  }
-  return families;
-}
-
 /// The files of the tables, and what is printed about them.
 struct TableFiles {
   struct File {
@@ -146,42 +132,39 @@ std::string summary(const std::string& family, std::size_t sections, std::size_t
                      rules, plural(rules, "rule"), bytes, plural(bytes, "byte"));
 }
 
-Packing packing_of(const std::vector<SolvedFamily>& families, bool of_closed_fans, unsigned max_k) {
-  std::vector<const Section*> sections;
-  for (const SolvedFamily& family : families)
-    for (const Section& section : family.sections)
-      if (!section.position.family->numbers.empty() && closed(*section.position.family) == of_closed_fans)
-        sections.push_back(&section);
-  return pack(sections, max_k);
-}
-
 /// The packings that serve all rules of closed fans, and all of open ones.
 struct Packings {
   Packing closed;
   Packing open;
 };
 
-Packings packings_of(const std::vector<SolvedFamily>& families, unsigned max_k) {
-  return {packing_of(families, true, max_k), packing_of(families, false, max_k)};
+Packings packings_of(const std::vector<Certificate>& families, unsigned max_k) {
+  std::vector<const Section*> closed_ones;
+  std::vector<const Section*> open_ones;
+  for (const Certificate& family : families)
+    for (const Section& section : family.sections)
+      if (!section.position.family->numbers.empty())
+        (closed(*section.position.family) ? closed_ones : open_ones).push_back(&section);
+  return {pack(closed_ones, max_k), pack(open_ones, max_k)};
 }
 
-void add_rules(const std::vector<SolvedFamily>& families, const Packings& packings, unsigned max_k, TableFiles& to) {
+void add_rules(const std::vector<Certificate>& families, const Packings& packings, unsigned max_k, TableFiles& to) {
   to.by_path[headers + "rows.hpp"] = {rows_header(packings.closed, packings.open, max_k), 0};
-  for (const SolvedFamily& family : families) {
+  for (const Certificate& family : families) {
     const bool on_closed = closed(*family.sections[0].position.family);
     const RulesHeader header = rules_header(family, on_closed ? packings.closed : packings.open, max_k);
     to.by_path[header_path(family.name)] = {header.text, family.rows()};
-    to.by_path[certificate_path(family.name)] = {certificate(family), family.rows()};
+    to.by_path[certificate_path(family.name)] = {certificate_text(family), family.rows()};
     to.told += summary(family.name, family.sections.size(), family.rows(), header.bytes);
   }
 }
 
-void add_linked(const std::vector<SolvedFamily>& families, unsigned max_k, TableFiles& to) {
+void add_linked(const std::vector<Certificate>& families, unsigned max_k, TableFiles& to) {
   const RulesHeader header = linked_header(families, max_k);
   std::size_t sections = 0;
   std::size_t alternatives = 0;
-  for (const SolvedFamily& family : families) {
-    to.by_path[certificate_path(family.name)] = {certificate(family), family.rows()};
+  for (const Certificate& family : families) {
+    to.by_path[certificate_path(family.name)] = {certificate_text(family), family.rows()};
     sections += family.sections.size();
     alternatives += family.rows();
   }
@@ -197,7 +180,7 @@ void add_automaton(TableFiles& to) {
 }
 
 /// The files of other languages than C++. MANIFEST does not list them: it vouches for what restrip-verify reads.
-std::vector<files::NamedBytes> other_languages(const std::vector<SolvedFamily>& families, const Packings& packings,
+std::vector<files::NamedBytes> other_languages(const std::vector<Certificate>& families, const Packings& packings,
                                                const TablesOptions& options, std::string& told) {
   std::map<std::string, std::string> by_name;
   const TableLayout layout = table_layout(families, packings.closed, packings.open, options.max_k);
@@ -222,13 +205,16 @@ std::string written_json(unsigned max_k, const std::vector<files::NamedBytes>& f
 /// From all sections, or, when C++ is not among the languages, those of the rules.
 void write_tables(files::OutputSet& out, const files::ReportOutput& report, std::vector<Section> all,
                   const TablesOptions& options) {
-  const Families families = by_family(std::move(all));
-  const Packings packings = packings_of(families.rules, options.max_k);
+  std::vector<Certificate> rules = by_certificate(std::move(all));
+  const auto first_linked = std::find_if(rules.begin(), rules.end(), std::mem_fn(&Certificate::linked));
+  const std::vector<Certificate> linked(std::make_move_iterator(first_linked), std::make_move_iterator(rules.end()));
+  rules.erase(first_linked, rules.end());
+  const Packings packings = packings_of(rules, options.max_k);
   TableFiles tables;
-  std::vector<files::NamedBytes> written = other_languages(families.rules, packings, options, tables.told);
+  std::vector<files::NamedBytes> written = other_languages(rules, packings, options, tables.told);
   if (options.languages.contains("c++")) {
-    add_rules(families.rules, packings, options.max_k, tables);
-    add_linked(families.linked, options.max_k, tables);
+    add_rules(rules, packings, options.max_k, tables);
+    add_linked(linked, options.max_k, tables);
     add_automaton(tables);
     for (files::NamedBytes& file : tables.take()) written.push_back(std::move(file));
   }
@@ -243,7 +229,7 @@ void make_tables(const TablesOptions& options) {
   const files::ReportOutput report(options.json);
   std::vector<Section> all = sections_of(families(), options.max_k, options.goal);
   const bool cpp = options.languages.contains("c++");
-  if (!cpp) std::erase_if(all, [](const Section& section) { return section.linked; });
+  if (!cpp) std::erase_if(all, std::mem_fn(&Section::linked));
   std::vector<std::size_t> everything(all.size());
   std::iota(everything.begin(), everything.end(), std::size_t{0});
   solve_sections(all, everything, options.threads, cpp ? Wanted::rules_and_text : Wanted::rules);

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "operations/describe.hpp"
 #include "operations/description_file.hpp"
 #include "solve/section.hpp"
 

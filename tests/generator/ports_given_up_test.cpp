@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "operations/describe.hpp"
 #include "operations/description_file.hpp"
 #include "solve/section.hpp"
 
