@@ -122,6 +122,7 @@ std::vector<Damage> damages() {
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   std::vector<Damage> result;
+  result.reserve(files.size());
   for (const fs::path& file : files) result.push_back(read_damage(file));
   return result;
 }
@@ -142,19 +143,20 @@ std::vector<Alteration> alterations(const std::string& file) {
   for (const std::string& line : lines_of(text_to_alter(file))) {
     if (line.empty() || line.starts_with("#")) continue;
     const std::string text = line.substr(std::min<std::size_t>(line.size(), 2));
-    const std::string before = line[0] == last ? "\n" : "";
+    const bool goes_on = line[0] == last;
+    const auto longer = [&](const std::string& so_far) { return goes_on ? fmt::format("{}\n{}", so_far, text) : text; };
     if (line[0] == 'o')
       next.of = argument(line);
     else if (line[0] == '-')
-      next.what = before.empty() ? text : next.what + before + text;
+      next.what = longer(next.what);
     else if (line[0] == '+')
-      next.by = before.empty() ? text : *next.by + before + text;
+      next.by = longer(next.by.value_or(""));
     else if (line[0] != '=')
       throw std::runtime_error(fmt::format("{}: unknown line \"{}\"", file, line));
-    else if (before.empty())
-      all.push_back({next.of, next.what, std::exchange(next.by, {}), text});
+    else if (goes_on)
+      all.back().says = longer(all.back().says);
     else
-      all.back().says += before + text;
+      all.push_back({next.of, next.what, std::exchange(next.by, {}), text});
     last = line[0];
   }
   if (all.empty()) throw std::runtime_error(file + ": no case");
