@@ -24,7 +24,7 @@ struct LanguageFile {
 };
 
 /// The files of each language, by its name on the command line; none for "c++", which emit.hpp and
-/// operations/operation_text.cpp write. The shading languages share a file.
+/// operations/operation_layout.hpp write. The shading languages share a file.
 [[nodiscard]] const std::map<std::string, std::vector<LanguageFile>>& language_files();
 
 // ---- What the emitters share ----

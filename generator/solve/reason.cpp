@@ -5,11 +5,24 @@
 #include <algorithm>
 #include <bit>
 #include <optional>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 
-#include "solve/reason_search.hpp"
-
 namespace restrip::generator {
+
+/// What is to be shown: at least so many edges are dashed, and if it is just so many, then so many triangles are
+/// isolated at least, and so on.
+struct ReasonGoal {
+  EdgeSet edges = 0;               ///< those that a recolouring may leave dashed
+  unsigned inner_edges = 0;        ///< edges from this number on are ports
+  std::vector<EdgeSet> sets;       ///< none of them can be all solid
+  std::vector<EdgeSet> triangles;  ///< each is isolated when all of these are dashed
+  int dashed = 0;
+  int isolated = 0;
+  int given_up = 0;
+};
+
 namespace {
 
 /// Every simple path of inner edges from `at` to `goal` that avoids the nodes `used` and the edges `avoided`.
@@ -27,6 +40,138 @@ void collect_paths(const Side& side, unsigned at, unsigned goal, EdgeSet avoided
     if ((used >> next & 1U) == 0) collect_paths(side, next, goal, avoided, used, path | single(e), found);
   }
 }
+
+/// A leaf of a greedy tree is given up after so many steps, and its cases are told.
+constexpr std::uint64_t most_steps_of_leaf = 2000;
+
+bool smaller(EdgeSet x, EdgeSet y) { return std::tuple{std::popcount(x), x} < std::tuple{std::popcount(y), y}; }
+
+/// Looks for reasons of one goal, and counts its steps: a state looked at, or a set looked at in a state, is one. A
+/// state says which edges are settled as solid and which as dashed.
+class ReasonSearch {
+ public:
+  explicit ReasonSearch(const ReasonGoal& goal) : goal_(goal) {}
+
+  /// The first smallest tree in a fixed order; none when that takes more steps than these. Exponential in the leaves.
+  std::optional<Reason> smallest(std::uint64_t most_steps) {
+    known_.clear();
+    last_step_ = steps_ + most_steps;
+    for (std::size_t leaves = 1; steps_ <= last_step_; ++leaves)
+      if (const Reason* const found = find(0, 0, leaves)) return *found;
+    return {};
+  }
+
+  /// A tree that need not be smallest: it tells cases by the edge that is in most small sets.
+  Reason greedy() { return greedy(0, 0); }
+
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+ private:
+  struct Known {
+    std::size_t too_few = 0;  ///< no tree has so many leaves
+    std::optional<Reason> reason;
+  };
+
+  /// Sets of the goal that still say something, none of which contains another, in ascending order of (size, set).
+  std::vector<EdgeSet> open_sets(EdgeSet solid, EdgeSet dashed) {
+    std::vector<EdgeSet> open;
+    for (const EdgeSet set : goal_.sets)
+      if ((set & dashed) == 0) open.push_back(set & ~solid);
+    std::sort(open.begin(), open.end(), smaller);
+    std::vector<EdgeSet> kept;
+    for (const EdgeSet set : open)
+      if (std::none_of(kept.begin(), kept.end(), [&](EdgeSet other) { return (other & ~set) == 0; }))
+        kept.push_back(set);
+    steps_ += goal_.sets.size();
+    return kept;
+  }
+
+  /// The first `count` disjoint sets in the order of the list.
+  bool choose_disjoint(const std::vector<EdgeSet>& sets, std::size_t from, int count, EdgeSet taken,
+                       std::vector<EdgeSet>& chosen) {
+    if (count <= 0) return true;
+    for (std::size_t i = from; i < sets.size() && steps_ <= last_step_; ++i) {
+      ++steps_;
+      if ((sets[i] & taken) != 0) continue;
+      chosen.push_back(sets[i]);
+      if (choose_disjoint(sets, i + 1, count - 1, taken | sets[i], chosen)) return true;
+      chosen.pop_back();
+    }
+    return false;
+  }
+
+  std::optional<Reason> leaf(const std::vector<EdgeSet>& sets, EdgeSet dashed) {
+    // With an edge that must be dashed, the case that it is solid would be empty: no smallest tree has such a case.
+    if (!sets.empty() && sets.front() == 0) return {};
+    const int missing = goal_.dashed - std::popcount(dashed);
+    const bool only_dashed_counts = goal_.isolated == 0 && goal_.given_up == 0;
+    for (const int count : {missing, missing + 1}) {
+      Reason reason;
+      if (!choose_disjoint(sets, 0, count, 0, reason.sets)) return {};
+      EdgeSet surely_dashed = dashed;
+      for (const EdgeSet set : reason.sets)
+        if (std::has_single_bit(set)) surely_dashed |= set;
+      const int given_up = std::popcount(surely_dashed >> goal_.inner_edges);
+      const auto isolated = std::count_if(goal_.triangles.begin(), goal_.triangles.end(),
+                                          [&](EdgeSet edges) { return (edges & ~surely_dashed) == 0; });
+      if (only_dashed_counts || count > missing ||
+          std::tuple{static_cast<int>(isolated) + given_up, given_up} >= std::tuple{goal_.isolated, goal_.given_up})
+        return reason;
+    }
+    return {};
+  }
+
+  /// A tree of at most so many leaves, of which no tree has fewer; null when there is none, or steps are used up.
+  // It is asked for trees of one leaf first, then two, and of each case for as few as that leaves. So it is never asked
+  // for more leaves than the smallest tree has, and what it answers depends on the state alone: it can be kept.
+  const Reason* find(EdgeSet solid, EdgeSet dashed, std::size_t leaves) {
+    if (++steps_ > last_step_) return nullptr;
+    Known& known = known_[std::uint64_t{solid} << 32U | dashed];  // stays where it is while others are added
+    if (known.reason) return known.reason->leaves() <= leaves ? &*known.reason : nullptr;
+    if (known.too_few == 0) known.reason = leaf(open_sets(solid, dashed), dashed);
+    if (known.reason) return &*known.reason;
+    if (known.too_few >= leaves) return nullptr;
+    for (unsigned edge = 0; leaves > 1 && edge < 32; ++edge) {
+      if ((goal_.edges & ~solid & ~dashed & single(edge)) == 0) continue;
+      for (std::size_t first = 1; first < leaves; ++first) {
+        const Reason* const when_solid = find(solid | single(edge), dashed, first);
+        if (when_solid == nullptr) continue;
+        const Reason* const when_dashed = find(solid, dashed | single(edge), leaves - first);
+        if (when_dashed == nullptr) break;
+        known.reason = Reason{edge, {*when_solid, *when_dashed}, {}};
+        return &*known.reason;
+      }
+    }
+    if (steps_ <= last_step_) known.too_few = leaves;
+    return nullptr;
+  }
+
+  Reason greedy(EdgeSet solid, EdgeSet dashed) {
+    const std::vector<EdgeSet> sets = open_sets(solid, dashed);
+    last_step_ = steps_ + most_steps_of_leaf;
+    if (std::optional<Reason> found = leaf(sets, dashed)) return *std::move(found);
+    // An edge in a set of its own is dashed in any case. If there is no other, the sets are all of one edge, and the
+    // leaf was found above at once.
+    unsigned best = 0;
+    std::uint64_t most = 0;
+    for (unsigned edge = 0; edge < 32; ++edge) {
+      std::uint64_t weight = 0;
+      for (const EdgeSet set : sets)
+        if (!std::has_single_bit(set) && (set & single(edge)) != 0)
+          weight += std::uint64_t{1} << (32 - std::popcount(set));
+      if (weight > most) {
+        most = weight;
+        best = edge;
+      }
+    }
+    return {best, {greedy(solid | single(best), dashed), greedy(solid, dashed | single(best))}, {}};
+  }
+
+  const ReasonGoal& goal_;
+  std::unordered_map<std::uint64_t, Known> known_;
+  std::uint64_t steps_ = 0;
+  std::uint64_t last_step_ = 0;
+};
 
 }  // namespace
 
@@ -54,6 +199,7 @@ Reasoner::Reasoner(const Operation& operation) : may_give_up_(operation.may_give
       if (after_.edges[e].u == node || after_.edges[e].v == node) edges |= single(e);
     for (std::size_t p = 0; p < after_.owner.size(); ++p)
       if (after_.owner[p] == node) edges |= port(p);
+    edges_of_triangle_.push_back(edges);
     if (std::popcount(edges) > static_cast<int>(operation.constraint.most_edges)) forbidden_.push_back({edges, 0});
   }
   std::vector<EdgeSet> paths;
@@ -72,8 +218,7 @@ Reasoner::Reasoner(const Operation& operation) : may_give_up_(operation.may_give
 
 ReasonGoal Reasoner::goal_of(Mask solid_ports, const std::vector<Mask>& joined, const Choice& best) const {
   const std::size_t inner = after_.edges.size();
-  const EdgeSet ports = solid_ports << inner;
-  const EdgeSet everything = (single(inner) - 1) | ports;
+  const EdgeSet everything = (single(inner) - 1) | solid_ports << inner;
   ReasonGoal goal;
   goal.inner_edges = static_cast<unsigned>(inner);
   const EdgeSet staying = (solid_ports & ~may_give_up_) << inner;
@@ -81,15 +226,9 @@ ReasonGoal Reasoner::goal_of(Mask solid_ports, const std::vector<Mask>& joined, 
   for (const Forbidden& set : forbidden_)
     if ((set.edges & ~everything) == 0 && std::find(joined.begin(), joined.end(), set.pair) == joined.end())
       goal.sets.push_back(set.edges & goal.edges);
-  for (unsigned node = 0; node < after_.nodes; ++node) {
-    EdgeSet edges = 0;
-    for (std::size_t e = 0; e < inner; ++e)
-      if (after_.edges[e].u == node || after_.edges[e].v == node) edges |= single(e);
-    for (std::size_t p = 0; p < after_.owner.size(); ++p)
-      if (after_.owner[p] == node) edges |= single(inner + p) & ports;
-    // A triangle with a solid port that stays is never isolated.
-    if ((edges & ~goal.edges) == 0) goal.triangles.push_back(edges);
-  }
+  // A triangle with a solid port that stays is never isolated.
+  for (const EdgeSet edges : edges_of_triangle_)
+    if ((edges & everything & ~goal.edges) == 0) goal.triangles.push_back(edges & everything);
   const EdgeSet recoloring = best.recoloring | best.kept << inner;
   goal.dashed = std::popcount(goal.edges & ~recoloring);
   goal.isolated = static_cast<int>(best.isolated);

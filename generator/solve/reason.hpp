@@ -30,7 +30,7 @@ struct Reason {
 /// Whether reasons can be given for the rules of an operation: strips or forests, preferred by fewest_strips() first.
 [[nodiscard]] bool has_reasons(const Operation& operation);
 
-/// The smallest reason of a rule is looked for in so many steps (reason_search.hpp); if they are used up, a larger one
+/// The smallest reason of a rule is looked for in so many steps; if they are used up, a larger one
 /// is made at once. A number of steps and not a time, so that the bytes are the same everywhere. The shipped rules take
 /// at most a quarter of them (reason_test.cpp).
 inline constexpr std::uint64_t most_steps_of_smallest_reason = 1'000'000;
@@ -60,6 +60,7 @@ class Reasoner {
 
   Mask may_give_up_;
   Side after_;
+  std::vector<EdgeSet> edges_of_triangle_;
   std::vector<Forbidden> forbidden_;
 };
 

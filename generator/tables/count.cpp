@@ -13,7 +13,7 @@
 namespace restrip::generator {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Orbits of the loop colours alone, ports ignored: how the paper counts its 4-vertex rules.
 std::size_t loop_orbits(const Section& section) {
@@ -28,14 +28,14 @@ std::size_t loop_orbits(const Section& section) {
 }
 
 /// A row for each k, with lists by position.
-Json rows_of(const std::string& family, unsigned max_k) {
-  Json rows;
+OrderedJson rows_of(const std::string& family, unsigned max_k) {
+  OrderedJson rows;
   for (const Section& section : solved(family, max_k, 1))
     for (std::size_t i = 0; i < section.serves.size(); ++i) {
       const Claims& claims = section.claims[i];
       if (rows.empty() || rows.back()["k"] != section.position.k)
         rows.push_back({{"k", section.position.k}, {"configurations", claims.configurations}});
-      Json& row = rows.back();
+      OrderedJson& row = rows.back();
       row["arcs"].push_back(section.serves[i].at);
       row["valid"].push_back(claims.valid);
       row["orbits"].push_back(claims.orbits);
@@ -46,21 +46,21 @@ Json rows_of(const std::string& family, unsigned max_k) {
   return rows;
 }
 
-std::string listed(const Json& numbers) {
+std::string listed(const OrderedJson& numbers) {
   return fmt::format("{}", fmt::join(numbers.get<std::vector<std::size_t>>(), " "));
 }
 
 }  // namespace
 
 CountReport count(unsigned max_k) {
-  Json report;
+  OrderedJson report;
   for (const char* family : {"split", "collapse"}) report[family] = rows_of(family, max_k);
   std::string text = "Splits of a closed fan (columns by arc a = 1 … k/2)\n\n";
   const char* format = "{:>2}  {:>14}  {:>9}  {:<30}  {:<30}  {:<16}  {}\n";
   text += fmt::format(fmt::runtime(format), "k", "configurations", "valid", "orbits of all", "orbits of valid",
                       "cost a strip", "loop colours alone");
   std::size_t places = 0;
-  for (const Json& row : report["split"]) {
+  for (const OrderedJson& row : report["split"]) {
     places += row["arcs"].size();
     text += fmt::format(fmt::runtime(format), row["k"].get<unsigned>(), row["configurations"].get<std::size_t>(),
                         row["valid"][0].get<std::size_t>(), listed(row["orbits"]), listed(row["valid_orbits"]),
@@ -79,7 +79,7 @@ CountReport count(unsigned max_k) {
   text += "\nCollapses onto a closed fan\n\n";
   const char* narrow = "{:>2}  {:>14}  {:<28}  {:<24}  {}\n";
   text += fmt::format(fmt::runtime(narrow), "k", "configurations", "valid", "orbits of valid", "cost a strip");
-  for (const Json& row : report["collapse"])
+  for (const OrderedJson& row : report["collapse"])
     text += fmt::format(fmt::runtime(narrow), row["k"].get<unsigned>(), row["configurations"].get<std::size_t>(),
                         listed(row["valid"]), listed(row["valid_orbits"]), listed(row["costing"]));
   return {text, report.dump(2) + "\n"};

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "common/number_lines.hpp"
+#include "operations/operation_layout.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -39,16 +40,16 @@ std::uint64_t partners(const std::vector<Mask>& pairs, unsigned max_k) {
   return packed;
 }
 
-std::size_t configurations(const std::vector<unsigned>& flip_cells) {
-  return static_cast<std::size_t>(
-      std::count_if(flip_cells.begin(), flip_cells.end(), [](unsigned cell) { return cell != 0xff; }));
-}
-
-std::string flip_header(const Certificate& family) {
-  return banner(fmt::format("Rules of the {}: {} valid configurations.", family.name,
-                            configurations(flip_cells(family.sections.at(0))))) +
-         fmt::format("inline constexpr FlipTable {}{{\n", identifier(family.name)) +
-         numbers(flip_cells(family.sections.at(0))) + "};\n" + footer;
+/// FlipTable of restrip/tables/format.hpp is the table of an operation with one position.
+RulesHeader flip_header(const Certificate& family) {
+  const Section& only = family.sections.at(0);
+  const OperationLayout layout = operation_layout({{only.position, &only}});
+  const auto none = std::count(layout.entries.begin(), layout.entries.end(), layout.none());
+  const auto valid = static_cast<std::ptrdiff_t>(layout.entries.size()) - none;
+  return {banner(fmt::format("Rules of the {}: {} valid configurations.", family.name, valid)) +
+              fmt::format("inline constexpr FlipTable {}{{\n", identifier(family.name)) + numbers(layout.entries) +
+              "};\n" + footer,
+          layout.bytes()};
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ std::string rows_header(const Packing& closed, const Packing& open, unsigned max
 }
 
 RulesHeader rules_header(const Certificate& family, const Packing& packing, unsigned max_k) {
-  if (family.sections.at(0).position.family->numbers.empty()) return {flip_header(family), 32};
+  if (family.sections.at(0).position.family->numbers.empty()) return flip_header(family);
   const RuleBlocks blocks = fill(family.sections, packing, max_k);
   const bool wide = *std::max_element(blocks.rules.begin(), blocks.rules.end()) > 0xff;
   std::string text = banner(

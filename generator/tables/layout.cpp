@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "operations/operation_layout.hpp"
+
 namespace restrip::generator {
 namespace {
 
@@ -50,7 +52,9 @@ TableLayout table_layout(const std::vector<Certificate>& families, const Packing
   for (const Certificate& family : families) {
     const Description& acts = *family.sections.at(0).position.family;
     if (acts.numbers.empty()) {
-      layout.arrays.push_back(array_of(identifier(family.name) + "_rules", flip_cells(family.sections.at(0))));
+      const Section& only = family.sections.at(0);
+      layout.arrays.push_back(
+          array_of(identifier(family.name) + "_rules", operation_layout({{only.position, &only}}).entries));
       continue;
     }
     const bool on_closed = generator::closed(acts);

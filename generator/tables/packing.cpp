@@ -75,13 +75,4 @@ RuleBlocks fill(const std::vector<Section>& sections, const Packing& packing, un
   return blocks;
 }
 
-std::vector<unsigned> flip_cells(const Section& section) {
-  std::vector<unsigned> table(32, 0xff);
-  for_each_valid(operation_at(section.position), [&](const Configuration& c) {
-    const Row& row = row_of(section, c.ports, c.outcome.joined);
-    table[c.before << 4 | c.ports] = row.recoloring << 4 | row.kept;
-  });
-  return table;
-}
-
 }  // namespace restrip::generator

@@ -38,7 +38,4 @@ struct RuleBlocks {
 };
 [[nodiscard]] RuleBlocks fill(const std::vector<Section>& sections, const Packing& packing, unsigned max_k);
 
-/// The rules of the flip, as in FlipTable of restrip/tables/format.hpp.
-[[nodiscard]] std::vector<unsigned> flip_cells(const Section& section);
-
 }  // namespace restrip::generator

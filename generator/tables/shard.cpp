@@ -105,45 +105,41 @@ void read_section(Section& section, Reader& reader) {
   section.text = reader.text.substr(begin, reader.at - begin);
 }
 
-struct File {
-  fs::path path;
-  std::string text;
+struct Head {
   Shard shard;
   unsigned max_k = 0;
 };
 
-/// The file with its head understood and its digest checked.
-File open_shard(const ShardBytes& shard_file, const std::string& id) {
-  const fs::path& path = shard_file.path;
-  File file{path, shard_file.text, {}, 0};
-  const std::string& text = file.text;
+/// The lines before the sections, of a file whose digest fits.
+Head read_head(Reader& reader, const std::string& id) {
+  const std::string_view text = reader.text;
   const auto refuse = [&](const std::string& why) {
-    throw std::runtime_error(fmt::format("{}: {}", path.string(), why));
+    throw std::runtime_error(fmt::format("{}: {}", reader.file.string(), why));
   };
   const std::string last = "end ";
   const std::size_t tail = last.size() + digest_length + 1;
   const std::size_t body = text.size() < tail ? 0 : text.size() - tail;
-  if (body == 0 || text.substr(body) != last + sha256(text.substr(0, body)) + "\n")
+  if (body == 0 || text.substr(body) != last + sha256(std::string(text.substr(0, body))) + "\n")
     refuse("is truncated or was altered (its last line does not fit to the rest); remove it and run its shard again");
-  Reader reader{path, "remove it and run its shard again", text};
   reader.expect(fmt::format("restrip-shard {}", shard_version));
   if (reader.peek() != "generator " + id)
     refuse("was written by another version of restrip-generate; run all shards again with one version");
   reader.skip();
+  Head found;
   Words max_k(reader.peek());
   max_k.expect("max-k");
-  file.max_k = max_k.number(10, 14);
-  if (!max_k.good || file.max_k < 3) reader.refuse("'max-k' and a number from 3 to 13");
+  found.max_k = max_k.number(10, 14);
+  if (!max_k.good || found.max_k < 3) reader.refuse("'max-k' and a number from 3 to 13");
   reader.skip();
-  Words shard(reader.peek());
-  shard.expect("shard");
-  file.shard.index = shard.number(10, 10000);
-  shard.expect("of");
-  file.shard.count = shard.number(10, 10000);
-  if (text.rfind(head(file.shard, file.max_k, id), 0) != 0 || file.shard.index < 1 ||
-      file.shard.index > file.shard.count)
+  Words words(reader.peek());
+  words.expect("shard");
+  const unsigned index = words.number(10, 10000);
+  words.expect("of");
+  found.shard = {index, words.number(10, 10000)};
+  if (!text.starts_with(head(found.shard, found.max_k, id)) || index < 1 || index > found.shard.count)
     reader.refuse("'shard I of N'");
-  return file;
+  reader.skip();
+  return found;
 }
 
 }  // namespace
@@ -225,26 +221,24 @@ Merged read_shards(const fs::path& directory, const std::string& id) {
 Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id, const fs::path& directory) {
   Merged merged;
   std::vector<fs::path> seen;
-  for (const ShardBytes& bytes : shards) {
-    const fs::path& path = bytes.path;
-    const File file = open_shard(bytes, id);
-    const Shard& shard = file.shard;
+  for (const auto& [path, text] : shards) {
+    Reader reader{path, "remove it and run its shard again", text};
+    const auto [shard, max_k] = read_head(reader, id);
+    reader.remedy = "remove it and run " + command(shard, max_k, directory);
     if (seen.empty()) {
-      merged = {file.max_k, sections_of(families(), file.max_k)};
+      merged = {max_k, sections_of(families(), max_k)};
       seen.resize(shard.count);
     }
-    if (file.max_k != merged.max_k || shard.count != seen.size())
+    if (max_k != merged.max_k || shard.count != seen.size())
       throw std::runtime_error(fmt::format(
           "{}: is shard {} of {} with --max-k {}, but {} is one of {} with --max-k {}; keep one set of "
           "shards in a directory",
-          path.string(), shard.index, shard.count, file.max_k, shards[0].path.string(), seen.size(), merged.max_k));
+          path.string(), shard.index, shard.count, max_k, shards[0].path.string(), seen.size(), merged.max_k));
     if (!seen[shard.index - 1].empty())
       throw std::runtime_error(fmt::format("{}: is shard {} of {}, and so is {}; remove one of them", path.string(),
                                            shard.index, shard.count, seen[shard.index - 1].string()));
     seen[shard.index - 1] = path;
 
-    Reader reader{path, "remove it and run " + command(shard, file.max_k, directory), file.text};
-    for (std::size_t lines = 0; lines < 4; ++lines) reader.skip();
     std::string family;
     for (const std::size_t i : share_of(merged.sections, shard.index, shard.count)) {
       Section& section = merged.sections[i];

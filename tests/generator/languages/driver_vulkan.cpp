@@ -1,7 +1,8 @@
 // Runs a compute shader on the first Vulkan device (VK_ICD_FILENAMES chooses it) with tables in binding 0, an output in
 // binding 1 and positions in binding 2, and prints what it puts out.
-//   driver_vulkan SHADER.spv K TABLES.bin…    the lines of digests, up to k = K for the first tables and up to k = 4
-//                                             for the others, a line "== FILE" before each of those
+//   driver_vulkan SHADER.spv LINES TABLES.bin…      the digests of the positions in LINES, which are those that
+//                                                   restrip-dump-tables --digests prints; of more tables with more
+//                                                   lines, a line "== FILE" before each of those
 //   driver_vulkan SHADER.spv words N TABLES.bin     the N numbers that one invocation puts out
 #include <vulkan/vulkan.hpp>
 
@@ -9,7 +10,6 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <fstream>
@@ -36,21 +36,13 @@ struct Position {
   std::uint32_t operation, k, p, q;
 };
 
-/// All that digests are printed of, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
-/// RESTRIP_EVERY_POSITION is set.
-std::vector<Position> positions_up_to(std::uint32_t max_k) {
-  const bool every = std::getenv("RESTRIP_EVERY_POSITION") != nullptr;
+/// Of the lines of digests; and one that counts rules outside the tables, which is what the last line says.
+std::vector<Position> positions_of(const std::string& path) {
+  std::ifstream file(path);
   std::vector<Position> all;
-  for (std::uint32_t operation = 0; operation < 6; ++operation)
-    for (std::uint32_t k = operation < 2 ? 3 : 1; k <= max_k; ++k) {
-      const std::size_t before = all.size();
-      for (std::uint32_t p = operation < 2 ? 1 : 0; p < k + (operation < 2 ? 0 : 1); ++p) {
-        if (operation / 2 != 1) all.push_back({operation, k, p, 0});
-        for (std::uint32_t q = p + 1; operation / 2 == 1 && q <= k; ++q) all.push_back({operation, k, p, q});
-      }
-      if (operation % 2 == 1 && k > 6 && !every) all.resize(before + 1);
-    }
-  all.push_back({6, 0, 0, 0});
+  std::string digest;
+  for (Position at{}; file >> at.operation >> at.k >> at.p >> at.q >> digest;) all.push_back(at);
+  if (all.empty()) throw std::runtime_error(path + " is not there, or has no lines of digests");
   all.push_back({7, 0, 0, 0});
   return all;
 }
@@ -147,7 +139,7 @@ class Computer {
 
 int main(int argc, char** argv) try {
   const std::vector<std::string> given(argv + 1, argv + argc);
-  if (given.size() < 3) throw std::runtime_error("usage: driver_vulkan SHADER.spv K|words N TABLES.bin...");
+  if (given.size() < 3) throw std::runtime_error("usage: driver_vulkan SHADER.spv LINES TABLES.bin..., or words N TABLES.bin");
   Computer computer(words_of(given[0]));
   if (given[1] == "words") {
     if (given.size() != 4) throw std::runtime_error("words: expected their number and one file of tables");
@@ -155,11 +147,10 @@ int main(int argc, char** argv) try {
       std::printf("%u\n", word);
     return 0;
   }
-  auto max_k = static_cast<std::uint32_t>(std::stoul(given[1]));
-  for (std::size_t i = 2; i < given.size(); ++i) {
-    if (i > 2) std::printf("== %s\n", given[i].c_str());
-    const std::vector<Position> positions = positions_up_to(max_k);
-    const Words digests = computer.run(words_of(given[i]), positions, positions.size(), 16);
+  for (std::size_t i = 1; i + 1 < given.size(); i += 2) {
+    if (i > 1) std::printf("== %s\n", given[i + 1].c_str());
+    const std::vector<Position> positions = positions_of(given[i]);
+    const Words digests = computer.run(words_of(given[i + 1]), positions, positions.size(), 16);
     for (std::size_t at = 0; at < positions.size(); ++at) {
       const auto [operation, k, p, q] = positions[at];
       if (operation == 7)
@@ -167,7 +158,6 @@ int main(int argc, char** argv) try {
       else
         std::printf("%u %u %u %u %08x\n", operation, k, p, q, digests[at]);
     }
-    max_k = std::min(max_k, 4U);
   }
   return 0;
 } catch (const std::exception& error) {

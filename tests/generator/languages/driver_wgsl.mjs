@@ -1,28 +1,17 @@
 // Runs a compute shader on the software device of headless Chromium, with tables in binding 0, an output in binding 1 and
 // positions in binding 2, and prints what it puts out. Arguments and output are those of driver_vulkan.cpp:
-//   driver_wgsl.mjs CHROMIUM SCRATCH SHADER.wgsl K|words N TABLES.bin…
+//   driver_wgsl.mjs CHROMIUM SCRATCH SHADER.wgsl LINES TABLES.bin…
+//   driver_wgsl.mjs CHROMIUM SCRATCH SHADER.wgsl words N TABLES.bin
 // but that more shaders, each with a number and a file, may follow behind `words N TABLES.bin`.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { Browser } from '../../web/browser.mjs';
 
-const [chromium, scratch, shader, upTo, ...rest] = process.argv.slice(2);
+const [chromium, scratch, shader, ...rest] = process.argv.slice(2);
 
-/// All that digests are printed of, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
-/// RESTRIP_EVERY_POSITION is set.
-function positionsUpTo(maxK) {
-  const every = 'RESTRIP_EVERY_POSITION' in process.env;
-  const all = [];
-  for (let operation = 0; operation < 6; ++operation)
-    for (let k = operation < 2 ? 3 : 1; k <= maxK; ++k) {
-      const ofK = [];
-      for (let p = operation < 2 ? 1 : 0; p <= (operation < 2 ? k - 1 : k); ++p)
-        if (operation === 2 || operation === 3) for (let q = p + 1; q <= k; ++q) ofK.push([operation, k, p, q]);
-        else ofK.push([operation, k, p, 0]);
-      all.push(...(operation % 2 === 1 && k > 6 && !every ? ofK.slice(0, 1) : ofK));
-    }
-  return [...all, [6, 0, 0, 0], [7, 0, 0, 0]];
-}
+/// Of the lines of digests; and one that counts rules outside the tables, which is what the last line says.
+const positionsOf = (file) => [...readFileSync(file, 'utf8').matchAll(/^(\d+) (\d+) (\d+) (\d+) /gm)].map((line) => line.slice(1).map(Number))
+  .concat([[7, 0, 0, 0]]);
 
 /// In the page: what each job, { data, positions, results, groups }, puts out.
 async function compute(code, jobs) {
@@ -65,17 +54,18 @@ async function compute(code, jobs) {
 const data = (file) => readFileSync(file).toString('base64');
 /// Shaders, each with what it is run on and how its output is printed.
 const runs = [];
-if (upTo === 'words') {
+if (rest[0] === 'words') {
   for (let i = -1; i + 1 < rest.length; i += 3) {
-    const [code, results, file] = i < 0 ? [shader, ...rest] : rest.slice(i);
+    const [code, results, file] = i < 0 ? [shader, ...rest.slice(1)] : rest.slice(i + 1);
     runs.push({ code, jobs: [{ data: data(file), results: Number(results), groups: [1] }], print: (words) => words.join('\n') });
   }
 } else {
-  const jobs = rest.map((file, i) => {
-    const positions = positionsUpTo(i === 0 ? Number(upTo) : Math.min(upTo, 4));
-    return { data: data(file), positions, results: positions.length, groups: [16, positions.length] };
-  });
-  const print = (output, i) => [...(i > 0 ? [`== ${rest[i]}`] : []), ...jobs[i].positions.map((position, at) =>
+  const jobs = [];
+  for (let i = 0; i + 1 < rest.length; i += 2) {
+    const positions = positionsOf(rest[i]);
+    jobs.push({ file: rest[i + 1], data: data(rest[i + 1]), positions, results: positions.length, groups: [16, positions.length] });
+  }
+  const print = (output, i) => [...(i > 0 ? [`== ${jobs[i].file}`] : []), ...jobs[i].positions.map((position, at) =>
     position[0] === 7 ? `rules outside the tables: ${output[at]}` : `${position.join(' ')} ${output[at].toString(16).padStart(8, '0')}`)].join('\n');
   runs.push({ code: shader, jobs, print });
 }

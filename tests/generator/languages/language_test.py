@@ -66,8 +66,9 @@ def must_be_equal(what, found, expected):
 
 class Language:
     """How the programs of a language are made and run. `check` is the one that prints digests; `flags` are those with which all
-    of them are asked."""
+    of them are asked; `expected` gives those of C++ up to some k."""
     flags = ()
+    expected = None
 
     def digests(self, folder, scratch, max_k):
         """The command that prints the digests up to this k."""
@@ -113,10 +114,10 @@ class C(Language):
     def taken_as_cpp(self, source, folder):
         run(self.gcc, "-x", "c++", "-std=c++20", "-Wall", "-Wextra", "-Werror", "-I", folder, "-fsyntax-only", source)
 
-    def more(self, folder, scratch, expected):
+    def more(self, folder, scratch):
         """No undefined behaviour, no library, and C++ takes it as well."""
         source = (folder / self.check).read_text(encoding="utf-8")
-        must_be_equal("with sanitizers", run(*self.program(source, folder, scratch, "-O1", *self.sanitizers), 6), expected(6))
+        must_be_equal("with sanitizers", run(*self.program(source, folder, scratch, "-O1", *self.sanitizers), 6), self.expected(6))
         data = scratch / "data.c"
         data.write_text('#define RESTRIP_TABLES_IMPLEMENTATION\n#include "restrip_tables.h"\n', encoding="utf-8")
         run(self.gcc, "-std=c99", "-O2", "-ffreestanding", "-I", folder, "-c", data, "-o", scratch / "data.o")
@@ -139,7 +140,7 @@ class Json(Language):
     def example(self, text, folder, scratch):
         return run(self.python, "-c", text, cwd=folder)
 
-    def more(self, folder, scratch, expected):
+    def more(self, folder, scratch):
         """The file is as the schema says; files that are not are told apart."""
         schema = json.loads((ROOT / "docs/tables.schema.json").read_text(encoding="utf-8"))
         tables = json.loads((folder / self.file).read_text(encoding="utf-8"))
@@ -181,7 +182,7 @@ class Rust(Language):
         """The module does without the standard library and without unsafe code."""
         self.program(f"#![no_std]\n#![forbid(unsafe_code)]\npub mod {module};\n", folder, scratch, "--crate-type", "lib")
 
-    def more(self, folder, scratch, expected):
+    def more(self, folder, scratch):
         self.core_alone("restrip_tables", folder, scratch)
 
 
@@ -189,7 +190,14 @@ class Shader(Language):
     """Languages of shaders: the driver takes several files of tables at once."""
 
     def digests(self, folder, scratch, max_k):
-        return *super().digests(folder, scratch, max_k), folder / "restrip_tables.bin"
+        program = self.program((folder / self.check).read_text(encoding="utf-8"), folder, scratch)
+        return *program, self.lines(scratch, max_k), folder / "restrip_tables.bin"
+
+    def lines(self, scratch, max_k):
+        """A file that says which positions are asked."""
+        file = scratch / f"lines-{max_k}.txt"
+        file.write_text(self.wanted(self.expected(max_k)), encoding="utf-8")
+        return file
 
     def wanted(self, answers):
         return answers if "RESTRIP_EVERY_POSITION" in os.environ else first_collapses(answers)
@@ -209,7 +217,7 @@ class Shader(Language):
             at = next(i for i in range(4 * word, len(data)) if data[i] not in (0, 255))
             file = scratch / "altered" / f"{family}.bin"
             file.write_bytes(data[:at] + bytes([data[at] ^ 1]) + data[at + 1:])
-            yield file
+            yield from (self.lines(scratch, 4), file)
 
     def altered_answers(self, folder, scratch):
         return self.others
@@ -217,7 +225,7 @@ class Shader(Language):
     def example(self, text, folder, scratch):
         return run(*self.program(text, folder, scratch), "words", 4, folder / "restrip_tables.bin")
 
-    def more(self, folder, scratch, expected):
+    def more(self, folder, scratch):
         """The first word of the data is the checksum of the others, which the look-up names."""
         words = memoryview((folder / "restrip_tables.bin").read_bytes()).cast("I")
         checksum = 0x811c9dc5
@@ -286,14 +294,11 @@ def main():
     given = arguments(__doc__, "dump-tables", "tables")
     language = LANGUAGES[given.language](*given.programs)
     shutil.copytree(given.tables, given.scratch / "altered")
-
-    def expected_answers(max_k):
-        return run(given.dump_tables, "--digests", "--max-k", max_k)
-
-    all_answers = language.wanted(expected_answers(MAX_K))
+    language.expected = lambda max_k: run(given.dump_tables, "--digests", "--max-k", max_k)
+    all_answers = language.wanted(language.expected(MAX_K))
     must_be_equal(language.file, language.answers(given.tables, given.scratch, MAX_K), all_answers)
 
-    few_answers = expected_answers(4)
+    few_answers = language.expected(4)
     noticed = 0
     for family, answers in language.altered_answers(given.tables, given.scratch).items():
         differ = compare("altered", answers, few_answers)
@@ -304,7 +309,7 @@ def main():
         raise SystemExit(f"{noticed} altered rules were asked for, not {len(READERS)}")
 
     check_example(language, "\n", given.tables, given.scratch)
-    language.more(given.tables, given.scratch, expected_answers)
+    language.more(given.tables, given.scratch)
     print(f"{language.file}: {len(all_answers.splitlines())} digests agree, {noticed} altered rules were noticed")
 
 
