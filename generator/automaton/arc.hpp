@@ -10,9 +10,9 @@
 // strip turns behind a solid port. Where they have none, turns are not told apart: the same code, fewer letters.
 //
 // Where ports may be given up, an arc is a *row*, an open fan read from its end: its left link is always dashed. Its
-// letters have two readings, the port kept or given up, and its first and last triangle may have a second port each, which
-// is a letter without a triangle; the link to it is the port. No strand passes a port given up and leaves by one beyond:
-// to keep the former and cut the strand before it joins no more ports and costs no more.
+// letters have two readings, the port kept or given up, and its first and last triangle may have a second port each,
+// which is a letter without a triangle; the link to it is the port. No strand passes a port given up and leaves by one
+// beyond: to keep the former and cut the strand before it joins no more ports and costs no more.
 //
 // Which edges an arc counts: its left link and the edges inside it. The right link is the left link of what follows.
 #pragma once
@@ -37,8 +37,8 @@ inline constexpr int largest_weight = 1000;
 /// Fewest strips, and of those fewest isolated triangles: so many of these never meet in one comparison that they
 /// outweigh a strip (docs/automaton.md, "Costs").
 inline constexpr Weights strips_weights{largest_weight, 0, 1};
-/// The default cost of operation files, ports given up included: fewest strips, then fewest isolated triangles and ports
-/// given up, then fewest ports given up. The verifier checks that no more of these meet than may.
+/// The default cost of operation files, ports given up included: fewest strips, then fewest isolated triangles and
+/// ports given up, then fewest ports given up. The verifier checks that no more of these meet than may.
 inline constexpr Weights row_weights{largest_weight, 0, 30, 31};
 /// The length of an index buffer.
 inline constexpr Weights index_weights{3, 1, 0};
@@ -77,9 +77,9 @@ inline constexpr Case through_case = 25;
 /// A case as certificates write it: one character for each link, of `-epfqt` in the order of Reach.
 [[nodiscard]] std::string text_of(Case c);
 
-/// What may be appended to an arc: a triangle, by its port; the boundary; or a port of the triangle before or behind it. `left`, `right`: the strip behind the port
-/// goes on about the corner that the port shares with the triangle's left or right link, so that the port is a swap if
-/// the strip uses this link; only where turns are told apart.
+/// What may be appended to an arc: a triangle, by its port; the boundary; or a port of the triangle before or behind
+/// it. `left`, `right`: the strip behind the port goes on about the corner that the port shares with the triangle's
+/// left or right link, so that the port is a swap if the strip uses this link; only where turns are told apart.
 enum class Letter : unsigned {
   dashed,  ///< dashed, or there is none
   ends,    ///< solid, and the strip ends behind it; where turns are not told apart, solid
@@ -108,12 +108,12 @@ enum class Letter : unsigned {
 /// counted by what it lacks: each solid edge is worth one.
 using Costs = std::array<std::optional<int>, case_codes>;
 
-/// The arc without triangles: its two links are one edge, which what follows will count. In a row, which begins there, it
-/// is dashed.
+/// The arc without triangles: its two links are one edge, which what follows will count. In a row, which begins there,
+/// it is dashed.
 [[nodiscard]] Costs costs_of_empty_arc(const Weights& weights);
 
-/// An arc with one letter more: its costs, and for each case the case before from which the least cost comes, and whether
-/// the letter's port is given up.
+/// An arc with one letter more: its costs, and for each case the case before from which the least cost comes, and
+/// whether the letter's port is given up.
 struct Appended {
   Costs costs;
   std::array<Case, case_codes> before{};

@@ -13,9 +13,9 @@ namespace restrip::generator {
 
 /// What a letter leads to.
 struct ArcStep {
-  std::size_t to = 0;                     ///< a class
-  int cost = 0;                           ///< of the best case of `to`, more than that of this class
-  std::array<Case, case_codes> before{};  ///< for each case that `to` has: the case of this class that it came from
+  std::size_t to = 0;                       ///< a class
+  int cost = 0;                             ///< of the best case of `to`, more than that of this class
+  std::array<Case, case_codes> before{};    ///< for each case that `to` has: the case of this class that it came from
   std::array<bool, case_codes> given_up{};  ///< and whether the letter's port is given up
 };
 

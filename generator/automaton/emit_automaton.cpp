@@ -87,8 +87,7 @@ std::size_t longest_witness(const Automaton& automaton) {
 }
 
 std::string weights_text(const Weights& weights, const char* between) {
-  const std::string text =
-      fmt::format("{}{}{}{}{}", weights.restart, between, weights.swap, between, weights.isolated);
+  const std::string text = fmt::format("{}{}{}{}{}", weights.restart, between, weights.swap, between, weights.isolated);
   return gives_ports_up(weights) ? fmt::format("{}{}{}", text, between, weights.given_up) : text;
 }
 

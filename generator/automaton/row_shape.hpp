@@ -16,8 +16,9 @@ struct RowShape {
   bool from_end = false;  ///< the number of ports less `first`, where it is not 0
 };
 
-/// That of a family at all its positions with a first number of at most eight. Throws std::runtime_error with the reason
-/// if there is none, or if before the operation ports are joined that do not follow each other in the row, cyclically.
+/// That of a family at all its positions with a first number of at most eight. Throws std::runtime_error with the
+/// reason if there is none, or if before the operation ports are joined that do not follow each other in the row,
+/// cyclically.
 [[nodiscard]] RowShape row_shape_of(const Description& family);
 
 }  // namespace restrip::generator

@@ -1,4 +1,5 @@
-// Families of one's own that an automaton answers, the shipped one or that of rows: docs/automaton.md, "Families of your own".
+// Families of one's own that an automaton answers, the shipped one or that of rows: docs/automaton.md, "Families of
+// your own".
 #pragma once
 
 #include <string>

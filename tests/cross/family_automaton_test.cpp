@@ -1,7 +1,7 @@
 // Claim: for families of one's own that `restrip-generate automaton --operation` takes, the look-up that it writes is
 // as good as the family's own table. Every valid configuration of every position up to k = 8: the answer is sound, has
-// as many solid edges as the table's rule, leaves as many triangles isolated and gives as many ports up. What is joined is found by following
-// the solid edges of the triangles; nothing is taken from the library's keys.
+// as many solid edges as the table's rule, leaves as many triangles isolated and gives as many ports up. What is joined
+// is found by following the solid edges of the triangles; nothing is taken from the library's keys.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -156,20 +156,18 @@ std::size_t compare(const Table& table, const Shape& shape, LookUp&& look_up) {
 TEST(FamilyAutomaton, OfAClosedFanIsAsGoodAsItsTable) {
   std::size_t compared = 0;
   for (unsigned k = 3; k <= 8; ++k)
-    compared +=
-        compare(position_of(tables::fan_becomes_star, {k}), {true, 0, k}, [&](Word ports, Word joined) {
-          return keeping_all(ports, exact::best_fan_becomes_star(k, ports, joined));
-        });
+    compared += compare(position_of(tables::fan_becomes_star, {k}), {true, 0, k}, [&](Word ports, Word joined) {
+      return keeping_all(ports, exact::best_fan_becomes_star(k, ports, joined));
+    });
   EXPECT_GT(compared, 1000U);
 }
 
 TEST(FamilyAutomaton, OfAnOpenFanIsAsGoodAsItsTable) {
   std::size_t compared = 0;
   for (unsigned n = 2; n <= 8; ++n)
-    compared +=
-        compare(position_of(tables::corner_turns, {n, 0}), {false, 0, n - 1}, [&](Word ports, Word joined) {
-          return keeping_all(ports, exact::best_corner_turns(n, 0, ports, joined));
-        });
+    compared += compare(position_of(tables::corner_turns, {n, 0}), {false, 0, n - 1}, [&](Word ports, Word joined) {
+      return keeping_all(ports, exact::best_corner_turns(n, 0, ports, joined));
+    });
   EXPECT_GT(compared, 1000U);
 }
 
@@ -212,6 +210,13 @@ TEST(FamilyAutomaton, AnswersAnyLength) {
       exact::best_fan_becomes_star(k, BitSpan{ports.data()}, BitSpan{joined.data()}, MutableBitSpan{colors.data()});
   EXPECT_EQ(value.solid, static_cast<int>(k) - 1);
   EXPECT_EQ(value.isolated, 0);
+
+  // In the hole of a vertex it comes in at the first of k - 2 triangles.
+  std::array<Word, k / 64 + 1> kept{};
+  const exact::RowValue hole = exact::best_remove_vertex(k, BitSpan{ports.data()}, BitSpan{joined.data()},
+                                                         MutableBitSpan{colors.data()}, MutableBitSpan{kept.data()});
+  EXPECT_EQ(hole, (exact::RowValue{static_cast<int>(k) - 3, 0, 0}));
+  EXPECT_EQ(kept, ports);
 }
 
 }  // namespace

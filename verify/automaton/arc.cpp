@@ -35,8 +35,7 @@ class TurningArc {
     int cost = 0;
     for (std::size_t i = 0; i < word_.size(); ++i) {
       if (solid(i)) cost -= weights.restart;
-      if (degree(i) == 0 && !is_boundary(word_[i]))
-        cost += is_end_port(word_[i]) ? weights.given_up : weights.isolated;
+      if (degree(i) == 0 && !is_boundary(word_[i])) cost += is_end_port(word_[i]) ? weights.given_up : weights.isolated;
       if (word_[i] == given_up_letter) cost += weights.restart + weights.given_up;
       const int corner = passed_about(i);
       if (corner == nowhere) continue;

@@ -5,8 +5,8 @@
 //
 // Where swaps have no price, turns are not told apart: there are fewer letters, and fewer cases.
 //
-// Where ports may be given up an arc is a row: its left link is dashed, and at its ends may be ports, each a node with one
-// link, which is the port.
+// Where ports may be given up an arc is a row: its left link is dashed, and at its ends may be ports, each a node with
+// one link, which is the port.
 
 #include <array>
 #include <compare>
@@ -34,8 +34,8 @@ inline constexpr Weights strips_weights{1000, 0, 1};
 
 /// The letters of arcs: a triangle whose port is dashed; solid, and the strip ends behind it; solid, and the strip goes
 /// on about the corner of the port at the left or at the right link. Capitals: joined to the solid port before it. And
-/// the boundary of the mesh. Where turns are not told apart, `s` and `S` stand for any solid port. In rows `p` and `P` are
-/// solid ports at their ends.
+/// the boundary of the mesh. Where turns are not told apart, `s` and `S` stand for any solid port. In rows `p` and `P`
+/// are solid ports at their ends.
 constexpr std::string_view letters_of(const Weights& weights) {
   if (weights.gives_up()) return "dsSpP";
   return weights.tells_turns() ? "dslrSLRb" : "dsSb";
@@ -93,8 +93,8 @@ Costs shifted(Costs costs, int by);
 struct ArcColoring {
   bool sound = false;  ///< degrees at most two, no edge over the boundary, no ports joined but those that letters join
   std::size_t arc_case = 0;
-  /// The right link is not counted, it is the left link of what follows. A solid edge saves a strip, and what a port given
-  /// up costs is its own.
+  /// The right link is not counted, it is the left link of what follows. A solid edge saves a strip, and what a port
+  /// given up costs is its own.
   int cost = 0;
 };
 /// The other members say nothing of a colouring that is not sound.

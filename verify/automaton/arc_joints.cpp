@@ -7,7 +7,8 @@ namespace restrip::verify {
 ArcJoints::ArcJoints(std::size_t longest, const Weights& weights)
     : telling_{100, weights.tells_turns() ? 1 : 0, 10000, weights.gives_up() ? 1000000 : 0},
       joints_(3 * case_count * case_count) {
-  const std::string letters = std::string(letters_of(telling_)) + (weights.gives_up() ? std::string(1, given_up_letter) : "");
+  const std::string letters =
+      std::string(letters_of(telling_)) + (weights.gives_up() ? std::string(1, given_up_letter) : "");
   std::vector<std::string> words{""};
   for (std::size_t length = 1; length <= longest; ++length) {
     std::vector<std::string> longer;

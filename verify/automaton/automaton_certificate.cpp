@@ -20,13 +20,12 @@ constexpr std::array<const char*, 1> row_claim_words = {"rows"};
 /// Reads the rows of one section after the other, and counts them.
 class Parser {
  public:
-  Parser(LineReader& reader, AutomatonCertificate& result, bool rows)
-      : reader_(reader), result_(result), rows_(rows) {}
+  Parser(LineReader& reader, AutomatonCertificate& result, bool rows) : reader_(reader), result_(result), rows_(rows) {}
 
   std::size_t read() {
     begin_section("cost", "weights");
-    reader_.expect_words(rows_ ? 5 : 4, rows_ ? "\"weights\" restart swap isolated given_up"
-                                              : "\"weights\" restart swap isolated");
+    reader_.expect_words(rows_ ? 5 : 4,
+                         rows_ ? "\"weights\" restart swap isolated given_up" : "\"weights\" restart swap isolated");
     result_.weights = {number_at(1, 1, most_weight), number_at(2, 0, rows_ ? 0 : most_weight),
                        number_at(3, 0, most_weight), rows_ ? number_at(4, 1, most_weight) : 0};
     next();

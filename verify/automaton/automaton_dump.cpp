@@ -57,7 +57,8 @@ class AutomatonDumpReader {
       std::string head = fmt::format("answers {}", at.operation.family);
       for (const auto number : at.operation.numbers) head += fmt::format(" {}", number);
       read_answers(head, at.operation.ports(), [&](std::uint64_t n, std::uint64_t& digest, std::uint64_t& told) {
-        const FanKey key = key_numbered({"row", at.operation.ports(), 0, 0}, n);
+        // The ports are in cyclic order, as those of a closed fan.
+        const FanKey key = key_numbered({"collapse", at.operation.ports(), 0, 0}, n);
         const RowAnswer answer = row_answer(certificate_, at.row, key.ports, key.joined);
         Mask inner = 0;
         for (unsigned i = 0; i < at.row.edges.size(); ++i)
@@ -181,8 +182,8 @@ class AutomatonDumpReader {
     for (std::uint64_t n = 0; n < keys; ++n) add(n, digest, told);
     check_.keys += keys;
     if (const std::string right = fmt::format("{}{:x} told {:x}", head, digest, told); line != right)
-      check_.wrong_answers.add(fmt::format("line {}: the certificate's answers make it\n  {}\nfound\n  {}\n",
-                                           lines_.number(), right, line));
+      check_.wrong_answers.add(
+          fmt::format("line {}: the certificate's answers make it\n  {}\nfound\n  {}\n", lines_.number(), right, line));
   }
 
   StreamLines& lines_;

@@ -112,8 +112,8 @@ void ClassCheck::check_witnesses() {
 }
 
 /// Numbers of the certificate are added and compared three at a time at most, and each must be few triangles and ports
-/// away from whole strips: then comparing sums is comparing strips, then isolated triangles and ports given up, then ports
-/// given up.
+/// away from whole strips: then comparing sums is comparing strips, then isolated triangles and ports given up, then
+/// ports given up.
 void ClassCheck::check_order() {
   constexpr int few = 4;
   claims_.resize(order);
@@ -122,9 +122,7 @@ void ClassCheck::check_order() {
   const int one = weights.given_up - weights.isolated;  // what a port given up costs more than an isolated triangle
   if (one < 1 || weights.isolated <= 6 * few * one || weights.restart <= 6 * few * (weights.isolated + one))
     fail(order, 0, "wrong weights: the criteria are not told apart");
-  const auto nearest = [](int number, int unit) {
-    return (number + (number < 0 ? -unit : unit) / 2) / unit;
-  };
+  const auto nearest = [](int number, int unit) { return (number + (number < 0 ? -unit : unit) / 2) / unit; };
   const auto test = [&](int cost, unsigned line) {
     ++claims_[order].cases;
     const int below_strips = cost - weights.restart * nearest(cost, weights.restart);

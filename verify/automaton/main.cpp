@@ -62,9 +62,10 @@ int main(int argc, char** argv) {
       "Rows of a family whose ports may be given up:\n"
       "  build/release/bin/restrip-verify-automaton --operation FILE --tables-dir DIR");
   app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
-  app.add_option("--operation", options.operation,
-                 "A family of your own (operation file): the automaton of rows in the folder is checked, and its answers "
-                 "for the family");
+  app.add_option(
+      "--operation", options.operation,
+      "A family of your own (operation file): the automaton of rows in the folder is checked, and its answers "
+      "for the family");
   app.add_option("--dump-command", options.dump_command,
                  "A program that prints the compiled automaton; its numbers and answers are compared");
   app.add_option("--tables-max-k", options.tables_max_k,
@@ -86,7 +87,8 @@ int main(int argc, char** argv) {
   add_json_option(app, json);
   return exit_code_of(app, argc, argv, [&] {
     // What the other options ask for is then not done: that is no way to ignore them.
-    for (const char* name : {"--operation", "--tables-dir", "--dump-command", "--tables-max-k", "--max-k", "--every", "--json"})
+    for (const char* name :
+         {"--operation", "--tables-dir", "--dump-command", "--tables-max-k", "--max-k", "--every", "--json"})
       if (facts && !app.get_option(name)->empty())
         throw std::invalid_argument(
             fmt::format("--facts reads and searches nothing, so {} has no effect; leave it out", name));

@@ -114,10 +114,9 @@ std::vector<RowOperation> row_operations_of(const Description& family, unsigned 
       refuse(fmt::format("{} is not one of strips with the default cost, of at most {} ports that may all be given up",
                          operation.name(), most_searched_ports));
   // The largest tells where the row begins: behind a port of its last triangle comes one of its first.
-  const auto largest =
-      std::max_element(operations.begin(), operations.end(), [](const Operation& one, const Operation& other) {
-        return one.after.triangles < other.after.triangles;
-      });
+  const auto largest = std::max_element(
+      operations.begin(), operations.end(),
+      [](const Operation& one, const Operation& other) { return one.after.triangles < other.after.triangles; });
   const unsigned ports = largest->ports();
   for (unsigned first = 0; first < ports; ++first)
     for (const bool from_end : {false, true})

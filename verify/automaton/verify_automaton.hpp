@@ -10,7 +10,8 @@ namespace restrip::verify {
 
 struct AutomatonOptions {
   std::string tables_dir = "tables";
-  /// A file with a family that the automaton of rows answers: that one is checked, for it. Empty: the automaton of fans.
+  /// A file with a family that the automaton of rows answers: that one is checked, for it. Empty: the automaton of
+  /// fans.
   std::string operation;
   std::string dump_command;             ///< prints the compiled automaton; empty: it is not read
   unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, and of the answers of the dump

@@ -1,18 +1,19 @@
 // Rules for rows of any length, looked up by their key in the automaton of rows, which `restrip-generate automaton
-// --operation` writes for families of your own whose ports may be given up. Call the look-up of the family, in the header
-// that is written beside it; this is what it asks. docs/automaton.md, "Families of your own", says what is served and how
-// the automaton is checked.
+// --operation` writes for families of your own whose ports may be given up. Call the look-up of the family, in the
+// header that is written beside it; this is what it asks. docs/automaton.md, "Families of your own", says what is
+// served and how the automaton is checked.
 //
 // A row is what the hole of a vertex becomes when the vertex goes: triangles one after the other around a corner, each
 // with one port, the first and the last perhaps with a second one. A recolouring is sound when every triangle keeps at
 // most two solid edges and it joins only ports that were joined before. Among the sound ones these functions return one
-// with the fewest strips; of those one with the fewest isolated triangles and ports given up together; of those one with
-// the fewest ports given up. That is the default cost of operation files.
+// with the fewest strips; of those one with the fewest isolated triangles and ports given up together; of those one
+// with the fewest ports given up. That is the default cost of operation files.
 //
 // Input. `ports` has a bit for each port, `joined` too: bit i is set when port i is solid and joined, before the
-// operation, to the solid port that precedes it cyclically; with exactly two solid ports either bit stands for the pair.
-// Bits of `joined` without a solid port are ignored. Any pair of masks is safe: the answer joins no other pairs. A row out
-// of range is a programming error, found in debug builds (precondition.hpp). There are fewer than 2^26 triangles.
+// operation, to the solid port that precedes it cyclically; with exactly two solid ports either bit stands for the
+// pair. Bits of `joined` without a solid port are ignored. Any pair of masks is safe: the answer joins no other pairs.
+// A row out of range is a programming error, found in debug builds (precondition.hpp). There are fewer than 2^26
+// triangles.
 //
 // Complexity. Two table reads for each triangle: time linear in the length. On words, and on bit strings with up to 64
 // ports: no allocation, nothing thrown. Longer bit strings: one allocation of two bytes for each port.
@@ -27,7 +28,8 @@
 
 namespace restrip::exact {
 
-/// The triangles of a row and where its ports lie among those of the patch, in cyclic order: `first` and those behind it.
+/// The triangles of a row and where its ports lie among those of the patch, in cyclic order: `first` and those behind
+/// it.
 using Row = restrip::detail::Row;
 
 /// What is best: solid inner edges and isolated triangles after the operation, and how many of `ports` are given up.
@@ -53,8 +55,8 @@ constexpr RowRecoloring best_row(const Row& row, Word ports, Word joined) noexce
   return result;
 }
 
-/// The same for bit strings of any length. `colors` has a bit less than there are triangles, `kept` one for each port; the
-/// words that hold them are overwritten and must not be those of the key.
+/// The same for bit strings of any length. `colors` has a bit less than there are triangles, `kept` one for each port;
+/// the words that hold them are overwritten and must not be those of the key.
 template <const auto& automaton>
 RowValue best_row(const Row& row, BitSpan ports, BitSpan joined, MutableBitSpan colors, MutableBitSpan kept) {
   RESTRIP_ASSERT(row.triangles >= 1 && row.first < row.ports(), "exact::best_row", restrip::detail::no_such_row);

@@ -76,9 +76,9 @@
 //         3          no triangle: a second port of the triangle at an end of the row, solid, `joined` 0
 //         4          the same, its bit in `joined` is 1
 //
-// Reading starts at the end of the row, so left links are dashed and a case is the reach of the right link alone, 0 to 2.
-// With its last letter a row has case 0. Bit 2 of a case in `before` says that the letter's port is given up; that of
-// letter 3 or 4 is, when both its links are dashed. Nothing asks for the other arrays.
+// Reading starts at the end of the row, so left links are dashed and a case is the reach of the right link alone, 0
+// to 2. With its last letter a row has case 0. Bit 2 of a case in `before` says that the letter's port is given up;
+// that of letter 3 or 4 is, when both its links are dashed. Nothing asks for the other arrays.
 //
 // **Complexity.** One table access for each triangle forwards, and one backwards; the accesses backwards do not wait
 // for each other, because the classes are known by then. Steps of two or more triangles can be composed from these
@@ -103,10 +103,6 @@ struct ArcAutomaton {
   static constexpr std::size_t seconds = Seconds;
   /// Whether letters tell how strips turn behind ports.
   static constexpr bool tells_turns = Letters == 8;
-  /// The letter of a solid port behind or before a row, 0 in `joined`.
-  static constexpr unsigned end_port = 3;
-  /// The bit that says in a case of `before` that the letter's port is given up.
-  static constexpr unsigned given_up = 4;
   /// The letter of the mesh boundary.
   static constexpr unsigned boundary = Letters - 1;
   /// The bits of a case that say that the right link is solid.

@@ -1,14 +1,14 @@
 // Prints the automaton of rows as it was compiled, and digests of what the look-up of a family answers, for
 // `restrip-verify-automaton --operation FILE --dump-command PROGRAM` (docs/certificate.md, "Dump of the automaton").
-// For a family with a number k from 3, whose position k has k ports, the whole program is
+// For a family NAME with a number k from 3, whose position k has k ports, the whole program is
 //
-//     #include "restrip/automaton/remove_vertex.hpp"
+//     #include "restrip/automaton/NAME.hpp"
 //     #include "restrip/tables/row_dump.hpp"
 //     int main() {
 //       restrip::tables::RowDump dump(restrip::tables::row_automaton);
 //       for (unsigned k = 3; k <= 8; ++k)
-//         dump.answers("remove-vertex", {k}, k, [k](auto ports, auto joined) {
-//           return restrip::exact::best_remove_vertex(k, ports, joined);
+//         dump.answers("NAME", {k}, k, [k](auto ports, auto joined) {
+//           return restrip::exact::best_NAME(k, ports, joined);
 //         });
 //       return dump.end();
 //     }
@@ -24,10 +24,10 @@ namespace restrip::tables {
 class RowDump {
  public:
   template <class Automaton>
-  explicit RowDump(const Automaton& automaton) {
+  explicit RowDump(const Automaton& numbers) {
     std::printf("restrip-automaton-dump 2\n");
-    array("next", automaton.next);
-    array("before", automaton.before);
+    array("next", numbers.next);
+    array("before", numbers.before);
   }
 
   /// The answers to all keys of one position of the family, best(ports, joined).
@@ -47,8 +47,8 @@ class RowDump {
       }
       const auto found = best(solid, joined);
       digest = (digest * 1000003 + found.colors) * 1000003 + found.kept;
-      told = told * 1000003 + static_cast<std::uint64_t>(4096 * found.value.solid + 64 * found.value.isolated +
-                                                         found.value.given_up);
+      told = told * 1000003 +
+             static_cast<std::uint64_t>(4096 * found.value.solid + 64 * found.value.isolated + found.value.given_up);
     }
     std::printf("answers %s", family);
     for (const unsigned number : position) std::printf(" %u", number);

@@ -112,25 +112,12 @@ class ArcWalk {
     return (end & automaton.solid) != 0;
   }
 
-  /// Of a row: calls letter(m, left, given, right) for the letters from the last to the first, m = 0: whether the links
-  /// to the left and to the right are solid, and whether the letter's own port is given up.
-  template <class Letter>
-  constexpr void for_each_letter(unsigned end, Letter&& letter) const noexcept {
-    for (std::size_t m = size_; m-- > 0;) {
-      const bool right = (end & automaton.solid) != 0;
-      end = before(m, end);
-      const bool given = (end & automaton.given_up) != 0;
-      end &= automaton.solid;
-      letter(m, end != 0, given, right);
-    }
-  }
-
- private:
-  /// The case before letter m.
+  /// The case before letter m, by the case behind it.
   [[nodiscard]] constexpr unsigned before(std::size_t m, unsigned end) const noexcept {
     return static_cast<unsigned>(automaton.before[entries_[m]] >> (4 * end) & 15U);
   }
 
+ private:
   ArcEntry* entries_;
   std::size_t size_ = 0;
   std::size_t class_ = 0;
@@ -193,8 +180,8 @@ constexpr void color_around(const ArcWalk<>& arc, unsigned end, std::size_t abov
 }
 
 template <class Letters, class Color>
-constexpr void walk_open_split(std::size_t k, std::size_t i, std::size_t j, const Letters& letters,
-                               ArcEntry* room, Color&& color) noexcept {
+constexpr void walk_open_split(std::size_t k, std::size_t i, std::size_t j, const Letters& letters, ArcEntry* room,
+                               Color&& color) noexcept {
   ArcWalk<> one(room);
   ArcWalk<> other(room + (j - i));
   one.read(letters, i, j);

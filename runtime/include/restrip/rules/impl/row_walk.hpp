@@ -12,6 +12,11 @@ namespace restrip::detail {
 inline constexpr const char* no_such_row =
     "the row is out of range: 1 <= triangles; first < ports; on masks, at most 64 ports";
 
+/// Letters and cases of rows in restrip/tables/automaton_format.hpp: the letter of a solid port at an end, 0 in
+/// `joined`, and the bit of a case before a letter that says that the letter's port is given up.
+inline constexpr unsigned end_port = 3;
+inline constexpr unsigned given_up_bit = 4;
+
 struct Row {
   std::size_t triangles = 0;
   bool front = false;     ///< the first triangle has another port, before its own
@@ -91,9 +96,9 @@ constexpr RowValue walk_row(const Row& row, BitSpan ports, BitSpan joined, ArcEn
   };
   ArcWalk<automaton> walk(room);
   const bool reads_front = row.front && letter_at(0) != 0;
-  if (reads_front) walk.read(automaton.end_port + letter_at(0) - 1);
+  if (reads_front) walk.read(end_port + letter_at(0) - 1);
   for (std::size_t i = 0; i < row.triangles; ++i) walk.read(letter_at(i + (row.front ? 1 : 0)));
-  if (row.back && letter_at(behind) != 0) walk.read(automaton.end_port + letter_at(behind) - 1);
+  if (row.back && letter_at(behind) != 0) walk.read(end_port + letter_at(behind) - 1);
 
   colors.clear(row.triangles - 1);
   kept.clear(row.ports());
@@ -104,18 +109,29 @@ constexpr RowValue walk_row(const Row& row, BitSpan ports, BitSpan joined, ArcEn
     else
       ++value.given_up;
   };
-  walk.for_each_letter(0, [&](std::size_t m, bool left, bool given, bool right) {
-    if (reads_front && m == 0) return port(0, right);
+  unsigned end = 0;
+  for (std::size_t m = walk.size(); m-- > 0;) {
+    const bool right = end != 0;
+    end = walk.before(m, end);
+    const bool given = (end & given_up_bit) != 0;
+    end &= ~given_up_bit;
+    const bool left = end != 0;
     const std::size_t i = m - (reads_front ? 1 : 0);
-    if (i == row.triangles) return port(behind, left);
-    const std::size_t own = i + (row.front ? 1 : 0);
-    const bool has_port = ports[row.port(own)];
-    if (has_port) port(own, !given);
-    if (!left && !right && (!has_port || given)) ++value.isolated;
-    if (!right || i + 1 == row.triangles) return;
-    colors.set(i);
-    ++value.solid;
-  });
+    if (reads_front && m == 0) {
+      port(0, right);
+    } else if (i == row.triangles) {
+      port(behind, left);
+    } else {
+      const std::size_t own = i + (row.front ? 1 : 0);
+      const bool has_port = ports[row.port(own)];
+      if (has_port) port(own, !given);
+      if (!left && !right && (!has_port || given)) ++value.isolated;
+      if (right && i + 1 < row.triangles) {
+        colors.set(i);
+        ++value.solid;
+      }
+    }
+  }
 
   if (solid.count < 3 || !ends_joined) return value;
   const RowValue across = color_across(row, solid, [](std::size_t) {});
