@@ -45,7 +45,7 @@ void expect_within_limits(const Section& section) {
   }
 }
 
-Solved solved(Certificate certificate, bool with_text) {
+Solved solved_file(Certificate certificate, bool with_text) {
   std::vector<Claims> parts;
   for (Section& section : certificate.sections) {
     solve(section, Watched::yes);
@@ -171,7 +171,7 @@ void make_rules(const RulesOptions& options) {
   nlohmann::ordered_json json;
   std::string text;
   for (Certificate& certificate : certificates) {
-    Solved made = solved(std::move(certificate), certified);
+    Solved made = solved_file(std::move(certificate), certified);
     const std::string& name = made.certificate.name;
     if (certified) texts.push_back({operation_certificate_path(name), certificate_text(made.certificate)});
     for (const Description& description : descriptions) {
