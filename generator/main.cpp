@@ -123,6 +123,14 @@ int main(int argc, char** argv) {
           "a swap), or R,S,I, the weights of a strip, a swap and an isolated triangle")
       ->capture_default_str()
       ->excludes(served_option);
+  std::vector<std::string> automaton_languages;
+  automaton_command
+      ->add_option("--language", automaton_languages,
+                   "c++ (the default: header and certificate), c, rust, json, glsl or wgsl: "
+                   "data and look-up; may be given several times")
+      ->check(CLI::IsMember(language_files()))
+      ->allow_extra_args(false)
+      ->excludes(served_option);
   add_json_option(*automaton_command, automaton.json)->excludes(served_option);
   automaton_command
       ->add_option("--classes", automaton.classes,
@@ -132,6 +140,7 @@ int main(int argc, char** argv) {
       "\nExamples:\n"
       "  restrip-generate automaton --cost strips --out /tmp/automaton\n"
       "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n"
+      "  restrip-generate automaton --language c --language rust --out /tmp/automaton\n"
       "  restrip-generate automaton --operation my-family.json --out /tmp/automaton\n");
 
   RulesOptions rules;
@@ -211,6 +220,7 @@ int main(int argc, char** argv) {
   try {
     if (tables.threads == 0) tables.threads = std::max(1U, std::thread::hardware_concurrency());
     if (!tables_languages.empty()) tables.languages = {tables_languages.begin(), tables_languages.end()};
+    if (!automaton_languages.empty()) automaton.languages = {automaton_languages.begin(), automaton_languages.end()};
     if (!rules_languages.empty()) rules.languages = {rules_languages.begin(), rules_languages.end()};
     if (*tables_command) tables.shard.empty() ? make_tables(tables) : make_shard(tables);
     if (*automaton_command)

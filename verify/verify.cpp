@@ -117,7 +117,7 @@ void check_dump(const std::string& subject, const std::string& how_read, const C
 /// Compares digests of the answers of another look-up with those of the answers that were judged.
 void check_digests(const std::string& command, const AnswerDigests& digests, const ClaimListener& listener) {
   const double start = thread_seconds();
-  const DigestComparison found = compare_digests_of(command, digests);
+  const DigestComparison found = compare_digests_of(command, digests.by_position());
   Failures failures = found.differences;
   if (!found.fault.empty()) failures.add(fmt::format("{}: {}", command, found.fault));
   if (found.positions == 0 && failures.count == 0) failures.add("nothing was compared");

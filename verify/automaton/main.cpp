@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "automaton/automaton_digests.hpp"
 #include "automaton/facts.hpp"
 #include "automaton/verify_automaton.hpp"
 #include "files/report_output.hpp"
@@ -57,11 +58,22 @@ int main(int argc, char** argv) {
       "The compiled automaton as well:\n"
       "  build/release/bin/restrip-verify-automaton --tables-dir tables \\\n"
       "    --dump-command \"build/release/bin/restrip-dump-tables --automaton\"\n"
+      "The look-up in C, from the folder that `restrip-generate automaton --language c` wrote:\n"
+      "  cc restrip_automaton_check.c -o check\n"
+      "  restrip-verify-automaton --digest-command ./check\n"
       "An automaton of another cost, alone in its folder:\n"
       "  build/release/bin/restrip-verify-automaton --tables-dir DIR");
   app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
   app.add_option("--dump-command", options.dump_command,
                  "A program that prints the compiled automaton; its numbers and answers are compared");
+  CLI::Option* const digest_command =
+      app.add_option("--digest-command", options.digest_commands,
+                     "A program that prints digests of the answers of a look-up in another language "
+                     "(docs/languages.md); may be repeated. They are compared with those of the certificate's answers");
+  app.add_option("--digest-max-k", options.digest_max_k, "The largest fans of the digests")
+      ->capture_default_str()
+      ->needs(digest_command)
+      ->check(CLI::Range(3U, largest_digest_fan));
   app.add_option("--tables-max-k", options.tables_max_k,
                  "The largest fans of the other certificates in the folder, and of the dump")
       ->capture_default_str()
@@ -80,7 +92,8 @@ int main(int argc, char** argv) {
   add_json_option(app, json);
   return exit_code_of(app, argc, argv, [&] {
     // What the other options ask for is then not done: that is no way to ignore them.
-    for (const char* name : {"--tables-dir", "--dump-command", "--tables-max-k", "--max-k", "--every", "--json"})
+    for (const char* name : {"--tables-dir", "--dump-command", "--digest-command", "--digest-max-k", "--tables-max-k",
+                             "--max-k", "--every", "--json"})
       if (facts && !app.get_option(name)->empty())
         throw std::invalid_argument(
             fmt::format("--facts reads and searches nothing, so {} has no effect; leave it out", name));

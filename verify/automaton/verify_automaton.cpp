@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "automaton/automaton_digests.hpp"
 #include "automaton/automaton_dump.hpp"
 #include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
@@ -68,6 +69,17 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
     teller.tell("every number of the header is the certificate's", "its dump", dump.numbers, dump.wrong_numbers);
     teller.tell("every answer of the header is the certificate's",
                 fmt::format("k <= {}, digests of its dump", options.tables_max_k), dump.keys, dump.wrong_answers);
+  }
+
+  if (!options.digest_commands.empty()) {
+    const Digests digests = automaton_digests(certificate, options.digest_max_k);
+    for (const std::string& command : options.digest_commands) {
+      totals.read.of_headers.emplace_back("digests of a look-up");
+      DigestComparison found = compare_digests_of(command, digests);
+      if (!found.fault.empty()) found.differences.add(found.fault);
+      teller.tell("a look-up answers as the certificate does", fmt::format("k <= {}, digests", options.digest_max_k),
+                  found.positions, found.differences);
+    }
   }
 
   for (const Family& family : all_families(options.tables_max_k)) {

@@ -2,6 +2,7 @@
 // The certificate of the automaton from top to bottom.
 
 #include <string>
+#include <vector>
 
 #include "judge/report.hpp"
 #include "model/family.hpp"
@@ -10,7 +11,9 @@ namespace restrip::verify {
 
 struct AutomatonOptions {
   std::string tables_dir = "tables";
-  std::string dump_command;             ///< prints the compiled automaton; empty: it is not read
+  std::string dump_command;                  ///< prints the compiled automaton; empty: it is not read
+  std::vector<std::string> digest_commands;  ///< programs that print digests of what look-ups answer
+  unsigned digest_max_k = 28;                ///< the largest fans of digests
   unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, and of the answers of the dump
   /// The largest fans that are searched; 0: 10, or 6 where swaps have a price, which makes many more keys.
   unsigned max_k = 0;

@@ -3,6 +3,7 @@
 //   driver_vulkan SHADER.spv K TABLES.bin…    the lines of digests, up to k = K for the first tables and up to k =
 //   4
 //                                             for the others, a line "== FILE" before each of those
+//   driver_vulkan SHADER.spv automaton K TABLES.bin…     the same of automata, which are asked by keys
 //   driver_vulkan SHADER.spv words N TABLES.bin     the N numbers that one invocation puts out
 #include <vulkan/vulkan.h>
 
@@ -56,6 +57,21 @@ std::vector<Position> positions_up_to(std::uint32_t max_k) {
       if (operation % 2 == 1 && k > 6 && !every) all.resize(before + 1);
     }
   all.push_back({6, 0, 0, 0});
+  all.push_back({7, 0, 0, 0});
+  return all;
+}
+
+/// The same for automata, whose answers after a collapse depend on k alone.
+std::vector<Position> positions_of_automaton(std::uint32_t max_k) {
+  std::vector<Position> all;
+  for (const std::uint32_t operation : {0U, 1U, 2U, 3U, 4U})
+    for (std::uint32_t k = operation < 2 ? 3 : 1; k <= max_k; ++k) {
+      const std::uint32_t last = operation == 0 || operation == 2 ? k - 1 : operation == 4 ? k : 0;
+      for (std::uint32_t p = operation == 0 ? 1 : 0; p <= last; ++p) {
+        if (operation != 2) all.push_back({operation, k, p, 0});
+        for (std::uint32_t q = p + 1; operation == 2 && q <= k; ++q) all.push_back({operation, k, p, q});
+      }
+    }
   all.push_back({7, 0, 0, 0});
   return all;
 }
@@ -214,7 +230,7 @@ class Computer {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 4) fail("usage: driver_vulkan SHADER.spv K|words N TABLES.bin...");
+  if (argc < 4) fail("usage: driver_vulkan SHADER.spv K|automaton K|words N TABLES.bin...");
   Computer computer(words_of(argv[1]));
   if (std::string(argv[2]) == "words") {
     if (argc != 5) fail("words: expected their number and one file of tables");
@@ -223,10 +239,12 @@ int main(int argc, char** argv) {
       std::printf("%u\n", word);
     return 0;
   }
-  auto max_k = static_cast<std::uint32_t>(std::strtoul(argv[2], nullptr, 10));
-  for (int i = 3; i < argc; ++i) {
-    if (i > 3) std::printf("== %s\n", argv[i]);
-    const std::vector<Position> positions = positions_up_to(max_k);
+  const bool automaton = std::string(argv[2]) == "automaton";
+  const int first = automaton ? 4 : 3;
+  auto max_k = static_cast<std::uint32_t>(std::strtoul(argv[first - 1], nullptr, 10));
+  for (int i = first; i < argc; ++i) {
+    if (i > first) std::printf("== %s\n", argv[i]);
+    const std::vector<Position> positions = automaton ? positions_of_automaton(max_k) : positions_up_to(max_k);
     const std::vector<std::uint32_t> digests = computer.run(words_of(argv[i]), positions, positions.size(), 16);
     for (std::size_t at = 0; at < positions.size(); ++at) {
       const auto [operation, k, p, q] = positions[at];

@@ -1,6 +1,6 @@
 // Runs a compute shader on the software device of headless Chromium, with tables in binding 0, an output in binding 1 and
 // positions in binding 2, and prints what it puts out. Arguments and output are those of driver_vulkan.cpp:
-//   driver_wgsl.mjs CHROMIUM SCRATCH SHADER.wgsl K|words N TABLES.bin…
+//   driver_wgsl.mjs CHROMIUM SCRATCH SHADER.wgsl K|automaton K|words N TABLES.bin…
 // but that more shaders, each with a number and a file, may follow behind `words N TABLES.bin`.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -22,6 +22,17 @@ function positionsUpTo(maxK) {
       all.push(...(operation % 2 === 1 && k > 6 && !every ? ofK.slice(0, 1) : ofK));
     }
   return [...all, [6, 0, 0, 0], [7, 0, 0, 0]];
+}
+
+/// The same for automata, whose answers after a collapse depend on k alone.
+function positionsOfAutomaton(maxK) {
+  const all = [];
+  for (let operation = 0; operation < 5; ++operation)
+    for (let k = operation < 2 ? 3 : 1; k <= maxK; ++k)
+      for (let p = operation === 0 ? 1 : 0; p <= [k - 1, 0, k - 1, 0, k][operation]; ++p)
+        if (operation === 2) for (let q = p + 1; q <= k; ++q) all.push([operation, k, p, q]);
+        else all.push([operation, k, p, 0]);
+  return [...all, [7, 0, 0, 0]];
 }
 
 /// In the page: what each job, { data, positions, results, groups }, puts out.
@@ -71,8 +82,10 @@ if (upTo === 'words') {
     runs.push({ code, jobs: [{ data: data(file), results: Number(results), groups: [1] }], print: (words) => words.join('\n') });
   }
 } else {
+  const automaton = upTo === 'automaton';
+  const maxK = Number(automaton ? rest.shift() : upTo);
   const jobs = rest.map((file, i) => {
-    const positions = positionsUpTo(i === 0 ? Number(upTo) : Math.min(upTo, 4));
+    const positions = (automaton ? positionsOfAutomaton : positionsUpTo)(i === 0 ? maxK : Math.min(maxK, 4));
     return { data: data(file), positions, results: positions.length, groups: [16, positions.length] };
   });
   const print = (output, i) => [...(i > 0 ? [`== ${rest[i]}`] : []), ...jobs[i].positions.map((position, at) =>

@@ -67,7 +67,16 @@ def altered_number(text, opening):
     return text[:number.start()] + str(int(number[0]) ^ 1) + text[number.end():]
 
 
-class Text:
+class Language:
+    """`stem` is "restrip_tables" or "restrip_automaton", of which the files of a language are."""
+    stem = "restrip_tables"
+
+    @property
+    def file(self):
+        return self.stem + self.extension
+
+
+class Text(Language):
     """Languages whose tables are in their text."""
 
     def wanted(self, answers):
@@ -85,7 +94,7 @@ class Text:
 
 
 class C(Text):
-    file = "restrip_tables.h"
+    extension = ".h"
     block = "c"
 
     def __init__(self, gcc):
@@ -94,11 +103,11 @@ class C(Text):
     def compiled(self, folder, scratch, *flags):
         program = scratch / "driver"
         run(self.gcc, "-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror", *flags,
-            folder / "restrip_tables_check.c", "-o", program)
+            folder / f"{self.stem}_check.c", "-o", program)
         return program
 
     def answers(self, folder, scratch, max_k):
-        return run(self.compiled(folder, scratch, "-O1" if max_k == MAX_K else "-O0"), max_k)
+        return run(self.compiled(folder, scratch, "-O1" if max_k >= MAX_K else "-O0"), max_k)
 
     def altered(self, text, family):
         return altered_number(text, re.search(rf"restrip_{family}_rules\[\d+\] = ", text)[0])
@@ -113,7 +122,7 @@ class C(Text):
         checked = self.compiled(folder, scratch, "-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
         must_be_equal("with sanitizers", run(checked, 6), expected(6))
         data = scratch / "data.c"
-        data.write_text('#define RESTRIP_TABLES_IMPLEMENTATION\n#include "restrip_tables.h"\n', encoding="utf-8")
+        data.write_text(f'#define {self.stem.upper()}_IMPLEMENTATION\n#include "{self.file}"\n', encoding="utf-8")
         run(self.gcc, "-std=c99", "-O2", "-ffreestanding", "-I", folder, "-c", data, "-o", scratch / "data.o")
         called = run("nm", "--undefined-only", scratch / "data.o")
         if called:
@@ -122,14 +131,14 @@ class C(Text):
 
 
 class Json(Text):
-    file = "restrip_tables.json"
+    extension = ".json"
     block = "python"
 
     def __init__(self, node, python):
         self.node, self.python = node, python
 
     def answers(self, folder, scratch, max_k):
-        return run(self.node, folder / "restrip_tables_check.mjs", max_k)
+        return run(self.node, folder / f"{self.stem}_check.mjs", max_k)
 
     def altered(self, text, family):
         return altered_number(text, '"flip": [' if family == "flip" else
@@ -140,11 +149,7 @@ class Json(Text):
 
     def more(self, folder, scratch, expected):
         """The file is as the schema says; files that are not are told apart."""
-        schema = json.loads((ROOT / "docs/tables.schema.json").read_text(encoding="utf-8"))
-        tables = json.loads((folder / self.file).read_text(encoding="utf-8"))
-        faults = list(against(schema, tables, schema))
-        if faults:
-            raise SystemExit(f"{self.file} is not as docs/tables.schema.json says: {faults[0]}")
+        schema, tables = self.as_schema_says(folder, "docs/tables.schema.json")
         for arrays in tables["families"].values():
             del arrays["rules"][5:]  # enough to be spoilt
         for member in tables:
@@ -158,12 +163,20 @@ class Json(Text):
             if not list(against(schema, spoilt, schema)):
                 raise SystemExit("docs/tables.schema.json takes tables that are wrong")
 
+    def as_schema_says(self, folder, page):
+        schema = json.loads((ROOT / page).read_text(encoding="utf-8"))
+        tables = json.loads((folder / self.file).read_text(encoding="utf-8"))
+        faults = list(against(schema, tables, schema))
+        if faults:
+            raise SystemExit(f"{self.file} is not as {page} says: {faults[0]}")
+        return schema, tables
+
 
 KNOWN = set()  # schemas looked at
 
 
 class Rust(Text):
-    file = "restrip_tables.rs"
+    extension = ".rs"
     block = "rust"
 
     def __init__(self, rustc):
@@ -179,8 +192,8 @@ class Rust(Text):
         return work / "program"
 
     def answers(self, folder, scratch, max_k):
-        source = (folder / "restrip_tables_check.rs").read_text(encoding="utf-8")
-        flags = ("-C", "opt-level=1") if max_k == MAX_K else ()
+        source = (folder / f"{self.stem}_check.rs").read_text(encoding="utf-8")
+        flags = ("-C", "opt-level=1") if max_k >= MAX_K else ()
         return run(self.compiled(folder, scratch, source, "-C", "overflow-checks=on", *flags), max_k)
 
     def altered(self, text, family):
@@ -191,29 +204,31 @@ class Rust(Text):
 
     def more(self, folder, scratch, expected):
         """The module does without the standard library and without unsafe code."""
-        self.compiled(folder, scratch, "#![no_std]\n#![forbid(unsafe_code)]\npub mod restrip_tables;\n", "--crate-type", "lib")
+        self.compiled(folder, scratch, "#![no_std]\n#![forbid(unsafe_code)]\npub mod " + self.stem + ";\n", "--crate-type", "lib")
 
 
-class Shader:
-    """Languages of shaders: the driver takes several files of tables at once."""
+class Shader(Language):
+    """Languages of shaders: the driver takes several files of tables at once. `asked` are the words before K."""
+    asked = ()
+    families = tuple(READERS)
 
     def wanted(self, answers):
         return answers if "RESTRIP_EVERY_POSITION" in os.environ else first_collapses(answers)
 
     def answers(self, folder, scratch, max_k):
         """Of the tables; and, because a device takes long to start, of those with an altered rule."""
-        shader = self.shader(folder, scratch, (folder / self.check).read_text(encoding="utf-8"))
-        printed = self.run(shader, scratch, max_k, folder / "restrip_tables.bin", *self.altered_files(folder, scratch))
+        shader = self.shader(folder, scratch, (folder / (self.stem + self.check)).read_text(encoding="utf-8"))
+        printed = self.run(shader, scratch, *self.asked, max_k, folder / f"{self.stem}.bin", *self.altered_files(folder, scratch))
         answers, *others = re.split("^== .*\n", printed, flags=re.M)
-        self.others = dict(zip(READERS, others))
+        self.others = dict(zip(self.families, others))
         return answers
 
     def altered_files(self, folder, scratch):
         """For each family a file in which the first byte of its rules that is not 0 is altered."""
-        data = (folder / "restrip_tables.bin").read_bytes()
+        data = (folder / f"{self.stem}.bin").read_bytes()
         text = (folder / self.file).read_text(encoding="utf-8")
-        for family in READERS:
-            word = int(re.search(rf"RESTRIP_{family.upper()}_RULES = u?vec2(?:<u32>)?\((\d+)u,", text)[1])
+        for family in self.families:
+            word = int(re.search(rf"RESTRIP_{family.upper()}_(?:RULES|OF_AUTOMATON) = u?vec2(?:<u32>)?\((\d+)u,", text)[1])
             at = next(i for i in range(4 * word, len(data)) if data[i] not in (0, 255))
             file = scratch / "altered" / f"{family}.bin"
             file.write_bytes(data[:at] + bytes([data[at] ^ 1]) + data[at + 1:])
@@ -223,21 +238,21 @@ class Shader:
         return self.others
 
     def example(self, text, folder, scratch):
-        return self.run(self.shader(folder, scratch, text), scratch, "words", 4, folder / "restrip_tables.bin")
+        return self.run(self.shader(folder, scratch, text), scratch, "words", 4, folder / f"{self.stem}.bin")
 
     def more(self, folder, scratch, expected):
         """The first word of the data is the checksum of the others, which the look-up names."""
-        words = memoryview((folder / "restrip_tables.bin").read_bytes()).cast("I")
+        words = memoryview((folder / f"{self.stem}.bin").read_bytes()).cast("I")
         checksum = 0x811c9dc5
         for word in words[1:]:
             checksum = (checksum ^ word) * 0x01000193 & 0xffffffff
-        named = re.search(r"RESTRIP_CHECKSUM = (0x[0-9a-f]{8})u;", (folder / self.file).read_text(encoding="utf-8"))[1]
+        named = re.search(r"RESTRIP_CHECKSUM(?:_OF_AUTOMATON)? = (0x[0-9a-f]{8})u;", (folder / self.file).read_text(encoding="utf-8"))[1]
         if not words[0] == checksum == int(named, 16):
             raise SystemExit(f"checksums: {words[0]:#x} in the data, {checksum:#x} of the data, {named} in {self.file}")
 
 
 class Wgsl(Shader):
-    file, block, check = "restrip_tables.wgsl", "wgsl", "restrip_tables_check.wgsl"
+    extension, block, check = ".wgsl", "wgsl", "_check.wgsl"
 
     def __init__(self, node, chromium):
         self.node, self.chromium = node, chromium
@@ -251,7 +266,7 @@ class Wgsl(Shader):
 
 
 class Glsl(Shader):
-    file, block, check = "restrip_tables.glsl", "glsl", "restrip_tables_check.comp"
+    extension, block, check = ".glsl", "glsl", "_check.comp"
 
     def __init__(self, glslang, vulkan):
         self.glslang, self.vulkan = glslang, vulkan
