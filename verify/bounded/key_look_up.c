@@ -1,5 +1,6 @@
 // A look-up by keys in C held by a bounded model checker against every recolouring of one patch: for all pairs of masks
-// at once, no run but a formula. scripts/model_check.py writes the patch after the operation beside it and asks the look-up:
+// at once, no run but a formula. scripts/model_check.py writes the patch after the operation beside it and asks the
+// look-up:
 //
 //   TRIANGLES_AFTER, EDGES_AFTER, PORTS, MOST, ONE_RECOLORING, after_one, after_other, after_owner: as for look_up.c
 //   CLOSED: whether the first port comes after the last one
@@ -42,7 +43,9 @@ static _Bool sound(const side* new, u32 ports, u32 joined) {
 }
 
 // Smaller is better.
-static u32 cost(const side* new, u32 inner) { return RESTART * (EDGES_AFTER - count(inner)) + ISOLATED * new->isolated; }
+static u32 cost(const side* new, u32 inner) {
+  return RESTART * (EDGES_AFTER - count(inner)) + ISOLATED * new->isolated;
+}
 
 int main(void) {
   const u32 any_ports = nondet_u32(), joined = nondet_u32();

@@ -1,5 +1,5 @@
-// What solid edges make of one side of a patch, for the judges beside this file: they include it where `u32`, PORTS, MOST,
-// MOST_TRIANGLES and MOST_BITS are known.
+// What solid edges make of one side of a patch, for the judges beside this file: they include it where `u32`, PORTS,
+// MOST, MOST_TRIANGLES and MOST_BITS are known.
 static u32 count(u32 mask) {
   u32 n = 0;
   for (u32 i = 0; i < MOST_BITS; ++i) n += mask >> i & 1;

@@ -42,8 +42,8 @@ struct Position {
   std::uint32_t operation, k, p, q;
 };
 
-/// All that digests are printed of, and one that counts rules outside the tables. Of collapses beyond k = 6 only the first, unless
-/// RESTRIP_EVERY_POSITION is set.
+/// All that digests are printed of, and one that counts rules outside the tables. Of collapses beyond k = 6 only the
+/// first, unless RESTRIP_EVERY_POSITION is set.
 std::vector<Position> positions_up_to(std::uint32_t max_k) {
   const bool every = std::getenv("RESTRIP_EVERY_POSITION") != nullptr;
   std::vector<Position> all;
