@@ -135,6 +135,8 @@ int main(int argc, char** argv) {
           "a swap), or R,S,I, the weights of a strip, a swap and an isolated triangle")
       ->capture_default_str()
       ->excludes(served_option);
+  add_language_option(*automaton_command, automaton.languages, "header and certificate", "data")
+      ->excludes(served_option);
   add_json_option(*automaton_command, automaton.json)->excludes(served_option);
   automaton_command
       ->add_option("--classes", automaton.classes,
@@ -144,6 +146,7 @@ int main(int argc, char** argv) {
       "\nExamples:\n"
       "  restrip-generate automaton --cost strips --out /tmp/automaton\n"
       "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n"
+      "  restrip-generate automaton --language c --language rust --out /tmp/automaton\n"
       "  restrip-generate automaton --operation my-family.json --out /tmp/automaton\n");
 
   RulesOptions rules;

@@ -58,7 +58,84 @@ void answers(Output& out, const std::string& family, std::initializer_list<std::
   out.entry_done();
 }
 
+/// The keys that a digest is made of: all, a letter for each port, the last one the lowest digit; or, where they are
+/// more than 7,000, 64 that are drawn.
+class DigestKeys {
+ public:
+  explicit DigestKeys(std::size_t k) : k_(k) {
+    for (std::size_t i = 0; i < k && count_ <= 7000; ++i) count_ *= letters;
+    if (count_ > 7000) count_ = drawn_count;
+  }
+
+  template <class Best>
+  void line(unsigned operation, std::size_t p, std::size_t q, Best&& best) const {
+    std::uint32_t digest = 0;
+    for (std::uint32_t n = 0; n < count_; ++n) {
+      const auto [ports, joined, turns] = key(n);
+      digest += mix(n, folded(ports), 0x80000000U | folded(best(ports, joined, turns).colors));
+    }
+    std::printf("%u %zu %zu %zu %08x\n", operation, k_, p, q, digest);
+  }
+
+ private:
+  struct Key {
+    Word ports = 0;
+    Word joined = 0;
+    exact::Turns turns;
+  };
+  static constexpr std::uint32_t letters = tables::automaton.letters - 1;
+  static constexpr std::uint32_t drawn_count = 64;
+
+  static std::uint32_t folded(Word mask) {
+    return static_cast<std::uint32_t>(mask) ^ static_cast<std::uint32_t>(mask >> 32) * 0x9e3779b1U;
+  }
+  [[nodiscard]] Key key(std::uint32_t n) const {
+    if (count_ == drawn_count) {
+      const auto drawn = [&](Word i) { return (mix(n, i, 0) | Word{mix(n, i + 8, 0)} << 32) & (bit(k_) - 1); };
+      return {drawn(0), drawn(1), {drawn(2), drawn(3)}};
+    }
+    Key key;
+    for (std::size_t i = k_; i-- > 0; n /= letters) {
+      const std::uint32_t letter = n % letters;
+      if (letter == 0) continue;
+      key.ports |= bit(i);
+      if (2 * letter > letters) key.joined |= bit(i);
+      if (letter % 3 == 2) key.turns.left |= bit(i);
+      if (letter % 3 == 0) key.turns.right |= bit(i);
+    }
+    return key;
+  }
+
+  std::size_t k_;
+  std::uint32_t count_ = 1;
+};
+
 }  // namespace
+
+bool automaton_digests(std::size_t max_k) {
+  for (std::size_t k = 1; k <= max_k; ++k) {
+    const DigestKeys keys(k);
+    for (std::size_t a = 1; a < k && k >= 3; ++a)
+      keys.line(0, a, 0,
+                [&](Word ports, Word joined, exact::Turns t) { return exact::best_split(k, a, ports, joined, t); });
+    if (k >= 3)
+      keys.line(1, 0, 0,
+                [&](Word ports, Word joined, exact::Turns t) { return exact::best_collapse(k, ports, joined, t); });
+    for (std::size_t i = 0; i < k; ++i)
+      for (std::size_t j = i + 1; j <= k; ++j)
+        keys.line(2, i, j, [&](Word ports, Word joined, exact::Turns t) {
+          return exact::best_open_split(k, i, j, ports, joined, t);
+        });
+    keys.line(3, 0, 0,
+              [&](Word ports, Word joined, exact::Turns t) { return exact::best_fan_collapse(k, ports, joined, t); });
+    for (std::size_t i = 0; i <= k; ++i)
+      keys.line(4, i, 0, [&](Word ports, Word joined, exact::Turns t) {
+        return exact::best_boundary_split(k, i, ports, joined, t);
+      });
+  }
+  std::printf("rules outside the tables: 0\n");
+  return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
 
 void automaton(Output& out, std::size_t max_k) {
   constexpr const auto& numbers = tables::automaton;

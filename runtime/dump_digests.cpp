@@ -18,14 +18,6 @@ std::uint32_t packed(bool valid, Word colors, int strips) {
 
 std::uint32_t packed(const Rule& rule) { return packed(rule.valid, rule.colors, rule.strips); }
 
-std::uint32_t mix(Word before, Word ports, std::uint32_t answer) {
-  std::uint32_t h =
-      answer ^ static_cast<std::uint32_t>(before) * 0x9e3779b1U ^ static_cast<std::uint32_t>(ports) * 0x85ebca77U;
-  h = (h ^ h >> 16) * 0x85ebca6bU;
-  h = (h ^ h >> 13) * 0xc2b2ae35U;
-  return h ^ h >> 16;
-}
-
 /// One position; at(before, ports) is its look-up.
 template <class At>
 void line(std::string_view wanted, unsigned operation, std::size_t k, std::size_t p, std::size_t q,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -74,6 +75,19 @@ void linked_rules(Output& out, std::size_t max_k);
 
 /// The numbers of the automaton, and a digest of its answers to every key of every position with k <= max_k.
 void automaton(Output& out, std::size_t max_k);
+
+/// Digests of what the automaton's look-up answers in positions with k <= max_k (docs/certificate.md, "Digests of the
+/// automaton"). False when not everything could be written.
+bool automaton_digests(std::size_t max_k);
+
+/// What a digest adds up (docs/certificate.md, "Digests of answers").
+constexpr std::uint32_t mix(Word before, Word ports, std::uint32_t answer) {
+  std::uint32_t h =
+      answer ^ static_cast<std::uint32_t>(before) * 0x9e3779b1U ^ static_cast<std::uint32_t>(ports) * 0x85ebca77U;
+  h = (h ^ h >> 16) * 0x85ebca6bU;
+  h = (h ^ h >> 13) * 0xc2b2ae35U;
+  return h ^ h >> 16;
+}
 
 /// Digests of what the look-up answers, to compare with those of other languages; `wanted` has the numbers of the
 /// operations, such as "024". False when not everything could be written.

@@ -1,7 +1,7 @@
 // restrip-dump-tables: prints what the compiled rules answer to every configuration, valid or not, in every position,
 // so that those who trust neither the generator nor the look-up in the tables can compare (docs/certificate.md, "Table
 // dump"; "Dump of linked rules", the output with --linked; "Dump of the automaton", that with --automaton); or, with
-// --digests, only digests of that.
+// --digests, only digests of that; of the automaton, digests of what it answers in larger fans as well.
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -152,9 +152,9 @@ void tables(Output& out, std::size_t max_k) {
   flip(out);
 }
 
-/// The number from 3 to table_max_k that a word says; 0 for any other word.
+/// The number from 3 to max_word_valence that a word says; 0 for any other word.
 std::size_t valence_named(std::string_view word) {
-  for (std::size_t k = 3; k <= restrip::table_max_k; ++k)
+  for (std::size_t k = 3; k <= restrip::max_word_valence; ++k)
     if (word == std::to_string(k)) return k;
   return 0;
 }
@@ -165,7 +165,7 @@ int main(int argc, char** argv) {
   bool linked = false;
   bool automaton = false;
   bool digests = false;
-  std::size_t max_k = restrip::table_max_k;
+  std::size_t max_k = 0;
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (word == "--linked") {
@@ -180,17 +180,24 @@ int main(int argc, char** argv) {
       const bool asked = word == "--help";
       std::fprintf(
           asked ? stdout : stderr,
-          "usage: restrip-dump-tables [--linked | --automaton | --digests] [--max-k K]\n"
+          "usage: restrip-dump-tables [--linked | --automaton | --digests | --automaton --digests] [--max-k K]\n"
           "  what the compiled rules answer; with --linked, what the linked look-up picks; with --automaton, the\n"
           "  numbers of the automaton and digests of what it answers; with --digests, digests of what the rules "
           "answer;\n"
-          "  3 <= K <= %u\n",
-          static_cast<unsigned>(restrip::table_max_k));
+          "  3 <= K <= %u; with both, digests of what the automaton answers; 3 <= K <= %u, by default 28\n",
+          static_cast<unsigned>(restrip::table_max_k), static_cast<unsigned>(restrip::max_word_valence));
       return asked ? 0 : 2;
     }
   }
-  if (linked + automaton + digests > 1) {
+  if (linked && (automaton || digests)) {
     std::fputs("restrip-dump-tables: choose one of --linked, --automaton and --digests\n", stderr);
+    return 2;
+  }
+  if (automaton && digests) return restrip::dump::automaton_digests(max_k == 0 ? 28 : max_k) ? 0 : 1;
+  if (max_k == 0) max_k = restrip::table_max_k;
+  if (max_k > restrip::table_max_k) {
+    std::fprintf(stderr, "restrip-dump-tables: --max-k %zu: the tables answer fans of up to %u triangles\n", max_k,
+                 static_cast<unsigned>(restrip::table_max_k));
     return 2;
   }
   if (digests) return restrip::dump::digests(max_k, "0123456") ? 0 : 1;

@@ -12,6 +12,7 @@ matchings:  claims of the splits, collapses and the flip of matchings, all posit
 speed:      time to make and to prove the tables of operation files, small and at the limits (docs/toolkit.md)
 compiling:  time and memory of compilers that read one header (docs/tables.md)
 languages:  bytes of the rule tables in other languages than C++, k <= 8 (docs/languages.md)
+automata:   bytes of the automaton in other languages, for two costs (docs/languages.md)
 verified:   time of making tables up to different k and of verifying them with what they compile to (docs/cmake.md)
 costs:      the automaton of different costs (docs/automaton.md)
 shards:     time, memory and bytes of tables beyond k = 8, made in three shards (docs/shards.md)
@@ -188,6 +189,17 @@ def print_languages(generate):
         line([f"`{name}`", FILE_HOLDS.get(name, "program that prints digests"), f"{int(size):,}", f"{data:,}" if name in ("restrip_tables.h", "restrip_tables.rs", "restrip_tables.bin") else ""])
 
 
+def print_automata(generate):
+    costs = ("strips", "1,1,0")
+    header("file", *(f"bytes, cost `{cost}`" for cost in costs))
+    with tempfile.TemporaryDirectory() as folder:
+        for cost in costs:
+            wanted = [word for language in LANGUAGE_NAMES for word in ("--language", language)]
+            subprocess.check_output([generate, "automaton", "--cost", cost, "--out", os.path.join(folder, cost), *wanted])
+        for name in sorted(os.listdir(os.path.join(folder, costs[0]))):
+            line([f"`{name}`", *(f"{os.path.getsize(os.path.join(folder, cost, name)):,}" for cost in costs)])
+
+
 def section_bytes(path, pattern):
     lines = subprocess.check_output(["size", "-A", path], text=True).splitlines()
     return sum(int(line.split()[1]) for line in lines if re.match(pattern, line))
@@ -319,7 +331,7 @@ def print_costs(generate):
 
 TABLES = {"counts": print_counts, "ports": print_ports, "ports-met": print_ports_met, "families": print_families,
           "programs": print_programs, "operations": print_operations, "matchings": print_matchings, "speed": print_speed,
-          "compiling": print_compiling, "languages": print_languages, "shards": print_shards, "verified": print_verified,
+          "compiling": print_compiling, "languages": print_languages, "automata": print_automata, "shards": print_shards, "verified": print_verified,
           "costs": print_costs}
 
 

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Proves the look-ups in C by a bounded model checker, CBMC 6 or later: for each position one formula says that for some
 colours, ports and recolouring the answer is missing, unsound, tells a wrong number of strips or is not the best, or that
-something is read out of bounds or overflows. verify/bounded/look_up.c judges; the patches are written here, in their words
-of docs/notation.md, as in check_reasons.py.
+something is read out of bounds or overflows. verify/bounded/look_up.c judges, and key_look_up.c the automaton, which is asked
+by keys; the patches are written here, in their words of docs/notation.md, as in check_reasons.py.
 
   scripts/model_check.py --header DIR/restrip_tables.h                   every position up to k = 8
   scripts/model_check.py --header DIR/restrip_tables.h --max-k 5         a part of them
   scripts/model_check.py --operation tables/operations/bisect.json --header DIR/restrip_bisect.h
+  scripts/model_check.py --automaton --header DIR/restrip_automaton.h --max-k 4
 
 Each formula has assertions that must fail, so that a formula that says nothing is noticed. Exit code: 0 all is proved, 1
 something is not (the position and the assertion are named), 2 a file cannot be read, or there is no CBMC.
@@ -25,7 +26,7 @@ import tempfile
 sys.dont_write_bytecode = True
 from check_reasons import fan_patch, graphs_of  # noqa: E402
 
-JUDGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify", "bounded", "look_up.c")
+JUDGES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify", "bounded")
 MOST = {"strips": 2, "forest": 3, "matching": 1}
 
 
@@ -56,6 +57,24 @@ def families(max_k, min_k=1):
     yield "flip()", flip, (2, [(0, 1)], [0, 0, 1, 1]), (2, [(0, 1)], [1, 0, 0, 1]), {"MAY_GO": 15}
 
 
+def keyed(header, max_k, min_k=1):
+    """Every position of the automaton: its name, its question, the side after, twice."""
+    with open(header, encoding="utf-8") as file:
+        cost = re.search(r"cost, which is (\d+) for a strip, (\d+) for a swap and\n// (\d+) for", file.read())
+    if not cost or cost[2] != "0":
+        raise ValueError("%s: no automaton, or swaps have a price, which is not judged" % header)
+    question = ("const restrip_key key = {ports, joined, 0, 0}; const restrip_recoloring r = restrip_best_%s(%s, key); "
+                "return (answer){(u32)r.colors, r.valid && r.colors >> 32 == 0};")
+    for k in range(min_k, max_k + 1):
+        closed = [("split", (a,), True, (0, a)) for a in range(1, k)] + [("collapse", (), True, ())] if k > 2 else []
+        opened = [("open_split", (i, j), False, (i, j)) for j in range(k + 1) for i in range(j)]
+        boundary = [("boundary_split", (i,), False, (i,)) for i in range(k + 1)] + [("fan_collapse", (), False, ())]
+        for name, numbers, ring, gaps in closed + opened + boundary:
+            called, after = ", ".join(str(n) for n in (k,) + numbers), row(k, ring, *gaps)
+            yield "%s(%s)" % (name, called), question % (name, called), after, after, {
+                "ARGUMENTS": "u32 ports, u32 joined", "CLOSED": int(ring), "RESTART": int(cost[1]), "ISOLATED": int(cost[3])}
+
+
 def own(path):
     """The one position of an operation file."""
     with open(path, encoding="utf-8") as file:
@@ -77,19 +96,41 @@ def position_text(header, question, before, after, words):
         lines += ["enum { TRIANGLES_%s = %d, EDGES_%s = %d };" % (when.upper(), triangles, when.upper(), len(edges))]
         for name, numbers in ("one", [e[0] for e in edges]), ("other", [e[1] for e in edges]), ("owner", owners):
             lines.append("static const unsigned char %s_%s[] = {%s};" % (when, name, ", ".join(str(n) for n in numbers or [0])))
+    arguments = words.pop("ARGUMENTS", "u32 inner, u32 ports")
     counted = {"PORTS": len(before[2]), "MOST": 2, "MAY_GO": 0, "COUNTS": 1, "ANY_COLORS": 0, **words}
     lines += [] if after[1] or counted["MAY_GO"] else ["#define ONE_RECOLORING"]
     lines += ["enum { %s = %d };" % pair for pair in counted.items()]
-    return "\n".join(lines + ["static answer ask(u32 inner, u32 ports) { %s }" % question]) + "\n"
+    return "\n".join(lines + ["static answer ask(%s) { %s }" % (arguments, question)]) + "\n"
 
 
-def any_argument(header):
+def without_data(text):
+    """An implementation in which what is read of an array is any number up to the largest that the array holds: whatever is
+    proved of that holds with the array itself. Long chains of reads make formulas that are too large."""
+    arrays = re.findall(r"^static const uint\d+_t (restrip_\w+)\[(\d+)\] = \{([^}]*)\};$", text, re.M)
+    for name, length, numbers in arrays:
+        text = text.replace("] = {%s};" % numbers, "];")
+        while read := re.search(r"(?<!_t )\b%s\[" % name, text):
+            end, depth = read.end(), 1
+            while depth:
+                depth += {"[": 1, "]": -1}.get(text[end], 0)
+                end += 1
+            text = "%s%s_at(%s)%s" % (text[:read.start()], name, text[read.end():end - 1], text[end:])
+        largest = max(int(number) for number in numbers.replace(",", " ").split())
+        text = re.sub(r"^static const uint\d+_t %s\[.*$" % name, "static uint32_t %s_at(uint32_t i) {\n  const uint32_t n = nondet_u32();\n"
+                      "  __CPROVER_assert(i < %s, \"%s is read in bounds\");\n  __CPROVER_assume(n <= %d);\n  return n;\n}" % (name, length, name, largest), text, flags=re.M)
+    return "#include <stdint.h>\nuint32_t nondet_u32(void);\n" + text
+
+
+def any_argument(header, automaton):
     """A program that calls each function of a header with any arguments."""
     with open(header, encoding="utf-8") as file:
-        declared = re.findall(r"^(restrip_\w+) (restrip_\w+)\((.*)\);$", file.read(), re.M)
-    lines = ['#include "%s"' % os.path.abspath(header), "uint32_t nondet_u32(void);", "int main(void) {"]
+        text = file.read()
+    declared = re.findall(r"^(restrip_\w+) (restrip_\w+)\((.*)\);$", text, re.M)
+    lines = [without_data(text) if automaton else '#include "%s"' % os.path.abspath(header)]
+    lines += ["uint32_t nondet_u32(void);", "uint64_t nondet_u64(void);", "int main(void) {"]
+    key = "(restrip_key){nondet_u64(), nondet_u64(), nondet_u64(), nondet_u64()}"
     for kind, name, arguments in declared:
-        asked = ", ".join(["nondet_u32()"] * len(arguments.split(",")))
+        asked = ", ".join(key if one.strip() == "restrip_key key" else "nondet_u32()" for one in arguments.split(","))
         lines.append('  { const %s r = %s(%s); __CPROVER_assert(!r.valid, "control: %s has no answers"); }' % (kind, name, asked, name))
     return "\n".join(lines + ["}"]) + "\n"
 
@@ -102,7 +143,7 @@ def faults(cbmc, header, text, judge):
         written = os.path.join(folder, "position.h" if judge else "any_argument.c")
         with open(written, "w", encoding="utf-8") as file:
             file.write(text)
-        run = subprocess.run([cbmc, judge or written, "-D" + implementation, "-I", folder, "--unwind", "34"],
+        run = subprocess.run([cbmc, judge or written, "-D" + implementation, "-I", folder, "--unwind", "34" if judge or "AUTOMATON" not in implementation else "64"],
                              capture_output=True, text=True)
     found = re.findall(r"^\[\S+\] (?:line \d+ )?(.*): ([A-Z]+)$", run.stdout, re.M)
     if not any(name.startswith("control") for name, _ in found):
@@ -132,6 +173,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--header", help="the look-up in C, as restrip-generate writes it; without it, only CBMC is looked for")
     parser.add_argument("--operation", help="the operation file that it is of; without, it is of the families")
+    parser.add_argument("--automaton", action="store_true", help="the look-up is that of `restrip-generate automaton`")
     parser.add_argument("--max-k", type=int, default=8, help="the largest fan (8)")
     parser.add_argument("--min-k", type=int, default=1, help="the smallest fan (1), to share the work among machines")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many at a time")
@@ -140,9 +182,11 @@ def main():
         cbmc = model_checker()
         if not options.header:
             return 0
-        asked = list(own(options.operation) if options.operation else families(options.max_k, options.min_k))
-        work = [("any arguments", any_argument(options.header), None)]
-        work += [(name, position_text(options.header, *rest), JUDGE) for name, *rest in asked]
+        asked = list(own(options.operation) if options.operation else
+                     keyed(options.header, options.max_k, options.min_k) if options.automaton else families(options.max_k, options.min_k))
+        judge = os.path.join(JUDGES, "key_look_up.c" if options.automaton else "look_up.c")
+        work = [("any arguments", any_argument(options.header, options.automaton), None)]
+        work += [(name, position_text(options.header, *rest), judge) for name, *rest in asked]
         assertions, wrong = 0, 0
         left = collections.Counter(group_of(name) for name, _, judge in work if judge)
         positions, broken = dict(left), set()

@@ -261,7 +261,7 @@ class Verification {
   /// Compares digests of the answers of another look-up with those of the answers that were judged.
   void check_digests(const std::string& command, const AnswerDigests& digests) const {
     const double start = thread_seconds();
-    const DigestComparison found = compare_digests_of(command, digests);
+    const DigestComparison found = compare_digests_of(command, digests.by_position());
     Failures failures = found.differences;
     if (!found.fault.empty()) failures.add(fmt::format("{}: {}", command, found.fault));
     if (found.positions == 0 && failures.count == 0) failures.add("nothing was compared");

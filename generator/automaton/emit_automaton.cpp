@@ -190,6 +190,24 @@ RulesHeader automaton_header(const Automaton& automaton) {
   return {text + "};\n\n}  // namespace restrip::tables\n", all.bytes()};
 }
 
+AutomatonArrays automaton_arrays(const Automaton& automaton) {
+  const HeaderNumbers all(automaton);
+  std::vector<std::size_t> next;
+  for (const ArcClass& c : automaton.classes)
+    for (const auto& step : c.steps) next.push_back(step ? step->to : 0);
+  TableArray before{"before", 32, {}};
+  for (const std::uint64_t cases : all.before) {
+    before.values.push_back(static_cast<std::uint32_t>(cases));
+    before.values.push_back(static_cast<std::uint32_t>(cases >> 32U));
+  }
+  return {automaton.weights,
+          letters_of(automaton.weights).size(),
+          automaton.meets.at(0).size(),
+          {0,
+           {array_of("next", next), before, array_of("closed", all.closed), array_of("first", all.first),
+            array_of("second", all.second), array_of("meet", all.meet), array_of("meetings", all.meetings)}}};
+}
+
 AutomatonCertificate automaton_certificate(const Automaton& automaton) {
   Rows cost;
   cost.add("weights {}", weights_text(automaton.weights, " "));

@@ -5,6 +5,7 @@
 
 #include "automaton/automaton.hpp"
 #include "tables/emit.hpp"
+#include "tables/layout.hpp"
 
 namespace restrip::generator {
 
@@ -20,6 +21,16 @@ struct AutomatonCertificate {
   std::size_t rows = 0;
 };
 [[nodiscard]] AutomatonCertificate automaton_certificate(const Automaton& automaton);
+
+/// The numbers of the header for other languages (languages/): `next` has 0 where a letter is not allowed, so that any
+/// entry is a class, and a number of `before` is two words, the low one first.
+struct AutomatonArrays {
+  Weights weights;
+  std::size_t letters = 0;
+  std::size_t seconds = 0;  ///< columns of `meet`
+  TableLayout table;
+};
+[[nodiscard]] AutomatonArrays automaton_arrays(const Automaton& automaton);
 
 /// Weights, classes before and after, letters, cases, bytes.
 [[nodiscard]] std::string automaton_json(const Automaton& automaton);

@@ -60,6 +60,18 @@ std::string json_tables(const TableLayout& layout) {
   return text + "\n},\n" + json_numbers(*layout.find("flip_rules"), "flip") + "\n}\n";
 }
 
+std::string json_automaton(const AutomatonArrays& automaton) {
+  const Weights& weights = automaton.weights;
+  std::string text = fmt::format(
+      "{{\n\"format\": \"restrip-automaton\",\n\"version\": 1,\n"
+      "\"license\": \"MIT, Copyright (c) 2026 The restrip authors\",\n"
+      "\"command\": \"restrip-generate automaton --language json --cost {0},{1},{2}\",\n"
+      "\"cost\": {{\"restart\": {0}, \"swap\": {1}, \"isolated\": {2}}},\n\"letters\": {3},\n\"seconds\": {4}",
+      weights.restart, weights.swap, weights.isolated, automaton.letters, automaton.seconds);
+  for (const TableArray& array : automaton.table.arrays) text += ",\n" + json_numbers(array, array.name);
+  return text + "\n}\n";
+}
+
 std::string json_operation(const OperationLayout& layout) {
   const Description& named = layout.named();
   const auto quoted = [](const std::string& text) { return nlohmann::json(text).dump(); };

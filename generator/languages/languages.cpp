@@ -66,8 +66,8 @@ std::string shader_source(std::string_view source, const char* array, const Tabl
 }
 
 /// What does not depend on the tables.
-template <const std::string_view& text>
-std::string as_it_is(const TableLayout& /*layout*/) {
+template <const std::string_view& text, class Layout>
+std::string as_it_is(const Layout& /*layout*/) {
   return std::string(text);
 }
 
@@ -84,20 +84,24 @@ std::string wgsl_source(const TableLayout& layout) {
 const std::map<std::string, std::vector<LanguageFile>>& language_files() {
   static const std::map<std::string, std::vector<LanguageFile>> files{
       {"c++", {}},
-      {"c", {{".h", c_header, c_operation}, {"_check.c", as_it_is<tables_check_c>}}},
+      {"c",
+       {{".h", c_header, c_operation, c_automaton},
+        {"_check.c", as_it_is<tables_check_c>, nullptr, as_it_is<automaton_check_c>}}},
       {"json",
-       {{".json", json_tables, json_operation},
-        {".mjs", as_it_is<tables_mjs>},
-        {"_check.mjs", as_it_is<tables_check_mjs>}}},
-      {"rust", {{".rs", rust_module, rust_operation}, {"_check.rs", as_it_is<tables_check_rs>}}},
+       {{".json", json_tables, json_operation, json_automaton},
+        {".mjs", as_it_is<tables_mjs>, nullptr, as_it_is<automaton_mjs>},
+        {"_check.mjs", as_it_is<tables_check_mjs>, nullptr, as_it_is<automaton_check_mjs>}}},
+      {"rust",
+       {{".rs", rust_module, rust_operation, rust_automaton},
+        {"_check.rs", as_it_is<tables_check_rs>, nullptr, as_it_is<automaton_check_rs>}}},
       {"glsl",
-       {{".glsl", glsl_source, glsl_operation},
-        {".bin", words_file, operation_words_file},
-        {"_check.comp", as_it_is<tables_check_comp>}}},
+       {{".glsl", glsl_source, glsl_operation, glsl_automaton},
+        {".bin", words_file, operation_words_file, automaton_words_file},
+        {"_check.comp", as_it_is<tables_check_comp>, nullptr, as_it_is<automaton_check_comp>}}},
       {"wgsl",
-       {{".wgsl", wgsl_source, wgsl_operation},
-        {".bin", words_file, operation_words_file},
-        {"_check.wgsl", as_it_is<tables_check_wgsl>}}},
+       {{".wgsl", wgsl_source, wgsl_operation, wgsl_automaton},
+        {".bin", words_file, operation_words_file, automaton_words_file},
+        {"_check.wgsl", as_it_is<tables_check_wgsl>, nullptr, as_it_is<automaton_check_wgsl>}}},
   };
   return files;
 }

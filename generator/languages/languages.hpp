@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "automaton/emit_automaton.hpp"
 #include "operations/operation_layout.hpp"
 #include "tables/layout.hpp"
 
@@ -18,6 +19,7 @@ struct LanguageFile {
   std::string extension;  ///< ".h"
   std::string (*of_tables)(const TableLayout& layout) = nullptr;
   std::string (*of_operation)(const OperationLayout& layout) = nullptr;  ///< of one's own, or a family; may be none
+  std::string (*of_automaton)(const AutomatonArrays& automaton) = nullptr;
 
   /// "restrip_tables.h", or of an operation "restrip_bisect.h".
   [[nodiscard]] std::string name(const std::string& what = "tables") const;
@@ -58,5 +60,14 @@ struct TableWords {
 [[nodiscard]] std::string glsl_operation(const OperationLayout& layout);
 [[nodiscard]] std::string wgsl_operation(const OperationLayout& layout);
 [[nodiscard]] std::string operation_words_file(const OperationLayout& layout);
+
+// The automaton of all valences (automaton_files.cpp).
+
+[[nodiscard]] std::string c_automaton(const AutomatonArrays& automaton);
+[[nodiscard]] std::string rust_automaton(const AutomatonArrays& automaton);
+[[nodiscard]] std::string glsl_automaton(const AutomatonArrays& automaton);
+[[nodiscard]] std::string wgsl_automaton(const AutomatonArrays& automaton);
+[[nodiscard]] std::string json_automaton(const AutomatonArrays& automaton);
+[[nodiscard]] std::string automaton_words_file(const AutomatonArrays& automaton);
 
 }  // namespace restrip::generator

@@ -8,6 +8,16 @@
 
 namespace restrip::generator {
 
+extern const std::string_view automaton_check_c;
+extern const std::string_view automaton_check_comp;
+extern const std::string_view automaton_check_mjs;
+extern const std::string_view automaton_check_rs;
+extern const std::string_view automaton_check_wgsl;
+extern const std::string_view automaton_h;
+extern const std::string_view automaton_mjs;
+extern const std::string_view automaton_rs;
+extern const std::string_view automaton_glsl;
+extern const std::string_view automaton_wgsl;
 extern const std::string_view operation_h;
 extern const std::string_view operation_rs;
 extern const std::string_view operation_glsl;

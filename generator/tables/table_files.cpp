@@ -268,14 +268,25 @@ void merge_shards(const std::string& in, const std::string& folder, const std::s
 }
 
 void make_automaton_files(const AutomatonOptions& options) {
-  const auto& [cost, folder, json, classes] = options;
+  const auto& [cost, folder, json, classes, languages] = options;
   const Weights weights = weights_named(cost);
-  files::OutputSet out(folder, {header_path("automaton"), certificate_path("automaton")});
+  std::vector<std::filesystem::path> names;
+  if (languages.contains("c++")) names = {header_path("automaton"), certificate_path("automaton")};
+  std::map<std::string, decltype(LanguageFile::of_automaton)> others;
+  for (const std::string& language : languages)
+    for (const LanguageFile& file : language_files().at(language)) others[file.name("automaton")] = file.of_automaton;
+  for (const auto& other : others) names.emplace_back(other.first);
+  files::OutputSet out(folder, names);
   const files::ReportOutput report(json);
   std::optional<files::Output> classes_out;
   if (!classes.empty()) classes_out.emplace(classes, files::OutputRules{{".json"}, {}});
   const AutomatonFiles made(weights);
-  out.write({{header_path("automaton"), made.header.text}, {certificate_path("automaton"), made.certificate.text}});
+  std::vector<files::NamedBytes> written;
+  if (languages.contains("c++"))
+    written = {{header_path("automaton"), made.header.text}, {certificate_path("automaton"), made.certificate.text}};
+  const AutomatonArrays arrays = automaton_arrays(made.automaton);
+  for (const auto& [name, text_of_arrays] : others) written.push_back({name, text_of_arrays(arrays)});
+  out.write(written);
   if (classes_out) classes_out->write(classes_json(made.automaton));
   report.print(made.summary(), automaton_json(made.automaton));
 }

@@ -30,12 +30,13 @@ void make_shard(const TablesOptions& options);
 /// What make_tables() writes, from the shards in the folder `in`.
 void merge_shards(const std::string& in, const std::string& out, const std::string& json);
 
-/// The automaton's header and certificate.
+/// The automaton's header and certificate, or its files in other languages.
 struct AutomatonOptions {
   std::string cost = "strips";  ///< "strips", "indices", or the weights of a strip, a swap and an isolated triangle
   std::string out;              ///< the folder that receives them
   std::string json;             ///< file for its figures, "-" for standard output, or empty
   std::string classes;          ///< JSON file for its classes, or empty
+  std::set<std::string> languages{"c++"};  ///< header and certificate; others: names of language_files()
 };
 void make_automaton_files(const AutomatonOptions& options);
 

@@ -18,12 +18,12 @@ set(door_parallel_ranges "<tbb/.*>")
 # The verifying programs write files as the others do. What the verifier reads, it reads by itself.
 set(door_reports "\"files/(output|report_output|system_calls).hpp\"")
 # The patch that a model checker is asked about, which a script writes.
-set(door_bounded "\"position.h\"")
+set(door_bounded "\"(position|side).h\"")
 # The readers of the program, for JavaScript.
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
 # The C header that the generator writes includes what programs of C need.
 set(door_templates "<std(bool|int).h>")
-set(door_check "<(stdio|stdlib|string).h>|\"restrip_tables.h\"")
+set(door_check "<(stdio|stdlib|string).h>|\"restrip_(automaton|tables).h\"")
 set(never_in_tools "restrip/tables/")
 # Bodies are private to the floor whose manual lies beside them; see below.
 set(never_in_examples "/impl/")
@@ -32,7 +32,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
-set(floors_verify files|position.h model certificate judge linked automaton|bound|bounded|sat)
+set(floors_verify files|position.h|side.h model certificate judge linked automaton|bound|bounded|sat)
 set(floors_tools files|restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
@@ -96,7 +96,7 @@ function(judge room source line out)
      OR source MATCHES "/verify/bounded/" AND what MATCHES "^(${door_bounded})$"
      OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
      OR source MATCHES "/generator/languages/templates/" AND what MATCHES "^(${door_templates})$"
-     OR source MATCHES "/generator/languages/templates/tables_check.c$" AND what MATCHES "^(${door_check})$"
+     OR source MATCHES "/generator/languages/templates/(automaton|tables)_check.c$" AND what MATCHES "^(${door_check})$"
      OR what MATCHES "^(${allowed_in_${room}})$")
     set(${out} FALSE PARENT_SCOPE)
     return()

@@ -57,6 +57,9 @@ int main(int argc, char** argv) {
       "The compiled automaton as well:\n"
       "  build/release/bin/restrip-verify-automaton --tables-dir tables \\\n"
       "    --dump-command \"build/release/bin/restrip-dump-tables --automaton\"\n"
+      "The look-up in C, from the folder that `restrip-generate automaton --language c` wrote:\n"
+      "  cc restrip_automaton_check.c -o check\n"
+      "  restrip-verify-automaton --digest-command ./check\n"
       "An automaton of another cost, alone in its folder:\n"
       "  build/release/bin/restrip-verify-automaton --tables-dir DIR\n"
       "Rows of a family whose ports may be given up:\n"
@@ -68,6 +71,14 @@ int main(int argc, char** argv) {
       "for the family");
   app.add_option("--dump-command", options.dump_command,
                  "A program that prints the compiled automaton; its numbers and answers are compared");
+  CLI::Option* const digest_command =
+      app.add_option("--digest-command", options.digest_commands,
+                     "A program that prints digests of the answers of a look-up in another language "
+                     "(docs/languages.md); may be repeated. They are compared with those of the certificate's answers");
+  app.add_option("--digest-max-k", options.digest_max_k, "The largest fans of the digests")
+      ->capture_default_str()
+      ->needs(digest_command)
+      ->check(CLI::Range(3U, largest_digest_fan));
   app.add_option("--tables-max-k", options.tables_max_k,
                  "The largest fans of the other certificates in the folder, and of the dump")
       ->capture_default_str()
@@ -87,8 +98,8 @@ int main(int argc, char** argv) {
   add_json_option(app, json);
   return exit_code_of(app, argc, argv, [&] {
     // What the other options ask for is then not done: that is no way to ignore them.
-    for (const char* name :
-         {"--operation", "--tables-dir", "--dump-command", "--tables-max-k", "--max-k", "--every", "--json"})
+    for (const char* name : {"--operation", "--tables-dir", "--dump-command", "--digest-command", "--digest-max-k",
+                             "--tables-max-k", "--max-k", "--every", "--json"})
       if (facts && !app.get_option(name)->empty())
         throw std::invalid_argument(
             fmt::format("--facts reads and searches nothing, so {} has no effect; leave it out", name));

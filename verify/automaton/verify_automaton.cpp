@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "automaton/automaton_digests.hpp"
 #include "automaton/automaton_dump.hpp"
 #include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
@@ -105,6 +106,17 @@ AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimLis
   if (!options.dump_command.empty())
     tell_dump(check_automaton_dump_of(options.dump_command, certificate, options.tables_max_k), options.tables_max_k,
               totals, teller);
+
+  if (!options.digest_commands.empty()) {
+    const Digests digests = automaton_digests(certificate, options.digest_max_k);
+    for (const std::string& command : options.digest_commands) {
+      totals.read.of_headers.emplace_back("digests of a look-up");
+      DigestComparison found = compare_digests_of(command, digests);
+      if (!found.fault.empty()) found.differences.add(found.fault);
+      teller.tell("a look-up answers as the certificate does", fmt::format("k <= {}, digests", options.digest_max_k),
+                  found.positions, found.differences);
+    }
+  }
 
   for (const Family& family : all_families(options.tables_max_k)) {
     if (certificate.weights != strips_weights || family.sections.front().operations.front().may_give_up != 0) continue;

@@ -26,7 +26,7 @@ std::string words_of(const Operation& operation) {
 }
 
 /// The lines that are still missing are those of `expected`.
-void read_lines(StreamLines& lines, std::map<std::string, std::uint32_t> expected, DigestComparison& result) {
+void read_lines(StreamLines& lines, Digests expected, DigestComparison& result) {
   while (!expected.empty()) {
     const std::string& missing = expected.begin()->first;
     const std::string_view line = lines.next(missing);
@@ -58,12 +58,12 @@ void AnswerDigests::add(const Operation& operation, Colors configuration, const 
   *digest_ += mixed(configuration.inner, configuration.ports, bits);
 }
 
-DigestComparison compare_digests(std::FILE* stream, const AnswerDigests& expected) {
+DigestComparison compare_digests(std::FILE* stream, const Digests& expected) {
   return found_in<DigestComparison>(
-      stream, [&](StreamLines& lines, DigestComparison& result) { read_lines(lines, expected.by_position(), result); });
+      stream, [&](StreamLines& lines, DigestComparison& result) { read_lines(lines, expected, result); });
 }
 
-DigestComparison compare_digests_of(const std::string& program, const AnswerDigests& expected) {
+DigestComparison compare_digests_of(const std::string& program, const Digests& expected) {
   return checked_output_of(program, [&](std::FILE* stream) { return compare_digests(stream, expected); });
 }
 

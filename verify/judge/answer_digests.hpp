@@ -16,17 +16,20 @@ namespace restrip::verify {
 
 struct Answer;
 
-/// The digests of shipped operations, by the words of their lines: "0 3 1 0".
+/// Digests by the words of their lines: "0 3 1 0".
+using Digests = std::map<std::string, std::uint32_t>;
+
+/// Those of shipped operations.
 class AnswerDigests {
  public:
   /// Counts an answer in; its changes must be told.
   void add(const Operation& operation, Colors configuration, const std::optional<Answer>& answer);
-  const std::map<std::string, std::uint32_t>& by_position() const { return digests_; }
+  const Digests& by_position() const { return digests_; }
 
  private:
   const Operation* last_ = nullptr;
   std::uint32_t* digest_ = nullptr;  ///< of the last operation
-  std::map<std::string, std::uint32_t> digests_;
+  Digests digests_;
 };
 
 struct DigestComparison {
@@ -36,9 +39,9 @@ struct DigestComparison {
 };
 
 /// Every position must have its line, in any order; the last line says that there are no rules elsewhere.
-DigestComparison compare_digests(std::FILE* stream, const AnswerDigests& expected);
+DigestComparison compare_digests(std::FILE* stream, const Digests& expected);
 
 /// Runs the program and compares what it prints; a program that fails is a fault.
-DigestComparison compare_digests_of(const std::string& program, const AnswerDigests& expected);
+DigestComparison compare_digests_of(const std::string& program, const Digests& expected);
 
 }  // namespace restrip::verify

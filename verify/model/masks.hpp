@@ -57,13 +57,17 @@ struct AnswerBits {
   Mask colors = 0;
   int strips = 0;
 };
-/// A configuration with its answer, if there is one, as docs/certificate.md, "Digests of answers", mixes them.
-constexpr std::uint32_t mixed(Mask before, Mask ports, const std::optional<AnswerBits>& answer) {
-  std::uint32_t h = answer ? 0x80000000U | static_cast<std::uint32_t>(answer->strips + 8) << 16U | answer->colors : 0;
-  h ^= before * 0x9e3779b1U ^ ports * 0x85ebca77U;
+/// Three numbers as docs/certificate.md, "Digests of answers", mixes them.
+constexpr std::uint32_t mixed_number(Mask before, Mask ports, std::uint32_t answer) {
+  std::uint32_t h = answer ^ before * 0x9e3779b1U ^ ports * 0x85ebca77U;
   h = (h ^ h >> 16U) * 0x85ebca6bU;
   h = (h ^ h >> 13U) * 0xc2b2ae35U;
   return h ^ h >> 16U;
+}
+/// A configuration with its answer, if there is one.
+constexpr std::uint32_t mixed(Mask before, Mask ports, const std::optional<AnswerBits>& answer) {
+  return mixed_number(
+      before, ports, answer ? 0x80000000U | static_cast<std::uint32_t>(answer->strips + 8) << 16U | answer->colors : 0);
 }
 
 /// Up to 256 bits in a row, to be compared as a whole.

@@ -65,14 +65,25 @@ def must_be_equal(what, found, expected):
 
 
 class Language:
-    """How the programs of a language are made and run. `check` is the one that prints digests; `flags` are those with which all
-    of them are asked; `expected` gives those of C++ up to some k."""
+    """How the programs of a language are made and run. `stem` is what its files begin with; `check` is the program that prints
+    digests; `flags` are those with which all of them are asked; `expected` gives those of C++ up to some k. `rules` finds what is
+    altered for each of `families`."""
+    stem = "restrip_tables"
+    families = tuple(READERS)
     flags = ()
     expected = None
 
+    @property
+    def file(self):
+        return self.stem + self.extension
+
+    @property
+    def check(self):
+        return f"{self.stem}_check{self.check_extension}"
+
     def digests(self, folder, scratch, max_k):
         """The command that prints the digests up to this k."""
-        return *self.program((folder / self.check).read_text(encoding="utf-8"), folder, scratch, *(self.flags if max_k == MAX_K else ())), max_k
+        return *self.program((folder / self.check).read_text(encoding="utf-8"), folder, scratch, *(self.flags if max_k >= MAX_K else ())), max_k
 
     def wanted(self, answers):
         return answers
@@ -85,7 +96,7 @@ class Language:
         text = (folder / self.file).read_text(encoding="utf-8")
         altered = scratch / "altered"
         answers = {}
-        for family in READERS:
+        for family in self.families:
             rules = re.search(self.rules.format(family=family, FAMILY=family.upper()), text)
             number = re.compile(r"\b(?!0\b|255\b)\d+").search(text, rules.end())
             (altered / self.file).write_text(text[:number.start()] + str(int(number[0]) ^ 1) + text[number.end():], encoding="utf-8")
@@ -97,7 +108,7 @@ class Language:
 
 
 class C(Language):
-    file, check, block = "restrip_tables.h", "restrip_tables_check.c", "c"
+    extension, check_extension, block = ".h", ".c", "c"
     rules = r"restrip_{family}_rules\[\d+\] = "
     flags = ("-O1",)
     sanitizers = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all")
@@ -119,7 +130,7 @@ class C(Language):
         source = (folder / self.check).read_text(encoding="utf-8")
         must_be_equal("with sanitizers", run(*self.program(source, folder, scratch, "-O1", *self.sanitizers), 6), self.expected(6))
         data = scratch / "data.c"
-        data.write_text('#define RESTRIP_TABLES_IMPLEMENTATION\n#include "restrip_tables.h"\n', encoding="utf-8")
+        data.write_text(f'#define {self.stem.upper()}_IMPLEMENTATION\n#include "{self.file}"\n', encoding="utf-8")
         run(self.gcc, "-std=c99", "-O2", "-ffreestanding", "-I", folder, "-c", data, "-o", scratch / "data.o")
         called = run("nm", "--undefined-only", scratch / "data.o")
         if called:
@@ -128,7 +139,7 @@ class C(Language):
 
 
 class Json(Language):
-    file, check, block = "restrip_tables.json", "restrip_tables_check.mjs", "python"
+    extension, check_extension, block = ".json", ".mjs", "python"
     rules = r'"{family}": (?:\[|\{{(?s:.*?)"rules": \[)'
 
     def __init__(self, node, python=None):
@@ -142,10 +153,7 @@ class Json(Language):
 
     def more(self, folder, scratch):
         """The file is as the schema says; files that are not are told apart."""
-        schema = json.loads((ROOT / "docs/tables.schema.json").read_text(encoding="utf-8"))
-        tables = json.loads((folder / self.file).read_text(encoding="utf-8"))
-        if not fits(schema, tables, schema):
-            raise SystemExit(f"{self.file} is not as docs/tables.schema.json says")
+        schema, tables = self.as_schema_says(folder, "docs/tables.schema.json")
         for arrays in tables["families"].values():
             del arrays["rules"][5:]  # enough to be spoilt
         for member in tables:
@@ -159,9 +167,17 @@ class Json(Language):
             if fits(schema, spoilt, schema):
                 raise SystemExit("docs/tables.schema.json takes tables that are wrong")
 
+    def as_schema_says(self, folder, page):
+        """Schema and file."""
+        schema = json.loads((ROOT / page).read_text(encoding="utf-8"))
+        tables = json.loads((folder / self.file).read_text(encoding="utf-8"))
+        if not fits(schema, tables, schema):
+            raise SystemExit(f"{self.file} is not as {page} says")
+        return schema, tables
+
 
 class Rust(Language):
-    file, check, block = "restrip_tables.rs", "restrip_tables_check.rs", "rust"
+    extension, check_extension, block = ".rs", ".rs", "rust"
     rules = r"const {FAMILY}_RULES: .* = &"
     flags = ("-C", "opt-level=1")
 
@@ -183,7 +199,7 @@ class Rust(Language):
         self.program(f"#![no_std]\n#![forbid(unsafe_code)]\npub mod {module};\n", folder, scratch, "--crate-type", "lib")
 
     def more(self, folder, scratch):
-        self.core_alone("restrip_tables", folder, scratch)
+        self.core_alone(self.stem, folder, scratch)
 
 
 class Shader(Language):
@@ -191,7 +207,7 @@ class Shader(Language):
 
     def digests(self, folder, scratch, max_k):
         program = self.program((folder / self.check).read_text(encoding="utf-8"), folder, scratch)
-        return *program, self.lines(scratch, max_k), folder / "restrip_tables.bin"
+        return *program, self.lines(scratch, max_k), folder / f"{self.stem}.bin"
 
     def lines(self, scratch, max_k):
         """A file that says which positions are asked."""
@@ -205,15 +221,15 @@ class Shader(Language):
     def answers(self, folder, scratch, max_k):
         """Of the tables; and, because a device takes long to start, of those with an altered rule."""
         answers, *others = re.split("^== .*\n", run(*self.digests(folder, scratch, max_k), *self.altered_files(folder, scratch)), flags=re.M)
-        self.others = dict(zip(READERS, others))
+        self.others = dict(zip(self.families, others))
         return answers
 
     def altered_files(self, folder, scratch):
         """For each family a file in which the first byte of its rules that is not 0 is altered."""
-        data = (folder / "restrip_tables.bin").read_bytes()
+        data = (folder / f"{self.stem}.bin").read_bytes()
         text = (folder / self.file).read_text(encoding="utf-8")
-        for family in READERS:
-            word = int(re.search(rf"RESTRIP_{family.upper()}_RULES = u?vec2(?:<u32>)?\((\d+)u,", text)[1])
+        for family in self.families:
+            word = int(re.search(rf"RESTRIP_{family.upper()}_(?:RULES|OF_AUTOMATON) = u?vec2(?:<u32>)?\((\d+)u,", text)[1])
             at = next(i for i in range(4 * word, len(data)) if data[i] not in (0, 255))
             file = scratch / "altered" / f"{family}.bin"
             file.write_bytes(data[:at] + bytes([data[at] ^ 1]) + data[at + 1:])
@@ -223,21 +239,21 @@ class Shader(Language):
         return self.others
 
     def example(self, text, folder, scratch):
-        return run(*self.program(text, folder, scratch), "words", 4, folder / "restrip_tables.bin")
+        return run(*self.program(text, folder, scratch), "words", 4, folder / f"{self.stem}.bin")
 
     def more(self, folder, scratch):
         """The first word of the data is the checksum of the others, which the look-up names."""
-        words = memoryview((folder / "restrip_tables.bin").read_bytes()).cast("I")
+        words = memoryview((folder / f"{self.stem}.bin").read_bytes()).cast("I")
         checksum = 0x811c9dc5
         for word in words[1:]:
             checksum = (checksum ^ word) * 0x01000193 & 0xffffffff
-        named = re.search(r"RESTRIP_CHECKSUM = (0x[0-9a-f]{8})u;", (folder / self.file).read_text(encoding="utf-8"))[1]
+        named = re.search(r"RESTRIP_CHECKSUM(?:_OF_AUTOMATON)? = (0x[0-9a-f]{8})u;", (folder / self.file).read_text(encoding="utf-8"))[1]
         if not words[0] == checksum == int(named, 16):
             raise SystemExit(f"checksums: {words[0]:#x} in the data, {checksum:#x} of the data, {named} in {self.file}")
 
 
 class Wgsl(Shader):
-    file, check, block = "restrip_tables.wgsl", "restrip_tables_check.wgsl", "wgsl"
+    extension, check_extension, block = ".wgsl", ".wgsl", "wgsl"
 
     def __init__(self, node, chromium):
         self.node, self.chromium = node, chromium
@@ -250,7 +266,7 @@ class Wgsl(Shader):
 
 
 class Glsl(Shader):
-    file, check, block = "restrip_tables.glsl", "restrip_tables_check.comp", "glsl"
+    extension, check_extension, block = ".glsl", ".comp", "glsl"
 
     def __init__(self, glslang, vulkan):
         self.glslang, self.vulkan = glslang, vulkan
