@@ -40,9 +40,10 @@ CLI::Option* add_language_option(CLI::App& command, std::set<std::string>& langu
                                  const char* in_others) {
   return command
       .add_option("--language", languages,
-                  fmt::format("c++ (the default: {}), c, rust, json, glsl or wgsl: {} and look-up; may be given "
-                              "several times",
+                  fmt::format("c++ (the default: {}), c, rust, json, glsl or wgsl: {} and look-up; several with "
+                              "commas between them",
                               of_cpp, in_others))
+      ->delimiter(',')
       ->check(CLI::IsMember(language_files()))
       ->allow_extra_args(false);
 }
@@ -109,7 +110,7 @@ int main(int argc, char** argv) {
       "  restrip-generate tables --shard 2/2 --out /tmp/shards\n"
       "  restrip-generate merge --in /tmp/shards --out /tmp/tables\n"
       "Example, restrip_tables.h and restrip_tables.json:\n"
-      "  restrip-generate tables --language c --language json --out /tmp/tables\n");
+      "  restrip-generate tables --language c,json --out /tmp/tables\n");
 
   std::string merge_in;
   std::string merge_out;
@@ -146,7 +147,7 @@ int main(int argc, char** argv) {
       "\nExamples:\n"
       "  restrip-generate automaton --cost strips --out /tmp/automaton\n"
       "  restrip-generate automaton --cost 5,2,0 --out /tmp/automaton\n"
-      "  restrip-generate automaton --language c --language rust --out /tmp/automaton\n"
+      "  restrip-generate automaton --language c,rust --out /tmp/automaton\n"
       "  restrip-generate automaton --operation my-family.json --out /tmp/automaton\n");
 
   RulesOptions rules;
@@ -164,7 +165,7 @@ int main(int argc, char** argv) {
   rules_command->footer(
       "\nExamples, from the top of the source tree; the second writes restrip_bisect.h and restrip_bisect.rs:\n"
       "  restrip-generate rules --operation tables/operations/bisect.json --out /tmp/rules\n"
-      "  restrip-generate rules --operation tables/operations/bisect.json --language c --language rust --out "
+      "  restrip-generate rules --operation tables/operations/bisect.json --language c,rust --out "
       "/tmp/rules\n");
 
   std::string family = "split";
