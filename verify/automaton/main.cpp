@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "automaton/automaton_digests.hpp"
 #include "automaton/facts.hpp"
 #include "automaton/verify_automaton.hpp"
 #include "files/report_output.hpp"
@@ -103,7 +104,7 @@ int main(int argc, char** argv) {
       if (facts && !app.get_option(name)->empty())
         throw std::invalid_argument(
             fmt::format("--facts reads and searches nothing, so {} has no effect; leave it out", name));
-    for (const char* name : {"--tables-max-k", "--every"})
+    for (const char* name : {"--tables-max-k", "--every", "--digest-command"})
       if (!options.operation.empty() && !app.get_option(name)->empty())
         throw std::invalid_argument(fmt::format("{} has no effect with --operation; leave it out", name));
     if (!facts) return run(options, json);
