@@ -1,4 +1,7 @@
 // The tables of operation files and of a family, and what is printed of them.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 
@@ -29,7 +32,7 @@ using Family = tables::SurfaceFamily<std::uint16_t, 67, 2, 4, 8>;
 /// Two positions of a family: bisect twice, the second one behind some entries that are never read.
 Family family_of_two() {
   Family family{};
-  family.position = "k {0} a {1}, {2}{3 {x} {1";
+  family.position = "k {0} a {1}, {2}{3 {x} {!} {3} {1";
   for (std::size_t place = 0; place < 2; ++place) {
     const std::size_t first = 35 * place;
     std::copy(tables::bisect.entries.begin(), tables::bisect.entries.end(), family.entries.begin() + first);
@@ -89,10 +92,25 @@ void defaults() {
   const tables::SurfaceOperation<std::uint8_t, 1, 1, 1> operation{};
   const tables::SurfaceFamily<std::uint8_t, 1, 1, 1, 1> family{};
   const tables::PositionTable<std::uint8_t> view;
+  told.add(sizeof(tables::PatchTriangle), sizeof(tables::FamilyNumbers));
   told.add(place.before.triangles, place.before.edges, place.ports, place.first, place.numbers[0]);
   told.add(triangles.vertices, triangles.first_before, triangles.first_after, triangle.from, triangle.from_side);
   told.add(table.ports, table.matching, operation.vertices, family.matching, *family.position);
   told.add(view.ports, view.matching, view.vertices, view.entries == nullptr);
+}
+
+/// What a dump tells that cannot be written, and one after an error.
+void not_written() {
+  std::fflush(stdout);
+  const int told = dup(1);
+  const int full = open("/dev/full", O_WRONLY);
+  dup2(full, 1);
+  const int first = tables::print_dump("bisect", tables::bisect);
+  dup2(told, 1);
+  const int second = tables::print_dump("bisect", tables::bisect);
+  std::clearerr(stdout);
+  Digest answers("written");
+  answers.add(first, second);
 }
 
 }  // namespace
@@ -107,7 +125,11 @@ int main(int argc, char** argv) {
   int ended = tables::print_dump("bisect", tables::bisect);
   ended += tables::print_dump("bisect_matching", tables::bisect_matching);
   ended += tables::print_dump("family", family);
+  Family matching = family_of_two();
+  matching.matching = true;
+  ended += tables::print_dump("matching", matching);
   ended += tables::print_dump("entries", static_cast<const tables::OperationTable<std::uint16_t, 32>&>(tables::bisect));
   ended += tables::print_dump("positions", static_cast<const tables::OperationFamily<std::uint16_t, 67, 2>&>(family));
+  not_written();
   return ended;
 }

@@ -76,6 +76,10 @@ void defaults() {
   const Gap gap;
   told.add(flip.inner, flip.ports, flip.strips, flip.valid, split.k, split.a, gaps.k, gaps.i, gaps.j, gap.k, gap.i);
   told.add(table_max_k, max_word_valence);
+  // Tables of k > 8 have larger numbers.
+  told.add(sizeof(tables::closed_rows), sizeof(tables::split), sizeof(tables::flip), sizeof(TableIndex<9>),
+           sizeof(RowStarts<9>), sizeof(Pairings<1>), sizeof(Pairings<1, 9>), sizeof(RuleTable<Word, 9, 1>),
+           sizeof(LinkedTable<8, 1, 1>), sizeof(LinkedTable<9, 1, 1>));
 }
 
 }  // namespace
