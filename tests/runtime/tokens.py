@@ -163,7 +163,7 @@ class Workshop:
         """A header with the standard headers of the programs; all but "standard" have the tables, too."""
         lines = self.standard if name == "standard" else self.standard + [
             "#include <%s>\n" % word for word in ("array", "span", "type_traits", "limits")] + [
-            "#include \"restrip/tables/%s.hpp\"\n" % word for word in HEADERS]
+            "#include \"restrip/tables/" + word + ".hpp\"\n" for word in HEADERS]
         header = self.folder / (name + ".hpp")
         header.write_text("".join(lines))
         folders = [word for each in self.folders(name) for word in ("-I", each)]
