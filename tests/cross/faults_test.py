@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Claim: a fault of one token in anything that ships is refused by a command that ships, and a run that did not read it
-says so. The faults are in headers of tables, formats, look-ups, automata, tables in C, Rust, JSON, GLSL and WGSL,
-families.json and operation files; docs/trust.md lists them by this table. Each is put into a copy alone, or beside
+says so. The faults are in headers of tables, formats, look-ups, automata, tables and look-ups in C,
+Rust, JSON, GLSL and WGSL, families.json and operation files; docs/trust.md lists them by this table. Each is put into a copy alone, or beside
 others that another run judges, and the command must exit with an error and a sentence that names it. Without a fault
 every command ends with what it has read.
 
@@ -92,13 +92,22 @@ FILES = [
     ("the rows of a header in the MANIFEST", "MANIFEST", token(" 12411 include", " 999 include"), "split.hpp: 999 rows listed, 12411 found"),
     ("families", "families.json", token('"at_most": [{"strips": 1, "isolated": 2}]', '"at_most": [{"strips": 1, "isolated": 3}]'), "families.json: wrong checksum"),
 ]
-# Tables in other languages: the digests of the answers differ, or what they tell. The last is in the data of both shaders.
+# Of its look-up in C, which prints its answers as a dump.
+OPERATION_IN_C = [
+    ("an entry in C", "restrip_bisect.h", token("112, 113, 210", "112, 112, 210"), "port 0 is given up and may not be"),
+    ("a token in C", "restrip_bisect.h", token("rule.colors = entry >> port_count", "rule.colors = entry << port_count"), "line 3: table bisect: expected"),
+    ("what an answer in C tells", "restrip_bisect.h", token("restrip_after_of_bisect[place] - ", "restrip_after_of_bisect[place] + "), "the table tells "),
+]
+# Tables in other languages: the digests of the answers differ, or what they tell. Both shaders read the same data.
 LANGUAGES = [
     ("a number in C", "c", "restrip_tables.h", number_behind(r"restrip_split_rules\[\d+\] = \{\s*")),
     ("a token in C", "c", "restrip_tables.h", token("exchange ? arc + 1 : 0", "exchange ? arc + 2 : 0")),
     ("a number in Rust", "rust", "restrip_tables.rs", number_behind(r"const COLLAPSE_RULES: .* = &\[\s*")),
     ("a token in Rust", "rust", "restrip_tables.rs", token("{ arc + 1 }", "{ arc + 2 }")),
     ("a number in JSON", "json", "restrip_tables.json", number_behind(r'"flip": \[\s*')),
+    ("a token of the reader of JSON", "json", "restrip_tables.mjs", token("turned(ports, p, k)", "turned(ports, k, p)")),
+    ("a number in the data of GLSL", "glsl", "restrip_tables.bin", None),
+    ("a number in the data of WGSL", "wgsl", "restrip_tables.bin", None),
     ("a token in GLSL", "glsl", "restrip_tables.glsl", token("exchange ? arc + 1u : 0u", "exchange ? arc + 2u : 0u")),
     ("a token in WGSL", "wgsl", "restrip_tables.wgsl", token("select(0u, arc + 1u, exchange)", "select(0u, arc + 2u, exchange)")),
 ]
@@ -112,6 +121,14 @@ def put_in(file, fault):
     if count != 1 or altered == text:
         raise SystemExit(f"{file}: the fault does not fit: {pattern.pattern}")
     file.write_text(altered, encoding="utf-8")
+
+
+def alter_data(folder):
+    """Another first rule of splits in the data of the shaders."""
+    place = re.search(r"RESTRIP_SPLIT_RULES = uvec2\((\d+)u", (folder / "restrip_tables.glsl").read_text(encoding="utf-8"))
+    data = bytearray((folder / "restrip_tables.bin").read_bytes())
+    data[4 * int(place[1])] ^= 1
+    (folder / "restrip_tables.bin").write_bytes(data)
 
 
 def run(*command, **more):
@@ -196,6 +213,43 @@ def check_operation(scratch):
         refused(f"{what} (tables/{file})", sentence, verify(copy))
 
 
+def check_operation_in_c(scratch):
+    tables = ROOT / "tables"
+
+    def verify(folder):
+        (folder / "print.c").write_text("""#include <stdio.h>
+#define RESTRIP_BISECT_IMPLEMENTATION
+#include "restrip_bisect.h"
+int main(void) {
+  uint32_t inner, ports;
+  printf("restrip-table-dump 4\\ntable bisect\\n");
+  for (inner = 0; inner < 2; ++inner)
+    for (ports = 0; ports < 16; ++ports) {
+      const restrip_operation_rule rule = restrip_rule_of_bisect(inner, ports);
+      printf("%x %x ", (unsigned)inner, (unsigned)ports);
+      if (rule.valid)
+        printf("%x %x %d\\n", (unsigned)rule.colors, (unsigned)rule.ports, (int)rule.strips);
+      else
+        printf("-\\n");
+    }
+  printf("end 32\\n");
+  return 0;
+}
+""", encoding="utf-8")
+        language_test.run(ARGUMENTS.c_compiler, "-std=c99", folder / "print.c", "-o", folder / "print")
+        return run(BIN / "restrip-verify", "--operation", tables / "operations/bisect.json", "--certificate", tables / "certificates/operations/bisect.cert",
+                   "--header", tables / "include/restrip/tables/operations/bisect.hpp", "--dump-command", folder / "print")
+
+    sound = scratch / "operation-c"
+    language_test.run(BIN / "restrip-generate", "rules", "--operation", tables / "operations/bisect.json", "--language", "c", "--out", sound)
+    accepted("an operation in C", "certificates, header texts and compiled tables", verify(sound))
+    for number, (what, file, fault, sentence) in enumerate(OPERATION_IN_C):
+        copy = scratch / f"operation-c-{number}"
+        shutil.copytree(sound, copy)
+        put_in(copy / file, fault)
+        refused(f"{what}, of an operation ({file})", sentence, verify(copy))
+
+
 def check_files(scratch):
     def verify(copy):
         return run(BIN / "restrip-verify", "--tables-dir", copy / "tables", "--family", "flip")
@@ -236,7 +290,10 @@ def check_languages(scratch):
             continue
         copy = scratch / f"{name}-{number}"
         shutil.copytree(tables, copy)
-        put_in(copy / file, fault)
+        if fault:
+            put_in(copy / file, fault)
+        else:
+            alter_data(copy)
         refused(f"{what} ({file})", "the answers that were judged make it", judged(name, copy))
 
 
@@ -254,6 +311,7 @@ def main():
         scratch = Path(name)
         check_files(scratch)
         check_operation(scratch)
+        check_operation_in_c(scratch)
         check_headers(scratch)
         check_languages(scratch)
     print("\n".join(f"refused: {what}" for what in REFUSED))

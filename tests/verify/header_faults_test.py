@@ -27,7 +27,7 @@ OUTLOOK = "operations/impl/outlook.hpp"
 SITES = [
     (KEY, "if (!", "has(inner, k + 2)", ["true", "false"], "collapse"),
     (KEY, "return {back(along | name_of_pair(ring, pair, elements)), ", "back(pair)", ["0"], "linked-collapse"),
-    (RULES, "reversed(seen & low_bits(k + 1), ", "k + 1", ["k"], "open-split"),
+    (RULES, "reversed(seen, ", "k + 1", ["k"], "open-split"),
     (RULES, "return turned_down(inner & low_bits(k + 2), exchange ? ", "arc + 1", ["arc", "a + 1"], "split"),
     (RULES, "const std::size_t by = exchange ? ", "a", ["k - a"], "split"),
     (RULES, "turned_down(ports, by, k), turned_down(joined, ", "by", ["0"], "split"),

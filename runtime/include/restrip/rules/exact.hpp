@@ -70,7 +70,7 @@ inline constexpr std::size_t max_stack_valence = 64;
 /// walk(room, color) as in arc_walk.hpp.
 template <class Walk>
 constexpr Recoloring on_word(const restrip::detail::Layout& patch, Word ports, Walk&& walk) noexcept {
-  ArcEntry room[max_stack_valence + 2];
+  ArcEntry room[max_word_valence + 2];
   Recoloring result;
   walk(room, [&](std::size_t edge, bool solid) { result.colors |= Word{solid} << edge; });
   result.value = {count_bits(result.colors), restrip::detail::isolated(patch, result.colors, ports)};

@@ -52,9 +52,9 @@ constexpr Word ends_over_chord(const Layout& patch, Word edges, Word ports) noex
   return one != two && has(ports, one) && has(ports, two) ? bit(one) | bit(two) : 0;
 }
 
-/// The bit that names a joined pair in a key; zero when there is none, or none that a key can name.
+/// The bit that names a joined pair in a key; zero when there is none, or none that a key can name. (Without ends all
+/// of these masks are zero.)
 constexpr Word name_of_pair(const Layout& patch, Word ends, Word ports) noexcept {
-  if (ends == 0) return 0;
   const Word high = std::bit_floor(ends);
   const Word low = ends ^ high;
   const Word within = (high | (high - 1)) & ~(low - 1);
@@ -98,7 +98,7 @@ constexpr bool valid(const Layout& patch, Word inner, Word fan_ports) noexcept {
   RESTRIP_ASSERT(patch.k <= max_word_valence, "key of a mask", no_such_fan);
   if ((inner & ~low_bits(patch.colors())) != 0 || (fan_ports & ~low_bits(patch.k)) != 0) return false;
   const Word edges = inner & low_bits(patch.edges());
-  const Word below = (edges << 1) | (patch.ring ? edges >> (patch.size() - 1) : 0);
+  const Word below = (edges << 1) | (edges >> (patch.size() - 1));  // a path has no edge to bring round
   const bool chord = patch.has_chord() && has(inner, patch.chord());
   // To A and D the chord is what a port is to the others: the third edge.
   const Word third = patch.spread(fan_ports) | (chord ? bit(patch.inserted) | bit(patch.opposite) : 0);

@@ -175,7 +175,7 @@ constexpr Word split_cell(std::size_t k, std::size_t a, Word ports, Word joined)
   const std::size_t place = low * (k + 1 - low) + (high - low - 1);
   const Word seen =
       detail::cell(tables::open_split, tables::open_rows, k, place, seen_ports, joined_open(k, seen_loop, seen_ports));
-  const Word inner = mirrored ? detail::reversed(seen & low_bits(k + 1), k + 1) | (seen & bit(k + 1)) : seen;
+  const Word inner = mirrored ? detail::reversed(seen, k + 1) | (seen & bit(k + 1)) : seen;
   return detail::rule(inner, loop, 2);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 
 #include "restrip/rules/bits.hpp"
 #include "restrip/rules/impl/layout.hpp"
@@ -22,14 +23,11 @@ struct Walker {
   }
   bool chord() const noexcept { return patch.has_chord() && inner[patch.chord()]; }
 
-  // The far end of the strand at an element with exactly one solid edge in the row. Counting the steps keeps invalid
-  // colours from walking for ever.
+  // The far end of the strand at an element with exactly one solid edge in the row. In a ring the other one ends it.
   std::size_t strand_end(std::size_t at) const noexcept {
     const std::size_t n = patch.size();
     const bool up = above(at);
-    for (std::size_t steps = 0; steps < n && (up ? above(at) : below(at)); ++steps) {
-      at = up ? (at + 1) % n : (at + n - 1) % n;
-    }
+    while (up ? above(at) : below(at)) at = up ? (at + 1) % n : (at + n - 1) % n;
     return at;
   }
 
@@ -51,11 +49,11 @@ struct Walker {
     result.clear(patch.k);
     const std::size_t n = patch.size();
     bool live = false;  // a strand from a solid port comes in from below
-    // In a ring the first round only finds out what comes in at its start.
-    for (int round = patch.ring ? 0 : 1; round < 2; ++round) {
+    // The first round only finds out what comes in at the start of a ring.
+    for (const bool known : {false, true}) {
       for (std::size_t e = 0; e < n; ++e) {
         const bool solid_port = port(e);
-        if (round == 1 && live && solid_port) result.set(patch.port(e));
+        if (known && live && solid_port) result.set(patch.port(e));
         live = above(e) && (live || solid_port);
       }
     }
@@ -84,7 +82,7 @@ struct Walker {
     if (patch.ring && all_solid(0, patch.edges())) return false;
     if (!chord()) return true;
     if (all_solid(patch.inserted, patch.opposite)) return false;
-    return !patch.ring || !(all_solid(0, patch.inserted) && all_solid(patch.opposite, patch.edges()));
+    return !patch.ring || !all_solid(patch.opposite, patch.edges());  // A is the first element of a ring
   }
 };
 

@@ -75,7 +75,7 @@ constexpr Layout path(std::size_t k, std::size_t i) noexcept {
 /// Isolated triangles of a patch with these colours.
 constexpr int isolated(const Layout& patch, Word inner, Word ports) noexcept {
   const Word edges = inner & low_bits(patch.edges());
-  const Word wrap = patch.ring ? edges >> (patch.size() - 1) : 0;
+  const Word wrap = edges >> (patch.size() - 1);  // of a ring; a path has no such edge
   Word touched = edges | edges << 1 | wrap | patch.spread(ports);
   if (patch.has_chord() && has(inner, patch.chord())) touched |= bit(patch.inserted) | bit(patch.opposite);
   return static_cast<int>(patch.size()) - count_bits(touched & low_bits(patch.size()));
