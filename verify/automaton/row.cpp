@@ -14,7 +14,7 @@ namespace restrip::verify {
 namespace {
 
 /// The edge between two triangles, if there is one.
-std::optional<unsigned> edge_between(const Side& side, unsigned one, unsigned other) {
+std::optional<unsigned> edge_joining(const Side& side, unsigned one, unsigned other) {
   for (unsigned e = 0; e < side.inner_edges(); ++e)
     if (side.edges[e] == std::array{one, other} || side.edges[e] == std::array{other, one}) return e;
   return {};
@@ -34,7 +34,7 @@ std::optional<TriangleRow> row_from(const Side& side, unsigned first, bool front
       side.inner_edges() + 1 != side.triangles)
     return {};
   for (unsigned i = 0; i + 1 < owners.size(); ++i) {
-    const auto edge = edge_between(side, owners[i], owners[i + 1]);
+    const auto edge = edge_joining(side, owners[i], owners[i + 1]);
     if (!edge) return {};
     row.edges.push_back(*edge);
   }
