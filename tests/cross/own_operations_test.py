@@ -243,7 +243,7 @@ def check_automaton():
     }
     rows = [SCRATCH / file for file in ("include/restrip/tables/row_automaton.hpp", "certificates/row-automaton.cert")]
     for name in ("fan-becomes-star", "corner-turns", *refused, "fan-turns", "hub-goes", "ear-goes"):
-        file = next(CORPUS.parent.glob(f"**/{name}.json"), None) or FAMILIES.parent / f"operations/{name}.json"
+        file = next(CORPUS.glob(f"**/{name}.json"), None) or FAMILIES.parent / f"operations/{name}.json"
         done = run(GENERATOR, "automaton", "--operation", file, "--out", SCRATCH)
         header = SCRATCH / f"include/restrip/automaton/{name.replace('-', '_')}.hpp"
         if name in refused:
