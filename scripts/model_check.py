@@ -61,8 +61,8 @@ def keyed(header, max_k, min_k=1):
     """Every position of the automaton: its name, its question, the side after, twice."""
     with open(header, encoding="utf-8") as file:
         cost = re.search(r"cost, which is (\d+) for a strip, (\d+) for a swap and\n// (\d+) for", file.read())
-    if not cost or cost[2] != "0":
-        raise ValueError("%s: no automaton, or swaps have a price, which is not judged" % header)
+    if not cost or cost[2] != "0" and max_k > 0:
+        raise ValueError("%s: no automaton, or swaps have a price, which is not judged; --max-k 0 asks any arguments alone" % header)
     question = ("const restrip_key key = {ports, joined, 0, 0}; const restrip_recoloring r = restrip_best_%s(%s, key); "
                 "return (answer){(u32)r.colors, r.valid && r.colors >> 32 == 0};")
     for k in range(min_k, max_k + 1):
@@ -96,6 +96,7 @@ def position_text(header, question, before, after, words):
         lines += ["enum { TRIANGLES_%s = %d, EDGES_%s = %d };" % (when.upper(), triangles, when.upper(), len(edges))]
         for name, numbers in ("one", [e[0] for e in edges]), ("other", [e[1] for e in edges]), ("owner", owners):
             lines.append("static const unsigned char %s_%s[] = {%s};" % (when, name, ", ".join(str(n) for n in numbers or [0])))
+    words = dict(words)
     arguments = words.pop("ARGUMENTS", "u32 inner, u32 ports")
     counted = {"PORTS": len(before[2]), "MOST": 2, "MAY_GO": 0, "COUNTS": 1, "ANY_COLORS": 0, **words}
     lines += [] if after[1] or counted["MAY_GO"] else ["#define ONE_RECOLORING"]
@@ -104,8 +105,9 @@ def position_text(header, question, before, after, words):
 
 
 def without_data(text):
-    """An implementation in which what is read of an array is any number up to the largest that the array holds: whatever is
-    proved of that holds with the array itself. Long chains of reads make formulas that are too large."""
+    """An implementation in which what is read of an array is any number up to the largest that the array holds, and of an arc
+    any entry, as each that is stored is one: whatever is proved of that holds with the arrays themselves. Long chains of reads
+    make formulas that are too large."""
     arrays = re.findall(r"^static const uint\d+_t (restrip_\w+)\[(\d+)\] = \{([^}]*)\};$", text, re.M)
     for name, length, numbers in arrays:
         text = text.replace("] = {%s};" % numbers, "];")
@@ -118,21 +120,32 @@ def without_data(text):
         largest = max(int(number) for number in numbers.replace(",", " ").split())
         text = re.sub(r"^static const uint\d+_t %s\[.*$" % name, "static uint32_t %s_at(uint32_t i) {\n  const uint32_t n = nondet_u32();\n"
                       "  __CPROVER_assert(i < %s, \"%s is read in bounds\");\n  __CPROVER_assume(n <= %d);\n  return n;\n}" % (name, length, name, largest), text, flags=re.M)
+    stored, read = "arc->entries[arc->size++] = entry;", "arc->entries[m - 1]"
+    if text.count("entries[") != 3 or stored not in text or read not in text:
+        raise ValueError("the arcs of this automaton are not stored as they were")
+    entries = int(dict((name, length) for name, length, _ in arrays)["restrip_next"])
+    text = text.replace(stored, '__CPROVER_assert(arc->size < %s && entry < %d, "an entry is stored in bounds");\n  ++arc->size;' % (
+        "sizeof arc->entries / sizeof *arc->entries", entries))
+    text = text.replace("static void restrip_read(", "static uint32_t restrip_entry_at(uint32_t i) {\n  const uint32_t n = nondet_u32();\n"
+                        "  __CPROVER_assert(i <= RESTRIP_AUTOMATON_MAX_K, \"an entry is read in bounds\");\n  __CPROVER_assume(n < %d);\n  return n;\n}\n\n"
+                        "static void restrip_read(" % entries, 1).replace(read, "restrip_entry_at(m - 1)")
     return "#include <stdint.h>\nuint32_t nondet_u32(void);\n" + text
 
 
 def any_argument(header, automaton):
-    """A program that calls each function of a header with any arguments."""
+    """Programs that call the functions of a header with any arguments: all of them, or of the automaton one at a time."""
     with open(header, encoding="utf-8") as file:
         text = file.read()
     declared = re.findall(r"^(restrip_\w+) (restrip_\w+)\((.*)\);$", text, re.M)
-    lines = [without_data(text) if automaton else '#include "%s"' % os.path.abspath(header)]
-    lines += ["uint32_t nondet_u32(void);", "uint64_t nondet_u64(void);", "int main(void) {"]
+    head = [without_data(text) if automaton else '#include "%s"' % os.path.abspath(header)]
+    head += ["uint32_t nondet_u32(void);", "uint64_t nondet_u64(void);", "int main(void) {"]
+    calls = []
     key = "(restrip_key){nondet_u64(), nondet_u64(), nondet_u64(), nondet_u64()}"
     for kind, name, arguments in declared:
         asked = ", ".join(key if one.strip() == "restrip_key key" else "nondet_u32()" for one in arguments.split(","))
-        lines.append('  { const %s r = %s(%s); __CPROVER_assert(!r.valid, "control: %s has no answers"); }' % (kind, name, asked, name))
-    return "\n".join(lines + ["}"]) + "\n"
+        calls.append('  { const %s r = %s(%s); __CPROVER_assert(!r.valid, "control: %s has no answers"); }' % (kind, name, asked, name))
+    for part in [[call] for call in calls] if automaton else [calls]:
+        yield "\n".join(head + part + ["}"]) + "\n"
 
 
 def faults(cbmc, header, text, judge):
@@ -174,7 +187,7 @@ def main():
     parser.add_argument("--header", help="the look-up in C, as restrip-generate writes it; without it, only CBMC is looked for")
     parser.add_argument("--operation", help="the operation file that it is of; without, it is of the families")
     parser.add_argument("--automaton", action="store_true", help="the look-up is that of `restrip-generate automaton`")
-    parser.add_argument("--max-k", type=int, default=8, help="the largest fan (8)")
+    parser.add_argument("--max-k", type=int, default=8, help="the largest fan (8); 0: nothing but that any arguments are safe")
     parser.add_argument("--min-k", type=int, default=1, help="the smallest fan (1), to share the work among machines")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many at a time")
     options = parser.parse_args()
@@ -185,7 +198,7 @@ def main():
         asked = list(own(options.operation) if options.operation else
                      keyed(options.header, options.max_k, options.min_k) if options.automaton else families(options.max_k, options.min_k))
         judge = os.path.join(JUDGES, "key_look_up.c" if options.automaton else "look_up.c")
-        work = [("any arguments", any_argument(options.header, options.automaton), None)]
+        work = [("any arguments", text, None) for text in any_argument(options.header, options.automaton)]
         work += [(name, position_text(options.header, *rest), judge) for name, *rest in asked]
         assertions, wrong = 0, 0
         left = collections.Counter(group_of(name) for name, _, judge in work if judge)

@@ -1,4 +1,4 @@
-// Asks verify/bounded/look_up.c what a model checker asks it, one number after the other, and prints the assertions
+// Asks verify/bounded/look_up.c, or the judge of keys beside it, what a model checker asks it, one number after the other, and prints the assertions
 // that fail.
 #include <stdint.h>
 #include <stdio.h>
@@ -25,7 +25,7 @@ static void fails(const char* text) {
     if (!(holds)) fails(text);        \
   while (0)
 #define main judged
-#include "look_up.c"
+#include JUDGE
 #undef main
 
 int main(void) {

@@ -2,7 +2,7 @@
 """Claims: verify/bounded/look_up.c holds for what the generator writes in C and its controls fail, in small positions of
 every operation and for operation files; after a change of any one of some entries it does not hold. Here each question is
 asked of a program, as no model checker need be installed; where CBMC is, it is asked too. Without it, scripts/model_check.py
-says what is missing.
+says what is missing. The same of the automaton, which is asked by keys and judged by key_look_up.c.
 
     bounded_test.py restrip-generate ROOT SCRATCH
 """
@@ -22,12 +22,12 @@ CONTROLS = {"control: nothing is as good", "control: nothing is worse"}
 scratch.mkdir(parents=True, exist_ok=True)
 
 
-def failed(header, position):
+def failed(header, position, judge="look_up.c"):
     """The assertions that fail for a header at a position of model_check.py, and those that must."""
     name, *rest = position
     (scratch / "position.h").write_text(model_check.position_text(header, *rest))
     implementation = re.search(r"^#ifdef (\w+_IMPLEMENTATION)$", header.read_text(), re.M)[1]
-    subprocess.run(["cc", "-std=c11", "-O1", "-D" + implementation, "-I", scratch, "-I", root / "verify/bounded",
+    subprocess.run(["cc", "-std=c11", "-O1", "-D" + implementation, f'-DJUDGE="{judge}"', "-I", scratch, "-I", root / "verify/bounded",
                     root / "tests/verify/bounded_driver.c", "-o", scratch / "driver"], check=True)
     printed = subprocess.run([scratch / "driver"], capture_output=True, text=True, check=True).stdout
     after, may_go = rest[2], rest[3].get("MAY_GO", 0)
@@ -74,4 +74,17 @@ if subprocess.run(script, capture_output=True).returncode == 0:
     assert run.returncode == 0 and "proved: flip, positions: 1\nproved in all: 7 positions, " in run.stdout, run
     run = subprocess.run(script + ["--operation", file, "--header", altered], capture_output=True, text=True)
     assert run.returncode == 1 and "NOT PROVED" in run.stdout, run
+subprocess.run([generate, "automaton", "--language", "c", "--out", scratch], check=True, capture_output=True)
+automaton = scratch / "restrip_automaton.h"
+keyed = {position[0]: position for position in model_check.keyed(automaton, 4)}
+assert len(keyed) == 4 + 7 + 14 + 20, len(keyed)
+text = automaton.read_text()
+next_of_empty = text.index("{", text.index("restrip_next[")) + 1
+altered.write_text(text[:next_of_empty] + re.sub(r"^\s*1,", " 2,", text[next_of_empty:]))
+for name in ("split(3, 1)", "collapse(4)", "open_split(3, 0, 2)", "boundary_split(3, 1)", "fan_collapse(4)", "fan_collapse(1)"):
+    found, controls = failed(automaton, keyed[name], "key_look_up.c")
+    assert found == controls, (name, found)
+found, controls = failed(altered, keyed["split(3, 1)"], "key_look_up.c")
+assert "nothing is better" in found, found
+
 print("%d headers with one entry changed are refused" % refused)
