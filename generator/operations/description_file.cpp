@@ -202,6 +202,7 @@ Term term_from(const JsonValue& value, const Side* after) {
       std::find_if(count_words.begin(), count_words.end(), [&](const CountWord& w) { return w.word == name.text(); });
   if (word == count_words.end()) {
     std::vector<std::string_view> names;
+    names.reserve(count_words.size());
     for (const CountWord& w : count_words) names.push_back(w.word);
     name.refuse(fmt::format("expected one of {}", fmt::join(names, ", ")));
   }
