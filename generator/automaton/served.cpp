@@ -117,24 +117,31 @@ std::string head_of(const Description& family, const std::string& includes, cons
       family.range.empty() ? "any" : family.range);
 }
 
+/// The look-up by masks and by bit strings. `kind` begins the names of what they return; `also` is what bit strings
+/// take besides, `passed` the same as an argument.
+std::string functions_of(const Description& family, const Sum& size, const std::string& call, const char* kind,
+                         const char* also, const char* passed) {
+  const std::string parameters = parameters_of(family, size);
+  const std::string name = identifier(family.name);
+  return fmt::format(
+      "constexpr {}Recoloring best_{}({}Word ports, Word joined) noexcept {{\n"
+      "  return {}ports, joined);\n"
+      "}}\n"
+      "/// The same for bit strings, which may have any length.\n"
+      "inline {}Value best_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors{}) {{\n"
+      "  return {}ports, joined, colors{});\n"
+      "}}\n\n"
+      "}}  // namespace restrip::exact\n",
+      kind, name, parameters, call, kind, name, parameters, also, call, passed);
+}
+
 /// The look-up of a fan that keeps every port, by the shipped automaton.
 std::string fan_header(const Description& family) {
   const bool closed = fan_of(family) == Fan::closed;
   const Sum size = triangles_after(family);
-  const std::string parameters = parameters_of(family, size);
-  const std::string name = identifier(family.name);
   const std::string call = fmt::format("best_{}({}, ", closed ? "collapse" : "fan_collapse", text_of(size));
   return head_of(family, "#include \"restrip/rules/exact.hpp\"\n", " that keeps every port") +
-         fmt::format(
-             "constexpr Recoloring best_{}({}Word ports, Word joined) noexcept {{\n"
-             "  return {}ports, joined);\n"
-             "}}\n"
-             "/// The same for bit strings, which may have any length.\n"
-             "inline Value best_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors) {{\n"
-             "  return {}ports, joined, colors);\n"
-             "}}\n\n"
-             "}}  // namespace restrip::exact\n",
-             name, parameters, call, name, parameters, call);
+         functions_of(family, size, call, "", "", "");
 }
 
 /// The look-up of a row whose ports may be given up, by the automaton of rows.
@@ -146,8 +153,6 @@ std::string row_header(const Description& family) {
     refuse(family, error.what());
   }
   const Sum size = triangles_after(family);
-  const std::string parameters = parameters_of(family, size);
-  const std::string name = identifier(family.name);
   Sum first;  // of all ports less shape.first, or shape.first
   if (shape.from_end) first = size;
   first.constant += shape.from_end ? (shape.front ? 1 : 0) + (shape.back ? 1 : 0) - static_cast<int>(shape.first)
@@ -156,16 +161,7 @@ std::string row_header(const Description& family) {
                                        shape.front, shape.back, text_of(first));
   return head_of(family, "#include \"restrip/rules/row.hpp\"\n#include \"restrip/tables/row_automaton.hpp\"\n",
                  ", which may give ports up") +
-         fmt::format(
-             "constexpr RowRecoloring best_{}({}Word ports, Word joined) noexcept {{\n"
-             "  return {}ports, joined);\n"
-             "}}\n"
-             "/// The same for bit strings, which may have any length.\n"
-             "inline RowValue best_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors, MutableBitSpan kept) {{\n"
-             "  return {}ports, joined, colors, kept);\n"
-             "}}\n\n"
-             "}}  // namespace restrip::exact\n",
-             name, parameters, call, name, parameters, call);
+         functions_of(family, size, call, "Row", ", MutableBitSpan kept", ", kept");
 }
 
 std::string path_of(const Description& family) {
