@@ -1,5 +1,5 @@
-// Asks verify/bounded/look_up.c, or the judge of keys beside it, what a model checker asks it, one number after the other, and prints the assertions
-// that fail.
+// Asks verify/bounded/look_up.c, or the judge of keys beside it, what a model checker asks it, one number after the
+// other, and prints the assertions that fail.
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
