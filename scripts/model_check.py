@@ -2,12 +2,15 @@
 """Proves the look-ups in C by a bounded model checker, CBMC 6 or later: for each position one formula says that for some
 colours, ports and recolouring the answer is missing, unsound, tells a wrong number of strips or is not the best, or that
 something is read out of bounds or overflows. verify/bounded/look_up.c judges, and key_look_up.c the automaton, which is asked
-by keys; the patches are written here, in their words of docs/notation.md, as in check_reasons.py.
+by keys; the patches are written here, in their words of docs/notation.md, as in check_reasons.py. Fans above --max-k make such
+formulas too large. So up to --walk-k the automaton's look-up is held against the one of verify/formal/Statements.v, of which
+Coq proves that it answers soundly and best (verify/bounded/walk.c); --numbers tells whether it reads the numbers of that proof.
 
   scripts/model_check.py --header DIR/restrip_tables.h                   every position up to k = 8
   scripts/model_check.py --header DIR/restrip_tables.h --max-k 5         a part of them
   scripts/model_check.py --operation tables/operations/bisect.json --header DIR/restrip_bisect.h
-  scripts/model_check.py --automaton --header DIR/restrip_automaton.h --max-k 4
+  restrip-dump-tables --automaton > DIR/automaton.dump
+  scripts/model_check.py --automaton --header DIR/restrip_automaton.h --numbers DIR/automaton.dump --max-k 4
 
 Each formula has assertions that must fail, so that a formula that says nothing is noticed. Exit code: 0 all is proved, 1
 something is not (the position and the assertion are named), 2 a file cannot be read, or there is no CBMC.
@@ -27,6 +30,7 @@ sys.dont_write_bytecode = True
 from check_reasons import fan_patch, graphs_of  # noqa: E402
 
 JUDGES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "verify", "bounded")
+ARRAY = r"^static const uint\d+_t (restrip_\w+)\[(\d+)\] = \{([^}]*)\};$"
 MOST = {"strips": 2, "forest": 3, "matching": 1}
 
 
@@ -104,12 +108,11 @@ def position_text(header, question, before, after, words):
     return "\n".join(lines + ["static answer ask(%s) { %s }" % (arguments, question)]) + "\n"
 
 
-def without_data(text):
-    """An implementation in which what is read of an array is any number up to the largest that the array holds, and of an arc
-    any entry, as each that is stored is one: whatever is proved of that holds with the arrays themselves. Long chains of reads
-    make formulas that are too large."""
-    arrays = re.findall(r"^static const uint\d+_t (restrip_\w+)\[(\d+)\] = \{([^}]*)\};$", text, re.M)
-    for name, length, numbers in arrays:
+def with_reads(text, number):
+    """An implementation, and how long its arrays are. What is read of an array is any number up to the largest that the array
+    holds: whatever is proved of that holds with the arrays themselves. `number` is an expression in C for read i of NAME."""
+    lengths = {}
+    for name, length, numbers in re.findall(ARRAY, text, re.M):
         text = text.replace("] = {%s};" % numbers, "];")
         while read := re.search(r"(?<!_t )\b%s\[" % name, text):
             end, depth = read.end(), 1
@@ -117,19 +120,60 @@ def without_data(text):
                 depth += {"[": 1, "]": -1}.get(text[end], 0)
                 end += 1
             text = "%s%s_at(%s)%s" % (text[:read.start()], name, text[read.end():end - 1], text[end:])
-        largest = max(int(number) for number in numbers.replace(",", " ").split())
-        text = re.sub(r"^static const uint\d+_t %s\[.*$" % name, "static uint32_t %s_at(uint32_t i) {\n  const uint32_t n = nondet_u32();\n"
-                      "  __CPROVER_assert(i < %s, \"%s is read in bounds\");\n  __CPROVER_assume(n <= %d);\n  return n;\n}" % (name, length, name, largest), text, flags=re.M)
+        lengths[name], largest = int(length), max(integers(numbers))
+        text = re.sub(r"^static const uint\d+_t %s\[.*$" % name, "uint32_t __CPROVER_uninterpreted_%s(uint32_t);\nstatic uint32_t %s_at(uint32_t i) {\n"
+                      "  const uint32_t n = %s;\n  __CPROVER_assert(i < %s, \"%s is read in bounds\");\n  __CPROVER_assume(n <= %d);\n  return n;\n}"
+                      % (name, name, number.replace("NAME", name).replace("LARGEST", str(largest)), length, name, largest), text, flags=re.M)
+    return "#include <stdint.h>\nuint32_t nondet_u32(void);\nuint64_t nondet_u64(void);\n" + text, lengths
+
+
+def integers(text):
+    return [int(number) for number in text.replace(",", " ").split()]
+
+
+def without_data(text):
+    """An implementation in which each read gives any number, and a read of an arc any entry, as each that is stored is one. Long
+    chains of reads make formulas that are too large."""
+    text, lengths = with_reads(text, "nondet_u32()")
     stored, read = "arc->entries[arc->size++] = entry;", "arc->entries[m - 1]"
     if text.count("entries[") != 3 or stored not in text or read not in text:
         raise ValueError("the arcs of this automaton are not stored as they were")
-    entries = int(dict((name, length) for name, length, _ in arrays)["restrip_next"])
     text = text.replace(stored, '__CPROVER_assert(arc->size < %s && entry < %d, "an entry is stored in bounds");\n  ++arc->size;' % (
-        "sizeof arc->entries / sizeof *arc->entries", entries))
-    text = text.replace("static void restrip_read(", "static uint32_t restrip_entry_at(uint32_t i) {\n  const uint32_t n = nondet_u32();\n"
+        "sizeof arc->entries / sizeof *arc->entries", lengths["restrip_next"]))
+    return text.replace("static void restrip_read(", "static uint32_t restrip_entry_at(uint32_t i) {\n  const uint32_t n = nondet_u32();\n"
                         "  __CPROVER_assert(i <= RESTRIP_AUTOMATON_MAX_K, \"an entry is read in bounds\");\n  __CPROVER_assume(n < %d);\n  return n;\n}\n\n"
-                        "static void restrip_read(" % entries, 1).replace(read, "restrip_entry_at(m - 1)")
-    return "#include <stdint.h>\nuint32_t nondet_u32(void);\n" + text
+                        "static void restrip_read(" % lengths["restrip_next"], 1).replace(read, "restrip_entry_at(m - 1)")
+
+
+def walks(header, max_k, number="__CPROVER_uninterpreted_NAME(i)"):
+    """The questions for walk.c: an operation, its text. Equal reads give equal numbers."""
+    with open(header, encoding="utf-8") as file:
+        text, _ = with_reads(file.read(), number)
+    for name, asked, possible in (
+            ("split", "k, i", "k > 2 && 0 < i && i < k"), ("collapse", "k", "k > 2"), ("open_split", "k, i, j", "i < j && j <= k"),
+            ("boundary_split", "k, i", "k > 0 && i <= k"), ("fan_collapse", "k", "k > 0")):
+        yield name, "\n".join([
+            text, "enum { MOST_K = %d };" % max_k, "#define possible(k, i, j) (%s)" % possible,
+            "#define ask(k, i, j, key) restrip_best_%s(%s, key)" % (name, asked), "#define answer(k, i, j, s, J) %s_answer(%s, s, J)" % (name, asked)]) + "\n"
+
+
+def other_numbers(header, dump):
+    """The arrays of an automaton in C that do not hold the numbers of a dump (docs/certificate.md, "Dump of the automaton")."""
+    with open(header, encoding="utf-8") as file:
+        text = file.read()
+    held = {name[len("restrip_"):]: integers(numbers) for name, _, numbers in re.findall(ARRAY, text, re.M)}
+    held["seconds"] = integers(re.search(r"^#define RESTRIP_SECONDS (\d+)U$", text, re.M)[1])
+    with open(dump, encoding="utf-8") as file:
+        lines = file.read().split("\n")
+    dumped = {}
+    for at, line in enumerate(lines):
+        if head := re.fullmatch(r"array ([a-z]+) (\d+)", line):
+            dumped[head[1]] = [int(number, 16) for number in lines[at + 1:at + 1 + int(head[2])]]
+    if "before" not in dumped or "next" not in dumped:
+        raise ValueError("%s: no dump of an automaton" % dump)
+    dumped["before"] = [half for number in dumped["before"] for half in (number & 0xffffffff, number >> 32)]
+    dumped["next"] = [0 if number == 0xff else number for number in dumped["next"]]  # of a letter that is not allowed
+    return sorted(name for name in held.keys() | dumped.keys() if held.get(name) != dumped.get(name))
 
 
 def any_argument(header, automaton):
@@ -137,8 +181,7 @@ def any_argument(header, automaton):
     with open(header, encoding="utf-8") as file:
         text = file.read()
     declared = re.findall(r"^(restrip_\w+) (restrip_\w+)\((.*)\);$", text, re.M)
-    head = [without_data(text) if automaton else '#include "%s"' % os.path.abspath(header)]
-    head += ["uint32_t nondet_u32(void);", "uint64_t nondet_u64(void);", "int main(void) {"]
+    head = [without_data(text) if automaton else '#include "%s"\nuint32_t nondet_u32(void);' % os.path.abspath(header), "int main(void) {"]
     calls = []
     key = "(restrip_key){nondet_u64(), nondet_u64(), nondet_u64(), nondet_u64()}"
     for kind, name, arguments in declared:
@@ -148,16 +191,15 @@ def any_argument(header, automaton):
         yield "\n".join(head + part + ["}"]) + "\n"
 
 
-def faults(cbmc, header, text, judge):
+def faults(cbmc, header, formula):
     """Checks one formula: how many assertions it has, and what does not hold of them."""
     with open(header, encoding="utf-8") as file:
         implementation = re.search(r"^#ifdef (\w+_IMPLEMENTATION)$", file.read(), re.M).group(1)
     with tempfile.TemporaryDirectory() as folder:
-        written = os.path.join(folder, "position.h" if judge else "any_argument.c")
+        written = os.path.join(folder, "position.h" if formula.judge else "any_argument.c")
         with open(written, "w", encoding="utf-8") as file:
-            file.write(text)
-        run = subprocess.run([cbmc, judge or written, "-D" + implementation, "-I", folder, "--unwind", "34" if judge or "AUTOMATON" not in implementation else "64"],
-                             capture_output=True, text=True)
+            file.write(formula.text)
+        run = subprocess.run([cbmc, formula.judge or written, "-D" + implementation, "-I", folder, "--unwind", str(formula.unwind)], capture_output=True, text=True)
     found = re.findall(r"^\[\S+\] (?:line \d+ )?(.*): ([A-Z]+)$", run.stdout, re.M)
     if not any(name.startswith("control") for name, _ in found):
         raise ValueError("%s: it said nothing of the assertions: %s" % (cbmc, (run.stdout + run.stderr).strip()[-1000:]))
@@ -182,6 +224,47 @@ def model_checker():
     return cbmc
 
 
+# A formula: what a report says of it and of those beside it, its own name, its text, who judges it, and what no loop exceeds.
+Formula = collections.namedtuple("Formula", "group name text judge unwind")
+
+
+def formulas(options):
+    """All that is to be proved, and how many positions are judged."""
+    if options.operation:
+        asked = list(own(options.operation))
+    else:
+        asked = list((keyed if options.automaton else families)(*[options.header] * options.automaton, options.max_k, options.min_k))
+    work = [Formula("any arguments", "any arguments", text, None, 64 if options.automaton else 34)
+            for text in any_argument(options.header, options.automaton)]
+    if options.automaton and options.max_k > 0:
+        for operation, text in walks(options.header, options.walk_k):
+            name = "%s answers as Lookup does, k <= %d" % (operation, options.walk_k)
+            work.append(Formula(name, name, text, os.path.join(JUDGES, "walk.c"), options.walk_k + 3))
+    judge = os.path.join(JUDGES, "key_look_up.c" if options.automaton else "look_up.c")
+    counted = collections.Counter(group_of(name) for name, *_ in asked)
+    for name, *rest in asked:
+        group = "%s, positions: %d" % (group_of(name), counted[group_of(name)])
+        work.append(Formula(group, name, position_text(options.header, *rest), judge, 34))
+    return work, len(asked)
+
+
+def proved(cbmc, header, work, jobs):
+    """Prints what is proved, and what is not; how many assertions there were, and how many formulas do not hold."""
+    left, broken, assertions, wrong = collections.Counter(one.group for one in work), set(), 0, 0
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for number, (one, (count, failed)) in enumerate(zip(work, pool.map(lambda one: faults(cbmc, header, one), work)), 1):
+            if sys.stderr.isatty():
+                print("\r%d of %d formulas" % (number, len(work)), end="\r\n"[number == len(work)], file=sys.stderr, flush=True)
+            if failed:
+                print("%s: NOT PROVED: %s" % (one.name, "; ".join(failed)), flush=True)
+                broken.add(one.group)
+            assertions, wrong = assertions + count, wrong + bool(failed)
+            left[one.group] -= 1
+            if left[one.group] == 0 and one.group not in broken:
+                print("proved: %s" % one.group, flush=True)
+    return assertions, wrong
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--header", help="the look-up in C, as restrip-generate writes it; without it, only CBMC is looked for")
@@ -189,39 +272,26 @@ def main():
     parser.add_argument("--automaton", action="store_true", help="the look-up is that of `restrip-generate automaton`")
     parser.add_argument("--max-k", type=int, default=8, help="the largest fan (8); 0: nothing but that any arguments are safe")
     parser.add_argument("--min-k", type=int, default=1, help="the smallest fan (1), to share the work among machines")
+    parser.add_argument("--walk-k", type=int, default=12, help="the largest fan of which the automaton's answers are compared with Lookup's (12)")
+    parser.add_argument("--numbers", metavar="FILE", help="what restrip-dump-tables --automaton prints, to be compared with the automaton's numbers")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many at a time")
     options = parser.parse_args()
     try:
         cbmc = model_checker()
         if not options.header:
             return 0
-        asked = list(own(options.operation) if options.operation else
-                     keyed(options.header, options.max_k, options.min_k) if options.automaton else families(options.max_k, options.min_k))
-        judge = os.path.join(JUDGES, "key_look_up.c" if options.automaton else "look_up.c")
-        work = [("any arguments", text, None) for text in any_argument(options.header, options.automaton)]
-        work += [(name, position_text(options.header, *rest), judge) for name, *rest in asked]
-        assertions, wrong = 0, 0
-        left = collections.Counter(group_of(name) for name, _, judge in work if judge)
-        positions, broken = dict(left), set()
-        with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-            results = pool.map(lambda one: faults(cbmc, options.header, *one[1:]), work)
-            for number, ((name, _, judge), (count, failed)) in enumerate(zip(work, results), 1):
-                if sys.stderr.isatty():
-                    print("\r%d of %d formulas" % (number, len(work)), end="\r\n"[number == len(work)], file=sys.stderr, flush=True)
-                if failed:
-                    print("%s: NOT PROVED: %s" % (name, "; ".join(failed)), flush=True)
-                assertions, wrong = assertions + count, wrong + bool(failed)
-                if judge:
-                    group = group_of(name)
-                    left[group] -= 1
-                    broken.update([group] if failed else [])
-                    if left[group] == 0 and group not in broken:
-                        print("proved: %s, positions: %d" % (group, positions[group]), flush=True)
-    except (AttributeError, OSError, ValueError, KeyError) as error:
+        work, positions = formulas(options)
+        other = other_numbers(options.header, options.numbers) if options.numbers else []
+        if options.numbers:
+            print("NOT those of %s: %s" % (options.numbers, ", ".join(other)) if other else "proved: the numbers are those of %s" % options.numbers)
+        assertions, wrong = proved(cbmc, options.header, work, options.jobs)
+        wrong += bool(other)
+    except (AttributeError, OSError, ValueError, KeyError, TypeError) as error:
         print("model_check.py: %s" % error, file=sys.stderr)
         return 2
-    print("%s: %d positions, %d assertions; read: the look-up in C, %s" % (
-        "NOT proved (%d formulas failed)" % wrong if wrong else "proved in all", len(asked), assertions, os.path.basename(options.header)))
+    print("%s: %d positions, %d assertions; read: the %s in C, %s" % (
+        "NOT proved (%d faults)" % wrong if wrong else "proved in all", positions, assertions, "automaton" if options.automaton else "look-up",
+        os.path.basename(options.header)))
     return 1 if wrong else 0
 
 

@@ -2,9 +2,10 @@
 """Claims: verify/bounded/look_up.c holds for what the generator writes in C and its controls fail, in small positions of
 every operation and for operation files; after a change of any one of some entries it does not hold. Here each question is
 asked of a program, as no model checker need be installed; where CBMC is, it is asked too. Without it, scripts/model_check.py
-says what is missing. The same of the automaton, which is asked by keys and judged by key_look_up.c.
+says what is missing. The same of the automaton, which is asked by keys and judged by key_look_up.c; and walk.c holds for it
+whatever its numbers are, and no longer after a change of its code. Its numbers are those of the dump.
 
-    bounded_test.py restrip-generate ROOT SCRATCH
+    bounded_test.py restrip-generate restrip-dump-tables ROOT SCRATCH
 """
 import itertools
 import os
@@ -13,7 +14,7 @@ import re
 import subprocess
 import sys
 
-generate, root, scratch = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]).resolve()
+generate, dumped, root, scratch = *sys.argv[1:3], pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4]).resolve()
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(root / "scripts"))
 import model_check  # noqa: E402
@@ -74,6 +75,7 @@ if subprocess.run(script, capture_output=True).returncode == 0:
     assert run.returncode == 0 and "proved: flip, positions: 1\nproved in all: 7 positions, " in run.stdout, run
     run = subprocess.run(script + ["--operation", file, "--header", altered], capture_output=True, text=True)
     assert run.returncode == 1 and "NOT PROVED" in run.stdout, run
+
 subprocess.run([generate, "automaton", "--language", "c", "--out", scratch], check=True, capture_output=True)
 automaton = scratch / "restrip_automaton.h"
 keyed = {position[0]: position for position in model_check.keyed(automaton, 4)}
@@ -86,5 +88,29 @@ for name in ("split(3, 1)", "collapse(4)", "open_split(3, 0, 2)", "boundary_spli
     assert found == controls, (name, found)
 found, controls = failed(altered, keyed["split(3, 1)"], "key_look_up.c")
 assert "nothing is better" in found, found
+dump = scratch / "automaton.dump"
+dump.write_bytes(subprocess.run([dumped, "--automaton", "--max-k", "3"], check=True, capture_output=True).stdout)
+assert model_check.other_numbers(automaton, dump) == [] and model_check.other_numbers(altered, dump) == ["next"]
+
+
+def walked(header):
+    """Of each operation the assertions of walk.c that fail."""
+    for _, text in model_check.walks(header, 4, 'any_number("NAME", i, LARGEST)'):
+        (scratch / "position.h").write_text(text)
+        subprocess.run(["cc", "-std=c11", "-O1", "-DRESTRIP_AUTOMATON_IMPLEMENTATION", "-I", scratch, "-I", root / "verify/bounded",
+                        root / "tests/verify/walk_driver.c", "-o", scratch / "driver"], check=True)
+        yield subprocess.run([scratch / "driver"], capture_output=True, text=True, check=True).stdout.splitlines()
+
+
+SAME, THERE, CONTROL = "the answers are the same", "there are answers where there is a position", "control: nothing is solid"
+assert list(walked(automaton)) == list(walked(altered)) == [[CONTROL]] * 5, list(walked(automaton))  # whatever the numbers are
+for now, then, what in (
+        ("a >= k) return", "a > k) return", THERE), ("<< (a + 1)", "<< a", SAME), ("(links & restrip_low_bits(above)) << from", "links << from", SAME),
+        ("meeting >> 4 & 15", "meeting & 15", SAME), ("key.joined &= closed ? ports : but_one", "key.joined &= ports", SAME),
+        ("(end >> 3)", "(end >> 2)", SAME), ("restrip_read(&other, RESTRIP_LETTERS - 1)", "restrip_read(&other, 0)", SAME),
+        ("i > k) return", "i >= k) return", THERE), ("restrip_read_fan(&arc, key, i, k)", "restrip_read_fan(&arc, key, 0, k)", SAME)):
+    assert now in text, now
+    altered.write_text(text.replace(now, then))
+    assert any(what in failing for failing in walked(altered)), now
 
 print("%d headers with one entry changed are refused" % refused)
