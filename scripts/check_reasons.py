@@ -372,7 +372,7 @@ class Operation:
     def __init__(self, path):
         with open(path, encoding="utf-8") as file:
             said = json.load(file)
-        self.name, most = said["name"], {"strips": 2, "forest": 3}.get(said["constraint"])
+        self.name, most = said["name"], {"strips": 2, "forest": 3}.get(said.get("constraint", "strips"))
         usual = [["strips"], ["isolated", "given_up"], ["given_up"]]
         counted = [[term.get("count") for term in criterion if term.get("weight", 1) == 1] for criterion in said.get("cost", [])[:3]]
         if most is None or "cost" in said and (counted != usual or [len(c) for c in said["cost"][:3]] != [1, 2, 1]):

@@ -83,15 +83,16 @@ def own(path):
     """The one position of an operation file."""
     with open(path, encoding="utf-8") as file:
         said = json.load(file)
-    if "cost" in said or said["constraint"] not in MOST:
+    constraint = said.get("constraint", "strips")
+    if "cost" in said or constraint not in MOST:
         raise ValueError("%s: an order of preference of its own" % path)
     before, after = graphs_of(said)
-    gives, matching = said.get("give_up", "none"), said["constraint"] == "matching"
+    gives, matching = said.get("give_up", "none"), constraint == "matching"
     ports = {"none": [], "all": range(len(before[2]))}[gives] if isinstance(gives, str) else gives
     identifier = said["name"].replace("-", "_")
     question = "const restrip_operation_rule r = restrip_rule_of_%s(inner, ports); return (answer){r.colors, r.ports, r.strips, r.valid};"
     yield identifier + "()", question % identifier, before, after, {
-        "MOST": MOST[said["constraint"]], "MAY_GO": sum(1 << p for p in ports), "COUNTS": int(not matching), "ANY_COLORS": int(matching)}
+        "MOST": MOST[constraint], "MAY_GO": sum(1 << p for p in ports), "COUNTS": int(not matching), "ANY_COLORS": int(matching)}
 
 
 def position_text(header, question, before, after, words):

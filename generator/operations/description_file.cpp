@@ -314,10 +314,7 @@ Description description_from(const JsonValue& value, Author author) {
   }
   const std::optional<Patch> patch = patch_from(value, description);
   const Side* after = patch ? &patch->after : nullptr;
-  if (after == nullptr && !value.has("constraint"))
-    description.constraint = {};
-  else
-    description.constraint = constraint_from(value["constraint"]);
+  if (value.has("constraint")) description.constraint = constraint_from(value["constraint"]);
   if (value.has("give_up")) take_give_up(value["give_up"], after, description);
   description.preference = fewest_strips();
   if (description.constraint.most_edges == 1) description.preference.erase(description.preference.begin());

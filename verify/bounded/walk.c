@@ -7,8 +7,6 @@
 //   possible, ask, answer: whether there is such a position, the question, and the answer of `Lookup`
 //
 // Assertions that begin with "control" must fail.
-#include <stdint.h>
-
 #include "position.h"
 
 enum { PLAIN, ALONE, JOINED, EDGE };

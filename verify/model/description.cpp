@@ -197,10 +197,8 @@ Operation Description::at(const Numbers& values) const {
   operation.family = name;
   operation.position = filled(position, values);
   operation.numbers = values;
-  const std::optional<JsonValue> constraint = value.member("constraint");
-  const bool by_default = !constraint && (!numbers.empty() || !source_->list.empty());
-  if (!by_default)
-    operation.constraint = static_cast<Constraint>(value.required("constraint").one_of(constraint_names));
+  if (const std::optional<JsonValue> constraint = value.member("constraint"))
+    operation.constraint = static_cast<Constraint>(constraint->one_of(constraint_names));
   const NamedNumbers named{numbers, values};
   Sides sides = read_sides(value, named);
   operation.before = std::move(sides.before);
