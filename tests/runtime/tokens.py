@@ -33,6 +33,7 @@ FILES = {
     RULES + "bits.hpp": ["bits"], RULES + "rules.hpp": ["rules"], RULES + "key.hpp": ["keys"],
     RULES + "impl/layout.hpp": ["keys"], RULES + "impl/key_any_length.hpp": ["keys"],
     RULES + "exact.hpp": ["automaton"], RULES + "impl/arc_walk.hpp": ["automaton"],
+    RULES + "row.hpp": ["rows"], RULES + "impl/row_walk.hpp": ["rows"],
     TABLES + "format.hpp": ["rules"], TABLES + "automaton_format.hpp": ["automaton"],
     TABLES + "operation_format.hpp": ["operations"], TABLES + "operation_dump.hpp": ["operations"],
     LINKED + "impl/outlook.hpp": ["linked"], LINKED + "linked.hpp": ["linked"],
@@ -41,7 +42,7 @@ FILES = {
 EMITTED = {"tables": ["restrip_tables.h"], "operation": ["restrip_bisect.h", "restrip_bisect_matching.h", "restrip_corner_turns.h"]}
 OPERATIONS = ["tables/operations/bisect", "tables/operations/bisect-matching", "tests/corpus/operations/families/corner-turns"]
 UP_TO = {LINKED + "linked.hpp": "/// Follows the strips that leave a patch."}  # what lies behind works on meshes
-PROGRAMS = ["bits", "operations", "automaton", "automaton-turns", "keys", "rules", "linked"]
+PROGRAMS = ["bits", "operations", "automaton", "automaton-turns", "keys", "rules", "linked", "rows"]
 HEADERS = ["boundary_split", "collapse", "fan_collapse", "flip", "open_split", "rows", "split", "automaton", "linked"]
 
 SWAPS = ["< <=", "> >=", "== !=", "+ -", "& |", "<< >>", "&& ||", "+= -=", "&= |=", "++ --", "true false"]
@@ -144,7 +145,6 @@ class Workshop:
         self.root, self.folder, self.programs = root, folder, folder / "tokens"
         shutil.copytree(root / "tests/runtime/tokens", self.programs)
         self.include = [root / "runtime/include", root / "tables/include"]
-        self.turning = folder / "turns/include"
         self.made, self.locks, self.lock = {}, {}, threading.Lock()  # of what is made once
         sources = [path.read_text(encoding="utf-8") for path in sorted(self.programs.glob("*.?pp"))]
         self.standard = sorted(set(re.findall(r"^#include <.*>\n", "".join(sources), re.M)))
@@ -171,10 +171,12 @@ class Workshop:
         return header
 
     def folders(self, program):
-        if not program.endswith("-turns"):
+        name = program.split("-")[-1]
+        options = {"turns": ["--cost", "1,1,0"], "rows": ["--operation", self.root / "examples/own_family.json"]}.get(name)
+        if options is None:
             return self.include
-        self.once("turns", lambda: subprocess.run([self.generate, "automaton", "--cost", "1,1,0", "--out", self.folder / "turns"], check=True, capture_output=True))
-        return [self.turning] + self.include
+        self.once(name, lambda: subprocess.run([self.generate, "automaton", *options, "--out", self.folder / "automata" / name], check=True, capture_output=True))
+        return [self.folder / "automata" / name / "include"] + self.include
 
     def reads(self, program):
         """The files that it includes."""

@@ -2,26 +2,9 @@
 // automaton in which swaps have a price is asked where one is first on the include path.
 #include <type_traits>
 
+#include "guarded_new.hpp"
 #include "judge.hpp"
 #include "restrip/rules/exact.hpp"
-
-namespace {
-
-std::size_t allocated = 0;
-
-}  // namespace
-
-/// Whoever looks behind a block ends the program. Nothing is given back.
-void* operator new(std::size_t size) {
-  constexpr std::size_t page = 4096;
-  allocated += size;
-  void* const room = mmap(nullptr, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (size > page || room == MAP_FAILED || mprotect(static_cast<char*>(room) + page, page, PROT_NONE) != 0)
-    std::exit(2);
-  return static_cast<char*>(room) + page - size;
-}
-void operator delete(void*) noexcept {}
-void operator delete(void*, std::size_t) noexcept {}
 
 namespace {
 
@@ -96,9 +79,9 @@ void strings() {
       const exact::LongTurns turns = n % 2 == 0 ? exact::LongTurns{} : exact::LongTurns{left.read(), right.read()};
       const auto answer = [&](std::size_t edges, auto&& best) {
         const judge::Bits colors(edges, ~Word{0});
-        const std::size_t before = allocated;
+        const std::size_t before = judge::allocated;
         tell(told, best(colors.write()));
-        told.add(allocated - before);
+        told.add(judge::allocated - before);
         colors.tell(told);
       };
       answer(k + 3, [&](MutableBitSpan to) { return exact::best_split(k, k / 2, p, j, to, turns); });

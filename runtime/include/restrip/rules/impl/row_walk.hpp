@@ -65,24 +65,6 @@ struct RowPorts {
   }
 };
 
-/// A strand from the first solid port to the last, over all ports between them, which are given up; nothing is left to
-/// choose, as the triangles before and behind have no solid port. color(i) is called for the solid edges.
-template <class Color>
-constexpr RowValue color_across(const Row& row, const RowPorts& solid, Color&& color) noexcept {
-  RowValue value;
-  value.given_up = static_cast<int>(solid.count) - 2;
-  const auto connect = [&](std::size_t from, std::size_t to) {  // all triangles between the two
-    for (std::size_t i = from; i + 1 < to; ++i, ++value.solid) color(i);
-  };
-  const std::size_t begin = row.owner(solid.first);
-  const std::size_t end = row.owner(solid.last) + 1;
-  connect(0, begin);
-  connect(begin, end);
-  connect(end, row.triangles);
-  value.isolated = (begin == 1 ? 1 : 0) + (row.triangles - end == 1 ? 1 : 0);
-  return value;
-}
-
 /// The best recolouring of a row. `room` has an entry for each port.
 template <const auto& automaton>
 constexpr RowValue walk_row(const Row& row, BitSpan ports, BitSpan joined, ArcEntry* room, MutableBitSpan colors,
@@ -133,14 +115,17 @@ constexpr RowValue walk_row(const Row& row, BitSpan ports, BitSpan joined, ArcEn
     }
   }
 
-  if (solid.count < 3 || !ends_joined) return value;
-  const RowValue across = color_across(row, solid, [](std::size_t) {});
+  // A strand from the first triangle to the last gives up all ports but the first and the last. One that leaves out
+  // triangles at an end is no better than the automaton's answer (docs/automaton.md, "Families of your own").
+  if (solid.count < 3 || !ends_joined || row.owner(solid.first) != 0 || row.owner(solid.last) + 1 != row.triangles)
+    return value;
+  const RowValue across{static_cast<int>(row.triangles) - 1, 0, static_cast<int>(solid.count) - 2};
   if (!across.better_than(value)) return value;
-  colors.clear(row.triangles - 1);
+  for (std::size_t i = 0; i + 1 < row.triangles; ++i) colors.set(i);
   kept.clear(row.ports());
   kept.set(row.port(solid.first));
   kept.set(row.port(solid.last));
-  return color_across(row, solid, [&](std::size_t i) { colors.set(i); });
+  return across;
 }
 
 }  // namespace restrip::detail
