@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "operations/description_file.hpp"
-#include "solve/coloring.hpp"
+#include "solve/section.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -25,15 +25,7 @@ bool fits(const Side& side, const RowShape& shape) {
   if (side.nodes + front + back != ports || side.edges.size() + 1 != side.nodes || shape.first >= ports) return false;
   std::vector<unsigned> row;
   for (unsigned i = 0; i < side.nodes; ++i) row.push_back(side.owner[port_at(shape, front + i, ports)]);
-  std::vector<unsigned> sorted = row;
-  std::sort(sorted.begin(), sorted.end());
-  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return false;
-  for (unsigned i = 0; i + 1 < side.nodes; ++i)
-    if (std::none_of(side.edges.begin(), side.edges.end(), [&](const Edge& edge) {
-          return edge == Edge{row[i], row[i + 1]} || edge == Edge{row[i + 1], row[i]};
-        }))
-      return false;
-  return (!shape.front || side.owner[port_at(shape, 0, ports)] == row.front()) &&
+  return is_row(side, row) && (!shape.front || side.owner[port_at(shape, 0, ports)] == row.front()) &&
          (!shape.back || side.owner[port_at(shape, ports - 1, ports)] == row.back());
 }
 
@@ -47,6 +39,21 @@ bool follow_each_other(Mask ports, Mask pair) {
 
 }  // namespace
 
+bool are_neighbours(const Side& side, unsigned one, unsigned other) {
+  return std::any_of(side.edges.begin(), side.edges.end(), [&](const Edge& edge) {
+    return edge == Edge{one, other} || edge == Edge{other, one};
+  });
+}
+
+bool is_row(const Side& side, const std::vector<unsigned>& triangles) {
+  std::vector<unsigned> sorted = triangles;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return false;
+  for (std::size_t i = 0; i + 1 < triangles.size(); ++i)
+    if (!are_neighbours(side, triangles[i], triangles[i + 1])) return false;
+  return true;
+}
+
 RowShape row_shape_of(const Description& family) {
   std::vector<RowShape> shapes;
   for (const bool from_end : {false, true})
@@ -59,16 +66,15 @@ RowShape row_shape_of(const Description& family) {
     std::erase_if(shapes, [&](const RowShape& shape) { return !fits(operation.patch.after, shape); });
     if (shapes.empty())
       throw std::runtime_error(
-          fmt::format("{} is after the operation no row of triangles, open at its ends, with one port at each, in "
-                      "their order, and perhaps one more at the first and at the last",
+          fmt::format("the side after of {} is no row of triangles, open at both ends, with one port at each, in "
+                      "their order, and at most one more at the first and at the last",
                       name_of(position)));
-    for (const Coloring& coloring : legal_colorings(operation.patch.before, operation.constraint))
-      for (Mask ports = 0; ports <= operation.patch.before.all_ports(); ++ports)
-        if (const auto outcome = with_ports(coloring, ports))
-          for (const Mask pair : outcome->joined.masks())
-            if (!follow_each_other(ports, pair))
-              throw std::runtime_error(fmt::format(
-                  "{} joins before the operation solid ports that do not follow each other", name_of(position)));
+    for_each_valid(operation, [&](const Configuration& configuration) {
+      for (const Mask pair : configuration.outcome.joined.masks())
+        if (!follow_each_other(configuration.ports, pair))
+          throw std::runtime_error(fmt::format(
+              "before the operation, {} joins solid ports that do not follow each other", name_of(position)));
+    });
   }
   return shapes.front();
 }

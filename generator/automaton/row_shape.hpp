@@ -2,11 +2,18 @@
 // "Families of your own".
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "operations/description.hpp"
 
 namespace restrip::generator {
+
+/// Whether two triangles share an inner edge.
+[[nodiscard]] bool are_neighbours(const Side& side, unsigned one, unsigned other);
+
+/// Whether these triangles, each of which must be one of the side, are different and each shares an inner edge with the
+/// next.
+[[nodiscard]] bool is_row(const Side& side, const std::vector<unsigned>& triangles);
 
 /// Each triangle of a row has a port, in the cyclic order of the ports.
 struct RowShape {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -22,27 +23,18 @@ namespace {
 
 [[noreturn]] void refuse(const Description& family, const std::string& reason) {
   throw std::runtime_error(
-      fmt::format("{}: {}; no automaton answers it, `rules` makes its tables", family.name, reason));
+      fmt::format("{}: {}; no automaton answers it, try `restrip-generate rules`", family.name, reason));
 }
 
 enum class Fan { closed, open };
 
 /// The fan that a side is: one port at each triangle, each beside the next.
 std::optional<Fan> fan_of(const Side& side) {
-  const auto has = [&](unsigned u, unsigned v) {
-    return std::any_of(side.edges.begin(), side.edges.end(), [&](const Edge& edge) {
-      return edge == Edge{u, v} || edge == Edge{v, u};
-    });
-  };
-  const unsigned n = side.nodes;
-  std::vector<unsigned> owners = side.owner;
-  std::sort(owners.begin(), owners.end());
-  if (owners.size() != n || std::adjacent_find(owners.begin(), owners.end()) != owners.end()) return {};
-  for (unsigned i = 0; i + 1 < n; ++i)
-    if (!has(side.owner[i], side.owner[i + 1])) return {};
-  if (side.edges.size() + 1 == n) return Fan::open;
-  return side.edges.size() == n && has(side.owner.back(), side.owner.front()) ? std::optional(Fan::closed)
-                                                                              : std::nullopt;
+  if (side.ports() != side.nodes || !is_row(side, side.owner)) return {};
+  if (side.edges.size() + 1 == side.nodes) return Fan::open;
+  return side.edges.size() == side.nodes && are_neighbours(side, side.owner.back(), side.owner.front())
+             ? std::optional(Fan::closed)
+             : std::nullopt;
 }
 
 /// At all its positions.
@@ -52,7 +44,7 @@ Fan fan_of(const Description& family) {
   for (const Position& position : positions) {
     const std::optional<Fan> here = fan_of(make_patch(position).after);
     if (!here || (fan && fan != here))
-      refuse(family, fmt::format("{} is after the operation no fan with one port at each triangle, in their order",
+      refuse(family, fmt::format("the side after of {} is no fan with one port at each triangle, in their order",
                                  name_of(position)));
     fan = here;
   }
@@ -60,7 +52,7 @@ Fan fan_of(const Description& family) {
   return *fan;
 }
 
-/// How many triangles there are after the operation.
+/// How many triangles there are after the operation, at all positions that were looked at.
 Sum triangles_after(const Description& family) {
   Sum all;
   const auto add = [&](const std::optional<Stretch::Range>& range) {
@@ -75,6 +67,11 @@ Sum triangles_after(const Description& family) {
   else
     for (const Chain& chain : std::get<SidePattern>(family.after).chains)
       for (const Stretch& stretch : chain.elements) add(stretch.range);
+  for (const Position& position :
+       positions_up_to(family, most_ports))  // a range may end before it begins, and is empty
+    if (const unsigned nodes = make_patch(position).after.nodes; all.at(position.numbers()) != static_cast<int>(nodes))
+      refuse(family, fmt::format("{} has {} triangles after the operation, but its ranges as a sum give {}",
+                                 name_of(position), nodes, all.at(position.numbers())));
   return all;
 }
 

@@ -238,7 +238,7 @@ def check_automaton():
     """Families that an automaton answers get a look-up, that of rows beside it where they may give ports up; others a
     sentence."""
     refused = {
-        "spoke-flips": "spoke-flips valence 4 spoke 0 is after the operation no row of triangles",
+        "spoke-flips": "the side after of spoke-flips valence 4 spoke 0 is no row of triangles",
         "bisect": "it is an operation with one position", "flip-forest": "it is an operation with one position",
     }
     rows = [SCRATCH / file for file in ("include/restrip/tables/row_automaton.hpp", "certificates/row-automaton.cert")]
@@ -254,14 +254,22 @@ def check_automaton():
             expect(all(f.exists() for f in written), f"{name}: {written}")
             expect(f" best_{name.replace('-', '_')}(" in header.read_text(), f"{name}: {header.read_text()}")
     for change, sentence in (({"constraint": "forest"}, "its solid edges are not strips"), ({"cost": [[{"count": "isolated"}]]}, "a cost of its own"),
-                             ({"after": FAN["before"], "before": FAN["after"]}, "is after the operation no fan"),
-                             ({"give_up": "all", "after": FAN["before"], "before": FAN["after"]}, "is after the operation no row"),
+                             ({"after": FAN["before"], "before": FAN["after"]}, "is no fan with one port at each triangle"),
+                             ({"give_up": "all", "after": FAN["before"], "before": FAN["after"]}, "is no row of triangles"),
                              ({"give_up": "all", "where": "k >= 3, 1 <= i < k", "before": {**FAN["before"], "chord": ["A", "D"]}}, "do not follow each other")):
         family = {**FAN, "give_up": "none", "section": "k {k} i {i}", **change}
         file = SCRATCH / "fan-own.json"
         file.write_text(json.dumps(family))
         done = run(GENERATOR, "automaton", "--operation", file, "--out", SCRATCH)
         expect(done.returncode == 2 and sentence in done.stderr, f"{sentence}: {done.stderr}")
+    hub = [["v", "u[i]", "u[i+1]", "i[0,k-1)"], ["v", "u[k-1]", "u[0]"]]
+    row = [["u[0]", "u[i]", "u[i+1]", "i[1,k-1)"]]
+    late = ["u[1]", "u[0]", "x[i]", "i[9,k)"]  # a range that ends before it begins, up to k = 8
+    for before, after, give_up in ((row, hub, "none"), (hub, row, "all")):
+        file.write_text(json.dumps({"restrip_operation": 1, "name": "fan-own", "numbers": ["k"], "where": "3 <= k <= 10",
+                                    "before": before + [late], "after": after + [late], "give_up": give_up}))
+        done = run(GENERATOR, "automaton", "--operation", file, "--out", SCRATCH)
+        expect(done.returncode == 2 and "its ranges as a sum give" in done.stderr, f"a range that ends before it begins: {done.stderr}")
     both = run(GENERATOR, "automaton", "--operation", file, "--cost", "3,1,0", "--out", SCRATCH)
     expect(both.returncode == 2 and "excludes" in both.stderr, both.stderr)
 
