@@ -65,8 +65,10 @@ def keyed(header, max_k, min_k=1):
     """Every position of the automaton: its name, its question, the side after, twice."""
     with open(header, encoding="utf-8") as file:
         cost = re.search(r"cost, which is (\d+) for a strip, (\d+) for a swap and\n// (\d+) for", file.read())
-    if not cost or cost[2] != "0" and max_k > 0:
-        raise ValueError("%s: no automaton, or swaps have a price, which is not judged; --max-k 0 asks any arguments alone" % header)
+    if not cost:
+        raise ValueError("%s: it says no cost; restrip-generate automaton --language c writes what is read here" % header)
+    if cost[2] != "0" and max_k > 0:
+        raise ValueError("%s: swaps have a price, which is not judged; --max-k 0 asks any arguments alone" % header)
     question = ("const restrip_key key = {ports, joined, 0, 0}; const restrip_recoloring r = restrip_best_%s(%s, key); "
                 "return (answer){(u32)r.colors, r.valid && r.colors >> 32 == 0};")
     for k in range(min_k, max_k + 1):
@@ -235,6 +237,8 @@ def formulas(options):
         asked = list(own(options.operation))
     else:
         asked = list((keyed if options.automaton else families)(*[options.header] * options.automaton, options.max_k, options.min_k))
+    if options.max_k > 0 and not any("(" in name and name != "flip()" for name, *_ in asked):
+        raise ValueError("there are no positions from k = %d to %d" % (options.min_k, options.max_k))
     work = [Formula("any arguments", "any arguments", text, None, 64 if options.automaton else 34)
             for text in any_argument(options.header, options.automaton)]
     if options.automaton and options.max_k > 0:
@@ -271,12 +275,18 @@ def main():
     parser.add_argument("--header", help="the look-up in C, as restrip-generate writes it; without it, only CBMC is looked for")
     parser.add_argument("--operation", help="the operation file that it is of; without, it is of the families")
     parser.add_argument("--automaton", action="store_true", help="the look-up is that of `restrip-generate automaton`")
-    parser.add_argument("--max-k", type=int, default=8, help="the largest fan (8); 0: nothing but that any arguments are safe")
-    parser.add_argument("--min-k", type=int, default=1, help="the smallest fan (1), to share the work among machines")
-    parser.add_argument("--walk-k", type=int, default=12, help="the largest fan of which the automaton's answers are compared with Lookup's (12)")
+    parser.add_argument("--max-k", type=int, help="the largest fan (8); 0: nothing but that any arguments are safe")
+    parser.add_argument("--min-k", type=int, help="the smallest fan (1), to share the work among machines")
+    parser.add_argument("--walk-k", type=int, help="the largest fan of which the automaton's answers are compared with Lookup's (12)")
     parser.add_argument("--numbers", metavar="FILE", help="what restrip-dump-tables --automaton prints, to be compared with the automaton's numbers")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="how many at a time")
     options = parser.parse_args()
+    if options.operation and (options.automaton or options.max_k is not None or options.min_k is not None):
+        parser.error("--operation: it has one position; --automaton, --max-k and --min-k are for families")
+    if not options.automaton and (options.numbers or options.walk_k is not None):
+        parser.error("--numbers and --walk-k are for --automaton")
+    options.max_k, options.min_k, options.walk_k = (given if given is not None else usual for given, usual in (
+        (options.max_k, 8), (options.min_k, 1), (options.walk_k, 12)))
     try:
         cbmc = model_checker()
         if not options.header:

@@ -23,12 +23,12 @@ CONTROLS = {"control: nothing is as good", "control: nothing is worse"}
 scratch.mkdir(parents=True, exist_ok=True)
 
 
-def failed(header, position, judge="look_up.c"):
+def failed(header, position, judge="look_up.c", bits="EDGES_BEFORE, PORTS, EDGES_AFTER, PORTS"):
     """The assertions that fail for a header at a position of model_check.py, and those that must."""
     name, *rest = position
     (scratch / "position.h").write_text(model_check.position_text(header, *rest))
     implementation = re.search(r"^#ifdef (\w+_IMPLEMENTATION)$", header.read_text(), re.M)[1]
-    subprocess.run(["cc", "-std=c11", "-O1", "-D" + implementation, f'-DJUDGE="{judge}"', "-I", scratch, "-I", root / "verify/bounded",
+    subprocess.run(["cc", "-std=c11", "-O1", "-D" + implementation, f'-DJUDGE="{judge}"', "-DBITS=" + bits, "-I", scratch, "-I", root / "verify/bounded",
                     root / "tests/verify/bounded_driver.c", "-o", scratch / "driver"], check=True)
     printed = subprocess.run([scratch / "driver"], capture_output=True, text=True, check=True).stdout
     after, may_go = rest[2], rest[3].get("MAY_GO", 0)
@@ -78,15 +78,16 @@ if subprocess.run(script, capture_output=True).returncode == 0:
 
 subprocess.run([generate, "automaton", "--language", "c", "--out", scratch], check=True, capture_output=True)
 automaton = scratch / "restrip_automaton.h"
+KEYED = "key_look_up.c", "PORTS, PORTS, EDGES_AFTER"
 keyed = {position[0]: position for position in model_check.keyed(automaton, 4)}
 assert len(keyed) == 4 + 7 + 14 + 20, len(keyed)
 text = automaton.read_text()
 next_of_empty = text.index("{", text.index("restrip_next[")) + 1
 altered.write_text(text[:next_of_empty] + re.sub(r"^\s*1,", " 2,", text[next_of_empty:]))
 for name in ("split(3, 1)", "collapse(4)", "open_split(3, 0, 2)", "boundary_split(3, 1)", "fan_collapse(4)", "fan_collapse(1)"):
-    found, controls = failed(automaton, keyed[name], "key_look_up.c")
+    found, controls = failed(automaton, keyed[name], *KEYED)
     assert found == controls, (name, found)
-found, controls = failed(altered, keyed["split(3, 1)"], "key_look_up.c")
+found, controls = failed(altered, keyed["split(3, 1)"], *KEYED)
 assert "nothing is better" in found, found
 dump = scratch / "automaton.dump"
 dump.write_bytes(subprocess.run([dumped, "--automaton", "--max-k", "3"], check=True, capture_output=True).stdout)

@@ -1,20 +1,10 @@
 // Asks verify/bounded/walk.c what a model checker asks it, small fans, positions and masks one after the other, with
 // arbitrary numbers in place of those of the automaton, and prints the assertions that fail.
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
+#include "model_checker.h"
 
 static uint32_t numbers[3], seed;
 static uint64_t masks[4];
 static int next_number, next_mask;
-static const char* failed[8];
-static int failures;
-
-static void fails(const char* text) {
-  for (int i = 0; i < failures; ++i)
-    if (strcmp(failed[i], text) == 0) return;
-  failed[failures++] = text;
-}
 
 uint32_t nondet_u32(void) { return numbers[next_number++]; }
 uint64_t nondet_u64(void) { return masks[next_mask++]; }
@@ -25,14 +15,6 @@ static uint32_t any_number(const char* name, uint32_t i, uint32_t largest) {
   return (uint32_t)((mixed >> 16) % ((uint64_t)largest + 1));
 }
 
-#define __CPROVER_assume(holds) \
-  do                            \
-    if (!(holds)) return 0;     \
-  while (0)
-#define __CPROVER_assert(holds, text) \
-  do                                  \
-    if (!(holds)) fails(text);        \
-  while (0)
 #define main walked
 #include "walk.c"
 #undef main
@@ -47,6 +29,6 @@ int main(void) {
         next_number = next_mask = 0;
         walked();
       }
-  for (int i = 0; i < failures; ++i) puts(failed[i]);
+  print_failed();
   return 0;
 }

@@ -1,5 +1,7 @@
 // What solid edges make of one side of a patch, for the judges beside this file: they include it where `u32`, PORTS,
 // MOST, MOST_TRIANGLES and MOST_BITS are known.
+_Static_assert(EDGES_BEFORE <= MOST_BITS && EDGES_AFTER <= MOST_BITS && PORTS <= MOST_BITS, "all bits are counted");
+
 static u32 count(u32 mask) {
   u32 n = 0;
   for (u32 i = 0; i < MOST_BITS; ++i) n += mask >> i & 1;
