@@ -215,6 +215,10 @@ endfunction()
 function(_restrip_is_family file out)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   file(READ ${file} text)
+  string(JSON list ERROR_VARIABLE error GET "${text}" operations)
+  if(NOT error)
+    message(FATAL_ERROR "restrip_generate_tables: OPERATION ${file}: describes a list; give each operation a file of its own")
+  endif()
   string(JSON numbers ERROR_VARIABLE error GET "${text}" numbers)
   set(${out} TRUE PARENT_SCOPE)
   if(error)
@@ -254,10 +258,20 @@ int main() { return restrip::tables::print_dump(\"@name@\", restrip::tables::@id
     get_target_property(max_k ${target} RESTRIP_MAX_K)
     set(max_k --max-k ${max_k})
   endif()
+  # The names that the generator gives to certificates.
+  string(JSON certificate ERROR_VARIABLE error GET "${text}" certificate)
+  if(error)
+    set(certificate ${name})
+  endif()
+  set(linked "")
+  string(JSON is_linked ERROR_VARIABLE error GET "${text}" linked)
+  if(is_linked STREQUAL ON)
+    set(linked --linked-certificate ${folder}-operations/certificates/operations/linked-${certificate}.cert)
+  endif()
   set(header --header ${folder}-operations/include/restrip/tables/operations/${identifier}.hpp)
   add_test(NAME ${target}.operation.${name}
            COMMAND $<TARGET_FILE:restrip::verify> --operation ${file} ${max_k}
-                   --certificate ${folder}-operations/certificates/operations/${name}.cert ${header} ${dump})
+                   --certificate ${folder}-operations/certificates/operations/${certificate}.cert ${linked} ${header} ${dump})
 endfunction()
 
 # _restrip_command_of(PROGRAM OUT): how a shell runs a program of this build.

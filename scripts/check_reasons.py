@@ -10,7 +10,8 @@ The second line is for an operation of one's own, by docs/operation-file.md: its
 reasons (strips or forests, fewest strips first). Its rows must be those of all valid configurations; "configurations", "valid"
 and "keys" are recounted.
 
-Prints a line for each file, and what was read. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot be read.
+Prints a line for each file, and what was read. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot
+be read or is not for this script.
 Every section must be there, with each claim once and its rows in ascending order. Of splits and the flip the rows must be
 those of all valid configurations, of linked rules all lists must be there. Claims are recounted as far as this takes no
 walk over the configurations of collapses: "configurations" in all families, "valid" of splits and the flip, all of
@@ -26,6 +27,10 @@ LINKED_CLAIMS = ("lists", "alternatives", "longest")
 
 
 class Wrong(Exception):
+    pass
+
+
+class NotServed(Exception):
     pass
 
 
@@ -372,11 +377,13 @@ class Operation:
     def __init__(self, path):
         with open(path, encoding="utf-8") as file:
             said = json.load(file)
+        if "operations" in said or said.get("numbers"):
+            raise NotServed("%s: describes a family or a list; only single operations are checked here" % path)
         self.name, most = said["name"], {"strips": 2, "forest": 3}.get(said.get("constraint", "strips"))
         usual = [["strips"], ["isolated", "given_up"], ["given_up"]]
         counted = [[term.get("count") for term in criterion if term.get("weight", 1) == 1] for criterion in said.get("cost", [])[:3]]
         if most is None or "cost" in said and (counted != usual or [len(c) for c in said["cost"][:3]] != [1, 2, 1]):
-            raise Wrong("%s: an operation without reasons" % path)
+            raise NotServed("%s: an operation without reasons: matchings have none, nor costs that do not begin as the usual one does" % path)
         self.before, self.after = (Patch(list(range(count)), inner, owners, most) for count, inner, owners in graphs_of(said))
         give_up = said.get("give_up", "none")
         self.may_go = sum(1 << p for p in ({"none": [], "all": range(len(self.before.owners))}[give_up] if isinstance(give_up, str) else give_up))
@@ -485,6 +492,6 @@ if __name__ == "__main__":
             print("k <= 8; read: certificates only; no header was read")
     except Wrong as wrong:
         sys.exit("check_reasons.py: " + str(wrong))
-    except OSError as error:
+    except (NotServed, OSError, json.JSONDecodeError, UnicodeDecodeError) as error:
         print("check_reasons.py:", error, file=sys.stderr)
         sys.exit(2)

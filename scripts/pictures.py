@@ -259,7 +259,7 @@ def rule_panels(position, section, sides):
 def operation_sheet(path, cert, rule):
     positions = list(positions_of(path))
     if len(positions) != 1:
-        raise Refused(f"{path}: describes {len(positions)} positions; restrip-generate describe writes the file of one")
+        raise Refused(f"{path}: describes {len(positions)} positions; web/atlas/atlas.py draws all of them")
     position, = positions
     try:
         (before,), (after,) = drawings([position.before], [position.after])

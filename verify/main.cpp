@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
   return exit_code_of(app, argc, argv, [&] {
     refuse_if(!options.operation.empty() && options.certificate.empty() && options.header.empty() &&
                   options.dump_command.empty(),
-              "--operation needs --certificate, --header or both");
+              "--operation needs --certificate, --header or, of a family, --dump-command");
     refuse_if(options.max_k > largest_fan &&
                   (options.headers_only || !options.linked_dump_command.empty() || !options.digest_commands.empty()),
               fmt::format(

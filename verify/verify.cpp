@@ -68,8 +68,9 @@ class Verification {
     const std::vector<Description> descriptions = parse_descriptions(options_.operation, read_file(options_.operation));
     families_ = families_of(descriptions, options_.max_k);
     if (families_.size() != 1)
-      throw InputError(options_.operation, 0,
-                       fmt::format("expected the operations of one certificate, found those of {}", families_.size()));
+      throw InputError(
+          options_.operation, 0,
+          fmt::format("describes operations of {} certificates; verify a file of one at a time", families_.size()));
     const Family& family = families_.front();
     for (const Section& section : family.sections)
       for (const Operation& operation : section.operations)
@@ -88,9 +89,10 @@ class Verification {
     check_families();
     ExpectedDump expected = expected_dump();
     expected.tells_isolated = false;
-    const auto is_linked = [](const Description& one) { return one.linked; };
-    if (!options_.header.empty() || std::none_of(descriptions.begin(), descriptions.end(), is_linked))
-      expected.lists.clear();
+    const bool is_linked =
+        std::any_of(descriptions.begin(), descriptions.end(), [](const Description& one) { return one.linked; });
+    totals_.lists_not_read = is_linked && options_.linked_certificate.empty();
+    if (!options_.header.empty() || !is_linked) expected.lists.clear();
     const bool is_table = options_.header.empty() || check_header(descriptions.front(), expected);
     if (options_.dump_command.empty()) return totals_;
     totals_.read.of_headers.emplace_back("compiled tables");
@@ -337,7 +339,8 @@ std::string last_line_of(const Options& options, const Totals& totals) {
   if (more != 0) text += fmt::format(", {} more NOT compared", more);
   text += ", " + quantity(totals.claims, "claim");
   if (totals.failed != 0) text += fmt::format(" of which {} failed", totals.failed);
-  return text + fmt::format("; read: {}\n", text_of(totals.read));
+  return text + fmt::format("; read: {}{}\n", text_of(totals.read),
+                            totals.lists_not_read ? "; linked rules were not read" : "");
 }
 
 }  // namespace restrip::verify

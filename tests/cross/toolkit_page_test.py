@@ -27,6 +27,9 @@ def run(command, folder, may_fail=False):
     return done.stdout
 
 
+DEMO_PROGRAMS = re.search(r"^  bin=(build.*)$", (ROOT / "scripts/demo.sh").read_text(encoding="utf-8"), re.M)[1]
+
+
 def main():
     programs, compiler = sys.argv[1:]
     building = f"{compiler} -std=c++20 -Wall -Wextra -Werror -Irules/include -I{ROOT}/tables/include"
@@ -40,7 +43,7 @@ def main():
             if saved_as == "use.cpp":
                 printed = run(f"{building} use.cpp -o use && ./use", folder)
             elif language == "sh":
-                command = re.sub(r"^python3 ", f"{sys.executable} {ROOT}/", text.replace("build/demo/bin/", programs + "/"), flags=re.M)
+                command = re.sub(r"^python3 ", f"{sys.executable} {ROOT}/", text.replace(DEMO_PROGRAMS + "/", programs + "/"), flags=re.M)
                 command = "set -e\n" + command.replace("g++ -std=c++20 -Irules/include -Itables/include", building)
                 printed = run(command, folder)
                 proof = command if "./print-pair-flip" in command else proof

@@ -39,7 +39,7 @@ operation_program_test(json "\"verified\": true" ${bisect} --json -)
 operation_program_test(wrong_certificate "merge.cert:2: expected \"operation bisect\"" --operation
                        ${RESTRIP_TABLES_DIR}/operations/bisect.json --certificate
                        ${RESTRIP_TABLES_DIR}/certificates/operations/merge.cert)
-operation_program_test(nothing_to_check "--operation needs --certificate, --header or both" --operation
+operation_program_test(nothing_to_check "--operation needs --certificate, --header or, of a family, --dump-command" --operation
                        ${RESTRIP_TABLES_DIR}/operations/bisect.json)
 operation_program_test(without_operation "--certificate requires --operation" --certificate
                        ${RESTRIP_TABLES_DIR}/certificates/operations/bisect.cert)

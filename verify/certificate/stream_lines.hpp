@@ -2,6 +2,7 @@
 // The lines of a dump, which is too long to be kept.
 
 #include <fmt/format.h>
+#include <sys/wait.h>
 
 #include <algorithm>
 #include <charconv>
@@ -12,6 +13,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "model/input.hpp"
 
 namespace restrip::verify {
 
@@ -102,17 +105,17 @@ Found found_in(std::FILE* stream, const Read& read) {
   return found;
 }
 
-/// Runs a program and has `read` check what it prints. A program that fails is a fault of what is found.
+/// Runs a program and has `read` check what it prints. A program that fails is a fault of what is found; one that
+/// cannot be run is an InputError.
 template <class Read>
 auto checked_output_of(const std::string& program, const Read& read) {
   decltype(read(static_cast<std::FILE*>(nullptr))) found{};
   std::FILE* const stream = popen(program.c_str(), "r");
-  if (stream == nullptr) {
-    found.fault = "cannot run " + program;
-    return found;
-  }
+  if (stream == nullptr) throw InputError(program, 0, "cannot be run");
   found = read(stream);
   const int status = pclose(stream);
+  if (const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0; code == 126 || code == 127)  // so say shells
+    throw InputError(program, 0, "cannot be run");
   if (found.fault.empty() && status != 0) found.fault = program + " failed";
   return found;
 }

@@ -68,7 +68,8 @@ struct Totals {
   std::uint64_t claims = 0;
   std::uint64_t failed = 0;
   Sources read;
-  bool graph_only = false;  ///< an operation that is not checked to be one on a mesh
+  bool graph_only = false;      ///< an operation that is not checked to be one on a mesh
+  bool lists_not_read = false;  ///< a family has linked rules, and their certificate was not given
   /// Answers of the shipped headers by operation: those that were all found right, and those that were read but not
   /// looked at, because their family was not chosen.
   AnswerCounts answers;
