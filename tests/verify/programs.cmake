@@ -46,6 +46,8 @@ operation_program_test(without_operation "--certificate requires --operation" --
 set(tables ${RESTRIP_TABLES_DIR}/include/restrip/tables/operations)
 operation_program_test(failing_dump "found the end.*NOT verified: " --operation ${RESTRIP_TABLES_DIR}/operations/bisect.json --header
                        ${tables}/bisect.hpp --dump-command false)
+operation_program_test(dump_that_cannot_be_run "no-such-program: cannot be run\n$" --operation ${RESTRIP_TABLES_DIR}/operations/bisect.json
+                       --header ${tables}/bisect.hpp --dump-command no-such-program)
 operation_program_test(unread_header "--dump-command with --operation needs --header" ${bisect} --dump-command true)
 operation_program_test(other_header "was not run.*NOT verified: " --operation ${RESTRIP_TABLES_DIR}/operations/bisect.json --header
                        ${tables}/merge.hpp --dump-command "$<TARGET_FILE:print_operations> bisect")
