@@ -15,6 +15,9 @@ using judge::Digest;
 using judge::numbers;
 using judge::some_bits;
 
+/// Compilers find a read outside the pairs.
+static_assert(detail::pairs_of<detail::WordPairs>(3, 0, 0) == detail::WordPairs{});
+
 /// Where the strips behind the solid ports go: some end, some come back, some are followed in vain.
 class Outside {
  public:

@@ -99,8 +99,8 @@ void defaults() {
   told.add(view.ports, view.matching, view.vertices, view.entries == nullptr);
 }
 
-/// What a dump tells that cannot be written, and one after an error.
-void not_written() {
+/// What dumps have told, what one tells that cannot be written, and one after an error.
+void not_written(int ended) {
   std::fflush(stdout);
   const int told = dup(1);
   const int full = open("/dev/full", O_WRONLY);
@@ -110,7 +110,7 @@ void not_written() {
   const int second = tables::print_dump("bisect", tables::bisect);
   std::clearerr(stdout);
   Digest answers("written");
-  answers.add(first, second);
+  answers.add(ended, first, second);
 }
 
 }  // namespace
@@ -130,6 +130,5 @@ int main(int argc, char** argv) {
   ended += tables::print_dump("matching", matching);
   ended += tables::print_dump("entries", static_cast<const tables::OperationTable<std::uint16_t, 32>&>(tables::bisect));
   ended += tables::print_dump("positions", static_cast<const tables::OperationFamily<std::uint16_t, 67, 2>&>(family));
-  not_written();
-  return ended;
+  not_written(ended);
 }
