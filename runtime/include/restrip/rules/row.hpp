@@ -12,7 +12,7 @@
 // Input. `ports` has a bit for each port, `joined` too: bit i is set when port i is solid and joined, before the
 // operation, to the solid port that precedes it cyclically; with exactly two solid ports either bit stands for the
 // pair. Bits of `joined` without a solid port are ignored. Any pair of masks is safe: the answer joins no other pairs.
-// A row out of range is a programming error, found in debug builds (precondition.hpp). There are fewer than 2^26
+// A row out of range is a programming error, found in debug builds (precondition.hpp). There are fewer than 2^31
 // triangles.
 //
 // Complexity. Two table reads for each triangle: time linear in the length. On words, and on bit strings with up to 64
