@@ -10,7 +10,7 @@
 namespace restrip::verify {
 
 /// The links of two arcs in ring order A, first arc, D, second arc.
-enum ArcEnd : unsigned { first_left, first_right, second_left, second_right, arc_ends };
+enum ArcEnd : unsigned { first_left, first_right, second_left, second_right };
 
 /// Pairs of links as bits.
 Mask pair_of_ends(unsigned one, unsigned other);
