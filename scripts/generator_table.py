@@ -23,7 +23,11 @@ import json
 import os
 import re
 import subprocess
+import sys
 import tempfile
+
+sys.dont_write_bytecode = True
+from strips_table import header, line  # noqa: E402
 
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 LINE = re.compile(r"^(\S+) +\d+ (?:sections?|class(?:es)?) +(\d+) (?:rules?|rows?) +(\d+) bytes?$", re.M)
@@ -45,15 +49,6 @@ def sizes_in(text):
 
 def make_tables(generate, k, folder):
     return sizes_in(subprocess.check_output([generate, "tables", "--max-k", str(k), "--threads", "2", "--out", folder], text=True))
-
-
-def line(cells):
-    print("| " + " | ".join(cells) + " |", flush=True)
-
-
-def header(*heads):
-    line(heads)
-    print("|" + " --- |" * len(heads))
 
 
 def print_counts(generate):

@@ -20,6 +20,9 @@ import sys
 import tempfile
 import time
 
+sys.dont_write_bytecode = True
+from strips_table import header, line  # noqa: E402
+
 WAYS = ["fast", "full", "best"]
 RUNS = 50
 RESTART = 0xFFFFFFFF
@@ -146,10 +149,6 @@ def in_words(seconds):
     return f"{1000 * seconds:,.1f} ms" if seconds < 1 else f"{seconds:,.1f} s"
 
 
-def line(cells):
-    print("| " + " | ".join(cells) + " |", flush=True)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
                                      epilog="Example: scripts/scratch_table.py build/release/bin/restrip bunny.obj")
@@ -175,8 +174,7 @@ def main():
         heads += list(others) + ["ACMR of " + f"`{ways[0]}`"]
         if "fast" in ways:
             heads += [f"time of `fast` against {name}, trusted, checked" for name in others]
-        line(heads)
-        print("|" + " --- |" * len(heads))
+        header(*heads)
         for mesh in given.meshes:
             checked, trusted, rivals = list_to_buffer(mesh, fast, others.values())
             reports = {way: ours(given.program, mesh, way) for way in ways}

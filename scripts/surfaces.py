@@ -3,7 +3,7 @@ ports in ascending order along its rim."""
 import itertools
 import math
 
-from operations import Refused, sides_of
+from operations import Refused
 
 # Sides of a triangle: ("edge", n), ("port", n), ("rim", triangle, n) on the boundary of the mesh.
 

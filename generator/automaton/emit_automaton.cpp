@@ -155,10 +155,6 @@ std::vector<bool> witness_links(const Automaton& automaton, const std::string& w
 
 }  // namespace
 
-std::string automaton_name(const Automaton& automaton) {
-  return gives_ports_up(automaton.weights) ? "row-automaton" : "automaton";
-}
-
 RulesHeader automaton_header(const Automaton& automaton) {
   const HeaderNumbers all(automaton);
   const Weights& weights = automaton.weights;
@@ -222,7 +218,8 @@ AutomatonCertificate automaton_certificate(const Automaton& automaton) {
       meetings.add("meet {} {} {} {} {}", x, y, text_of(m.first), text_of(m.second), m.chord ? "chord" : "-");
     }
   const std::size_t rows = cost.count() + classes.count() + closings.count() + meetings.count();
-  std::string text = fmt::format("restrip-certificate 2\nfamily {}\n", automaton_name(automaton)) +
+  std::string text = fmt::format("restrip-certificate 2\nfamily {}\n",
+                                 gives_ports_up(automaton.weights) ? "row-automaton" : "automaton") +
                      cost.section("cost") + classes.section("classes");
   if (!gives_ports_up(automaton.weights)) text += closings.section("closings") + meetings.section("meetings");
   return {sealed(text, rows), rows};

@@ -9,9 +9,6 @@
 
 namespace restrip::generator {
 
-/// "automaton"; "row-automaton" where ports may be given up. Both files are named so.
-[[nodiscard]] std::string automaton_name(const Automaton& automaton);
-
 /// restrip/tables/automaton.hpp.
 [[nodiscard]] RulesHeader automaton_header(const Automaton& automaton);
 

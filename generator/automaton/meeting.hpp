@@ -45,15 +45,13 @@ class Meetings {
   explicit Meetings(const Weights& weights);
 
   [[nodiscard]] const Meeting& operator[](std::size_t number) const { return ways_[number].meeting; }
-  /// What A, D and the edges that no arc counts add to the costs of the two arcs.
-  [[nodiscard]] int cost(std::size_t number) const { return ways_[number].cost; }
   /// Its number.
   [[nodiscard]] std::size_t best(const Arc& first, const Arc& second) const;
 
  private:
   struct Way {
     Meeting meeting;
-    int cost = 0;
+    int cost = 0;        ///< what A, D and the edges that no arc counts add to the costs of the two arcs
     unsigned joins = 0;  ///< pairs of ends whose strands reach ports and are joined
     int tie = 0;         ///< smaller is preferred
   };

@@ -9,9 +9,9 @@
 
 namespace restrip::generator {
 
-/// "strip" or "strips", "class" or "classes": one of them, or another number.
-[[nodiscard]] inline std::string plural(std::uint64_t count, std::string_view thing, std::string_view ending = "s") {
-  return fmt::format("{}{}", thing, count == 1 ? "" : ending);
+/// "strip" or "strips": one of them, or another number.
+[[nodiscard]] inline std::string plural(std::uint64_t count, std::string_view thing) {
+  return fmt::format("{}{}", thing, count == 1 ? "" : "s");
 }
 
 /// "1 strip", "2 strips".

@@ -2,16 +2,14 @@
 // templates/automaton.*.
 #include <fmt/format.h>
 
-#include "common/number_lines.hpp"
 #include "languages/languages.hpp"
-#include "languages/templates.hpp"
 
 namespace restrip::generator {
 namespace {
 
 /// What every template of the automaton names; `arrays` is in the language. A split has three edges more than k.
-Filling automaton_filling(const std::string& comment, const AutomatonArrays& automaton, const std::string& arrays,
-                          unsigned word_bits) {
+Filling automaton_filling(const std::string& comment, const AutomatonArrays& automaton, unsigned word_bits,
+                          const std::string& arrays = {}) {
   std::string operations = fmt::format("{0}   {1:<16}{2:<28}{3}\n", comment, "operation", "position", "colours after");
   const auto add = [&](const char* name, const char* position, const char* after) {
     operations += fmt::format("{0}   {1:<16}{2:<28}{3}\n", comment, name, position, after);
@@ -34,42 +32,26 @@ Filling automaton_filling(const std::string& comment, const AutomatonArrays& aut
           {"arrays", arrays}};
 }
 
-/// `array` is how the language writes where an array is: its name, the word with which it begins, bits of an element.
-std::string shader_automaton(std::string_view text, const AutomatonArrays& automaton, const char* array) {
-  const TableWords data = table_words(automaton.table);
-  std::string arrays;
-  for (const TableWords::Array& one : data.arrays)
-    arrays += fmt::format(fmt::runtime(array), one.name, one.word, one.bits);
-  Filling filling = automaton_filling("//", automaton, arrays, 32);
-  filling["words"] = std::to_string(data.words.size());
-  filling["checksum"] = fmt::format("{:#010x}", data.words[0]);
-  return filled(text, filling);
+std::string shader_automaton(std::string_view text, const char* array, const AutomatonArrays& automaton) {
+  return shader_text(text, array, automaton_filling("//", automaton, 32), automaton.table, "_OF_AUTOMATON");
 }
 
 }  // namespace
 
 std::string c_automaton(const AutomatonArrays& automaton) {
-  std::string arrays;
-  for (const TableArray& array : automaton.table.arrays)
-    arrays += fmt::format("static const uint{}_t restrip_{}[{}] = {{\n{}}};\n", array.bits, array.name,
-                          array.values.size(), numbers(array.values));
-  return filled(automaton_h, automaton_filling("//", automaton, arrays, 64));
+  return filled(automaton_h, automaton_filling("//", automaton, 64, c_arrays(automaton.table)));
 }
 
 std::string rust_automaton(const AutomatonArrays& automaton) {
-  std::string arrays;
-  for (const TableArray& array : automaton.table.arrays)
-    arrays += fmt::format("\nconst {}: &[u{}; {}] = &[\n{}];\n", capitals(array.name), array.bits, array.values.size(),
-                          numbers(array.values));
-  return filled(automaton_rs, automaton_filling("//!", automaton, arrays, 64));
+  return filled(automaton_rs, automaton_filling("//!", automaton, 64, rust_arrays(automaton.table)));
 }
 
 std::string glsl_automaton(const AutomatonArrays& automaton) {
-  return shader_automaton(automaton_glsl, automaton, "const uvec2 RESTRIP_{}_OF_AUTOMATON = uvec2({}u, {}u);\n");
+  return shader_automaton(automaton_glsl, glsl_array, automaton);
 }
 
 std::string wgsl_automaton(const AutomatonArrays& automaton) {
-  return shader_automaton(automaton_wgsl, automaton, "const RESTRIP_{}_OF_AUTOMATON = vec2<u32>({}u, {}u);\n");
+  return shader_automaton(automaton_wgsl, wgsl_array, automaton);
 }
 
 std::string automaton_words_file(const AutomatonArrays& automaton) { return words_file(automaton.table); }

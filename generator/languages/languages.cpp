@@ -8,7 +8,6 @@
 #include <cstdlib>
 
 #include "common/number_lines.hpp"
-#include "languages/templates.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -30,7 +29,7 @@ std::string operation_lines(const std::string& comment) {
 }
 
 /// What every template of the tables names; `arrays` is in the language.
-Filling tables_filling(const std::string& comment, const TableLayout& layout, const std::string& arrays) {
+Filling tables_filling(const std::string& comment, const TableLayout& layout, const std::string& arrays = {}) {
   return {{"max_k", std::to_string(layout.max_k)},
           {"bytes", std::to_string(layout.bytes())},
           {"operations", operation_lines(comment)},
@@ -38,31 +37,11 @@ Filling tables_filling(const std::string& comment, const TableLayout& layout, co
 }
 
 std::string c_header(const TableLayout& layout) {
-  std::string arrays;
-  for (const TableArray& array : layout.arrays)
-    arrays += fmt::format("static const uint{}_t restrip_{}[{}] = {{\n{}}};\n", array.bits, array.name,
-                          array.values.size(), numbers(array.values));
-  return filled(tables_h, tables_filling("//", layout, arrays));
+  return filled(tables_h, tables_filling("//", layout, c_arrays(layout)));
 }
 
 std::string rust_module(const TableLayout& layout) {
-  std::string arrays;
-  for (const TableArray& array : layout.arrays)
-    arrays += fmt::format("\nconst {}: &[u{}; {}] = &[\n{}];\n", capitals(array.name), array.bits, array.values.size(),
-                          numbers(array.values));
-  return filled(tables_rs, tables_filling("//!", layout, arrays));
-}
-
-/// `array` is how the language writes where an array is: its name, the word with which it begins, bits of an element.
-std::string shader_source(std::string_view source, const char* array, const TableLayout& layout) {
-  const TableWords data = table_words(layout);
-  std::string arrays;
-  for (const TableWords::Array& one : data.arrays)
-    arrays += fmt::format(fmt::runtime(array), one.name, one.word, one.bits);
-  Filling filling = tables_filling("//", layout, arrays);
-  filling["words"] = std::to_string(data.words.size());
-  filling["checksum"] = fmt::format("{:#010x}", data.words[0]);
-  return filled(source, filling);
+  return filled(tables_rs, tables_filling("//!", layout, rust_arrays(layout)));
 }
 
 /// What does not depend on the tables.
@@ -72,11 +51,38 @@ std::string as_it_is(const Layout& /*layout*/) {
 }
 
 std::string glsl_source(const TableLayout& layout) {
-  return shader_source(tables_glsl, "const uvec2 RESTRIP_{} = uvec2({}u, {}u);\n", layout);
+  return shader_text(tables_glsl, glsl_array, tables_filling("//", layout), layout);
 }
 
 std::string wgsl_source(const TableLayout& layout) {
-  return shader_source(tables_wgsl, "const RESTRIP_{} = vec2<u32>({}u, {}u);\n", layout);
+  return shader_text(tables_wgsl, wgsl_array, tables_filling("//", layout), layout);
+}
+
+/// What is in the file of words.
+struct TableWords {
+  struct Array {
+    std::string name;   ///< of the array, in capitals
+    unsigned word = 0;  ///< where it begins
+    unsigned bits = 8;  ///< of an element
+  };
+  std::vector<std::uint32_t> words;
+  std::vector<Array> arrays;
+};
+
+TableWords table_words(const TableLayout& layout) {
+  TableWords data{{0}, {}};
+  for (const TableArray& array : layout.arrays) {
+    data.arrays.push_back({capitals(array.name), static_cast<unsigned>(data.words.size()), array.bits});
+    const std::size_t in_a_word = 32 / array.bits;
+    for (std::size_t i = 0; i < array.values.size(); ++i) {
+      if (i % in_a_word == 0) data.words.push_back(0);
+      data.words.back() |= array.values[i] << (i % in_a_word * array.bits);
+    }
+  }
+  std::uint32_t checksum = 0x811c9dc5;
+  for (std::size_t i = 1; i < data.words.size(); ++i) checksum = (checksum ^ data.words[i]) * 0x01000193;
+  data.words[0] = checksum;
+  return data;
 }
 
 }  // namespace
@@ -115,25 +121,35 @@ std::string words_file(const TableLayout& layout) {
   return bytes;
 }
 
-TableWords table_words(const TableLayout& layout) {
-  TableWords data{{0}, {}};
-  for (const TableArray& array : layout.arrays) {
-    data.arrays.push_back({capitals(array.name), static_cast<unsigned>(data.words.size()), array.bits});
-    const std::size_t in_a_word = 32 / array.bits;
-    for (std::size_t i = 0; i < array.values.size(); ++i) {
-      if (i % in_a_word == 0) data.words.push_back(0);
-      data.words.back() |= array.values[i] << (i % in_a_word * array.bits);
-    }
-  }
-  std::uint32_t checksum = 0x811c9dc5;
-  for (std::size_t i = 1; i < data.words.size(); ++i) checksum = (checksum ^ data.words[i]) * 0x01000193;
-  data.words[0] = checksum;
-  return data;
-}
-
 std::string capitals(std::string name) {
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
   return name;
+}
+
+std::string c_arrays(const TableLayout& layout, std::string_view of) {
+  std::string text;
+  for (const TableArray& array : layout.arrays)
+    text += fmt::format("static const uint{}_t restrip_{}{}[{}] = {{\n{}}};\n", array.bits, array.name, of,
+                        array.values.size(), numbers(array.values));
+  return text;
+}
+
+std::string rust_arrays(const TableLayout& layout) {
+  std::string text;
+  for (const TableArray& array : layout.arrays)
+    text += fmt::format("\nconst {}: &[u{}; {}] = &[\n{}];\n", capitals(array.name), array.bits, array.values.size(),
+                        numbers(array.values));
+  return text;
+}
+
+std::string shader_text(std::string_view text, const char* array, Filling filling, const TableLayout& layout,
+                        std::string_view of) {
+  const TableWords data = table_words(layout);
+  for (const TableWords::Array& one : data.arrays)
+    filling["arrays"] += fmt::format(fmt::runtime(array), one.name, of, one.word, one.bits);
+  filling["words"] = std::to_string(data.words.size());
+  filling["checksum"] = fmt::format("{:#010x}", data.words[0]);
+  return filled(text, filling);
 }
 
 }  // namespace restrip::generator

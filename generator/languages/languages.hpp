@@ -6,9 +6,11 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "automaton/emit_automaton.hpp"
+#include "languages/templates.hpp"
 #include "operations/operation_layout.hpp"
 #include "tables/layout.hpp"
 
@@ -31,23 +33,24 @@ struct LanguageFile {
 
 // ---- What the emitters share ----
 
-/// All arrays as one run of 32-bit words, for buffers of shaders. Elements of 8 and 16 bits fill a word from its lowest
-/// bit, and each array begins with a word. The first word is the checksum of the others.
-struct TableWords {
-  struct Array {
-    std::string name;   ///< of the array, in capitals
-    unsigned word = 0;  ///< where it begins
-    unsigned bits = 8;  ///< of an element
-  };
-  std::vector<std::uint32_t> words;
-  std::vector<Array> arrays;
-};
-[[nodiscard]] TableWords table_words(const TableLayout& layout);
-
 /// In capitals, for constants.
 [[nodiscard]] std::string capitals(std::string name);
 
-/// Every word as four bytes, little-endian.
+/// The arrays as constants of the language; `of` ends the name of each.
+[[nodiscard]] std::string c_arrays(const TableLayout& layout, std::string_view of = {});
+[[nodiscard]] std::string rust_arrays(const TableLayout& layout);
+
+/// How the shading languages write where an array is: its name, what ends it, the word with which it begins, bits of an
+/// element.
+inline constexpr const char* glsl_array = "const uvec2 RESTRIP_{}{} = uvec2({}u, {}u);\n";
+inline constexpr const char* wgsl_array = "const RESTRIP_{}{} = vec2<u32>({}u, {}u);\n";
+/// A template of one of them, filled in with these values and with what the words of the layout are.
+[[nodiscard]] std::string shader_text(std::string_view text, const char* array, Filling filling,
+                                      const TableLayout& layout, std::string_view of = {});
+
+/// All arrays as one run of 32-bit words, for buffers of shaders: each word as four bytes, little-endian. Elements of 8
+/// and 16 bits fill a word from its lowest bit, and each array begins with a word. The first word is the checksum of
+/// the others.
 [[nodiscard]] std::string words_file(const TableLayout& layout);
 
 [[nodiscard]] std::string json_tables(const TableLayout& layout);

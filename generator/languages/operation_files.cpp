@@ -6,9 +6,7 @@
 
 #include <algorithm>
 
-#include "common/number_lines.hpp"
 #include "languages/languages.hpp"
-#include "languages/templates.hpp"
 #include "tables/emit.hpp"
 
 namespace restrip::generator {
@@ -93,17 +91,11 @@ Filling operation_filling(const OperationLayout& layout, const Dialect& dialect)
           {"none", std::to_string(layout.none())}};
 }
 
-/// `array` is how the language writes where an array is: its name, the word with which it begins, bits of an element.
-std::string shader_operation(std::string_view text, const OperationLayout& layout, const Dialect& dialect,
-                             const char* array) {
+std::string shader_operation(std::string_view text, const char* array, const OperationLayout& layout,
+                             const Dialect& dialect) {
   Filling filling = operation_filling(layout, dialect);
-  const TableWords data = table_words(arrays_of(layout));
-  for (const TableWords::Array& one : data.arrays)
-    filling["arrays"] += fmt::format(fmt::runtime(array), one.name, filling["capitals"], one.word, one.bits);
-  filling["words"] = std::to_string(data.words.size());
-  filling["checksum"] = fmt::format("{:#010x}", data.words[0]);
   if (!layout.matching()) filling["configuration"] = "((inner << port_count) | ports)";
-  return filled(text, filling);
+  return shader_text(text, array, filling, arrays_of(layout), "_OF_" + filling["capitals"]);
 }
 
 }  // namespace
@@ -111,31 +103,25 @@ std::string shader_operation(std::string_view text, const OperationLayout& layou
 std::string c_operation(const OperationLayout& layout) {
   Filling filling =
       operation_filling(layout, {"//", "uint32_t {}, ", "  if ({}) return rule;\n", "  place = {};\n", "", ""});
-  for (const TableArray& array : arrays_of(layout).arrays)
-    filling["arrays"] += fmt::format("static const uint{}_t restrip_{}_of_{}[{}] = {{\n{}}};\n", array.bits, array.name,
-                                     filling["name"], array.values.size(), numbers(array.values));
+  filling["arrays"] = c_arrays(arrays_of(layout), "_of_" + filling["name"]);
   return filled(operation_h, filling);
 }
 
 std::string rust_operation(const OperationLayout& layout) {
   Filling filling = operation_filling(layout, {"//!", "{}: u32, ", "    if {} {{\n        return None;\n    }}\n",
                                                "    let place = {} as usize;\n", "    let place = 0;\n", ""});
-  for (const TableArray& array : arrays_of(layout).arrays)
-    filling["arrays"] += fmt::format("\nconst {}: &[u{}; {}] = &[\n{}];\n", capitals(array.name), array.bits,
-                                     array.values.size(), numbers(array.values));
+  filling["arrays"] = rust_arrays(arrays_of(layout));
   return filled(operation_rs, filling);
 }
 
 std::string glsl_operation(const OperationLayout& layout) {
-  return shader_operation(operation_glsl, layout,
-                          {"//", "uint {}, ", "  if ({}) return none;\n", "  place = {};\n", "", "u"},
-                          "const uvec2 RESTRIP_{}_OF_{} = uvec2({}u, {}u);\n");
+  return shader_operation(operation_glsl, glsl_array, layout,
+                          {"//", "uint {}, ", "  if ({}) return none;\n", "  place = {};\n", "", "u"});
 }
 
 std::string wgsl_operation(const OperationLayout& layout) {
-  return shader_operation(operation_wgsl, layout,
-                          {"//", "{}: u32, ", "  if ({}) {{\n    return none;\n  }}\n", "  place = {};\n", "", "u"},
-                          "const RESTRIP_{}_OF_{} = vec2<u32>({}u, {}u);\n");
+  return shader_operation(operation_wgsl, wgsl_array, layout,
+                          {"//", "{}: u32, ", "  if ({}) {{\n    return none;\n  }}\n", "  place = {};\n", "", "u"});
 }
 
 std::string operation_words_file(const OperationLayout& layout) { return words_file(arrays_of(layout)); }

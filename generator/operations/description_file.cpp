@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "files/reading.hpp"
 #include "operations/emitted_words.hpp"

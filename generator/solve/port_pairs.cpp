@@ -1,7 +1,6 @@
 #include "solve/port_pairs.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace restrip::generator {
 

@@ -1,7 +1,6 @@
 // Packs the keys of each valence into few cells by row displacement (see tables/include/restrip/tables/format.hpp).
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "solve/section.hpp"

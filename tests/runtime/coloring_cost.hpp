@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "restrip/output/strips.hpp"
 #include "restrip/search/descent.hpp"
 

@@ -1,7 +1,6 @@
 // Meshes in which one vertex has triangles without end: what was quadratic in its valence.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <random>

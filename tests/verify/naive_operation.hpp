@@ -3,11 +3,7 @@
 // to find cycles, all permutations tried to find symmetries. Of the verifier it uses the operation as it was read,
 // nothing else.
 
-#include <array>
-#include <map>
-#include <optional>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 

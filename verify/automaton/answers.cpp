@@ -55,6 +55,26 @@ FanKey fan_key(const Key& key, const FanPlace& place) {
   return {key.ports, joined, 0, 0};
 }
 
+FanKey written_key(unsigned k, std::uint64_t n, unsigned letters) {
+  FanKey key;
+  for (unsigned port = k; port-- > 0; n /= letters) {
+    const std::uint64_t letter = n % letters;
+    if (letter == 0) continue;
+    key.ports |= single(port);
+    if (letter > letters / 2) key.joined |= single(port);
+    if (letter % 3 == 2) key.left |= single(port);
+    if (letter % 3 == 0) key.right |= single(port);
+  }
+  return key;
+}
+
+FanKey seen_key(FanKey key, const FanPlace& place, bool tells_turns) {
+  key.joined &= place.closed() ? key.ports : key.ports & ~lowest(key.ports);
+  if (place.closed() && solid_count(key.ports) == 2 && key.joined != 0) key.joined = key.ports;
+  if (!tells_turns) key.left = key.right = 0;
+  return key;
+}
+
 std::vector<FanPlace> all_places(unsigned k) {
   std::vector<FanPlace> places;
   if (k >= 3) {

@@ -1,6 +1,7 @@
 #pragma once
 // What a certificate answers to a key of a fan: forwards over the letters of its arcs, back over the cases.
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,12 @@ struct FanKey {
 
 /// What a row of a table of fans is told: bit i of `joined` where port i is joined to the solid port before it.
 FanKey fan_key(const Key& key, const FanPlace& place);
+
+/// The number n written with a letter for each port, the last one the lowest digit.
+FanKey written_key(unsigned k, std::uint64_t n, unsigned letters);
+/// The key as the look-up takes it: what is not looked at is taken away. `joined` counts at solid ports, in an open fan
+/// not at the first, and with exactly two in a closed fan either bit stands for both.
+FanKey seen_key(FanKey key, const FanPlace& place, bool tells_turns);
 
 /// A recolouring, and what the certificate says it costs, less the restarts of all triangles of the patch.
 struct AutomatonAnswer {

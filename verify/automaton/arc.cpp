@@ -114,6 +114,11 @@ std::string ports_in(std::string_view word) {
   return ports;
 }
 
+std::string end_ports(std::string_view word) {
+  const std::string ports = ports_in(word);
+  return ports.size() < 3 ? ports : ports.substr(0, 1) + "..";
+}
+
 int least_of(const Costs& costs) {
   std::optional<int> least;
   for (const auto& cost : costs)

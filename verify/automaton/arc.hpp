@@ -55,6 +55,9 @@ constexpr bool is_joined(char letter) { return letter >= 'A' && letter <= 'Z'; }
 inline bool has_boundary(std::string_view word) { return word.find('b') != std::string_view::npos; }
 /// The solid ports of an arc, by the letters that do not tell turns.
 std::string ports_in(std::string_view word);
+/// What of the ports of an arc tells which pairs of end ports are joined before, whatever the other arc: how many there
+/// are, up to three; whether the first is joined to the one before it; whether there are two and they are joined.
+std::string end_ports(std::string_view word);
 
 /// What the strands over the two links of an arc do, a character for each: `-` dashed; `e` it ends in the end triangle;
 /// `p` it leaves by the port of the end triangle; `f` it goes on along the fan and ends; `q` it goes on along the fan

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <utility>
 
 namespace restrip::verify {
 namespace {
@@ -204,6 +203,16 @@ struct RingPorts {
   }
 };
 
+/// The pairs of links of which this is true.
+template <class Holds>
+Mask pairs_of_which(const Holds& holds) {
+  Mask pairs = 0;
+  for (const ArcEnd one : {first_left, first_right, second_left})
+    for (const ArcEnd other : {first_right, second_left, second_right})
+      if (one < other && holds(one, other)) pairs |= pair_of_ends(one, other);
+  return pairs;
+}
+
 }  // namespace
 
 bool joined_before(std::string_view first, std::string_view second, ArcEnd one, ArcEnd other) {
@@ -216,20 +225,17 @@ bool joined_before(std::string_view first, std::string_view second, ArcEnd one, 
 }
 
 Mask pairs_joined_before(std::string_view first, std::string_view second) {
-  Mask pairs = 0;
-  for (const ArcEnd one : {first_left, first_right, second_left})
-    for (const ArcEnd other : {first_right, second_left, second_right})
-      if (one < other && joined_before(first, second, one, other)) pairs |= pair_of_ends(one, other);
-  return pairs;
+  return pairs_of_which([&](ArcEnd one, ArcEnd other) { return joined_before(first, second, one, other); });
 }
 
-bool in_key(std::string_view first, std::string_view second, ArcEnd one, ArcEnd other) {
-  const RingPorts ports(first, second, one, other);
-  if (!ports.are_two()) return false;
-  const auto next = [&](std::size_t later, std::size_t earlier) {
-    return ports.follows(later, earlier) && !ports.boundary_between(earlier, later);
-  };
-  return next(*ports.one, *ports.other) || next(*ports.other, *ports.one);
+Mask pairs_in_key(std::string_view first, std::string_view second) {
+  return pairs_of_which([&](ArcEnd one, ArcEnd other) {
+    const RingPorts ports(first, second, one, other);
+    const auto next = [&](std::size_t later, std::size_t earlier) {
+      return ports.follows(later, earlier) && !ports.boundary_between(earlier, later);
+    };
+    return ports.are_two() && (next(*ports.one, *ports.other) || next(*ports.other, *ports.one));
+  });
 }
 
 }  // namespace restrip::verify

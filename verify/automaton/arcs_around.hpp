@@ -10,7 +10,7 @@
 namespace restrip::verify {
 
 /// The links of two arcs in ring order A, first arc, D, second arc.
-enum ArcEnd : unsigned { first_left, first_right, second_left, second_right, arc_ends };
+enum ArcEnd : unsigned { first_left, first_right, second_left, second_right };
 
 /// Pairs of links as bits.
 Mask pair_of_ends(unsigned one, unsigned other);
@@ -48,8 +48,8 @@ bool joined_before(std::string_view first, std::string_view second, ArcEnd one, 
 /// All pairs of links of which that is true.
 Mask pairs_joined_before(std::string_view first, std::string_view second);
 
-/// Whether the ports that two links reach follow each other in the fan, so that a key says whether they are joined. In
-/// a ring with the boundary in it the last port of the open fan is not followed by the first.
-bool in_key(std::string_view first, std::string_view second, ArcEnd one, ArcEnd other);
+/// The pairs of links whose ports follow each other in the fan, so that a key says whether they are joined. In a ring
+/// with the boundary in it the last port of the open fan is not followed by the first.
+Mask pairs_in_key(std::string_view first, std::string_view second);
 
 }  // namespace restrip::verify

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "automaton/answers.hpp"
 
@@ -15,31 +17,9 @@ constexpr std::array<std::string_view, 5> operations = {"split", "collapse", "op
 constexpr std::uint32_t most_keys = 7000;
 constexpr std::uint32_t drawn_keys = 64;
 
-/// The number n written with a letter for each port, the last one the lowest digit.
-FanKey written_key(unsigned k, std::uint32_t n, std::uint32_t letters) {
-  FanKey key;
-  for (unsigned port = k; port-- > 0; n /= letters) {
-    const std::uint32_t letter = n % letters;
-    if (letter == 0) continue;
-    key.ports |= single(port);
-    if (letter > letters / 2) key.joined |= single(port);
-    if (letter % 3 == 2) key.left |= single(port);
-    if (letter % 3 == 0) key.right |= single(port);
-  }
-  return key;
-}
-
 FanKey drawn_key(unsigned k, std::uint32_t n) {
   const auto drawn = [&](Mask place) { return low_part(mixed_number(n, place, 0), k); };
   return {drawn(0), drawn(1), drawn(2), drawn(3)};
-}
-
-/// What the look-up does not look at is taken away.
-FanKey seen(FanKey key, const FanPlace& place, bool tells_turns) {
-  key.joined &= place.closed() ? key.ports : key.ports & ~lowest(key.ports);
-  if (place.closed() && solid_count(key.ports) == 2 && key.joined != 0) key.joined = key.ports;
-  if (!tells_turns) key.left = key.right = 0;
-  return key;
 }
 
 }  // namespace
@@ -57,7 +37,7 @@ Digests automaton_digests(const AutomatonCertificate& certificate, unsigned max_
       std::uint32_t& digest = digests[fmt::format("{} {} {} {}", operation, k, place.a, place.b)];
       for (std::uint32_t n = 0; n < (keys <= most_keys ? keys : drawn_keys); ++n) {
         const FanKey key = keys <= most_keys ? written_key(k, n, letters) : drawn_key(k, n);
-        digest += mixed_number(n, key.ports, 0x80000000U | reader.answer(place, seen(key, place, turns)).inner);
+        digest += mixed_number(n, key.ports, 0x80000000U | reader.answer(place, seen_key(key, place, turns)).inner);
       }
     }
   }

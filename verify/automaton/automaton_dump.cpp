@@ -27,17 +27,9 @@ std::uint64_t coded(const AutomatonClass& c, std::size_t number, bool tells_turn
   return place;
 }
 
-/// The key with the number n of the 3^k keys of a fan, as the look-up takes it: `joined` counts at solid ports, in an
-/// open fan not at the first, and with exactly two in a closed fan either bit stands for both.
+/// The key with the number n of the 3^k keys of a fan, as the look-up takes it.
 FanKey key_numbered(const FanPlace& place, std::uint64_t n) {
-  FanKey key;
-  for (unsigned i = place.k; i-- > 0; n /= 3) {
-    if (n % 3 != 0) key.ports |= single(i);
-    if (n % 3 == 2) key.joined |= single(i);
-  }
-  if (place.closed() && solid_count(key.ports) == 2 && key.joined != 0) key.joined = key.ports;
-  if (!place.closed()) key.joined &= ~lowest(key.ports);
-  return key;
+  return seen_key(written_key(place.k, n, 3), place, false);
 }
 
 class AutomatonDumpReader {

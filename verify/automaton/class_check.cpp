@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <deque>
 #include <optional>
 
@@ -44,13 +44,6 @@ Costs without_hopeless(const Costs& costs, const Weights& weights) {
     if (k.right != '-' && k.right != 't') drop_for({k.left, '-'}, of_right);
   }
   return kept;
-}
-
-/// What of the ports of an arc tells which pairs of end ports are joined before, whatever the other arc: how many there
-/// are, up to three; whether the first is joined to the one before it; whether there are two and they are joined.
-std::string end_ports(const std::string& word) {
-  const std::string ports = ports_in(word);
-  return ports.size() < 3 ? ports : ports.substr(0, 1) + "..";
 }
 
 std::string name_of(const std::string& word) { return word.empty() ? "-" : word; }

@@ -109,8 +109,7 @@ bool may_be_a_key(const std::string& x, const std::string& y) {
 /// Arcs with the same text are the same to every context.
 std::string key_of(const FactArc& arc) {
   std::string key = has_boundary(arc.word) ? "b" : "-";
-  const std::string ports = ports_in(arc.word);
-  key += ports.size() < 3 ? ports : ports.substr(0, 1) + "..";
+  key += end_ports(arc.word);
   key += arc.word.size() == 1 ? " alone" : "";  // a = 1
   for (std::size_t c = 0; c < case_count; ++c)
     key += arc.best[c] ? fmt::format(" {}:{}", *arc.best[c], *arc.least_isolated[c]) : " none";
@@ -192,15 +191,6 @@ Outcome outcome_of(const FactArc& x, const FactArc& y, const std::vector<Way>& w
   return outcome;
 }
 
-/// Before a collapse a strip over the chord may also join ports of which the key says nothing.
-Mask pairs_not_in_key(const FactArc& x, const FactArc& y) {
-  Mask pairs = 0;
-  for (const ArcEnd one : {first_left, first_right, second_left})
-    for (const ArcEnd other : {first_right, second_left, second_right})
-      if (one < other && !in_key(x.word, y.word, one, other)) pairs |= pair_of_ends(one, other);
-  return pairs;
-}
-
 class Collector {
  public:
   void add(const std::string& operations, const char* measure, int cost, std::size_t k, const std::string& witness) {
@@ -264,7 +254,8 @@ Facts facts_of_every_fan() {
       const Outcome chord = outcome_of(x, y, ways[with_chord], joined);
       collector.add(open ? "open split" : "split", ring, chord, 2, k, witness);
       if (!open && x.word.size() == 1) collector.add("split with a = 1", ring, chord, 2, k, witness);
-      const Outcome before = outcome_of(x, y, ways[with_chord], joined | pairs_not_in_key(x, y));
+      // Before a collapse a strip over the chord may also join ports of which the key says nothing.
+      const Outcome before = outcome_of(x, y, ways[with_chord], joined | ~pairs_in_key(x.word, y.word));
       collector.add(open ? "open collapse" : "collapse", before, ring, -2, k, witness);
     }
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "automaton/fan_search.hpp"
 #include "model/coloring.hpp"

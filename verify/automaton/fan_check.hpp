@@ -2,8 +2,6 @@
 // The answers of a certificate in whole fans: against a search of their own, and against the rules of the tables.
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "automaton/answers.hpp"
 #include "certificate/certificate.hpp"

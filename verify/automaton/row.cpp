@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <optional>
+#include <string>
 #include <tuple>
 
 #include "judge/rule_judge.hpp"

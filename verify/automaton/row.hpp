@@ -2,8 +2,6 @@
 // Rows of triangles with ports that may be given up: where they lie among the ports of an operation, and what a
 // certificate answers (docs/automaton.md, "Families of your own").
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "automaton/automaton_certificate.hpp"

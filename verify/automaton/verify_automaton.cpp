@@ -45,10 +45,6 @@ std::string certificate_of(const AutomatonOptions& options, const std::string& f
   return options.tables_dir + "/certificates/" + family + ".cert";
 }
 
-}  // namespace
-
-namespace {
-
 void tell_classes(const AutomatonCertificate& certificate, unsigned every, AutomatonTotals& totals,
                   ClaimTeller& teller) {
   totals.read.certificates = true;

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "automaton/automaton_digests.hpp"
 #include "judge/report.hpp"
 #include "model/family.hpp"
 
@@ -13,9 +14,9 @@ struct AutomatonOptions {
   /// A file with a family that the automaton of rows answers: that one is checked, for it. Empty: the automaton of
   /// fans.
   std::string operation;
-  std::string dump_command;                  ///< prints the compiled automaton; empty: it is not read
-  std::vector<std::string> digest_commands;  ///< programs that print digests of what look-ups answer
-  unsigned digest_max_k = 28;                ///< the largest fans of digests
+  std::string dump_command;                    ///< prints the compiled automaton; empty: it is not read
+  std::vector<std::string> digest_commands;    ///< programs that print digests of what look-ups answer
+  unsigned digest_max_k = largest_digest_fan;  ///< the largest fans of digests
   unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, and of the answers of the dump
   /// The largest fans that are searched; 0: 10, or 6 where swaps have a price, which makes many more keys; 8 for rows.
   unsigned max_k = 0;

@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "bound/bound_check.hpp"

@@ -43,6 +43,7 @@ BITS = {  # of the masks before and after, beside k
     "boundary-collapse": (0, -1), "linked-split": (None, 3), "linked-collapse": (None, 0)}
 LEAF = 0xffff  # in place of a fork's first node; behind it the mask
 PIECE = 2000  # digits of a text
+PART = 500  # rows of a list
 
 
 class Table:
@@ -220,13 +221,13 @@ def row_of(line, count, closed):
     return "Copy %s %s" % (key, symmetry_of(to)) if kind == "copy" else "Rule %s 0x%s" % (key, recoloring)
 
 
-def text_of_section(name, rows, chunk=500):
+def text_of_section(name, rows):
     text = ""
     for i, row in enumerate(rows):
-        if i % chunk == 0:
-            text += "Definition rows_%s_part_%d : list row := [\n" % (name, i // chunk)
-        text += row + ("].\n" if i % chunk + 1 == chunk or i + 1 == len(rows) else ";\n" if i % 6 == 5 else "; ")
-    parts = "".join("rows_%s_part_%d ++ " % (name, part) for part in range((len(rows) + chunk - 1) // chunk))
+        if i % PART == 0:
+            text += "Definition rows_%s_part_%d : list row := [\n" % (name, i // PART)
+        text += row + ("].\n" if i % PART + 1 == PART or i + 1 == len(rows) else ";\n" if i % 6 == 5 else "; ")
+    parts = "".join("rows_%s_part_%d ++ " % (name, part) for part in range((len(rows) + PART - 1) // PART))
     return text + "Definition rows_%s : list row := %s[].\n" % (name, parts)
 
 

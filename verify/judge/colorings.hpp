@@ -2,7 +2,6 @@
 // All colourings of one side: which are valid, and which of these fit the same worlds.
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "judge/fit_table.hpp"

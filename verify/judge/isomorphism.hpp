@@ -2,7 +2,6 @@
 // Isomorphisms of small graphs with coloured nodes and edges: colours are refined by those of the neighbours until that
 // tells no more nodes apart, then images are tried one after the other and taken back.
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 

@@ -1,6 +1,5 @@
 #include "judge/symmetry.hpp"
 
-#include <algorithm>
 #include <map>
 #include <numeric>
 #include <stdexcept>

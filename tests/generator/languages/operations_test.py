@@ -7,10 +7,8 @@ altered the verifier refuses the answers. The example of docs/languages.md is ru
   operations_test.py LANGUAGE --generate PROGRAM --verify PROGRAM --scratch FOLDER --with PROGRAM…
 """
 import json
-import re
 import shlex
 import subprocess
-from pathlib import Path
 
 import language_test
 from language_test import ROOT, arguments, check_example, run

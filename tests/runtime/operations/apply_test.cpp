@@ -8,10 +8,7 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <optional>
 #include <random>
-#include <set>
 #include <utility>
 #include <vector>
 

@@ -7,8 +7,6 @@
 
 #include <cstddef>
 #include <random>
-#include <utility>
-#include <vector>
 
 #include "hooked_operations.hpp"
 #include "restrip/mesh/checks.hpp"

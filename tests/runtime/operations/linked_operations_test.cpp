@@ -8,10 +8,8 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <optional>
 #include <random>
 #include <set>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -6,11 +6,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <iostream>
-#include <limits>
-#include <map>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "naive_patch.hpp"

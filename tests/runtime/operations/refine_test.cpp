@@ -10,8 +10,6 @@
 #include <array>
 #include <random>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "../../support/sanitizers.hpp"
 #include "locator_agrees.hpp"

@@ -6,11 +6,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <set>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "hand_made_mesh.hpp"
 #include "restrip/mesh/checks.hpp"

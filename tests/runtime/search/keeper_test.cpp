@@ -8,7 +8,6 @@
 #include <array>
 #include <random>
 #include <stdexcept>
-#include <vector>
 
 #include "coloring_cost.hpp"
 #include "hand_made_mesh.hpp"

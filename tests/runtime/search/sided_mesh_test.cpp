@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <type_traits>
 
 #include "restrip/output/strips.hpp"

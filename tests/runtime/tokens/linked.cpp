@@ -4,7 +4,6 @@
 #include "restrip/operations/linked.hpp"
 
 #include <bit>
-#include <cstdint>
 
 #include "judge.hpp"
 

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 
 #include "judge.hpp"
 #include "restrip/tables/operation_dump.hpp"

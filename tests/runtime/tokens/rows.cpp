@@ -1,5 +1,4 @@
 // Rules for rows: every key of rows with up to five ports, on words and on bit strings, some keys of longer ones.
-#include <type_traits>
 
 #include "guarded_new.hpp"
 #include "judge.hpp"

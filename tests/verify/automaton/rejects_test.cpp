@@ -2,7 +2,6 @@
 // a price, are altered in one row, their sums brought up to date, and each alteration must fail the claim that it
 // breaks, or be refused as not well formed. Kinds of rows are altered wherever a fixed stride meets them, so that no
 // row is picked because it is known to be noticed.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -11,50 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "altered.hpp"
 #include "automaton/automaton_certificate.hpp"
-#include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
-#include "certificate/sums.hpp"
 #include "model/input.hpp"
 
-namespace restrip::verify {
+namespace restrip::verify::test {
 namespace {
-
-std::vector<std::string> lines_of(const std::string& file) {
-  const std::string text = read_file(file);
-  std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = text.find('\n', at);
-    lines.push_back(text.substr(at, end - at));
-    at = end + 1;
-  }
-  return lines;
-}
-
-std::vector<std::string> words_of(const std::string& line) {
-  std::vector<std::string> words(1);
-  for (const char c : line)
-    if (c == ' ')
-      words.emplace_back();
-    else
-      words.back() += c;
-  return words;
-}
-
-std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
-
-/// With the right last line. Whatever is not part of the frame is a row.
-std::string text_of(const std::vector<std::string>& lines) {
-  std::string text;
-  std::size_t rows = 0;
-  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-    text += lines[i] + "\n";
-    const std::string word = words_of(lines[i])[0];
-    rows += word != "restrip-certificate" && word != "family" && word != "section" && word != "claim";
-  }
-  const ByteSums sums = sums_of(text);
-  return text + fmt::format("end {} {} {}\n", rows, sums.plain, sums.weighted);
-}
 
 /// A change of one row; nothing where it does not apply to this row.
 using RowChange = std::function<std::optional<std::string>(std::vector<std::string> words)>;
@@ -67,26 +29,13 @@ RowChange one_more(std::size_t word) {
   };
 }
 
-/// What the checker says first; empty when all claims hold.
-std::string verdict_of(const std::vector<std::string>& lines) {
-  try {
-    const AutomatonCertificate certificate = parse_automaton("altered.cert", text_of(lines));
-    const ClassCheck check(certificate);
-    for (const AutomatonClaim& claim : check.claims())
-      if (claim.failures.count != 0) return claim.failures.first;
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
-
 /// By the folder of tables that has it.
 class AutomatonRejects : public testing::TestWithParam<const char*> {
  protected:
   const std::vector<std::string>& good() const {
     static std::map<std::string, std::vector<std::string>> known;
     std::vector<std::string>& lines = known[GetParam()];
-    if (lines.empty()) lines = lines_of(std::string(GetParam()) + "/certificates/automaton.cert");
+    if (lines.empty()) lines = parts_of(read_file(std::string(GetParam()) + "/certificates/automaton.cert"), '\n');
     return lines;
   }
 
@@ -101,7 +50,7 @@ class AutomatonRejects : public testing::TestWithParam<const char*> {
       const std::size_t row = rows[(2 * n + 1) * rows.size() / (2 * count)];
       std::vector<std::string> lines = good();
       lines[row] = change(words_of(lines[row])).value();
-      const std::string verdict = verdict_of(lines);
+      const std::string verdict = verdict_of(sealed_again(lines));
       EXPECT_NE(verdict.find(message), std::string::npos) << good()[row] << " -> " << lines[row] << ": " << verdict;
     }
   }
@@ -109,7 +58,7 @@ class AutomatonRejects : public testing::TestWithParam<const char*> {
 
 INSTANTIATE_TEST_SUITE_P(Costs, AutomatonRejects, testing::Values(RESTRIP_TABLES_DIR, RESTRIP_OTHER_TABLES_DIR));
 
-TEST_P(AutomatonRejects, NothingInAGoodCertificate) { EXPECT_EQ(verdict_of(good()), ""); }
+TEST_P(AutomatonRejects, NothingInAGoodCertificate) { EXPECT_EQ(verdict_of(sealed_again(good())), ""); }
 
 /// Another cost than that of the rows.
 TEST_P(AutomatonRejects, WrongWeights) {
@@ -225,12 +174,12 @@ TEST_P(AutomatonRejects, MalformedFiles) {
   const auto without = [&](const std::string& start) {
     std::vector<std::string> lines = good();
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(row_of(start)));
-    return verdict_of(lines);
+    return verdict_of(sealed_again(lines));
   };
   const auto with = [&](const std::string& start, const std::string& line) {
     std::vector<std::string> lines = good();
     lines[row_of(start)] = line;
-    return verdict_of(lines);
+    return verdict_of(sealed_again(lines));
   };
   EXPECT_NE(without("weights ").find("altered.cert:"), std::string::npos);
   EXPECT_NE(without("class 5 ").find("there is no class"), std::string::npos);
@@ -251,13 +200,13 @@ TEST_P(AutomatonRejects, MalformedFiles) {
   EXPECT_NE(with("step 0 d ", "step 0 d 65000 0").find("there is no class 65000"), std::string::npos);
   EXPECT_NE(with("value 1 --", "value 1 -- -1").find("expected a number from 0"), std::string::npos);
   EXPECT_NE(with("family ", "family split").find("expected"), std::string::npos);
-  std::string bytes = text_of(good());
+  std::string bytes = sealed_again(good());
   bytes.resize(bytes.size() / 2);
   EXPECT_THROW(parse_automaton("half.cert", bytes), InputError);
-  bytes = text_of(good());
+  bytes = sealed_again(good());
   bytes[bytes.size() / 3] = bytes[bytes.size() / 3] == '1' ? '2' : '1';
   EXPECT_THROW(parse_automaton("altered.cert", bytes), InputError);
 }
 
 }  // namespace
-}  // namespace restrip::verify
+}  // namespace restrip::verify::test

@@ -51,12 +51,6 @@ class Scratch {
     chmod(path(name).c_str(), 0755);
     return path(name);
   }
-  /// Tables with one certificate alone.
-  std::string tables_with(const std::string& family, const std::string& certificate) const {
-    fs::create_directories(path("tables/certificates"));
-    folder_.write("tables/certificates/" + family + ".cert", certificate);
-    return path("tables");
-  }
 
  private:
   WorkFolder folder_;

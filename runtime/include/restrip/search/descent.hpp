@@ -115,7 +115,6 @@ class Descent {
   void make(Mesh& mesh, const StripMove& move);
 
   [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
-  void set_cost(Cost cost) noexcept { cost_ = cost; }
   [[nodiscard]] const DescentCounts& counts() const noexcept { return counts_; }
 
   /// Triangles that a walk passes on either side before the move is refused.
