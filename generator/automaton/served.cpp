@@ -67,8 +67,8 @@ Sum triangles_after(const Description& family) {
   else
     for (const Chain& chain : std::get<SidePattern>(family.after).chains)
       for (const Stretch& stretch : chain.elements) add(stretch.range);
-  for (const Position& position :
-       positions_up_to(family, most_ports))  // a range may end before it begins, and is empty
+  // A range that ends before it begins is empty, and the sum is less.
+  for (const Position& position : positions_up_to(family, most_ports))
     if (const unsigned nodes = make_patch(position).after.nodes; all.at(position.numbers()) != static_cast<int>(nodes))
       refuse(family, fmt::format("{} has {} triangles after the operation, but its ranges as a sum give {}",
                                  name_of(position), nodes, all.at(position.numbers())));

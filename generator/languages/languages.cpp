@@ -112,6 +112,13 @@ const std::map<std::string, std::vector<LanguageFile>>& language_files() {
   return files;
 }
 
+std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages, const std::string& what) {
+  std::map<std::string, const LanguageFile*> files;
+  for (const std::string& language : languages)
+    for (const LanguageFile& file : language_files().at(language)) files[file.name(what)] = &file;
+  return files;
+}
+
 std::string LanguageFile::name(const std::string& what) const { return "restrip_" + identifier(what) + extension; }
 
 std::string words_file(const TableLayout& layout) {

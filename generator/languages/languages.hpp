@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,10 @@ struct LanguageFile {
 /// The files of each language, by its name on the command line; none for "c++", which emit.hpp and
 /// operations/operation_layout.hpp write. The shading languages share a file.
 [[nodiscard]] const std::map<std::string, std::vector<LanguageFile>>& language_files();
+
+/// The files of several languages, each once, by their names; `what` as for LanguageFile::name.
+[[nodiscard]] std::map<std::string, const LanguageFile*> files_in(const std::set<std::string>& languages,
+                                                                  const std::string& what);
 
 // ---- What the emitters share ----
 

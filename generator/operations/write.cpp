@@ -56,11 +56,9 @@ Solved solved_file(Certificate certificate, bool with_text) {
 /// The files of a description.
 std::set<std::filesystem::path> paths_of(const Description& description, const std::set<std::string>& languages) {
   std::set<std::filesystem::path> paths;
-  for (const std::string& language : languages) {
-    if (language == "c++") paths.insert(operation_header_path(description.name));
-    for (const LanguageFile& file : language_files().at(language))
-      if (file.of_operation != nullptr) paths.insert(file.name(description.name));
-  }
+  if (languages.contains("c++")) paths.insert(operation_header_path(description.name));
+  for (const auto& [name, file] : files_in(languages, description.name))
+    if (file->of_operation != nullptr) paths.insert(name);
   return paths;
 }
 
@@ -91,11 +89,9 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
   const OperationLayout layout = operation_layout(positions);
   solved.bytes += layout.bytes();
   std::map<std::filesystem::path, std::string> files;
-  for (const std::string& language : languages) {
-    if (language == "c++") files[operation_header_path(description.name)] = operation_header(layout);
-    for (const LanguageFile& file : language_files().at(language))
-      if (file.of_operation != nullptr) files[file.name(description.name)] = file.of_operation(layout);
-  }
+  if (languages.contains("c++")) files[operation_header_path(description.name)] = operation_header(layout);
+  for (const auto& [name, file] : files_in(languages, description.name))
+    if (file->of_operation != nullptr) files[name] = file->of_operation(layout);
   return files;
 }
 

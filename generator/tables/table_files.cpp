@@ -91,8 +91,7 @@ Weights weights_named(const std::string& cost) {
 /// The files that write_tables writes, whatever the largest valence; MANIFEST, which vouches for the others, last.
 files::OutputSet table_files(const std::string& out, const std::set<std::string>& wanted) {
   std::set<std::filesystem::path> names;
-  for (const std::string& language : wanted)
-    for (const LanguageFile& file : language_files().at(language)) names.insert(file.name());
+  for (const auto& other : files_in(wanted, "tables")) names.insert(other.first);
   if (!wanted.contains("c++")) return files::OutputSet(out, {names.begin(), names.end()});
   names.insert({headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"), certificate_path("automaton")});
   for (const Section& section : sections_of(families(), 3)) {
@@ -181,14 +180,11 @@ void add_automaton(TableFiles& to) {
 /// The files of other languages than C++. MANIFEST does not list them: it vouches for what restrip-verify reads.
 std::vector<files::NamedBytes> other_languages(const std::vector<Certificate>& families, const Packings& packings,
                                                const TablesOptions& options, std::string& told) {
-  std::map<std::string, std::string> by_name;
   const TableLayout layout = table_layout(families, packings.closed, packings.open, options.max_k);
-  for (const std::string& language : options.languages)
-    for (const LanguageFile& file : language_files().at(language)) by_name[file.name()] = file.of_tables(layout);
   std::vector<files::NamedBytes> files;
-  for (auto& [name, bytes] : by_name) {
-    told += fmt::format("{:<25} {:>8} bytes\n", name, bytes.size());
-    files.push_back({name, std::move(bytes)});
+  for (const auto& [name, file] : files_in(options.languages, "tables")) {
+    files.push_back({name, file->of_tables(layout)});
+    told += fmt::format("{:<25} {:>8} bytes\n", name, files.back().bytes.size());
   }
   if (!files.empty()) told += fmt::format("rules up to k = {}: {} bytes of data\n", options.max_k, layout.bytes());
   return files;
@@ -271,9 +267,7 @@ void make_automaton_files(const AutomatonOptions& options) {
   const Weights weights = weights_named(cost);
   std::vector<std::filesystem::path> names;
   if (languages.contains("c++")) names = {header_path("automaton"), certificate_path("automaton")};
-  std::map<std::string, decltype(LanguageFile::of_automaton)> others;
-  for (const std::string& language : languages)
-    for (const LanguageFile& file : language_files().at(language)) others[file.name("automaton")] = file.of_automaton;
+  const auto others = files_in(languages, "automaton");
   for (const auto& other : others) names.emplace_back(other.first);
   files::OutputSet out(folder, names);
   const files::ReportOutput report(json);
@@ -284,7 +278,7 @@ void make_automaton_files(const AutomatonOptions& options) {
   if (languages.contains("c++"))
     written = {{header_path("automaton"), made.header.text}, {certificate_path("automaton"), made.certificate.text}};
   const AutomatonArrays arrays = automaton_arrays(made.automaton);
-  for (const auto& [name, text_of_arrays] : others) written.push_back({name, text_of_arrays(arrays)});
+  for (const auto& [name, file] : others) written.push_back({name, file->of_automaton(arrays)});
   out.write(written);
   if (classes_out) classes_out->write(classes_json(made.automaton));
   report.print(made.summary(), automaton_json(made.automaton));
