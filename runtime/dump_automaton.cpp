@@ -21,19 +21,26 @@ void array(Output& out, const char* name, const Numbers& numbers) {
   }
 }
 
-/// The key with number n of the 3^k keys of a fan: one digit to the base 3 for each port, port 0 first; 0 dashed, 1
-/// solid, 2 solid and joined.
-struct KeyMasks {
+struct Key {
   Word ports = 0;
   Word joined = 0;
-
-  KeyMasks(std::size_t k, std::uint64_t n) {
-    for (std::size_t i = k; i-- > 0; n /= 3) {
-      if (n % 3 != 0) ports |= bit(i);
-      if (n % 3 == 2) joined |= bit(i);
-    }
-  }
+  exact::Turns turns;
 };
+
+/// The key with number n of the keys of a fan: a digit to the base `letters` for each port, port 0 first; 0 dashed, the
+/// lower half of the others solid, the upper half solid and joined. Of seven letters each third tells a turn.
+Key written_key(std::size_t k, std::uint64_t n, std::uint32_t letters) {
+  Key key;
+  for (std::size_t i = k; i-- > 0; n /= letters) {
+    const std::uint64_t letter = n % letters;
+    if (letter == 0) continue;
+    key.ports |= bit(i);
+    if (2 * letter > letters) key.joined |= bit(i);
+    if (letter % 3 == 2) key.turns.left |= bit(i);
+    if (letter % 3 == 0) key.turns.right |= bit(i);
+  }
+  return key;
+}
 
 template <class Best>
 void answers(Output& out, const std::string& family, std::initializer_list<std::size_t> position, Best&& best) {
@@ -43,7 +50,7 @@ void answers(Output& out, const std::string& family, std::initializer_list<std::
   std::uint64_t digest = 0;
   std::uint64_t told = 0;
   for (std::uint64_t n = 0; n < keys; ++n) {
-    const KeyMasks key(k, n);
+    const Key key = written_key(k, n, 3);
     const exact::Recoloring found = best(key.ports, key.joined);
     digest = digest * 1000003 + found.colors;
     told = told * 1000003 + static_cast<std::uint64_t>(64 * found.value.solid + found.value.isolated);
@@ -78,11 +85,6 @@ class DigestKeys {
   }
 
  private:
-  struct Key {
-    Word ports = 0;
-    Word joined = 0;
-    exact::Turns turns;
-  };
   static constexpr std::uint32_t letters = tables::automaton.letters - 1;
   static constexpr std::uint32_t drawn_count = 64;
 
@@ -90,20 +92,9 @@ class DigestKeys {
     return static_cast<std::uint32_t>(mask) ^ static_cast<std::uint32_t>(mask >> 32) * 0x9e3779b1U;
   }
   [[nodiscard]] Key key(std::uint32_t n) const {
-    if (count_ == drawn_count) {
-      const auto drawn = [&](Word i) { return (mix(n, i, 0) | Word{mix(n, i + 8, 0)} << 32) & (bit(k_) - 1); };
-      return {drawn(0), drawn(1), {drawn(2), drawn(3)}};
-    }
-    Key key;
-    for (std::size_t i = k_; i-- > 0; n /= letters) {
-      const std::uint32_t letter = n % letters;
-      if (letter == 0) continue;
-      key.ports |= bit(i);
-      if (2 * letter > letters) key.joined |= bit(i);
-      if (letter % 3 == 2) key.turns.left |= bit(i);
-      if (letter % 3 == 0) key.turns.right |= bit(i);
-    }
-    return key;
+    if (count_ != drawn_count) return written_key(k_, n, letters);
+    const auto drawn = [&](Word i) { return (mix(n, i, 0) | Word{mix(n, i + 8, 0)} << 32) & (bit(k_) - 1); };
+    return {drawn(0), drawn(1), {drawn(2), drawn(3)}};
   }
 
   std::size_t k_;

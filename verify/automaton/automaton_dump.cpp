@@ -52,9 +52,7 @@ class AutomatonDumpReader {
         // The ports are in cyclic order, as those of a closed fan.
         const FanKey key = key_numbered({"collapse", at.operation.ports(), 0, 0}, n);
         const RowAnswer answer = row_answer(certificate_, at.row, key.ports, key.joined);
-        Mask inner = 0;
-        for (unsigned i = 0; i < at.row.edges.size(); ++i)
-          if (is_solid(answer.links, i)) inner |= single(at.row.edges[i]);
+        const Mask inner = inner_of(at.row, answer.links);
         digest = (digest * 1000003 + answer.links) * 1000003 + answer.kept;
         told = told * 1000003 + std::uint64_t{4096} * solid_count(inner) +
                std::uint64_t{64} * isolated_of(at.operation.after, {inner, answer.kept}) +

@@ -139,6 +139,13 @@ std::vector<RowOperation> row_operations_of(const Description& family, unsigned 
   return {};
 }
 
+Mask inner_of(const TriangleRow& row, Mask links) {
+  Mask inner = 0;
+  for (unsigned i = 0; i < row.edges.size(); ++i)
+    if (is_solid(links, i)) inner |= single(row.edges[i]);
+  return inner;
+}
+
 RowAnswer row_answer(const AutomatonCertificate& certificate, const TriangleRow& row, Mask ports, Mask joined) {
   const ReadRow word(row, ports, joined);
   std::vector<std::size_t> classes{0};
@@ -192,9 +199,7 @@ RowCheck check_row(const AutomatonCertificate& certificate, const RowOperation& 
     if (is_new) {
       ++check.keys;
       const RowAnswer answer = row_answer(certificate, at.row, configuration.ports, joined);
-      place->second.ports = answer.kept;
-      for (unsigned i = 0; i < at.row.edges.size(); ++i)
-        if (is_solid(answer.links, i)) place->second.inner |= single(at.row.edges[i]);
+      place->second = {inner_of(at.row, answer.links), answer.kept};
     }
     const Judged judged = judge.judged(configuration, place->second);
     if (judged.verdict != Verdict::right) wrong(judge.explained(configuration, place->second, judged));

@@ -34,6 +34,9 @@ struct RowAnswer {
   Mask kept = 0;
 };
 
+/// The inner edges that links are.
+Mask inner_of(const TriangleRow& row, Mask links);
+
 /// Bit i of `joined`: port i is joined to the solid port before it, cyclically; where there are two, either bit does.
 RowAnswer row_answer(const AutomatonCertificate& certificate, const TriangleRow& row, Mask ports, Mask joined);
 
