@@ -235,9 +235,11 @@ def formulas(options):
     """All that is to be proved, and how many positions are judged."""
     if options.operation:
         asked = list(own(options.operation))
+    elif options.automaton:
+        asked = list(keyed(options.header, options.max_k, options.min_k))
     else:
-        asked = list((keyed if options.automaton else families)(*[options.header] * options.automaton, options.max_k, options.min_k))
-    if options.max_k > 0 and not any("(" in name and name != "flip()" for name, *_ in asked):
+        asked = list(families(options.max_k, options.min_k))
+    if options.min_k > options.max_k > 0:
         raise ValueError("there are no positions from k = %d to %d" % (options.min_k, options.max_k))
     work = [Formula("any arguments", "any arguments", text, None, 64 if options.automaton else 34)
             for text in any_argument(options.header, options.automaton)]

@@ -23,16 +23,21 @@ CONTROLS = {"control: nothing is as good", "control: nothing is worse"}
 scratch.mkdir(parents=True, exist_ok=True)
 
 
+def printed(driver, question, *options):
+    """The lines of a program that stands in for the model checker, asked this question."""
+    (scratch / "position.h").write_text(question)
+    subprocess.run(["cc", "-std=c11", "-O1", *options, "-I", scratch, "-I", root / "verify/bounded", root / "tests/verify" / driver,
+                    "-o", scratch / "driver"], check=True)
+    return subprocess.run([scratch / "driver"], capture_output=True, text=True, check=True).stdout.splitlines()
+
+
 def failed(header, position, judge="look_up.c", bits="EDGES_BEFORE, PORTS, EDGES_AFTER, PORTS"):
     """The assertions that fail for a header at a position of model_check.py, and those that must."""
     name, *rest = position
-    (scratch / "position.h").write_text(model_check.position_text(header, *rest))
     implementation = re.search(r"^#ifdef (\w+_IMPLEMENTATION)$", header.read_text(), re.M)[1]
-    subprocess.run(["cc", "-std=c11", "-O1", "-D" + implementation, f'-DJUDGE="{judge}"', "-DBITS=" + bits, "-I", scratch, "-I", root / "verify/bounded",
-                    root / "tests/verify/bounded_driver.c", "-o", scratch / "driver"], check=True)
-    printed = subprocess.run([scratch / "driver"], capture_output=True, text=True, check=True).stdout
+    found = printed("bounded_driver.c", model_check.position_text(header, *rest), "-D" + implementation, f'-DJUDGE="{judge}"', "-DBITS=" + bits)
     after, may_go = rest[2], rest[3].get("MAY_GO", 0)
-    return set(printed.splitlines()), CONTROLS if after[1] or may_go else {"control: nothing is as good"}
+    return set(found), CONTROLS if after[1] or may_go else {"control: nothing is as good"}
 
 
 def holds(header, position):
@@ -97,10 +102,7 @@ assert model_check.other_numbers(automaton, dump) == [] and model_check.other_nu
 def walked(header):
     """Of each operation the assertions of walk.c that fail."""
     for _, text in model_check.walks(header, 4, 'any_number("NAME", i, LARGEST)'):
-        (scratch / "position.h").write_text(text)
-        subprocess.run(["cc", "-std=c11", "-O1", "-DRESTRIP_AUTOMATON_IMPLEMENTATION", "-I", scratch, "-I", root / "verify/bounded",
-                        root / "tests/verify/walk_driver.c", "-o", scratch / "driver"], check=True)
-        yield subprocess.run([scratch / "driver"], capture_output=True, text=True, check=True).stdout.splitlines()
+        yield printed("walk_driver.c", text, "-DRESTRIP_AUTOMATON_IMPLEMENTATION")
 
 
 SAME, THERE, CONTROL = "the answers are the same", "there are answers where there is a position", "control: nothing is solid"

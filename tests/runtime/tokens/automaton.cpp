@@ -114,9 +114,4 @@ void defaults() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  judge::begin(argc, argv);
-  defaults();
-  words();
-  strings();
-}
+int main(int argc, char** argv) { return judge::run(argc, argv, {defaults, words, strings}); }

@@ -45,8 +45,4 @@ void strings() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  judge::begin(argc, argv);
-  masks();
-  strings();
-}
+int main(int argc, char** argv) { return judge::run(argc, argv, {masks, strings}); }

@@ -106,9 +106,11 @@ void each_position(std::size_t k, const Closed& closed, const Open& open, const 
   for (std::size_t i = 0; i <= k; ++i) gap(i);
 }
 
-/// Opens RIGHT.
-inline void begin(int argc, char** argv) {
+/// Opens RIGHT and asks one part after the other: all that main() does.
+inline int run(int argc, char** argv, std::initializer_list<void (*)()> parts) {
   if (argc > 1 && (right = std::fopen(argv[1], "r")) == nullptr) std::exit(2);
+  for (const auto part : parts) part();
+  return 0;
 }
 
 }  // namespace restrip::judge

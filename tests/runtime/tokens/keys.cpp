@@ -135,10 +135,4 @@ void defaults() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  judge::begin(argc, argv);
-  defaults();
-  layouts();
-  words();
-  strings();
-}
+int main(int argc, char** argv) { return judge::run(argc, argv, {defaults, layouts, words, strings}); }

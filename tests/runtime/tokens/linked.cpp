@@ -109,16 +109,13 @@ void pairs(Digest& told) {
   told.add(Pairs::max_ports);
 }
 
+void every_pair() {
+  Digest told("pairs");
+  pairs<detail::TablePairs>(told);
+  pairs<detail::WordPairs>(told);
+  told.add(default_reach, strip_ends, out_of_sight, LinkedRule{}.recoloring, LinkedRule{}.pairing);
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
-  judge::begin(argc, argv);
-  {
-    Digest told("pairs");
-    pairs<detail::TablePairs>(told);
-    pairs<detail::WordPairs>(told);
-    told.add(default_reach, strip_ends, out_of_sight, LinkedRule{}.recoloring, LinkedRule{}.pairing);
-  }
-  closed_fans();
-  open_fans();
-}
+int main(int argc, char** argv) { return judge::run(argc, argv, {every_pair, closed_fans, open_fans}); }

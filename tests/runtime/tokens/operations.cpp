@@ -112,12 +112,8 @@ void not_written(int ended) {
   answers.add(ended, first, second);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  judge::begin(argc, argv);
-  defaults();
-  single();
+/// Of families, and what is dumped, behind all digests but the last.
+void families_and_dumps() {
   const Family family = family_of_two();
   of_family(family, false);
   of_family(family, true);
@@ -131,3 +127,7 @@ int main(int argc, char** argv) {
   ended += tables::print_dump("positions", static_cast<const tables::OperationFamily<std::uint16_t, 67, 2>&>(family));
   not_written(ended);
 }
+
+}  // namespace
+
+int main(int argc, char** argv) { return judge::run(argc, argv, {defaults, single, families_and_dumps}); }

@@ -111,10 +111,4 @@ void defaults() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  judge::begin(argc, argv);
-  defaults();
-  words();
-  strings();
-  across();
-}
+int main(int argc, char** argv) { return judge::run(argc, argv, {defaults, words, strings, across}); }

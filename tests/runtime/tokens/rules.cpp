@@ -84,11 +84,4 @@ void defaults() {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  judge::begin(argc, argv);
-  defaults();
-  turns();
-  flips();
-  small();
-  large();
-}
+int main(int argc, char** argv) { return judge::run(argc, argv, {defaults, turns, flips, small, large}); }
