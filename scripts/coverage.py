@@ -77,7 +77,6 @@ REPORTS = {
              "reasons, without a search", CERTIFICATES),
         Line(r"/linked-(?P<operation>[a-z-]+)\.cert: \d+ alternatives, the lists are complete", ["Linked"], SEARCH, CERTIFICATES),
     ],
-    "sat": [Line(r"^(?P<operation>[a-z-]+)(?: k (?P<k>\d+))? .* \d+\.\d+$", ["Complete", "Locally optimal"], "SAT, each proof checked by a function extracted from Coq", CERTIFICATES)],
     "bounded": [
         Line(r"^proved: (?P<operation>[a-z_]+)(?: k = (?P<k>\d+))?, positions: \d+$", RULE, "a bounded model checker", "look-up in C"),
     ],

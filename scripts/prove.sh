@@ -24,7 +24,7 @@ for option in "$@"; do
   esac
 done
 
-packages=("${build_packages[@]}" cadical python3 ocaml)
+packages=("${build_packages[@]}" python3 ocaml)
 # Debian 12 has no package of CBMC; those of version 5 are too old.
 if [ "$cbmc" = yes ] && apt-cache policy cbmc 2>/dev/null | grep -Eq 'Candidate: ([6-9]|[1-9][0-9])\.'; then packages+=(cbmc); fi
 [ "$coq" = no ] || packages+=(coq make time)
@@ -32,7 +32,7 @@ need "${packages[@]}"
 
 say "building"
 cmake --preset release -DRESTRIP_ALLOW_MISSING=ON >/dev/null
-cmake --build --preset release --target restrip-dump-tables restrip-verify restrip-verify-automaton restrip-sat restrip-generate restrip restrip-check restrip-lrat \
+cmake --build --preset release --target restrip-dump-tables restrip-verify restrip-verify-automaton restrip-generate restrip restrip-check \
   runtime_static_proof_test runtime_exact_large_test runtime_linked_test >/dev/null
 bin=build/release/bin
 logs=build/proof
@@ -155,11 +155,6 @@ rung reasons "every rule in the certificates is sound and optimal" \
   "Python, scripts/check_reasons.py" \
   's/^in all: (.*)$/\1/p' \
   all_reasons
-rung sat "no valid configuration has a sound recolouring that beats its rule" \
-  "a formula for each position, refuted by CaDiCaL, each proof checked by a function extracted from Coq" \
-  "C++ compiler, verify/sat: the formula, not the solver; Coq's extraction, the OCaml compiler, verify/check/lrat.ml" \
-  's/^proved: (.*, the [0-9]+ on which they rest by .*)$/\1/p' \
-  $bin/restrip-sat --tables-dir tables --threads "$(nproc)" --lrat-checker $bin/restrip-lrat
 if [ "$cbmc" = yes ] && scripts/model_check.py; then
   rung bounded "the look-ups in C answer valid colours alone, soundly and best; no argument makes them read out of bounds" \
     "a formula for each position about the program itself, for all colours, ports and recolourings" \

@@ -32,7 +32,7 @@ build_packages=(g++ cmake ninja-build libnauty2-dev libfmt-dev libcli11-dev nloh
 # Wanted by the pages for the browser.
 web_packages=(python3 clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32)
 # Wanted by tests alone.
-test_packages=(git libcgal-dev libtbb-dev cadical python3 clang-14 libclang-rt-14-dev clang-tidy-14 clang-format-14 xz-utils
+test_packages=(git libcgal-dev libtbb-dev python3 clang-14 libclang-rt-14-dev clang-tidy-14 clang-format-14 xz-utils
   parallel openmpi-bin g++-multilib lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32 nodejs rustc glslang-tools
   libvulkan-dev dpkg-dev file make pkgconf ocaml)
 command -v chromium >/dev/null || test_packages+=(chromium)  # Ubuntu has no such package: install another Chromium there

@@ -51,8 +51,8 @@ class Check(unittest.TestCase):
                          ["Cheap: a guarantee of README.md that docs/trust.md does not claim"])
 
     def test_a_row_without_a_rung_and_a_rung_without_a_row(self):
-        self.assertEqual(faults("scripts/prove.sh", lambda text: text.replace("rung sat ", "rung solver ")),
-                         ["sat: no rung of scripts/prove.sh", "solver: a rung of scripts/prove.sh without a row"])
+        self.assertEqual(faults("scripts/prove.sh", lambda text: text.replace("rung reasons ", "rung causes ")),
+                         ["reasons: no rung of scripts/prove.sh", "causes: a rung of scripts/prove.sh without a row"])
 
     def test_lists_that_are_not_found(self):
         for file in ("docs/trust.md", "README.md"):

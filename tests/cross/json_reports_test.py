@@ -45,7 +45,6 @@ commands = {
     "families": (["restrip-verify", "--tables-dir", root / "tables", "--family", "flip"], "claims"),
     "arcs": (["restrip-verify-automaton", "--tables-dir", root / "tables", "--max-k", "3", "--every", "1000"], "claims"),
     "bound": (["restrip-verify-bound", mesh, bound], "indices"),
-    "sat": (["restrip-sat", "--tables-dir", root / "tables", "--family", "flip"], "positions"),
 }
 for name, (command, member) in commands.items():
     wrong = run(command, "--json", scratch / "report.txt", code=2)

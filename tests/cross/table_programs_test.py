@@ -34,8 +34,6 @@ REFUSED = [
     ("restrip-verify-automaton --facts --digest-command false", "so --digest-command has no effect; leave it out"),
     ("restrip-dump-tables --digests --max-k 9", "the tables answer fans of up to 8 triangles"),
     ("restrip-verify-automaton --cost strips", "The following arguments were not expected: strips --cost"),
-    ("restrip-sat --control-rows 3", "--control-rows requires --controls"),
-    ("restrip-sat --check a b --family split", "excludes"),
 ]
 JOIN = """{"restrip_operation": 1, "name": "join", "constraint": "strips",
   "before": {"triangles": 3, "edges": [[0, 1], [1, 2], [2, 0]], "ports": [0, 1, 2]},

@@ -1,5 +1,4 @@
-// What the verifier reads: manifests, certificates of rules and of linked rules, dumps of tables and of linked rules,
-// formulas and proofs.
+// What the verifier reads: manifests, certificates of rules and of linked rules, dumps of tables and of linked rules.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -11,7 +10,6 @@
 #include "linked/linked_certificate.hpp"
 #include "linked/linked_dump.hpp"
 #include "model/input.hpp"
-#include "sat/cnf.hpp"
 #include "sealed.hpp"
 #include "target.hpp"
 
@@ -126,25 +124,6 @@ std::vector<Target> table_targets() {
   for (const LinkedFamily& family : linked_families(small_max_k)) targets.push_back(linked_target(family));
   targets.push_back(dump_target());
   targets.push_back(linked_dump_target());
-  targets.push_back({"formula",
-                     {"c f\np cnf 3 2\n1 -2 0\n2 3 0\n", sat::dimacs_of({3, {{1, 2}, {-1, 3}, {-3}}}, "g")},
-                     refusing([](std::string_view bytes) {
-                       const sat::Cnf cnf = sat::parse_dimacs("f", std::string(bytes));
-                       const sat::Cnf again = sat::parse_dimacs("g", sat::dimacs_of(cnf, "again"));
-                       promise(again.variables == cnf.variables && again.clauses == cnf.clauses,
-                               "a formula that was written is read");
-                       return true;
-                     }),
-                     10000});
-  targets.push_back({"proof",
-                     {"1 -2 0\nd 1 -2 0\n0\n", "3 0\n-1 2 3 0\nd 3 0\n"},
-                     refusing([](std::string_view bytes) {
-                       for (const auto& line : sat::parse_proof("f", std::string(bytes), 3))
-                         for (const int literal : line.clause)
-                           promise(literal != 0 && literal >= -3 && literal <= 3, "a literal has a variable");
-                       return true;
-                     }),
-                     10000});
   return targets;
 }
 

@@ -9,7 +9,7 @@
 Require Import Arith Bool List NArith.
 Import ListNotations.
 Require Import Statements.
-Require Locality Strips Shipped Answers Flip EveryFan EverySize EveryFigures Figures Rejects Met WholeMesh LowerBound FlowBound Check Lrat.
+Require Locality Strips Shipped Answers Flip EveryFan EverySize EveryFigures Figures Rejects Met WholeMesh LowerBound FlowBound Check.
 Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects ToldRejects.
 Require Split OpenSplit Symmetry Sequences.
 Require Positions Told Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
@@ -100,9 +100,6 @@ Print Assumptions judge_flip_right.
 Theorem chosen_is_safe : Chosen_is_safe.
 Proof. exact Check.chosen_is_safe. Qed.
 Print Assumptions chosen_is_safe.
-Theorem refutes_right : Refutes_right Lrat.refutes.
-Proof. exact Lrat.refutes_right. Qed.
-Print Assumptions refutes_right.
 
 (** ** Comparisons, by computation
 

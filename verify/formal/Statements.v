@@ -7,7 +7,7 @@
 
     The parts are: graphs, patches, what a best recolouring is, tables, the families, flips, positions and the rules; then, each
     for itself, the look-up in the automaton, linked rules, sequences of operations, whole meshes, a lower bound, index buffers,
-    runs, and formulas. *)
+    and runs. *)
 Require Import Arith Bool List NArith ZArith FMapPositive Permutation.
 Import ListNotations.
 
@@ -732,21 +732,3 @@ Definition Judge_flip_right (judge : forall V : Type, (V -> V -> bool) -> list c
 Definition Chosen_is_safe : Prop := forall o s c x O, possible o = true -> best (patch_at o) s c x ->
   rest_of_mesh (patch_at o) O ->
   valid (O ++ drawing (before (patch_at o)) s c) -> valid (O ++ drawing (after (patch_at o)) s x).
-
-(** ** Formulas: what [restrip-lrat] decides
-
-    A literal is a number other than 0, as in DIMACS: n is variable n, -n its negation. Hints are the numbers of clauses, those of
-    the formula counted from 1. *)
-Module Formulas.
-Definition literal := Z.
-Definition clause := list literal.
-Definition formula := list clause.
-Definition holds (A : positive -> bool) (l : literal) : Prop :=
-  match l with Zpos v => A v = true | Zneg v => A v = false | Z0 => False end.
-Definition unsatisfiable (F : formula) : Prop :=
-  forall A, ~ (forall c, In c F -> exists l, In l c /\ holds A l).
-Inductive step := Learn (number : positive) (c : clause) (hints : list positive) | Forget (numbers : list positive).
-End Formulas.
-
-Definition Refutes_right (refutes : Formulas.formula -> list Formulas.step -> bool) : Prop :=
-  forall F proof, refutes F proof = true -> Formulas.unsatisfiable F.

@@ -84,14 +84,14 @@ for line in "${said[@]}"; do
   fi
 done
 
-say "extracting what restrip-check and restrip-lrat decide"
+say "extracting what restrip-check decides"
 mkdir -p "$out/extracted"
 rm -f "$out/extracted"/*
 cp "$root/verify/check/Extract.v" "$out/extracted/"
 (cd "$out/extracted" && coqc -R ../coq Restrip Extract.v)
-for file in {judge,refuter}.{ml,mli}; do
+for file in judge.{ml,mli}; do
   if ! cmp "$out/extracted/$file" "$root/verify/check/$file"; then
-    echo "verify/check/$file is not what Coq extracts from Check.v and Lrat.v; copy $out/extracted/$file there" >&2
+    echo "verify/check/$file is not what Coq extracts from Check.v; copy $out/extracted/$file there" >&2
     false
   fi
 done
@@ -123,7 +123,7 @@ took() {
 say "coqchk (log: $out/coqchk.log)"
 checking=$SECONDS
 modules=(Restrip.Locality Restrip.Strips Restrip.Rows Restrip.Symmetry Restrip.Linked Restrip.Sequences Restrip.WholeMesh Restrip.LowerBound Restrip.FlowBound Restrip.Flip
-  Restrip.EveryFan Restrip.Lrat Restrip.Check Restrip.Facts Restrip.EveryBoundary Restrip.Served Restrip.Telling)
+  Restrip.EveryFan Restrip.Check Restrip.Facts Restrip.EveryBoundary Restrip.Served Restrip.Telling)
 [ "$full" = no ] || modules=(Restrip.Main)
 coqchk -silent -o -R . Restrip "${modules[@]}" >"$out/coqchk.log" 2>&1
 grep -q '^\* Axioms: <none>' "$out/coqchk.log"
@@ -154,7 +154,6 @@ for i in "${!theorems[@]}"; do
     every_rule_pays | one_strip_* | no_rule_competes) files=(LowerBound) ;;
     no_buffer_has_fewer) files=(FlowBound) ;;
     judge_* | chosen_is_safe) files=(Labels Check) ;;
-    refutes_right) files=(Lrat) ;;
     automaton_*) files=(Automaton) ;;
     answers) files=(Answers) ;;
     answers_tell) files=(Told_{split,collapse,open_split,open_collapse,boundary_split,boundary_collapse,flip} Marks Telling Told) ;;
