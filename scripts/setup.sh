@@ -27,7 +27,7 @@ need() {
   echo "installed in $((SECONDS - started)) s"
 }
 
-build_packages=(g++ cmake ninja-build libnauty2-dev libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
+build_packages=(g++ cmake ninja-build libboost-dev libnauty2-dev libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
   libpng-dev libssl-dev libgtest-dev)
 # Wanted by the pages for the browser.
 web_packages=(python3 clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32)
