@@ -77,15 +77,6 @@ REPORTS = {
              "reasons, without a search", CERTIFICATES),
         Line(r"/linked-(?P<operation>[a-z-]+)\.cert: \d+ alternatives, the lists are complete", ["Linked"], SEARCH, CERTIFICATES),
     ],
-    "bounded": [
-        Line(r"^proved: (?P<operation>[a-z_]+)(?: k = (?P<k>\d+))?, positions: \d+$", RULE, "a bounded model checker", "look-up in C"),
-    ],
-    "walked": [
-        Line(r"^proved: (?P<operation>[a-z_]+) k = (?P<k>\d+), positions: \d+$", ["Sound", "Locally optimal"], "a bounded model checker", "automaton in C"),
-        Line(r"^proved: (?P<operation>[a-z_]+) answers as Lookup does, k <= (?P<k>\d+)$", ["Sound", "Locally optimal"],
-             "Coq; that the program answers as the theorem's look-up, a bounded model checker", "automaton in C"),
-        Line(r"^proved: the numbers are those of ", ["Compiled"], "compared", "automaton in C", FANS, "every"),
-    ],
     "compiler": [
         Line(r"^proved while this was compiled: splits, collapses and flips, k <= (?P<k>\d+)$", RULE, "`static_assert`", TABLES,
              ["split", "collapse", "flip"]),

@@ -4,29 +4,25 @@
 #
 #   scripts/prove.sh             every rung
 #   scripts/prove.sh --no-coq    all but the theorem: a few minutes; its rows stay as they are
-#   scripts/prove.sh --no-cbmc   all but the model checker, which takes half an hour of processor time; the same
-#   scripts/prove.sh --full      every rung, the model checker up to k = 8, and coqchk for all of the theorem: hours
+#   scripts/prove.sh --full      every rung, and coqchk for all of the theorem: hours
 set -Eeuo pipefail
 cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
-coq=yes cbmc=yes cbmc_k=6
+coq=yes
 coq_options=()
 for option in "$@"; do
   case "$option" in
     --no-coq) coq=no ;;
-    --no-cbmc) cbmc=no ;;
-    --full) coq_options=(--full) cbmc_k=8 ;;
+    --full) coq_options=(--full) ;;
     *)
-      echo "usage: prove.sh [--no-coq | --full] [--no-cbmc]" >&2
+      echo "usage: prove.sh [--no-coq | --full]" >&2
       exit 2
       ;;
   esac
 done
 
 packages=("${build_packages[@]}" python3 ocaml)
-# Debian 12 has no package of CBMC; those of version 5 are too old.
-if [ "$cbmc" = yes ] && apt-cache policy cbmc 2>/dev/null | grep -Eq 'Candidate: ([6-9]|[1-9][0-9])\.'; then packages+=(cbmc); fi
 [ "$coq" = no ] || packages+=(coq make time)
 need "${packages[@]}"
 
@@ -79,25 +75,6 @@ of_the_index_cost() {
   $bin/restrip-generate automaton --cost 3,1,0 --out "$logs/indices" || return
   c++ -std=c++20 -O1 -I "$logs/indices/include" -I runtime/include -I tables/include runtime/dump_*.cpp -o "$logs/indices.dump" || return
   $bin/restrip-verify-automaton --tables-dir "$logs/indices" --dump-command "$logs/indices.dump --automaton"
-}
-
-# The look-ups that the generator writes in C: operation files, then the families.
-look_ups_in_c() {
-  local file name
-  for file in tables/operations/*.json; do
-    name=$(basename "$file" .json)
-    $bin/restrip-generate rules --operation "$file" --language c --out "$logs/c" || return
-    scripts/model_check.py --operation "$file" --header "$logs/c/restrip_${name//-/_}.h" || return
-  done
-  $bin/restrip-generate tables --language c --out "$logs/c" || return
-  scripts/model_check.py --header "$logs/c/restrip_tables.h" --max-k "$cbmc_k"
-}
-
-# The automaton's look-up that the generator writes in C, and the numbers that it reads.
-automaton_in_c() {
-  $bin/restrip-generate automaton --language c --out "$logs/c" || return
-  $bin/restrip-dump-tables --automaton >"$logs/c/automaton.dump" || return
-  scripts/model_check.py --automaton --header "$logs/c/restrip_automaton.h" --numbers "$logs/c/automaton.dump" --max-k "$cbmc_k"
 }
 
 # Random operations on a sheet, inside and on its boundary, by the rules alone.
@@ -155,20 +132,6 @@ rung reasons "every rule in the certificates is sound and optimal" \
   "Python, scripts/check_reasons.py" \
   's/^in all: (.*)$/\1/p' \
   all_reasons
-if [ "$cbmc" = yes ] && scripts/model_check.py; then
-  rung bounded "the look-ups in C answer valid colours alone, soundly and best; no argument makes them read out of bounds" \
-    "a formula for each position about the program itself, for all colours, ports and recolourings" \
-    "CBMC, verify/bounded/look_up.c, the patches of scripts/model_check.py" \
-    's/^proved in all: (.*)$/\1/p' \
-    look_ups_in_c
-  rung walked "so does the automaton in C, to larger k; no argument makes it read out of bounds" \
-    "the same for short arcs; beyond, for all numbers and keys, a formula that it answers as the look-up of the theorem" \
-    "CBMC, verify/bounded/key_look_up.c and walk.c; the theorem" \
-    's/^proved in all: (.*)$/\1/p' \
-    automaton_in_c
-else
-  echo "left out: the rungs of the look-ups in C; their rows stay as they are"
-fi
 rung compiler "the shipped headers give sound and optimal rules, k <= 4" \
   "brute force in static_assert, while the program is built" \
   "C++ compiler, one page of tests/runtime/rules/static_proof_test.cpp" \

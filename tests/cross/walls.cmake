@@ -17,8 +17,6 @@ set(door_adapters "<(OpenMesh|CGAL)/.*>")
 set(door_parallel_ranges "<tbb/.*>")
 # The verifying programs write files as the others do. What the verifier reads, it reads by itself.
 set(door_reports "\"files/(output|report_output|system_calls).hpp\"")
-# The patch that a model checker is asked about, which a script writes.
-set(door_bounded "\"(position|side).h\"")
 # The readers of the program, for JavaScript.
 set(door_readers "\"(common/bad_input|lod/mesh_formats|meshes/mend).hpp\"")
 # The C header that the generator writes includes what programs of C need.
@@ -32,7 +30,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
-set(floors_verify files|position.h|side.h model certificate judge linked automaton|bound|bounded)
+set(floors_verify files model certificate judge linked automaton|bound)
 set(floors_tools files|restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
@@ -93,7 +91,6 @@ function(judge room source line out)
   if(source MATCHES "/adapters/" AND what MATCHES "^(${door_adapters})$"
      OR source MATCHES "/parallel_ranges" AND what MATCHES "^(${door_parallel_ranges})$"
      OR source MATCHES "/verify/([a-z]+/)?main.cpp" AND what MATCHES "^(${door_reports})$"
-     OR source MATCHES "/verify/bounded/" AND what MATCHES "^(${door_bounded})$"
      OR source MATCHES "/web/readers/" AND what MATCHES "^(${door_readers})$"
      OR source MATCHES "/generator/languages/templates/" AND what MATCHES "^(${door_templates})$"
      OR source MATCHES "/generator/languages/templates/(automaton|tables)_check.c$" AND what MATCHES "^(${door_check})$"

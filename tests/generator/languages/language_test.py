@@ -136,6 +136,36 @@ class C(Language):
         if called:
             raise SystemExit(f"the data and bodies call something:\n{called}")
         self.taken_as_cpp(data, folder)
+        self.any_arguments(self.stem, folder, scratch)
+
+    def any_arguments(self, stem, folder, scratch):
+        """Whatever the arguments are, nothing is read out of bounds, and an answer that is not valid is 0. That a read out of
+        bounds would be noticed is seen of a header that forgets what it checks."""
+        text = (folder / f"{stem}.h").read_text(encoding="utf-8")
+        members = {name: re.findall(r"(\w+)[,;]", body) for name, body in re.findall(r"^typedef struct (\w+) \{([^}]*)\}", text, re.M)}
+        calls = []
+        for answer, function, parameters in re.findall(r"^(restrip_\w+) (\w+)\(((?:uint32_t|restrip_key) .*)\);$", text, re.M):
+            given = ", ".join("(restrip_key){any(), any(), any(), any()}" if one.startswith("restrip_key") else "(uint32_t)any()"
+                              for one in parameters.split(", "))
+            not_zero = " || ".join(f"answer.{member} != 0" for member in members[answer])
+            calls.append(f"  for (int i = 0; i < 300000; ++i) {{\n    const {answer} answer = {function}({given});\n"
+                         f"    if (answer.valid) ++valid;\n    else if ({not_zero}) return 1;\n  }}\n"
+                         '  printf("%d\\n", valid);\n  valid = 0;\n')
+        source = (f'#include <stdio.h>\n#define {stem.upper()}_IMPLEMENTATION\n#include "{stem}.h"\n'
+                  "static uint64_t state = UINT64_C(20261126);\nstatic uint64_t any(void) {  /* small numbers, masks, ends of masks */\n"
+                  "  state ^= state << 13;\n  state ^= state >> 7;\n  state ^= state << 17;\n  const uint64_t bits = state >> 6;\n"
+                  "  const uint32_t size = (uint32_t)(state & 63);\n"
+                  "  return size < 48 ? bits % (UINT64_C(1) << size / 4) : size < 52 ? (UINT64_C(1) << bits % 64) - 1 : bits;\n}\n"
+                  "int main(void) {\n  int valid = 0;\n" + "".join(calls) + "  return 0;\n}\n")
+        counts = run(*self.program(source, folder, scratch, "-O1", *self.sanitizers)).split()
+        if not calls or len(counts) != len(calls) or any(not 0 < int(count) < 300000 for count in counts):
+            raise SystemExit(f"{stem}.h: of 300000 answers for any arguments these are valid: {counts}")
+        careless = scratch / "careless"
+        careless.mkdir(exist_ok=True)
+        (careless / f"{stem}.h").write_text(re.sub(r"k > RESTRIP_\w+_MAX_K|inner >> edges != 0", "false", text), encoding="utf-8")
+        done = subprocess.run(self.program(source, careless, scratch, "-w", "-O1", *self.sanitizers), capture_output=True, text=True, check=False)
+        if done.returncode == 0 or "runtime error" not in done.stderr and "AddressSanitizer" not in done.stderr:
+            raise SystemExit(f"{stem}.h: without a check of its arguments no read out of bounds is noticed")
 
 
 class Json(Language):

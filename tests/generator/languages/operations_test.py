@@ -143,6 +143,7 @@ class C(Asked, language_test.C):
 
     def more_of(self, source, folder, scratch):
         self.taken_as_cpp(scratch / "program.c", folder)
+        self.any_arguments("restrip_bisect", folder, scratch)
 
 
 class Rust(Asked, language_test.Rust):
