@@ -51,7 +51,7 @@ def verifier(programs, families):
 
 
 def compilation(repeats):
-    compilers = [c for c in ("g++", "clang++-14") if shutil.which(c)]
+    compilers = [c for c in ("g++", Path(os.environ.get("RESTRIP_CLANG", "clang++")).name) if shutil.which(c)]
     with tempfile.TemporaryDirectory() as folder:
         sources = {}
         for name in ["nothing", "vector"] + HEADERS:

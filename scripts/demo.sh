@@ -15,7 +15,8 @@ source scripts/setup.sh
 if [ -z "${bin:-}" ]; then
   build=yes
   bin=build/programs/bin
-  need "${build_packages[@]}" "${web_packages[@]}"
+  need "${build_packages[@]}" python3
+  need_clang
 
   say "building"
   cmake --preset programs >/dev/null

@@ -280,7 +280,7 @@ def print_compiling(_):
     header("compiler", "header", "seconds", "memory")
     with tempfile.TemporaryDirectory() as folder:
         source = os.path.join(folder, "a.cpp")
-        for compiler in ("g++", "clang++-14"):
+        for compiler in ("g++", os.environ.get("RESTRIP_CLANG", "clang++")):
             name = subprocess.check_output([compiler, "--version"], text=True).split("\n", maxsplit=1)[0]
             for included in ("rules/rules.hpp", "operations/operations.hpp", "search/strips_of.hpp", "search/keeper.hpp", "live_mesh.hpp",
                              "restrip.hpp"):

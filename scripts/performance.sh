@@ -35,6 +35,7 @@ done
 
 if [ -z "$bin" ]; then
   need "${build_packages[@]}" "${bench_packages[@]}"
+  need_clang
   say "building"
   cmake --preset release -DRESTRIP_BUILD_BENCH=ON -DRESTRIP_ALLOW_MISSING=ON -DRM_TRISTRIPPER="$tristripper" >/dev/null
   [ -n "$tristripper" ] || echo "rm_tristripper is left out: --tristripper names its sources"

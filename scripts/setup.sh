@@ -7,35 +7,113 @@ say() {
   echo "== $1"
 }
 
-# need PACKAGE…: installs those that are not there. As root, or with sudo.
+# What this machine does not have is left out: one line here, and again at the end of test.sh.
+left_out=()
+leave_out() {
+  left_out+=("left out: $1")
+  echo "left out: $1"
+}
+
+# These two print which of the packages are installed, and which of them this release offers.
+installed() { dpkg-query -W -f='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p' | sort -u || true; }
+offered() {
+  LC_ALL=C apt-cache policy "$@" 2>/dev/null |
+    awk '/^[^ ]/ { sub(/:$/, ""); name = $1 } $1 == "Candidate:" && $2 != "(none)" { print name }'
+}
+
+# A machine that has just started may be installing something itself: wait for that.
+apt() {
+  local run=(env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600 "$@")
+  [ "$(id -u)" -eq 0 ] || run=(sudo "${run[@]}")
+  "${run[@]}"
+}
+apt_updated=
+update_once() {
+  [ -n "$apt_updated" ] || apt update || echo "apt-get update failed; the lists of packages that are there may still do"
+  apt_updated=yes
+}
+
+# need PACKAGE…: installs what is missing, as root or with sudo. Of a PACKAGE with several names, one|other, it takes the first
+# that this release offers. It leaves out a package that the release does not have.
 need() {
-  local missing=() package
-  for package in "$@"; do
-    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
-  done
-  [ ${#missing[@]} -eq 0 ] && return 0
-  say "installing ${missing[*]}"
-  local as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null || { echo "these packages are missing, and there is neither root nor sudo: ${missing[*]}" >&2; return 1; }
-    as_root=(sudo)
+  if ! command -v apt-get >/dev/null; then
+    leave_out "installing packages, because this is neither Debian nor Ubuntu. The project wants $*"
+    return 0
   fi
-  # A machine that has just started may be installing something itself: wait for that.
-  local started=$SECONDS apt=(env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=600)
-  "${as_root[@]}" "${apt[@]}" update
-  "${as_root[@]}" "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >/dev/null
+  local known package name chosen missing=() install=() started=$SECONDS
+  known=$(installed ${*//|/ })
+  for package in "$@"; do
+    grep -qxF "${package//|/$'\n'}" <<<"$known" || missing+=("$package")
+  done
+  [ ${#missing[@]} -gt 0 ] || return 0
+  if [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+    echo "these packages are missing, and there is neither root nor sudo: ${missing[*]}" >&2
+    return 1
+  fi
+  say "looking for packages: ${missing[*]}"
+  update_once
+  known=$(offered ${missing[*]//|/ })
+  for package in "${missing[@]}"; do
+    chosen=
+    for name in ${package//|/ }; do
+      if [ -z "$chosen" ] && grep -qxF "$name" <<<"$known"; then chosen=$name; fi
+    done
+    if [ -n "$chosen" ]; then install+=("$chosen"); else leave_out "package ${package//|/ or }: this release does not have it"; fi
+  done
+  [ ${#install[@]} -gt 0 ] || return 0
+  say "installing ${install[*]}"
+  apt install -y --no-install-recommends "${install[@]}" >/dev/null
   echo "installed in $((SECONDS - started)) s"
 }
 
-build_packages=(g++ cmake ninja-build libboost-dev libnauty2-dev libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
+# need_clang: Clang with its linker, sanitizers and WebAssembly libraries, all of one version: the newest complete set that is
+# installed, else the newest that this release offers. CMake takes the compiler of that version (cmake/NewestClang.cmake).
+clang_set() { printf '%s\n' "clang-$1" "lld-$1" "libclang-rt-$1-dev" "libclang-rt-$1-dev-wasm32" "libc++-$1-dev-wasm32"; }
+clang_versions() { apt-cache pkgnames clang- | sed -nE 's/^clang-([0-9]+)$/\1/p' | sort -rn; }
+# newest_complete installed|offered
+newest_complete() {
+  local version
+  for version in $(clang_versions); do
+    if [ "$("$1" $(clang_set "$version") | wc -l)" -eq "$(clang_set 0 | wc -l)" ]; then
+      echo "$version"
+      return 0
+    fi
+  done
+}
+need_clang() {
+  command -v apt-get >/dev/null || return 0
+  local version
+  version=$(newest_complete installed)
+  if [ -z "$version" ]; then
+    say "looking for the newest Clang"
+    update_once
+    version=$(newest_complete offered)
+    # If no version has everything, the newest is taken as far as it is there.
+    [ -n "$version" ] || version=$(clang_versions | sed -n 1p)
+  fi
+  need $(clang_set "$version") wasi-libc
+  export RESTRIP_CLANG=clang++-$version
+}
+
+# The sources are formatted by one version of clang-format and checked by the same version of clang-tidy, since other versions
+# disagree: the version that .clang-format names. This prints the program of that version, if it is installed.
+style_version=$(sed -nE 's/^# .* version ([0-9]+).*/\1/p' .clang-format)
+style_tool() {
+  local program
+  for program in "$1-$style_version" "$1"; do
+    if "$program" --version 2>/dev/null | grep -qE "version $style_version\."; then
+      echo "$program"
+      return 0
+    fi
+  done
+}
+
+build_packages=(g++ cmake ninja-build libboost-dev "libnauty-dev|libnauty2-dev" libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
   libpng-dev libssl-dev libgtest-dev)
-# Wanted by the pages for the browser.
-web_packages=(python3 clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32)
 # Wanted by tests alone.
-test_packages=(git libcgal-dev libtbb-dev python3 clang-14 libclang-rt-14-dev clang-tidy-14 clang-format-14 xz-utils
-  parallel openmpi-bin g++-multilib lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32 nodejs rustc glslang-tools
-  libvulkan-dev dpkg-dev file make pkgconf ocaml)
+test_packages=(git libcgal-dev libtbb-dev python3 "clang-tidy-$style_version" "clang-format-$style_version" xz-utils parallel
+  openmpi-bin g++-multilib nodejs rustc glslang-tools libvulkan-dev dpkg-dev file make "pkgconf|pkg-config" ocaml)
 command -v chromium >/dev/null || test_packages+=(chromium)  # Ubuntu has no such package: install another Chromium there
 command -v npm >/dev/null || test_packages+=(npm)  # a Node.js that is not the system's brings its own
 # Wanted by the benchmarks: performance.sh measures with them, test.sh sees that they run.
-bench_packages=(libbenchmark-dev libmeshoptimizer-dev python3 clang-14)
+bench_packages=(libbenchmark-dev libmeshoptimizer-dev python3)

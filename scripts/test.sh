@@ -6,6 +6,7 @@ cd "$(dirname "$0")/.."
 source scripts/setup.sh
 
 need "${build_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}"
+need_clang
 
 logs=build/logs
 mkdir -p "$logs"
@@ -33,6 +34,7 @@ beside() {
 
 # joined: waits for what runs in the background; it must have succeeded.
 joined() {
+  [ -n "$background" ] || return 0
   say "waiting for what runs in the background (log: $logs/background)"
   local pid=$background
   background=
@@ -55,8 +57,13 @@ if compgen -G "${RESTRIP_MESHES:-}/*.xz" >/dev/null; then
 fi
 [ -z "${RESTRIP_MESHES:-}" ] || export RESTRIP_MESHES
 
-check_format() { git ls-files '*.cpp' '*.hpp' '*.c' '*.h' ':!tables/include' ':!generator/languages/templates' ':!tests/generator/languages' | xargs clang-format-14 --dry-run --Werror; }
-part "checking the format of the sources" check_format
+check_format() { git ls-files '*.cpp' '*.hpp' '*.c' '*.h' ':!tables/include' ':!generator/languages/templates' ':!tests/generator/languages' | xargs "$1" --dry-run --Werror; }
+format=$(style_tool clang-format) tidy=$(style_tool clang-tidy)
+if [ -n "$format" ]; then
+  part "checking the format of the sources" check_format "$format"
+else
+  leave_out "the format of the sources: clang-format $style_version is not there, and other versions disagree"
+fi
 
 # The preset test has the benchmarks as well: bench.quick_run shows that each of them runs and that their page can be rendered.
 say "configuring"
@@ -76,7 +83,11 @@ too_long='ShippedRows|Targeted|EveryCrime|EveryFlipped|SatEncoding.(Every|Models
 beside "building with Clang and its sanitizers" cmake --build --preset sanitize
 part "testing" ctest --preset test -j "$(nproc)"
 joined
-beside "running clang-tidy" scripts/tidy.py
+if [ -n "$tidy" ]; then
+  beside "running clang-tidy" scripts/tidy.py "$tidy"
+else
+  leave_out "clang-tidy: version $style_version is not there, and other versions disagree"
+fi
 # Two callers of each allocation are kept, and not thirty, which takes a sixth of the time.
 part "testing with sanitizers" env -u RESTRIP_MESHES ASAN_OPTIONS=malloc_context_size=2 ctest --preset sanitize -j "$(nproc)" -E "$too_long"
 joined

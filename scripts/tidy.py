@@ -11,6 +11,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -74,15 +75,15 @@ def write_units(units, folder):
         unit = folder / f"{name}.cpp"
         unit.write_text(text)
         # A main that ends without a return is none here; the compilers see that other functions do not.
-        arguments = ["clang++-14", *(word for flag in flags for word in flag), "-Wno-return-type", "-c", str(unit)]
+        arguments = ["clang++", *(word for flag in flags for word in flag), "-Wno-return-type", "-c", str(unit)]
         commands.append({"directory": str(BUILD), "file": str(unit), "arguments": arguments})
     (folder / "compile_commands.json").write_text(json.dumps(commands, indent=1))
     return [pathlib.Path(command["file"]) for command in commands]
 
 
-def clean(unit):
+def clean(tidy, unit):
     run = subprocess.run(
-        ["clang-tidy-14", "--quiet", "--checks=-bugprone-suspicious-include", "-p", str(unit.parent), str(unit)],
+        [tidy, "--quiet", "--checks=-bugprone-suspicious-include", "-p", str(unit.parent), str(unit)],
         capture_output=True, text=True)
     if run.returncode != 0:
         print(run.stdout + run.stderr, file=sys.stderr)
@@ -91,6 +92,11 @@ def clean(unit):
 
 def main():
     os.chdir(ROOT)
+    # Other versions warn of other things.
+    version = re.search(r"version (\d+)", pathlib.Path(".clang-format").read_text())[1]
+    tidy = sys.argv[1] if len(sys.argv) > 1 else f"clang-tidy-{version}"
+    if not shutil.which(tidy):
+        fail(f"{tidy} is not installed; call it as tidy.py PROGRAM if it has another name")
     subprocess.run(["cmake", "--preset", "tidy"], check=True, stdout=subprocess.DEVNULL)
     listed = subprocess.run(["git", "ls-files", *(f"{room}/*.cpp" for room in ROOMS), ":!verify/formal",
                              *(f":!{source}" for source in LEFT_OUT)],
@@ -107,7 +113,7 @@ def main():
     by_size = sorted(write_units(units, BUILD / "rooms"),
                      key=lambda unit: -sum(source.stat().st_size for source in units[unit.stem][1]))
     with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        if not all(list(pool.map(clean, by_size))):
+        if not all(list(pool.map(lambda unit: clean(tidy, unit), by_size))):
             fail("see above")
     print(f"clang-tidy: {len(listed)} sources in {len(by_size)} units")
 

@@ -1,0 +1,11 @@
+# RESTRIP_CLANG: the newest Clang of this machine, or the one that the environment names (scripts/setup.sh). It compiles what
+# is for browsers. As a toolchain file, for the presets of Clang, this file makes it the compiler of all else as well.
+set(names $ENV{RESTRIP_CLANG})
+foreach(version RANGE 40 14 -1)
+  list(APPEND names clang++-${version})
+endforeach()
+find_program(RESTRIP_CLANG NAMES ${names} clang++)
+if(CMAKE_TOOLCHAIN_FILE STREQUAL CMAKE_CURRENT_LIST_FILE AND RESTRIP_CLANG)
+  set(CMAKE_CXX_COMPILER ${RESTRIP_CLANG})
+  string(REPLACE clang++ clang CMAKE_C_COMPILER ${RESTRIP_CLANG})
+endif()
