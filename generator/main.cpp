@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "automaton/served.hpp"
-#include "compare/compare.hpp"
 #include "files/report_output.hpp"
 #include "files/system_calls.hpp"
 #include "languages/languages.hpp"
@@ -210,25 +209,6 @@ int main(int argc, char** argv) {
   count_command->add_option("--max-k", count_max_k, "Largest valence")->check(CLI::Range(3, 12))->capture_default_str();
   add_json_option(*count_command, count_to);
 
-  CompareOptions compared;
-  auto* compare_command = app.add_subcommand("compare", "Compare the rules of two certificates, or of two table dumps");
-  compare_command->add_option("A", compared.a, "A certificate, or what a program prints that dumps its tables")
-      ->required();
-  compare_command->add_option("B", compared.b, "Another one of the same kind and operation")->required();
-  compare_command->add_option("--operation", compared.operations,
-                              "Operation file, unless it is a shipped family; of use where rules differ");
-  add_json_option(*compare_command, compared.json);
-  compare_command->footer(
-      "\nTells whether the rules are the same, or others that cost the same, or which is the first that costs more or\n"
-      "less. Lists of linked rules are compared line by line. That rules are the best ones is for restrip-verify to\n"
-      "prove. docs/certificate.md describes the files.\n"
-      "Exit code: 0 the rules cost the same, 1 they do not, 2 bad input.\n"
-      "\nExample:\n"
-      "  restrip-generate tables --max-k 5 --out /tmp/strips\n"
-      "  restrip-generate tables --max-k 5 --tie-break indices --out /tmp/indices\n"
-      "  restrip-generate compare /tmp/strips/certificates/split.cert /tmp/indices/certificates/split.cert\n");
-
-  int code = 0;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -260,11 +240,10 @@ int main(int argc, char** argv) {
       const CountReport report = count(count_max_k);
       out.print(report.text, report.json);
     }
-    if (*compare_command) code = compare(compared);
     if (std::fflush(stdout) != 0) throw std::runtime_error("the output could not be written");
   } catch (const std::exception& error) {
     fmt::print(stderr, "restrip-generate: {}\n", error.what());
     return 2;
   }
-  return code;
+  return 0;
 }

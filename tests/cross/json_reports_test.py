@@ -16,7 +16,6 @@ shutil.rmtree(scratch, ignore_errors=True)
 scratch.mkdir(parents=True)
 bisect, certificate = root / "tables/operations/bisect.json", root / "tables/certificates/operations/bisect.cert"
 mesh, bound = scratch / "made.obj", scratch / "made.bound"
-flips = root / "tables/certificates/flip.cert"
 
 
 def run(command, *more, code=0):
@@ -35,7 +34,6 @@ run(["restrip", "make-mesh", "--triangles", "200", "-o", mesh])
 run(["restrip", "stripify", mesh, "--bound-certificate", bound])
 commands = {
     "count": (["restrip-generate", "count", "--max-k", "3"], "split"),
-    "compare": (["restrip-generate", "compare", flips, flips], "verdict"),
     "automaton": (["restrip-generate", "automaton", "--out", scratch / "automaton"], "classes"),
     "rules": (["restrip-generate", "rules", "--operation", bisect, "--out", scratch / "rules"], "operations"),
     "shard": (["restrip-generate", "tables", "--max-k", "3", "--shard", "1/1", "--out", scratch / "shards"], "files"),
