@@ -1,6 +1,8 @@
 """What documents and comments refer to is there: every file whose path is named, every relative link with its anchor, every heading
 that is quoted behind the name of a page, every section that is cited by its number. Blocks of code in documents are not read."""
 import re
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -197,11 +199,30 @@ class Rejects(unittest.TestCase):
 
 
 class OfTheProject(unittest.TestCase):
+    cmake = None  # and a folder where the project is built
+
     def test_all_are_there(self):
         project = References(ROOT).check()
         self.assertGreater(project.checked, 500)
         self.assertEqual("\n".join(project.faults), "")
 
+    def test_links_of_installed_documents(self):
+        if not self.cmake:
+            self.skipTest("give CMake and a folder where the project is built")
+        cmake, build = self.cmake
+        with tempfile.TemporaryDirectory() as prefix:
+            subprocess.run([cmake, "--install", build, "--prefix", prefix, "--component", "runtime"], check=True, capture_output=True)
+            installed = References(Path(prefix))
+            pages = [file for file in Path(prefix).rglob("*.md")]
+            for page in pages:
+                installed.check_links(page, prose_of(page))
+            self.assertGreater(len(pages), 5)
+            self.assertGreater(installed.checked, 100)
+            self.assertIn("include/restrip/", "".join(page.read_text(encoding="utf-8") for page in pages))
+            self.assertEqual("\n".join(installed.faults), "")
+
 
 if __name__ == "__main__":
+    if len(sys.argv) > 2:
+        OfTheProject.cmake = sys.argv.pop(1), sys.argv.pop(1)
     unittest.main()

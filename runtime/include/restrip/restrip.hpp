@@ -17,6 +17,10 @@
 // scripts/amalgamate.py makes one file of all this.
 #pragma once
 
+#if (defined(_MSVC_LANG) ? _MSVC_LANG : __cplusplus) < 202002L
+#error "restrip needs C++20: compile with -std=c++20 (MSVC: /std:c++20) or a later standard"
+#else
+
 #include "restrip/formats/baked_file.hpp"
 #include "restrip/live_mesh.hpp"
 #include "restrip/mesh/checks.hpp"
@@ -68,3 +72,5 @@
 #include "restrip/search/tunnel.hpp"
 #include "restrip/search/window.hpp"
 #include "restrip/search/window_rounds.hpp"
+
+#endif  // C++20

@@ -1,0 +1,18 @@
+# Run at the end of an installation: in the pages under DOCUMENTS a link to a header leads to the installed one, under HEADERS
+# (relative to DOCUMENTS), and a link to what is not installed becomes its text.
+file(GLOB_RECURSE pages ${DOCUMENTS}/*.md)
+foreach(page IN LISTS pages)
+  get_filename_component(folder ${page} DIRECTORY)
+  file(READ ${page} text)
+  string(REGEX REPLACE "\\]\\(((\\.\\./)*)(runtime|tables)/include/" "](\\1${HEADERS}/" text "${text}")
+  string(REGEX MATCHALL "\\([^][()#:; \n]+[)#]" targets "${text}")
+  list(TRANSFORM targets REPLACE "[()#]" "")
+  list(REMOVE_DUPLICATES targets)
+  foreach(target IN LISTS targets)
+    if(NOT EXISTS ${folder}/${target})
+      string(REGEX REPLACE "([.+*?^$|])" "\\\\\\1" escaped "${target}")
+      string(REGEX REPLACE "\\[([^]]*)\\]\\(${escaped}(#[^)]*)?\\)" "\\1" text "${text}")
+    endif()
+  endforeach()
+  file(WRITE ${page} "${text}")
+endforeach()
