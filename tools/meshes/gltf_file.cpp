@@ -141,7 +141,7 @@ void GltfFile::read_container(std::string_view bytes) {
 void GltfFile::check_extensions() const {
   const JsonPlace required = root()["extensionsRequired"];
   for (std::size_t i = 0; i < required.size(); ++i) {
-    const std::string& extension = required.at(i).text();
+    const std::string extension = required.at(i).text();
     const bool known = extension == "KHR_mesh_primitive_restart" || extension == "KHR_mesh_quantization";
     const auto begins = [&](std::string_view with) { return extension.starts_with(with); };
     const bool only_looks = begins("KHR_materials_") || begins("KHR_texture_") || begins("EXT_texture_") ||
@@ -282,7 +282,7 @@ std::vector<Point> GltfFile::positions(std::uint64_t number) {
 
 std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::string& name) {
   const JsonPlace about = accessor(number);
-  const std::string& shape = about["type"].text();
+  const std::string shape = about["type"].text();
   constexpr std::array<std::string_view, 4> shapes{"SCALAR", "VEC2", "VEC3", "VEC4"};
   const auto found = std::find(shapes.begin(), shapes.end(), shape);
   const bool is_own = name.starts_with('_');
