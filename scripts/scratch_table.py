@@ -127,7 +127,7 @@ class Meshoptimizer:
 def ours(program, mesh, effort):
     """The report of a run of the program."""
     # The others know positions alone.
-    command = [program, "stripify", mesh, "--no-attributes", "--cost", "indices", "--effort", effort, "--json", "-"]
+    command = [program, "stripify", mesh, "--no-attributes", "--bound", "--cost", "indices", "--effort", effort, "--json", "-"]
     report = json.loads(subprocess.check_output(command))
     if not report["valid"]:
         sys.exit(f"scratch_table.py: {mesh}, {effort}: the colouring is not valid")

@@ -15,7 +15,7 @@ programs, root, scratch = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), 
 shutil.rmtree(scratch, ignore_errors=True)
 scratch.mkdir(parents=True)
 bisect, certificate = root / "tables/operations/bisect.json", root / "tables/certificates/operations/bisect.cert"
-mesh, bound = scratch / "made.obj", scratch / "made.bound"
+mesh = scratch / "made.obj"
 
 
 def run(command, *more, code=0):
@@ -31,7 +31,6 @@ def without_times(report):
 
 
 run(["restrip", "make-mesh", "--triangles", "200", "-o", mesh])
-run(["restrip", "stripify", mesh, "--bound-certificate", bound])
 commands = {
     "count": (["restrip-generate", "count", "--max-k", "3"], "split"),
     "automaton": (["restrip-generate", "automaton", "--out", scratch / "automaton"], "classes"),
@@ -42,7 +41,6 @@ commands = {
     "operation": (["restrip-verify", "--operation", bisect, "--certificate", certificate], "claims"),
     "families": (["restrip-verify", "--tables-dir", root / "tables", "--family", "flip"], "claims"),
     "arcs": (["restrip-verify-automaton", "--tables-dir", root / "tables", "--max-k", "3", "--every", "1000"], "claims"),
-    "bound": (["restrip-verify-bound", mesh, bound], "indices"),
 }
 for name, (command, member) in commands.items():
     wrong = run(command, "--json", scratch / "report.txt", code=2)
@@ -55,8 +53,4 @@ for name, (command, member) in commands.items():
 
 for path in json.loads((scratch / "tables.json").read_text())["files"]:
     assert (scratch / "tables" / path["path"]).stat().st_size == path["bytes"], path
-broken = scratch / "broken.bound"
-broken.write_text(bound.read_text().replace("\nindices ", "\nindices 9"))
-report = json.loads(run(["restrip-verify-bound", mesh, broken], "--json", "-", code=1).stdout)
-assert report["verified"] is False and report["fault"], report
 print("%d commands" % len(commands))

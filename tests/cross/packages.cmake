@@ -56,7 +56,7 @@ if(WAY STREQUAL "deb")
       message(FATAL_ERROR "${package}: ${said}")
     endif()
   endforeach()
-  foreach(program IN ITEMS restrip restrip-verify-bound restrip-generate restrip-verify restrip-verify-automaton restrip-dump-tables)
+  foreach(program IN ITEMS restrip restrip-generate restrip-verify restrip-verify-automaton restrip-dump-tables)
     run(${root}/usr/bin/${program} --help)
   endforeach()
   # Where OCaml is, the checker of traces comes with the program that writes them.

@@ -30,7 +30,7 @@ set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
 set(floors_runtime tables precondition.hpp rules|mesh operations|output search|formats live_mesh.hpp restrip.hpp)
-set(floors_verify files model certificate judge linked automaton|bound)
+set(floors_verify files model certificate judge linked automaton)
 set(floors_tools files|restrip common meshes pictures lod replay paper app)
 
 # floor_of(ROOM FOLDER OUT): the number of the floor, or -1.
@@ -146,7 +146,7 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "runtime/include/restrip/mesh/any.hpp|<OpenMesh/Core/Mesh/Handles.hh>"
                        "tables/include/restrip/tables/any.hpp|<fmt/format.h>" "tables/include/restrip/tables/any.hpp|\"restrip/rules/rules.hpp\""
                        "verify/any.cpp|\"files/output.hpp\"" "verify/model/any.hpp|\"judge/worlds.hpp\""
-                       "verify/certificate/any.hpp|\"judge/report.hpp\"" "verify/judge/any.hpp|\"linked/list_check.hpp\"" "verify/bound/any.hpp|\"automaton/arc.hpp\"" "files/any.cpp|\"restrip/rules/rules.hpp\""
+                       "verify/certificate/any.hpp|\"judge/report.hpp\"" "verify/judge/any.hpp|\"linked/list_check.hpp\"" "files/any.cpp|\"restrip/rules/rules.hpp\""
                        "files/any.cpp|\"meshes/soup.hpp\"" "tools/app/any.cpp|\"restrip/tables/split.hpp\""
                        "tools/app/any.cpp|\"section.hpp\"" "bench/any.cpp|\"judgment.hpp\"" "examples/any.cpp|\"meshes/soup.hpp\""
                        "runtime/include/restrip/rules/any.hpp|\"restrip/mesh/mesh.hpp\""

@@ -124,6 +124,7 @@ TEST_F(Program, StripifyCountsStrips) {
       nlohmann::json::parse(run_program(fmt::format("stripify '{}' --effort full --json -", file("a.off"))).out);
   EXPECT_TRUE(fast.at("valid"));
   EXPECT_TRUE(full.at("valid"));
+  EXPECT_FALSE(fast.contains("lower_bound_indices")) << "only --bound computes it";
   EXPECT_LT(full.at("strips"), fast.at("strips"));
   EXPECT_LE(full.at("strips"), 2);
   // n triangles, two more indices a strip, one restart between two strips, one for each swap.
@@ -133,7 +134,7 @@ TEST_F(Program, StripifyCountsStrips) {
 TEST_F(Program, StripifyTellsWhatIndicesCost) {
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 2000 -o '{}'", file("a.off"))).code, 0);
   const auto stripified = [&](const char* options) {
-    const Outcome run = run_program(fmt::format("stripify '{}' {} --json -", file("a.off"), options));
+    const Outcome run = run_program(fmt::format("stripify '{}' {} --bound --json -", file("a.off"), options));
     EXPECT_EQ(run.code, 0) << options;
     auto json = nlohmann::json::parse(run.out);
     const auto number = [&](const char* key) { return json.at(key).get<double>(); };

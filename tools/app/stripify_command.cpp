@@ -16,7 +16,6 @@
 #include "files/report_output.hpp"
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_files.hpp"
-#include "meshes/bound_certificate.hpp"
 #include "meshes/file_strips.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/index_bound.hpp"
@@ -42,23 +41,14 @@ struct StripifyCommand {
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;
-  std::filesystem::path certificate;  ///< of the bound on indices; empty: not written
+  bool bound = false;  ///< computes what no index buffer beats
 };
-
-/// Where the colours come quickly, so does the bound.
-IndexBound bound_for(const StripifyCommand& command, const StripMesh& mesh) {
-  const bool quick = command.certificate.empty() && (command.as_in_file || command.effort == Effort::fast);
-  return strip_index_lower_bound(mesh, quick ? 0 : thorough_bound);
-}
 
 int run(const StripifyCommand& command) {
   std::optional<files::Output> strip_file;
   if (!command.out.empty())
     strip_file.emplace(command.out, files::OutputRules{extensions_of(writes_strips), {command.mesh}});
-  std::optional<files::Output> certificate_file;
-  if (!command.certificate.empty())
-    certificate_file.emplace(command.certificate, files::OutputRules{{}, {command.mesh, command.out}});
-  const files::ReportOutput out(command.json, {command.mesh, command.out, command.certificate});
+  const files::ReportOutput out(command.json, {command.mesh, command.out});
   const MeshFormat* format = strip_file ? &format_to_write(command.out, writes_strips) : nullptr;
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
@@ -96,13 +86,6 @@ int run(const StripifyCommand& command) {
     const std::vector<Corners> drawn = decode_strips(indices);
     strip_file->write(format->write_strips({soup.points, indices, drawn, soup.attributes}, command.gltf));
   }
-  const IndexBound bound = bound_for(command, mesh);
-  if (certificate_file) {
-    std::vector<Corners> triangles;
-    triangles.reserve(origin.size());
-    for (const std::uint32_t t : origin) triangles.push_back(soup.triangles[t]);
-    certificate_file->write(bound_certificate(bound, triangles, soup.points.size()));
-  }
   const std::vector<std::string> faults = find_faults(mesh);
   const std::size_t left_out = report.degenerate_triangles + report.out_of_range_triangles;
   const double seconds = clock.nanoseconds() * 1e-9;
@@ -116,7 +99,6 @@ int run(const StripifyCommand& command) {
                               {"components", connected_components(mesh)},
                               {"swaps", swaps},
                               {"indices", indices.size()},
-                              {"lower_bound_indices", bound.indices},
                               {"acmr", cache_misses},
                               {"acmr_32", acmr(indices, 32, triangles)},
                               {"seconds", seconds},
@@ -131,14 +113,20 @@ int run(const StripifyCommand& command) {
   const auto per_triangle = [triangles](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(triangles, 1));
   };
+  std::string at_least;
+  if (command.bound) {
+    const std::size_t bound = strip_index_lower_bound(mesh).indices;
+    json["lower_bound_indices"] = bound;
+    at_least = fmt::format(" (at least {:.3f} in any strips)", per_triangle(bound));
+  }
   std::string text = as_text(mended);
   text += fmt::format(
       "{}: {} ({} left out) in {}, {}\n"
-      "{:.3f} indices per triangle (at least {:.3f} in any strips), {}, {:.3f} vertex cache misses per triangle "
+      "{:.3f} indices per triangle{}, {}, {:.3f} vertex cache misses per triangle "
       "(FIFO 16), {:.3f} seconds\n",
       command.mesh.string(), counted(triangles, "triangle"), counted(left_out, "degenerate one"),
       counted(strips.size(), "strip"), counted(connected_components(mesh), "connected component"),
-      per_triangle(indices.size()), per_triangle(bound.indices), counted(swaps, "swap"), cache_misses, seconds);
+      per_triangle(indices.size()), at_least, counted(swaps, "swap"), cache_misses, seconds);
   if (in_file.cut != 0)
     text += fmt::format("strips of the file cut at {}: consecutive triangles share no edge\n",
                         counted(in_file.cut, "place"));
@@ -186,9 +174,10 @@ Subcommand add_stripify(CLI::App& app) {
          "of the strips: that of the triangles, or one that a vertex cache of 16 misses less often; as many indices")
       ->check(CLI::IsMember({"triangles", "cache"}))
       ->default_str("triangles");
-  sub->add_option("--bound-certificate", command.certificate,
-                  "Write the proof that no index buffer of these triangles has fewer indices than told, for "
-                  "restrip-verify-bound");
+  sub->add_flag(
+      "--bound", command.bound,
+      "Also report a number of indices that every index buffer of these triangles has; may take longer than the "
+      "strips");
   add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);

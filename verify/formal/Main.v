@@ -9,7 +9,7 @@
 Require Import Arith Bool List NArith.
 Import ListNotations.
 Require Import Statements.
-Require Locality Strips Shipped Answers Flip EveryFan EverySize EveryFigures Figures Rejects Met WholeMesh LowerBound FlowBound Check.
+Require Locality Strips Shipped Answers Flip EveryFan EverySize EveryFigures Figures Rejects Met WholeMesh LowerBound Check.
 Require Header Meetings AutomatonNumbers Automaton Served AutomatonRejects ToldRejects.
 Require Split OpenSplit Symmetry Sequences.
 Require Positions Told Tables_split Tables_collapse Tables_open_split Tables_open_collapse Tables_boundary_split Tables_boundary_collapse Tables_flip.
@@ -88,9 +88,6 @@ Print Assumptions no_rule_competes.
 Theorem one_strip_would_do : One_strip_would_do.
 Proof. exact LowerBound.one_strip_would_do. Qed.
 Print Assumptions one_strip_would_do.
-Theorem no_buffer_has_fewer : No_buffer_has_fewer.
-Proof. exact FlowBound.no_buffer_has_fewer. Qed.
-Print Assumptions no_buffer_has_fewer.
 Theorem judge_right : Judge_right (@Check.judge).
 Proof. exact @Check.judge_right. Qed.
 Print Assumptions judge_right.

@@ -6,8 +6,7 @@
     docs/notation.md.
 
     The parts are: graphs, patches, what a best recolouring is, tables, the families, flips, positions and the rules; then, each
-    for itself, the look-up in the automaton, linked rules, sequences of operations, whole meshes, a lower bound, index buffers,
-    and runs. *)
+    for itself, the look-up in the automaton, linked rules, sequences of operations, whole meshes, a lower bound, and runs. *)
 Require Import Arith Bool List NArith ZArith FMapPositive Permutation.
 Import ListNotations.
 
@@ -595,49 +594,6 @@ Definition No_rule_competes : Prop := forall n (T : table) x strips, 0 < n -> sa
 Definition One_strip_would_do : Prop := forall n, 0 < n -> exists G,
   incl (map undirected G) (map undirected (Blocks.dual_edges Blocks.after_splits n)) /\
   exists strip, stripped (Blocks.all_triangles Blocks.after_splits n) G [strip].
-
-(** ** Index buffers
-
-    A buffer is a list of runs, a run a list of vertices, and three consecutive vertices of a run are a window. Windows of three
-    different vertices are the triangles of the mesh. Cuts are sets of vertices with multipliers; a cut is proper when the
-    corners in it are no multiple of three. (Restarts between components are not counted here.) *)
-Module Buffers.
-Definition window : Type := nat * nat * nat.
-Definition arrow : Type := nat * nat.
-Definition hit (v x : nat) : nat := if x =? v then 1 else 0.
-Definition total {T} (f : T -> nat) (l : list T) : nat := list_sum (map f l).
-
-Definition serves (v : nat) (t : window) : nat := let '(x, y, z) := t in hit v x + hit v y + hit v z.
-Definition corner (v : nat) (t : window) : bool := let '(x, y, z) := t in (x =? v) || (y =? v) || (z =? v).
-Definition different (t : window) : bool := let '(x, y, z) := t in negb (x =? y) && negb (y =? z) && negb (z =? x).
-Definition same_corners (t u : window) : Prop :=
-  let '(x, y, z) := t in let '(a, b, c) := u in Permutation [x; y; z] [a; b; c].
-Definition edge (mesh : list window) (x y : nat) : bool := negb (x =? y) && existsb (fun t => corner x t && corner y t) mesh.
-
-Fixpoint windows (run : list nat) : list window :=
-  match run with x :: ((y :: z :: _) as rest) => (x, y, z) :: windows rest | _ => [] end.
-Definition draws (mesh : list window) (runs : list (list nat)) : Prop :=
-  exists order, Permutation order mesh /\ Forall2 same_corners (filter different (flat_map windows runs)) order.
-(** Indices, with a restart between two runs. *)
-Definition buffer_length (runs : list (list nat)) : nat := total (@length nat) runs + (length runs - 1).
-
-Record cut := { vertices : list nat; lacking : nat; multiplier : nat }.
-Definition inside (v : nat) (c : cut) : bool := existsb (Nat.eqb v) (vertices c).
-Definition proper (mesh : list window) (c : cut) : Prop :=
-  NoDup (vertices c) /\ (lacking c = 1 \/ lacking c = 2) /\
-  exists q, total (fun v => total (serves v) mesh) (vertices c) + lacking c = 3 * q.
-(** In halves. *)
-Definition weight (c : cut) (a : arrow) : nat :=
-  if inside (fst a) c then (if inside (snd a) c then 0 else lacking c)
-  else if inside (snd a) c then 3 - lacking c else 0.
-Definition load (cuts : list cut) (a : arrow) : nat := total (fun c => multiplier c * weight c a) cuts.
-
-End Buffers.
-
-Definition No_buffer_has_fewer : Prop := forall mesh runs cuts unit,
-  Buffers.draws mesh runs -> Forall (fun run => 3 <= length run) runs -> runs <> [] -> Forall (Buffers.proper mesh) cuts ->
-  (forall x y, Buffers.edge mesh x y = true -> Buffers.load cuts (x, y) <= 2 * unit) ->
-  unit * length mesh + Buffers.total Buffers.multiplier cuts <= unit * Buffers.buffer_length runs.
 
 (** ** Runs: what [restrip-check] decides of one operation (docs/trace.md)
 
