@@ -110,10 +110,11 @@ style_tool() {
 
 build_packages=(g++ cmake ninja-build libboost-dev "libnauty-dev|libnauty2-dev" libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
   libpng-dev libssl-dev libgtest-dev)
-# Wanted by tests alone.
-test_packages=(git libcgal-dev libtbb-dev python3 "clang-tidy-$style_version" "clang-format-$style_version" xz-utils parallel
-  openmpi-bin g++-multilib nodejs rustc glslang-tools libvulkan-dev dpkg-dev file make "pkgconf|pkg-config" ocaml)
-command -v chromium >/dev/null || test_packages+=(chromium)  # Ubuntu has no such package: install another Chromium there
-command -v npm >/dev/null || test_packages+=(npm)  # a Node.js that is not the system's brings its own
-# Wanted by the benchmarks: performance.sh measures with them, test.sh sees that they run.
+# Wanted by tests alone, and by what test.sh --all adds.
+test_packages=(git libcgal-dev libtbb-dev python3 nodejs ocaml "pkgconf|pkg-config")
+all_packages=(xz-utils parallel openmpi-bin g++-multilib rustc glslang-tools libvulkan-dev dpkg-dev file make
+  "clang-tidy-$style_version" "clang-format-$style_version")
+command -v chromium >/dev/null || all_packages+=(chromium)  # Ubuntu has no such package: install another Chromium there
+command -v npm >/dev/null || all_packages+=(npm)  # a Node.js that is not the system's brings its own
+# Wanted by the benchmarks: performance.sh measures with them, test.sh --all sees that they run.
 bench_packages=(libbenchmark-dev libmeshoptimizer-dev python3)
