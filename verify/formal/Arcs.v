@@ -53,7 +53,7 @@ Definition from (f : frontier) : list item -> coloring -> option (frontier * sco
 
 (** ** Letters
 
-    What the automaton reads. Of labels it is enough to know whether a port has that of the solid port before it; so label 0
+    What the automaton reads. Of labels only one thing matters: whether a port has that of the solid port before it; so label 0
     stands for that one, and label 1 for any other. *)
 Definition item_of (l : letter) : item :=
   match l with Plain => Tri None | Alone => Tri (Some 1) | Joined => Tri (Some 0) | Edge => Rim end.

@@ -18,7 +18,7 @@ Definition compared (n : nat) : Prop :=
 Theorem looked_up : compared 7.
 Proof. split; [vm_compute; reflexivity|vm_cast_no_check (eq_refl true)]. Qed.
 
-(** Of each answer it is told how many inner edges are solid, and how many triangles of the patch after are isolated. *)
+(** With each answer come the number of solid inner edges and the number of isolated triangles of the patch after. *)
 Definition side_at (f : walked_family) (position : list nat) : side :=
   match f, position with
   | Splits, [k; a] => after (split k a)

@@ -68,7 +68,7 @@ Qed.
 
 (** ** Flips
 
-    There are at most 32 ways to go on: any subset of the solid ports kept, the new edge solid or dashed. A verdict counts
+    There are at most 32 recolourings: any subset of the solid ports kept, the new edge solid or dashed. A verdict counts
     the ports among the edges, and each port given up among the isolated triangles, as [flip_as_good] does. *)
 Definition way_on := (coloring * coloring)%type.
 Fixpoint all_colorings (n : nat) : list coloring :=

@@ -171,7 +171,7 @@ Definition answered (l : leaf) : bool := match l with Some (_, _, Answer _) => t
 (** ** The checker *)
 Section Checker.
   Variable p : patch.
-  (** At most so many strips more, so many isolated triangles more. *)
+  (** At most N more strips and M more isolated triangles. *)
   Variables strips lonely : nat.
   (** What else is to be checked of (ports, labels before, answer): the reduced tables, in [Rows.v]. *)
   Variable also : coloring -> list nat -> coloring -> bool.

@@ -57,7 +57,7 @@ Definition closed (arrows : list arrow) (R : classes) : bool :=
 
 (** ** The end
 
-    [ends q]: at stage q a fan may be complete; after the last steps it has at least so many solid edges more, and at most so
+    [ends q]: at stage q a fan may be complete; after the last steps it has at least N solid edges more, and at most M
     many isolated triangles more. *)
 Definition limits (ends : nat -> option (Z * Z)) (last_before last_after : list template) (b : bounded) : bool :=
   match ends (stage (fst b)) with
@@ -121,7 +121,7 @@ Section Explored.
       apply known_found in K as (c' & I' & W). exists y, c'. split; [exact I'|]. split; [exact Ey|]. now apply meets_weaker with (pS, pI).
   Qed.
 
-  (** Of the best colouring after, beside any colouring before. *)
+  (** The best colouring after, against any colouring before. *)
   Theorem path_within q B A bS bI : path arrows q B A -> ends q = Some (bS, bI) ->
     forall c f n i, play (B ++ map (step_from None) last_before) c blank_frontier 0 0 = Some (f, (n, i)) ->
     exists c' g m j, play (A ++ map (step_from None) last_after) c' blank_frontier 0 0 = Some (g, (m, j)) /\

@@ -13,7 +13,7 @@ Definition label_list (p : option nat) : list nat := match p with Some l => [l] 
 Definition labels_of (f : frontier) : list nat := label_list (port (anchor f)) ++ label_list (port (tip f)).
 Definition step_labels (s : step) : list nat := label_list (label_of s).
 
-(** [h] tells the labels in [ls] apart. *)
+(** [h] separates the labels in [ls]. *)
 Definition tells (h : nat -> nat) (ls : list nat) : Prop := forall x y, In x ls -> In y ls -> h x = h y -> x = y.
 
 Lemma agree_relabel h p q ls : tells h ls -> incl (label_list p) ls -> incl (label_list q) ls ->

@@ -63,7 +63,7 @@ Section Patch.
     assert (T : exists g, take s false f = Some g) by (destruct s; eexists; reflexivity). destruct T as (g & ->). apply IH.
   Qed.
 
-  (** Every colouring that can be played is that of a recolouring. *)
+  (** Every colouring that can be played belongs to a recolouring. *)
   Lemma played s lab c v : play (map (step_of (ports p) s lab) sh) c blank_frontier 0 0 = Some v ->
     let x := arranged m q (tl c) in length x = length (inner (after p)) /\ choices m r x = c.
   Proof.

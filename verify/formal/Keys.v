@@ -1,4 +1,4 @@
-(** * What a key tells of the labels of ports *)
+(** * What a key says about the labels of ports *)
 Require Import Arith Bool List Permutation Sorted Lia.
 Import ListNotations.
 Require Import Statements Checker Frontier Arcs Rings Header Kinds Ends.

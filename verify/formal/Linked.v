@@ -2,7 +2,7 @@
 
     Linked rules are chosen when it is known what the strips do outside the patch. For each colouring of the ports there is a
     list of alternatives, best first, each with the pairs of ports that it joins inside. The rule is the first
-    alternative that is valid beside the given outside. Proved here: it is the best that there is beside *this* outside,
+    alternative that is valid in the given world. Proved here: it is the best possible in *this* world,
     and its pairs and those that the outside joins are all one must know to find it. *)
 Require Import Arith Bool List NArith Permutation Lia.
 Import ListNotations.
@@ -168,7 +168,7 @@ Section Checker.
       (forall i j, i < k -> j < k -> linked (drawing (after p) s (recoloring a)) i j -> linked (drawing (after p) s y) i j) ->
       valid (O ++ drawing (after p) s (recoloring a))).
     { intros a y I Vy J. destruct (Known a I) as (La & st & _ & _ & Va). now apply safe_after with y. }
-    (* The alternative that joins nothing is valid beside every outside. *)
+    (* The alternative that joins nothing is valid in every world. *)
     assert (Some_valid : exists b, In b (L s) /\ valid (O ++ drawing (after p) s (recoloring b))).
     { apply existsb_exists in Nothing_joined as (v & I & N). apply in_map_iff in I as (b & <- & I).
       destruct (Known b I) as (Lb & st & E & Ds & Vb). exists b. split; [exact I|].

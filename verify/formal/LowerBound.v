@@ -1,7 +1,7 @@
 (** * A lower bound for every rule that reads only its patch
 
     The fan has k = 4 triangles and is split at a = 2. Before the split its strip enters by port p_3, runs through t_3, t_2, t_1,
-    t_0 and leaves by port p_0: loop 0111, ports 1001. Every recolouring that keeps the ports and is sound beside every
+    t_0 and leaves by port p_0: loop 0111, ports 1001. Every recolouring that keeps the ports and is sound in every
     outside has at most four solid edges, one less than would keep the number of strips.
 
     From this fan and one triangle more a *block* is made, and of n blocks a mesh that is one strip. After a split in

@@ -114,7 +114,7 @@ Theorem automaton_told : map fst AutomatonNumbers.told_digests = Header.position
   forallb (fun d => N.eqb (Automaton.told_at Automaton.automaton (fst (fst d)) (snd (fst d))) (snd d)) AutomatonNumbers.told_digests = true.
 Proof. exact Automaton.looked_up_told. Qed.
 Print Assumptions automaton_told.
-(** What every answer of the headers tells of strips and isolated triangles; [Telling.tells] says what it must be. *)
+(** What every answer of the headers reports about strips and isolated triangles; [Telling.tells] says what it must be. *)
 Theorem answers_tell :
   Forall (fun at_ => Telling.tells false (Told.of_two split at_) (Told.two Tables_split.table at_) (Told.two Told_split.table at_)) Positions.arcs /\
   Forall (fun at_ => Telling.tells false (Told.of_two collapse at_) (Told.two Tables_collapse.table at_) (Told.two Told_collapse.table at_)) Positions.arcs /\
@@ -159,7 +159,7 @@ Theorem every_counts : map (fun k => map (EveryFigures.split_counts k) (seq 1 (k
   [[(44, 0)]; [(160, 0); (160, 2)]; [(572, 0); (572, 6)]]%N.
 Proof. exact EveryFigures.counted. Qed.
 Print Assumptions every_counts.
-(** Wrong tables, wrong rows, wrong told numbers (how many, and whether all of them are refused) and wrong automata are refused:
+(** Wrong tables, wrong rows, wrong reported numbers (how many, and whether all of them are refused) and wrong automata are refused:
     of these one bit was changed, one answer left out or made up, or an array is too short. *)
 Theorem wrong_tables_refused : length (Rejects.wrong_tables 3 1) = 348 /\ Rejects.refused 3 1 && Rejects.refused 4 2 = true.
 Proof. exact Rejects.wrong_tables_refused. Qed.

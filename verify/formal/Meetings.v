@@ -90,7 +90,7 @@ Section Meetings.
     | Some v => forallb (fun x => beats v (look (fst (fst x))) (snd (fst x))) (entries K2)
     | None => false
     end.
-  (** The kinds of second arcs, by what is told of their ports. *)
+  (** The kinds of second arcs, by what is known of their ports. *)
   Definition like (a b : info) : bool := (count a =? count b) && eqb (bit1 a) (bit1 b) && eqb (bit2 a) (bit2 b).
   Definition grouped (Ks : list kind) : list (info * list kind) :=
     fold_left (fun gs K =>

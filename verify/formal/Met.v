@@ -1,6 +1,6 @@
 (** * An operation that is done
 
-    [operation] speaks of a mesh, a patch and a table. Here it is met: a fan of three triangles, beside which lie two
+    [operation] speaks of a mesh, a patch and a table. Here it is met: a fan of three triangles, with two
     others, is split by the shipped rule; a strip comes into it from outside. *)
 Require Import Arith Bool List Permutation ZArith Lia.
 Import ListNotations.

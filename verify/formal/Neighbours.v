@@ -1,7 +1,7 @@
 (** * Linked ports are neighbours
 
     In a fan, closed or open, the strand from a solid port ends at the next solid port at the latest. So what is known of all
-    ports is what a key tells of neighbouring ones. *)
+    ports is what a key says about neighbouring ones. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
 Require Import Statements Graph Strips Locality Drawing Checker Rows Symmetry Frontier Route.

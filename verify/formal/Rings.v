@@ -1,6 +1,6 @@
 (** * Arcs in a ring
 
-    What drawing an arc does to the rest of a patch is told by the books of the arc alone: this is the interface lemma of
+    What drawing an arc does to the rest of a patch is known from the books of the arc alone: this is the interface lemma of
     docs/automaton.md, on the books of [Frontier.v]. *)
 Require Import Arith Bool List Lia.
 Import ListNotations.

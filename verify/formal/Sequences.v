@@ -209,7 +209,7 @@ Section Sequence.
   Qed.
 End Sequence.
 
-(** ** Without isolated triangles there are at most half as many strips as triangles *)
+(** ** Without isolated triangles strips are at most half of the triangles *)
 Theorem half_as_many M : sane M -> none_isolated M -> (2 * strips_of M <= Z.of_nat (length (nodes M)))%Z.
 Proof.
   intros [N Ends] No. assert (H : list_sum (map (degree (edges M)) (nodes M)) = 2 * length (edges M)).
@@ -222,6 +222,6 @@ Proof.
   unfold strips_of. lia.
 Qed.
 
-(** The number that [strips_of] tells is that of the strips, however they are listed. *)
+(** [strips_of] is the number of strips, however they are listed. *)
 Theorem strips_counted : Strips_counted.
 Proof. intros M strips S. apply number_of_strips in S. unfold strips_of. lia. Qed.

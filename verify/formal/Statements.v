@@ -92,7 +92,7 @@ Definition solids (x : coloring) : nat := length (filter id x).
 Definition isolated (d : side) (s x : coloring) : nat :=
   length (filter (fun t => degree (drawing d s x) (length (owner d) + t) =? 0) (seq 0 (triangles d))).
 
-(** The order of preference: more solid edges; with as many, no more isolated triangles. *)
+(** The order of preference: more solid edges; if equal, no more isolated triangles. *)
 Definition as_good (d : side) (s x y : coloring) : Prop :=
   solids y < solids x \/ (solids y = solids x /\ isolated d s x <= isolated d s y).
 Definition best (p : patch) (s c x : coloring) : Prop :=
@@ -108,7 +108,7 @@ Definition correct (p : patch) (T : table) : Prop :=
     (~ valid (drawing (before p) s c) -> T s c = None).
 
 (** The facts: no rule costs more than [strips] strips or adds more than [alone] isolated triangles. The number of
-    strips is the number of triangles less that of solid edges ([Strips.v]). *)
+    strips is the number of triangles minus the number of solid edges ([Strips.v]). *)
 Definition within (p : patch) (T : table) (strips alone : nat) : Prop :=
   forall s c x, length s = ports p -> length c = length (inner (before p)) -> T s c = Some x ->
     triangles (after p) + solids c <= triangles (before p) + solids x + strips /\
@@ -160,8 +160,8 @@ Definition boundary_collapse (k i : nat) : patch := Patch (path_with_one k i) (o
 
 (** ** Flips give ports up
 
-    An answer is the inner edge and the ports kept. More solid edges, ports included; with as many, fewer isolated
-    triangles, each port given up counted as one; with as many, more ports kept. *)
+    An answer is the inner edge and the ports kept. More solid edges, ports included; if equal, fewer isolated
+    triangles, each port given up counted as one; if equal, more ports kept. *)
 Definition flip : patch := Patch (Side 2 [(0, 1)] [0; 0; 1; 1]) (Side 2 [(0, 1)] [1; 0; 0; 1]).
 
 Definition kept (s s' : coloring) : Prop := length s' = length s /\ forall i, nth i s' false = true -> nth i s false = true.
@@ -197,7 +197,7 @@ Definition Locality : Prop := forall p, sensible p (before p) -> sensible p (aft
   (legal p s c x <->
    forall O, rest_of_mesh p O -> valid (O ++ drawing (before p) s c) -> valid (O ++ drawing (after p) s x)).
 
-(** Valid colourings are lists of strips, as many as there are vertices less edges. *)
+(** Valid colourings are lists of strips, whose number is vertices minus edges. *)
 Definition Valid_is_stripped : Prop := forall vs G, NoDup vs -> (forall e, In e G -> In (fst e) vs /\ In (snd e) vs) ->
   (valid G <-> exists strips, stripped vs G strips /\ length strips + length G = length vs).
 
@@ -393,7 +393,7 @@ Definition first_that {A} (good : A -> Prop) (l : list A) (a : A) : Prop :=
   exists before after, l = before ++ a :: after /\ good a /\ forall b, In b before -> ~ good b.
 
 (** The list [L s] serves each configuration with ports [s] and each outside [O]: its first alternative that is valid
-    beside [O] is as good as every recolouring that is valid beside [O]. *)
+    in [O] is as good as every recolouring that is valid in [O]. *)
 Definition linked_best (p : patch) (L : coloring -> list alternative) : Prop :=
   forall s c O, length s = ports p -> length c = length (inner (before p)) -> rest_of_mesh p O ->
     valid (O ++ drawing (before p) s c) ->
@@ -406,7 +406,7 @@ Definition linked_best (p : patch) (L : coloring -> list alternative) : Prop :=
 Definition stand_for (k : nat) (Q G : graph) : Prop :=
   (forall e, In e Q -> fst e < k /\ snd e < k) /\ acyclic Q /\
   forall i j, i < k -> j < k -> (linked Q i j <-> linked G i j).
-(** To find out whether an alternative is valid beside [O] it is enough to know the pairs that [O] joins. *)
+(** The pairs that [O] joins decide whether an alternative is valid in [O]. *)
 Definition pairs_tell (p : patch) (L : coloring -> list alternative) : Prop :=
   forall s c O Q a, length s = ports p -> length c = length (inner (before p)) -> rest_of_mesh p O ->
     valid (O ++ drawing (before p) s c) -> stand_for (ports p) Q O -> In a (L s) ->
@@ -450,7 +450,7 @@ Definition looks_like (p : patch) (d : side) (s x : coloring) (O : graph) (other
   exists G, without_points (seq 0 (ports p)) (O ++ drawing d s x) G /\ renamed f G (edges M) /\
     Permutation (nodes M) (map f (seq (ports p) (triangles d) ++ others)).
 
-(** One operation: the patch is recoloured as the table says, everything else stays as it is. [told] is what the rule says
+(** One operation: the patch is recoloured as the table says, everything else stays as it is. [told] is the change that the rule reports
     of the number of strips: triangles gained less solid edges gained. *)
 Definition operation (p : patch) (T : table) (M : mesh) (told : Z) (M' : mesh) : Prop :=
   exists s c x O others f,
@@ -478,8 +478,8 @@ Definition isolates_none (o : position) : bool := isolated_at o =? 0.
 End Meshes.
 Import Meshes.
 
-(** A valid mesh stays valid; what is told of the number of strips adds up to the truth; a mesh without isolated triangles stays
-    one if the rules at all positions isolate none, and then has at most half as many strips as triangles. *)
+(** A valid mesh stays valid; the reported changes of the number of strips add up; a mesh without isolated triangles stays
+    one if the rules at all positions isolate none, and then has at most one strip for two triangles. *)
 Definition Sequences_right (allowed : (position -> bool) -> patch -> table -> Prop) : Prop :=
   (forall M told M', sequence (allowed anywhere) M told M' ->
      (valid (edges M) -> valid (edges M')) /\ (strips_of M' = strips_of M + told)%Z) /\
@@ -495,7 +495,7 @@ Definition Operation_met (T : position -> table) : Prop := exists M M', sane M /
 Module Whole.
 (** The dual graph of a mesh of finitely many triangles has an edge for each mesh edge that two triangles share, so two edges for two
     triangles that share two. A triangle has three sides; those that no dual edge crosses lie on the boundary. The colours are
-    those of the dual edges, in order. A strip is the list of its triangles; [Valid_is_stripped] says that there are such lists
+    those of the dual edges, in order. A strip is the list of its triangles; [Valid_is_stripped] says that such lists exist
     exactly for the valid colourings. *)
 Record stripification := Stripification
   { faces : list nat; dual : graph; colors : coloring; strips : list (list nat) }.

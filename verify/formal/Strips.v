@@ -2,7 +2,7 @@
 
     [Statements.v] calls a graph valid when no degree exceeds two and every edge is a bridge. This file proves that a graph
     is valid exactly when its vertices can be listed strip by strip, each vertex once, so that the solid edges are the
-    pairs of neighbours in the lists; and that the number of strips is then the number of vertices less that of edges. *)
+    pairs of neighbours in the lists; and that the number of strips is then the number of vertices minus the number of edges. *)
 Require Import Arith Bool List Permutation Lia.
 Import ListNotations.
 Require Import Statements Graph.

@@ -220,7 +220,7 @@ Section Image.
 
   (** ** Tables
 
-      [T] is the table of [p], [U] that of [q]. *)
+      [T] is the table of [p], [U] the table of [q]. *)
   Definition image_before : coloring -> coloring := taken (inner_places (before q) (before p)).
   Definition image_after : coloring -> coloring := taken (inner_places (after q) (after p)).
   Definition image_answer (s c x y : coloring) : Prop :=

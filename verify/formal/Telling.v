@@ -1,6 +1,6 @@
 (** * Comparing what answers tell with what they change
 
-    An answer tells how the numbers of strips and of isolated triangles change. What the answers of a table tell is a trie
+    An answer reports how the numbers of strips and of isolated triangles change. What the answers of a table report is a trie
     over the same colourings. *)
 Require Import Arith Bool List NArith ZArith Lia.
 Import ListNotations.
@@ -22,7 +22,7 @@ Fixpoint number (bits : coloring) : N :=
 Definition told (bits : coloring) : Z * Z :=
   (Z.of_N (number (skipn 8 bits)) - 128, Z.of_N (number (firstn 8 bits)) - 128)%Z.
 
-(** Something is told exactly where the table has an answer, and it is what that answer changes. *)
+(** A change is reported exactly for configurations with an answer, and it is the change that the answer makes. *)
 Definition tells (flips : bool) (p : patch) (t u : trie) : Prop :=
   forall s c, length s = ports p -> length c = length (inner (before p)) ->
   option_map told (lookup u s c) = option_map (changed flips p s c) (lookup t s c).

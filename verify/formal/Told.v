@@ -1,6 +1,6 @@
 (** * What answers tell
 
-    Each answer of the shipped headers tells how the numbers of strips and of isolated triangles change. Told_FAMILY.v holds
+    Each answer of the shipped headers reports how the numbers of strips and of isolated triangles change. Told_FAMILY.v holds
     what they tell: for each position a trie over the same colourings as the table of answers. *)
 Require Import List.
 Import ListNotations.

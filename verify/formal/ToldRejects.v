@@ -1,8 +1,8 @@
-(** * What the comparison of told numbers must reject
+(** * What the comparison of reported numbers must reject
 
-    A bit of what an answer tells is changed, or it tells nothing; a configuration without an answer tells something. In
+    A bit of a reported number is changed, or nothing is reported; a configuration without an answer reports something. In
     two small positions and for flips this is done to every configuration and to each of sixteen bits; in every family, in
-    a position with k = 7, to one answer, where the number of strips and that of isolated triangles become wrong by one, and
+    a position with k = 7, to one answer, where the numbers of strips and of isolated triangles become wrong by one, and
     to one configuration without an answer. *)
 Require Import Arith Bool List.
 Import ListNotations.

@@ -76,7 +76,7 @@ Section Families.
       unfold turned_order in Rr. rewrite Nat.sub_0_r in Rr. cbn [seq] in Rr. rewrite app_nil_r in Rr.
       unfold w1, w2. rewrite !order_stretch, <- map_app, <- filter_app.
       replace (seq 0 a ++ seq a (k - a)) with (seq 0 k); [exact Rr|]. replace k with (a + (k - a)) at 1 by lia. now rewrite seq_app. }
-    (* every colouring is that of two arcs *)
+    (* every colouring consists of two arcs *)
     assert (Len : length (inner (after (split k a))) = a + 1 + (k - a + 1) + 1) by (rewrite (parts _ _ _ _ _ _ A1); lia).
     assert (Pl : forall c1 r1 c2 r2 ch, length c1 = a -> length c2 = k - a ->
       plays (split k a) s lab ((rev c1 ++ [r1]) ++ (rev c2 ++ [r2]) ++ [ch]) (ring_run (map real w1) (map real w2) c1 r1 ch c2 r2)).
