@@ -3,7 +3,7 @@
 // and strips made from scratch, which are copied whole. Time, bytes to upload, indices, vertex-cache misses, all in one
 // run.
 //
-// Time is that of the mesh update, of the strips and of the buffer. Whoever starts from scratch gets the mesh update
+// Time covers the mesh update, the strips and the buffer. Whoever starts from scratch gets the mesh update
 // and a triangle list of the new level for nothing.
 #include <benchmark/benchmark.h>
 #include <meshoptimizer.h>

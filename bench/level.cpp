@@ -1,4 +1,4 @@
-// Moving the level of detail by 1 % of its triangles: our ways go from the strips of one level to those of the next,
+// Moving the level of detail by 1 % of its triangles: our policies go from the strips of one level to the next,
 // and keep an index buffer in step (StripBuffer); the others make strips of the new level from scratch, which is what
 // there is to do without rules. All in one run.
 //

@@ -54,7 +54,7 @@ class Results:
 
 
 def plain(value, digits=3):
-    """A number with about so many digits that count, thousands grouped: 0.0123, 4.56, 789, 12,345."""
+    """A number with about that many significant digits, thousands grouped: 0.0123, 4.56, 789, 12,345."""
     if value == 0:
         return "0"
     decimals = max(0, digits - 1 - len(str(int(abs(value)))) + (1 if abs(value) >= 1 else 0))

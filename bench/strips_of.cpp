@@ -1,4 +1,4 @@
-// strips_of() as C functions, for scripts/scratch_table.py, which measures it beside other libraries.
+// strips_of() as C functions, for scripts/scratch_table.py, which compares it with other libraries.
 #include "restrip/search/strips_of.hpp"
 
 #include <algorithm>

@@ -30,7 +30,7 @@ class Player {
 
   void up_to(std::size_t level);
   void down_to(std::size_t level);
-  /// Starts anew from a copy of the mesh taken at that level. Linear time.
+  /// Starts again from a copy of the mesh taken at that level. Linear time.
   void restart(const StripMesh& mesh, std::size_t level);
   void restart();
 

@@ -1,6 +1,6 @@
 // Triangles in pairs, kept while the mesh changes: as quadrilaterals, say. A pair is a solid dual edge, and no triangle
 // has two. Edges of a closed mesh are bisected and flipped, and the vertices removed again, a whole replay up and down;
-// the tables of tables/operations/*-matching.json say which pairs an operation leaves. docs/toolkit.md tells how such
+// the tables of tables/operations/*-matching.json say which pairs an operation leaves. docs/toolkit.md says how such
 // tables are made and proved.
 #include <cstdio>
 #include <restrip/restrip.hpp>
@@ -82,7 +82,7 @@ int main() {
     return StripMesh::halfedge(t, (random >> 4) % 3);
   };
   struct Record {
-    restrip::Vertex made, beside;
+    restrip::Vertex made, other;
   };
   std::vector<Record> records;
   for (int i = 0; i < 3000; ++i) {
@@ -91,12 +91,12 @@ int main() {
     records.push_back({mesh.to(StripMesh::next(b_c)), mesh.from(b_c)});
   }
   print("up", mesh);
-  StripMesh anew = mesh;  // for comparison
-  anew.clear_colors();
-  for (restrip::Triangle t = 0; t < anew.triangle_bound(); ++t) pair_up(anew, StripMesh::halfedge(t, 0));
-  print("paired anew", anew);
+  StripMesh scratch = mesh;  // for comparison
+  scratch.clear_colors();
+  for (restrip::Triangle t = 0; t < scratch.triangle_bound(); ++t) pair_up(scratch, StripMesh::halfedge(t, 0));
+  print("paired from scratch", scratch);
   for (; !records.empty(); records.pop_back()) {
-    const Halfedge m_b = mesh.spoke(records.back().made, records.back().beside);
+    const Halfedge m_b = mesh.spoke(records.back().made, records.back().other);
     rewrite(mesh, restrip::tables::merge_matching, StripMesh::next(m_b));
   }
   print("down", mesh);

@@ -1,6 +1,6 @@
-// A family of your own with strips kept: own_family.json says, for every k, that a vertex of k triangles goes and its
+// A custom family with strips: own_family.json says, for every k, that a vertex of k triangles is removed and its
 // hole becomes a fan around one of its neighbours. One table has the best rules for all k up to 8 (docs/toolkit.md).
-// Here vertices of all these valences go at random, under each policy in turn: those of a torus, or of an OBJ file.
+// Here vertices of all these valences are removed at random, under each policy in turn, from a torus or an OBJ file.
 #include <array>
 #include <cstdio>
 #include <fstream>

@@ -1,4 +1,4 @@
-// A mesh of your own: six small functions around a half-edge structure that you have already, and restrip keeps its
+// Your own mesh: six small functions around a half-edge structure that you already have, and restrip maintains its
 // strips while you flip edges. Splits and collapses need one more function each (mesh.hpp). Five more number triangles
 // and vertices (numbered_mesh.hpp), and you get index buffers.
 #include <cstdio>

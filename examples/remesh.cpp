@@ -119,7 +119,7 @@ class Remesher {
     });
     return far;
   }
-  /// How much further from the best number of triangles, six, or three on the boundary, v is with so many more.
+  /// How much further from the best number of triangles (six, or three on the boundary) v is with this many more.
   [[nodiscard]] int off(Vertex v, int more) const {
     int spokes = 0;
     restrip::for_each_spoke(mesh_, v, [&](Halfedge) { ++spokes; });
@@ -197,7 +197,7 @@ Surface read_obj(const char* file) {
   return {StripMesh::build(triangles, points.size()), points};
 }
 
-/// The edges get the mean length of those that there are.
+/// All edges approach the present mean length.
 double mean_length(const Surface& surface) {
   double sum = 0;
   std::size_t count = 0;

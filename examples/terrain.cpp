@@ -1,7 +1,7 @@
 // A terrain under longest-edge bisection (Rivara 1984; ROAM, right-triangulated terrains): refined in front of a
 // camera that flies over it, coarsened behind it. The rules of bisect() and merge() keep the strips, and here they keep
 // one for the whole terrain. This flies a hundred frames; `example_terrain time` flies a thousand, and says how long
-// the rules took in a frame, beside making strips from scratch.
+// the rules took in a frame, compared with strips from scratch.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -78,7 +78,7 @@ class Terrain {
   }
   /// Is a vertex in the middle of this edge worth its triangles? `slack` keeps one a little longer.
   [[nodiscard]] static bool wants(Point a, Point b, double slack, Point camera) {
-    if (((a.x + b.x) | (a.y + b.y)) % 2 != 0) return false;  // the grid is no finer
+    if (((a.x + b.x) | (a.y + b.y)) % 2 != 0) return false;  // below the resolution of the grid
     const Point p{(a.x + b.x) / 2, (a.y + b.y) / 2};
     const double error = slack * 40 * std::abs(height(p) - (height(a) + height(b)) / 2);
     const double x = p.x - camera.x, y = p.y - camera.y;
@@ -124,14 +124,14 @@ int main(int argc, char** argv) {
     restrip::stripify(copy, restrip::Effort::fast);
     from_scratch += Clock::now() - start;
     if (!told_of) continue;
-    const auto told = [](const char* how, const StripMesh& mesh) {
+    const auto report = [](const char* how, const StripMesh& mesh) {
       const auto indices = static_cast<double>(restrip::strip_index_count(mesh, restrip::extract_strips(mesh)));
       std::printf("  %s: %3zu strips, %.2f indices a triangle\n", how, restrip::count_strips(mesh),
                   indices / static_cast<double>(mesh.triangle_count()));
     };
     std::printf("frame %4d: %zu triangles after %zu operations\n", frame, copy.triangle_count(), terrain.operations);
-    told("kept        ", terrain.mesh);
-    told("from scratch", copy);
+    report("kept        ", terrain.mesh);
+    report("from scratch", copy);
   }
   if (timed) {
     const auto us = [frames](Clock::duration d) {

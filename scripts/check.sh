@@ -24,7 +24,7 @@ say "walls and tests of public headers"
 cmake -DROOT="$PWD" -P tests/cross/walls.cmake
 cmake -DROOT="$PWD" -P tests/cross/header_tests.cmake
 
-# Test files: those that changed, those of the names of changed sources, those that include a changed header.
+# Test files: changed ones, ones named after changed sources, ones that include a changed header.
 declare -A sources=()
 scripts=()
 while read -r file; do

@@ -6,14 +6,14 @@ lists of linked rules, which are held against all recolourings.
   scripts/check_reasons.py tables/certificates/*.cert
   scripts/check_reasons.py --operation tables/operations/bisect.json tables/certificates/operations/bisect.cert
 
-The second line is for an operation of one's own, by docs/operation-file.md: its file describes one operation, and has
-reasons (strips or forests, fewest strips first). Its rows must be those of all valid configurations; "configurations", "valid"
+The second line is for a custom operation, by docs/operation-file.md: its file describes one operation, and has
+reasons (strips or forests, fewest strips first). It must have a row for every valid configuration; "configurations", "valid"
 and "keys" are recounted.
 
 Prints a line for each file, and what was read. Exit code: 0 all is well, 1 a row is wrong (its line is named), 2 a file cannot
 be read or is not for this script.
 Every section must be there, with each claim once and its rows in ascending order. Of splits and the flip the rows must be
-those of all valid configurations, of linked rules all lists must be there. Claims are recounted as far as this takes no
+of every valid configuration must be there, and all lists of linked rules. Claims are recounted as far as this takes no
 walk over the configurations of collapses: "configurations" in all families, "valid" of splits and the flip, all of
 linked rules. Which rows a collapse must have, and the other claims, are not checked here.
 """
@@ -34,7 +34,7 @@ class NotServed(Exception):
     pass
 
 
-def told(path, rules, copies):
+def report(path, rules, copies):
     """What is printed of a certificate that holds."""
     return "%s: %s, %s" % (path, "1 rule is sound and has its reason" if rules == 1 else "%d rules are sound and have their reasons" % rules,
                               "1 copy follows" if copies == 1 else "%d copies follow" % copies)
@@ -138,7 +138,7 @@ def positions(family, max_k):
         elif family == "boundary-split":
             found += ["k %d gap %d" % (k, i) for i in range(k // 2 + 1)]
         else:
-            raise Wrong("there is no family " + family)
+            raise Wrong("unknown family " + family)
     return found
 
 
@@ -349,7 +349,7 @@ def graphs_of(said):
         return [(side["triangles"], side["edges"], side["ports"]) for side in (said["before"], said["after"])]
     sides = []
     for triangles in (said["before"], said["after"]):
-        met, inner = {}, []  # directed sides by their triangle, those of the rim in the end
+        met, inner = {}, []  # directed sides by their triangle; finally only the outline
         for number, (a, b, c) in enumerate(triangles):
             for start, end in ((a, b), (b, c), (c, a)):
                 if (end, start) in met:
@@ -411,7 +411,7 @@ class Operation:
 
 
 def check(path, max_k=8, operation=None):
-    """Of a shipped family, or of an operation of one's own."""
+    """Of a shipped family, or of a custom operation."""
     with open(path, "rb") as file:
         lines = file.read().split(b"\n")
     family, lists, section, rules, copies, alternatives = "", None, None, 0, 0, 0
@@ -469,7 +469,7 @@ def check(path, max_k=8, operation=None):
                     raise Wrong("expected end %d %d %d and the end of the file" % tuple(sums))
                 if alternatives:
                     return "%s: %d alternatives, the lists are complete" % (path, alternatives)
-                return told(path, rules, copies)
+                return report(path, rules, copies)
             elif words[0] == "claim" and len(words) == 3:
                 section.claim(words[1], words[2])
             elif number > 1:

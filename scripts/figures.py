@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the figures of the documents anew, or checks that they are what their commands print.
+"""Writes the figures of the documents again, or checks that they are what their commands print.
 
 A document marks each table with figures by the command that prints it:
 
@@ -76,7 +76,7 @@ def output_of(command, folder, meshes):
 
 
 class Figures:
-    """The tables of some documents, written anew or compared."""
+    """The tables of some documents, written again or compared."""
 
     def __init__(self, arguments):
         self.arguments = arguments
@@ -134,7 +134,7 @@ def main():
             figures.go_through(document, text)
     if arguments.bare:
         sys.exit(1 if bare else 0)
-    print(f"{figures.same} tables as they were, {figures.different} {'differ' if arguments.check else 'written anew'}, "
+    print(f"{figures.same} tables as they were, {figures.different} {'differ' if arguments.check else 'written again'}, "
           f"{figures.skipped} not run")
     if arguments.check and (figures.different or not figures.same):
         sys.exit(1)

@@ -43,7 +43,7 @@ Rewrite<StripMesh::Halfedge> do_collapse(StripMesh& mesh, StripMesh::Halfedge ch
 
 
 def sizes_in(text):
-    """Rules and bytes of each family, as the generator tells them."""
+    """Rules and bytes of each family, as the generator reports them."""
     return {family: (int(rules), int(size)) for family, rules, size in LINE.findall(text)}
 
 
@@ -67,8 +67,8 @@ class Positions:
     def __init__(self, generate, family, k, a):
         self.keeping, self.giving = {}, {}  # solid edges after the operation, ports included, by (P, J) of docs/operation-file.md
         self.costing = []                   # valid configurations whose rule adds a strip: keeping, giving
-        told = subprocess.check_output([generate, "describe", "--family", family, "--k", str(k), "--at", str(a)])
-        operation = {**json.loads(told), "cost": [[{"count": "strips"}]]}
+        printed = subprocess.check_output([generate, "describe", "--family", family, "--k", str(k), "--at", str(a)])
+        operation = {**json.loads(printed), "cost": [[{"count": "strips"}]]}
         for give_up, solid in (("none", self.keeping), ("all", self.giving)):
             with tempfile.TemporaryDirectory() as out:
                 file = os.path.join(out, "operation.json")
@@ -178,9 +178,9 @@ def print_languages(generate):
     header("file", "what it holds", "bytes", "read-only data of a program, bytes")
     with tempfile.TemporaryDirectory() as folder:
         wanted = [word for language in LANGUAGE_NAMES for word in ("--language", language)]
-        told = subprocess.check_output([generate, "tables", "--threads", "2", "--out", folder, *wanted], text=True)
-    data = int(DATA_LINE.search(told)[1])
-    for name, size in FILE_LINE.findall(told):
+        printed = subprocess.check_output([generate, "tables", "--threads", "2", "--out", folder, *wanted], text=True)
+    data = int(DATA_LINE.search(printed)[1])
+    for name, size in FILE_LINE.findall(printed):
         line([f"`{name}`", FILE_HOLDS.get(name, "program that prints digests"), f"{int(size):,}", f"{data:,}" if name in ("restrip_tables.h", "restrip_tables.rs", "restrip_tables.bin") else ""])
 
 
@@ -244,7 +244,7 @@ def print_verified(generate):
 
 
 def least(times, *command):
-    """The least processor seconds of so many runs, and the largest memory in MiB."""
+    """The least processor seconds of N runs, and the largest memory in MiB."""
     runs = [watched(*command) for _ in range(times)]
     return min(seconds for seconds, _, _ in runs), max(memory for _, memory, _ in runs)
 

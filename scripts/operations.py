@@ -120,7 +120,7 @@ def rim_of(triangles):
 
 
 def sides_of_triangles(before, after, stretches):
-    """Both sides: their ports are those of the rim before."""
+    """Both sides: their ports are on the outline before."""
     ports, out = None, []
     for triangles in (before, after):
         rim = rim_of(triangles)
@@ -200,7 +200,7 @@ def descriptions(path):
     except Refused as fault:
         raise Refused(f"{path}: {fault}") from None
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as fault:
-        raise Refused(f"{path}: is no operation file: {fault!r}") from None
+        raise Refused(f"{path}: is not an operation file: {fault!r}") from None
 
 
 def positions_of(path, largest=8):
@@ -243,7 +243,7 @@ def certificate(path):
     except (OSError, ValueError) as fault:
         raise Refused(f"{path}: {fault}") from None
     if lines[0] != "restrip-certificate 3" or len(lines) < 4 or not lines[-2].startswith("end "):
-        raise Refused(f"{path}: is no certificate, or not whole")
+        raise Refused(f"{path}: is not a complete certificate")
     sections, rows = [], 0
     for number, line in enumerate(lines[2:-2], start=3):
         try:
@@ -265,9 +265,9 @@ def certificate(path):
             else:
                 raise ValueError
         except (ValueError, IndexError):
-            raise Refused(f"{path}:{number}: is no line of a certificate: {line}") from None
+            raise Refused(f"{path}:{number}: is not a line of a certificate: {line}") from None
     if rows != int(lines[-2].split()[1]):
-        raise Refused(f"{path}: has {rows} rows, not as many as it says")
+        raise Refused(f"{path}: has {rows} rows, not the number that it states")
     return lines[1].removeprefix("operation "), sections
 
 
@@ -321,7 +321,7 @@ def inner_colors(side, most):
 
 
 def strips_left(side, constraint, edges, ports):
-    """Strips or trees of a patch with so many solid edges, less its solid ports; or, of pairs, the triangles that are alone."""
+    """Strips or trees of a patch with this many solid edges, less its solid ports; for matchings, the unpaired triangles."""
     return len(side.names) - (2 if constraint == "matching" else 1) * edges - ports
 
 

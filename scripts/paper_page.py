@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the page of `restrip paper`: FOLDER/index.html from FOLDER/report.json.
 
-One page of HTML that needs nothing else; the CSV files beside it hold the figures behind each picture. No dates and no
+One page of HTML that needs nothing else; the CSV files next to it hold the figures of each picture. No dates and no
 timings: the same bytes on every run.
 """
 import argparse
@@ -203,7 +203,7 @@ def page(report):
         f"<style>\n{plots.PLOT_STYLE}{pictures.PATCH_STYLE}{PAGE_STYLE}</style>\n</head>\n<body>\n"
         "<h1>The paper's figures, done again</h1>\n<p>M. B. Porcu, N. Sanna, R. Scateni, “Rewriting rules for the dual graph of a "
         f"stripified CLOD mesh”. Made by <code>{escaped(command)} --base {report['base']:g} --levels {report['levels']} --boundary "
-        f"{report['boundary']}</code>; the figures behind each picture are in the CSV files beside this page.</p>\n"
+        f"{report['boundary']}</code>; the figures of each picture are in the CSV files next to this page.</p>\n"
         '<h2 id="valence">Triangles per vertex (tables 1 and 2, plots 9 and 10)</h2>\n<p>The number of vertices on a logarithmic '
         'axis. <a href="valence.csv">valence.csv</a></p>\n' + each_mesh(valence_part) + positions_section(report) +
         four_section(report) + lonely_section(report) +
@@ -243,7 +243,7 @@ def main():
     except OSError as error:
         sys.exit(f"paper_page.py: {error.filename}: {error.strerror}; name a folder that restrip paper wrote")
     except (ValueError, KeyError, TypeError) as error:
-        sys.exit(f"paper_page.py: {file}: is no report of restrip paper ({error!r}); run restrip paper --out {file.parent} again")
+        sys.exit(f"paper_page.py: {file}: is not a report of restrip paper ({error!r}); run restrip paper --out {file.parent} again")
 
 
 if __name__ == "__main__":

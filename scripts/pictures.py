@@ -136,7 +136,7 @@ def split_picture(k, a, inner, ports, description):
 
 def arc_picture(word, links, description):
     """An arc of a fan (docs/automaton.md): a triangle for each letter but `b`, the mesh boundary, which is a gap. Behind a
-    solid port the strip goes on about the corner at the left (l, L) or at the right (r, R), or ends (s, S)."""
+    solid port the strip turns about the corner at the left (l, L) or at the right (r, R), or ends (s, S)."""
     hub, width = (200, 100), math.radians(min(40, 110 / len(word)))
     start = math.pi / 2 + width * len(word) / 2
     rim = [(200 + 200 * math.cos(start - width * i), 100 + 200 * math.sin(start - width * i)) for i in range(len(word) + 1)]
@@ -272,7 +272,7 @@ def operation_sheet(path, cert, rule):
         named, sections = certificate(cert)
         keys = {key[:2] for section in sections for key in section.rules + section.copies}
         if named != position.description.certificate or len(sections) != 1 or set(configurations([position], sections[0])) != keys:
-            raise Refused(f"{cert}: is no certificate of {path}")
+            raise Refused(f"{cert}: is not a certificate of {path}")
         panels = [panel for key, panel in rule_panels(position, sections[0], (before, after)) if rule in (None, key)]
         if not panels:
             raise Refused(f"{cert}: has no row rule {rule[0]:x} {rule[1]:x}")

@@ -1,12 +1,12 @@
 """Plots of lines, of bars and of named points, as inline SVG or as files of their own.
 
 No scripts, and no fixed colours: the style sheet names them (PLOT_STYLE), light and dark. Series differ in colour by family
-and in marker and dashes within one, so that they can be told apart without colours. The same bytes on every machine.
+and in marker and dashes within one, so that they can be distinguished without colours. The same bytes on every machine.
 """
 import math
 from dataclasses import dataclass, field
 
-# Vermilion, blue and grey can be told apart with every kind of colour vision, and differ in lightness.
+# Vermilion, blue and grey can be distinguished with every kind of colour vision, and differ in lightness.
 PLOT_STYLE = """:root { --surface: #ffffff; --ink: #1c1e21; --faint: #d9dce1; --soft: #5a6068;
   --ours: #0b5cad; --paper: #c2410c; --scratch: #6b7280; }
 @media (prefers-color-scheme: dark) { :root { --surface: #16181c; --ink: #e8eaed; --faint: #363b43; --soft: #a4abb5;
@@ -55,7 +55,7 @@ class Bar:
     name: str
     family: str
     value: float
-    text: str  # the value as written beside the bar
+    text: str  # the value as written next to the bar
 
 
 @dataclass
@@ -176,13 +176,13 @@ def _axes(x, y, points, description):
 
 
 def _spot(series, x, y, px, py, a, b, name):
-    """A marker that tells its values when pointed at."""
+    """A marker that shows its values when pointed at."""
     return (f"<g>{_marker(series, px, py)}<title>{escaped(name)}: {_label(a)} {escaped(x.label)}, {_label(b)} "
             f"{escaped(y.label)}</title></g>")
 
 
 def line_plot(x, y, series, description, marks=()):
-    """Lines with their names beside their ends. `marks`: (x, text) of vertical lines. Empty without a point."""
+    """Lines with their names at their ends. `marks`: (x, text) of vertical lines. Empty without a point."""
     points = [p for s in series for p in _shown(x, y, s)]
     if not points:
         return ""
@@ -210,7 +210,7 @@ def line_plot(x, y, series, description, marks=()):
 
 
 def point_plot(x, y, series, description):
-    """Points with a name beside each."""
+    """Points with a name next to each."""
     svg, across, up = _axes(x, y, [p for s in series for p in _shown(x, y, s)], description)
     taken = []
     for s in series:

@@ -2,13 +2,13 @@
 """Makes strips of meshes from scratch with every effort and prints a table: indices per triangle and time from triangle list to
 index buffer.
 
-rm_tristripper and meshoptimizer stand beside ours where they are given: --tristripper names a folder with the sources of
+rm_tristripper and meshoptimizer are compared with ours if given: --tristripper names a folder with the sources of
 rm_tristripper (include/ and src/), which are compiled into a temporary folder; --meshoptimizer names its shared library. A column
 without its library says so. Meshes are .obj files.
 
 `fast`, rm_tristripper and meshoptimizer are called by turns, as libraries: a list in memory in, indices in memory out. Times are the
-least of so many calls, in the processor time of one thread. `fast` is measured twice: on a list that is trusted to be an oriented
-manifold, if it is one, and with all checks. The other efforts are those of one run of the program.
+least of N calls, in the processor time of one thread. `fast` is measured twice: on a list that is trusted to be an oriented
+manifold, if it is one, and with all checks. The other efforts come from one run of the program.
 """
 import argparse
 import ctypes
@@ -136,7 +136,7 @@ def ours(program, mesh, effort):
 
 
 def list_to_buffer(mesh, fast, others):
-    """Of `fast` with all checks, of `fast` on trusted input (None where it is no manifold) and of each other program: indices, and
+    """Of `fast` with all checks, of `fast` on trusted input (None if it is not a manifold) and of each other program: indices, and
     the time it took."""
     vertices, corners = read_obj(mesh)
     trusted = fast.is_manifold(vertices, corners)

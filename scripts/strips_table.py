@@ -73,7 +73,7 @@ def most_indices(levels, above):
 
 
 def nearest(levels, triangles):
-    """The level with about so many triangles."""
+    """The level with about this many triangles."""
     return min(levels, key=lambda level: abs(level["triangles"] - triangles))
 
 

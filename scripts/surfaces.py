@@ -63,7 +63,7 @@ class Surface:
 
 
 def laid(side, order, rim):
-    """The surface of these orders of sides; none if it is no disc."""
+    """The surface of these orders of sides; none if it is not a disc."""
     corner = {(n, s): (n, s) for n, sides in order.items() for s in sides}  # where side s of triangle n starts
 
     def top(start):
@@ -105,7 +105,7 @@ RADIUS, MIDDLE = 150, 200  # of the rim, in a picture of 400 units
 
 def places(surface, gaps):
     """Where its vertices are: the rim on a circle, flatter along the boundary; the others each in the middle of their
-    neighbours (Tutte: so no two triangles overlap). `gaps` tells how much of the circle is left to the boundary behind each port."""
+    neighbours (Tutte: so no two triangles overlap). `gaps` says how much of the circle is left to the boundary behind each port."""
     step = 2 * math.pi / (len(gaps) + sum(gaps))
     widest = max(range(len(gaps)), key=gaps.__getitem__)  # is below
     angle = -math.pi / 2 - step * (sum(gaps[:widest + 1]) - gaps[widest] / 2 + widest + 1) if gaps[widest] else -math.pi / 2 - step / 2
@@ -125,11 +125,11 @@ def places(surface, gaps):
             out[start] = tuple((arc + p + (q - p) * share) / 2 for arc, p, q in zip(on_circle(at + step * wide * share), first, last))
         at += step * wide
     inside = [v for v in surface.vertices if v not in out]
-    beside = {v: {u for corners in surface.corners if v in corners for u in corners if u != v} for v in inside}
+    nearby = {v: {u for corners in surface.corners if v in corners for u in corners if u != v} for v in inside}
     out.update((v, (MIDDLE, MIDDLE)) for v in inside)
     for _ in range(200):
         for v in inside:
-            out[v] = tuple(sum(out[u][axis] for u in sorted(beside[v], key=str)) / len(beside[v]) for axis in (0, 1))
+            out[v] = tuple(sum(out[u][axis] for u in sorted(nearby[v], key=str)) / len(nearby[v]) for axis in (0, 1))
     return out
 
 

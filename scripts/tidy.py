@@ -3,7 +3,7 @@
 
 Nearly all of its time goes into headers, ours and the system's, so the sources of a room are one unit: build/tidy/rooms has a file
 for each room that includes them all, with the flags of its targets (preset tidy, where nothing is built). In such a unit two
-sources share their unnamed namespaces: names there differ within a room. What each program defines anew, `main` and
+sources share their unnamed namespaces: names there differ within a room. What each program defines for itself, `main` and
 `register_benchmarks`, is renamed in each.
 """
 import json

@@ -63,9 +63,9 @@ async function speed() {
     return out;
   }, policies);
   for (const [policy, cost, up, down] of measured) {
-    const told = join(scratch, 'replay.json');
-    execFileSync(join(root, 'build/release/bin/restrip'), ['replay', join(folder, 'hare.pm'), '--policy', policy, '--cost', cost, '--json', told]);
-    const { ns_per_operation: nativeUp, ns_per_collapse: nativeDown } = JSON.parse(readFileSync(told, 'utf8'));
+    const report = join(scratch, 'replay.json');
+    execFileSync(join(root, 'build/release/bin/restrip'), ['replay', join(folder, 'hare.pm'), '--policy', policy, '--cost', cost, '--json', report]);
+    const { ns_per_operation: nativeUp, ns_per_collapse: nativeDown } = JSON.parse(readFileSync(report, 'utf8'));
     rows.push([`\`${policy}\``, cost, `${grouped(nativeUp)}, ${grouped(nativeDown)}`, `${grouped(up)}, ${grouped(down)}`,
       `${(up / nativeUp).toFixed(1)}, ${(down / nativeDown).toFixed(1)}`]);
   }

@@ -1,4 +1,4 @@
-// CGAL's edge_collapse with our visitor keeps the strips, and tells how many there are; without the visitor it breaks
+// CGAL's edge_collapse with our visitor keeps the strips and counts them; without the visitor it breaks
 // them, and debug builds say so.
 #include "throwing_checks.hpp"
 // That one first.
@@ -54,7 +54,7 @@ struct CgalLibrary {
 
 INSTANTIATE_TYPED_TEST_SUITE_P(Cgal, Decimation, CgalLibrary);
 
-// CGAL collapses edges without length before it tells a visitor anything.
+// CGAL collapses edges without length before it calls a visitor.
 TEST(CgalEdgeCollapse, ColorsStayValidWhereNothingIsTold) {
   Placed start = bumpy_torus(40, 30);
   for (std::size_t v = 0; v + 1 < start.points.size(); v += 5) start.points[v] = start.points[v + 1];

@@ -108,7 +108,7 @@ void for_each_side(const Strips& strips, Visit&& visit) {
   }
 }
 
-/// Strips are kept: valid, on no boundary edge, and as many as told.
+/// Strips are kept: valid, on no boundary edge, and their number as reported.
 template <class Strips>
 void expect_kept(const Strips& strips, const ColoringReport& before, const HookTally& tally) {
   const ColoringReport after = check_coloring(strips);
@@ -127,11 +127,11 @@ void expect_kept(const Strips& strips, const ColoringReport& before, const HookT
   });
 }
 
-/// Strips are not kept, and the next operation beside such a triangle says so.
+/// Strips are not kept, and the next operation at such a triangle says so.
 template <class Strips>
 void expect_broken(Strips& strips) {
   EXPECT_FALSE(check_coloring(strips).valid);
-  std::size_t told = 0;
+  std::size_t refused = 0;
   for_each_side(strips, [&](auto h) {
     const auto second = strips.next(h);
     if (!strips.solid(h) || !strips.solid(second) || !strips.solid(strips.next(second))) return;
@@ -139,10 +139,10 @@ void expect_broken(Strips& strips) {
       flip(strips, h);
       ADD_FAILURE() << "three solid edges, and not a word";
     } catch (const std::logic_error& error) {
-      if (std::string(error.what()) == std::string("flip: ") + describe(Refusal::colors_not_valid)) ++told;
+      if (std::string(error.what()) == std::string("flip: ") + describe(Refusal::colors_not_valid)) ++refused;
     }
   });
-  EXPECT_GT(told, 0U);
+  EXPECT_GT(refused, 0U);
 }
 
 /// What a library's decimater does to strips, with our hook and without it. A Library has

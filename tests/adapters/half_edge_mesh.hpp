@@ -1,4 +1,4 @@
-// A half-edge mesh as a stranger would have one, written from docs/own-mesh.md and the headers that it links alone: a
+// A half-edge mesh as a user would write one, from docs/own-mesh.md and the headers that it links alone: a
 // record for each halfedge, those on the boundary too, each triangle and each vertex, and free lists, so that numbers
 // are used again. It has none of the optional members.
 #pragma once
@@ -21,7 +21,7 @@ struct Halfedge {
   friend bool operator==(const Halfedge&, const Halfedge&) = default;
 };
 
-/// Records by number, and the numbers that are free. The record of a free number is that of no halfedge.
+/// Records by number, and the numbers that are free. The record of a free number belongs to no halfedge.
 template <class Record>
 struct Pool {
   std::vector<Record> records;
@@ -122,7 +122,7 @@ class Mesh {
 
   // ---- what its owner wants besides
   [[nodiscard]] std::uint32_t to(Halfedge h) const { return from(opposite(h)); }
-  /// The halfedge from v to w, {} if there is none.
+  /// The halfedge from v to w, {} if it does not exist.
   [[nodiscard]] Halfedge find(std::uint32_t v, std::uint32_t w) const {
     const Halfedge first = vertices_.records[v].spoke;
     for (Halfedge h = first; h != Halfedge{};) {

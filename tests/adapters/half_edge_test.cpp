@@ -1,4 +1,4 @@
-// docs/own-mesh.md suffices to write a mesh of one's own: one that was written from it keeps the contract, has every
+// docs/own-mesh.md suffices to write an adapter: a mesh that was written from it keeps the contract, has every
 // policy, either cost, strips from scratch and live buffers, and its owner's undo goes with strips.
 #include <cstddef>
 #include <cstdint>
@@ -49,7 +49,7 @@ TEST(HalfEdgeMesh, WithBoundary) { walk_in_lockstep<Foreign>(sample::rectangle(6
 TEST(HalfEdgeMesh, KeepsTheContract) { expect_contract_kept<Foreign>(); }
 
 /// An owner who gives back a frame, here by a copy of the records, rebuilds the keeper and names the triangles of the
-/// frame to the buffer. The strips are those that there were, and operations go on from there.
+/// frame to the buffer. The strips are the former ones, and operations continue from there.
 TEST(HalfEdgeMesh, UndoOfItsOwnerGoesWithStrips) {
   half_edge::Mesh mesh = copy_of(sample::rectangle(8, 8));
   stripify(mesh);

@@ -1,7 +1,7 @@
 // The same random operations by keepers of a StripMesh and of a foreign mesh through its adapter: afterwards both have
 // the same triangles, and each keeper knows what its mesh counts. Where the policy does not search, colours are the
 // same edge by edge; searches take the sides of triangles in the mesh's own order. Index buffers of theirs draw the
-// same: one made anew, and one kept by updates from the list of changes that Watched makes.
+// same: one made from scratch, and one kept by updates from the list of changes that Watched makes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ namespace restrip {
 
 /// `Foreign` wraps an adapter with what the test needs of its mesh:
 ///   Adapter& strips();  Vertex vertex(Vertex of the StripMesh);  std::uint32_t number(Vertex);
-///   Halfedge find(Vertex, Vertex), Halfedge() if there is none;  bool exists(Halfedge): and has it a triangle;
+///   Halfedge find(Vertex, Vertex), Halfedge() if it does not exist;  bool exists(Halfedge): and has it a triangle;
 ///   Vertex from(Halfedge), to(Halfedge);  void for_each_triangle(visit(Halfedge));
 template <class Foreign>
 class Lockstep {
@@ -212,7 +212,7 @@ Mesh copy_of(const StripMesh& from, Point&& point, Name&& vertex) {
   return mesh;
 }
 
-/// Strips from scratch are those of a StripMesh where the two have the same sides, and about as few elsewhere.
+/// Strips from scratch equal those of a StripMesh if the two have the same sides, and are about as few otherwise.
 template <class Foreign>
 void stripify_both(StripMesh mesh) {
   for (const Cost& cost : {Cost::strips(), Cost::indices()})

@@ -1,4 +1,4 @@
-// OpenMesh's decimater with our module keeps the strips, and tells how many there are; without the module it breaks
+// OpenMesh's decimater with our module keeps the strips and counts them; without the module it breaks
 // them, and debug builds say so.
 #include "throwing_checks.hpp"
 // That one first.

@@ -1,6 +1,6 @@
 #pragma once
 // A program that has tests in it, and a copy of what they test that has the deliberate faults of a list
-// (tests/runtime/mutate.py). It runs the tests with each fault, and tells for each the first that fails.
+// (tests/runtime/mutate.py). It runs the tests with each fault, and reports for each the first that fails.
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -107,7 +107,7 @@ class MutantRun {
     return waitpid(child, &status, 0) == child ? status : -1;
   }
 
-  /// Runs the tests with the fault of this number and tells what came of it. True if that is as it should be.
+  /// Runs the tests with the fault of this number and reports the outcome. True if that is as it should be.
   bool judge(std::size_t number) const {
     const MutantName fault = number > 0 ? mutant_names[number - 1] : MutantName{"none", false, true, ""};
     const rlim_t limit = fault.endless ? seconds_if_endless : tests_.seconds;

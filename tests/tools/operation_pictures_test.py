@@ -108,14 +108,14 @@ class Programs(unittest.TestCase):
             self.assertIn(sentence, self.refused("scripts/pictures.py", CORPUS / f"refused/{fault}.json", "out.svg"), fault)
         self.assertIn("names the fault", self.refused("web/atlas/atlas.py", CORPUS / "refused/no-port.json", "--certificates", CERTIFICATES, "-o", "out"))
         (self.folder / "list.json").write_text("[1]", encoding="ascii")
-        self.assertIn("is no operation file", self.refused("scripts/pictures.py", "list.json", "out.svg"))
+        self.assertIn("is not an operation file", self.refused("scripts/pictures.py", "list.json", "out.svg"))
         (self.folder / "name.json").write_text((OPERATIONS / "merge.json").read_text(encoding="utf-8").replace('"merge"', '"../merge"'), encoding="utf-8")
         self.assertIn("a name has at most", self.refused("web/atlas/atlas.py", "name.json", "--certificates", CERTIFICATES, "-o", "out"))
         self.assertIn("No such file", self.refused("scripts/pictures.py", OPERATIONS / "none.json", "out.svg"))
 
     def test_certificates_of_something_else(self):
         merge, certificate = OPERATIONS / "merge.json", (CERTIFICATES / "merge.cert").read_text(encoding="ascii")
-        self.assertIn("is no certificate of", self.refused("scripts/pictures.py", merge, "out.svg", "--certificate", CERTIFICATES / "bisect.cert"))
+        self.assertIn("is not a certificate of", self.refused("scripts/pictures.py", merge, "out.svg", "--certificate", CERTIFICATES / "bisect.cert"))
         for old, new in (("operation merge", "operation split-face"), ("claim valid 160", "claim valid 161"), ("claim costing ", "claim costing 1"),
                          ("rule 0 0", "rule 0 1"), ("section merge", "section marge"), ("restrip-certificate 3", "restrip-certificate 2")):
             self.assertIn(old, certificate)

@@ -182,7 +182,7 @@ TEST_F(PaperReport, NoPageIsMadeOfWhatIsNoReport) {
   std::ofstream(folder_ / "broken" / "report.json") << R"({"meshes": []})";
   for (const auto& [folder, complaint] : {std::pair{"empty", "name a folder that restrip paper wrote"},
                                           {"none", "name a folder that restrip paper wrote"},
-                                          {"broken", "is no report of restrip paper"}}) {
+                                          {"broken", "is not a report of restrip paper"}}) {
     const Outcome refused = make_page(file(folder));
     EXPECT_NE(refused.code, 0) << folder;
     EXPECT_NE(refused.out.find(complaint), std::string::npos) << refused.out;

@@ -77,8 +77,8 @@ class Measurement {
   }
 
   void make_from_scratch() {
-    ScratchRun fast{"scratch-fast", "strips made anew at each level, one pass", {}};
-    ScratchRun full{"scratch-full", "strips made anew at each level, with tunnelling", {}};
+    ScratchRun fast{"scratch-fast", "strips from scratch at each level, one pass", {}};
+    ScratchRun full{"scratch-full", "strips from scratch at each level, with tunnelling", {}};
     StripMesh mesh = base_;
     climb(
         "from scratch", mesh, [&](const Record& record) { mesh.insert_vertex(spokes_of(mesh, record), record.v_t); },

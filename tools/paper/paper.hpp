@@ -47,7 +47,7 @@ struct PolicyRun {
   }
 };
 
-/// Strips made anew at every level.
+/// Strips from scratch at every level.
 struct ScratchRun {
   std::string name;
   std::string says;

@@ -80,7 +80,7 @@ std::string as_text(const std::vector<PaperMesh>& meshes) {
     text += as_text(mesh.mended);
     if (mesh.paper)
       fmt::format_to(out, "  triangles per vertex: {} the paper's {}\n",
-                     mesh.equals_paper() ? "equal, row for row, to those of" : "NOT those of", mesh.paper->mesh);
+                     mesh.equals_paper() ? "equal, row for row, to" : "NOT equal to", mesh.paper->mesh);
     fmt::format_to(out, "  {:<20}{:>12}{:>22}{:>14}\n", "policy", "isolating", "strips at the top", "isolated");
     for (const PolicyRun& run : mesh.runs)
       fmt::format_to(out, "  {:<20}{:>10.2f} %{:>22}{:>14}\n", run.name, run.isolating_percent(),
