@@ -38,6 +38,8 @@ constexpr restrip_status status_of(Refusal refusal) noexcept {
       return RESTRIP_EDGE_EXISTS;
     case Refusal::vertex_in_use:
       return RESTRIP_VERTEX_IN_USE;
+    case Refusal::vertex_too_far:
+      return RESTRIP_VERTEX_TOO_FAR;
     case Refusal::other_valence:
       return RESTRIP_OTHER_VALENCE;
     case Refusal::colors_not_valid:

@@ -75,6 +75,7 @@ enum {
   RESTRIP_EDGE_EXISTS = 11,        /* the flipped edge is in the mesh already */
   RESTRIP_VERTEX_IN_USE = 12,      /* the vertex named for a split has triangles already */
   RESTRIP_OTHER_VALENCE = 13,      /* the vertex to be removed has not as many triangles as the operation asks for */
+  RESTRIP_VERTEX_TOO_FAR = 14,     /* the vertex named for a split is more than 2^20 beyond all others */
 
   /* Everything else. */
   RESTRIP_NULL_ARGUMENT = 100, /* a pointer is null that must not be */

@@ -144,6 +144,8 @@ TEST(CBatch, OneThatCannotBeDoneChangesNothing) {
   expect_fault(restrip_mesh_split_batch(m, named, 2, 1, nullptr, fault), RESTRIP_MIXED_NAMES, 1, 0);
   const restrip_split_request in_use[] = {{inner, other, middle}};
   expect_fault(restrip_mesh_split_batch(m, in_use, 1, 1, nullptr, fault), RESTRIP_VERTEX_IN_USE, 0, 0);
+  const restrip_split_request far_away[] = {{inner, other, RESTRIP_NONE - 1}};
+  expect_fault(restrip_mesh_split_batch(m, far_away, 1, 1, nullptr, fault), RESTRIP_VERTEX_TOO_FAR, 0, 0);
   const restrip_split_request same[] = {{inner, inner, RESTRIP_NONE}};
   expect_fault(restrip_mesh_split_batch(m, same, 1, 1, nullptr, fault), RESTRIP_SAME_SPOKE, 0, 0);
   EXPECT_EQ(restrip_mesh_split_batch(m, same, 1, 1, nullptr, nullptr), RESTRIP_SAME_SPOKE);

@@ -11,6 +11,7 @@
 #include "restrip/tables/operations/merge.hpp"
 #include "restrip/tables/operations/refine_face.hpp"
 #include "sample_meshes.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
@@ -19,17 +20,6 @@ std::vector<std::uint32_t> list_of(const StripMesh& mesh) {
   std::vector<std::uint32_t> list;
   for (const DrawnTriangle& t : triangles_of(mesh)) list.insert(list.end(), t.begin(), t.end());
   return list;
-}
-
-/// Handles, corners and colours.
-std::vector<std::uint32_t> colored_triangles(const StripMesh& mesh) {
-  std::vector<std::uint32_t> all;
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.alive(t)) continue;
-    const auto corners = mesh.corners(t);
-    all.insert(all.end(), {t, corners[0], corners[1], corners[2], mesh.solid_sides(t)});
-  }
-  return all;
 }
 
 /// A GPU's copy of the buffer, written by the ranges alone.
@@ -62,6 +52,7 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
       gpu.upload(live, live.update());
       ASSERT_EQ(triangles_of_strips(std::span<const std::uint32_t>(gpu.indices)), triangles_of(live.mesh()));
       ASSERT_EQ(live.keeper().strips(), count_strips(live.mesh()));
+      ASSERT_EQ(fault_of(live.mesh()), "");
     };
     gpu.indices.assign(live.indices().begin(), live.indices().end());
     // The indices at the end of each frame; undo and redo give them back one for one.
@@ -74,14 +65,14 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
       } else if (choice == 1) {
         at += live.redo() ? 1U : 0U;
       } else {
-        const auto before = colored_triangles(live.mesh());
+        const auto before = look_at(live.mesh());
         operate(live, random, static_cast<int>(random() % 30));
-        if (colored_triangles(live.mesh()) != before) {
+        if (look_at(live.mesh()) != before) {
           looks.resize(at + 1);
           if (random() % 4 == 0) {
             // What has not been ended is a frame of its own.
             ASSERT_TRUE(live.undo());
-            ASSERT_EQ(colored_triangles(live.mesh()), before);
+            ASSERT_EQ(look_at(live.mesh()), before);
             ASSERT_TRUE(live.redo());
             expect_drawn();
             looks.push_back(gpu.indices);
@@ -116,6 +107,31 @@ TEST(LiveMesh, OperationsByVerticesAndRefusals) {
   EXPECT_EQ(live.mesh().triangle_count(), before + 2);
   LiveMesh without(list_of(sample::octahedron()), 6);
   EXPECT_FALSE(without.undo());
+}
+
+// The new vertex comes and goes in one frame, and first spokes stay changed.
+TEST(LiveMesh, UndoAfterASplitThatWasCollapsedBack) {
+  const std::vector<std::array<std::uint32_t, 3>> tetrahedron{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+  LiveMesh live(tetrahedron, 4, {.history = 1000});
+  const Look start = look_at(live.mesh());
+  ASSERT_TRUE(live.split({live.edge(2, 1), live.edge(2, 3)}));
+  live.update();
+  const Look first = look_at(live.mesh());
+  const Checked up = live.split({live.edge(1, 2), live.edge(1, 0)});
+  ASSERT_TRUE(up);
+  ASSERT_TRUE(live.collapse(up.rewrite.halfedge));
+  const Look second = look_at(live.mesh());
+  live.update();
+  ASSERT_FALSE(second == first);
+  for (const Look* look : {&first, &start}) {
+    ASSERT_TRUE(live.undo());
+    EXPECT_EQ(fault_of(live.mesh()), "");
+    EXPECT_EQ(look_at(live.mesh()), *look);
+  }
+  EXPECT_FALSE(live.undo());
+  ASSERT_TRUE(live.redo());
+  ASSERT_TRUE(live.redo());
+  EXPECT_EQ(look_at(live.mesh()), second);
 }
 
 // The lines that the viewer's page prints for C++, as they are printed there.

@@ -111,6 +111,15 @@ TEST(Replay, CyclesComeBackToTheSameMesh) {
   }
 }
 
+TEST(Replay, ReportsSomeOfManyCycles) {
+  const ReplayReport report = replay_of(sheet(2), BoundaryPolicy::move, {2, 0, 3 * most_reported_cycles});
+  EXPECT_TRUE(report.valid());
+  ASSERT_LE(report.cycles.size(), most_reported_cycles);
+  ASSERT_GE(report.cycles.size(), most_reported_cycles / 2);
+  EXPECT_EQ(report.cycles.back().number, 3 * most_reported_cycles);
+  for (std::size_t i = 0; i + 1 < report.cycles.size(); ++i) EXPECT_EQ(report.cycles[i].number, 1 + 4 * i);
+}
+
 TEST(Replay, FindsAMissingTriangle) {
   const Soup soup = make_mesh(500);
   ProgressiveMesh mesh = simplify(soup).mesh;

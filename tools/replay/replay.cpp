@@ -47,7 +47,14 @@ class Replay {
       measure();
       check_top(original.empty() ? bare_triangles() : original);
       const std::size_t cycles = std::max<std::size_t>(options_.cycles, plan_.way().bakes ? 1 : 0);
-      for (std::size_t i = 0; i < cycles; ++i) cycle();
+      for (std::size_t i = 1, step = 1; i <= cycles && report_.valid(); ++i) {
+        if (!report_.cycles.empty() && (report_.cycles.back().number - 1) % step != 0) report_.cycles.pop_back();
+        if (report_.cycles.size() == most_reported_cycles) {
+          step *= 2;
+          std::erase_if(report_.cycles, [step](const Cycle& cycle) { return (cycle.number - 1) % step != 0; });
+        }
+        cycle(i);
+      }
     }
     return std::move(report_);
   }
@@ -275,8 +282,9 @@ class Replay {
   }
 
   // ---- down and up
-  void cycle() {
+  void cycle(std::size_t number) {
     Cycle cycle;
+    cycle.number = cycle_ = number;
     const auto count = [&cycle](const auto& done) {
       cycle.isolating += done.isolated > 0 ? 1 : 0;
       cycle.adding_strip += done.strips > 0 ? 1 : 0;
@@ -297,8 +305,7 @@ class Replay {
     report_.cycles.push_back(cycle);
   }
   Level checked_level() {
-    for (std::string& fault : find_faults(mesh_))
-      report_.faults.push_back(fmt::format("cycle {}: {}", report_.cycles.size() + 1, fault));
+    for (std::string& fault : find_faults(mesh_)) report_.faults.push_back(fmt::format("cycle {}: {}", cycle_, fault));
     return level();
   }
 
@@ -312,8 +319,8 @@ class Replay {
     if (!plan_.way().bakes || mesh_.triangle_count() != report_.levels[i].triangles) return false;
     ++report_.levels_compared;
     if (hash_of_strips() != hashes_[i])
-      report_.faults.push_back(fmt::format("cycle {}: at {} triangles the strips are not what they were",
-                                           report_.cycles.size() + 1, report_.levels[i].triangles));
+      report_.faults.push_back(fmt::format("cycle {}: at {} triangles the strips are not what they were", cycle_,
+                                           report_.levels[i].triangles));
     return true;
   }
 
@@ -325,6 +332,7 @@ class Replay {
   std::unique_ptr<Upkeep> upkeep_;
   std::unique_ptr<Upkeep> bare_;  // on the same mesh
   std::size_t strips_now_ = 0;
+  std::size_t cycle_ = 0;              // the number of the one under way
   std::vector<std::uint64_t> hashes_;  // of the strips at each reported level, if baked
   ReplayReport report_;
 };

@@ -27,11 +27,14 @@ struct ReplayOptions {
 
 /// One way down to the base and up again.
 struct Cycle {
+  std::size_t number = 0;  ///< from 1
   Level base;
   Level top;
   std::size_t isolating = 0;     ///< operations that introduced an isolated triangle
   std::size_t adding_strip = 0;  ///< operations after which there were more strips
 };
+
+inline constexpr std::size_t most_reported_cycles = 1024;
 
 struct ReplayReport {
   std::size_t base_triangles = 0;
@@ -44,6 +47,7 @@ struct ReplayReport {
   std::size_t most_strips = 0;          ///< of all levels on the first way up, every split counted
   std::vector<Level> levels;            ///< on the way up
   std::vector<Level> levels_down;       ///< the same levels on the way back, the coarsest first as well
+  /// The last cycle and every n-th before it, from the first: n = 1, doubled whenever there are most_reported_cycles.
   std::vector<Cycle> cycles;
   /// Medians over the repeats. A split starts from vertices: finding its spokes is part of it, with strips and bare
   /// alike.

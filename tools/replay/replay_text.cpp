@@ -122,11 +122,11 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   if (!report.cycles.empty()) {
     fmt::format_to(out, "\n  {:>6} {:>12} {:>12} {:>12} {:>10}\n", "cycle", "base strips", "top strips", "isolating",
                    "adding");
-    // All of a few, else the first three and then every tenth.
-    for (std::size_t i = 0; i < report.cycles.size(); ++i) {
+    // All of a few, else the first three, some twenty of the others and the last one.
+    for (std::size_t i = 0, each = report.cycles.size() / 20 + 1; i < report.cycles.size(); ++i) {
       const Cycle& cycle = report.cycles[i];
-      if (report.cycles.size() > 20 && i >= 3 && (i + 1) % 10 != 0 && i + 1 != report.cycles.size()) continue;
-      fmt::format_to(out, "  {:>6} {:>12} {:>12} {:>12} {:>10}\n", i + 1, cycle.base.strips, cycle.top.strips,
+      if (i >= 3 && i % each != 0 && i + 1 != report.cycles.size()) continue;
+      fmt::format_to(out, "  {:>6} {:>12} {:>12} {:>12} {:>10}\n", cycle.number, cycle.base.strips, cycle.top.strips,
                      cycle.isolating, cycle.adding_strip);
     }
   }
@@ -158,7 +158,8 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
     if (report.by_valence[k] != 0) by_valence[std::to_string(k)] = report.by_valence[k];
   Json cycles = Json::array();
   for (const Cycle& cycle : report.cycles)
-    cycles.push_back({{"base_strips", cycle.base.strips},
+    cycles.push_back({{"cycle", cycle.number},
+                      {"base_strips", cycle.base.strips},
                       {"base_isolated", cycle.base.isolated},
                       {"top_strips", cycle.top.strips},
                       {"top_isolated", cycle.top.isolated},

@@ -17,7 +17,8 @@
 //  - best_in_this_mesh: {splits, collapses}, each {operations, adding_strip, adding_strip_at_best, bolder,
 //    missed_by_linked}; under local rules (bolder.hpp)
 //  - baked: {flips_per_record, bytes_per_record, bake_seconds, levels_compared}; for baked strips
-//  - cycles: [{base_strips, base_isolated, top_strips, top_isolated, isolating, adding_strip}], each a way down and up
+//  - cycles: [{cycle, base_strips, base_isolated, top_strips, top_isolated, isolating, adding_strip}], each a way down
+//    and up; of more than 1024 the last one and every second, fourth … before it
 //  - ns_per_operation, ns_per_operation_bare: a split with strips kept, and the same mesh update without (medians)
 //  - ns_per_collapse, ns_per_collapse_bare: the same for the way down
 //  - buffer_bytes: the live index buffer at the finest level

@@ -9,38 +9,10 @@
 #include "random_operation.hpp"
 #include "restrip/search/stripify.hpp"
 #include "sample_meshes.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
-
-/// All that can be asked of a mesh, and what its next insertions will be named.
-struct Look {
-  std::vector<std::uint32_t> numbers;
-  friend bool operator==(const Look&, const Look&) = default;
-};
-Look look_at(const StripMesh& mesh) {
-  Look look;
-  look.numbers = {static_cast<std::uint32_t>(mesh.triangle_bound()), static_cast<std::uint32_t>(mesh.vertex_bound())};
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.alive(t)) continue;
-    look.numbers.push_back(t);
-    for (unsigned s = 0; s < 3; ++s) {
-      const StripMesh::Halfedge h = StripMesh::halfedge(t, s);
-      look.numbers.insert(look.numbers.end(), {mesh.from(h), mesh.opposite(h).id, mesh.solid(h) ? 1U : 0U});
-    }
-  }
-  for (Vertex v = 0; v < mesh.vertex_bound(); ++v) look.numbers.push_back(mesh.spoke(v).id);
-  StripMesh next = mesh;
-  for (int n = 0; n < 3; ++n)
-    for (Vertex v = 0; v < next.vertex_bound(); ++v) {
-      const StripMesh::Halfedge h = next.spoke(v);
-      if (h.id == none || check_split(next, {h, turn_ccw(next, h)}) != Refusal::granted) continue;
-      const auto chord = next.insert_vertex({h, turn_ccw(next, h)});
-      look.numbers.insert(look.numbers.end(), {chord.id, next.to(chord)});
-      break;
-    }
-  return look;
-}
 
 TEST(History, GivesBackTheVeryMesh) {
   std::mt19937 random(3);
@@ -68,9 +40,48 @@ TEST(History, GivesBackTheVeryMesh) {
         ASSERT_EQ(history.undoable(), at);
         ASSERT_EQ(history.redoable(), looks.size() - 1 - at);
         ASSERT_EQ(look_at(mesh), looks[at]);
+        ASSERT_EQ(fault_of(mesh), "");
       }
       mesh.watch(nullptr);
     }
+}
+
+// First spokes differ then, or the free handles, although every triangle is as it was.
+TEST(History, AFrameThatSplitsAndCollapsesBackIsAFrame) {
+  std::mt19937 random(7);
+  std::size_t triangles_as_they_were = 0;
+  for (const StripMesh& start : {sample::octahedron(), sample::rectangle(4, 4), sample::torus(5, 5)})
+    for (int round = 0; round < 400; ++round) {
+      StripMesh mesh = start;
+      std::vector<Triangle> changed;
+      mesh.watch(&changed);
+      History history(mesh);
+      std::vector<Look> looks{look_at(mesh)};
+      for (int frame = 0; frame < 6; ++frame) {
+        const auto triangles = sample::triangles_of(mesh);
+        if (random() % 3 == 0)
+          checked_flip(mesh, random_halfedge(mesh, random));
+        else if (const Checked up = checked_split(mesh, random_split(mesh, random_halfedge(mesh, random), random)))
+          if (random() % 4 != 0)
+            checked_collapse(mesh, random() % 2 == 0 ? up.rewrite.halfedge : mesh.opposite(up.rewrite.halfedge));
+        const Look look = look_at(mesh);
+        const bool kept = history.frame(mesh, changed);
+        changed.clear();
+        ASSERT_TRUE(kept || look == looks.back());
+        if (!kept) continue;
+        if (!(look == looks.back()) && sample::triangles_of(mesh) == triangles) ++triangles_as_they_were;
+        looks.push_back(look);
+      }
+      for (int steps = 0; steps < 12; ++steps) {
+        const bool back = random() % 3 != 0;
+        if (back ? history.undo(mesh) : history.redo(mesh)) {
+          ASSERT_EQ(fault_of(mesh), "");
+          ASSERT_EQ(look_at(mesh), looks[history.undoable()]);
+        }
+      }
+      mesh.watch(nullptr);
+    }
+  EXPECT_GT(triangles_as_they_were, 100U);
 }
 
 TEST(History, CollapsesToAFewAndComesBackWithAsManyStrips) {

@@ -536,6 +536,8 @@ TEST(Batch, FaultsNameTheRequestAndChangeNothing) {
   expect(requests, BatchFault::overlap, 9, 4, Refusal::granted);
   requests[8].new_vertex = mesh.from(requests[0].where.left);
   expect(requests, BatchFault::vertex_in_use, 8, 8, Refusal::granted);
+  requests[7].new_vertex = none - 1;
+  expect(requests, BatchFault::refused, 7, 7, Refusal::vertex_too_far);
 
   std::vector<Halfedge> chords = chooser.disjoint<Halfedge>(mesh, 500);
   ASSERT_GT(chords.size(), 10U);

@@ -25,6 +25,11 @@ TEST(Checked, OperationsDoAllOrNothing) {
   EXPECT_EQ(checked_split(mesh, {inside, inside}).refusal, Refusal::same_spoke);
   EXPECT_EQ(checked_split(mesh, {inside, turn_ccw(mesh, inside)}, 3).refusal, Refusal::vertex_in_use);
   EXPECT_EQ(checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 3).refusal, Refusal::vertex_in_use);
+  // Up to this name all vertices would be allocated.
+  EXPECT_EQ(checked_split(mesh, {inside, turn_ccw(mesh, inside)}, none - 1).refusal, Refusal::vertex_too_far);
+  const auto furthest = static_cast<Vertex>(mesh.vertex_bound() + StripMesh::max_vertex_gap + mesh.triangle_bound());
+  EXPECT_EQ(check_split(mesh, {inside, turn_ccw(mesh, inside)}, furthest + 1), Refusal::vertex_too_far);
+  EXPECT_EQ(check_split(mesh, {inside, turn_ccw(mesh, inside)}, furthest), Refusal::granted);
   EXPECT_EQ(sample::triangles_of(mesh), before);
   const Checked up = checked_split(keeper, {inside, turn_ccw(mesh, inside)}, 30);
   ASSERT_TRUE(up);

@@ -25,39 +25,13 @@
 #include "restrip/operations/join.hpp"
 #include "restrip/output/strips.hpp"
 #include "sample_meshes.hpp"
+#include "whole_mesh.hpp"
 
 namespace restrip {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
 using Where = VertexSplit<Halfedge>;
-
-/// Adjacency from its definition: opposite halfedges run between the same vertices, first spokes are first, fans are
-/// whole.
-std::string fault_of(const StripMesh& mesh) {
-  std::vector<std::size_t> corners(mesh.vertex_bound(), 0);
-  for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
-    if (!mesh.alive(t)) continue;
-    for (unsigned s = 0; s < 3; ++s) {
-      const Halfedge h = StripMesh::halfedge(t, s);
-      const Halfedge g = mesh.opposite(h);
-      if (mesh.from(h) != mesh.to(g) || mesh.to(h) != mesh.from(g)) return "opposite halfedges disagree";
-      if (!(mesh.opposite(g) == h)) return "opposite is no involution";
-      if (!StripMesh::on_boundary(g) && !mesh.alive(g)) return "a link to a removed triangle";
-      if (mesh.solid(h) != mesh.solid(g)) return "a colour differs between the two sides";
-      ++corners[mesh.from(h)];
-    }
-  }
-  for (Vertex v = 0; v < mesh.vertex_bound(); ++v) {
-    if ((mesh.spoke(v).id == none) != (corners[v] == 0)) return "a first spoke without triangles, or the reverse";
-    if (corners[v] == 0 || mesh.non_manifold(v)) continue;
-    if (!mesh.alive(mesh.spoke(v)) || mesh.from(mesh.spoke(v)) != v) return "a wrong first spoke";
-    std::size_t met = 0;
-    for_each_spoke(mesh, v, [&](Halfedge h) { met += StripMesh::on_boundary(h) ? 0U : 1U; });
-    if (met != corners[v]) return "a fan that is not whole from its first spoke";
-  }
-  return "";
-}
 
 class Walk {
  public:

@@ -69,6 +69,18 @@ inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex
 
 }  // namespace detail
 
+namespace detail {
+
+/// May a new vertex be named so, or `none`? O(1).
+[[nodiscard]] inline Refusal refusal_of_name(const StripMesh& mesh, Vertex name) {
+  if (name == none) return Refusal::granted;
+  if (name < mesh.vertex_bound()) return mesh.spoke(name).id != none ? Refusal::vertex_in_use : Refusal::granted;
+  const std::size_t gap = name - mesh.vertex_bound();
+  return gap > StripMesh::max_vertex_gap + mesh.triangle_bound() ? Refusal::vertex_too_far : Refusal::granted;
+}
+
+}  // namespace detail
+
 /// May the vertex be split there? `new_vertex`: what the caller names the vertex to be made, or `none` for the next
 /// free one. O(1).
 [[nodiscard]] inline Refusal check_split(const StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where,
@@ -87,9 +99,7 @@ inline bool share_neighbor(const StripMesh& mesh, Vertex v_s, Vertex v_t, Vertex
     return Refusal::non_manifold_vertex;
   if (!(has_left && has_right) && !mesh.leaves_boundary(first)) return Refusal::spoke_on_boundary;
   if (!detail::keeps_enough(mesh, first, 0)) return Refusal::too_few_triangles;
-  // `none` is above every bound.
-  if (new_vertex < mesh.vertex_bound() && mesh.spoke(new_vertex).id != none) return Refusal::vertex_in_use;
-  return Refusal::granted;
+  return detail::refusal_of_name(mesh, new_vertex);
 }
 
 namespace detail {

@@ -36,8 +36,8 @@ class History {
       : last_(mesh), most_(most_triangles) {}
 
   /// Ends a frame. `changed`: as the watch of the mesh made it since the frame before; not cleared. Frames that were
-  /// undone and not redone are forgotten. A frame in which nothing changed is none: then false. After std::bad_alloc
-  /// the history must not be used any more.
+  /// undone and not redone are forgotten. False, and not a frame, when the mesh is as it was; free handles in another
+  /// order are a change. After std::bad_alloc the history must not be used any more.
   bool frame(const StripMesh& mesh, std::span<const Triangle> changed);
 
   /// Gives the mesh back as it was before the last frame, or after the one that was undone last. False when there is
@@ -62,6 +62,7 @@ class History {
     std::size_t kept = 0;  // of the beginning
     std::vector<Value> before;
     std::vector<Value> after;
+    [[nodiscard]] std::size_t size() const noexcept { return std::max(before.size(), after.size()); }
   };
   struct Frame {
     std::vector<Change<StripMesh::Record>> triangles;
@@ -72,6 +73,12 @@ class History {
     std::size_t triangles_after = 0;
     std::size_t vertices_before = 0;
     std::size_t vertices_after = 0;
+
+    /// What it takes in memory, in triangles; 0: the mesh is as it was, its free handles included.
+    [[nodiscard]] std::size_t size() const noexcept {
+      const bool grown = triangles_before != triangles_after || vertices_before != vertices_after;
+      return std::max({triangles.size(), spokes.size(), free.size(), free_vertices.size(), std::size_t{grown}});
+    }
   };
 
   /// Also of a handle that a frame took and gave back, of which it knows nothing else.
@@ -132,11 +139,6 @@ inline bool History::frame(const StripMesh& mesh, std::span<const Triangle> chan
         if (v != none) corners_.push_back(v);
     if (before.corner != after.corner || before.link != after.link) frame.triangles.push_back({t, before, after});
   }
-  if (frame.triangles.empty()) return false;
-  while (frames_.size() > done_) {
-    kept_ -= frames_.back().triangles.size();
-    frames_.pop_back();
-  }
   std::sort(corners_.begin(), corners_.end());
   corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
   for (const Vertex v : corners_) {
@@ -146,12 +148,14 @@ inline bool History::frame(const StripMesh& mesh, std::span<const Triangle> chan
   }
   frame.free = tail_of(last_.free_, mesh.free_, changed.size());
   frame.free_vertices = tail_of(last_.free_vertices_, mesh.free_vertices_, changed.size());
+  if (frame.size() == 0) return false;
+  for (; frames_.size() > done_; frames_.pop_back()) kept_ -= frames_.back().size();
   apply(last_, frame, true);
-  kept_ += frame.triangles.size();
+  kept_ += frame.size();
   frames_.push_back(std::move(frame));
   ++done_;
   while (kept_ > most_ && frames_.size() > 1) {
-    kept_ -= frames_.front().triangles.size();
+    kept_ -= frames_.front().size();
     frames_.pop_front();
     --done_;
   }

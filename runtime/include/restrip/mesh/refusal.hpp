@@ -21,6 +21,7 @@ enum class Refusal {
   dangling_edge,      ///< a triangle to be removed has no other neighbour than across the collapsed edge
   edge_exists,        ///< the flipped edge is in the mesh already
   vertex_in_use,      ///< the vertex named for a split has triangles already
+  vertex_too_far,     ///< the vertex named for a split is far beyond all others (StripMesh::max_vertex_gap)
   other_valence,      ///< the vertex to be removed does not have as many triangles as this operation takes away
   other_patch,        ///< the triangles there are not those that the operation takes away, or not those that it makes
   same_vertex,        ///< two vertices of the operation are one vertex of the mesh
@@ -57,6 +58,9 @@ enum class Refusal {
       return "the flipped edge exists already";
     case Refusal::vertex_in_use:
       return "the vertex named for the split is in use already";
+    case Refusal::vertex_too_far:
+      return "the vertex named for the split is so far beyond those of the mesh that the vertices between would fill "
+             "the memory: build the mesh with as many vertices as it is going to have";
     case Refusal::other_valence:
       return "the vertex to be removed has another number of triangles than this operation needs";
     case Refusal::other_patch:

@@ -44,6 +44,9 @@ class StripMesh {
   };
 
   static constexpr std::size_t max_triangles = RESTRIP_MAX_TRIANGLES;
+  /// A new vertex may be named up to this far beyond vertex_bound(), and one further for each triangle: all vertices up
+  /// to it are allocated.
+  static constexpr std::size_t max_vertex_gap = 1U << 20;
 
   StripMesh() = default;
 

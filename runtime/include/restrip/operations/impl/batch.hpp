@@ -101,7 +101,9 @@ Verdict judge_alone(const StripMesh& mesh, std::span<const Request> requests, st
   if constexpr (std::is_same_v<Request, SplitRequest>) {
     const Vertex name = requests[i].new_vertex;
     if ((name == none) != (requests[0].new_vertex == none)) return {BatchFault::mixed_names, Refusal::granted};
-    if (name < mesh.vertex_bound() && mesh.spoke(name).id != none) return {BatchFault::vertex_in_use, Refusal::granted};
+    const Refusal refusal = refusal_of_name(mesh, name);
+    if (refusal == Refusal::vertex_in_use) return {BatchFault::vertex_in_use, Refusal::granted};
+    if (refusal != Refusal::granted) return {BatchFault::refused, refusal};
   }
   return {};
 }
@@ -114,7 +116,8 @@ void find_fault(const StripMesh& mesh, std::span<const Request> requests, unsign
   std::size_t vertex_bound = mesh.vertex_bound();
   if constexpr (std::is_same_v<Request, SplitRequest>)
     for (const SplitRequest& request : requests)
-      if (request.new_vertex != none) vertex_bound = std::max(vertex_bound, request.new_vertex + std::size_t{1});
+      if (request.new_vertex != none && refusal_of_name(mesh, request.new_vertex) == Refusal::granted)
+        vertex_bound = std::max(vertex_bound, request.new_vertex + std::size_t{1});
   std::vector<std::uint32_t> triangles(mesh.triangle_bound(), none);
   std::vector<std::uint32_t> vertices(vertex_bound, none);
   std::vector<Verdict> verdicts(requests.size());
