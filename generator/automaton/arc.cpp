@@ -8,19 +8,18 @@ namespace {
 constexpr bool turns_left(Letter letter) { return letter == Letter::left || letter == Letter::joined_left; }
 constexpr bool turns_right(Letter letter) { return letter == Letter::right || letter == Letter::joined_right; }
 
-/// A triangle alone: what it may do with its two links. A port given up is one that the triangle does not have.
-Costs costs_of(Letter letter, bool given_up, const Weights& weights) {
+/// A triangle alone: what it may do with its two links.
+Costs costs_of(Letter letter, const Weights& weights) {
   Costs costs;
-  if (has_port(letter) && !given_up) {
-    costs[both_dashed] = is_end_port(letter) ? weights.given_up : 0;
+  if (has_port(letter)) {
+    costs[both_dashed] = 0;
     costs[case_of(Reach::port, Reach::dashed)] = -weights.restart + (turns_left(letter) ? weights.swap : 0);
     costs[case_of(Reach::dashed, Reach::port)] = turns_right(letter) ? weights.swap : 0;
   } else {
-    const int port = given_up ? weights.restart + weights.given_up : 0;
-    costs[both_dashed] = port + weights.isolated;
-    costs[case_of(Reach::ends, Reach::dashed)] = port - weights.restart;
-    costs[case_of(Reach::dashed, Reach::ends)] = port;
-    costs[through_case] = port - weights.restart;
+    costs[both_dashed] = weights.isolated;
+    costs[case_of(Reach::ends, Reach::dashed)] = -weights.restart;
+    costs[case_of(Reach::dashed, Reach::ends)] = 0;
+    costs[through_case] = -weights.restart;
   }
   return costs;
 }
@@ -34,11 +33,10 @@ constexpr Reach one_further(Reach reach, const Weights& weights) {
 
 /// The case of an arc followed by a triangle; nothing where their links have different colours, or where two ports
 /// would be joined that may not be.
-std::optional<Case> followed(Case arc, Case triangle, Letter letter, bool given_up, const Weights& weights) {
+std::optional<Case> followed(Case arc, Case triangle, Letter letter, const Weights& weights) {
   const Reach link = right_of(arc);
   const Reach from = left_of(triangle);
   if ((link == Reach::dashed) != (from == Reach::dashed)) return {};
-  if (given_up && link == Reach::port && from == Reach::through) return {};
   if (leads_to_port(link) && from == Reach::port && !is_joined(letter)) return {};
   if (link == Reach::through && from == Reach::through) return through_case;
   if (from == Reach::through) return case_of(left_of(arc), one_further(link, weights));
@@ -105,8 +103,6 @@ std::optional<int> exchange(Case from, Case to, const Weights& weights) {
 
 std::vector<Case> cases_of(const Weights& weights) {
   std::vector<Case> cases;
-  if (gives_ports_up(weights))
-    return {both_dashed, case_of(Reach::dashed, Reach::ends), case_of(Reach::dashed, Reach::port)};
   const auto is_plain = [](Reach reach) { return reach != Reach::along_ends && reach != Reach::along_port; };
   for (Case c = 0; c < case_codes; ++c)
     if (tells_turns(weights) || (is_plain(left_of(c)) && is_plain(right_of(c)))) cases.push_back(c);
@@ -123,25 +119,21 @@ const std::vector<Letter>& letters_of(const Weights& weights) {
   static const std::vector<Letter> with_turns{Letter::dashed,       Letter::ends,        Letter::left,
                                               Letter::right,        Letter::joined_ends, Letter::joined_left,
                                               Letter::joined_right, Letter::boundary};
-  static const std::vector<Letter> of_rows{Letter::dashed, Letter::ends, Letter::joined_ends, Letter::end_port,
-                                           Letter::joined_end_port};
-  if (gives_ports_up(weights)) return of_rows;
   return tells_turns(weights) ? with_turns : without_turns;
 }
 
-char text_of(Letter letter) { return std::string_view("dslrSLRbpP")[static_cast<unsigned>(letter)]; }
+char text_of(Letter letter) { return std::string_view("dslrSLRb")[static_cast<unsigned>(letter)]; }
 
-Costs costs_of_empty_arc(const Weights& weights) {
+Costs costs_of_empty_arc() {
   Costs costs;
   costs[both_dashed] = 0;
-  if (!gives_ports_up(weights)) costs[through_case] = 0;
+  costs[through_case] = 0;
   return costs;
 }
 
 Appended append_to_empty(Letter letter, const Weights& weights) {
-  if (letter == Letter::boundary) return over_boundary(costs_of_empty_arc(weights));
-  if (gives_ports_up(weights)) return append(costs_of_empty_arc(weights), letter, weights);
-  Appended result{costs_of(letter, false, weights), {}, {}};
+  if (letter == Letter::boundary) return over_boundary(costs_of_empty_arc());
+  Appended result{costs_of(letter, weights), {}};
   for (Case c = 0; c < case_codes; ++c) result.before[c] = left_of(c) == Reach::dashed ? both_dashed : through_case;
   return result;
 }
@@ -150,27 +142,22 @@ Appended append(const Costs& arc, Letter letter, const Weights& weights) {
   if (letter == Letter::boundary) return over_boundary(arc);
   Appended result;
   std::array<unsigned, case_codes> best_rank{};
-  const auto read = [&](bool given_up) {
-    const Costs triangle = costs_of(letter, given_up, weights);
-    for (Case c = 0; c < case_codes; ++c) {
-      if (!arc[c]) continue;
-      for (Case t = 0; t < case_codes; ++t) {
-        if (!triangle[t]) continue;
-        const auto both = followed(c, t, letter, given_up, weights);
-        if (!both) continue;
-        const int cost = *arc[c] + *triangle[t] + (is_swap(right_of(c), left_of(t)) ? weights.swap : 0);
-        const unsigned own_rank = rank(c, t, letter);
-        std::optional<int>& best = result.costs[*both];
-        if (best && (cost > *best || (cost == *best && own_rank >= best_rank[*both]))) continue;
-        best = cost;
-        best_rank[*both] = own_rank;
-        result.before[*both] = c;
-        result.given_up[*both] = given_up;
-      }
+  const Costs triangle = costs_of(letter, weights);
+  for (Case c = 0; c < case_codes; ++c) {
+    if (!arc[c]) continue;
+    for (Case t = 0; t < case_codes; ++t) {
+      if (!triangle[t]) continue;
+      const auto both = followed(c, t, letter, weights);
+      if (!both) continue;
+      const int cost = *arc[c] + *triangle[t] + (is_swap(right_of(c), left_of(t)) ? weights.swap : 0);
+      const unsigned own_rank = rank(c, t, letter);
+      std::optional<int>& best = result.costs[*both];
+      if (best && (cost > *best || (cost == *best && own_rank >= best_rank[*both]))) continue;
+      best = cost;
+      best_rank[*both] = own_rank;
+      result.before[*both] = c;
     }
-  };
-  read(false);
-  if (gives_ports_up(weights) && has_port(letter) && !is_end_port(letter)) read(true);
+  }
   return result;
 }
 

@@ -9,11 +9,6 @@
 // Where swaps have a price, a reach also says how the strand turns in the triangle at the link, and a letter how the
 // strip turns behind a solid port. Where they have none, turns are not told apart: the same code, fewer letters.
 //
-// Where ports may be given up, an arc is a *row*, an open fan read from its end: its left link is always dashed. Its
-// letters have two readings, the port kept or given up, and its first and last triangle may have a second port each,
-// which is a letter without a triangle; the link to it is the port. No strand passes a port given up and leaves by one
-// beyond: to keep the former and cut the strand before it joins no more ports and costs no more.
-//
 // Which edges an arc counts: its left link and the edges inside it. The right link is the left link of what follows.
 #pragma once
 
@@ -25,26 +20,21 @@
 
 namespace restrip::generator {
 
-/// restart * strips + swap * swaps + isolated * isolated triangles + given_up * ports given up.
+/// restart * strips + swap * swaps + isolated * isolated triangles.
 struct Weights {
   int restart = 0;
   int swap = 0;
   int isolated = 0;
-  int given_up = 0;  ///< 0: every port is kept
   friend bool operator==(const Weights&, const Weights&) = default;
 };
 inline constexpr int largest_weight = 1000;
 /// Fewest strips, and of those fewest isolated triangles: so many of these never meet in one comparison that they
 /// outweigh a strip (docs/automaton.md, "Costs").
 inline constexpr Weights strips_weights{largest_weight, 0, 1};
-/// The default cost of operation files, ports given up included: fewest strips, then fewest isolated triangles and
-/// ports given up, then fewest ports given up. The verifier checks that no more of these meet than may.
-inline constexpr Weights row_weights{largest_weight, 0, 30, 31};
 /// The length of an index buffer.
 inline constexpr Weights index_weights{3, 1, 0};
 
 [[nodiscard]] constexpr bool tells_turns(const Weights& weights) { return weights.swap != 0; }
-[[nodiscard]] constexpr bool gives_ports_up(const Weights& weights) { return weights.given_up != 0; }
 
 /// Where the strand over a link goes, on the side of the arc. The end triangle is the one at the link.
 enum class Reach : unsigned {
@@ -77,9 +67,9 @@ inline constexpr Case through_case = 25;
 /// A case as certificates write it: one character for each link, of `-epfqt` in the order of Reach.
 [[nodiscard]] std::string text_of(Case c);
 
-/// What may be appended to an arc: a triangle, by its port; the boundary; or a port of the triangle before or behind
-/// it. `left`, `right`: the strip behind the port goes on about the corner that the port shares with the triangle's
-/// left or right link, so that the port is a swap if the strip uses this link; only where turns are told apart.
+/// What may be appended to an arc: a triangle, by its port; or the boundary. `left`, `right`: the strip behind the port
+/// goes on about the corner that the port shares with the triangle's left or right link, so that the port is a swap if
+/// the strip uses this link; only where turns are told apart.
 enum class Letter : unsigned {
   dashed,  ///< dashed, or there is none
   ends,    ///< solid, and the strip ends behind it; where turns are not told apart, solid
@@ -88,36 +78,30 @@ enum class Letter : unsigned {
   joined_ends,  ///< as the three before, and joined to the solid port before it
   joined_left,
   joined_right,
-  boundary,        ///< the mesh boundary in a ring that stands for an open fan: no edge leads over it
-  end_port,        ///< a second port of a triangle at the end of a row, solid: no triangle, the link to it is the port
-  joined_end_port  ///< the same, and joined to the solid port before it
+  boundary  ///< the mesh boundary in a ring that stands for an open fan: no edge leads over it
 };
-[[nodiscard]] constexpr bool is_end_port(Letter letter) { return letter >= Letter::end_port; }
 [[nodiscard]] constexpr bool has_port(Letter letter) { return letter != Letter::dashed && letter != Letter::boundary; }
 [[nodiscard]] constexpr bool is_joined(Letter letter) {
-  return (letter >= Letter::joined_ends && letter < Letter::boundary) || letter == Letter::joined_end_port;
+  return letter >= Letter::joined_ends && letter < Letter::boundary;
 }
 
 /// The letters under these weights, in the order in which headers and certificates number them.
 [[nodiscard]] const std::vector<Letter>& letters_of(const Weights& weights);
 
-/// A letter as certificates write it: `d`, `s`, `l`, `r`, `S`, `L`, `R`, `b`, `p` or `P`.
+/// A letter as certificates write it: `d`, `s`, `l`, `r`, `S`, `L`, `R` or `b`.
 [[nodiscard]] char text_of(Letter letter);
 
 /// The least cost of each case, up to what all have in common; nothing where there is none. A strip's restart is
 /// counted by what it lacks: each solid edge is worth one.
 using Costs = std::array<std::optional<int>, case_codes>;
 
-/// The arc without triangles: its two links are one edge, which what follows will count. In a row, which begins there,
-/// it is dashed.
-[[nodiscard]] Costs costs_of_empty_arc(const Weights& weights);
+/// The arc without triangles: its two links are one edge, which what follows will count.
+[[nodiscard]] Costs costs_of_empty_arc();
 
-/// An arc with one letter more: its costs, and for each case the case before from which the least cost comes, and
-/// whether the letter's port is given up.
+/// An arc with one letter more: its costs, and for each case the case before from which the least cost comes.
 struct Appended {
   Costs costs;
   std::array<Case, case_codes> before{};
-  std::array<bool, case_codes> given_up{};
 };
 [[nodiscard]] Appended append_to_empty(Letter letter, const Weights& weights);
 [[nodiscard]] Appended append(const Costs& arc, Letter letter, const Weights& weights);

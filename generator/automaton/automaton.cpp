@@ -45,7 +45,6 @@ struct FullArc {
 struct FullStep {
   std::size_t to = 0;
   std::array<Case, case_codes> before{};
-  std::array<bool, case_codes> given_up{};
 };
 
 /// All arcs, told apart by what they are: finitely many, found breadth first.
@@ -57,7 +56,7 @@ struct Closure {
 
   explicit Closure(const Weights& of) : weights(of) {
     std::map<FullArc, std::size_t> number;
-    arcs.push_back({costs_of_empty_arc(weights), {}, gives_ports_up(weights)});
+    arcs.push_back({costs_of_empty_arc(), {}, false});
     witness.emplace_back();
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       steps.emplace_back();
@@ -75,7 +74,7 @@ struct Closure {
           arcs.push_back(next);
           witness.push_back(witness[i] + text_of(letter));
         }
-        step = FullStep{place->second, longer.before, longer.given_up};
+        step = FullStep{place->second, longer.before};
       }
     }
   }
@@ -164,9 +163,8 @@ std::vector<std::size_t> minimal_classes(const Closure& all, const Contexts& con
     for (const auto& cost : costs[x]) sight.push_back(cost ? 1 + static_cast<std::size_t>(*cost) : 0);
     for (const auto& step : all.steps[x]) {
       if (!step) continue;
-      for (const Case c : needed[step->to])
-        sight.push_back(2 * (case_codes * c + step->before[c]) + (step->given_up[c] ? 1 : 0));
-      sight.push_back(2 * case_codes * case_codes);
+      for (const Case c : needed[step->to]) sight.push_back(case_codes * c + step->before[c]);
+      sight.push_back(case_codes * case_codes);
     }
     sight.push_back(number_for(rows, contexts.best[x]));
     std::vector<std::uint16_t> column;
@@ -275,11 +273,8 @@ Automaton make_automaton(const Weights& weights) {
       auto& kept = result.steps.emplace_back();
       const auto& step = all.steps[x][letter];
       if (!step) continue;
-      kept = ArcStep{class_of[step->to], 0, {}, {}};
-      for (const Case c : needed[step->to]) {
-        kept->before[c] = step->before[c];
-        kept->given_up[c] = step->given_up[c];
-      }
+      kept = ArcStep{class_of[step->to], 0, {}};
+      for (const Case c : needed[step->to]) kept->before[c] = step->before[c];
       const Case any = *needed[step->to].begin();
       // The cost of one case, relative to the best case of the one class and to that of the other.
       const Appended longer = all.appended(x, letters_of(weights)[letter]);

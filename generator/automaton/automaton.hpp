@@ -13,16 +13,15 @@ namespace restrip::generator {
 
 /// What a letter leads to.
 struct ArcStep {
-  std::size_t to = 0;                       ///< a class
-  int cost = 0;                             ///< of the best case of `to`, more than that of this class
-  std::array<Case, case_codes> before{};    ///< for each case that `to` has: the case of this class that it came from
-  std::array<bool, case_codes> given_up{};  ///< and whether the letter's port is given up
+  std::size_t to = 0;                     ///< a class
+  int cost = 0;                           ///< of the best case of `to`, more than that of this class
+  std::array<Case, case_codes> before{};  ///< for each case that `to` has: the case of this class that it came from
 };
 
 /// Arcs that no continuation, no other arc and no tie-break tells apart.
 struct ArcClass {
   std::string witness;    ///< its shortest arc, letter by letter; the first in the order of letters of the shortest
-  bool boundary = false;  ///< the mesh boundary is inside; all rows begin there
+  bool boundary = false;  ///< the mesh boundary is inside
   /// For each case that some best recolouring needs its cost, less the least of them; nothing for the other cases.
   Costs costs;
   std::vector<std::optional<ArcStep>> steps;  ///< by the place of the letter; nothing for a second boundary

@@ -36,7 +36,7 @@ struct HeaderNumbers {
     std::vector<const ArcClass*> of_column(columns(automaton));
     for (const ArcClass& c : automaton.classes) {
       if (c.can_be_first()) of_row[c.as_first] = &c;
-      if (!c.witness.empty() && !of_row.empty()) of_column[c.as_second] = &c;
+      if (!c.witness.empty()) of_column[c.as_second] = &c;
     }
     std::map<unsigned, std::size_t> numbers;
     for (std::size_t x = 0; x < of_row.size(); ++x)
@@ -60,9 +60,7 @@ struct HeaderNumbers {
     }
   }
 
-  static std::size_t columns(const Automaton& automaton) {
-    return automaton.meets.empty() ? 0 : automaton.meets[0].size();
-  }
+  static std::size_t columns(const Automaton& automaton) { return automaton.meets[0].size(); }
   [[nodiscard]] std::size_t bytes() const {
     return (wide ? 2 : 1) * (next.size() + first.size() + second.size() + meet.size()) + 8 * before.size() +
            closed.size() + 2 * meetings.size();
@@ -74,8 +72,7 @@ struct HeaderNumbers {
     std::uint64_t cases = 0;
     for (Case c = 0; c < case_codes; ++c)
       if (to.costs[c])
-        cases |= std::uint64_t{automaton.number_of(from, step.before[c]) | (step.given_up[c] ? 4U : 0U)}
-                 << 4U * automaton.number_of(to, c);
+        cases |= std::uint64_t{automaton.number_of(from, step.before[c])} << 4U * automaton.number_of(to, c);
     return cases;
   }
 };
@@ -87,8 +84,7 @@ std::size_t longest_witness(const Automaton& automaton) {
 }
 
 std::string weights_text(const Weights& weights, const char* between) {
-  const std::string text = fmt::format("{}{}{}{}{}", weights.restart, between, weights.swap, between, weights.isolated);
-  return gives_ports_up(weights) ? fmt::format("{}{}{}", text, between, weights.given_up) : text;
+  return fmt::format("{}{}{}{}{}", weights.restart, between, weights.swap, between, weights.isolated);
 }
 
 /// Rows one after the other, counted.
@@ -116,8 +112,7 @@ Rows class_rows(const Automaton& automaton) {
   for (std::size_t x = 0; x < automaton.classes.size(); ++x) {
     const ArcClass& c = automaton.classes[x];
     rows.add("class {} {} {} {}", x, c.witness.empty() ? "-" : c.witness,
-             c.can_be_first() ? std::to_string(c.as_first) : "-",
-             x == 0 || automaton.meets.empty() ? "-" : std::to_string(c.as_second));
+             c.can_be_first() ? std::to_string(c.as_first) : "-", x == 0 ? "-" : std::to_string(c.as_second));
     for (Case k = 0; k < case_codes; ++k)
       if (c.costs[k]) rows.add("value {} {} {}", x, text_of(k), *c.costs[k]);
     for (std::size_t place = 0; place < c.steps.size(); ++place) {
@@ -127,8 +122,7 @@ Rows class_rows(const Automaton& automaton) {
       rows.add("step {} {} {} {}", x, letter, step->to, step->cost);
       for (Case k = 0; k < case_codes; ++k)
         if (automaton.classes[step->to].costs[k])
-          rows.add("from {} {} {} {}{}", x, letter, text_of(k), text_of(step->before[k]),
-                   step->given_up[k] ? " given" : "");
+          rows.add("from {} {} {} {}", x, letter, text_of(k), text_of(step->before[k]));
     }
   }
   return rows;
@@ -158,23 +152,18 @@ std::vector<bool> witness_links(const Automaton& automaton, const std::string& w
 RulesHeader automaton_header(const Automaton& automaton) {
   const HeaderNumbers all(automaton);
   const Weights& weights = automaton.weights;
-  const bool rows = gives_ports_up(weights);
   std::string text = fmt::format(
-      "// Rules of {} any {}: {} classes of arcs, {} pairs of classes.\n"
-      "// The cost: {} for a strip, {} for a swap, {} for an isolated triangle{}.\n"
+      "// Rules of fans of any valence: {} classes of arcs, {} pairs of classes.\n"
+      "// The cost: {} for a strip, {} for a swap, {} for an isolated triangle.\n"
       "// Written by `restrip-generate {}`. Do not edit: change the generator, then build the target `regenerate`.\n"
       "// Format {}, explained in restrip/tables/automaton_format.hpp.\n#pragma once\n\n"
       "#include \"restrip/tables/automaton_format.hpp\"\n\nnamespace restrip::tables {{\n\n",
-      rows ? "rows of" : "fans of", rows ? "length, ports given up" : "valence", automaton.classes.size(),
-      all.meet.size(), weights.restart, weights.swap, weights.isolated,
-      rows ? fmt::format(", {} for a port given up", weights.given_up) : "",
-      rows                        ? "automaton --operation"
-      : weights == strips_weights ? "tables"
-                                  : "automaton --cost " + weights_text(weights, ","),
+      automaton.classes.size(), all.meet.size(), weights.restart, weights.swap, weights.isolated,
+      weights == strips_weights ? "tables" : "automaton --cost " + weights_text(weights, ","),
       automaton_format_version);
-  text += fmt::format("inline constexpr ArcAutomaton<std::uint{}_t, {}, {}, {}, {}, {}> {}{{\n", all.wide ? 16 : 8,
-                      letters_of(weights).size(), automaton.classes.size(), automaton.meets.size(),
-                      HeaderNumbers::columns(automaton), all.meetings.size(), rows ? "row_automaton" : "automaton");
+  text += fmt::format("inline constexpr ArcAutomaton<std::uint{}_t, {}, {}, {}, {}, {}> automaton{{\n",
+                      all.wide ? 16 : 8, letters_of(weights).size(), automaton.classes.size(), automaton.meets.size(),
+                      HeaderNumbers::columns(automaton), all.meetings.size());
   const auto block = [&](const std::string& lines) { text += "    {\n" + lines + "    },\n"; };
   block(numbers(all.next));
   block(numbers(all.before, " {:#x},"));
@@ -218,10 +207,8 @@ AutomatonCertificate automaton_certificate(const Automaton& automaton) {
       meetings.add("meet {} {} {} {} {}", x, y, text_of(m.first), text_of(m.second), m.chord ? "chord" : "-");
     }
   const std::size_t rows = cost.count() + classes.count() + closings.count() + meetings.count();
-  std::string text = fmt::format("restrip-certificate 2\nfamily {}\n",
-                                 gives_ports_up(automaton.weights) ? "row-automaton" : "automaton") +
-                     cost.section("cost") + classes.section("classes");
-  if (!gives_ports_up(automaton.weights)) text += closings.section("closings") + meetings.section("meetings");
+  const std::string text = "restrip-certificate 2\nfamily automaton\n" + cost.section("cost") +
+                           classes.section("classes") + closings.section("closings") + meetings.section("meetings");
   return {sealed(text, rows), rows};
 }
 

@@ -12,8 +12,6 @@
 #include <stdexcept>
 #include <variant>
 
-#include "automaton/emit_automaton.hpp"
-#include "automaton/row_shape.hpp"
 #include "files/output.hpp"
 #include "operations/description_file.hpp"
 #include "tables/emit.hpp"
@@ -26,11 +24,22 @@ namespace {
       fmt::format("{}: {}; no automaton answers it, try `restrip-generate rules`", family.name, reason));
 }
 
+bool are_neighbours(const Side& side, unsigned one, unsigned other) {
+  return std::any_of(side.edges.begin(), side.edges.end(), [&](const Edge& edge) {
+    return edge == Edge{one, other} || edge == Edge{other, one};
+  });
+}
+
 enum class Fan { closed, open };
 
 /// The fan that a side is: one port at each triangle, each beside the next.
 std::optional<Fan> fan_of(const Side& side) {
-  if (side.ports() != side.nodes || !is_row(side, side.owner)) return {};
+  if (side.ports() != side.nodes) return {};
+  std::vector<unsigned> sorted = side.owner;
+  std::sort(sorted.begin(), sorted.end());
+  if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return {};
+  for (std::size_t i = 0; i + 1 < side.owner.size(); ++i)
+    if (!are_neighbours(side, side.owner[i], side.owner[i + 1])) return {};
   if (side.edges.size() + 1 == side.nodes) return Fan::open;
   return side.edges.size() == side.nodes && are_neighbours(side, side.owner.back(), side.owner.front())
              ? std::optional(Fan::closed)
@@ -100,65 +109,31 @@ std::string parameters_of(const Description& family, const Sum& size) {
   return parameters;
 }
 
-/// The head of a header up to the comment of its look-up.
-std::string head_of(const Description& family, const std::string& includes, const char* what) {
+/// The look-up of a fan that keeps every port, by the shipped automaton, by masks and by bit strings.
+std::string fan_header(const Description& family) {
+  const bool closed = fan_of(family) == Fan::closed;
+  const Sum size = triangles_after(family);
+  const std::string call = fmt::format("best_{}({}, ", closed ? "collapse" : "fan_collapse", text_of(size));
+  const std::string parameters = parameters_of(family, size);
+  const std::string name = identifier(family.name);
   return fmt::format(
       "// {}\n"
       "// Written by `restrip-generate automaton --operation` from the operation file of {}. Do not edit.\n"
       "// Explained in docs/automaton.md, \"Families of your own\".\n"
       "#pragma once\n\n"
-      "{}\n"
+      "#include \"restrip/rules/exact.hpp\"\n\n"
       "namespace restrip::exact {{\n\n"
-      "/// The best recolouring{}. The numbers of the family in their order: {}; {}.\n",
-      family.about.empty() ? family.name : family.about, family.name, includes, what, fmt::join(family.numbers, ", "),
-      family.range.empty() ? "any" : family.range);
-}
-
-/// The look-up by masks and by bit strings. `kind` begins the names of what they return; `also` is what bit strings
-/// take besides, `passed` the same as an argument.
-std::string functions_of(const Description& family, const Sum& size, const std::string& call, const char* kind,
-                         const char* also, const char* passed) {
-  const std::string parameters = parameters_of(family, size);
-  const std::string name = identifier(family.name);
-  return fmt::format(
-      "constexpr {}Recoloring best_{}({}Word ports, Word joined) noexcept {{\n"
+      "/// The best recolouring that keeps every port. The numbers of the family in their order: {}; {}.\n"
+      "constexpr Recoloring best_{}({}Word ports, Word joined) noexcept {{\n"
       "  return {}ports, joined);\n"
       "}}\n"
       "/// The same for bit strings, which may have any length.\n"
-      "inline {}Value best_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors{}) {{\n"
-      "  return {}ports, joined, colors{});\n"
+      "inline Value best_{}({}BitSpan ports, BitSpan joined, MutableBitSpan colors) {{\n"
+      "  return {}ports, joined, colors);\n"
       "}}\n\n"
       "}}  // namespace restrip::exact\n",
-      kind, name, parameters, call, kind, name, parameters, also, call, passed);
-}
-
-/// The look-up of a fan that keeps every port, by the shipped automaton.
-std::string fan_header(const Description& family) {
-  const bool closed = fan_of(family) == Fan::closed;
-  const Sum size = triangles_after(family);
-  const std::string call = fmt::format("best_{}({}, ", closed ? "collapse" : "fan_collapse", text_of(size));
-  return head_of(family, "#include \"restrip/rules/exact.hpp\"\n", " that keeps every port") +
-         functions_of(family, size, call, "", "", "");
-}
-
-/// The look-up of a row whose ports may be given up, by the automaton of rows.
-std::string row_header(const Description& family) {
-  RowShape shape;
-  try {
-    shape = row_shape_of(family);
-  } catch (const std::runtime_error& error) {
-    refuse(family, error.what());
-  }
-  const Sum size = triangles_after(family);
-  Sum first;  // of all ports less shape.first, or shape.first
-  if (shape.from_end) first = size;
-  first.constant += shape.from_end ? (shape.front ? 1 : 0) + (shape.back ? 1 : 0) - static_cast<int>(shape.first)
-                                   : static_cast<int>(shape.first);
-  const std::string call = fmt::format("best_row<tables::row_automaton>({{{}, {}, {}, {}}}, ", text_of(size),
-                                       shape.front, shape.back, text_of(first));
-  return head_of(family, "#include \"restrip/rules/row.hpp\"\n#include \"restrip/tables/row_automaton.hpp\"\n",
-                 ", which may give ports up") +
-         functions_of(family, size, call, "Row", ", MutableBitSpan kept", ", kept");
+      family.about.empty() ? family.name : family.about, family.name, fmt::join(family.numbers, ", "),
+      family.range.empty() ? "any" : family.range, name, parameters, call, name, parameters, call);
 }
 
 std::string path_of(const Description& family) {
@@ -171,29 +146,20 @@ std::string served_header(const Description& family) {
   if (family.numbers.empty()) refuse(family, "it is an operation with one position");
   if (family.constraint.most_edges != 2) refuse(family, "its solid edges are not strips");
   if (family.own_cost) refuse(family, "it has a cost of its own");
-  return family.gives_all_up ? row_header(family) : fan_header(family);
+  if (family.gives_all_up) refuse(family, "it may give ports up");
+  return fan_header(family);
 }
 
 void make_served_headers(const std::vector<std::string>& files, const std::string& out) {
   std::vector<files::NamedBytes> made;
   std::vector<std::filesystem::path> paths;
-  const auto add = [&](const std::string& path, std::string text) {
-    paths.emplace_back(path);
-    made.push_back({path, std::move(text)});
-  };
-  bool rows = false;
   for (const std::string& file : files)
     for (const Description& family : read_descriptions(file)) {
       if (std::count(paths.begin(), paths.end(), path_of(family)) != 0)
         throw std::runtime_error(fmt::format("{}: another of these files is named {} as well", file, family.name));
-      add(path_of(family), served_header(family));
-      rows |= family.gives_all_up;
+      paths.emplace_back(path_of(family));
+      made.push_back({paths.back(), served_header(family)});
     }
-  if (rows) {
-    const Automaton automaton = make_automaton(row_weights);
-    add("include/restrip/tables/row_automaton.hpp", automaton_header(automaton).text);
-    add("certificates/row-automaton.cert", automaton_certificate(automaton).text);
-  }
   files::OutputSet set(out, paths);
   set.write(made);
   for (const files::NamedBytes& file : made) fmt::print("{}\n", file.name.string());

@@ -1,5 +1,4 @@
-// Families of one's own that an automaton answers, the shipped one or that of rows: docs/automaton.md, "Families of
-// your own".
+// Families of one's own that the shipped automaton answers: docs/automaton.md, "Families of your own".
 #pragma once
 
 #include <string>
@@ -9,12 +8,11 @@
 
 namespace restrip::generator {
 
-/// A header with the look-up of such a family, which asks restrip/rules/exact.hpp or restrip/rules/row.hpp. Throws
-/// std::runtime_error with the reason where no automaton answers the family.
+/// A header with the look-up of such a family, which asks restrip/rules/exact.hpp. Throws std::runtime_error with the
+/// reason if the automaton does not answer the family.
 [[nodiscard]] std::string served_header(const Description& family);
 
-/// Writes that of every description in these files, and the automaton of rows with its certificate where one of them
-/// asks it; all at once, and says so on standard output.
+/// Writes that of every description in these files, all at once, and says so on standard output.
 void make_served_headers(const std::vector<std::string>& files, const std::string& out);
 
 }  // namespace restrip::generator

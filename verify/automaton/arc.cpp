@@ -11,7 +11,7 @@ class TurningArc {
 
   bool degrees_legal() const {
     for (std::size_t i = 0; i < word_.size(); ++i)
-      if (degree(i) > (is_boundary(word_[i]) ? 0 : is_end_port(word_[i]) ? 1 : 2)) return false;
+      if (degree(i) > (is_boundary(word_[i]) ? 0 : 2)) return false;
     return true;
   }
 
@@ -19,12 +19,10 @@ class TurningArc {
   bool joins_only_what_it_may() const {
     for (std::size_t i = 0; i < word_.size(); ++i) {
       if (!has_port(word_[i])) continue;
-      bool passed = false;  // a port given up, so that those at the ends of the strand do not follow each other
       for (std::size_t at = i; at + 1 < word_.size() && solid(at + 1);) {
         ++at;
-        passed |= word_[at] == given_up_letter;
         if (!has_port(word_[at])) continue;
-        if (passed || !is_joined(word_[at])) return false;
+        if (!is_joined(word_[at])) return false;
         break;
       }
     }
@@ -35,8 +33,7 @@ class TurningArc {
     int cost = 0;
     for (std::size_t i = 0; i < word_.size(); ++i) {
       if (solid(i)) cost -= weights.restart;
-      if (degree(i) == 0 && !is_boundary(word_[i])) cost += is_end_port(word_[i]) ? weights.given_up : weights.isolated;
-      if (word_[i] == given_up_letter) cost += weights.restart + weights.given_up;
+      if (degree(i) == 0 && !is_boundary(word_[i])) cost += weights.isolated;
       const int corner = passed_about(i);
       if (corner == nowhere) continue;
       if (i > 0 && solid(i) && passed_about(i - 1) == corner) cost += weights.swap;
@@ -55,10 +52,7 @@ class TurningArc {
   static constexpr int hub = -1;
 
   bool solid(std::size_t link) const { return is_solid(links_, static_cast<unsigned>(link)); }
-  int degree(std::size_t i) const {
-    const bool own_port = has_port(word_[i]) && !is_end_port(word_[i]);
-    return (solid(i) ? 1 : 0) + (solid(i + 1) ? 1 : 0) + (own_port ? 1 : 0);
-  }
+  int degree(std::size_t i) const { return (solid(i) ? 1 : 0) + (solid(i + 1) ? 1 : 0) + (has_port(word_[i]) ? 1 : 0); }
 
   int passed_about(std::size_t i) const {
     if (degree(i) != 2) return nowhere;
@@ -83,11 +77,10 @@ class TurningArc {
   char reach(std::size_t at, bool rightwards) const {
     if (has_port(word_[at])) return 'p';
     if (!solid(rightwards ? at + 1 : at)) return 'e';
-    for (bool passed = false;;) {
-      passed |= word_[at] == given_up_letter;
+    for (;;) {
       if (rightwards ? at + 1 == word_.size() : at == 0) return 't';
       at = rightwards ? at + 1 : at - 1;
-      if (has_port(word_[at])) return passed ? 'o' : 'q';
+      if (has_port(word_[at])) return 'q';
       if (!solid(rightwards ? at + 1 : at)) return 'f';
     }
   }
@@ -100,7 +93,6 @@ class TurningArc {
 
 std::optional<std::size_t> number_of(Case c) {
   if (c == Case{'t', 't'}) return through;
-  if (c == Case{'-', 'o'}) return over;
   const std::size_t left = reaches.find(c.left);
   const std::size_t right = reaches.find(c.right);
   if (left == std::string_view::npos || right == std::string_view::npos) return {};

@@ -4,9 +4,6 @@
 // solid edge is a swap when the strip passes both of its triangles about the same corner.
 //
 // Where swaps have no price, turns are not told apart: there are fewer letters, and fewer cases.
-//
-// Where ports may be given up an arc is a row: its left link is dashed, and at its ends may be ports, each a node with
-// one link, which is the port.
 
 #include <array>
 #include <compare>
@@ -19,13 +16,11 @@
 
 namespace restrip::verify {
 
-/// The weights of a strip, of a swap, of an isolated triangle, and of a port given up: 0 where all are kept.
+/// The weights of a strip, of a swap and of an isolated triangle.
 struct Weights {
   int restart = 0;
   int swap = 0;
   int isolated = 0;
-  int given_up = 0;
-  constexpr bool gives_up() const { return given_up != 0; }
   constexpr bool tells_turns() const { return swap != 0; }
   friend bool operator==(const Weights&, const Weights&) = default;
 };
@@ -34,23 +29,10 @@ inline constexpr Weights strips_weights{1000, 0, 1};
 
 /// The letters of arcs: a triangle whose port is dashed; solid, and the strip ends behind it; solid, and the strip goes
 /// on about the corner of the port at the left or at the right link. Capitals: joined to the solid port before it. And
-/// the boundary of the mesh. Where turns are not told apart, `s` and `S` stand for any solid port. In rows `p` and `P`
-/// are solid ports at their ends.
-constexpr std::string_view letters_of(const Weights& weights) {
-  if (weights.gives_up()) return "dsSpP";
-  return weights.tells_turns() ? "dslrSLRb" : "dsSb";
-}
-/// In the word of a colouring, a triangle whose solid port is given up.
-inline constexpr char given_up_letter = 'g';
-/// What the triangle of a letter may be in a colouring.
-constexpr std::string_view readings_of(char letter, const Weights& weights) {
-  constexpr std::string_view readings = "dsgSgpPlrLRb";
-  const bool may_give_up = weights.gives_up() && (letter == 's' || letter == 'S');
-  return readings.substr(readings.find(letter), may_give_up ? 2 : 1);
-}
+/// the boundary of the mesh. Where turns are not told apart, `s` and `S` stand for any solid port.
+constexpr std::string_view letters_of(const Weights& weights) { return weights.tells_turns() ? "dslrSLRb" : "dsSb"; }
 constexpr bool is_boundary(char letter) { return letter == 'b'; }
-constexpr bool is_end_port(char letter) { return letter == 'p' || letter == 'P'; }
-constexpr bool has_port(char letter) { return letter != 'd' && letter != given_up_letter && !is_boundary(letter); }
+constexpr bool has_port(char letter) { return letter != 'd' && !is_boundary(letter); }
 constexpr bool is_joined(char letter) { return letter >= 'A' && letter <= 'Z'; }
 inline bool has_boundary(std::string_view word) { return word.find('b') != std::string_view::npos; }
 /// The solid ports of an arc, by the letters that do not tell turns.
@@ -62,7 +44,7 @@ std::string end_ports(std::string_view word);
 /// What the strands over the two links of an arc do, a character for each: `-` dashed; `e` it ends in the end triangle;
 /// `p` it leaves by the port of the end triangle; `f` it goes on along the fan and ends; `q` it goes on along the fan
 /// and leaves by a port; `t` it leaves by the other link. Where turns are not told apart `e` stands for `f` as well,
-/// and `p` for `q`; in rows there is `o`, over a port given up and out by one beyond it.
+/// and `p` for `q`.
 struct Case {
   char left = '-';
   char right = '-';
@@ -70,15 +52,13 @@ struct Case {
   std::string text() const { return {left, right}; }
 };
 
-/// Cases are numbered left reach first, in the order of `reaches`; then come `tt` and `-o`.
+/// Cases are numbered left reach first, in the order of `reaches`; then comes `tt`.
 inline constexpr std::string_view reaches = "-epfq";
-inline constexpr std::size_t case_count = 27;
+inline constexpr std::size_t case_count = 26;
 inline constexpr std::size_t both_dashed = 0;
 inline constexpr std::size_t through = 25;
-inline constexpr std::size_t over = 26;
 constexpr Case case_at(std::size_t number) {
   if (number == through) return {'t', 't'};
-  if (number == over) return {'-', 'o'};
   return {reaches[number / reaches.size()], reaches[number % reaches.size()]};
 }
 /// The place of a case among all; nullopt for anything else.
@@ -96,8 +76,7 @@ Costs shifted(Costs costs, int by);
 struct ArcColoring {
   bool sound = false;  ///< degrees at most two, no edge over the boundary, no ports joined but those that letters join
   std::size_t arc_case = 0;
-  /// The right link is not counted, it is the left link of what follows. A solid edge saves a strip, and what a port
-  /// given up costs is its own.
+  /// The right link is not counted, it is the left link of what follows. A solid edge saves a strip.
   int cost = 0;
 };
 /// The other members say nothing of a colouring that is not sound.

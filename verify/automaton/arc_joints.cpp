@@ -5,10 +5,8 @@
 namespace restrip::verify {
 
 ArcJoints::ArcJoints(std::size_t longest, const Weights& weights)
-    : telling_{100, weights.tells_turns() ? 1 : 0, 10000, weights.gives_up() ? 1000000 : 0},
-      joints_(3 * case_count * case_count) {
-  const std::string letters =
-      std::string(letters_of(telling_)) + (weights.gives_up() ? std::string(1, given_up_letter) : "");
+    : telling_{100, weights.tells_turns() ? 1 : 0, 10000}, joints_(2 * case_count * case_count) {
+  const std::string_view letters = letters_of(telling_);
   std::vector<std::string> words{""};
   for (std::size_t length = 1; length <= longest; ++length) {
     std::vector<std::string> longer;
@@ -18,7 +16,7 @@ ArcJoints::ArcJoints(std::size_t longest, const Weights& weights)
     words = std::move(longer);
     if (length < 2) continue;
     for (const std::string& word : words)
-      for (Mask links = 0; links < mask_count(static_cast<unsigned>(length) + 1); links += weights.gives_up() ? 2U : 1U)
+      for (Mask links = 0; links < mask_count(static_cast<unsigned>(length) + 1); ++links)
         observe(word, links, length < longest);
   }
 }

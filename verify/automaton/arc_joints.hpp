@@ -35,7 +35,7 @@ class ArcJoints {
 
  private:
   static std::size_t place(std::size_t arc_case, std::size_t own_case, char letter) {
-    return 3 * (case_count * arc_case + own_case) + (letter == given_up_letter ? 2U : is_joined(letter) ? 1U : 0U);
+    return 2 * (case_count * arc_case + own_case) + (is_joined(letter) ? 1U : 0U);
   }
   void observe(const std::string& word, Mask links, bool may_be_new);
 

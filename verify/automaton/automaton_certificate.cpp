@@ -20,14 +20,12 @@ constexpr std::array<const char*, 1> row_claim_words = {"rows"};
 /// Reads the rows of one section after the other, and counts them.
 class Parser {
  public:
-  Parser(LineReader& reader, AutomatonCertificate& result, bool rows) : reader_(reader), result_(result), rows_(rows) {}
+  Parser(LineReader& reader, AutomatonCertificate& result) : reader_(reader), result_(result) {}
 
   std::size_t read() {
     begin_section("cost", "weights");
-    reader_.expect_words(rows_ ? 5 : 4,
-                         rows_ ? "\"weights\" restart swap isolated given_up" : "\"weights\" restart swap isolated");
-    result_.weights = {number_at(1, 1, most_weight), number_at(2, 0, rows_ ? 0 : most_weight),
-                       number_at(3, 0, most_weight), rows_ ? number_at(4, 1, most_weight) : 0};
+    reader_.expect_words(4, "\"weights\" restart swap isolated");
+    result_.weights = {number_at(1, 1, most_weight), number_at(2, 0, most_weight), number_at(3, 0, most_weight)};
     next();
     end_section();
     begin_section("classes", "class");
@@ -35,7 +33,6 @@ class Parser {
     check_targets();
     end_section();
     result_.closings.resize(result_.classes.size());
-    if (rows_) return result_.rows;
     begin_section("closings", "close");
     read_closings();
     end_section();
@@ -92,8 +89,7 @@ class Parser {
   std::size_t case_at(std::size_t word) const {
     const std::string_view text = reader_.words()[word];
     const auto number = text.size() == 2 ? number_of({text[0], text[1]}) : std::nullopt;
-    if (!number || *number == over || (rows_ && *number > number_of({'-', 'p'})))
-      reader_.fail(fmt::format("\"{}\" is no case", text));
+    if (!number) reader_.fail(fmt::format("\"{}\" is no case", text));
     return *number;
   }
 
@@ -120,8 +116,8 @@ class Parser {
     if (made.witness.find_first_not_of(letters) != std::string::npos ||
         std::count_if(made.witness.begin(), made.witness.end(), is_boundary) > 1 || made.witness.empty() != (c == 0))
       reader_.fail(fmt::format("\"{}\" is no witness of class {}", witness, c));
-    made.as_first = line_at(3, c != 0 && !rows_ && !made.has_boundary(), meeting_rows_);
-    made.as_second = line_at(4, c != 0 && !rows_, meeting_columns_);
+    made.as_first = line_at(3, c != 0 && !made.has_boundary(), meeting_rows_);
+    made.as_second = line_at(4, c != 0, meeting_columns_);
     next();
     std::optional<std::size_t> last;
     for (; reader_.starts_with("value"); next()) {
@@ -152,17 +148,13 @@ class Parser {
     step.cost = number_at(4, -most_cost, most_cost);
     next();
     for (; reader_.starts_with("from"); next()) {
-      const bool given = rows_ && readings_of(letter, result_.weights).size() > 1 && reader_.words().size() == 6;
-      reader_.expect_words(given ? 6 : 5, "\"from\" class letter case case");
-      if (given && reader_.words()[5] != "given")
-        reader_.fail(fmt::format("expected \"given\", found \"{}\"", reader_.words()[5]));
+      reader_.expect_words(5, "\"from\" class letter case case");
       expect_number(1, c);
       expect_letter(2, letter);
       const std::size_t after = case_at(3);
       if (high_part(given_.back(), static_cast<unsigned>(after)) != 0)
         reader_.fail("expected origins in the order of cases");
       step.from[after] = case_at(4);
-      if (given) step.given_up |= single(static_cast<unsigned>(after));
       given_.back() |= single(static_cast<unsigned>(after));
     }
   }
@@ -217,7 +209,6 @@ class Parser {
 
   LineReader& reader_;
   AutomatonCertificate& result_;
-  bool rows_;
   std::string section_;
   std::size_t section_start_ = 0;  ///< rows before it
   std::size_t claimed_ = 0;
@@ -228,13 +219,11 @@ class Parser {
 
 }  // namespace
 
-std::string name_of(AutomatonOf what) { return what == AutomatonOf::rows ? "row-automaton" : "automaton"; }
-
-AutomatonCertificate parse_automaton(const std::string& file, std::string text, AutomatonOf what) {
+AutomatonCertificate parse_automaton(const std::string& file, std::string text) {
   AutomatonCertificate result;
   result.file = file;
-  parse_form(file, std::move(text), family_head(name_of(what)),
-             [&](LineReader& reader) { return Parser(reader, result, what == AutomatonOf::rows).read(); });
+  parse_form(file, std::move(text), family_head("automaton"),
+             [&](LineReader& reader) { return Parser(reader, result).read(); });
   return result;
 }
 

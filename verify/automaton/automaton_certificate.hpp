@@ -16,7 +16,6 @@ struct AutomatonStep {
   std::size_t to = 0;
   int cost = 0;
   std::array<std::size_t, case_count> from{};  ///< for each case that `to` has
-  Mask given_up = 0;                           ///< those for which the letter's port is given up
   unsigned line = 0;
 };
 
@@ -63,12 +62,7 @@ struct AutomatonCertificate {
   }
 };
 
-/// The automaton of fans, which keeps all ports, or that of rows, which may give them up.
-enum class AutomatonOf { fans, rows };
-/// "automaton" or "row-automaton", the family that a certificate names.
-std::string name_of(AutomatonOf what);
-
 /// InputError when anything is not as docs/automaton.md says.
-AutomatonCertificate parse_automaton(const std::string& file, std::string text, AutomatonOf what = AutomatonOf::fans);
+AutomatonCertificate parse_automaton(const std::string& file, std::string text);
 
 }  // namespace restrip::verify

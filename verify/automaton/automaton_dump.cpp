@@ -27,40 +27,11 @@ std::uint64_t coded(const AutomatonClass& c, std::size_t number, bool tells_turn
   return place;
 }
 
-/// The key with the number n of the 3^k keys of a fan, as the look-up takes it.
-FanKey key_numbered(const FanPlace& place, std::uint64_t n) {
-  return seen_key(written_key(place.k, n, 3), place, false);
-}
-
 class AutomatonDumpReader {
  public:
   AutomatonDumpReader(StreamLines& lines, const AutomatonCertificate& certificate, unsigned max_k,
                       AutomatonDumpCheck& check)
       : lines_(lines), certificate_(certificate), max_k_(max_k), check_(check) {}
-
-  /// Of the automaton of rows.
-  void run(const std::vector<RowOperation>& operations) {
-    lines_.expect("restrip-automaton-dump 2");
-    const std::size_t numbers = letters_of(certificate_.weights).size() * certificate_.classes.size();
-    const NumbersOf next = array("next", numbers);
-    const NumbersOf before = array("before", numbers);
-    for (std::size_t c = 0; c < certificate_.classes.size(); ++c) compare_class(c, next, before, {});
-    for (const RowOperation& at : operations) {
-      std::string head = fmt::format("answers {}", at.operation.family);
-      for (const auto number : at.operation.numbers) head += fmt::format(" {}", number);
-      read_answers(head, at.operation.ports(), [&](std::uint64_t n, std::uint64_t& digest, std::uint64_t& told) {
-        // The ports are in cyclic order, as those of a closed fan.
-        const FanKey key = key_numbered({"collapse", at.operation.ports(), 0, 0}, n);
-        const RowAnswer answer = row_answer(certificate_, at.row, key.ports, key.joined);
-        const Mask inner = inner_of(at.row, answer.links);
-        digest = (digest * 1000003 + answer.links) * 1000003 + answer.kept;
-        told = told * 1000003 + std::uint64_t{4096} * solid_count(inner) +
-               std::uint64_t{64} * isolated_of(at.operation.after, {inner, answer.kept}) +
-               solid_count(key.ports & ~answer.kept);
-      });
-    }
-    lines_.expect_last(fmt::format("end {}", entries_));
-  }
 
   void run() {
     lines_.expect("restrip-automaton-dump 2");
@@ -112,9 +83,8 @@ class AutomatonDumpReader {
       const AutomatonClass& to = certificate_.classes[step->to];
       for (std::size_t i = 0; i < case_count; ++i)
         if (to.costs[i])
-          compare(four_bits(before[place], coded(to, i, turns)),
-                  coded(stated, step->from[i], turns) + (is_solid(step->given_up, static_cast<unsigned>(i)) ? 4U : 0U),
-                  step->line, where("before"));
+          compare(four_bits(before[place], coded(to, i, turns)), coded(stated, step->from[i], turns), step->line,
+                  where("before"));
     }
     if (const auto& closing = certificate_.closings[c])
       compare(closed[c], coded(stated, closing->arc, turns), closing->line,
@@ -149,31 +119,25 @@ class AutomatonDumpReader {
       if (place.family.ends_with("split")) head += fmt::format(" {}", place.a);
       if (place.family == "open-split") head += fmt::format(" {}", place.b);
       const Side patch = patch_after(place);
-      read_answers(head, place.k, [&](std::uint64_t n, std::uint64_t& digest, std::uint64_t& told) {
-        const FanKey key = key_numbered(place, n);
+      std::uint64_t keys = 1;
+      for (unsigned i = 0; i < place.k; ++i) keys *= 3;
+      head += fmt::format(" keys {} digest ", keys);
+      const std::string_view line = lines_.next(head);
+      if (!line.starts_with(head)) lines_.fail(fmt::format("expected \"{}\" and a digest, found \"{}\"", head, line));
+      ++entries_;
+      std::uint64_t digest = 0;
+      std::uint64_t told = 0;
+      for (std::uint64_t n = 0; n < keys; ++n) {
+        const FanKey key = seen_key(written_key(place.k, n, 3), place, false);
         const Mask inner = certified.answer(place, key).inner;
         digest = digest * 1000003 + inner;
         told = told * 1000003 + std::uint64_t{64} * solid_count(inner) + isolated_of(patch, {inner, key.ports});
-      });
+      }
+      check_.keys += keys;
+      if (const std::string right = fmt::format("{}{:x} told {:x}", head, digest, told); line != right)
+        check_.wrong_answers.add(fmt::format("line {}: the certificate's answers make it\n  {}\nfound\n  {}\n",
+                                             lines_.number(), right, line));
     }
-  }
-
-  /// The line of a position with so many ports; add(n, digest, told) takes in the answer to key n.
-  template <class Add>
-  void read_answers(const std::string& position, unsigned ports, const Add& add) {
-    std::uint64_t keys = 1;
-    for (unsigned i = 0; i < ports; ++i) keys *= 3;
-    const std::string head = fmt::format("{} keys {} digest ", position, keys);
-    const std::string_view line = lines_.next(head);
-    if (!line.starts_with(head)) lines_.fail(fmt::format("expected \"{}\" and a digest, found \"{}\"", head, line));
-    ++entries_;
-    std::uint64_t digest = 0;
-    std::uint64_t told = 0;
-    for (std::uint64_t n = 0; n < keys; ++n) add(n, digest, told);
-    check_.keys += keys;
-    if (const std::string right = fmt::format("{}{:x} told {:x}", head, digest, told); line != right)
-      check_.wrong_answers.add(
-          fmt::format("line {}: the certificate's answers make it\n  {}\nfound\n  {}\n", lines_.number(), right, line));
   }
 
   StreamLines& lines_;
@@ -191,18 +155,6 @@ AutomatonDumpCheck check_automaton_dump(std::FILE* stream, const AutomatonCertif
   return found_in<AutomatonDumpCheck>(stream, [&](StreamLines& lines, AutomatonDumpCheck& check) {
     AutomatonDumpReader(lines, certificate, max_k, check).run();
   });
-}
-
-AutomatonDumpCheck check_row_dump(std::FILE* stream, const AutomatonCertificate& certificate,
-                                  const std::vector<RowOperation>& operations) {
-  return found_in<AutomatonDumpCheck>(stream, [&](StreamLines& lines, AutomatonDumpCheck& check) {
-    AutomatonDumpReader(lines, certificate, 0, check).run(operations);
-  });
-}
-
-AutomatonDumpCheck check_row_dump_of(const std::string& program, const AutomatonCertificate& certificate,
-                                     const std::vector<RowOperation>& operations) {
-  return checked_output_of(program, [&](std::FILE* stream) { return check_row_dump(stream, certificate, operations); });
 }
 
 AutomatonDumpCheck check_automaton_dump_of(const std::string& program, const AutomatonCertificate& certificate,

@@ -6,10 +6,8 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
-#include <vector>
 
 #include "automaton/automaton_certificate.hpp"
-#include "automaton/row.hpp"
 #include "judge/report.hpp"
 
 namespace restrip::verify {
@@ -25,14 +23,8 @@ struct AutomatonDumpCheck {
 /// Reads a dump with the answers of fans of up to `max_k` triangles to its end.
 AutomatonDumpCheck check_automaton_dump(std::FILE* stream, const AutomatonCertificate& certificate, unsigned max_k);
 
-/// Reads a dump of the automaton of rows, with the answers of these operations.
-AutomatonDumpCheck check_row_dump(std::FILE* stream, const AutomatonCertificate& certificate,
-                                  const std::vector<RowOperation>& operations);
-
 /// Runs the program and checks what it prints.
 AutomatonDumpCheck check_automaton_dump_of(const std::string& program, const AutomatonCertificate& certificate,
                                            unsigned max_k);
-AutomatonDumpCheck check_row_dump_of(const std::string& program, const AutomatonCertificate& certificate,
-                                     const std::vector<RowOperation>& operations);
 
 }  // namespace restrip::verify

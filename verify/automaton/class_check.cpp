@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdlib>
 #include <deque>
 #include <optional>
 
@@ -16,10 +15,6 @@ constexpr std::size_t longest_kind = 100;
 
 /// They depend on no certificate.
 const ArcJoints& all_joints(const Weights& weights) {
-  if (weights.gives_up()) {
-    static const ArcJoints of_rows(longest_joint, {1, 0, 0, 1});
-    return of_rows;
-  }
   static const ArcJoints without_turns(longest_joint, {1, 0, 0});
   if (!weights.tells_turns()) return without_turns;
   static const ArcJoints with_turns(longest_joint, {1, 1, 0});
@@ -81,10 +76,7 @@ ClassCheck::ClassCheck(const AutomatonCertificate& certificate, unsigned every)
   claims_[joints].failures = joints_.failures();
   check_witnesses();
   explore();
-  if (certificate.weights.gives_up())
-    check_order();
-  else
-    check_meetings(every);
+  check_meetings(every);
 }
 
 void ClassCheck::fail(Which which, unsigned line, const std::string& what) {
@@ -101,33 +93,6 @@ void ClassCheck::check_witnesses() {
     else if (*shortest[c] != stated.witness)
       fail(witnesses, stated.line,
            fmt::format("wrong witness: {} for class {}, the shortest is {}", stated.witness, c, *shortest[c]));
-  }
-}
-
-/// Numbers of the certificate are added and compared three at a time at most, and each must be few triangles and ports
-/// away from whole strips: then comparing sums is comparing strips, then isolated triangles and ports given up, then
-/// ports given up.
-void ClassCheck::check_order() {
-  constexpr int few = 4;
-  claims_.resize(order);
-  claims_.push_back({"fewer strips come first, then fewer isolated and given up", "all numbers of the rows", 0, {}});
-  const Weights& weights = certificate_.weights;
-  const int one = weights.given_up - weights.isolated;  // what a port given up costs more than an isolated triangle
-  if (one < 1 || weights.isolated <= 6 * few * one || weights.restart <= 6 * few * (weights.isolated + one))
-    fail(order, 0, "wrong weights: the criteria are not told apart");
-  const auto nearest = [](int number, int unit) { return (number + (number < 0 ? -unit : unit) / 2) / unit; };
-  const auto test = [&](int cost, unsigned line) {
-    ++claims_[order].cases;
-    const int below_strips = cost - weights.restart * nearest(cost, weights.restart);
-    const int second = nearest(below_strips, weights.isolated);
-    if (std::abs(second) > few || std::abs(below_strips - weights.isolated * second) > few * one)
-      fail(order, line, fmt::format("{} is too far from whole strips", cost));
-  };
-  for (const AutomatonClass& c : certificate_.classes) {
-    for (const auto& cost : c.costs)
-      if (cost) test(*cost, c.line);
-    for (const auto& step : c.steps)
-      if (step) test(step->cost, step->line);
   }
 }
 
@@ -163,40 +128,37 @@ std::size_t ClassCheck::place_of(const std::string& word, const Costs& absolute,
   return place->second;
 }
 
-/// An arc with one letter more, and the cases without the letter that its least costs come from, its port kept or given
-/// up.
+/// An arc with one letter more, and the cases without the letter that its least costs come from.
 struct ClassCheck::Longer {
   Costs costs;
-  std::array<std::array<Mask, 2>, case_count> from{};
+  std::array<Mask, case_count> from{};
 
-  void offer(std::size_t c, std::size_t before, bool given, int cost) {
+  void offer(std::size_t c, std::size_t before, int cost) {
     if (costs[c] && *costs[c] < cost) return;
-    if (!costs[c] || *costs[c] > cost) from[c] = {};
+    if (!costs[c] || *costs[c] > cost) from[c] = 0;
     costs[c] = cost;
-    from[c][given ? 1 : 0] |= single(static_cast<unsigned>(before));
+    from[c] |= single(static_cast<unsigned>(before));
   }
 };
 
 ClassCheck::Longer ClassCheck::longer(const ArcKind& arc, char letter) const {
   Longer result;
-  for (const char own : readings_of(letter, certificate_.weights))
-    for (Mask links = 0; links < mask_count(2); ++links) {
-      const ArcColoring alone = arc_coloring(std::string(1, own), links, certificate_.weights);
-      if (!alone.sound) continue;
-      for (std::size_t before = 0; before < case_count; ++before) {
-        if (!arc.costs[before]) continue;
-        if (arc.word.empty()) {
-          // The two links of the empty arc are one edge.
-          if ((before == both_dashed) == !is_solid(links, 0))
-            result.offer(alone.arc_case, before, own == given_up_letter, alone.cost);
-          continue;
-        }
-        const auto& joint = joints_.at(before, alone.arc_case, own);
-        if (!joint || !joint->sound) continue;
-        result.offer(joint->arc_case, before, own == given_up_letter,
-                     *arc.costs[before] + alone.cost + (joint->swap ? certificate_.weights.swap : 0));
+  for (Mask links = 0; links < mask_count(2); ++links) {
+    const ArcColoring alone = arc_coloring(std::string(1, letter), links, certificate_.weights);
+    if (!alone.sound) continue;
+    for (std::size_t before = 0; before < case_count; ++before) {
+      if (!arc.costs[before]) continue;
+      if (arc.word.empty()) {
+        // The two links of the empty arc are one edge.
+        if ((before == both_dashed) == !is_solid(links, 0)) result.offer(alone.arc_case, before, alone.cost);
+        continue;
       }
+      const auto& joint = joints_.at(before, alone.arc_case, letter);
+      if (!joint || !joint->sound) continue;
+      result.offer(joint->arc_case, before,
+                   *arc.costs[before] + alone.cost + (joint->swap ? certificate_.weights.swap : 0));
     }
+  }
   return result;
 }
 
@@ -219,8 +181,7 @@ void ClassCheck::check_step(std::size_t at, char letter) {
     if (!certificate_.classes[step.to].costs[c]) continue;
     ++claims_[origins].cases;
     const std::size_t before = step.from[c];
-    const bool given = is_solid(step.given_up, static_cast<unsigned>(c));
-    if (!is_solid(next_arc.from[c][given ? 1 : 0], static_cast<unsigned>(before)) || !states(arc, before))
+    if (!is_solid(next_arc.from[c], static_cast<unsigned>(before)) || !states(arc, before))
       fail(origins, step.line,
            fmt::format("wrong origin: no best colouring of {} with case {} has case {} before its last letter", word,
                        case_at(c).text(), case_at(before).text()));
@@ -230,7 +191,7 @@ void ClassCheck::check_step(std::size_t at, char letter) {
 void ClassCheck::explore() {
   Costs empty;
   empty[both_dashed] = 0;
-  if (!certificate_.weights.gives_up()) empty[through] = 0;
+  empty[through] = 0;
   place_of("", empty, 0);
   if (arcs_[0].offset != 0) fail(values, certificate_.classes[0].line, "wrong value: the empty arc costs nothing");
   for (std::size_t at = 0; at < arcs_.size(); ++at)

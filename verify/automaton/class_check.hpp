@@ -45,11 +45,10 @@ class ClassCheck {
   const std::vector<ArcKind>& arcs() const { return arcs_; }
 
  private:
-  enum Which : std::size_t { joints, witnesses, values, costs, origins, meetings, closings, order = meetings };
+  enum Which : std::size_t { joints, witnesses, values, costs, origins, meetings, closings };
   struct Longer;
 
   void check_witnesses();
-  void check_order();
   void explore();
   /// The place of an arc among all; it is new when nothing like it was seen.
   std::size_t place_of(const std::string& word, const Costs& absolute, std::size_t arc_class);

@@ -62,14 +62,8 @@ int main(int argc, char** argv) {
       "  cc restrip_automaton_check.c -o check_automaton\n"
       "  restrip-verify-automaton --tables-dir SOURCE/tables --digest-command ./check_automaton\n"
       "An automaton of another cost, alone in its folder:\n"
-      "  build/release/bin/restrip-verify-automaton --tables-dir DIR\n"
-      "Rows of a family whose ports may be given up:\n"
-      "  build/release/bin/restrip-verify-automaton --operation FILE --tables-dir DIR");
+      "  build/release/bin/restrip-verify-automaton --tables-dir DIR");
   app.add_option("--tables-dir", options.tables_dir, "The folder with certificates/")->capture_default_str();
-  app.add_option(
-      "--operation", options.operation,
-      "A family of your own (operation file): the automaton of rows in the folder is checked, and its answers "
-      "for the family");
   app.add_option("--dump-command", options.dump_command,
                  "A program that prints the compiled automaton; its numbers and answers are compared");
   CLI::Option* const digest_command =
@@ -85,8 +79,7 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->check(CLI::Range(3U, largest_judged_fan));
   app.add_option("--max-k", options.max_k,
-                 "The largest fans that are searched as a whole; 0: 10, or 6 where swaps have a price; of a family, "
-                 "positions whose first number is at most this, by default 8")
+                 "The largest fans that are searched as a whole; 0: 10, or 6 where swaps have a price")
       ->capture_default_str()
       ->check(CLI::Range(0, 12));
   app.add_option(
@@ -99,14 +92,11 @@ int main(int argc, char** argv) {
   add_json_option(app, json);
   return exit_code_of(app, argc, argv, [&] {
     // What the other options ask for is then not done: that is no way to ignore them.
-    for (const char* name : {"--operation", "--tables-dir", "--dump-command", "--digest-command", "--digest-max-k",
-                             "--tables-max-k", "--max-k", "--every", "--json"})
+    for (const char* name : {"--tables-dir", "--dump-command", "--digest-command", "--digest-max-k", "--tables-max-k",
+                             "--max-k", "--every", "--json"})
       if (facts && !app.get_option(name)->empty())
         throw std::invalid_argument(
             fmt::format("--facts reads and searches nothing, so {} has no effect; leave it out", name));
-    for (const char* name : {"--tables-max-k", "--every", "--digest-command"})
-      if (!options.operation.empty() && !app.get_option(name)->empty())
-        throw std::invalid_argument(fmt::format("{} has no effect with --operation; leave it out", name));
     if (!facts) return run(options, json);
     fmt::print("{}", table_of(facts_of_every_fan()));
     return all_claims_hold;

@@ -9,7 +9,6 @@
 #include "automaton/automaton_dump.hpp"
 #include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
-#include "automaton/row.hpp"
 #include "judge/position_check.hpp"
 #include "model/input.hpp"
 #include "model/quantity.hpp"
@@ -64,35 +63,12 @@ void tell_dump(AutomatonDumpCheck dump, unsigned max_k, AutomatonTotals& totals,
               dump.keys, dump.wrong_answers);
 }
 
-AutomatonTotals verify_rows(const AutomatonOptions& options, const ClaimListener& listener) {
-  AutomatonTotals totals;
-  ClaimTeller teller(totals, listener);
-  const unsigned max_k = options.max_k == 0 ? largest_fan : options.max_k;
-  std::vector<RowOperation> operations;
-  for (const Description& family : parse_descriptions(options.operation, read_file(options.operation)))
-    for (RowOperation& operation : row_operations_of(family, max_k)) operations.push_back(std::move(operation));
-  const std::string path = certificate_of(options, name_of(AutomatonOf::rows));
-  const AutomatonCertificate certificate = parse_automaton(path, read_file(path), AutomatonOf::rows);
-  tell_classes(certificate, 1, totals, teller);
-  // Answers are read through steps that belong together only if all of that holds.
-  if (totals.failed != 0) return totals;
-  if (!options.dump_command.empty())
-    tell_dump(check_row_dump_of(options.dump_command, certificate, operations), max_k, totals, teller);
-  for (const RowOperation& operation : operations) {
-    const RowCheck check = check_row(certificate, operation);
-    teller.tell(fmt::format("every answer of {} is sound and best", operation.operation.name()),
-                "all configurations, worlds and recolourings", check.keys, check.failures);
-  }
-  return totals;
-}
-
 }  // namespace
 
 AutomatonTotals verify_automaton(const AutomatonOptions& options, const ClaimListener& listener) {
-  if (!options.operation.empty()) return verify_rows(options, listener);
   AutomatonTotals totals;
   ClaimTeller teller(totals, listener);
-  const std::string path = certificate_of(options, name_of(AutomatonOf::fans));
+  const std::string path = certificate_of(options, "automaton");
   const AutomatonCertificate certificate = parse_automaton(path, read_file(path));
   const bool turns = certificate.weights.tells_turns();
   tell_classes(certificate, turns ? options.every : 1, totals, teller);

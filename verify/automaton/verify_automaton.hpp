@@ -11,14 +11,11 @@ namespace restrip::verify {
 
 struct AutomatonOptions {
   std::string tables_dir = "tables";
-  /// A file with a family that the automaton of rows answers: that one is checked, for it. Empty: the automaton of
-  /// fans.
-  std::string operation;
   std::string dump_command;                    ///< prints the compiled automaton; empty: it is not read
   std::vector<std::string> digest_commands;    ///< programs that print digests of what look-ups answer
   unsigned digest_max_k = largest_digest_fan;  ///< the largest fans of digests
   unsigned tables_max_k = largest_fan;  ///< the largest fans of the other certificates, and of the answers of the dump
-  /// The largest fans that are searched; 0: 10, or 6 where swaps have a price, which makes many more keys; 8 for rows.
+  /// The largest fans that are searched; 0: 10, or 6 where swaps have a price, which makes many more keys.
   unsigned max_k = 0;
   /// Only every n-th place of the fans with k > 8 is checked; where swaps have a price, of those with k > 5 and of the
   /// kinds of first arcs that are paired with all others.

@@ -56,7 +56,6 @@
 #include "restrip/rules/bits.hpp"
 #include "restrip/rules/exact.hpp"
 #include "restrip/rules/key.hpp"
-#include "restrip/rules/row.hpp"
 #include "restrip/rules/rules.hpp"
 #include "restrip/search/anneal.hpp"
 #include "restrip/search/descent.hpp"

@@ -70,16 +70,6 @@
 // **Example.** Split at k = 4, a = 2, ports 0000: both arcs are the letters 0, 0. Their class says that everything
 // may be solid, the meeting that it is, but for one edge: all but one edge of the ring of six.
 //
-// **Rows.** The automaton of rows (`restrip-generate automaton --operation`, docs/automaton.md) has five letters: 0, 1
-// and 2 as with four, where ports 1 and 2 may be given up, and
-//
-//         3          no triangle: a second port of the triangle at an end of the row, solid, `joined` 0
-//         4          the same, its bit in `joined` is 1
-//
-// Reading starts at the end of the row, so left links are dashed and a case is the reach of the right link alone, 0
-// to 2. With its last letter a row has case 0. Bit 2 of a case in `before` says that the letter's port is given up;
-// that of letter 3 or 4 is, when both its links are dashed. Nothing asks for the other arrays.
-//
 // **Complexity.** One table access for each triangle forwards, and one backwards; the accesses backwards do not wait
 // for each other, because the classes are known by then. Steps of two or more triangles can be composed from these
 // tables at compile time.
