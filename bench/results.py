@@ -43,10 +43,6 @@ class Results:
         """The median of the ratios, each of two figures of the same repetition."""
         return statistics.median(a / b for a, b in self.figures(name, above, below))
 
-    def nanoseconds(self, name, field="cpu_time"):
-        unit = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
-        return statistics.median(time * unit[its] for time, its in self.figures(name, field, "time_unit"))
-
     def parts(self, pattern):
         """The groups of each name that matches, in the order of the files, each once."""
         found = (re.fullmatch(pattern, name) for name in self.runs)

@@ -21,13 +21,13 @@ while [ $# -gt 0 ]; do
     --bin) bin=${2:?--bin wants a folder}; shift ;;
     --out) out=${2:?--out wants a folder}; shift ;;
     --tristripper) tristripper=$(realpath "${2:?--tristripper wants a folder}"); shift ;;
-    --only) only+=("${2:?--only wants a program: batch, buffer, draw, level, lookup, operation, programs, replay, scale}"); shift ;;
+    --only) only+=("${2:?--only wants a program: batch, draw, level, replay, scale}"); shift ;;
     *) sed -n '2,12s/^# \{0,1\}//p' "$0"; [ "$1" = --help ] && exit 0; echo "performance.sh: unknown: $1" >&2; exit 2 ;;
   esac
   shift
 done
 out=${out:-build/performance${quick:+-quick}}
-programs=(lookup operation level draw buffer replay batch scale programs)
+programs=(level draw replay batch scale)
 [ ${#only[@]} -gt 0 ] || only=("${programs[@]}")
 for name in "${only[@]}"; do
   [[ " ${programs[*]} " == *" $name "* ]] || { echo "performance.sh: no such program: $name; there are ${programs[*]}" >&2; exit 2; }
@@ -51,8 +51,6 @@ if [ -n "$short" ]; then mixed[0]=--benchmark_repetitions=3 which=(--benchmark_f
 for name in "${only[@]}"; do
   say "measuring: $name"
   case $name in
-    programs) bench/programs.py --bin "$bin" --out "$out/programs.json" "${quick[@]}"; continue ;;
-    lookup) how=(--benchmark_min_time=0.05 "${mixed[@]}") ;;
     scale) how=() ;;  # one mesh at a time, repeated inside
     *) how=("${mixed[@]}") ;;
   esac

@@ -18,7 +18,6 @@ svg.plot { width: 100%; max-width: 760px; min-width: 540px; height: auto; font: 
 .plot .mark { fill: var(--series); stroke: var(--surface); stroke-width: 1; }
 .plot .ring { fill: none; stroke: var(--series); stroke-width: 2; }
 .plot .bar { fill: var(--series); }
-.plot .mark-line { stroke: var(--soft); stroke-dasharray: 2 5; }
 .plot .reference { stroke: var(--ink); stroke-width: 1.5; stroke-dasharray: 5 3; }
 .ours { --series: var(--ours); } .paper { --series: var(--paper); } .scratch { --series: var(--scratch); }
 .member1 .line { stroke-dasharray: 8 3; } .member2 .line { stroke-dasharray: 3 3; }
@@ -181,16 +180,12 @@ def _spot(series, x, y, px, py, a, b, name):
             f"{escaped(y.label)}</title></g>")
 
 
-def line_plot(x, y, series, description, marks=()):
-    """Lines with their names at their ends. `marks`: (x, text) of vertical lines. Empty without a point."""
+def line_plot(x, y, series, description):
+    """Lines with their names at their ends. Empty without a point."""
     points = [p for s in series for p in _shown(x, y, s)]
     if not points:
         return ""
     svg, across, up = _axes(x, y, points, description)
-    for value, text in marks:
-        if across.ticks[0] < value < across.ticks[-1]:
-            svg += _line("mark-line", across.place(value), TOP, across.place(value), BOTTOM)
-            svg += _text("tick", across.place(value) + 4, TOP + 12, "start", text)
     ends = []
     for s in series:
         spots = [(across.place(a), up.place(b), a, b) for a, b in _shown(x, y, s)]
@@ -206,24 +201,6 @@ def line_plot(x, y, series, description, marks=()):
         if not s.markers_only:
             svg += f'<path class="line" d="M{RIGHT + 16:.1f},{at:.1f}h26"/>'
         svg += _marker(s, RIGHT + 29, at) + "</g>" + _text("name", RIGHT + 48, at + 4, "start", s.name)
-    return svg + "</svg>\n"
-
-
-def point_plot(x, y, series, description):
-    """Points with a name next to each."""
-    svg, across, up = _axes(x, y, [p for s in series for p in _shown(x, y, s)], description)
-    taken = []
-    for s in series:
-        svg += f'<g class="{s.family}">'
-        for a, b, name in _shown(x, y, s):
-            px, py = across.place(a), up.place(b)
-            width = 8 + 7 * len(name)  # seven units a letter are enough
-            shift = next((by for by in (0, 15, -15, 30, -30)
-                          if all(abs(py + by - other_y) > 13 or px + width < other_x or other_x + other_width < px
-                                 for other_x, other_y, other_width in taken)), 0)
-            taken.append((px, py + shift, width))
-            svg += _spot(s, x, y, px, py, a, b, name) + _text("name", px + 8, py + shift + 4, "start", name)
-        svg += "</g>\n"
     return svg + "</svg>\n"
 
 

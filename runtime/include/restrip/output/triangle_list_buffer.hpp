@@ -14,7 +14,7 @@
 //
 // Against StripBuffer. A list is the better choice where bytes written and the time of an update count, or vertices are
 // dear and the triangles come in an order made for the vertex cache; strips take half the memory, and their colours are
-// needed for them. bench/buffer.cpp measures both.
+// needed for them. bench/draw.cpp measures both.
 #pragma once
 
 #include <algorithm>
