@@ -5,6 +5,8 @@ foreach(version RANGE 40 14 -1)
   list(APPEND names clang++-${version})
 endforeach()
 find_program(RESTRIP_CLANG NAMES ${names} clang++)
+# For WebAssembly. From version 20 on the target has another name, which older ones do not know, and this one gives a warning.
+set(RESTRIP_WASM_TARGET --target=wasm32-wasi -Wno-deprecated)
 if(CMAKE_TOOLCHAIN_FILE STREQUAL CMAKE_CURRENT_LIST_FILE AND RESTRIP_CLANG)
   set(CMAKE_CXX_COMPILER ${RESTRIP_CLANG})
   string(REPLACE clang++ clang CMAKE_C_COMPILER ${RESTRIP_CLANG})

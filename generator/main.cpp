@@ -1,5 +1,6 @@
 // restrip-generate: writes the tables, their certificates, and the dumps with which others check us.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -230,7 +231,7 @@ int main(int argc, char** argv) {
       dump(chosen, k, stdout);
     }
     if (*describe_command) {
-      const auto* const word = std::find(constraint_words.begin(), constraint_words.end(), described_constraint);
+      const auto word = std::find(constraint_words.begin(), constraint_words.end(), described_constraint);
       const Constraint constraint{static_cast<unsigned>(word - constraint_words.begin()) + 1};
       fmt::print("{}",
                  operation_file_text(position_of(family_named(described_family), numbers, place_options), constraint));

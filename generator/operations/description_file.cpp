@@ -166,7 +166,7 @@ SideForm side_from(const JsonValue& value, const std::vector<std::string>& numbe
 }
 
 Constraint constraint_from(const JsonValue& value) {
-  const auto* const found = std::find(constraint_words.begin(), constraint_words.end(), value.text());
+  const auto found = std::find(constraint_words.begin(), constraint_words.end(), value.text());
   if (found == constraint_words.end()) value.refuse("expected \"strips\", \"matching\" or \"forest\"");
   return {static_cast<unsigned>(found - constraint_words.begin()) + 1};
 }

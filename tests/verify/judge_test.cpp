@@ -2,6 +2,7 @@
 // certificates and dumps, for the operations of the corpus and for random ones.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "judge/table_dump.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // `restrip draw`: a mesh and its strips as a picture, or as the facts from which scripts/pictures.py draws one.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,5 +1,6 @@
 // `restrip replay`: a mesh simplified, and every vertex split played again with its strips kept.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>

@@ -1,6 +1,7 @@
 #include "lod/mesh_files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <system_error>
 #include <utility>

@@ -1,6 +1,7 @@
 #include "lod/mesh_formats.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -133,9 +134,9 @@ std::vector<std::string> MeshFormat::required_extensions(GltfPrimitives with, st
 std::span<const MeshFormat> mesh_formats() { return all_formats; }
 
 const MeshFormat* format_named(std::string_view extension) {
-  const auto* found = std::find_if(all_formats.begin(), all_formats.end(),
-                                   [&](const MeshFormat& format) { return format.extension == extension; });
-  return found == all_formats.end() ? nullptr : found;
+  const auto found = std::find_if(all_formats.begin(), all_formats.end(),
+                                  [&](const MeshFormat& format) { return format.extension == extension; });
+  return found == all_formats.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> extensions_of(FormatCan can) {

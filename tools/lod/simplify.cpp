@@ -1,6 +1,7 @@
 #include "lod/simplify.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>

@@ -1,6 +1,7 @@
 #include "meshes/strip_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "meshes/little_endian.hpp"
 

@@ -1,6 +1,7 @@
 #include "meshes/write_glb.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>

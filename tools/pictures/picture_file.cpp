@@ -1,6 +1,7 @@
 #include "pictures/picture_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "common/bad_input.hpp"
 

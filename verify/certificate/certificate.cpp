@@ -1,6 +1,7 @@
 #include "certificate/certificate.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 #include "certificate/reason_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace restrip::verify {
 namespace {

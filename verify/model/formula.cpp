@@ -1,6 +1,7 @@
 #include "model/formula.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -78,8 +79,8 @@ Conditions::Conditions(std::string_view text, const std::vector<std::string>& na
       const std::string_view right = trimmed(chain.substr(0, at));
       if (!sign.empty()) all_.push_back({Sum(left, names), sign, Sum(right, names)});
       if (at == chain.size()) break;
-      const auto* const found = std::find_if(signs.begin(), signs.end(),
-                                             [&](std::string_view one) { return chain.substr(at).starts_with(one); });
+      const auto found = std::find_if(signs.begin(), signs.end(),
+                                      [&](std::string_view one) { return chain.substr(at).starts_with(one); });
       if (found == signs.end()) throw std::invalid_argument(fmt::format("expected <, <=, >= or = in \"{}\"", text));
       left = right;
       sign = *found;

@@ -3,6 +3,7 @@
 // expect, and whatever is something else is an InputError.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 // A certificate of an automaton taken apart, put together again with what a test has altered, and checked.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <string>
 #include <vector>
