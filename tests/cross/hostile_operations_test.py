@@ -29,7 +29,13 @@ PIECES = ["\n", "\r", "\r\n", "\v", "\f", "\0", "\x1b[2K", "\x7f", "\x85", "\u20
           "??/", "??/\n", "?", "/", "*", "*/", "/*", "//", "\"", "'", ")json\"", "R\"(", "`", "#", "#include <cstdlib>", "%:", "<%", "{", "}", ";",
           "int owned;", "@name@", "$ENV{HOME}", "${name}", "$(id)", "\u00e9", "\u20ac", "\U0001f600", "\ud7ff", "\ufdd0", "\ufffe", "\U000e0041",
           "a", "word", " ", "  ", "<!--", "-->", "]]>", "*)", "(*", "--", "'''", "\"\"\"", "\t"]
-NAMES = ["int", "class", "co-await", "split", "flip", "automaton", "pairings", "rule-of", "fn", "highp", "unix", "aux", "std", "main", "open-rows"]
+NAMES = ["int", "class", "co-await", "split", "flip", "automaton", "pairings", "rule-of", "fn", "highp", "unix", "aux", "std", "main", "open-rows",
+         "restrict", "noncoherent"]
+# Sentences that would be read as code somewhere.
+ABOUTS = ["The next line belongs to this one \\", "\ufeffHarmless.", "Harmless.\rint owned;", "Harmless. */ int owned; /*", "Harmless.\x1b[2J",
+          "Harmless.\fint owned;", "Harmless.\n#include <cstdlib>\ninline const int owned = std::system(\"touch owned\");",
+          "Harmless.\u2028int owned;", "Harmless.\x85int owned;", "Harmless.\0int owned;", "Harmless.\u2029int owned;",
+          "The next line belongs to this one ??/", "Harmless. \u202etxet denrut", "Harmless.\vint owned;"]
 SYLLABLES = ["a", "x2", "bi", "sect", "int", "co", "await", "rule", "of", "open", "split", "static", "cast", "vec2", "i32", "if", "for", "m8"]
 
 
@@ -159,11 +165,13 @@ def main():
                           "int main(void) { return 0; }\n", encoding="utf-8")
         subprocess.run([compiler, "-x", "c", "-std=gnu11", "-Wall", "-Wextra", "-Wtrigraphs", "-Wcomment", "-Werror", "-fsyntax-only", source], check=True)
 
-        # The corpus: each is refused by both.
-        corpus = sorted((root / "tests/corpus/operations/hostile").glob("*.json"))
-        for bad in corpus:
-            if not refused_alike(programs, bad, out):
-                raise SystemExit(f"{bad} is accepted")
+        # Each is refused by both; so are bytes that are not UTF-8, and a byte order mark.
+        plain = json.dumps(PLAIN).encode()
+        for bad in [json.dumps(dict(PLAIN, about=about)).encode() for about in ABOUTS] + [
+                plain.replace(b"A new vertex", b"A new vertex\xc0\x8a"), b"\xef\xbb\xbf" + plain]:
+            file.write_bytes(bad)
+            if not refused_alike(programs, file, out):
+                raise SystemExit(f"{bad!r} is accepted")
         # Every name that is taken, whatever takes it.
         taken = [word for group in json.loads((root / "docs/taken-names.json").read_text())["taken"] for word in group["names"]]
         for name in taken[::5] + NAMES:
@@ -195,8 +203,8 @@ def main():
                        capture_output=True, check=False)
         if not mark.exists():
             raise SystemExit("the program of a good header is not run either")
-        print(len(corpus), "files of the corpus refused;", len(names), "headers compiled together")
-        if len(corpus) < 25 or len(names) < 20:
+        print(len(names), "headers compiled together")
+        if len(names) < 20:
             raise SystemExit("too few to tell anything")
 
 

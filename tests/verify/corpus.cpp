@@ -94,11 +94,16 @@ class Editor {
   std::size_t place_ = 0;
 };
 
-Damage read_damage(const fs::path& file) {
-  Damage damage;
-  damage.name = file.stem().string();
+void read_damages(const fs::path& file, std::vector<Damage>& all) {
+  const std::size_t before = all.size();
   for (const std::string& line : lines_of(bytes_of(file))) {
-    if (line.starts_with("why "))
+    if (line.starts_with("case ")) {
+      all.push_back({argument(line), 0, "", {}});
+      continue;
+    }
+    if (all.size() == before) throw std::runtime_error(file.string() + ": no case before the first line");
+    Damage& damage = all.back();
+    if (line.empty() || line.starts_with("why "))
       continue;
     else if (line.starts_with("expect "))
       damage.exit_code = std::stoi(argument(line));
@@ -107,9 +112,9 @@ Damage read_damage(const fs::path& file) {
     else
       damage.instructions.push_back(line);
   }
-  if (damage.message.empty() || damage.exit_code == 0 || damage.instructions.empty())
-    throw std::runtime_error(file.string() + ": incomplete");
-  return damage;
+  for (std::size_t i = before; i < all.size(); ++i)
+    if (all[i].message.empty() || all[i].exit_code == 0 || all[i].instructions.empty())
+      throw std::runtime_error(fmt::format("{}: {}: incomplete", file.string(), all[i].name));
 }
 
 }  // namespace
@@ -117,15 +122,9 @@ Damage read_damage(const fs::path& file) {
 fs::path small_tables() { return fs::path(RESTRIP_CORPUS_DIR) / "accept" / "small"; }
 
 std::vector<Damage> damages() {
-  std::vector<fs::path> files;
-  for (const char* kind : {"reject", "malformed"})
-    for (const fs::directory_entry& entry : fs::directory_iterator(fs::path(RESTRIP_CORPUS_DIR) / kind))
-      files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::vector<Damage> result;
-  result.reserve(files.size());
-  for (const fs::path& file : files) result.push_back(read_damage(file));
-  return result;
+  std::vector<Damage> all;
+  for (const char* kind : {"reject.txt", "malformed.txt"}) read_damages(fs::path(RESTRIP_CORPUS_DIR) / kind, all);
+  return all;
 }
 
 std::string Alteration::in(std::string text) const {

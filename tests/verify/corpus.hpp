@@ -1,7 +1,8 @@
 #pragma once
-// The corpus on disk: tests/corpus/accept/small is a folder of tables for small fans; each file of reject/ and
-// malformed/ describes one damage to it and what the checker has to say. Format, one instruction a line:
+// The corpus on disk: tests/corpus/accept/small is a folder of tables for small fans; reject.txt and malformed.txt list
+// damages to it and what the checker has to say of each. Format, one instruction a line:
 //
+//   case NAME                 a damage begins
 //   why WORDS                 what is wrong
 //   expect CODE               the exit code
 //   message WORDS             part of the text that the checker prints
@@ -23,7 +24,7 @@
 namespace restrip::verify::test {
 
 struct Damage {
-  std::string name;  ///< of the file
+  std::string name;
   int exit_code = 0;
   std::string message;
   std::vector<std::string> instructions;  ///< from the first `file` on
@@ -32,7 +33,7 @@ struct Damage {
 /// The intact small tables.
 std::filesystem::path small_tables();
 
-/// All damages, sorted by name.
+/// All damages.
 std::vector<Damage> damages();
 
 /// A copy of the small tables with the damage done to it; removed with the object.
