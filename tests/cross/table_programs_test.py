@@ -27,11 +27,8 @@ REFUSED = [
     ("restrip-verify --operation {bisect} --dump-command false --certificate {certificate}", "--dump-command with --operation needs --header"),
     ("restrip-verify --operation {bisect} --max-k 4 --certificate {certificate}", "describes no family, so --max-k has no effect"),
     ("restrip-verify --header {bisect}", "--header requires --operation"),
-    ("restrip-verify-automaton --facts --dump-command false", "so --dump-command has no effect; leave it out"),
-    ("restrip-verify-automaton --facts --max-k 3", "--facts reads and searches nothing, so --max-k has no effect"),
     ("restrip-generate automaton --operation {bisect} --language c --out {out}", "excludes"),
     ("restrip-verify-automaton --digest-max-k 8", "--digest-max-k requires --digest-command"),
-    ("restrip-verify-automaton --facts --digest-command false", "so --digest-command has no effect; leave it out"),
     ("restrip-dump-tables --digests --max-k 9", "the tables answer fans of up to 8 triangles"),
     ("restrip-verify-automaton --cost strips", "The following arguments were not expected: strips --cost"),
 ]

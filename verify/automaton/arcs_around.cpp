@@ -196,22 +196,7 @@ struct RingPorts {
 
   bool are_two() const { return one && other && *one != *other; }
   bool follows(std::size_t later, std::size_t earlier) const { return (earlier + 1) % places.size() == later; }
-  bool boundary_between(std::size_t earlier, std::size_t later) const {
-    for (std::size_t at = places[earlier]; at != places[later]; at = (at + 1) % ring.size())
-      if (is_boundary(ring[at])) return true;
-    return false;
-  }
 };
-
-/// The pairs of links of which this is true.
-template <class Holds>
-Mask pairs_of_which(const Holds& holds) {
-  Mask pairs = 0;
-  for (const ArcEnd one : {first_left, first_right, second_left})
-    for (const ArcEnd other : {first_right, second_left, second_right})
-      if (one < other && holds(one, other)) pairs |= pair_of_ends(one, other);
-  return pairs;
-}
 
 }  // namespace
 
@@ -225,17 +210,11 @@ bool joined_before(std::string_view first, std::string_view second, ArcEnd one, 
 }
 
 Mask pairs_joined_before(std::string_view first, std::string_view second) {
-  return pairs_of_which([&](ArcEnd one, ArcEnd other) { return joined_before(first, second, one, other); });
-}
-
-Mask pairs_in_key(std::string_view first, std::string_view second) {
-  return pairs_of_which([&](ArcEnd one, ArcEnd other) {
-    const RingPorts ports(first, second, one, other);
-    const auto next = [&](std::size_t later, std::size_t earlier) {
-      return ports.follows(later, earlier) && !ports.boundary_between(earlier, later);
-    };
-    return ports.are_two() && (next(*ports.one, *ports.other) || next(*ports.other, *ports.one));
-  });
+  Mask pairs = 0;
+  for (const ArcEnd one : {first_left, first_right, second_left})
+    for (const ArcEnd other : {first_right, second_left, second_right})
+      if (one < other && joined_before(first, second, one, other)) pairs |= pair_of_ends(one, other);
+  return pairs;
 }
 
 }  // namespace restrip::verify

@@ -48,8 +48,4 @@ bool joined_before(std::string_view first, std::string_view second, ArcEnd one, 
 /// All pairs of links of which that is true.
 Mask pairs_joined_before(std::string_view first, std::string_view second);
 
-/// The pairs of links whose ports follow each other in the fan, so that a key says whether they are joined. In a ring
-/// with the boundary in it the last port of the open fan is not followed by the first.
-Mask pairs_in_key(std::string_view first, std::string_view second);
-
 }  // namespace restrip::verify

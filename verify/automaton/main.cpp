@@ -6,11 +6,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "automaton/automaton_digests.hpp"
-#include "automaton/facts.hpp"
 #include "automaton/verify_automaton.hpp"
 #include "files/report_output.hpp"
 #include "model/program.hpp"
@@ -47,7 +45,6 @@ int run(const AutomatonOptions& options, const std::string& json) {
 
 int main(int argc, char** argv) {
   AutomatonOptions options;
-  bool facts = false;
   std::string json;
   CLI::App app("Proves the certificate of an automaton: rules of fans of any valence, under the cost that it states.");
   app.name("restrip-verify-automaton");
@@ -88,17 +85,6 @@ int main(int argc, char** argv) {
          "the pairs of arcs")
       ->capture_default_str()
       ->check(CLI::Range(1, 1000));
-  app.add_flag("--facts", facts, "Read no certificate: print the worst that an operation costs in fans of any valence");
   add_json_option(app, json);
-  return exit_code_of(app, argc, argv, [&] {
-    // What the other options ask for is then not done: that is no way to ignore them.
-    for (const char* name : {"--tables-dir", "--dump-command", "--digest-command", "--digest-max-k", "--tables-max-k",
-                             "--max-k", "--every", "--json"})
-      if (facts && !app.get_option(name)->empty())
-        throw std::invalid_argument(
-            fmt::format("--facts reads and searches nothing, so {} has no effect; leave it out", name));
-    if (!facts) return run(options, json);
-    fmt::print("{}", table_of(facts_of_every_fan()));
-    return all_claims_hold;
-  });
+  return exit_code_of(app, argc, argv, [&] { return run(options, json); });
 }
