@@ -90,6 +90,10 @@ need_clang() {
     version=$(newest_complete offered)
     # If no version has everything, the newest is taken as far as it is there.
     [ -n "$version" ] || version=$(clang_versions | sed -n 1p)
+    if [ -z "$version" ]; then
+      leave_out "Clang: this release does not have it"
+      return 0
+    fi
   fi
   need $(clang_set "$version") wasi-libc
   export RESTRIP_CLANG=clang++-$version
