@@ -30,7 +30,7 @@ struct Solved {
   std::size_t bytes = 0;  ///< of the tables
 };
 
-void expect_within_limits(const Section& section) {
+void expect_within_limits(const Patches& section) {
   for (const Position& position : section.serves) {
     const Patch patch = make_patch(position);
     for (const Side* side : {&patch.before, &patch.after})
@@ -43,14 +43,16 @@ void expect_within_limits(const Section& section) {
   }
 }
 
-Solved solved_file(Certificate certificate, bool with_text) {
+Solved solve_and_certify(const std::vector<Patches>& patches, bool with_text) {
+  Solved made{{patches.at(0).certificate, {}, {}}, {}, 0};
   std::vector<Claims> parts;
-  for (Section& section : certificate.sections) {
-    solve(section, Watched::yes);
+  for (const Patches& unsolved : patches) {
+    const Section& section = made.certificate.sections.emplace_back(solve(unsolved, Watched::yes));
     parts.insert(parts.end(), section.claims.begin(), section.claims.end());
-    if (with_text) section.text = section_text(section, Watched::yes);
+    if (with_text) made.certificate.texts.push_back(section_text(section, Watched::yes));
   }
-  return {std::move(certificate), parts.empty() ? Claims{} : sum(parts), 0};
+  if (!parts.empty()) made.claims = sum(parts);
+  return made;
 }
 
 /// The files of a description.
@@ -70,10 +72,12 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
   every[0].listed.clear();
   every[0].section = description.place.empty() ? description.name : description.place;
   every[0].linked = false;
-  std::vector<Section> sections = sections_of(every, max_k);
+  const std::vector<Patches> patches = patches_of(every, max_k);
+  std::vector<Section> images;
+  images.reserve(patches.size());
   std::vector<AnsweredPosition> positions;
-  for (Section& section : sections) {
-    const Position& position = section.serves[0];
+  for (const Patches& one : patches) {
+    const Position& position = one.serves[0];
     const auto serves = [&](const Section& other) {
       return std::any_of(other.serves.begin(), other.serves.end(), [&](const Position& served) {
         return served.family == &description && served.numbers() == position.numbers();
@@ -81,10 +85,10 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
     };
     const auto found = std::find_if(known.begin(), known.end(), serves);
     if (found == known.end()) {
-      expect_within_limits(section);
-      solve(section, Watched::yes);
+      expect_within_limits(one);
+      images.push_back(solve(one, Watched::yes));
     }
-    positions.push_back({position, found == known.end() ? &section : &*found});
+    positions.push_back({position, found == known.end() ? &images.back() : &*found});
   }
   const OperationLayout layout = operation_layout(positions);
   solved.bytes += layout.bytes();
@@ -96,7 +100,7 @@ std::map<std::filesystem::path, std::string> files_of(const Description& descrip
 }
 
 nlohmann::ordered_json figures(const Solved& made) {
-  const auto& [name, sections] = made.certificate;
+  const auto& [name, sections, texts] = made.certificate;
   const std::size_t rows = made.certificate.rows();
   if (made.certificate.linked()) return {{"name", name}, {"alternatives", rows}};
   double symmetries = 0;
@@ -118,7 +122,7 @@ nlohmann::ordered_json figures(const Solved& made) {
 
 /// The lines about it for people.
 std::string told(const Solved& made) {
-  const auto& [name, sections] = made.certificate;
+  const auto& [name, sections, texts] = made.certificate;
   const std::size_t rows = made.certificate.rows();
   if (made.certificate.linked()) return fmt::format("{:<24} {:>6} {}\n", name, rows, plural(rows, "alternative"));
   const std::size_t configurations = made.claims.configurations;
@@ -150,13 +154,16 @@ void make_rules(const RulesOptions& options) {
   std::set<std::filesystem::path> paths;
   const unsigned max_k = options.max_k.value_or(most_ports);
   const bool certified = options.languages.contains("c++");
-  std::vector<Section> all = sections_of(descriptions, max_k);
+  std::vector<Patches> all = patches_of(descriptions, max_k);
   // Other languages have no linked rules.
-  if (!certified) std::erase_if(all, std::mem_fn(&Section::linked));
+  if (!certified) std::erase_if(all, std::mem_fn(&Patches::linked));
   std::for_each(all.begin(), all.end(), expect_within_limits);
-  std::vector<Certificate> certificates = by_certificate(std::move(all));
-  for (const Certificate& certificate : certificates)
-    if (certified) paths.insert(operation_certificate_path(certificate.name));
+  std::vector<std::vector<Patches>> by_name;
+  for (Patches& one : all) {
+    if (by_name.empty() || by_name.back()[0].certificate != one.certificate) by_name.emplace_back();
+    if (certified) paths.insert(operation_certificate_path(one.certificate));
+    by_name.back().push_back(std::move(one));
+  }
   for (const Description& description : descriptions) paths.merge(paths_of(description, options.languages));
   files::OutputSet out(options.out, {paths.begin(), paths.end()});
   const files::ReportOutput report(options.json, {options.files.begin(), options.files.end()});
@@ -164,8 +171,8 @@ void make_rules(const RulesOptions& options) {
   std::vector<files::NamedBytes> texts;
   nlohmann::ordered_json json;
   std::string text;
-  for (Certificate& certificate : certificates) {
-    Solved made = solved_file(std::move(certificate), certified);
+  for (const std::vector<Patches>& patches : by_name) {
+    Solved made = solve_and_certify(patches, certified);
     const std::string& name = made.certificate.name;
     if (certified) texts.push_back({operation_certificate_path(name), certificate_text(made.certificate)});
     for (const Description& description : descriptions) {

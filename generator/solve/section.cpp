@@ -11,8 +11,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/share.hpp"
-
 namespace restrip::generator {
 namespace {
 
@@ -212,9 +210,9 @@ std::vector<std::string> certificates_of(const std::vector<Description>& descrip
   return names;
 }
 
-std::vector<Section> sections_of(const std::vector<Description>& descriptions, unsigned max_k, Goal goal) {
-  std::vector<Section> sections;
-  std::vector<Section> linked;
+std::vector<Patches> patches_of(const std::vector<Description>& descriptions, unsigned max_k, Goal goal) {
+  std::vector<Patches> sections;
+  std::vector<Patches> linked;
   for (const std::string& certificate : certificates_of(descriptions)) {
     const std::size_t of_others = sections.size();
     for (const Description& description : descriptions) {
@@ -224,12 +222,11 @@ std::vector<Section> sections_of(const std::vector<Description>& descriptions, u
       for (const Position& position : all) {
         auto section = std::find_if(
             sections.begin() + static_cast<std::ptrdiff_t>(of_others), sections.end(),
-            [&](const Section& other) { return position_text(other.position) == position_text(position); });
+            [&](const Patches& other) { return position_text(other.position) == position_text(position); });
         if (section == sections.end()) {
           const Position rows = position_of_rows(position);
-          section = sections.insert(section, {certificate, rows, {}, false, goal, {}, {}, 1, {}, {}, {}});
-          if (description.linked)
-            linked.push_back({"linked-" + certificate, rows, {}, true, goal, {}, {}, 1, {}, {}, {}});
+          section = sections.insert(section, {certificate, rows, {}, false, goal});
+          if (description.linked) linked.push_back({"linked-" + certificate, rows, {}, true, goal});
         }
         expect_served(position, section->position);
         section->serves.push_back(position);
@@ -240,24 +237,30 @@ std::vector<Section> sections_of(const std::vector<Description>& descriptions, u
   return sections;
 }
 
-void solve(Section& section, Watched watched) {
+Section solve(Patches patches, Watched watched) {
+  Section section{{std::move(patches)}, {}, {}, 1, {}, {}};
   const Operation rows_of =
       operation_of_rows(section.position, section.linked ? Sight::outside : Sight::patch, section.goal);
   if (section.linked) {
     find_alternatives(section, rows_of);
-    return;
+  } else {
+    find_rules(section, rows_of, watched);
+    make_claims(section);
   }
-  find_rules(section, rows_of, watched);
-  make_claims(section);
+  return section;
+}
+
+std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned threads, Watched watched) {
+  std::vector<Section> sections(patches.size());
+  share_sections(patches, threads, watched, "solved", [&](std::size_t i) { sections[i] = solve(patches[i]); });
+  return sections;
 }
 
 std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsigned threads) {
-  std::vector<Section> sections = sections_of(families(), max_k);
-  std::erase_if(sections, [&](const Section& section) { return section.certificate != certificate; });
-  if (sections.empty()) throw std::invalid_argument("no certificate is named " + certificate);
-  // The largest valences take longest: start with them.
-  share(sections.size(), threads, [&](std::size_t i) { solve(sections[sections.size() - 1 - i]); });
-  return sections;
+  std::vector<Patches> patches = patches_of(families(), max_k);
+  std::erase_if(patches, [&](const Patches& one) { return one.certificate != certificate; });
+  if (patches.empty()) throw std::invalid_argument("no certificate is named " + certificate);
+  return solve_all(patches, threads, Watched::no);
 }
 
 const Row& row_of(const Section& section, Mask ports, const PortPairs& joined) {

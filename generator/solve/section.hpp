@@ -1,15 +1,17 @@
-// A section: all rules of one position, or of all positions that share them, found by exhaustive search and reduced by
-// symmetry, with the claims that its certificate makes; or the linked rules of such a position. It is the unit in which
-// work is shared by threads and by machines.
+// The stages `patches` and `solve` of the generator's path (tables/table_files.hpp). A section has all rules of one
+// position, or of all positions that share them, or the linked rules of such a position. It is the unit in which work
+// is shared by threads and by machines.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "common/progress.hpp"
+#include "common/share.hpp"
 #include "operations/tie_break.hpp"
 #include "solve/search.hpp"
 #include "solve/symmetry.hpp"
@@ -46,37 +48,57 @@ struct Claims {
 /// One number for several positions: counts add up, worst cases are the worst.
 [[nodiscard]] Claims sum(const std::vector<Claims>& parts);
 
-struct Section {
+/// What is to be solved: the patches of a section.
+struct Patches {
   std::string certificate;       ///< "fan-collapse"; "linked-split" for the linked rules of the split
   Position position;             ///< family and valence, and the place unless they serve every one
   std::vector<Position> serves;  ///< the positions whose configurations these rules answer
   bool linked = false;
   Goal goal = Goal::strips;
+};
 
-  // What solve() finds.
+/// The solution.
+struct Section : Patches {
   std::vector<Row> rows;            ///< in ascending order of key; of linked sections by ports, the best first
   std::vector<PatchMap> symmetry;   ///< those that lead from a copy to its representative
   double symmetries = 1;            ///< how many there are of the rows' operation
   std::vector<PortPairs> relevant;  ///< by solid ports: pairs that a recolouring could join
   std::vector<Claims> claims;       ///< for each position served
-  std::string text;                 ///< as the certificate has it
 };
+
+/// Calls work(i) once for each section i, the largest valences first, which take longest. On a terminal it shows how
+/// many are done: "solved 3 of 7 sections".
+template <class Any, class Work>
+void share_sections(const std::vector<Any>& sections, unsigned threads, Watched watched, const char* done,
+                    Work&& work) {
+  std::vector<std::size_t> places(sections.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::stable_sort(places.begin(), places.end(),
+                   [&](std::size_t x, std::size_t y) { return sections[x].position.k > sections[y].position.k; });
+  Progress progress(done, places.size(), "sections", watched);
+  share(places.size(), threads, [&](std::size_t i) {
+    work(places[i]);
+    progress.step();
+  });
+}
 
 /// The certificates of these descriptions, in the order in which they are written: where the last of those stands that
 /// share it.
 [[nodiscard]] std::vector<std::string> certificates_of(const std::vector<Description>& descriptions);
 
-/// Every section of these certificates in order, not yet solved, for valences up to max_k (at most 13, so that a
-/// recolouring has 16 bits): rules first, then linked rules.
-[[nodiscard]] std::vector<Section> sections_of(const std::vector<Description>& descriptions, unsigned max_k,
-                                               Goal goal = Goal::strips);
+/// The sections of these certificates in order, for valences up to max_k (at most 13, so that a recolouring has 16
+/// bits): rules first, then linked rules.
+[[nodiscard]] std::vector<Patches> patches_of(const std::vector<Description>& descriptions, unsigned max_k,
+                                              Goal goal = Goal::strips);
 
-/// Finds rows, and claims. Threads may solve different sections at the same time. Throws std::runtime_error that names
-/// operation and configuration when one has no sound recolouring.
-void solve(Section& section, Watched watched = Watched::no);
+/// Rows and claims, by exhaustive search, reduced by symmetry. Threads may solve different sections at the same time.
+/// Throws std::runtime_error that names operation and configuration when one has no sound recolouring.
+[[nodiscard]] Section solve(Patches patches, Watched watched = Watched::no);
 
-/// Every section of a certificate of the shipped families, solved; the work is shared by `threads`, and the result does
-/// not depend on their number.
+/// All of them in their order; `threads` share the work, and the result does not depend on their number.
+[[nodiscard]] std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned threads, Watched watched);
+
+/// The sections of one certificate of the shipped families.
 [[nodiscard]] std::vector<Section> solved(const std::string& certificate, unsigned max_k, unsigned threads);
 
 /// The row that answers a valid configuration with these solid ports and pairs joined.

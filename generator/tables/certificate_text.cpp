@@ -106,28 +106,37 @@ std::string section_text(const Section& section, Watched watched) {
   return text;
 }
 
-std::string certificate_head(const std::string& name) {
-  return fmt::format("restrip-certificate {}\noperation {}\n", certificate_version, name);
-}
-
 std::size_t Certificate::rows() const {
   std::size_t n = 0;
   for (const Section& section : sections) n += section.rows.size();
   return n;
 }
 
-std::vector<Certificate> by_certificate(std::vector<Section> sections) {
+std::vector<Certificate> by_certificate(std::vector<Section> sections, std::vector<std::string> texts) {
   std::vector<Certificate> all;
-  for (Section& section : sections) {
-    if (all.empty() || all.back().name != section.certificate) all.push_back({section.certificate, {}});
-    all.back().sections.push_back(std::move(section));
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (all.empty() || all.back().name != sections[i].certificate) all.push_back({sections[i].certificate, {}, {}});
+    all.back().sections.push_back(std::move(sections[i]));
+    if (!texts.empty()) all.back().texts.push_back(std::move(texts.at(i)));
   }
   return all;
 }
 
+std::vector<Certificate> certify(std::vector<Section> sections, unsigned threads) {
+  std::vector<std::string> texts = section_texts(sections, threads);
+  return by_certificate(std::move(sections), std::move(texts));
+}
+
+std::vector<std::string> section_texts(const std::vector<Section>& sections, unsigned threads) {
+  std::vector<std::string> texts(sections.size());
+  share_sections(sections, threads, Watched::yes, "certified",
+                 [&](std::size_t i) { texts[i] = section_text(sections[i]); });
+  return texts;
+}
+
 std::string certificate_text(const Certificate& certificate) {
-  std::string text = certificate_head(certificate.name);
-  for (const Section& section : certificate.sections) text += section.text;
+  std::string text = fmt::format("restrip-certificate {}\noperation {}\n", certificate_version, certificate.name);
+  for (const std::string& section : certificate.texts) text += section;
   return sealed(std::move(text), certificate.rows());
 }
 

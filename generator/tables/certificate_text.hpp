@@ -1,4 +1,4 @@
-// The text of certificates (docs/certificate.md).
+// The stage `certify` of the generator's path: the text of certificates (docs/certificate.md).
 #pragma once
 
 #include <cstddef>
@@ -9,24 +9,28 @@
 
 namespace restrip::generator {
 
-/// A solved section as certificates write it, with claims, rows and reasons, which take time.
+/// A section as certificates write it, with claims, rows and reasons, which take time.
 [[nodiscard]] std::string section_text(const Section& section, Watched watched = Watched::no);
 
-/// The first two lines of a certificate of rules.
-[[nodiscard]] std::string certificate_head(const std::string& name);
-
-/// All sections of one certificate, rules or linked ones; with what solve() finds.
+/// All sections of one certificate, rules or linked ones.
 struct Certificate {
   std::string name;
   std::vector<Section> sections;
+  std::vector<std::string> texts;  ///< of the sections; none where the rules alone are wanted
   [[nodiscard]] std::size_t rows() const;
   [[nodiscard]] bool linked() const { return sections.at(0).linked; }
 };
 
-/// The sections by certificate, each of which has its sections in a row.
-[[nodiscard]] std::vector<Certificate> by_certificate(std::vector<Section> sections);
+/// The sections by certificate, each of which has its sections in a row; `texts` is empty or has one for each.
+[[nodiscard]] std::vector<Certificate> by_certificate(std::vector<Section> sections,
+                                                      std::vector<std::string> texts = {});
 
-/// From the texts of its sections.
+/// The sections by certificate with their texts; `threads` share the work.
+[[nodiscard]] std::vector<Certificate> certify(std::vector<Section> sections, unsigned threads);
+/// The texts in the order of the sections.
+[[nodiscard]] std::vector<std::string> section_texts(const std::vector<Section>& sections, unsigned threads);
+
+/// The file, from the texts of its sections.
 [[nodiscard]] std::string certificate_text(const Certificate& certificate);
 
 /// The text with its last line: how many rows, and two sums of its bytes from which a reader can tell which single byte

@@ -1,4 +1,4 @@
-// Text of the generated constexpr headers. Same input, same bytes.
+// The stage `emit` of the generator's path: text of the generated constexpr headers. Same input, same bytes.
 #pragma once
 
 #include <string>

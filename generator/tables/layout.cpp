@@ -46,10 +46,10 @@ const TableArray* TableLayout::find(const std::string& name) const {
   return found == arrays.end() ? nullptr : &*found;
 }
 
-TableLayout table_layout(const std::vector<Certificate>& families, const Packing& closed, const Packing& open,
-                         unsigned max_k) {
-  TableLayout layout{max_k, {array_of("closed_rows", closed.start), array_of("open_rows", open.start)}};
-  for (const Certificate& family : families) {
+TableLayout table_layout(const std::vector<Certificate>& rules, const Packings& packings, unsigned max_k) {
+  TableLayout layout{max_k,
+                     {array_of("closed_rows", packings.closed.start), array_of("open_rows", packings.open.start)}};
+  for (const Certificate& family : rules) {
     const Description& acts = *family.sections.at(0).position.family;
     if (acts.numbers.empty()) {
       const Section& only = family.sections.at(0);
@@ -57,8 +57,7 @@ TableLayout table_layout(const std::vector<Certificate>& families, const Packing
           array_of(identifier(family.name) + "_rules", operation_layout({{only.position, &only}}).entries));
       continue;
     }
-    const bool on_closed = generator::closed(acts);
-    const RuleBlocks blocks = fill(family.sections, on_closed ? closed : open, max_k);
+    const RuleBlocks blocks = fill(family.sections, closed(acts) ? packings.closed : packings.open, max_k);
     const std::string name = identifier(family.name);
     layout.arrays.push_back(array_of(name + "_first", blocks.first));
     if (!serves_every_position(acts)) layout.arrays.push_back(array_of(name + "_cells", blocks.cells));

@@ -54,8 +54,7 @@ struct LookUp {
 /// One for each family, in the order of tables/families.json.
 [[nodiscard]] const std::vector<LookUp>& look_ups();
 
-/// The solved families of rules, with the packings of their keys.
-[[nodiscard]] TableLayout table_layout(const std::vector<Certificate>& families, const Packing& closed,
-                                       const Packing& open, unsigned max_k);
+/// The families of rules, with the packings of their keys.
+[[nodiscard]] TableLayout table_layout(const std::vector<Certificate>& rules, const Packings& packings, unsigned max_k);
 
 }  // namespace restrip::generator

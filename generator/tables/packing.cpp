@@ -76,4 +76,14 @@ RuleBlocks fill(const std::vector<Section>& sections, const Packing& packing, un
   return blocks;
 }
 
+Packings pack(const std::vector<Certificate>& certificates, unsigned max_k) {
+  std::vector<const Section*> closed_ones;
+  std::vector<const Section*> open_ones;
+  for (const Certificate& certificate : certificates)
+    for (const Section& section : certificate.sections)
+      if (!section.linked && !section.position.family->numbers.empty())
+        (closed(*section.position.family) ? closed_ones : open_ones).push_back(&section);
+  return {pack(closed_ones, max_k), pack(open_ones, max_k)};
+}
+
 }  // namespace restrip::generator

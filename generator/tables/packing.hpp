@@ -1,9 +1,10 @@
-// Packs the keys of each valence into few cells by row displacement (see tables/include/restrip/tables/format.hpp).
+// The stage `pack` of the generator's path: packs the keys of each valence into few cells by row displacement (see
+// tables/include/restrip/tables/format.hpp).
 #pragma once
 
 #include <vector>
 
-#include "solve/section.hpp"
+#include "tables/certificate_text.hpp"
 
 namespace restrip::generator {
 
@@ -16,6 +17,14 @@ struct Packing {
 /// One packing that serves all sections given (all of closed fans, or all of open ones): their keys, valence by
 /// valence. First fit, the fullest rows first: deterministic.
 [[nodiscard]] Packing pack(const std::vector<const Section*>& sections, unsigned max_k);
+
+/// The packings of all rules of closed fans, and of all rules of open ones.
+struct Packings {
+  Packing closed;
+  Packing open;
+};
+/// Lists of linked rules and flips have none.
+[[nodiscard]] Packings pack(const std::vector<Certificate>& certificates, unsigned max_k);
 
 /// The key as look-ups of fans know it (docs/notation.md, "Key"): bit i of `joined` is set when solid port i is joined
 /// to the solid port before it, cyclic in a closed fan.

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// About proportional to the time that a section takes, as measured for k = 8 … 10: it grows fourfold with k.
-std::uint64_t weight(const Section& section) {
+std::uint64_t weight(const Patches& section) {
   const Description& family = *section.position.family;
   const bool ring = closed(family);
   std::uint64_t unit = 1;
@@ -97,12 +97,12 @@ void read_alternatives(Section& section, Reader& reader) {
   if (lists != after.all_ports() + 1) reader.refuse("a list for every port mask");
 }
 
-void read_section(Section& section, Reader& reader) {
+std::string read_section(Section& section, Reader& reader) {
   const std::size_t begin = reader.at;
   reader.expect("section " + position_text(section.position));
   while (reader.starts("claim ")) reader.skip();
   section.linked ? read_alternatives(section, reader) : read_rules(section, reader);
-  section.text = reader.text.substr(begin, reader.at - begin);
+  return std::string(reader.text.substr(begin, reader.at - begin));
 }
 
 struct Head {
@@ -155,10 +155,10 @@ Shard shard_named(const std::string& text) {
   return shard;
 }
 
-std::vector<std::size_t> share_of(const std::vector<Section>& all, unsigned index, unsigned count) {
+std::vector<std::size_t> share_of(const std::vector<Patches>& all, unsigned index, unsigned count) {
   std::vector<std::uint64_t> weights;
   weights.reserve(all.size());
-  for (const Section& section : all) weights.push_back(weight(section));
+  for (const Patches& section : all) weights.push_back(weight(section));
   std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) { return weights[x] > weights[y]; });
@@ -175,23 +175,20 @@ std::vector<std::size_t> share_of(const std::vector<Section>& all, unsigned inde
 
 std::string generator_id(const std::string& version) {
   std::string rules;
-  for (Section& section : sections_of(families(), 4)) {
-    solve(section);
-    rules += section_text(section);
-  }
+  for (const Patches& patches : patches_of(families(), 4)) rules += section_text(solve(patches));
   return version + " " + sha256(rules);
 }
 
 std::string file_name(const Shard& shard) { return fmt::format("shard-{:04}-of-{:04}.txt", shard.index, shard.count); }
 
-std::string shard_text(const Shard& shard, unsigned max_k, const std::string& id,
-                       const std::vector<const Section*>& share) {
+std::string shard_text(const Shard& shard, unsigned max_k, const std::string& id, const std::vector<Section>& share,
+                       const std::vector<std::string>& texts) {
   std::string text = head(shard, max_k, id);
   std::string family;
-  for (const Section* section : share) {
-    if (section->certificate != family) text += fmt::format("family {}\n", section->certificate);
-    family = section->certificate;
-    text += section->text;
+  for (std::size_t i = 0; i < share.size(); ++i) {
+    if (share[i].certificate != family) text += fmt::format("family {}\n", share[i].certificate);
+    family = share[i].certificate;
+    text += texts[i];
   }
   return text + "end " + sha256(text) + "\n";
 }
@@ -220,13 +217,16 @@ Merged read_shards(const fs::path& directory, const std::string& id) {
 
 Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id, const fs::path& directory) {
   Merged merged;
+  std::vector<Patches> patches;
   std::vector<fs::path> seen;
   for (const auto& [path, text] : shards) {
     Reader reader{path, "remove it and run its shard again", text};
     const auto [shard, max_k] = read_head(reader, id);
     reader.remedy = "remove it and run " + command(shard, max_k, directory);
     if (seen.empty()) {
-      merged = {max_k, sections_of(families(), max_k)};
+      patches = patches_of(families(), max_k);
+      merged = {max_k, {}, std::vector<std::string>(patches.size())};
+      for (const Patches& unsolved : patches) merged.sections.push_back({{unsolved}, {}, {}, 1, {}, {}});
       seen.resize(shard.count);
     }
     if (max_k != merged.max_k || shard.count != seen.size())
@@ -240,11 +240,11 @@ Merged merge_shards(const std::vector<ShardBytes>& shards, const std::string& id
     seen[shard.index - 1] = path;
 
     std::string family;
-    for (const std::size_t i : share_of(merged.sections, shard.index, shard.count)) {
+    for (const std::size_t i : share_of(patches, shard.index, shard.count)) {
       Section& section = merged.sections[i];
       if (section.certificate != family) reader.expect("family " + section.certificate);
       family = section.certificate;
-      read_section(section, reader);
+      merged.texts[i] = read_section(section, reader);
     }
     if (!reader.starts("end ")) reader.refuse("the end");
     reader.skip();

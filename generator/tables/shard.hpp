@@ -22,7 +22,7 @@ struct Shard {
 /// The place in `all` of the sections that belong to shard `index` (1 … count) of `count`, ascending. Every section is
 /// in exactly one shard. They are dealt out by an estimate of their time, the longest first, each to the shard that has
 /// least: so shards take about the same time as long as there are clearly more long sections than shards.
-[[nodiscard]] std::vector<std::size_t> share_of(const std::vector<Section>& all, unsigned index, unsigned count);
+[[nodiscard]] std::vector<std::size_t> share_of(const std::vector<Patches>& all, unsigned index, unsigned count);
 
 /// What must be equal for shards to fit together: the version, and a digest of all rules up to k = 4, which tells
 /// generators with different preferences apart.
@@ -31,14 +31,15 @@ struct Shard {
 /// shard-0003-of-0016.txt
 [[nodiscard]] std::string file_name(const Shard& shard);
 
-/// The file of a shard; `share` are its sections, solved and with their text.
+/// The file of a shard: its sections and their texts.
 [[nodiscard]] std::string shard_text(const Shard& shard, unsigned max_k, const std::string& id,
-                                     const std::vector<const Section*>& share);
+                                     const std::vector<Section>& share, const std::vector<std::string>& texts);
 
 /// What shards add up to. The sections are solved as far as certificates and headers need.
 struct Merged {
   unsigned max_k = 0;
   std::vector<Section> sections;
+  std::vector<std::string> texts;
 };
 
 /// Reads every shard-*.txt in a directory. Throws std::runtime_error that names the file and the remedy when a shard is

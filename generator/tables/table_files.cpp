@@ -33,23 +33,6 @@ namespace {
 
 namespace files = restrip::files;
 
-/// What is wanted of sections: with the text come the reasons, which take most of the time.
-enum class Wanted { rules, rules_and_text };
-
-/// Solves the sections with these places in `all`, the largest valences first, which take longest.
-void solve_sections(std::vector<Section>& all, std::vector<std::size_t> places, unsigned threads,
-                    Wanted wanted = Wanted::rules_and_text) {
-  std::stable_sort(places.begin(), places.end(),
-                   [&](std::size_t x, std::size_t y) { return all[x].position.k > all[y].position.k; });
-  Progress progress("solved", places.size(), "sections");
-  share(places.size(), threads, [&](std::size_t i) {
-    Section& section = all[places[i]];
-    solve(section);
-    if (wanted == Wanted::rules_and_text) section.text = section_text(section);
-    progress.step();
-  });
-}
-
 const std::string headers = "include/restrip/tables/";
 
 std::string header_path(const std::string& family) { return headers + identifier(family) + ".hpp"; }
@@ -94,7 +77,7 @@ files::OutputSet table_files(const std::string& out, const std::set<std::string>
   for (const auto& other : files_in(wanted, "tables")) names.insert(other.first);
   if (!wanted.contains("c++")) return files::OutputSet(out, {names.begin(), names.end()});
   names.insert({headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"), certificate_path("automaton")});
-  for (const Section& section : sections_of(families(), 3)) {
+  for (const Patches& section : patches_of(families(), 3)) {
     names.insert(certificate_path(section.certificate));
     if (!section.linked) names.insert(header_path(section.certificate));
   }
@@ -130,22 +113,6 @@ std::string summary(const std::string& family, std::size_t sections, std::size_t
                      rules, plural(rules, "rule"), bytes, plural(bytes, "byte"));
 }
 
-/// The packings that serve all rules of closed fans, and all of open ones.
-struct Packings {
-  Packing closed;
-  Packing open;
-};
-
-Packings packings_of(const std::vector<Certificate>& families, unsigned max_k) {
-  std::vector<const Section*> closed_ones;
-  std::vector<const Section*> open_ones;
-  for (const Certificate& family : families)
-    for (const Section& section : family.sections)
-      if (!section.position.family->numbers.empty())
-        (closed(*section.position.family) ? closed_ones : open_ones).push_back(&section);
-  return {pack(closed_ones, max_k), pack(open_ones, max_k)};
-}
-
 void add_rules(const std::vector<Certificate>& families, const Packings& packings, unsigned max_k, TableFiles& to) {
   to.by_path[headers + "rows.hpp"] = {rows_header(packings.closed, packings.open, max_k), 0};
   for (const Certificate& family : families) {
@@ -177,17 +144,31 @@ void add_automaton(TableFiles& to) {
   to.told += automaton.summary();
 }
 
-/// The files of other languages than C++. MANIFEST does not list them: it vouches for what restrip-verify reads.
-std::vector<files::NamedBytes> other_languages(const std::vector<Certificate>& families, const Packings& packings,
-                                               const TablesOptions& options, std::string& told) {
-  const TableLayout layout = table_layout(families, packings.closed, packings.open, options.max_k);
+/// Files, and what is printed about them.
+struct Emitted {
   std::vector<files::NamedBytes> files;
+  std::string told;
+};
+
+/// The stage `emit`: the files of the languages. MANIFEST, which vouches for what restrip-verify reads, lists those of
+/// C++.
+Emitted emit(const std::vector<Certificate>& certificates, const Packings& packings, const TablesOptions& options) {
+  const auto first_linked = std::find_if(certificates.begin(), certificates.end(), std::mem_fn(&Certificate::linked));
+  const std::vector<Certificate> rules(certificates.begin(), first_linked);
+  const TableLayout layout = table_layout(rules, packings, options.max_k);
+  auto [files, told] = Emitted{};
   for (const auto& [name, file] : files_in(options.languages, "tables")) {
     files.push_back({name, file->of_tables(layout)});
     told += fmt::format("{:<25} {:>8} bytes\n", name, files.back().bytes.size());
   }
   if (!files.empty()) told += fmt::format("rules up to k = {}: {} bytes of data\n", options.max_k, layout.bytes());
-  return files;
+  if (!options.languages.contains("c++")) return {files, told};
+  TableFiles tables;
+  add_rules(rules, packings, options.max_k, tables);
+  add_linked({first_linked, certificates.end()}, options.max_k, tables);
+  add_automaton(tables);
+  for (files::NamedBytes& file : tables.take()) files.push_back(std::move(file));
+  return {files, told + tables.told};
 }
 
 /// The files and what was solved for them.
@@ -197,24 +178,9 @@ std::string written_json(unsigned max_k, const std::vector<files::NamedBytes>& f
   return json.dump(2) + "\n";
 }
 
-/// From all sections, or, when C++ is not among the languages, those of the rules.
-void write_tables(files::OutputSet& out, const files::ReportOutput& report, std::vector<Section> all,
-                  const TablesOptions& options) {
-  std::vector<Certificate> rules = by_certificate(std::move(all));
-  const auto first_linked = std::find_if(rules.begin(), rules.end(), std::mem_fn(&Certificate::linked));
-  const std::vector<Certificate> linked(std::make_move_iterator(first_linked), std::make_move_iterator(rules.end()));
-  rules.erase(first_linked, rules.end());
-  const Packings packings = packings_of(rules, options.max_k);
-  TableFiles tables;
-  std::vector<files::NamedBytes> written = other_languages(rules, packings, options, tables.told);
-  if (options.languages.contains("c++")) {
-    add_rules(rules, packings, options.max_k, tables);
-    add_linked(linked, options.max_k, tables);
-    add_automaton(tables);
-    for (files::NamedBytes& file : tables.take()) written.push_back(std::move(file));
-  }
-  out.write(written);
-  report.print(tables.told, written_json(options.max_k, written));
+void write(const Emitted& made, unsigned max_k, files::OutputSet& out, const files::ReportOutput& report) {
+  out.write(made.files);
+  report.print(made.told, written_json(max_k, made.files));
 }
 
 }  // namespace
@@ -222,32 +188,32 @@ void write_tables(files::OutputSet& out, const files::ReportOutput& report, std:
 void make_tables(const TablesOptions& options) {
   files::OutputSet out = table_files(options.out, options.languages);
   const files::ReportOutput report(options.json);
-  std::vector<Section> all = sections_of(families(), options.max_k, options.goal);
-  const bool cpp = options.languages.contains("c++");
-  if (!cpp) std::erase_if(all, std::mem_fn(&Section::linked));
-  std::vector<std::size_t> everything(all.size());
-  std::iota(everything.begin(), everything.end(), std::size_t{0});
-  solve_sections(all, everything, options.threads, cpp ? Wanted::rules_and_text : Wanted::rules);
-  write_tables(out, report, std::move(all), options);
+  const bool certified = options.languages.contains("c++");
+
+  const std::vector<Description>& described = families();
+  std::vector<Patches> patches = patches_of(described, options.max_k, options.goal);
+  if (!certified) std::erase_if(patches, std::mem_fn(&Patches::linked));  // other languages have no lists
+  std::vector<Section> solved = solve_all(patches, options.threads, Watched::yes);
+  const std::vector<Certificate> certificates =
+      certified ? certify(std::move(solved), options.threads) : by_certificate(std::move(solved));
+  const Packings packings = pack(certificates, options.max_k);
+  write(emit(certificates, packings, options), options.max_k, out, report);
 }
 
 void make_shard(const TablesOptions& options) {
   const Shard shard = shard_named(options.shard);
   files::OutputSet out(options.out, {file_name(shard)});
   const files::ReportOutput report(options.json);
-  const std::string id = generator_id(RESTRIP_VERSION);
-  std::vector<Section> all = sections_of(families(), options.max_k);
-  const std::vector<std::size_t> places = share_of(all, shard.index, shard.count);
-  solve_sections(all, places, options.threads);
-  std::vector<const Section*> solved;
-  std::size_t rows = 0;
-  for (const std::size_t i : places) {
-    solved.push_back(&all[i]);
-    rows += all[i].rows.size();
-  }
-  const std::string text = shard_text(shard, options.max_k, id, solved);
+  const std::vector<Patches> all = patches_of(families(), options.max_k);
+  std::vector<Patches> own;
+  for (const std::size_t i : share_of(all, shard.index, shard.count)) own.push_back(all[i]);
+  const std::vector<Section> solved = solve_all(own, options.threads, Watched::yes);
+  const std::string text =
+      shard_text(shard, options.max_k, generator_id(RESTRIP_VERSION), solved, section_texts(solved, options.threads));
   const std::vector<files::NamedBytes> written{{file_name(shard), text}};
   out.write(written);
+  std::size_t rows = 0;
+  for (const Section& section : solved) rows += section.rows.size();
   report.print(fmt::format("shard {} of {}: {} of {} sections, {}, {}\n", shard.index, shard.count, solved.size(),
                            all.size(), counted(rows, "row"), counted(text.size(), "byte")),
                written_json(options.max_k, written));
@@ -259,7 +225,8 @@ void merge_shards(const std::string& in, const std::string& folder, const std::s
   const files::ReportOutput report(json);
   Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
   options.max_k = merged.max_k;
-  write_tables(out, report, std::move(merged.sections), options);
+  const std::vector<Certificate> certificates = by_certificate(std::move(merged.sections), std::move(merged.texts));
+  write(emit(certificates, pack(certificates, options.max_k), options), options.max_k, out, report);
 }
 
 void make_automaton_files(const AutomatonOptions& options) {

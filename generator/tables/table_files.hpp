@@ -18,6 +18,10 @@ struct TablesOptions {
   std::string json;                        ///< file for a list of what was written, "-" for standard output, or empty
 };
 
+// The generator's path, which make_tables() follows: describe (families(), read_descriptions()) -> patches
+// (patches_of())
+// -> solve (solve_all()) -> certify (certify()) -> pack (pack()) -> emit (headers, files of other languages, MANIFEST).
+//
 // All of these look at their output paths before they work, say on standard output what they wrote, show progress on a
 // terminal, and throw std::exception with file and remedy.
 

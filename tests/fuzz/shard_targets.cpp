@@ -35,14 +35,8 @@ bool read(std::string_view bytes) {
 }  // namespace
 
 std::vector<Target> shard_targets() {
-  std::vector<Section> all = sections_of(families(), 3);
-  std::vector<const Section*> share;
-  for (Section& section : all) {
-    solve(section);
-    section.text = section_text(section);
-    share.push_back(&section);
-  }
-  return {{"shard", {shard_text({1, 1}, 3, id, share)}, read, 500}};
+  const std::vector<Section> all = solve_all(patches_of(families(), 3), 1, Watched::no);
+  return {{"shard", {shard_text({1, 1}, 3, id, all, section_texts(all, 1))}, read, 500}};
 }
 
 }  // namespace restrip::fuzz

@@ -21,10 +21,10 @@ TEST_P(FamiliesAsFiles, GetTheShippedRules) {
   for (const Section& section : solved(GetParam(), 7, 2)) {
     for (const Position& position : section.serves) {
       const std::vector<Description> file = parse_descriptions("file.json", operation_file_text(position));
-      std::vector<Section> own = sections_of(file, 8);
-      ASSERT_EQ(own.size(), 1U);
-      solve(own[0]);
-      for (const Row& made : own[0].rows) {
+      const std::vector<Patches> patches = patches_of(file, 8);
+      ASSERT_EQ(patches.size(), 1U);
+      const Section own = solve(patches[0]);
+      for (const Row& made : own.rows) {
         const Row& row = row_of(section, made.key.ports, made.key.joined);
         EXPECT_EQ(made.solid, row.solid);
         EXPECT_EQ(made.isolated, row.isolated);
@@ -192,9 +192,9 @@ TEST(OperationFiles, WithoutASoundRecolouringAreRefused) {
     "before": {"triangles": 3, "edges": [[0, 1], [1, 2], [2, 0]], "ports": [0, 1, 2]},
     "after": {"triangles": 1, "edges": [], "ports": [0, 0, 0]}})";
   const std::vector<Description> file = parse_descriptions("join.json", text);
-  std::vector<Section> sections = sections_of(file, 8);
+  const std::vector<Patches> patches = patches_of(file, 8);
   try {
-    solve(sections.at(0));
+    (void)solve(patches.at(0));
     ADD_FAILURE() << "rules were made";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(std::string(error.what()).substr(0, 55), "operation join: the configuration 0 3 (inner edges and ");

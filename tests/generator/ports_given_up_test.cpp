@@ -124,8 +124,7 @@ TEST(PortsGivenUp, TheGeneratorFindsBoth) {
 
   std::vector<Description> file = parse_descriptions("file.json", operation_file_text(position));
   const auto row = [&] {
-    Section own = sections_of(file, k).at(0);
-    solve(own);
+    const Section own = solve(patches_of(file, k).at(0));
     return row_of(own, ports, joined);
   };
   const Row keeping = row();

@@ -55,9 +55,7 @@ struct Solved {
   Section section;
 
   explicit Solved(const std::string& file)
-      : descriptions(read_descriptions(file)), section(sections_of(descriptions, most_ports).at(0)) {
-    solve(section);
-  }
+      : descriptions(read_descriptions(file)), section(solve(patches_of(descriptions, most_ports).at(0))) {}
 };
 
 // Of the shipped rules one of the red-green refinement takes most.

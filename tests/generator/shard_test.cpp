@@ -24,15 +24,17 @@ class Shards : public testing::Test {
   void SetUp() override {
     directory_ = fs::temp_directory_path() / ("restrip-shards-" + std::to_string(getpid()));
     fs::remove_all(directory_);
-    all_ = sections_of(families(), 3);
-    for (Section& section : all_) {
-      solve(section);
-      section.text = section_text(section);
-    }
+    const std::vector<Patches> patches = patches_of(families(), 3);
+    all_ = solve_all(patches, 1, Watched::no);
+    all_texts_ = section_texts(all_, 1);
     for (const unsigned index : {1U, 2U}) {
-      std::vector<const Section*> share;
-      for (const std::size_t i : share_of(all_, index, 2)) share.push_back(&all_[i]);
-      texts_.push_back(shard_text({index, 2}, 3, id, share));
+      std::vector<Section> share;
+      std::vector<std::string> texts;
+      for (const std::size_t i : share_of(patches, index, 2)) {
+        share.push_back(all_[i]);
+        texts.push_back(all_texts_[i]);
+      }
+      texts_.push_back(shard_text({index, 2}, 3, id, share, texts));
       put(index, texts_.back());
     }
   }
@@ -66,11 +68,12 @@ class Shards : public testing::Test {
 
   fs::path directory_;
   std::vector<Section> all_;
-  std::vector<std::string> texts_;
+  std::vector<std::string> all_texts_;
+  std::vector<std::string> texts_;  ///< of both shards
 };
 
 TEST(Shares, EverySectionIsInExactlyOne) {
-  const std::vector<Section> all = sections_of(families(), 8);
+  const std::vector<Patches> all = patches_of(families(), 8);
   for (const unsigned count : {1U, 3U, 16U, 1000U}) {
     std::multiset<std::size_t> seen;
     for (unsigned index = 1; index <= count; ++index)
@@ -82,7 +85,7 @@ TEST(Shares, EverySectionIsInExactlyOne) {
 
 TEST(Shares, LongSectionsAreSpread) {
   // Of the twenty-five equal open splits of k = 9 no share of four may have many more than its quarter.
-  const std::vector<Section> all = sections_of(families(), 9);
+  const std::vector<Patches> all = patches_of(families(), 9);
   for (unsigned index = 1; index <= 4; ++index) {
     std::size_t long_ones = 0;
     for (const std::size_t i : share_of(all, index, 4))
@@ -99,7 +102,7 @@ TEST_F(Shards, AreReadBack) {
     const Section& then = all_[i];
     const Section& now = merged.sections[i];
     EXPECT_EQ(now.certificate, then.certificate);
-    EXPECT_EQ(now.text, then.text);
+    EXPECT_EQ(merged.texts[i], all_texts_[i]);
     ASSERT_EQ(now.rows.size(), then.rows.size());
     for (std::size_t r = 0; r < then.rows.size(); ++r) {
       EXPECT_EQ(now.rows[r].key, then.rows[r].key);
