@@ -8,7 +8,9 @@ function(restrip_embed target namespace header)
   set(texts "")
   while(ARGN)
     list(POP_FRONT ARGN name file)
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    if(NOT file MATCHES "^${CMAKE_CURRENT_BINARY_DIR}/")
+      set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    endif()
     file(READ ${file} text)
     string(APPEND texts "const std::string_view ${name} = R\"text(${text})text\";\n")
   endwhile()
@@ -21,8 +23,19 @@ namespace @namespace@ {
   target_sources(${target} PRIVATE ${source})
 endfunction()
 
-# restrip_embed_families(TARGET NAMESPACE HEADER): of tables/families.json and docs/taken-names.json.
+# restrip_embed_families(TARGET NAMESPACE HEADER): of tables/families.json, docs/taken-names.json and a list of all files
+# of tables/operations.
 function(restrip_embed_families target namespace header)
-  set(root ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..)
-  restrip_embed(${target} ${namespace} ${header} families_text ${root}/tables/families.json taken_names_text ${root}/docs/taken-names.json)
+  get_filename_component(root ${CMAKE_CURRENT_FUNCTION_LIST_DIR} DIRECTORY)
+  file(GLOB files CONFIGURE_DEPENDS ${root}/tables/operations/*.json)
+  set(list "")
+  foreach(file IN LISTS files)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    string(APPEND list "${text},")
+  endforeach()
+  string(REGEX REPLACE ",$" "" list "${list}")
+  file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/operations.json "[${list}]")
+  restrip_embed(${target} ${namespace} ${header} families_text ${root}/tables/families.json taken_names_text
+                ${root}/docs/taken-names.json operations_text ${CMAKE_CURRENT_BINARY_DIR}/operations.json)
 endfunction()

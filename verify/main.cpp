@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "files/report_output.hpp"
+#include "model/input.hpp"
 #include "model/program.hpp"
 #include "verify.hpp"
 
@@ -17,8 +18,9 @@ using namespace restrip::verify;
 
 /// `verify` takes a listener and returns totals; `last` makes the last line of them.
 template <class Verify, class Last>
-int run(const Verify& verify, const Last& last, const std::string& json) {
-  const restrip::files::ReportOutput out(json);
+int run(const Verify& verify, const Last& last, const Options& options, const std::string& json) {
+  const restrip::files::ReportOutput out(
+      json, {options.operation, options.certificate, options.linked_certificate, options.header});
   std::vector<ClaimResult> claims;
   if (!out.replaces_text()) fmt::print("{}", heading());
   const Totals totals = verify([&](const ClaimResult& result) {
@@ -114,14 +116,15 @@ int main(int argc, char** argv) {
           !options.families.empty() && given(name),
           fmt::format("{} judges all rules, so --family has no effect on it; run them one after the other", name));
     if (options.operation.empty())
-      return run([&](const auto& listener) { return verify_tables(options, listener); }, last_line, json);
-    const bool of_a_family = has_family(options.operation);
+      return run([&](const auto& listener) { return verify_tables(options, listener); }, last_line, options, json);
+    options.operation_text = read_file(options.operation);  // once: it may be a pipe
+    const bool of_a_family = has_family(options);
     refuse_if(!of_a_family && given("--max-k"),
               fmt::format("{} describes no family, so --max-k has no effect; leave it out", options.operation));
     refuse_if(!of_a_family && !options.dump_command.empty() && options.header.empty(),
               "--dump-command with --operation needs --header: the program was compiled from that file, which is read "
               "before the program is run");
     return run([&](const auto& listener) { return verify_operation(options, listener); },
-               [&](const auto& totals) { return last_line_of(options, totals); }, json);
+               [&](const auto& totals) { return last_line_of(options, totals); }, options, json);
   });
 }

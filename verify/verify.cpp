@@ -65,7 +65,7 @@ class Verification {
   }
 
   Totals operation() {
-    const std::vector<Description> descriptions = parse_descriptions(options_.operation, read_file(options_.operation));
+    const std::vector<Description> descriptions = parse_descriptions(options_.operation, options_.operation_text);
     families_ = families_of(descriptions, options_.max_k);
     if (families_.size() != 1)
       throw InputError(
@@ -320,8 +320,8 @@ Totals verify_operation(const Options& options, const ClaimListener& listener) {
   return Verification(options, listener).operation();
 }
 
-bool has_family(const std::string& operation_file) {
-  const std::vector<Description> descriptions = parse_descriptions(operation_file, read_file(operation_file));
+bool has_family(const Options& options) {
+  const std::vector<Description> descriptions = parse_descriptions(options.operation, options.operation_text);
   return std::any_of(descriptions.begin(), descriptions.end(),
                      [](const Description& one) { return !one.numbers.empty(); });
 }

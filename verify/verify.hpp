@@ -24,6 +24,7 @@ struct Options {
 
   // Of an operation, or family, of a user's own, beside the dump command and what follows the families.
   std::string operation;           ///< the file that describes it
+  std::string operation_text;      ///< and what is in it
   std::string certificate;         ///< the file with its rules; empty: none is checked
   std::string linked_certificate;  ///< the file with its linked rules, which are compared with the others; or empty
   std::string header;              ///< the table as the generator wrote it; empty: it is not read
@@ -38,8 +39,8 @@ Totals verify_tables(const Options& options, const ClaimListener& listener);
 /// the number of inner edges and ports of a side: docs/operation-file.md has figures.
 Totals verify_operation(const Options& options, const ClaimListener& listener);
 
-/// Whether the file describes a family. InputError as above.
-bool has_family(const std::string& operation_file);
+/// Whether the operation file describes a family. InputError as above.
+bool has_family(const Options& options);
 
 /// "verified: split-face.json: 20 rules, …", or "NOT verified: …".
 std::string last_line_of(const Options& options, const Totals& totals);

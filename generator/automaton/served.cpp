@@ -160,7 +160,7 @@ void make_served_headers(const std::vector<std::string>& files, const std::strin
       paths.emplace_back(path_of(family));
       made.push_back({paths.back(), served_header(family)});
     }
-  files::OutputSet set(out, paths);
+  files::OutputSet set(out, paths, {{}, {files.begin(), files.end()}});
   set.write(made);
   for (const files::NamedBytes& file : made) fmt::print("{}\n", file.name.string());
 }

@@ -28,6 +28,8 @@ class Numbering {
           all.emplace_back(!stretch.range,
                            stretch.range ? appeared.emplace(stretch.name, appeared.size()).first->second : all.size(),
                            triangle);
+    if (all.size() > most_triangles)
+      throw std::runtime_error(fmt::format("expected at most {} triangles, found {}", most_triangles, all.size()));
     std::sort(all.begin(), all.end());
     for (const auto& [is_single, order, triangle] : all) {
       if (!number_.emplace(triangle, size()).second)
@@ -52,6 +54,7 @@ class Numbering {
  private:
   using Triangle = std::pair<std::string, int>;
   static constexpr int no_index = -1;
+  static constexpr int most_triangles = 64;  // well above what tables are made of
 
   static std::string text_of(const Triangle& triangle) {
     return triangle.second == no_index ? triangle.first : fmt::format("{}_{}", triangle.first, triangle.second);
@@ -60,8 +63,9 @@ class Numbering {
     if (!stretch.range) return {{stretch.name, no_index}};
     const int from = stretch.range->from.at(place_);
     const int to = stretch.range->to.at(place_);
-    if (from < 0 || to < from)
-      throw std::runtime_error(fmt::format("{}[{},{}) are no triangles", stretch.name, from, to));
+    if (from < 0 || to < from || to > most_triangles)
+      throw std::runtime_error(
+          fmt::format("expected indices from 0 to {}, found {}[{},{})", most_triangles, stretch.name, from, to));
     std::vector<Triangle> all;
     for (int i = from; i < to; ++i) all.emplace_back(stretch.name, i);
     return all;
@@ -114,12 +118,16 @@ Side side_at(const SidePattern& pattern, const PositionNumbers& place) {
   return side;
 }
 
-Side side_at(const SideForm& form, const Position& position, const char* member) {
+[[noreturn]] void refuse(const Position& position, const std::string& in_file, const std::string& what) {
+  throw std::runtime_error(fmt::format("{}{} ({})", in_file, what, name_of(position)));
+}
+
+Side side_at(const SideForm& form, const Position& position, const std::string& in_file) {
   if (const Side* side = std::get_if<Side>(&form)) return *side;
   try {
     return side_at(std::get<SidePattern>(form), position.numbers());
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("{}: {}: {}", name_of(position), member, error.what()));
+    refuse(position, in_file, error.what());
   }
 }
 
@@ -132,15 +140,16 @@ SurfacePatch triangles_at(const Position& position) {
                      family.boundary, position.numbers());
     return surface_patch(named);
   } catch (const PatchFault& fault) {
-    std::string where = fault.member;
-    if (fault.element >= 0 && fault.member != "boundary")
-      where = fmt::format(
-          "{} {}", where,
-          fmt::join((fault.member == "before" ? named.before : named.after).at(static_cast<std::size_t>(fault.element)),
-                    " "));
-    throw std::runtime_error(fmt::format("{}: {}: {}", name_of(position), where, fault.what()));
+    if (fault.member == "boundary") refuse(position, family.boundary_in_file, fault.what());
+    const bool is_before = fault.member == "before";
+    std::string what = fault.what();
+    if (fault.element >= 0)
+      what = fmt::format(
+          "{}: {}",
+          fmt::join((is_before ? named.before : named.after).at(static_cast<std::size_t>(fault.element)), " "), what);
+    refuse(position, is_before ? family.before_in_file : family.after_in_file, what);
   } catch (const std::runtime_error& error) {
-    throw std::runtime_error(fmt::format("{}: {}", name_of(position), error.what()));
+    refuse(position, family.in_file, error.what());
   }
 }
 
@@ -210,10 +219,12 @@ std::vector<Position> positions(const Description& family, unsigned k) {
 
 Patch make_patch(const Position& position) {
   if (!position.family->is_graph_only()) return triangles_at(position).patch;
-  Patch patch{side_at(position.family->before, position, "before"), side_at(position.family->after, position, "after")};
+  const Description& family = *position.family;
+  Patch patch{side_at(family.before, position, family.before_in_file),
+              side_at(family.after, position, family.after_in_file)};
   if (patch.before.ports() != patch.after.ports())
-    throw std::runtime_error(
-        fmt::format("{}: {} ports before and {} after", name_of(position), patch.before.ports(), patch.after.ports()));
+    refuse(position, family.after_in_file,
+           fmt::format("expected as many ports as before, {}, found {}", patch.before.ports(), patch.after.ports()));
   return patch;
 }
 
@@ -221,7 +232,7 @@ Surface surface_at(const Position& position) { return triangles_at(position).sur
 
 Patch patch_of_rows(const Position& position) {
   if (!serves_every_position(*position.family)) return make_patch(position);
-  const Side after = side_at(position.family->after, position, "after");
+  const Side after = side_at(position.family->after, position, position.family->after_in_file);
   return {after, after};
 }
 

@@ -50,6 +50,10 @@ struct Description {
   SideForm before;
   SideForm after;
   std::vector<StretchPattern> boundary;  ///< of triangles
+  std::string in_file;                   ///< where it stands, as errors begin: "f.json:3: operations[0]: "
+  std::string before_in_file;            ///< the same of its sides, and of what of them lies on the boundary
+  std::string after_in_file;
+  std::string boundary_in_file;
 
   [[nodiscard]] bool is_pattern() const { return std::holds_alternative<SidePattern>(after); }
   /// Nothing tells whether it is an operation on a mesh.
@@ -88,7 +92,7 @@ struct Position {
 /// True when a section of its certificate serves all positions of a valence: its rules do not depend on the position.
 [[nodiscard]] bool serves_every_position(const Description& family);
 
-/// Throws std::runtime_error that names the position where a pattern makes no patch of triangles.
+/// Throws std::runtime_error that names file, place and position if a pattern does not make a patch of triangles.
 [[nodiscard]] Patch make_patch(const Position& position);
 
 /// The triangles of a position, which must not be is_graph_only().

@@ -10,6 +10,7 @@
 
 #include "files/reading.hpp"
 #include "operations/emitted_words.hpp"
+#include "operations/families_text.hpp"
 #include "operations/json_value.hpp"
 #include "operations/operation_words.hpp"
 
@@ -23,9 +24,22 @@ std::string name_from(const JsonValue& value, Author author) {
                     name.back() != '-' && name.find("--") == std::string::npos &&
                     std::all_of(name.begin(), name.end(), allowed);
   if (!good) value.refuse("expected lower-case letters, digits and single hyphens, a letter first");
+  if (author == Author::user && name.starts_with("linked-"))
+    value.refuse("expected a name that does not begin with \"linked-\": certificates of linked rules are named so");
   if (const std::string by = author == Author::restrip ? "" : name_is(name); !by.empty())
     value.refuse(fmt::format("\"{0}\" is {1}; choose another name, such as \"{0}-own\"", name, by));
   return name;
+}
+
+/// The library includes the tables of its operations under these names.
+void expect_no_other_operation(const JsonValue& value, const std::string& name) {
+  static const Json shipped = Json::parse(operations_text);
+  for (const Json& one : shipped)
+    if (one.at("name") == name && !(value == one))
+      value["name"].refuse(
+          fmt::format("\"{0}\" is an operation of restrip, tables/operations/{0}.json, and this is another one; "
+                      "choose another name, such as \"{0}-own\"",
+                      name));
 }
 
 std::string sentence_from(const JsonValue& value) {
@@ -39,10 +53,12 @@ std::string sentence_from(const JsonValue& value) {
 /// A position as certificates write it, whose lines are words.
 std::string words_from(const JsonValue& value) {
   std::string words = value.text();
-  const bool has_empty_word =
-      words.empty() || words.front() == ' ' || words.back() == ' ' || words.find("  ") < words.size();
-  if (has_empty_word || !std::all_of(words.begin(), words.end(), [](char c) { return ' ' <= c && c <= '~'; }))
-    value.refuse("expected words of printable ASCII with one space between them");
+  constexpr std::size_t longest = 60;
+  const bool ill_formed = words.empty() || words.size() > longest || words.front() == ' ' || words.back() == ' ' ||
+                          words.find("  ") < words.size();
+  if (ill_formed || !std::all_of(words.begin(), words.end(), [](char c) { return ' ' <= c && c <= '~'; }))
+    value.refuse(
+        fmt::format("expected words of printable ASCII with one space between them, at most {} characters", longest));
   return words;
 }
 
@@ -237,13 +253,36 @@ std::vector<std::string> numbers_from(const JsonValue& value) {
   for (const JsonValue& element : value.elements("numbers")) {
     numbers.push_back(element.text());
     const std::string& name = numbers.back();
-    if (name.empty() || !std::all_of(name.begin(), name.end(), [](char c) { return 'a' <= c && c <= 'z'; }))
-      element.refuse("expected lower-case letters");
+    if (name.empty() || name.size() > longest_word ||
+        !std::all_of(name.begin(), name.end(), [](char c) { return 'a' <= c && c <= 'z'; }))
+      element.refuse(fmt::format("expected 1 to {} lower-case letters", longest_word));
     if (std::count(numbers.begin(), numbers.end(), name) > 1) element.refuse("this number is there already");
   }
   if (numbers.size() > PositionNumbers{}.size())
     value.refuse(fmt::format("expected {} numbers at most", PositionNumbers{}.size()));
   return numbers;
+}
+
+/// Braces are for the numbers, each once: the header has their places there instead, as in "k {0}".
+void expect_numbers_once(const JsonValue& value, const std::vector<std::string>& numbers) {
+  std::string text = value.text();
+  for (const std::string& number : numbers)
+    if (const std::size_t at = text.find(fmt::format("{{{}}}", number)); at != std::string::npos)
+      text.erase(at, number.size() + 2);
+  if (text.find_first_of("{}") != std::string::npos)
+    value.refuse(
+        fmt::format("expected braces only around {}, each at most once",
+                    numbers.empty() ? "numbers, which it does not have" : fmt::format("{}", fmt::join(numbers, ", "))));
+}
+
+/// The verifier holds every rule against these bounds.
+void expect_bounds(const JsonValue& value, const std::vector<std::string>& numbers) {
+  for (const JsonValue& bound : value.elements("bounds")) {
+    bound.expect_members({"where", "strips", "isolated"});
+    if (bound.has("where")) formula(bound["where"], numbers, parse_conditions);
+    for (const char* member : {"strips", "isolated"})
+      if (bound.has(member)) static_cast<void>(bound[member].number(-16, 16, "a number"));
+  }
 }
 
 /// What only families have.
@@ -260,7 +299,9 @@ void take_positions(const JsonValue& value, Description& family) {
   for (const std::string& number : family.numbers)
     if (family.place.find(fmt::format("{{{}}}", number)) == std::string::npos)
       value["position"].refuse(fmt::format("expected each number in braces, and {{{}}} is missing", number));
+  if (value.has("position")) expect_numbers_once(value["position"], family.numbers);
   family.section = value.has("section") ? words_from(value["section"]) : family.place;
+  if (value.has("section")) expect_numbers_once(value["section"], family.numbers);
   if (family.section.empty()) family.section = family.name;
 }
 
@@ -290,14 +331,21 @@ Description description_from(const JsonValue& value, Author author) {
         "a dashed port stays dashed: whether it may become solid depends on the triangle behind it, which no rule "
         "sees; "
         "describe that triangle as part of the patch");
-  // `at_most` is what the verifier holds the rules against.
   value.expect_members({"restrip_operation", "name", "about", "certificate", "constraint", "numbers", "where", "listed",
                         "position", "section", "before", "after", "boundary", "give_up", "cost", "linked", "at_most"});
   Description description;
+  description.in_file = value.where();
+  if (value.has("restrip_operation"))
+    static_cast<void>(value["restrip_operation"].number(1, 1, "a version of the format"));
   description.name = name_from(value["name"], author);
+  if (author == Author::user) expect_no_other_operation(value, description.name);
   if (value.has("about")) description.about = sentence_from(value["about"]);
   description.certificate = value.has("certificate") ? name_from(value["certificate"], author) : description.name;
   take_positions(value, description);
+  if (value.has("at_most")) expect_bounds(value["at_most"], description.numbers);
+  description.before_in_file = value["before"].where();
+  description.after_in_file = value["after"].where();
+  if (value.has("boundary")) description.boundary_in_file = value["boundary"].where();
   if (value["before"].is_list()) {
     description.before = triangles_from(value["before"], description.numbers);
     description.after = triangles_from(value["after"], description.numbers);
@@ -341,6 +389,7 @@ std::vector<Description> parse_descriptions(const std::string& file, const std::
       for (std::size_t i = 0; i + 1 < all.size(); ++i)
         if (all[i].name == all.back().name) one["name"].refuse("another description is named so as well");
     }
+    if (all.empty()) top[list].refuse("expected a list of descriptions, found none");
   } else {
     all.push_back(description_from(top, author));
   }

@@ -59,9 +59,11 @@ std::string unprintable(std::string_view text) {
 }
 
 std::string printable(std::string_view text) {
+  constexpr std::size_t longest = 400;
   std::string words;
-  for (const char c : text)
+  for (const char c : text.substr(0, longest))
     words += c >= ' ' && c <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  if (text.size() > longest) words += "...";
   return words;
 }
 

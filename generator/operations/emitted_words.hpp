@@ -10,7 +10,7 @@ namespace restrip::generator {
 /// The first thing in a UTF-8 text that may not be in a comment, such as "U+000A"; empty when all of it may.
 [[nodiscard]] std::string unprintable(std::string_view text);
 
-/// The text as a message has it: every byte that is not printable ASCII is written as \x1b.
+/// The text as a message has it: every byte that is not printable ASCII is written as \x1b; long ones are cut.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// What takes the name, such as "a keyword of C++" (docs/taken-names.json); empty when nothing does.

@@ -1,4 +1,5 @@
-// tables/families.json and docs/taken-names.json as they were when this was built (cmake/Embed.cmake).
+// tables/families.json, docs/taken-names.json and a list of the files of tables/operations, as they were when this was
+// built (cmake/Embed.cmake).
 #pragma once
 
 #include <string_view>
@@ -7,5 +8,6 @@ namespace restrip::generator {
 
 extern const std::string_view families_text;
 extern const std::string_view taken_names_text;
+extern const std::string_view operations_text;
 
 }  // namespace restrip::generator

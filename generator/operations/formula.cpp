@@ -11,6 +11,10 @@
 namespace restrip::generator {
 namespace {
 
+/// With constants of four digits no value overflows.
+constexpr std::size_t most_terms_of_a_sum = 16;
+constexpr std::size_t most_comparisons = 16;
+
 /// Reads a formula of certain numbers from left to right.
 class FormulaReader {
  public:
@@ -21,7 +25,9 @@ class FormulaReader {
   Sum sum() {
     Sum sum;
     add_term(sum, 1);
-    for (;;) {
+    for (std::size_t terms = 1;; ++terms) {
+      if (terms > most_terms_of_a_sum)
+        refuse(fmt::format("at most {} terms of a sum before this", most_terms_of_a_sum));
       if (taken("+"))
         add_term(sum, 1);
       else if (taken("-"))
@@ -40,6 +46,7 @@ class FormulaReader {
       for (std::string sign = this->sign(); !sign.empty(); sign = this->sign()) {
         const Sum right = sum();
         all.push_back({left, sign, right});
+        if (all.size() > most_comparisons) refuse(fmt::format("at most {} comparisons before this", most_comparisons));
         left = right;
       }
       if (all.size() == before) refuse("a comparison");
@@ -51,7 +58,8 @@ class FormulaReader {
   /// name [ "[" sum "," sum ")" ]
   Stretch stretch() {
     Stretch stretch{run_of([](int c) { return std::isalnum(c); }), {}};
-    if (stretch.name.empty()) refuse("a name");
+    if (stretch.name.empty() || stretch.name.size() > longest_word)
+      refuse(fmt::format("a name of 1 to {} letters and digits before this", longest_word));
     if (taken("[")) {
       stretch.range.emplace().from = sum();
       if (!taken(",")) refuse("\",\"");
@@ -76,7 +84,9 @@ class FormulaReader {
 
  private:
   [[noreturn]] void refuse(const std::string& expected) const {
-    throw std::runtime_error(fmt::format("\"{}\": expected {} in column {}", text_, expected, at_ + 1));
+    constexpr std::size_t shown = 100;
+    throw std::runtime_error(fmt::format("\"{}{}\": expected {} in column {}", text_.substr(0, shown),
+                                         text_.size() > shown ? "..." : "", expected, at_ + 1));
   }
   void skip_space() {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,8 @@ struct Comparison {
 /// All of them hold.
 using Conditions = std::vector<Comparison>;
 [[nodiscard]] bool hold(const Conditions& conditions, const PositionNumbers& place);
+
+inline constexpr std::size_t longest_word = 20;  ///< names of vertices, triangles and numbers
 
 /// Triangles of a side: one by its name, or x_from … x_(to - 1).
 struct Stretch {

@@ -20,6 +20,11 @@ std::string path_of(const std::string& object, const std::string& member) {
 }
 std::string path_of(const std::string& list, std::size_t place) { return fmt::format("{}[{}]", list, place); }
 
+/// Limits of docs/operation-file.md. Without them the paths of a small file would take gigabytes.
+constexpr std::size_t deepest = 8;
+constexpr std::size_t most_members = 64;
+constexpr std::size_t longest_member = 60;
+
 /// Follows the parser through a text, of which it tells values and no places: how far it has read is known.
 class Follower {
  public:
@@ -29,9 +34,15 @@ class Follower {
     using Event = Json::parse_event_t;
     if (event == Event::key) {
       Open& object = open_.back();
-      object.path_inside = path_of(object.path, value.get<std::string>());
+      const std::string name = value.get<std::string>();
+      object.path_inside = path_of(object.path, name);
+      if (name.size() > longest_member)
+        refuse(fmt::format("expected names of members of at most {} bytes, found \"{}\"", longest_member, name));
       // The last of two members of one name would silently win.
-      if (!object.members.insert(object.path_inside).second) twice_ = value.get<std::string>();
+      if (!object.members.insert(object.path_inside).second)
+        refuse(fmt::format("the member \"{}\" is there twice", name));
+      if (object.members.size() > most_members)
+        refuse(fmt::format("expected at most {} members of an object", most_members));
     } else if (event == Event::object_end || event == Event::array_end) {
       open_.pop_back();
     } else {
@@ -39,11 +50,13 @@ class Follower {
       if (!open_.empty())
         path = open_.back().is_list ? path_of(open_.back().path, open_.back().elements++) : open_.back().path_inside;
       file_.lines.emplace(path, line());
-      if (event != Event::value) open_.push_back({path, event == Event::array_start, 0, {}, {}});
+      if (event == Event::value) return true;
+      if (open_.size() == deepest)
+        refuse(fmt::format("expected lists and objects at most {} deep inside one another", deepest));
+      open_.push_back({path, event == Event::array_start, 0, {}, {}});
     }
     return true;
   }
-  [[nodiscard]] const std::string& member_twice() const { return twice_; }
 
  private:
   struct Open {
@@ -53,6 +66,10 @@ class Follower {
     std::string path_inside;  ///< of the member that comes
     std::set<std::string> members;
   };
+
+  [[noreturn]] void refuse(const std::string& what) {
+    throw std::runtime_error(fmt::format("{}:{}: {}", file_.name, line(), printable(what)));
+  }
 
   /// Of the last token: the parser has read it, and of what follows a number the first character.
   std::size_t line() {
@@ -67,7 +84,6 @@ class Follower {
   std::istream& text_;
   const std::string& whole_;
   std::vector<Open> open_;
-  std::string twice_;
   std::ptrdiff_t counted_ = 0;
   std::size_t line_ = 1;
 };
@@ -88,15 +104,14 @@ JsonFile parse_json(const std::string& file, const std::string& text) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end), '\n');
     throw std::runtime_error(fmt::format("{}:{}: this is not JSON: {}", file, line, printable(error.what())));
   }
-  if (const std::string& twice = follower.member_twice(); !twice.empty())
-    throw std::runtime_error(fmt::format("{}: the member \"{}\" is there twice", file, printable(twice)));
   return parsed;
 }
 
-void JsonValue::refuse(const std::string& what) const {
-  throw std::runtime_error(fmt::format("{}:{}: {}{}{}", file_.name, file_.lines.at(path_), printable(path_),
-                                       path_.empty() ? "" : ": ", printable(what)));
+std::string JsonValue::where() const {
+  return fmt::format("{}:{}: {}{}", file_.name, file_.lines.at(path_), printable(path_), path_.empty() ? "" : ": ");
 }
+
+void JsonValue::refuse(const std::string& what) const { throw std::runtime_error(where() + printable(what)); }
 
 JsonValue JsonValue::operator[](const std::string& member) const {
   if (!has(member)) refuse(fmt::format("expected a member \"{}\"", member));
@@ -110,7 +125,10 @@ std::vector<std::string> JsonValue::members() const {
 }
 
 std::vector<JsonValue> JsonValue::elements(const std::string& of_what) const {
+  constexpr std::size_t most = 64;
   if (!json_.is_array()) refuse(fmt::format("expected a list of {}", of_what));
+  if (json_.size() > most)
+    refuse(fmt::format("expected a list of at most {} {}, found {}", most, of_what, json_.size()));
   std::vector<JsonValue> values;
   for (std::size_t i = 0; i < json_.size(); ++i) values.push_back({file_, json_[i], path_of(path_, i)});
   return values;

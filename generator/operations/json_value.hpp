@@ -20,7 +20,8 @@ struct JsonFile {
   std::map<std::string, std::size_t> lines;
 };
 
-/// Throws std::runtime_error that names file and line where the text is not JSON, or has a member twice.
+/// Throws std::runtime_error that names file and line where the text is not JSON, has a member twice, or exceeds a
+/// limit of docs/operation-file.md.
 [[nodiscard]] JsonFile parse_json(const std::string& file, const std::string& text);
 
 class JsonValue {
@@ -29,8 +30,11 @@ class JsonValue {
   explicit JsonValue(const JsonFile& file) : JsonValue(file, file.json, "") {}
 
   [[noreturn]] void refuse(const std::string& what) const;
+  /// How errors about it begin: "f.json:4: after.ring[3]: ".
+  [[nodiscard]] std::string where() const;
 
   [[nodiscard]] bool has(const std::string& member) const { return json_.contains(member); }
+  [[nodiscard]] bool operator==(const Json& json) const { return json_ == json; }
   [[nodiscard]] bool is_text() const { return json_.is_string(); }
   [[nodiscard]] bool is_list() const { return json_.is_array(); }
   [[nodiscard]] JsonValue operator[](const std::string& member) const;

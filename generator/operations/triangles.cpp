@@ -50,7 +50,7 @@ bool is_vertex_name(const std::string& name) {
   const auto allowed = [](char c) {
     return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_';
   };
-  return !name.empty() && name.size() <= 20 && std::all_of(name.begin(), name.end(), allowed);
+  return !name.empty() && name.size() <= longest_word && std::all_of(name.begin(), name.end(), allowed);
 }
 
 /// The triangles of one side of the operation, by their directed edges.

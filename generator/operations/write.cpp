@@ -37,9 +37,9 @@ void expect_within_limits(const Patches& section) {
       if (side->nodes > most_nodes || side->owner.empty() || side->ports() > most_ports ||
           side->edges.size() + side->owner.size() > most_edges_and_ports)
         throw std::runtime_error(fmt::format(
-            "{}: expected 1 to {} triangles, 1 to {} ports, and at most {} edges and ports together on each "
+            "{}{}: expected 1 to {} triangles, 1 to {} ports, and at most {} edges and ports together on each "
             "side; a smaller --max-k leaves large positions out",
-            name_of(position), most_nodes, most_ports, most_edges_and_ports));
+            position.family->in_file, name_of(position), most_nodes, most_ports, most_edges_and_ports));
   }
 }
 
@@ -165,8 +165,9 @@ void make_rules(const RulesOptions& options) {
     by_name.back().push_back(std::move(one));
   }
   for (const Description& description : descriptions) paths.merge(paths_of(description, options.languages));
-  files::OutputSet out(options.out, {paths.begin(), paths.end()});
-  const files::ReportOutput report(options.json, {options.files.begin(), options.files.end()});
+  const std::vector<std::filesystem::path> inputs{options.files.begin(), options.files.end()};
+  files::OutputSet out(options.out, {paths.begin(), paths.end()}, {{}, inputs});
+  const files::ReportOutput report(options.json, inputs);
 
   std::vector<files::NamedBytes> texts;
   nlohmann::ordered_json json;

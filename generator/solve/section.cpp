@@ -115,10 +115,10 @@ class Copier {
       joined += fmt::format("{} {} and {}", joined.empty() ? ", which joins the ports" : ",", std::countr_zero(pair),
                             std::bit_width(pair) - 1);
     throw std::runtime_error(
-        fmt::format("operation {}: the configuration {:x} {:x} (inner edges and ports that are solid before, as in a "
+        fmt::format("{}operation {}: the configuration {:x} {:x} (inner edges and ports that are solid before, as in a "
                     "dump{}) has no sound recolouring that keeps the ports that must stay; list more of its ports "
                     "under \"give_up\"",
-                    name_of(position), first->before, key.ports, joined));
+                    position.family->in_file, name_of(position), first->before, key.ports, joined));
   }
   throw std::logic_error("no configuration has this key");
 }
@@ -179,9 +179,9 @@ void expect_served(const Position& position, const Position& rows) {
       family.gives_all_up != first.gives_all_up || family.may_give_up != first.may_give_up ||
       family.preference != first.preference)
     throw std::runtime_error(
-        fmt::format("section {} cannot serve {}: its positions differ after the operation, or in what is "
+        fmt::format("{}section {} cannot serve {}: its positions differ after the operation, or in what is "
                     "best; name more numbers in \"section\"",
-                    position_text(rows), name_of(position)));
+                    family.in_file, position_text(rows), name_of(position)));
 }
 
 }  // namespace
@@ -218,7 +218,9 @@ std::vector<Patches> patches_of(const std::vector<Description>& descriptions, un
     for (const Description& description : descriptions) {
       if (description.certificate != certificate) continue;
       const std::vector<Position> all = positions_up_to(description, max_k);
-      if (all.empty()) throw std::runtime_error(fmt::format("{} has no position up to {}", description.name, max_k));
+      if (all.empty())
+        throw std::runtime_error(
+            fmt::format("{}{} has no position up to {}", description.in_file, description.name, max_k));
       for (const Position& position : all) {
         auto section = std::find_if(
             sections.begin() + static_cast<std::ptrdiff_t>(of_others), sections.end(),

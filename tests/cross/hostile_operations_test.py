@@ -38,6 +38,11 @@ ABOUTS = ["The next line belongs to this one \\", "\ufeffHarmless.", "Harmless.\
           "The next line belongs to this one ??/", "Harmless. \u202etxet denrut", "Harmless.\vint owned;"]
 SYLLABLES = ["a", "x2", "bi", "sect", "int", "co", "await", "rule", "of", "open", "split", "static", "cast", "vec2", "i32", "if", "for", "m8"]
 
+HEADERS = """cassert ccomplex cctype cerrno cfenv cfloat cinttypes climits clocale cmath csetjmp csignal cstdarg cstddef cstdint cstdio cstdlib cstring
+ctime cuchar cwchar cwctype atomic version""".split()
+POSIX = """aio arpa/inet dirent dlfcn fcntl fmtmsg fnmatch ftw glob grp iconv langinfo libgen monetary mqueue net/if netdb netinet/in netinet/tcp
+nl_types poll pthread pwd regex sched search semaphore spawn strings sys/ipc sys/mman sys/msg sys/resource sys/select sys/sem sys/shm
+sys/socket sys/stat sys/statvfs sys/time sys/times sys/types sys/uio sys/un sys/utsname sys/wait syslog termios unistd utime utmpx wordexp""".split()
 
 # docs/operation-file.md, "Words": code points that no sentence has, first and last.
 HIDDEN = [(0, 0x1f), (0x7f, 0x9f), (0xad, 0xad), (0x61c, 0x61c), (0x180e, 0x180e), (0x200b, 0x200f), (0x2028, 0x202e), (0x2060, 0x206f),
@@ -178,6 +183,15 @@ def main():
             file.write_text(json.dumps(dict(PLAIN, name=name.replace("_", "-"))), encoding="utf-8")
             if not refused_alike(programs, file, out):
                 raise SystemExit(f"the name {name} is accepted")
+
+        # Every macro without parameters that a standard header of C++ or POSIX defines where one could stand as a name.
+        names = set()
+        for header in HEADERS + [name + ".h" for name in POSIX]:
+            macros = subprocess.run([compiler, "-std=gnu++20", "-dM", "-E", "-x", "c++", "-"], input=f"#include <{header}>\n", capture_output=True,
+                                    text=True, check=False).stdout
+            names.update(re.findall(r"^#define ([a-z][a-z0-9]*(?:_[a-z0-9]+)*)(?: |$)", macros, re.M))
+        if not {"math_errhandling", "sa_handler", "errno"} <= names or not names <= set(taken):
+            raise SystemExit(f"macros that are not taken: {sorted(names - set(taken))}, of {len(names)}")
 
         # Every code point at the edge of those that may not be there.
         for code in sorted({code for first, last in HIDDEN for code in (first - 1, first, last, last + 1)} - {-1, 0x110000}):

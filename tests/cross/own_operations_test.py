@@ -38,11 +38,21 @@ REFUSED = {
     "positions of one name": ({"position": "k {k}"}, '"position"|{i} is missing', 'also "{i}"'),
     "an unknown number": ({"where": "k >= 2, j < k"}, "where", "expected a sum of k, i"),
     "four numbers": ({"numbers": ["k", "i", "j", "l"]}, "3 numbers at most", "numbers"),
-    "other ports after": ({"after": {"path": ["t[0,k-1)"]}}, "2 ports before and 1 after", "expected as many ports as before"),
+    "other ports after": ({"after": {"path": ["t[0,k-1)"]}}, "fan-own.json:1: after: expected as many ports as before, 2, found 1 (fan-own k 2 i 0)", "expected as many ports as before"),
     "too many triangles": (
-        {"before": {"ring": ["t[0,k)", "s[0,3 k)"], "ports": ["t[0,k)"]}}, "fan-own k 5 i 0: expected 1 to 16 triangles",
+        {"before": {"ring": ["t[0,k)", "s[0,3 k)"], "ports": ["t[0,k)"]}}, "fan-own.json:1: fan-own k 5 i 0: expected 1 to 16 triangles",
         "before: expected 1 to 16 triangles, found 20"),
     "no such triangle": ({"after": {"path": ["t[0,k)"], "chord": ["t[0,1)", "N"]}}, "N is not in it", "no triangle is named N"),
+    "a term too many": ({"where": "k >= 2, i < k" + " + k - k" * 8}, "at most 16 terms of a sum", "a sum of at most 16 terms"),
+    "a range of millions": ({"before": {"ring": ["A", "t[0,9999 k)"]}}, "expected indices from 0 to 64", "expected numbers from 0 to 16"),
+    "a number twice": ({"numbers": ["k", "i", "k"]}, "numbers[2]: this number is there already", "numbers[2]: expected each number once"),
+    "the place of a number": ({"position": "k {k} i {i} {0}"}, "expected braces only around", "braces only around"),
+    "a name of linked rules": ({"name": "linked-fan"}, 'does not begin with "linked-"', 'does not begin with "linked-"'),
+    "a certificate of linked rules": ({"certificate": "linked-fan"}, 'certificate: expected a name that does not', "certificate: expected a name that does not"),
+    "no list of bounds": ({"at_most": 1}, "at_most: expected a list of bounds", "at_most: expected a list of bounds"),
+    "a bound of nothing known": ({"at_most": [{"swaps": 1}]}, "at_most[0].swaps: unknown member", "at_most[0].swaps: unknown member"),
+    "nine ports": ({"where": "k = 5, i < k", "after": {"path": ["t[0,k+2)"], "ports": ["t[0,k+2)", "t[0,1)", "t[k+1,k+2)"]}, "before": {
+        "path": ["A", "t[0,k)", "D"], "ports": ["A", "A", "D", "D", "t[0,k)"]}}, "1 to 8 ports", "expected 1 to 8 ports"),
     "linked rules that give ports up": ({"linked": True}, "linked rules are for strips", "linked rules are for strips"),
 }
 
@@ -63,12 +73,12 @@ REFUSED_TRIANGLES = {
     "an index without end": ({"after": [["u[0]", "u[j]", "u[j+1]", "j"]]}, "expected an index with its values", "expected a range"),
     "five words": ({"after": [["u[0]", "u[j]", "u[j+1]", "j[1,k-1)", "j"]]}, "three vertices, and an index", "three vertices, and an index"),
     "an open bracket": ({"after": [["u[0]", "u[j]", "u[j+1", "j[1,k-1)"]]}, 'expected "]"', "expected a vertex as"),
-    "a negative index": ({"before": [["v", "u[j-1]", "u[j]", "j[0,k-1)"], LAST]}, "hub-own k 4 i 0: u[-1] is no vertex", "no negative index"),
+    "a negative index": ({"before": [["v", "u[j-1]", "u[j]", "j[0,k-1)"], LAST]}, "u[-1] is no vertex (hub-own k 4 i 0)", "no negative index"),
     "values below 0": ({"after": [["u[0]", "u[j]", "u[j+1]", "j[k-5,k-1)"]]}, "are no indices", "expected numbers from 0 to 16"),
     "a rim that is another": (
-        {"after": [["u[0]", "u[j]", "u[j+1]", "j[1,k-2)"]]}, "hub-own k 4 i 0: after u_0 u_1 u_2: u_2 u_0 is an edge of the rim",
+        {"after": [["u[0]", "u[j]", "u[j+1]", "j[1,k-2)"]]}, "hub-own.json:1: after: u_0 u_1 u_2: u_2 u_0 is an edge of the rim",
         "before[0]: expected the same rim on both sides"),
-    "a rim with a gap": ({"before": [BEFORE]}, "hub-own k 4 i 0: after u_0 u_2 u_3: u_3 u_0 is an edge of the rim", "(k = 4, i = 0)"),
+    "a rim with a gap": ({"before": [BEFORE]}, "hub-own.json:1: after: u_0 u_2 u_3: u_3 u_0 is an edge of the rim", "(k = 4, i = 0)"),
     "triangles that overlap": ({"before": [BEFORE, LAST, LAST]}, "the edge v u_3 has two triangles already", "at most two triangles at the edge"),
     "too many triangles": ({"before": [["v", "u[j]", "u[j+1]", "j[0,4 k)"], LAST]}, "expected 1 to 16 triangles", "expected 1 to 16 triangles"),
     "a stretch to nowhere": ({"boundary": [["u[0]", "u[k]"]]}, "boundary: expected vertices of the rim", "boundary[0]: expected vertices that the rim has"),
@@ -217,6 +227,38 @@ def check_ports_given_up():
     expect("\nrule 1f a0 " in section and " 1f c " not in section, "collapse k 5: other keys than were thought of")
 
 
+def check_shipped_names():
+    """A shipped operation's name is for its file: with another description under it the library would use the user's table."""
+    for shipped in sorted(FAMILIES.parent.glob("operations/*.json")):
+        expect(solve(shipped, None).returncode == 0, shipped)
+        description = json.loads(shipped.read_text())
+        file = SCRATCH / shipped.name
+        file.write_text(json.dumps({**description, "after": [triangle[1:] + triangle[:1] for triangle in description["after"]]}))
+        for done in (solve(file, None), verify(file, shipped.stem, max_k=None)):
+            expect(done.returncode == 2 and f'{shipped.stem}.json:1' in done.stderr and "is an operation of restrip" in done.stderr, done.stderr)
+
+
+def check_links():
+    """An output that leads to the operation file is refused; an operation file may be a pipe."""
+    file = SCRATCH / "linked.json"
+    text = (CORPUS / "split-face-graph.json").read_text()
+    file.write_text(text)
+    for folder, name in (("include/restrip/tables/operations", "split_face_graph.hpp"), ("certificates/operations", "split-face-graph.cert")):
+        out = SCRATCH / "links" / folder
+        out.mkdir(parents=True, exist_ok=True)
+        (out / name).unlink(missing_ok=True)
+        (out / name).symlink_to(file)
+        done = run(GENERATOR, "rules", "--operation", file, "--out", SCRATCH / "links")
+        expect(done.returncode == 2 and f"{name}: is the input" in done.stderr and file.read_text() == text, done.stderr)
+        (out / name).unlink()
+    expect(solve(file, None).returncode == 0, "without links")
+    report = run(VERIFIER, "--operation", file, "--certificate", certificate("split-face-graph"), "--json", file)
+    expect(report.returncode == 2 and "is the input" in report.stderr and file.read_text() == text, report.stderr)
+    piped = subprocess.run([VERIFIER, "--operation", "/dev/stdin", "--certificate", certificate("split-face-graph")], input=text, capture_output=True,
+                           text=True, check=False)
+    expect(piped.returncode == 0 and "\nverified: " in piped.stdout, piped.stderr)
+
+
 def check_refused(without_fault, refused):
     name = without_fault["name"]
     file = SCRATCH / (name + ".json")
@@ -287,7 +329,7 @@ def check_corpus():
 
 
 def check_single():
-    done = solve(CORPUS / "split-face.json")
+    done = solve(CORPUS / "split-face-graph.json")
     expect(done.returncode == 2 and "no family, so --max-k has no effect" in done.stderr, done.stderr)
 
 
@@ -300,3 +342,5 @@ check_refused(TRIANGLES, REFUSED_TRIANGLES)
 check_automaton()
 check_corpus()
 check_single()
+check_shipped_names()
+check_links()

@@ -60,8 +60,8 @@ Target file_target() {
     return true;
   };
   return {"operation-file",
-          {corpus_text("split-face"), corpus_text("bisect-costs"), corpus_text("flip-forest"), families_of_ones_own(),
-           read_file(RESTRIP_TABLES "/operations/merge-boundary.json")},
+          {corpus_text("split-face-graph"), corpus_text("bisect-costs"), corpus_text("flip-forest"),
+           families_of_ones_own(), read_file(RESTRIP_TABLES "/operations/merge-boundary.json")},
           refusing(read),
           10000};
 }
@@ -88,8 +88,8 @@ Target operation_certificate_target() {
 }
 
 Target operation_dump_target() {
-  const auto family = family_of_one(corpus_text("split-face"));
-  std::string seed = "restrip-table-dump 4\ntable split-face\n";
+  const auto family = family_of_one(corpus_text("split-face-graph"));
+  std::string seed = "restrip-table-dump 4\ntable split-face-graph\n";
   for (Mask ports = 0; ports < 8; ++ports) seed += fmt::format("0 {:x} {}\n", ports, ports == 7 ? "-" : "0 0 2 2");
   seed += "end 8\n";
   const auto read = [family](std::string_view bytes) {

@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Operations, FamiliesAsFiles, ::testing::ValuesIn(certif
 
 const std::string bisect = R"({
   "restrip_operation": 1,
-  "name": "bisect",
+  "name": "bisect-graph",
   "constraint": "strips",
   "before": {"triangles": 2, "edges": [[0, 1]], "ports": [0, 0, 1, 1]},
   "after": {"triangles": 4, "edges": [[0, 1], [1, 2], [2, 3], [3, 0]], "ports": [0, 1, 2, 3]},
@@ -60,6 +60,12 @@ const std::string bisect = R"({
     [{"count": "isolated", "weight": 2}, {"count": "given_up"}]
   ]
 })";
+
+std::string many(const std::string& text, unsigned times) {
+  std::string all;
+  for (unsigned i = 0; i < times; ++i) all += text;
+  return all;
+}
 
 struct Fault {
   std::string from;
@@ -90,9 +96,9 @@ TEST(OperationFiles, AreRefusedWithTheLine) {
       {"{\n  \"restrip", "\xef\xbb\xbf{\n  \"restrip",
        "b.json:1: the file begins with a byte order mark; save it as UTF-8"},
       {"\"restrip_operation\": 1", "\"restrip_operation\": 2", "b.json:2: restrip_operation: expected a version"},
-      {"\"bisect\"", "\"Bisect\"", "b.json:3: name: expected lower-case"},
-      {"\"bisect\"", "\"bi--sect\"", "b.json:3: name: expected lower-case"},
-      {"\"bisect\",", "\"bisect\"", "b.json:4: this is not JSON"},
+      {"\"bisect-graph\"", "\"Bisect\"", "b.json:3: name: expected lower-case"},
+      {"\"bisect-graph\"", "\"bi--sect\"", "b.json:3: name: expected lower-case"},
+      {"\"bisect-graph\",", "\"bisect\"", "b.json:4: this is not JSON"},
       {"\"strips\",", "\"strip\",", "b.json:4: constraint: expected \"strips\""},
       {"\"constraint\"", "\"constraints\"", "b.json:4: constraints: unknown member"},
       {"{\"triangles\": 2,", "{\"triangles\": 0,", "b.json:5: before.triangles: expected a number of triangles from 1"},
@@ -105,7 +111,7 @@ TEST(OperationFiles, AreRefusedWithTheLine) {
       {"[0, 0, 1, 1]", "[]", "b.json:5: before.ports: expected 1 to 8 ports"},
       {"[0, 1, 2, 3]}", "[0, 1, 2]}", "b.json:6: after.ports: expected as many ports as before"},
       {"\"give_up\": \"none\"", "\"take\": \"all\"", "b.json:7: take: a dashed port stays dashed: whether it may"},
-      {"\"give_up\": \"none\"", "\"name\": \"b\"", "b.json: the member \"name\" is there twice"},
+      {"\"give_up\": \"none\"", "\"name\": \"b\"", "b.json:7: the member \"name\" is there twice"},
       {"\"none\"", "\"some\"", "b.json:7: give_up: expected \"none\""},
       {"\"none\"", "[0, 4]", "b.json:7: give_up[1]: expected a port from 0 to 3"},
       {"\"none\"", "[1, 1]", "b.json:7: give_up[1]: this port is there already"},
@@ -114,9 +120,24 @@ TEST(OperationFiles, AreRefusedWithTheLine) {
        "b.json:9: cost[0][0].edges: \"strips\" does not choose among edges"},
       {"\"isolated\"", "\"lonely\"", "b.json:10: cost[1][0].count: expected one of strips,"},
       {"\"weight\": 2", "\"weight\": 2000001", "b.json:10: cost[1][0].weight: expected a weight from -1000000"},
-      {"\"weight\": 2", "\"weight\": 0.5", "b.json:10: cost[1][0].weight: expected a weight"}};
+      {"\"weight\": 2", "\"weight\": 0.5", "b.json:10: cost[1][0].weight: expected a weight"},
+      {"\"none\"", std::string(50000, '[') + std::string(50000, ']'),
+       "b.json:7: expected lists and objects at most 8 deep"},
+      {"\"give_up\"", "\"" + std::string(100000, 'g') + "\"",
+       "b.json:7: expected names of members of at most 60 bytes"},
+      {"\"none\"", "[0" + many(", 0", 64) + "]", "b.json:7: give_up: expected a list of at most 64 ports, found 65"},
+      {"\"bisect-graph\"", "\"linked-bisect\"", "b.json:3: name: expected a name that does not begin with \"linked-\""},
+      {"\"bisect-graph\"", "\"bisect\"",
+       "b.json:3: name: \"bisect\" is an operation of restrip, tables/operations/bisect.json"},
+      {"\"bisect-graph\"", "\"math-errhandling\"",
+       "b.json:3: name: \"math-errhandling\" is a macro of C, C++ or POSIX"},
+      {"\"give_up\"", "\"at_most\": 1, \"give_up\"", "b.json:7: at_most: expected a list of bounds"},
+      {"\"give_up\"", "\"at_most\": [{\"swaps\": 1}], \"give_up\"", "b.json:7: at_most[0].swaps: unknown member"},
+      {"\"give_up\"", "\"at_most\": [{\"strips\": 17}], \"give_up\"",
+       "b.json:7: at_most[0].strips: expected a number from -16 to 16"}};
   for (const std::string name : {"int", "co-await", "split", "rule-of", "fn"})
-    faults.push_back({"\"bisect\"", fmt::format("\"{}\"", name), fmt::format("b.json:3: name: \"{}\" is a ", name)});
+    faults.push_back(
+        {"\"bisect-graph\"", fmt::format("\"{}\"", name), fmt::format("b.json:3: name: \"{}\" is a ", name)});
   for (const unsigned code :
        {0x0aU, 0x0dU, 0U, 0x1bU, 0x7fU, 0x85U, 0xadU, 0x200bU, 0x2028U, 0x2029U, 0x202eU, 0x2066U, 0xfeffU, 0xfffeU})
     faults.push_back(
@@ -170,16 +191,29 @@ TEST(FamiliesFile, IsRefusedWhereItSaysSomethingElse) {
       {"[\"k\", \"i\"]", "[\"k\", \"k\"]", "numbers[1]: this number is there already"},
       {"\"listed\"", "\"cost\": [[{\"count\": \"solid\", \"edges\": [0]}]], \"listed\"",
        "cost[0][0].edges: a pattern has different ones at each position"},
-      {"\"listed\"", "\"give_up\": [0], \"listed\"", "give_up: expected \"none\" or \"all\""}};
+      {"\"listed\"", "\"give_up\": [0], \"listed\"", "give_up: expected \"none\" or \"all\""},
+      {"i < k", "i < k" + many(" + 9999 k", 100000), "expected at most 16 terms of a sum before this"},
+      {"i < k", "i < k" + many(", i < k", 100000), "expected at most 16 comparisons before this"},
+      {"t[i,k)", "t[i," + many("9999k+", 2000) + "k)", "after.ring[3]: \"t[i,9999k+9999k"},
+      {"[\"k\", \"i\"]", "[\"k\", \"" + std::string(21, 'i') + "\"]",
+       "numbers[1]: expected 1 to 20 lower-case letters"},
+      {"k {k} i {i}", "k {k} i {i} {0}", "position: expected braces only around k, i, each at most once"},
+      {"k {k} i {i}", "k {k} i {i} {i}", "position: expected braces only around k, i, each at most once"},
+      {"\"listed\"", "\"section\": \"k {k} {i\", \"listed\"", "section: expected braces only around k, i"},
+      {"\"listed\"", "\"at_most\": [{\"where\": \"m = 1\"}], \"listed\"",
+       "at_most[0].where: \"m = 1\": expected a number"}};
   expect_refused(wheel, faults, [](const std::string& text) { (void)parse_descriptions("w.json", text); });
 }
 
 TEST(FamiliesFile, WithAPositionThatIsNoPatchIsRefused) {
-  const std::vector<Fault> faults{{"t[i,k)", "t[0,k)", "wheel k 4 i 1: after: t_0 is in it twice"},
-                                  {"t[i,k)", "t[i,i-1)", "after: t[1,0) are no triangles"},
-                                  {"\"path\": [\"t[0,k)\"]", "\"path\": [\"t[0,k+1)\"]", "5 ports before and 4 after"},
-                                  {"[\"D\", \"A\"]", "[\"D\", \"B\"]", "after: B is not in it"},
-                                  {"[\"D\", \"A\"]", "[\"D\", \"t[2,3)\"]", "triangle 2 has more than three edges"}};
+  const std::vector<Fault> faults{
+      {"t[i,k)", "t[0,k)", "w.json:4: operations[0].after: t_0 is in it twice (wheel k 4 i 1)"},
+      {"t[i,k)", "t[i,i-1)", "expected indices from 0 to 64, found t[1,0)"},
+      {"\"path\": [\"t[0,k)\"]", "\"path\": [\"t[0,k+1)\"]",
+       "w.json:4: operations[0].after: expected as many ports as before, 5, found 4 (wheel k 4 i 1)"},
+      {"t[i,k)", "t[i,9999 k)", "expected indices from 0 to 64, found t[1,39996)"},
+      {"[\"D\", \"A\"]", "[\"D\", \"B\"]", "after: B is not in it"},
+      {"[\"D\", \"A\"]", "[\"D\", \"t[2,3)\"]", "triangle 2 has more than three edges"}};
   expect_refused(wheel, faults, [](const std::string& text) {
     const std::vector<Description> families = parse_descriptions("w.json", text);
     (void)make_patch({&families[0], 4, 1, 0});
@@ -197,7 +231,8 @@ TEST(OperationFiles, WithoutASoundRecolouringAreRefused) {
     (void)solve(patches.at(0));
     ADD_FAILURE() << "rules were made";
   } catch (const std::runtime_error& error) {
-    EXPECT_EQ(std::string(error.what()).substr(0, 55), "operation join: the configuration 0 3 (inner edges and ");
+    EXPECT_EQ(std::string(error.what()).substr(0, 68),
+              "join.json:1: operation join: the configuration 0 3 (inner edges and ");
   }
 }
 

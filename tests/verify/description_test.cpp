@@ -137,13 +137,51 @@ TEST(Description, WhatIsNotJson) {
   expect_said("{\"a\": \"\xc0\xaf\"}", "f:1:8: not JSON: ");
   expect_said("{\"a\": tru}", "f:1:10: not JSON: ");
   expect_said(good + "{}", "f:10:1: not JSON: ");
-  expect_said(std::string(100, '['), "f:1:10: expected fewer lists and objects inside one another");
+  expect_said(std::string(100, '['), "f:1:9: expected lists and objects at most 8 deep inside one another");
   EXPECT_EQ(parse_descriptions("f", with("\"name\": \"two\"", R"("name": "tw\u006f", "about": "\u00e9\ud83d\ude00\"")"))
                 .front()
                 .about,
             "\xc3\xa9\xf0\x9f\x98\x80\"");
   for (std::size_t length = 0; length + 2 < good.size(); ++length)
     EXPECT_NE(complaint(good.substr(0, length)), "") << length;
+}
+
+/// Small files that took gigabytes, or minutes, and what stands for positions in places of its own.
+TEST(Description, LimitsOfThePage) {
+  const std::string fan = text_to_alter("fan.json");
+  const auto many = [](const std::string& text, unsigned times) {
+    std::string all;
+    for (unsigned i = 0; i < times; ++i) all += text;
+    return all;
+  };
+  const auto with_member = [&](const std::string& member) { return with("\"name\"", member + ", \"name\""); };
+  expect_said(with_member(fmt::format("\"boundary\": [{}0]", many("0, ", 400'000))),
+              "expected patches that are given by their triangles");
+  expect_said(with_member("\"" + std::string(100'000, 'm') + "\": 1"),
+              "f:3:3: expected names of members of at most 60 bytes");
+  expect_said(with_member("\"m\": {" + many("\"m\": 1, ", 2) + "\"n\": 1}"), "expected each member once");
+  std::string members;
+  for (unsigned i = 0; i < 65; ++i) members += fmt::format("{}\"m{}\": 1", i == 0 ? "" : ", ", i);
+  expect_said(with_member("\"m\": {" + members + "}"), "expected at most 64 members of an object");
+  const auto altered = [&](const std::string& what, const std::string& by) {
+    return Alteration{"fan.json", what, by, {}}.in(fan);
+  };
+  expect_said(altered("\"where\": \"", "\"where\": \"k < 99 k" + many(" + 9999 k", 100'000) + ", "),
+              "expected a sum of at most 16 terms");
+  expect_said(altered("\"where\": \"", "\"where\": \"" + many("k >= 1, ", 100'000)), "expected at most 16 comparisons");
+  EXPECT_LT(complaint(altered("\"where\": \"", "\"where\": \"" + std::string(900'000, 'q'))).size(), 600U);
+  expect_name("linked-two", "a name that does not begin with \"linked-\"");
+  expect_name("math-errhandling", "\"math-errhandling\" is a macro of C, C++ or POSIX");
+  expect_name("split-face",
+              "\"split-face\" is an operation of restrip, tables/operations/split-face.json, and this is another one");
+  for (const char* number : {"k", "I", ""})
+    expect_said(altered("[\"k\", \"i\"]", fmt::format("[\"k\", \"i\", \"{}\"]", number)), "numbers[2]: expected ");
+  for (const char* more : {"{0}", "{k}", "{", "{j}"})
+    expect_said(altered("k {k} i {i}", fmt::format("k {{k}} i {{i}} {}", more)),
+                "position: expected braces only around numbers, around each once at most");
+  const Description family = parse_descriptions("f", fan).front();
+  EXPECT_NO_THROW((void)family.at({8, 1}));
+  EXPECT_THROW((void)family.at({9, 1}), InputError);
 }
 
 TEST(Description, AMissingFileIsNamed) {

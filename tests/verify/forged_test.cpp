@@ -120,7 +120,7 @@ TEST(ForgedCertificate, WhereThereCanBeNoReasons) {
 }
 
 TEST(ForgedCertificate, WithoutItsEnd) {
-  const Forgery& split = forgery_of("split-face");
+  const Forgery& split = forgery_of("split-face-graph");
   for (std::size_t length = 0; length < split.certificate.size(); ++length)
     EXPECT_EQ(verdict_on(split.path, split.certificate.substr(0, length), {}).exit_code, 2) << length;
 }
@@ -138,14 +138,14 @@ TEST(ForgedDump, IsRefusedForItsCrime) {
 
 // An answer that is as good as the certificate's row is right by itself, but not beside the certificate.
 TEST(ForgedDump, OtherThanTheCertificate) {
-  const Forgery& split = forgery_of("split-face");
-  const std::string other = Alteration{"split-face", "0 2 5 2", "0 2 6 2", {}}.in(split.dump);
+  const Forgery& split = forgery_of("split-face-graph");
+  const std::string other = Alteration{"split-face-graph", "0 2 5 2", "0 2 6 2", {}}.in(split.dump);
   EXPECT_EQ(verdict_on(split.path, {}, other).exit_code, 0);
   const Verdict found = verdict_on(split.path, split.certificate, other);
   EXPECT_EQ(found.crimes.size(), 1U);
   expect_refused(
       found,
-      "line 5, table split-face, inner 0, ports 2: the table answers \"6 2\", the certificate has \"copy 2 0 "
+      "line 5, table split-face-graph, inner 0, ports 2: the table answers \"6 2\", the certificate has \"copy 2 0 "
       "5 2 by 1 0 2\" in line 14");
 }
 

@@ -95,8 +95,8 @@ Verdict verdict_of(const fs::path& tables_dir) {
   return collected([&](const ClaimListener& listener) { verify_tables(options, listener); });
 }
 
-const std::vector<std::string> corpus_operations = {
-    "split-face", "merge-face", "bisect-costs", "bisect-boundary-matching", "merge-face-matching", "flip-forest"};
+const std::vector<std::string> corpus_operations = {"split-face-graph",         "merge-face",          "bisect-costs",
+                                                    "bisect-boundary-matching", "merge-face-matching", "flip-forest"};
 
 std::string corpus_path(const std::string& name) {
   return fmt::format("{}/operations/{}.json", RESTRIP_CORPUS_DIR, name);
@@ -118,7 +118,10 @@ Verdict verdict_on(const std::string& operation_path, const std::optional<std::s
   if (certificate) options.certificate = certificate_file.path();
   if (linked) options.linked_certificate = linked_file.path();
   if (dump) options.dump_command = "cat " + dump_file.path();
-  return collected([&](const ClaimListener& listener) { verify_operation(options, listener); });
+  return collected([&](const ClaimListener& listener) {
+    options.operation_text = read_file(operation_path);
+    verify_operation(options, listener);
+  });
 }
 
 Verdict verdict_on_text(const std::string& operation, const std::optional<std::string>& certificate,

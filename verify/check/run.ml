@@ -59,17 +59,17 @@ let apply mesh operation =
 let expect_there found ((a, b, c) as t) =
   if not (found t) then refuse "triangle %d %d %d of the patch is not in the mesh" a b c
 
+let expect_in_patch found what family ((a, b, c) as t) =
+  if not (found t) then refuse "triangle %d %d %d %s, but is not of the patch of this %s" a b c what family
+
 let same_way ((u, v) : int * int) (x, y) = u = x && v = y
 let same_edge e ((x, y) as f) = same_way e f || same_way e (y, x)
 
 (* After an operation: what Judge says of the patch. Of the mesh before it is known what has changed since. [ask] is one
    of the functions of Judge, still to be told of the mesh. *)
 let judged account mesh operation ~family ~valence ~olds ~news ~ports ask =
-  let there_before t =
-    let t = canonical t in
-    let among list = List.exists (fun u -> same_triangle t (canonical u)) list in
-    among operation.gone || (has_triangle mesh t && not (among operation.come))
-  in
+  let among list t = List.exists (fun u -> same_triangle (canonical t) (canonical u)) list in
+  let there_before t = among operation.gone t || (has_triangle mesh (canonical t) && not (among operation.come t)) in
   let was e =
     List.exists (same_edge e) operation.dashed
     || (is_solid mesh (fst e) (snd e) && not (List.exists (same_edge e) operation.solid))
@@ -80,6 +80,9 @@ let judged account mesh operation ~family ~valence ~olds ~news ~ports ask =
     has operation.gone || (has_left mesh v u && not (has operation.come))
   in
   let beside (u, v) = has_left mesh v u in
+  (* Else a worse rule could be paid for with triangles elsewhere. *)
+  List.iter (expect_in_patch (among olds) "goes" family) operation.gone;
+  List.iter (expect_in_patch (among news) "comes" family) operation.come;
   List.iter (expect_there there_before) olds;
   List.iter (expect_there (has_triangle mesh)) news;
   let corners = List.map (fun (a, b, c) -> ((a, b), c)) in

@@ -15,6 +15,7 @@ namespace restrip::verify {
 struct DescriptionSource {
   std::string file;
   Json json;
+  Author author;
   std::string list;  ///< the member that has the descriptions; empty where the file is one
 
   JsonValue description(std::size_t place) const {
@@ -41,6 +42,8 @@ std::string name_of(const JsonValue& value, Author author) {
                            longest_name));
   if (const std::optional<std::string> owner = author == Author::restrip ? std::nullopt : owner_of_name(name))
     value.fail_found(fmt::format("expected a name that is free, \"{0}\" is {1}; \"my-{0}\" would do", name, *owner));
+  if (author == Author::user && name.starts_with("linked-"))
+    value.fail("a name that does not begin with \"linked-\", as the certificates of linked rules do");
   return name;
 }
 
@@ -54,12 +57,31 @@ std::string sentence_of(const JsonValue& value) {
 }
 
 /// A position as certificates and reports write it.
-std::string words_of(const JsonValue& description, std::string_view name, const std::string& otherwise) {
+std::string words_of(const JsonValue& description, std::string_view name, const std::vector<std::string>& numbers,
+                     const std::string& otherwise) {
   const std::optional<JsonValue> value = description.member(name);
   if (!value) return otherwise;
+  constexpr std::size_t longest = 60;
   std::string text = value->string("a text");
-  if (!is_words(text)) value->fail("words of printable ASCII with one space between them");
+  if (!is_words(text) || text.size() > longest)
+    value->fail(fmt::format("at most {} characters, words of printable ASCII with one space between them", longest));
+  std::string rest = text;
+  for (const std::string& number : numbers)
+    if (const std::size_t at = rest.find(fmt::format("{{{}}}", number)); at != std::string::npos)
+      rest.erase(at, number.size() + 2);
+  if (rest.find_first_of("{}") != std::string::npos)
+    value->fail("braces only around numbers, around each once at most");
   return text;
+}
+
+/// The name of a number, which the others before it must not have.
+std::string number_name_of(const JsonValue& value, const std::vector<std::string>& others) {
+  std::string name = value.string("a text");
+  if (name.empty() || name.size() > longest_word || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz") < name.size())
+    value.fail(fmt::format("1 to {} lower-case letters", longest_word));
+  if (std::find(others.begin(), others.end(), name) != others.end())
+    value.fail_found(fmt::format("expected each number once, \"{}\" is listed above", name));
+  return name;
 }
 
 /// "k {k} a {a}"
@@ -133,6 +155,16 @@ void lower(std::optional<int>& bound, const std::optional<JsonValue>& value, boo
   if (holds) bound = std::min(bound.value_or(found), found);
 }
 
+/// What a file of a user's own may have; the shipped families go further.
+void expect_limits(const JsonValue& description, const Operation& operation) {
+  for (const auto& [member, side] : {std::pair("before", &operation.before), {"after", &operation.after}})
+    if (side->ports() > most_ports_of_a_graph || side->colors() > most_colors_of_a_graph)
+      description.required(member).fail_found(fmt::format(
+          "expected 1 to {} ports, and at most {} edges and ports together, found {} and {} ({}); a smaller "
+          "--max-k leaves large positions out",
+          most_ports_of_a_graph, most_colors_of_a_graph, side->ports(), side->colors(), operation.name()));
+}
+
 void take_bounds(const JsonValue& value, const std::vector<std::string>& numbers, Operation& operation) {
   for (const JsonValue& bound : value.list("a list of bounds", most_bounds)) {
     bound.expect_object({"where", "strips", "isolated"});
@@ -152,20 +184,27 @@ Description::Description(std::shared_ptr<const DescriptionSource> source, std::s
   value.expect_object({"restrip_operation", "name", "about", "constraint", "before", "after", "boundary", "give_up",
                        "cost", "certificate", "numbers", "where", "listed", "position", "section", "linked",
                        "at_most"});
+  if (const std::optional<JsonValue> version = value.member("restrip_operation"); version && !version->is_integer(1))
+    version->fail("1, the version of the format");
   name = name_of(value.required("name"), author);
+  if (author == Author::user && is_other_operation(name, value))
+    value.required("name").fail_found(fmt::format(
+        "expected a name that is free, \"{0}\" is an operation of restrip, tables/operations/{0}.json, and this "
+        "is another one; \"my-{0}\" would do",
+        name));
   if (const std::optional<JsonValue> sentence = value.member("about")) about = sentence_of(*sentence);
   const std::optional<JsonValue> other_name = value.member("certificate");
   certificate = other_name ? name_of(*other_name, author) : name;
   if (const auto names = value.member("numbers"))
     for (const JsonValue& number : names->list("a list of names", most_numbers))
-      numbers.push_back(number.string("a text"));
+      numbers.push_back(number_name_of(number, numbers));
   where = conditions_of(value, numbers, "where");
   listed = conditions_of(value, numbers, "listed");
-  position = words_of(value, "position", every_number(numbers));
+  position = words_of(value, "position", numbers, every_number(numbers));
   for (const std::string& number : numbers)
     if (position.find(fmt::format("{{{}}}", number)) == std::string::npos)
       value.required("position").fail(fmt::format("each number in braces, also \"{{{}}}\"", number));
-  section = words_of(value, "section", position);
+  section = words_of(value, "section", numbers, position);
   if (!numbers.empty() && value.required("before").is_list() && serves_every_position())
     value.required("section").fail_found("expected all numbers: triangles may be numbered anew at each position");
   if (const auto flag = value.member("linked")) linked = flag->boolean("whether it has linked rules");
@@ -212,6 +251,7 @@ Operation Description::at(const Numbers& values) const {
                                                                  operation.before.ports(), operation.after.ports()));
   if (const std::optional<JsonValue> give_up = value.member("give_up"))
     operation.may_give_up = give_up_of(*give_up, operation.ports());
+  if (source_->author == Author::user) expect_limits(value, operation);
   const std::optional<JsonValue> cost = value.member("cost");
   operation.cost = cost ? cost_of(*cost, operation.after) : default_cost(operation.constraint);
   if (linked && (operation.constraint != Constraint::strips || operation.may_give_up != 0))
@@ -242,7 +282,7 @@ bool Description::serves_every_position() const {
 const std::string& Description::file() const { return source_->file; }
 
 std::vector<Description> parse_descriptions(const std::string& file, std::string_view text, Author author) {
-  auto source = std::make_shared<DescriptionSource>(DescriptionSource{file, parse_json(file, text), {}});
+  auto source = std::make_shared<DescriptionSource>(DescriptionSource{file, parse_json(file, text), author, {}});
   const JsonValue whole(source->file, source->json, {});
   const JsonValue version = whole.required("restrip_operation");
   if (!version.is_integer(1)) version.fail("1, the version of the format");
@@ -253,7 +293,12 @@ std::vector<Description> parse_descriptions(const std::string& file, std::string
   const std::size_t count = list->list("a list of operations", most_descriptions).size();
   if (count == 0) list->fail_found("expected a list of operations, found none");
   std::vector<Description> descriptions;
-  for (std::size_t place = 0; place < count; ++place) descriptions.emplace_back(source, place, author);
+  for (std::size_t place = 0; place < count; ++place) {
+    descriptions.emplace_back(source, place, author);
+    for (std::size_t other = 0; other < place; ++other)
+      if (descriptions[other].name == descriptions[place].name)
+        list->item(place).required("name").fail_found("expected another name, a description above has this one");
+  }
   return descriptions;
 }
 

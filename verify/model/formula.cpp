@@ -11,6 +11,10 @@
 namespace restrip::verify {
 namespace {
 
+// Limits of docs/operation-file.md.
+constexpr std::size_t most_terms_of_a_sum = 16;
+constexpr std::size_t most_comparisons = 16;
+
 constexpr std::array<std::string_view, 4> signs = {"<=", ">=", "<", "="};  // none is the beginning of a later one
 
 std::string_view trimmed(std::string_view text) {
@@ -34,7 +38,11 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
 
 Sum::Sum(std::string_view text, const std::vector<std::string>& names) : factors_(names.size()) {
   std::int64_t sign = 1;
+  std::size_t terms = 0;
   for (std::string_view rest = text;;) {
+    if (++terms > most_terms_of_a_sum)
+      throw std::invalid_argument(
+          fmt::format("expected a sum of at most {} terms, found \"{}\"", most_terms_of_a_sum, text));
     const std::size_t next = std::min(rest.find_first_of("+-"), rest.size());
     add_term(trimmed(rest.substr(0, next)), sign, text, names);
     if (next == rest.size()) return;
@@ -78,6 +86,9 @@ Conditions::Conditions(std::string_view text, const std::vector<std::string>& na
       const std::size_t at = std::min(chain.find_first_of("<>="), chain.size());
       const std::string_view right = trimmed(chain.substr(0, at));
       if (!sign.empty()) all_.push_back({Sum(left, names), sign, Sum(right, names)});
+      if (all_.size() > most_comparisons)
+        throw std::invalid_argument(
+            fmt::format("expected at most {} comparisons, found \"{}\"", most_comparisons, text));
       if (at == chain.size()) break;
       const auto found = std::find_if(signs.begin(), signs.end(),
                                       [&](std::string_view one) { return chain.substr(at).starts_with(one); });

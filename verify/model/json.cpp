@@ -9,16 +9,10 @@
 namespace restrip::verify {
 namespace {
 
-constexpr std::size_t deepest = 8;  // an operation file has lists of edges in terms in criteria in the cost: six
-
-TextPlace place_of(std::string_view text, std::size_t offset) {
-  TextPlace place;
-  for (const char c : text.substr(0, offset)) {
-    place.column = c == '\n' ? 1 : place.column + 1;
-    place.line += c == '\n' ? 1 : 0;
-  }
-  return place;
-}
+// Limits of docs/operation-file.md.
+constexpr std::size_t deepest = 8;
+constexpr std::size_t most_members = 64;
+constexpr std::size_t longest_member = 60;
 
 /// Puts values together as nlohmann's parser tells of them. It tells tokens without their places; but it has read all
 /// that came before, so the next token is the first thing that is neither space, comma nor colon.
@@ -53,9 +47,14 @@ class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
     Json& object = *open_.back();
     for (const Json::Name& other : object.names)
       if (other.text == value)
-        fail_at(file_, place_of(text_, token_),
+        fail_at(file_, place_of(token_),
                 fmt::format("expected each member once, \"{}\" is in line {} already", value, other.place.line));
-    object.names.push_back({value, place_of(text_, token_)});
+    if (value.size() > longest_member)
+      fail_at(file_, place_of(token_),
+              fmt::format("expected names of members of at most {} bytes, found \"{}\"", longest_member, value));
+    if (object.names.size() == most_members)
+      fail_at(file_, place_of(token_), fmt::format("expected at most {} members of an object", most_members));
+    object.names.push_back({value, place_of(token_)});
     return true;
   }
   bool parse_error(std::size_t position, const std::string& /*last*/,
@@ -64,11 +63,22 @@ class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
     for (const std::string_view before : {"column ", ": "})
       if (const std::size_t at = what.find(before); at != std::string_view::npos)
         what.remove_prefix(at + before.size());
-    fail_at(file_, place_of(text_, std::min(position == 0 ? 0 : position - 1, text_.size())),
+    fail_at(file_, place_of(std::min(position == 0 ? 0 : position - 1, text_.size())),
             fmt::format("not JSON: {}", what));
   }
 
  private:
+  /// Goes on from the place before, so that a file takes linear time.
+  TextPlace place_of(std::size_t offset) {
+    if (offset < placed_) placed_ = 0, place_ = {};
+    for (const char c : text_.substr(placed_, offset - placed_)) {
+      place_.column = c == '\n' ? 1 : place_.column + 1;
+      place_.line += c == '\n' ? 1 : 0;
+    }
+    placed_ = offset;
+    return place_;
+  }
+
   void begin_token() {
     end_ = token_ = std::min(text_.find_first_not_of(" \t\r\n,:", end_), text_.size());
     ++end_;
@@ -88,7 +98,7 @@ class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
   bool add(Json::Kind kind, std::string text, std::int64_t integer = 0) {
     Json& value = next_value();
     value.kind = kind;
-    value.place = place_of(text_, token_);
+    value.place = place_of(token_);
     value.integer = integer;
     value.text = std::move(text);
     return true;
@@ -96,11 +106,12 @@ class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
   /// Values below an open one are added to it alone, so that its address stays.
   bool open(Json::Kind kind) {
     begin_token();
-    if (open_.size() > deepest)
-      fail_at(file_, place_of(text_, token_), "expected fewer lists and objects inside one another");
+    if (open_.size() == deepest)
+      fail_at(file_, place_of(token_),
+              fmt::format("expected lists and objects at most {} deep inside one another", deepest));
     Json& value = next_value();
     value.kind = kind;
-    value.place = place_of(text_, token_);
+    value.place = place_of(token_);
     open_.push_back(&value);
     return true;
   }
@@ -112,8 +123,10 @@ class PlacedValues final : public nlohmann::json_sax<nlohmann::json> {
 
   const std::string& file_;
   std::string_view text_;
-  std::size_t token_ = 0;  ///< where the last token begins
-  std::size_t end_ = 0;    ///< and ends
+  std::size_t token_ = 0;   ///< where the last token begins
+  std::size_t end_ = 0;     ///< and ends
+  std::size_t placed_ = 0;  ///< what `place_` is of
+  TextPlace place_;
   Json whole_;
   std::vector<Json*> open_;
 };
@@ -137,6 +150,14 @@ std::string Json::described() const {
   return text;
 }
 
+bool Json::same_as(const Json& other) const {
+  const auto same_name = [](const Name& one, const Name& two) { return one.text == two.text; };
+  const auto same = [](const Json& one, const Json& two) { return one.same_as(two); };
+  return kind == other.kind && text == other.text && integer == other.integer &&
+         std::equal(names.begin(), names.end(), other.names.begin(), other.names.end(), same_name) &&
+         std::equal(items.begin(), items.end(), other.items.begin(), other.items.end(), same);
+}
+
 Json parse_json(const std::string& file, std::string_view text) {
   if (text.starts_with("\xef\xbb\xbf"))  // which the parser would skip
     fail_at(file, {}, "expected no byte order mark before the file; save it as UTF-8 without one");
@@ -146,9 +167,11 @@ Json parse_json(const std::string& file, std::string_view text) {
 }
 
 std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 400;
   std::string shown;
-  for (const char c : text)
+  for (const char c : text.substr(0, longest))
     shown += c >= ' ' && c <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
+  if (text.size() > longest) shown += "...";
   return shown;
 }
 

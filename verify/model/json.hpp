@@ -31,6 +31,8 @@ struct Json {
 
   /// What it is, for errors: "3", "\"abc\"", "a list", "an object".
   std::string described() const;
+  /// Whether both say the same, wherever it stands.
+  bool same_as(const Json& other) const;
 };
 
 /// InputError naming file, line and column when the text is not JSON or nests deeper than operation files do.

@@ -40,6 +40,7 @@ class JsonValue {
     fail_at(file_, json_.place, path_.empty() ? what : fmt::format("{}: {}", path_, what));
   }
 
+  bool same_as(const Json& json) const { return json_.same_as(json); }
   bool is_string() const { return json_.kind == Json::Kind::string; }
   bool is_object() const { return json_.kind == Json::Kind::object; }
   bool is_list() const { return json_.kind == Json::Kind::array; }

@@ -13,6 +13,8 @@ inline constexpr unsigned most_triangles = 16;
 inline constexpr unsigned most_ports = 12;   ///< 8 where a file writes a side out as a graph
 inline constexpr unsigned most_colors = 27;  ///< inner edges and ports of a side together; 20 there
 
+inline constexpr std::size_t longest_word = 20;  ///< names of vertices, triangles and numbers
+
 struct Side {
   unsigned triangles = 0;
   std::vector<std::array<unsigned, 2>> edges;

@@ -71,8 +71,9 @@ Side read_graph(const JsonValue& value) {
 /// Names stand in reports.
 void expect_name(const std::string& name) {
   const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); };
-  if (name.empty() || !std::all_of(name.begin(), name.end(), fits))
-    throw std::invalid_argument(fmt::format("expected letters and digits as the name, found \"{}\"", name));
+  if (name.empty() || name.size() > longest_word || !std::all_of(name.begin(), name.end(), fits))
+    throw std::invalid_argument(
+        fmt::format("expected 1 to {} letters and digits as the name, found \"{}\"", longest_word, name));
 }
 
 /// What an element stands for: one triangle by its name, or x_from … x_(to-1).

@@ -15,7 +15,7 @@ using Name = std::string;
 
 bool is_vertex(const Name& name) {
   const std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
-  return !name.empty() && name.size() <= 20 && name.find_first_not_of(allowed) == Name::npos;
+  return !name.empty() && name.size() <= longest_word && name.find_first_not_of(allowed) == Name::npos;
 }
 
 /// A triangle at an edge: it runs along it from `from` to `to`, as its side number `side`.

@@ -78,4 +78,10 @@ std::optional<std::string> owner_of_name(std::string_view name) {
   return {};
 }
 
+bool is_other_operation(std::string_view name, const JsonValue& description) {
+  static const Json shipped = parse_json("tables/operations", operations_text);
+  return std::any_of(shipped.items.begin(), shipped.items.end(),
+                     [&](const Json& one) { return member(one, "name").text == name && !description.same_as(one); });
+}
+
 }  // namespace restrip::verify

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "model/json_value.hpp"
+
 namespace restrip::verify {
 
 /// What in a text of valid UTF-8 cannot stand in a comment of every language, such as "the character U+000A".
@@ -15,5 +17,8 @@ bool is_words(std::string_view text);
 
 /// Whose the name is already, "a keyword of C++", by docs/taken-names.json.
 std::optional<std::string> owner_of_name(std::string_view name);
+
+/// Whether an operation of restrip (tables/operations) has this name, and the description is another one.
+bool is_other_operation(std::string_view name, const JsonValue& description);
 
 }  // namespace restrip::verify

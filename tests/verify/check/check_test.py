@@ -150,7 +150,7 @@ damaged = scratch / "damaged.trace"
 damaged.write_text(with_claim("rules", "no-worse"))
 accepted(damaged)
 for line in (f"split {lines[first].split(' ')[2]} {lines[first].split(' ')[1]} ", "collapse 0 1 ", "split 0 1 "):
-    refused(with_line(first, line + lines[first].split(" ", 3)[3]), "is no split|in the mesh")
+    refused(with_line(first, line + lines[first].split(" ", 3)[3]), "is no split|in the mesh|is not of the patch")
 # The rule's last solid edge is left dashed, and the strip and the isolated triangles that this costs are told.
 for name, kind in (("rules", "split"), ("rules", "collapse"), ("walk-rules", "flip")):
     rules = (scratch / f"{name}.trace").read_text().splitlines()
@@ -167,6 +167,25 @@ for name, kind in (("rules", "split"), ("rules", "collapse"), ("walk-rules", "fl
         if worse >= 3:
             break
     assert worse >= 3, (name, kind, worse)
+
+# Triangles outside the patch that go, or come, with an operation: two isolated ones that go would pay for a flip that costs
+# two strips too many.
+apart = "restrip-trace 1\nclaim no-worse\nt 0 1 2\nt 1 3 2\nt 10 11 12\nt 20 21 22\n"
+flip = "flip 1 2 {} - 0 1 2 1 3 2{} + 0 1 3 0 3 2{}\nend 1\n"
+damaged.write_text(apart + flip.format("-1 -2", "", " s 0 3"))
+accepted(damaged)
+refused(apart + flip.format("0 0", "", ""), no_worse)
+refused(apart + flip.format("-2 -2", " 10 11 12 20 21 22", ""), "triangle 10 11 12 goes, but is not of the patch of this flip")
+refused(apart + flip.format("1 1", "", " 30 31 32"), "triangle 30 31 32 comes, but is not of the patch of this flip")
+for kind in ("split", "collapse"):
+    number = next(i for i, line in enumerate(lines) if line.startswith(kind))
+    with_apart = lines[:2] + ["t 900001 900002 900003"] + lines[2:]
+    words = lines[number].split(" ")
+    words[3:5] = [str(int(words[3]) - 1), str(int(words[4]) - 1)]
+    gone = words.index("-")
+    words[gone + 1:gone + 1] = ["900001", "900002", "900003"]
+    with_apart[number + 1] = " ".join(words)
+    refused("\n".join(with_apart) + "\n", f"triangle 900001 900002 900003 goes, but is not of the patch of this .*{kind}")
 
 # Words that are none.
 operation = lines[first].split(" ")
