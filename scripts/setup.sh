@@ -95,7 +95,7 @@ need_clang() {
       return 0
     fi
   fi
-  need $(clang_set "$version") wasi-libc
+  need $(clang_set "$version") wasi-libc python3-markdown-it
   export RESTRIP_CLANG=clang++-$version
 }
 
