@@ -4,7 +4,7 @@ are put inside.
 
 bundle.py PAGE.html OUT.html [--style FILE…] [--script FILE…] [--worker FILE…] [--part NAME=FILE…] [--code NAME=FILE…] [--put NAME=FILE…]
 Scripts are ES modules in the order in which they need each other; their import and export words are taken out, so that
-names at their top levels must differ; those of a worker are put together in the same way. --part replaces <!--NAME--> by the file as
+names at their top levels must differ; comments on lines of their own and indentations are left out. Those of a worker are put together in the same way. --part replaces <!--NAME--> by the file as
 it is, --code by its text, to be read, --put by the file, compressed and in base64."""
 import argparse
 import base64
@@ -29,7 +29,7 @@ def inlined(scripts):
             seen[name] = path
         if "</script" in text:
             sys.exit(f"bundle.py: {path}: has </script in it")
-        out.append(text)
+        out.append(re.sub(r"^[ \t]+|^[ \t]*//.*\n", "", text, flags=re.M))
     return "\n".join(out)
 
 

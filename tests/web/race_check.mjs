@@ -1,6 +1,7 @@
-// Claims about the part "The race" of the viewer: after the same steps its figures are what the package tells in Node; both
-// pictures are those of the mesh's triangles, drawn from what the steps have written alone; what the last step has written is
-// lit; a run takes its steps and comes back.
+// Claims about the part "The race" of the viewer: after the same steps its bytes are what the package returns in Node, to the byte,
+// on a processor of any speed, and a step that takes several frames counts once; the sums, the break-even and the winner on the page
+// are those of these bytes for every place of the slider; both pictures are those of the mesh's triangles, drawn from what the steps
+// have written alone; what the last step has written is lit; a run takes its steps and ends where it began.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,42 +12,91 @@ export async function raceHolds(page, { folder, scratch, choose, settled }) {
   await page.run(() => { location.hash = '#part=race&level=0'; });
   await page.until(() => restripViewer.part === 'race');
   await settled(page);
-  const steps = [40, 41, 500, 760, 1500, 1490, 1489, 1490];
-  const raced = await page.run((wanted) => {
-    const { race } = restripViewer;
-    for (const { pane } of race.tracks) pane.scene.bytesUploaded = 0;
-    for (const level of wanted) race.step(level);
-    restripViewer.moveTo(wanted.at(-1));
-    return { uploaded: race.tracks.map(({ pane }) => pane.scene.bytesUploaded),
-      lanes: Object.fromEntries(Object.entries(race.lanes).map(([way, { last, total, strips, indices }]) => [way, { last: last.bytes, all: total.bytes, strips, indices: indices.length }])) };
-  }, steps);
-  const { load, restartIndex } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')).href);
+  const steps = [40, 41, 7683, ...Array.from({ length: 18 }, (_, n) => 7683 - 76 * (n + 1)), 1490, 1489];
+  const raced = [];
+  for (const rate of [1, 8]) {
+    await page.send('Emulation.setCPUThrottlingRate', { rate });
+    await page.run(() => {
+      restripViewer.race.end();
+      restripViewer.moveTo(0);
+    });
+    await settled(page);
+    await page.run(() => {
+      for (const { pane } of restripViewer.race.tracks) pane.scene.bytesUploaded = 0;
+      window.frames = 0;
+      const { frame } = restripViewer.race;
+      restripViewer.race.frame = function (now) { ++window.frames; return frame.call(this, now); };
+    });
+    for (const level of steps) {
+      await page.run((to) => restripViewer.moveTo(to), level);
+      await settled(page);
+    }
+    raced.push(await page.run(() => {
+      const { race } = restripViewer;
+      delete race.frame;
+      return { uploaded: race.tracks.map(({ pane }) => pane.scene.bytesUploaded), frames: window.frames,
+        lanes: Object.fromEntries(Object.entries(race.lanes).map(([way, { total }]) => [way, total])) };
+    }));
+  }
+  await page.send('Emulation.setCPUThrottlingRate', { rate: 1 });
+  assert.ok(raced[1].frames > steps.length, 'no step took more than a frame');
+  const { load } = await import(pathToFileURL(join(folder, 'package/restrip.mjs')).href);
   const restrip = await load(readFileSync(join(folder, 'package/restrip.wasm')));
   const hare = restrip.baked(readFileSync(join(folder, 'hare.baked'))).begin({ policy: 'local' });
   const source = { points: hare.points, base: hare.triangles, splits: hare.splits };
-  const sums = { kept: { last: 0, all: 0 }, scratch: { last: 0, all: 0 }, whole: { last: 0, all: 0 }, slots: { last: 0, all: 0 } };
+  const width = 2;  // bytes of an index: the hare has fewer than 65,535 vertices
+  const sums = Object.fromEntries(['kept', 'scratch', 'whole', 'slots'].map((way) => [way, { steps: 0, operations: 0, written: 0, drawn: 0 }]));
   const opened = (policy) => restrip.progressive(source).begin({ policy, cost: 'indices' });
   const [keeping, renewing, rewriting, placing] = ['quick', 'bare', 'bare', 'bare'].map(opened);
-  const written = (ranges) => ranges.reduce((sum, { count }) => sum + 4 * count, 0);
+  const written = (ranges) => ranges.reduce((sum, { count }) => sum + count, 0);
   keeping.update();
   placing.updateList();
+  let before = 0;
   for (const level of steps) {
     for (const mesh of [keeping, renewing, rewriting, placing]) mesh.moveTo(level);
-    const anew = renewing.fromScratch({ cost: 'indices' });
-    const now = { kept: written(keeping.update()), scratch: anew.byteLength, whole: written(rewriting.updateList({ whole: true })), slots: written(placing.updateList()) };
-    for (const [way, bytes] of Object.entries(now)) Object.assign(sums[way], { last: bytes, all: sums[way].all + bytes });
-    Object.assign(sums.scratch, { strips: anew.filter((index) => index === restartIndex).length + 1, indices: anew.length });
+    const rebuilt = renewing.fromScratch({ cost: 'indices' }).length;
+    const list = 3 * placing.figures.triangles;
+    const now = { kept: [written(keeping.update()), keeping.indices.length], scratch: [rebuilt, rebuilt],
+      whole: [written(rewriting.updateList({ whole: true })), list], slots: [written(placing.updateList()), list] };
+    for (const [way, [write, read]] of Object.entries(now)) {
+      const { written: all, drawn, operations } = sums[way];
+      sums[way] = { steps: sums[way].steps + 1, operations: operations + Math.abs(level - before), written: all + width * write, drawn: drawn + width * read };
+    }
+    before = level;
   }
-  Object.assign(sums.kept, { strips: keeping.figures.strips, indices: keeping.figures.bufferIndices });
-  for (const [way, mesh] of [['whole', rewriting], ['slots', placing]]) Object.assign(sums[way], { strips: 0, indices: 3 * mesh.figures.triangles });
-  assert.deepEqual(raced.lanes, sums);
-  assert.deepEqual(raced.uploaded, [sums.scratch.all, sums.kept.all]);
-  assert.ok(sums.kept.last < sums.scratch.last && sums.slots.last < sums.kept.last && sums.kept.indices < sums.slots.indices, JSON.stringify(sums));
-  await settled(page);
-  const told = await page.run(() => [...document.querySelectorAll('#lanes tr')].map((row) => [...row.cells].map((cell) => cell.textContent)));
-  const kilobytes = (n) => (n < 1000 ? (n / 1000).toFixed(2) : n < 1e5 ? (n / 1000).toFixed(1) : `${Math.round(n / 1000)}`);
-  for (const [n, { last, all, strips, indices }] of Object.values(sums).entries())
-    assert.deepEqual([told[n][1], told[n][2], ...told[n].slice(4)], [kilobytes(last), kilobytes(all), strips ? strips.toLocaleString('en') : '–', indices.toLocaleString('en')]);
+  for (const { lanes, uploaded } of raced) {
+    assert.deepEqual(lanes, sums);
+    assert.deepEqual(uploaded, [sums.scratch.written, sums.kept.written]);
+  }
+  assert.ok(sums.slots.written < sums.kept.written && sums.kept.written < sums.scratch.written && sums.kept.drawn < sums.slots.drawn, JSON.stringify(sums));
+
+  // What is said: the sum at each place of the slider, and who wins. On one side of the break-even it is another one.
+  const winners = new Set();
+  const even = (sums.kept.written - sums.slots.written) / (sums.slots.drawn - sums.kept.drawn);
+  for (const exponent of [-3, Math.log10(even) - 0.06, Math.log10(even) + 0.06, 0, 2]) {
+    await page.run((value) => {
+      const slider = document.getElementById('frames');
+      slider.value = value;
+      slider.dispatchEvent(new Event('input'));
+    }, exponent);
+    const found = await page.run(() => ({ frames: 10 ** document.getElementById('frames').value, text: document.getElementById('race-text').textContent,
+      rows: [...document.querySelectorAll('#lanes tr')].map((row) => [row.className, ...[...row.cells].slice(1).map((cell) => cell.textContent)]) }));
+    const all = Object.values(sums).map(({ written: write, drawn, steps: n }) => [write / n, drawn / n, (write + found.frames * drawn) / n]);
+    const kilobytes = (n) => `${n < 1000 ? (n / 1000).toFixed(2) : n < 99950 ? (n / 1000).toFixed(1) : Math.round(n / 1000).toLocaleString('en')} kB`;
+    const least = all.reduce((one, [, , sum], n) => (sum < all[one][2] ? n : one), 0);
+    assert.deepEqual(found.rows, all.map((row, n) => [n === least ? 'least' : '', ...row.map(kilobytes)]));
+    assert.match(found.text, least === 0 ? /^Maintained strips move the fewest bytes/ : /^Here the .* the fewest bytes/);
+    winners.add(`${found.frames > even} ${least}`);
+  }
+  assert.deepEqual([...winners].sort(), ['false 3', 'true 0', 'true 1'], `break-even at ${even}`);
+  const operations = sums.kept.operations / sums.kept.steps / even;
+  assert.match(await page.run('document.getElementById("even-text").textContent'), new RegExp(`fewer than ${Math.round(operations).toLocaleString('en')} operations`));
+  const marks = await page.run(() => [...document.querySelectorAll('#frames-row i')].map((mark) => {
+    const [{ left, width }, row] = [mark, mark.parentElement].map((element) => element.getBoundingClientRect());
+    return (left + width / 2 - row.left - 9) / (row.width - 18);
+  }));
+  const rebuilt = (sums.kept.written - sums.scratch.written) / (sums.scratch.drawn - sums.kept.drawn);
+  for (const [n, frames] of [even, rebuilt].entries()) assert.ok(Math.abs(marks[n] - (Math.log10(frames) + 3) / 5) < 0.01, `marks at ${marks} for ${even}, ${rebuilt}`);
   for (const rival of ['scratch', 'whole', 'slots']) {
     await choose(page, { rival });
     await page.run(() => restripViewer.step(1));
@@ -54,19 +104,19 @@ export async function raceHolds(page, { folder, scratch, choose, settled }) {
     const seen = await page.run(() => restripViewer.race.tracks.map((track) => {
       const { lane, written, pane: { scene, camera, colors } } = track;
       const picture = (how) => {
-        scene.draw(camera, { style: lane.isList ? 'list' : 'shaded', length: lane.indices.length, ...colors, ...how });
+        scene.draw(camera, { style: lane.isList ? 'list' : 'shaded', length: lane.length, ...colors, ...how });
         return scene.pixels();
       };
       const [own, list, lit] = [{}, { list: lane.mesh.triangles }, { glow: { triangles: written, strength: 1 } }].map(picture);
       const count = (differs) => { let sum = 0; for (let i = 0; i < own.length; i += 4) sum += differs(i) ? 1 : 0; return sum; };
       const other = (one, two, i) => one[i] !== two[i] || one[i + 1] !== two[i + 1] || one[i + 2] !== two[i + 2];
       // As it is shown, in ribbons or not, the picture has the same outline.
-      track.draw(0);
+      track.draw(0, true);
       const ribbons = scene.pixels();
       const inside = (picture, i) => picture[i] !== picture[0] || picture[i + 1] !== picture[1] || picture[i + 2] !== picture[2];
       const card = scene.copyOnCard(lane.indices.length);
       return { different: count((i) => other(own, list, i)), shown: count((i) => inside(own, i)), outline: count((i) => inside(own, i) !== inside(ribbons, i)),
-        lit: count((i) => other(own, lit, i)), same: lane.indices.every((index, i) => index === card[i]) };
+        lit: count((i) => other(own, lit, i)), same: lane.indices.every((index, i) => (index & 0xffff) === card[i]) };
     }));
     for (const { different, outline, shown, same } of seen) assert.ok(different === 0 && outline === 0 && shown > 5000 && same, `${rival}: ${JSON.stringify(seen)}`);
     const [all, some] = [seen[0].lit > 0.95 * seen[0].shown, seen[1].lit < 0.5 * seen[1].shown];
@@ -74,10 +124,13 @@ export async function raceHolds(page, { folder, scratch, choose, settled }) {
   }
   writeFileSync(join(scratch, 'viewer-race.png'), await page.screenshot());
   await page.until(() => /part=race.*rival=slots/.test(location.hash));
-  await choose(page, { stride: 0 });
-  await page.run(() => document.getElementById('run').click());
-  await settled(page);
-  assert.deepEqual(await page.run(() => [restripViewer.race.lanes.kept.total.steps, restripViewer.race.at]), [200, 1493]);
+  for (const [level, stride, count] of [[1493, 0, 200], [7683, 0.01, 200], [768, 0.01, 180]]) {
+    await choose(page, { stride, level });
+    await settled(page);
+    await page.run(() => document.getElementById('run').click());
+    await settled(page);
+    assert.deepEqual(await page.run(() => [restripViewer.race.lanes.kept.total.steps, restripViewer.race.at, restripViewer.level]), [count, level, level]);
+  }
   await page.run(() => { location.hash = '#part=ribbon'; });
   await page.until(() => restripViewer.part === 'ribbon');
 }

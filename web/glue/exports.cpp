@@ -212,8 +212,6 @@ RESTRIP_EXPORT(restrip_ribbon)
 const List* restrip_ribbon(Page* page, std::uint32_t scratch) {
   return give(page->picture.ribbon(scratch != 0 ? page->session->scratch() : page->session->mesh()));
 }
-RESTRIP_EXPORT(restrip_lines)
-const List* restrip_lines(Page* page) { return give(page->picture.lines(*page->session)); }
 RESTRIP_EXPORT(restrip_pick)
 const List* restrip_pick(Page* page, float x, float y, float z, float dx, float dy, float dz) {
   return give(page->picture.pick(*page->session, {x, y, z}, {dx, dy, dz}));

@@ -1,5 +1,5 @@
-// What the page draws beside the index buffer: the triangles with their strips, the strips as lines, and the triangle
-// under the cursor. Linear in the mesh; asked only while such a picture is shown.
+// What the page draws beside the index buffer: the triangles with their strips, and the triangle under
+// the cursor. Linear in the mesh; asked only while such a picture is shown.
 #pragma once
 
 #include "session.hpp"
@@ -35,25 +35,6 @@ class Picture {
     return ribbon_;
   }
 
-  /// Segments of the strips' middle lines: two points, the strip, and 1 where the strip ends with this segment: eight
-  /// numbers each. A strip goes from triangle to triangle through the middles of the edges between them.
-  std::span<const float> lines(const Session& session) {
-    name_strips(session.mesh());
-    lines_.clear();
-    const StripMesh& mesh = session.mesh();
-    for (std::size_t s = 0; s < strips_.size(); ++s) {
-      const auto strip = strips_[s];
-      for (std::size_t i = 0; i + 1 < strip.size(); ++i) {
-        const std::array<float, 3> from = center(session, strip[i]);
-        const std::array<float, 3> to = center(session, strip[i + 1]);
-        const std::array<float, 3> middle = middle_between(session, mesh, strip[i], strip[i + 1]);
-        put(from, middle, strip_of_[strip[i]], 0);
-        put(middle, to, strip_of_[strip[i]], i + 2 == strip.size() ? 1 : 0);
-      }
-    }
-    return lines_;
-  }
-
   /// The nearest triangle that a ray meets, and where (three numbers); empty when it meets none.
   std::span<const float> pick(const Session& session, const std::array<float, 3>& from,
                               const std::array<float, 3>& along) {
@@ -87,26 +68,6 @@ class Picture {
     const auto p = session.points().subspan(3 * std::size_t{v}, 3);
     return {p[0], p[1], p[2]};
   }
-  [[nodiscard]] static Point center(const Session& session, Triangle t) noexcept {
-    Point sum{};
-    for (const Vertex v : session.mesh().corners(t))
-      for (std::size_t i = 0; i < 3; ++i) sum[i] += point(session, v)[i] / 3;
-    return sum;
-  }
-  [[nodiscard]] static Point middle_between(const Session& session, const StripMesh& mesh, Triangle t, Triangle u) {
-    Point sum{};
-    for (unsigned side = 0; side < 3; ++side) {
-      const Halfedge h = StripMesh::halfedge(t, side);
-      const Halfedge back = mesh.opposite(h);
-      if (StripMesh::on_boundary(back) || StripMesh::triangle(back) != u || !mesh.solid(h)) continue;
-      for (std::size_t i = 0; i < 3; ++i)
-        sum[i] = (point(session, mesh.from(h))[i] + point(session, mesh.to(h))[i]) / 2;
-    }
-    return sum;
-  }
-  void put(const Point& a, const Point& b, Triangle strip, float ends) {
-    lines_.insert(lines_.end(), {a[0], a[1], a[2], b[0], b[1], b[2], static_cast<float>(strip), ends});
-  }
   [[nodiscard]] static Point minus(const Point& a, const Point& b) noexcept {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
   }
@@ -136,7 +97,6 @@ class Picture {
   Strips strips_;
   std::vector<Triangle> strip_of_;
   std::vector<PaintedTriangle> ribbon_;
-  std::vector<float> lines_;
   std::vector<float> hit_;
 };
 

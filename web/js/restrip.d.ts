@@ -153,8 +153,6 @@ export class StripMesh implements Disposable {
   readonly ribbon: Uint32Array;
   /** The same of the strips that fromScratch() made last; empty before. */
   readonly scratchRibbon: Uint32Array;
-  /** The strips as lines, 8 numbers a segment: two points, the strip, 1 at its end. Linear time. */
-  readonly lines: Float32Array;
   /** Where a ray meets the mesh first, or null. Linear time. */
   pick(from: ArrayLike<number>, along: ArrayLike<number>): [number, number, number] | null;
   readonly last: LastOperation | null;

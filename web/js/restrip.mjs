@@ -292,7 +292,6 @@ export class StripMesh {
 
   get ribbon() { return listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 0), Uint32Array, 9).slice(); }
   get scratchRibbon() { return listAt(this.#wasm, this.#wasm.restrip_ribbon(this.#kept, 1), Uint32Array, 9).slice(); }
-  get lines() { return listAt(this.#wasm, this.#wasm.restrip_lines(this.#kept), Float32Array, 1).slice(); }
   pick(from, along) {
     for (const [what, place] of [['from', from], ['along', along]])
       if (place?.length !== 3 || ![...place].every(Number.isFinite)) throw new RangeError(`${what} must be three finite numbers`);

@@ -1,12 +1,5 @@
 // An orbit camera: drag or one finger turns, wheel or two fingers go nearer, arrow keys and + - do the same.
 
-export const multiply = (a, b) => {
-  const out = new Float32Array(16);
-  for (let c = 0; c < 4; ++c)
-    for (let r = 0; r < 4; ++r)
-      for (let n = 0; n < 4; ++n) out[4 * c + r] += a[4 * n + r] * b[4 * c + n];
-  return out;
-};
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 export const unit = (a) => { const length = Math.hypot(...a) || 1; return a.map((c) => c / length); };

@@ -7,6 +7,9 @@ export function listen(viewer, by) {
     by('light').setAttribute('aria-pressed', String(viewer.light));
     viewer.ask();
   });
+  by('unpeel').addEventListener('click', () => viewer.unpeel());
+  by('peel').addEventListener('input', () => viewer.peelTo(+by('peel').value));
+  by('fault-gone').addEventListener('click', () => viewer.found());
   by('picture').addEventListener('click', () => viewer.savePicture());
   viewer.camera.listen(by('canvas'), () => viewer.changed(), (event) => {
     if (viewer.part === 'cut') viewer.cut.click(viewer.pane.rayAt(event));

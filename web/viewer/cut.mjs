@@ -1,7 +1,8 @@
 // One vertex split, shown in steps: the patch before, the patch with its two new triangles and the strips that they cut,
-// and the patch as the rule mended it; on the mesh and as drawings that point at each other.
+// and the patch as the rule mended it; on the mesh and as drawings side by side, in the same colours, that point at each other.
 import { none } from '../js/restrip.mjs';
 import { cross, unit } from './camera.mjs';
+import { bitsIn } from './judge.mjs';
 import { largestPuzzle } from './puzzles.mjs';
 import { fanPicture, listed, representative, ringPicture, ruleName } from './patch.mjs';
 
@@ -44,6 +45,7 @@ export function placeToSee(mesh, camera, faces, aspect) {
   const side = unit(cross(normal, Math.abs(normal[1]) < 0.9 ? [0, 1, 0] : [1, 0, 0]));
   const up = cross(side, normal);
   let best = { seen: -1 };
+  const until = performance.now() + 60;  // on a large mesh each look takes milliseconds
   for (const near of [1, 0.6, 0.35]) {
     const distance = Math.max(0.06 * camera.size, near * 2.4 * radius / Math.sin(camera.fov / 2) / Math.min(1, aspect));
     for (const [tilt, turns] of [[0, 1], [0.5, 6], [1, 6]]) {
@@ -59,7 +61,7 @@ export function placeToSee(mesh, camera, faces, aspect) {
         };
         const seen = 100 * fresh.filter(visible).length + centers.filter(visible).length;
         if (seen > best.seen) best = { seen, place: { yaw: Math.atan2(along[0], along[2]), pitch, distance, target } };
-        if (seen === 200 + centers.length) return best;
+        if (seen === 200 + centers.length || performance.now() > until) return best;
       }
     }
     if (best.seen >= 200) return best;
@@ -68,34 +70,34 @@ export function placeToSee(mesh, camera, faces, aspect) {
 }
 
 const plural = (n, what) => `${n} ${what}${n === 1 ? '' : 's'}`;
+const names = { before: '1 Before', cut: '2 Cut', mended: '3 Mended' };
 
 export class Cut {
   step = 'mended';
-  shown = null;  // what is shown: ribbons before, cut and after; the faces of the drawing
+  shown = null;  // what is shown: by step its ribbon, the faces of its drawing and the triangles of the patch
   #started = null;
+  #found = {};  // the records that can be split, after how many operations of which mesh
 
   constructor(viewer, by) {
     this.viewer = viewer;
     this.by = by;
-    for (const button of by('steps').querySelectorAll('button')) button.addEventListener('click', () => this.show(button.value));
+    by('steps').addEventListener('click', ({ target }) => target.closest('button') && this.show(target.closest('button').value));
     by('anywhere').addEventListener('click', () => this.anywhere());
     by('whole').addEventListener('click', () => this.viewer.afresh());
     const point = (event) => this.#pointAt(event.target.dataset?.face ?? null);
-    for (const name of ['pointerover', 'focusin']) by('last-pictures').addEventListener(name, point);
-    for (const name of ['pointerleave', 'focusout']) by('last-pictures').addEventListener(name, () => this.#pointAt(null));
+    for (const name of ['pointerover', 'focusin']) by('steps').addEventListener(name, point);
+    for (const name of ['pointerleave', 'focusout']) by('steps').addEventListener(name, () => this.#pointAt(null));
   }
 
   // ---- where
   /// Splits the vertex that is nearest to what a ray meets, among those that can be split. False: it meets nothing.
   click({ from, along }) {
-    const { mesh } = this.viewer;
-    this.viewer.arrive();
-    const hit = mesh.pick(from, along);
+    const { mesh, splits } = this.viewer;
+    const hit = this.viewer.resting ? mesh.pick(from, along) : null;
     if (!hit) return false;
     const { points } = mesh;
-    const { splits } = this.viewer;
     let [best, least] = [null, Infinity];
-    for (const record of this.#ready()) {
+    for (const record of this.ready) {
       const v = 3 * splits[4 * record];
       const far = Math.hypot(points[v] - hit[0], points[v + 1] - hit[1], points[v + 2] - hit[2]);
       if (far < least) [best, least] = [record, far];
@@ -105,34 +107,47 @@ export class Cut {
     return true;
   }
   /// The records that can be split and drawn: those at the boundary have no drawing.
-  #ready() {
-    const { mesh, splits } = this.viewer;
-    return [...mesh.ready].filter((record) => splits[4 * record + 2] !== none && splits[4 * record + 3] !== none);
+  get ready() {
+    const { mesh, splits, figures: { operations } } = this.viewer;
+    if (this.#found.mesh !== mesh || this.#found.operations !== operations) {
+      const records = [...mesh.ready].filter((record) => splits[4 * record + 2] !== none && splits[4 * record + 3] !== none);
+      this.#found = { mesh, operations, records, places: Uint32Array.from(records, (record) => splits[4 * record]) };
+    }
+    return this.#found.records;
+  }
+  /// The vertices that can be split, while they are to be seen.
+  get places() {
+    return this.viewer.resting && (!this.shown || this.step === 'mended') && this.ready.length > 0 ? this.#found.places : null;
   }
   /// At a place that turns with each call.
   anywhere() {
-    this.viewer.arrive();
-    const ready = this.#ready();
-    if (ready.length > 0) this.viewer.splitRecord(ready[this.viewer.clicks.length * 7919 % ready.length]);
+    if (this.viewer.resting && this.ready.length > 0) this.viewer.splitRecord(this.ready[this.viewer.clicks.length * 7919 % this.ready.length]);
   }
 
   // ---- what is seen
-  /// After a split; `before`: the ribbon before it.
+  /// After a split; ribbons before and after it.
   begin(before, after) {
     const faces = facesOf(this.viewer.mesh.last);
-    this.shown = faces && { before, after, cut: after.cutOf(before), faces };
+    this.shown = null;
     if (!faces) return;
+    const shown = (ribbon, each) => {
+      const places = each.map((corners) => ribbon.find(corners));
+      return { ribbon, faces: each, fills: places.map((i) => ribbon.fill(i)), only: new Set(places.map((i) => ribbon.triangle(i))) };
+    };
+    this.shown = { vS: faces.vS, vT: faces.vT, before: shown(before, faces.before), cut: shown(after.cutOf(before), faces.after), mended: shown(after, faces.after) };
     const canvas = this.by('canvas');
     const { place } = placeToSee(this.viewer.mesh, this.viewer.camera, faces.after, canvas.width / canvas.height);
     const still = !this.viewer.moves;
     this.#started = performance.now();
     if (place) this.viewer.camera.fly(place, still ? 0 : opensAt, this.#started);
+    this.tell();
     this.#go(still ? 'cut' : 'before');
   }
   end() {
     this.shown = null;
     this.#started = null;
     this.step = 'mended';
+    this.tell();
   }
   show(step) {
     this.#started = null;
@@ -140,15 +155,8 @@ export class Cut {
   }
   #go(step) {
     this.step = step;
-    this.viewer.painted = null;
-    this.#mark();
+    for (const button of this.by('steps').querySelectorAll('button')) button.setAttribute('aria-pressed', String(button.value === step));
     this.viewer.ask();
-  }
-  #mark() {
-    for (const button of this.by('steps').querySelectorAll('button')) {
-      button.disabled = !this.shown;
-      button.setAttribute('aria-pressed', String(Boolean(this.shown) && button.value === this.step));
-    }
   }
   /// Whether the steps go on by themselves after this.
   advance(now) {
@@ -156,91 +164,64 @@ export class Cut {
     const passed = now - this.#started;
     const step = passed < opensAt && this.viewer.moves ? 'before' : passed < mendedAt ? 'cut' : 'mended';
     if (step !== this.step) this.#go(step);
-    if (step === 'cut' && passed < openAt + 100 && this.viewer.moves) this.viewer.painted = null;
     if (step === 'mended') this.#started = null;
     return this.#started !== null;
   }
-  /// The ribbon to paint, and where its points are, other than in the mesh.
+  /// The ribbon to paint and its patch, and where its points are, other than in the mesh.
   seen(now) {
-    if (!this.shown || this.step === 'mended') return null;
-    if (this.step === 'before') return { ribbon: this.shown.before, moved: new Map() };
-    const { vS, vT } = this.shown.faces;
+    if (!this.shown) return null;
+    const { ribbon, only } = this.shown[this.step];
+    if (this.step !== 'cut') return { name: this.step, ribbon, only };
+    const { vS, vT } = this.shown;
     const { points } = this.viewer.mesh;
     const share = this.#started === null || !this.viewer.moves ? 1 : Math.max(0, Math.min(1, (now - this.#started - opensAt) / (openAt - opensAt)));
     const [from, to] = [vS, vT].map((v) => points.subarray(3 * v, 3 * v + 3));
-    return { ribbon: this.shown.cut, moved: new Map([[vT, [0, 1, 2].map((n) => from[n] + (to[n] - from[n]) * share)]]) };
+    return { name: `cut ${share}`, ribbon, only, moved: new Map([[vT, [0, 1, 2].map((n) => from[n] + (to[n] - from[n]) * share)]]) };
   }
 
   // ---- drawings that point at the mesh, and back
   #pointAt(face) {
-    const faces = this.shown?.faces;
-    const step = this.step === 'before' ? faces?.before : faces?.after;
-    this.point(face === null || !step?.[face] ? null : +face, step);
+    this.point(this.shown?.[this.step].faces[face] ? +face : null);
   }
-  point(face, step) {
-    this.viewer.pointed = face === null ? null : new Uint32Array(step[face]);
-    for (const element of this.by('last-pictures').querySelectorAll('[data-face]')) element.classList.toggle('lit', +element.dataset.face === face);
+  point(face) {
+    this.viewer.pointed = face === null ? null : new Uint32Array(this.shown[this.step].faces[face]);
+    for (const element of this.by('steps').querySelectorAll('[data-face]')) element.classList.toggle('lit', +element.dataset.face === face);
     this.viewer.ask();
   }
   /// The face of the drawing over which a ray meets the mesh.
   pointFrom({ from, along }) {
-    const faces = this.shown?.faces;
-    if (!faces) return;
     const { mesh } = this.viewer;
     const hit = mesh.pick(from, along);
-    const step = this.step === 'before' ? faces.before : faces.after;
     const within = ([a, b, c]) => {
       const [p, q, r] = [a, b, c].map((v) => mesh.points.subarray(3 * v, 3 * v + 3)).map((place) => minus([...place], hit));
       const all = Math.hypot(...cross(minus(q, p), minus(r, p)));
       const parts = [[p, q], [q, r], [r, p]].reduce((sum, [u, v]) => sum + Math.hypot(...cross(u, v)), 0);
       return parts < 1.001 * all;
     };
-    const face = hit ? step.findIndex(within) : -1;
-    this.point(face < 0 ? null : face, step);
+    const face = hit ? this.shown[this.step].faces.findIndex(within) : -1;
+    this.point(face < 0 ? null : face);
   }
 
   // ---- what is said
-  /// Of the last operation, which was `one` or the last of several.
+  /// Of the split that is shown, if there is one.
   tell() {
-    const { by, viewer } = this;
-    const last = viewer.figures.operations > 0 ? viewer.mesh.last : null;
-    this.#mark();
-    by('take').disabled = !(last?.kind === 'split' && last.closed && last.k <= largestPuzzle);
-    if (!last) {
-      by('last-text').textContent = 'None yet.';
-      by('last-pictures').replaceChildren();
-      return;
-    }
-    const change = last.strips === 0 ? 'the number of strips is the same' :
-      `${plural(Math.abs(last.strips), 'strip')} ${last.strips > 0 ? 'more' : 'fewer'}`;
-    const what = { split: 'Vertex split', collapse: 'Edge collapse', flip: 'Edge flip' }[last.kind];
-    if (!last.closed) {
-      by('last-text').textContent = `${what} at the boundary of the mesh: ${change}.`;
-      by('last-pictures').replaceChildren();
-      return;
-    }
+    const { by, viewer, shown } = this;
+    const last = shown ? viewer.mesh.last : null;
+    by('take').disabled = !(last?.k <= largestPuzzle);
+    by('last-text').textContent = '';
+    by('steps').replaceChildren();
+    if (!last) return;
     const { k, a, ports } = last;
-    const place = `${what}, a vertex of ${k} triangles (k = ${k}, a = ${a}): ${change}.`;
-    // A split leads from a fan to a ring with chord, a collapse back.
-    const splits = last.kind === 'split';
-    const [from, to] = splits ? [fanPicture, ringPicture] : [ringPicture, fanPicture];
-    const pictures = [[from(k, a, last.before, ports, 'before', { faces: splits }), 'before']];
-    const { colors } = viewer.restrip.rule({ family: last.kind, k, a, edges: last.before, ports });
-    const asRule = colors === last.after && last.portsAfter === ports;
-    if (splits) pictures.push([ringPicture(k, a, cutColors(k, a, last.before), ports, 'cut', { faces: true }), 'cut']);
-    if (viewer.figures.baked) {
-      by('last-text').textContent = `${place} No rule was looked up: restrip bake decided these strips beforehand, with long searches.`;
-    } else if (by('cost').value === 'indices' && by('policy').value !== 'baked') {
-      by('last-text').textContent = `${place} To keep indices low no rule is looked up: the new triangles continue the strips ` +
-        'on which they land, and small changes follow as long as they save indices.';
-    } else {
-      const rule = `rule${nameOf(last)}`;
-      by('last-text').innerHTML = asRule ? `${place} That is its ${rule}.`
-        : `${place} Its ${rule} keeps the ports; the policy then changed colours further.`;
-      if (!asRule) pictures.push([to(k, a, colors, ports, 'after the rule', { faces: splits }), 'the rule']);
-    }
-    pictures.push([to(k, a, last.after, last.portsAfter, 'after', { faces: splits }), splits ? 'mended' : 'after']);
-    by('last-pictures').innerHTML = pictures.map(([svg, caption]) => `<figure>${svg}<figcaption>${caption}</figcaption></figure>`).join('');
+    const colors = { before: last.before, cut: cutColors(k, a, last.before), mended: last.after };
+    by('steps').innerHTML = Object.entries(colors).map(([step, edges]) => {
+      const draw = step === 'before' ? fanPicture : ringPicture;
+      const strips = (step === 'before' ? k : k + 2) - bitsIn(edges);
+      const picture = draw(k, a, edges, step === 'mended' ? last.portsAfter : ports, step, { faces: true, fills: shown[step].fills });
+      return `<button value="${step}" aria-pressed="false">${picture}<span>${names[step]}</span><span>${plural(strips, 'strip')}</span></button>`;
+    }).join('');
+    const rule = viewer.restrip.rule({ family: 'split', k, a, edges: last.before, ports }).colors;
+    by('last-text').innerHTML = `A vertex with k = ${k} triangles. ` + (rule === last.after ? `Mended by its rule${nameOf(last)}.`
+      : `Its rule${nameOf(last)} leaves ${plural(k + 2 - bitsIn(rule), 'strip')} in the patch; the policy then looked further.`);
   }
 }
 

@@ -1,8 +1,18 @@
 // The mesh that is shown and its figures, as text.
 import { none } from '../js/restrip.mjs';
 
-export const asNumber = (n) => n.toLocaleString('en');
-export const asKilobytes = (bytes) => (bytes < 99950 ? (bytes / 1000).toFixed(bytes < 1000 ? 2 : 1) : asNumber(Math.round(bytes / 1000)));
+export const asNumber = (n, digits = 0) => n.toLocaleString('en', { minimumFractionDigits: digits, maximumFractionDigits: digits });
+/// With two digits that count, and all before the point.
+export const asRatio = (n) => (n >= 9.95 ? asNumber(n) : n.toLocaleString('en', { maximumSignificantDigits: 2 }));
+/// Kilobytes, to the byte where they are few.
+export const asBytes = (bytes) => `${bytes < 99950 ? asNumber(bytes / 1000, bytes < 1000 ? 2 : 1) : asNumber(bytes / 1000)} kB`;
+
+/// Bytes of an index of a mesh, in strips and in lists alike: two, if one number is left for restarts.
+export const indexWidth = ({ points }) => (points.length / 3 < 0xffff ? 2 : 4);
+
+/// A row of a table with a bar below it: the share that is written, and the share that is written or read.
+export const barRow = (name, cells, written, all, least) => `<tr style="--written:${100 * written}%;--all:${100 * all}%"${least ? ' class="least"' : ''}>` +
+  `<th scope="row">${name}</th>${cells.map((cell) => `<td>${cell}</td>`).join('')}</tr>`;
 
 /// `level`: that of the slider, to which the splits may still be on their way.
 export function showLevel(by, played, levels, level) {
@@ -14,11 +24,19 @@ export function showLevel(by, played, levels, level) {
 
 export function showFigures(by, { figures: { triangles, strips }, source }) {
   const name = source.name === 'hare' ? 'this hare' : 'this mesh';
-  by('claim').textContent = strips === 1 ? `All ${asNumber(triangles)} triangles of ${name} are one strip. Move the level.`
-    : `${asNumber(triangles)} triangles of ${name} in ${asNumber(strips)} strips. Move the level.`;
+  by('claim').textContent = strips === 1 ? `One strip runs over all ${asNumber(triangles)} triangles of ${name}.`
+    : `${asNumber(strips)} strips run over the ${asNumber(triangles)} triangles of ${name}.`;
   by('f-triangles').textContent = asNumber(triangles);
   by('f-strips').textContent = asNumber(strips);
-  by('f-length').textContent = (triangles / strips).toFixed(1);
+  by('f-length').textContent = asNumber(triangles / strips, 1);
+}
+
+/// What a drawn frame reads of the indices: as a list, as strips from scratch, as the strips of the mesh.
+export function showReads(by, { mesh, figures: { triangles, bufferIndices }, source }) {
+  const list = 3 * triangles;
+  const rows = [['Triangle list', list], ['Strips from scratch', mesh.fromScratch({ cost: 'indices' }).length], ['These strips, maintained', bufferIndices]];
+  by('reads').innerHTML = rows.map(([name, count]) =>
+    barRow(name, [asBytes(count * indexWidth(source)), `${asNumber(100 * count / list)} %`], 0, count / list, false)).join('');
 }
 
 /// How many the finest level has. `source`: of prepared().
@@ -30,6 +48,7 @@ export function fineTriangles({ base, splits }) {
 
 export function showMesh(by, source, { levels }) {
   const { name, leftOut } = source;
+  by('coarser').href = `#part=cut&level=${levels >> 1}`;
   by('mesh-text').textContent = `${name}: ${asNumber(fineTriangles(source))} triangles, ${asNumber(levels)} levels below.` +
     (leftOut.triangles ? ` ${leftOut.triangles} degenerate triangles were left out.` : '') +
     (leftOut.nonManifoldVertices ? ` The mesh is not a manifold at ${leftOut.nonManifoldVertices} vertices, which stay as they are.` : '');

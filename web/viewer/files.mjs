@@ -36,7 +36,7 @@ export class Files {
         worker.onerror = (event) => reject(new Error(event.message ?? 'the worker of this page did not start'));
         worker.postMessage({ wasm: this.wasm, readers, name: file.name, bytes }, [bytes]);
       });
-      if (this.#worker === worker) this.show(mesh);
+      if (this.#worker === worker) await this.show(mesh);
     } catch (error) {
       if (this.#worker === worker) this.fault(error.message.startsWith(file.name) ? error.message : `${file.name}: ${error.message}`);
     } finally {

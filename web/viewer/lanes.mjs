@@ -1,46 +1,37 @@
-// Ways to have an index buffer while the level of a mesh moves, each with a mesh of its own, and what a step costs it.
+// Ways to have an index buffer while the level of a mesh moves, each with a mesh of its own: the bytes that a change writes into it,
+// and the bytes that each drawn frame reads from it.
 import { restartIndex } from '../js/restrip.mjs';
 
 /// And what the page calls them.
-export const ways = { kept: 'Strips kept', scratch: 'Strips from scratch', whole: 'List written whole', slots: 'List with slots' };
-
-const indicesIn = (ranges) => ranges.reduce((sum, { count }) => sum + count, 0);
+export const ways = { kept: 'Maintained strips', scratch: 'Strips from scratch', whole: 'List written whole', slots: 'List with slots' };
 
 export class Lane {
   #scratch = null;  // the last index buffer from scratch
 
-  /// `source`: of prepared(). Policy and cost are those of strips; a list keeps none.
-  constructor(restrip, way, source, { policy, cost }) {
-    this.way = way;
-    this.cost = cost;
+  /// `source`: of prepared(). Policy and cost are those of strips; a list keeps none. `width`: bytes of an index.
+  constructor(restrip, way, source, { policy, cost, width }) {
+    Object.assign(this, { way, cost, width });
     this.mesh = restrip.progressive(source).begin({ policy: way === 'kept' ? policy : 'bare', cost });
-    this.ranges = this.#follow();
+    this.#follow();
     this.startHere();
   }
   /// Steps count from here on.
-  startHere() {
-    this.last = { bytes: 0, moving: 0 };
-    this.total = { steps: 0, bytes: 0, milliseconds: 0 };
-  }
-  /// Towards the level by at most so many operations, and the index buffer after it; uploading is another's. Returns the
-  /// number of operations.
-  step(level, most = Infinity) {
-    const start = performance.now();
-    const operations = this.mesh.moveTo(level, most);
-    const moved = performance.now();
-    this.ranges = this.#follow();
-    const took = performance.now() - start;
-    this.last = { bytes: 4 * indicesIn(this.ranges), moving: moved - start };
+  startHere() { this.total = { steps: 0, operations: 0, written: 0, drawn: 0 }; }
+  /// A step ends after that many operations, whatever the number of frames in which they were done: the index buffer follows it
+  /// once. Uploading is the caller's.
+  endStep(operations) {
+    this.#follow();
     this.total.steps += 1;
-    this.total.bytes += this.last.bytes;
-    this.total.milliseconds += took;
-    return operations;
+    this.total.operations += operations;
+    this.total.written += this.width * this.ranges.reduce((sum, { count }) => sum + count, 0);
+    this.total.drawn += this.width * this.length;
   }
   #follow() {
-    if (this.way === 'kept') return this.mesh.update();
-    if (this.way !== 'scratch') return this.mesh.updateList({ whole: this.way === 'whole' });
-    this.#scratch = this.mesh.fromScratch({ cost: this.cost });
-    return [{ first: 0, count: this.#scratch.length }];
+    if (this.way === 'scratch') {
+      this.#scratch = this.mesh.fromScratch({ cost: this.cost });
+      this.ranges = [{ first: 0, count: this.#scratch.length }];
+    } else this.ranges = this.isList ? this.mesh.updateList({ whole: this.way === 'whole' }) : this.mesh.update();
+    this.length = this.indices.length;
   }
   /// What is drawn: a view, valid until the next call of any mesh.
   get indices() {
@@ -49,11 +40,6 @@ export class Lane {
   }
   get isList() { return this.way === 'whole' || this.way === 'slots'; }
   get ribbon() { return this.way === 'scratch' ? this.mesh.scratchRibbon : this.mesh.ribbon; }
-  /// 0: a list has none.
-  get strips() {
-    if (this.way === 'kept') return this.mesh.figures.strips;
-    return this.isList ? 0 : this.indices.reduce((sum, index) => sum + (index === restartIndex ? 1 : 0), 1);
-  }
   /// The triangles that the written indices draw, three corners each.
   get written() {
     const { indices } = this;

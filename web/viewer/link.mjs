@@ -2,7 +2,7 @@
 
 /// A part, and what can be done on the picture while it is shown.
 const usual = 'Drag to turn. Drop a mesh on the page: OBJ, PLY, OFF, STL, glTF, PM, baked.';
-const parts = { ribbon: usual, cut: 'Click the mesh to cut it. Drag to turn.', turn: '', race: 'Drag to turn both.', use: usual };
+const parts = { ribbon: usual, cut: 'Click to cut. Drag to turn.', turn: '', race: 'Drag to turn both.', use: usual };
 
 /// Choices that an address names, but for these values.
 const usualChoices = { policy: null, cost: 'strips', mode: 'level', style: 'strips', rival: 'scratch', 'race-policy': 'quick', 'race-cost': 'indices', stride: '0.01' };
@@ -41,6 +41,8 @@ export class Link {
     const { by, viewer } = this;
     this.#known = location.hash;
     const state = readLink(this.#known);
+    // The close look at a cut ends with its part.
+    if (viewer.part === 'cut' && state.part !== 'cut' && viewer.cut.shown) viewer.camera.fly(viewer.home, viewer.moves ? 700 : 0);
     viewer.part = Object.hasOwn(parts, state.part ?? '') ? state.part : 'ribbon';
     for (const id of Object.keys(usualChoices)) {
       const option = state[id] === undefined ? null : [...by(id).options].find(({ value, disabled }) => value === state[id] && !disabled);
@@ -68,7 +70,7 @@ export class Link {
     }
     document.body.dataset.part = viewer.part;
     by('hint').textContent = parts[viewer.part];
-    if (['ribbon', 'race'].includes(viewer.part)) by(`part-${viewer.part}`).querySelector('.claim').after(by('level-row'));
+    if (['ribbon', 'race'].includes(viewer.part)) by(`part-${viewer.part}`).querySelector('[data-level]').after(by('level-row'));
   }
 
   /// Brings the address in step with what has settled, at most once in a while: with the light on every frame calls this.

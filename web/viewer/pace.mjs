@@ -1,5 +1,5 @@
 // How many operations a frame may have: as many as fit into its time.
-const frameBudget = 12;  // milliseconds
+export const frameBudget = 12;  // milliseconds
 const firstPace = 256;  // operations, before their speed is known
 
 export class Pace {

@@ -13,6 +13,7 @@ export function rimOf(k, a) {
 
 export class Patch {
   faces = { old: '', new: '' };
+  fills = '';
   strokes = { dashed: '', solid: '' };
   nodes = [];
   extra = '';
@@ -39,9 +40,11 @@ export class Patch {
     const line = points.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(' ');
     this.extra += `<polyline class="hit" tabindex="0" role="button" aria-pressed="${solid}" aria-label="${label}" data-edge="${edge}" points="${line}"/>`;
   }
-  /// A triangle that can be pointed at.
-  face(i, corners) {
-    this.extra += `<path class="face" data-face="${i}" d="M${corners.map((p) => p.map((c) => c.toFixed(1)).join(',')).join('L')}z"/>`;
+  /// A triangle that can be pointed at, in a colour of its own if it has one.
+  face(i, corners, fill) {
+    const outline = `M${corners.map((p) => p.map((c) => c.toFixed(1)).join(',')).join('L')}z`;
+    if (fill) this.fills += `<path class="old" style="fill:${fill}" d="${outline}"/>`;
+    this.extra += `<path class="face" data-face="${i}" d="${outline}"/>`;
   }
   /// The name of a triangle, beside its node: so far away, turned by so much from where something is.
   name(node, toward, away, turn, text) {
@@ -51,15 +54,15 @@ export class Patch {
   }
   svg(description) {
     const dots = this.nodes.map(([x, y]) => `M${x.toFixed(1)},${y.toFixed(1)}h0`).join('');
-    const paths = { ...this.faces, ...this.strokes, node: dots };
+    const drawn = (paths) => Object.entries(paths).filter(([, d]) => d).map(([style, d]) => `<path class="${style}" d="${d}"/>`).join('');
     // A picture that has buttons in it is a group.
     return `<svg class="patch" viewBox="5 5 390 390" role="${this.extra.includes('role="button"') ? 'group' : 'img'}" aria-label="${description}">` +
-      Object.entries(paths).filter(([, d]) => d).map(([style, d]) => `<path class="${style}" d="${d}"/>`).join('') + this.extra + '</svg>';
+      drawn(this.faces) + this.fills + drawn({ ...this.strokes, node: dots }) + this.extra + '</svg>';
   }
 }
 
 /// The closed fan before a split. `click`: edges can be clicked; `faces`: triangles can be pointed at.
-export function fanPicture(k, a, loop, ports, description, { click = false, faces = false } = {}) {
+export function fanPicture(k, a, loop, ports, description, { click = false, faces = false, fills = [] } = {}) {
   const rim = rimOf(k, a);
   const center = [200, 200];
   const patch = new Patch();
@@ -68,7 +71,7 @@ export function fanPicture(k, a, loop, ports, description, { click = false, face
     const across = middle(center, rim[i + 1]);
     patch.join(i, (i + 1) % k, across, has(loop, i));
     const outside = patch.port(i, rim[i], rim[i + 1], has(ports, i));
-    if (faces) patch.face(i, [center, rim[i], rim[i + 1]]);
+    if (faces) patch.face(i, [center, rim[i], rim[i + 1]], fills[i]);
     if (!click) continue;
     patch.hit(`loop ${i}`, `loop edge ${i}`, has(loop, i), [patch.nodes[i], across, patch.nodes[(i + 1) % k]]);
     patch.hit(`port ${i}`, `port ${i}`, has(ports, i), [patch.nodes[i], outside]);
@@ -78,7 +81,7 @@ export function fanPicture(k, a, loop, ports, description, { click = false, face
 
 /// The ring with chord after it, in the same way; its ports cannot be clicked. `marked`: inner edges to point at;
 /// `named`: each triangle has its name on it.
-export function ringPicture(k, a, inner, ports, description, { click = false, faces = false, named = false, marked = 0n } = {}) {
+export function ringPicture(k, a, inner, ports, description, { click = false, faces = false, fills = [], named = false, marked = 0n } = {}) {
   const rim = rimOf(k, a);
   const patch = new Patch();
   const toward = (first, last) => middle(...rim.slice(first, last + 1)).map((c) => 200 + (c - 200) * 0.45);
@@ -87,7 +90,7 @@ export function ringPicture(k, a, inner, ports, description, { click = false, fa
   const corners = [...Array.from({ length: k }, (_, i) => [i < a ? vS : vT, rim[i], rim[i + 1]]), [vS, vT, rim[0]], [vT, vS, rim[a]]];
   corners.forEach((places, i) => {
     patch.add(...places, i < k ? 'old' : 'new');
-    if (faces) patch.face(i, places);
+    if (faces) patch.face(i, places, fills[i]);
   });
   const names = [...Array.from({ length: k }, (_, i) => `t${i}`), 'A', 'D'];
   ringEdges(k, a).forEach(([i, j], edge) => {

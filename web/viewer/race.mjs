@@ -1,20 +1,18 @@
-// The race: a mesh whose strips are kept, and the same mesh with another index buffer, under one slider. What a step has
-// written is lit.
+// The race: four index buffers take the same steps of the level. What counts is the sum of the bytes that changes write and the bytes
+// that drawn frames read. Two of the buffers are drawn side by side; what a step has written is lit.
 import { Pane } from './pane.mjs';
-import { Pace } from './pace.mjs';
-import { Ribbon } from './ribbon.mjs';
+import { Pace, frameBudget } from './pace.mjs';
+import { Painter } from './ribbon.mjs';
 import { Lane, ways } from './lanes.mjs';
-import { asKilobytes, asNumber, fineTriangles, showLevel } from './figures.mjs';
+import { asBytes, asNumber, asRatio, barRow, fineTriangles, indexWidth, showLevel } from './figures.mjs';
 
 /// Milliseconds for which what was written is lit, where things may move.
 const litFor = 900;
-/// Steps of a run to its end, and as many back.
+/// Steps of a run to its turning point, and as many back.
 const runSteps = 100;
 
 /// One of the two pictures: a lane, drawn from a copy of its index buffer on the card or as ribbons beside it.
 class Track {
-  #stale = true;
-
   constructor(canvas, viewer, restored) {
     this.pane = new Pane(canvas, viewer.camera, { changed: () => viewer.ask(), lost: () => viewer.lost(), restored });
     viewer.camera.listen(canvas, () => viewer.ask(), () => {});
@@ -22,37 +20,34 @@ class Track {
   /// `room`: indices for which there is to be storage.
   take(lane, room) {
     const { scene } = this.pane;
-    Object.assign(this, { lane, ribbon: null });
-    scene.setPoints(lane.mesh.points);
+    Object.assign(this, { lane, painter: new Painter(scene) });
+    scene.setPoints(lane.mesh.points, lane.width);
     scene.reserve(room);
-    scene.upload(lane.indices, [{ first: 0, count: lane.indices.length }]);
-    this.#changed();
+    scene.upload(lane.indices, [{ first: 0, count: lane.length }]);
+    this.written = [];
   }
   follow() {
     this.pane.scene.upload(this.lane.indices, this.lane.ranges);
-    this.#changed();
-  }
-  #changed() {
-    this.#stale = true;
     this.written = this.lane.written;
+    this.painter.stale();
   }
-  draw(strength) {
-    const { lane, pane: { scene, camera, colors } } = this;
-    if (scene.lost) return;
-    if (this.#stale && !lane.isList) {
-      this.ribbon = new Ribbon(lane.ribbon, this.ribbon);
-      scene.paint(this.ribbon.vertices(lane.mesh.points));
-    }
-    this.#stale = false;
-    scene.draw(camera, { style: lane.isList ? 'list' : 'strips', length: lane.indices.length, ...colors, glow: { triangles: this.written, strength } });
+  /// Whether there is more to paint. `resting`: the mesh does not move.
+  draw(strength, resting) {
+    const { lane, painter, pane: { scene, camera, colors } } = this;
+    if (scene.lost) return false;
+    const left = lane.isList ? 0 : painter.paint(() => lane.ribbon, lane.mesh.points, resting);
+    scene.draw(camera, { style: lane.isList ? 'list' : left === 0 ? 'strips' : 'shaded', length: lane.length, ...colors, glow: { triangles: this.written, strength } });
+    return left > 0 && resting;
   }
 }
 
 export class Race {
   lanes = null;  // by their ways
   at = 0;  // the level of all of them
-  tracks = null;  // the other's, and that of strips kept
-  #counts = false;  // the lanes have come to the level from which on steps count
+  tracks = null;  // the other's, and that of maintained strips
+  #work = null;  // what is to be done, in pieces
+  #resting = false;  // nothing of it is left
+  #counts = false;  // the lanes have arrived at the level from which on steps count
   #stepped = -Infinity;  // when the last step was
   #ahead = null;  // levels of a run that lie ahead
 
@@ -61,50 +56,37 @@ export class Race {
     this.by = by;
     for (const id of ['race-policy', 'race-cost']) by(id).addEventListener('change', () => this.end());
     by('rival').addEventListener('change', () => {
-      if (this.lanes) this.#take();
+      if (this.tracks) this.#take();
       viewer.ask();
     });
+    by('frames').addEventListener('input', () => this.#tell());
     by('run').addEventListener('click', () => (this.#ahead ? this.#stop() : this.run()));
     for (const [id, event] of [['level', 'input'], ['up', 'click'], ['down', 'click']]) by(id).addEventListener(event, () => this.#stop());
   }
 
-  /// Makes the lanes; they go to the level of the page, and count from there.
-  #begin() {
-    const { viewer, by } = this;
-    const { source, restrip } = viewer;
-    const given = { policy: by('race-policy').value, cost: by('race-cost').value };
-    this.lanes = Object.fromEntries(Object.keys(ways).map((way) => [way, new Lane(restrip, way, source, given)]));
-    this.at = 0;
-    this.pace = new Pace();
-    this.#counts = false;
-    this.tracks ??= ['rival', 'kept'].map((name) => new Track(by(`${name}-canvas`), viewer, () => {
-      if (this.lanes) this.#take();
-      viewer.found();
-    }));
-    this.#take();
-  }
   #take() {
+    if (Object.keys(this.lanes ?? {}).length < Object.keys(ways).length) return;
     [this.by('rival').value, 'kept'].forEach((way, n) => this.tracks[n].take(this.lanes[way], 3 * fineTriangles(this.viewer.source)));
   }
   /// Another mesh or another policy starts a new race.
   end() {
     for (const lane of Object.values(this.lanes ?? {})) lane.close();
-    this.lanes = null;
+    this.lanes = this.#work = null;
+    this.#resting = false;
     this.#stop();
     this.viewer.ask();
   }
-  /// Up and back from the level of the page, or from as far below the finest one as the steps lead.
+  /// From the level of the page to where there is more room, and back.
   run() {
     const { by, viewer } = this;
-    const { levels } = viewer.mesh;
+    const { level, mesh: { levels } } = viewer;
     const stride = Math.max(1, Math.floor(by('stride').value * levels));
-    const from = Math.max(0, Math.min(viewer.level, levels - runSteps * stride));
-    const up = [];
-    while (up.length < runSteps && from + (up.length + 1) * stride <= levels) up.push(from + (up.length + 1) * stride);
-    this.#ahead = [...up, ...up.slice(0, -1).reverse(), from];
-    this.#counts = false;
+    const [way, room] = 2 * level <= levels ? [stride, levels - level] : [-stride, level];
+    const there = Array.from({ length: Math.min(runSteps, Math.floor(room / stride)) }, (_, n) => level + (n + 1) * way);
+    this.#ahead = [...there, ...there.slice(0, -1).reverse(), level];
+    this.#counts = this.#resting = false;
     by('run').textContent = 'Stop';
-    viewer.moveTo(from);
+    viewer.ask();
   }
   #stop() {
     this.#ahead = null;
@@ -112,65 +94,121 @@ export class Race {
   }
 
   /// Nothing is left to be done.
-  get settled() { return this.lanes !== null && this.at === this.viewer.level && this.#ahead === null; }
-  /// One step of every lane, by at most so many operations.
-  step(level, most = Infinity) {
-    let [done, moving] = [0, 0];
-    for (const lane of Object.values(this.lanes)) {
-      done = lane.step(level, most);
-      moving += lane.last.moving;
+  get settled() { return this.#resting && this.at === this.viewer.level && this.#ahead === null; }
+
+  /// Everything that the race does, in pieces that fit into a frame: the lanes one after the other. Says after which of them a step
+  /// is to be seen, and when nothing is left.
+  *#pieces() {
+    const { viewer, by } = this;
+    const { source, restrip } = viewer;
+    const given = { policy: by('race-policy').value, cost: by('race-cost').value, width: indexWidth(source) };
+    this.lanes = {};
+    this.at = 0;
+    this.#counts = false;
+    for (const way of Object.keys(ways)) {
+      this.lanes[way] = new Lane(restrip, way, source, given);
+      yield 'more';
     }
-    this.pace.learn(done, most, moving);
-    this.at += level > this.at ? done : -done;
-    for (const track of this.tracks) track.follow();
+    this.tracks ??= ['rival', 'kept'].map((name) => new Track(by(`${name}-canvas`), viewer, () => {
+      if (this.lanes) this.#take();
+      viewer.found();
+    }));
+    this.#take();
+    const pace = new Pace();
+    for (;;) {
+      let operations = 0;
+      while (this.at !== viewer.level) {
+        const [to, most] = [viewer.level, pace.most];
+        let [done, took] = [0, 0];
+        for (const { mesh } of Object.values(this.lanes)) {
+          const start = performance.now();
+          done = mesh.moveTo(to, most);
+          took = Math.max(took, performance.now() - start);
+          yield 'more';
+        }
+        pace.learn(done, most, took);
+        this.at += to > this.at ? done : -done;
+        operations += done;
+      }
+      if (operations > 0) {
+        for (const lane of Object.values(this.lanes)) {
+          lane.endStep(operations);
+          yield 'more';
+        }
+        for (const track of this.tracks) track.follow();
+      }
+      if (!this.#counts) for (const lane of Object.values(this.lanes)) lane.startHere();
+      this.#counts = true;
+      if (this.#ahead?.length > 0) viewer.moveTo(this.#ahead.shift());
+      else if (this.#ahead) this.#stop();
+      yield this.at === viewer.level ? 'rest' : 'step';
+    }
   }
-  #goOn() {
-    const { viewer } = this;
-    if (this.at !== viewer.level) this.step(viewer.level, this.pace.most);
-    if (this.at !== viewer.level) return;
-    if (!this.#counts) for (const lane of Object.values(this.lanes)) lane.startHere();
-    this.#counts = true;
-    if (!this.#ahead) return;
-    if (this.#ahead.length === 0) this.#stop();
-    else viewer.moveTo(this.#ahead.shift());
-  }
-  /// Steps and draws; whether there is more to come.
+  /// Works, and draws; whether there is more to come.
   frame(now) {
     const { viewer } = this;
-    if (!this.lanes) this.#begin();
-    const before = this.at;
+    this.#work ??= this.#pieces();
     // Where nothing may move by itself, a run is seen at its end.
-    const until = performance.now() + (viewer.moves ? 0 : 40);
-    do this.#goOn(); while (this.#ahead && performance.now() < until);
-    if (this.at !== before) this.#stepped = now;
-    const strength = this.lanes.kept.total.steps === 0 ? 0 : viewer.moves ? Math.max(0, 1 - (now - this.#stepped) / litFor) : 1;
-    if (viewer.moves || !this.#ahead) for (const track of this.tracks) track.draw(strength);
-    this.#tell();
+    const ends = viewer.moves ? ['step', 'rest'] : ['rest'];
+    const until = performance.now() + frameBudget;
+    const before = this.lanes?.kept?.total.steps;
+    let piece;
+    do piece = this.#work.next().value; while (performance.now() < until && !ends.includes(piece));
+    this.#resting = piece === 'rest';
+    if (!this.tracks) return true;
+    const { total } = this.lanes.kept;
+    if (total.steps !== before) this.#stepped = now;
+    const strength = total.steps === 0 ? 0 : viewer.moves ? Math.max(0, 1 - (now - this.#stepped) / litFor) : 1;
+    let painting = false;
+    if (this.#resting || (viewer.moves && piece === 'step')) for (const track of this.tracks) painting = track.draw(strength, this.#resting) || painting;
+    showLevel(this.by, this.at, viewer.mesh.levels, viewer.level);
+    if (ends.includes(piece)) this.#tell();
+    if (painting) this.#resting = false;
     return !this.settled || (viewer.moves && strength > 0);
   }
 
   // ---- what is said
+  /// What a change costs with that many drawn frames: the bytes written and read, of each way.
+  costs(frames) {
+    return Object.fromEntries(Object.entries(this.lanes).map(([way, { total: { steps, written, drawn } }]) => {
+      const [write, read] = [written / Math.max(1, steps), drawn / Math.max(1, steps)];
+      return [way, { write, read, all: write + frames * read }];
+    }));
+  }
   #tell() {
     const { by, viewer, lanes } = this;
-    showLevel(by, this.at, viewer.mesh.levels, viewer.level);
-    const rows = Object.values(lanes).map(({ way, last, total, strips, indices }) => ({ name: ways[way], cells: [
-      [last.bytes, asKilobytes(last.bytes)], [total.bytes, asKilobytes(total.bytes)],
-      // The clock of a page may tick every tenth of a millisecond.
-      total.steps >= 10 ? [total.milliseconds, asNumber(Math.round(1000 * total.milliseconds / total.steps))] : [Infinity, '–'],
-      strips > 0 ? [strips, asNumber(strips)] : [Infinity, '–'], [indices.length, asNumber(indices.length)]] }));
-    const least = rows[0].cells.map((_, c) => Math.min(...rows.map(({ cells }) => cells[c][0])));
-    by('lanes').innerHTML = rows.map(({ name, cells }) =>
-      `<tr><th scope="row">${name}</th>${cells.map(([n, text], c) => `<td${n === least[c] && n > 0 && n < Infinity ? ' class="least"' : ''}>${text}</td>`).join('')}</tr>`).join('');
-    for (const [n, name] of ['rival', 'kept'].entries()) {
-      const { way, total } = this.tracks[n].lane;
-      by(`${name}-text`).textContent = `${ways[way]}: ${asKilobytes(total.bytes)} kB`;
+    if (!this.tracks || Object.keys(lanes ?? {}).length < 4) return;
+    this.tracks.forEach(({ lane }, n) => { by(`${n === 0 ? 'rival' : 'kept'}-text`).textContent = ways[lane.way]; });
+    const { steps, operations } = lanes.kept.total;
+    by('sums').hidden = steps === 0;
+    if (steps === 0) {
+      by('race-text').textContent = 'Move the level, or press Run. What a step writes is lit.';
+      return;
     }
-    const share = (part, all) => `${Math.round(100 * part / all)} %`;
-    const { kept, scratch, whole, slots } = lanes;
-    by('race-text').textContent = kept.total.steps === 0 ? 'Move the level, or let it run. What a step writes is lit.'
-      : `Strips kept have written ${share(kept.total.bytes, scratch.total.bytes)} of the bytes of strips from scratch, and draw ` +
-        `${share(kept.indices.length, whole.indices.length)} of the indices of a list.`;
-    by('slots-text').textContent = kept.total.steps === 0 ? '' :
-      `The list with slots has written ${share(slots.total.bytes, kept.total.bytes)} of the bytes of strips kept.`;
+    const frames = 10 ** by('frames').value;
+    by('frames-text').textContent = frames >= 1 ? `${asRatio(frames)} per change` : `1 for ${asRatio(1 / frames)} changes`;
+    const costs = this.costs(frames);
+    const most = Math.max(...Object.values(costs).map(({ all }) => all));
+    const least = Object.keys(costs).reduce((one, other) => (costs[other].all < costs[one].all ? other : one));
+    by('lanes').innerHTML = Object.entries(costs).map(([way, { write, read, all }]) =>
+      barRow(ways[way], [asBytes(write), asBytes(read), asBytes(all)], write / most, all / most, way === least)).join('');
+    const { kept, slots } = costs;
+    const [even, rebuilt] = [slots, costs.scratch].map(({ write, read }, n) => {  // frames drawn per change
+      const frames = (kept.write - write) / (read - kept.read);
+      const place = (Math.log10(frames) - by('frames').min) / (by('frames').max - by('frames').min);
+      const mark = by('frames-row').getElementsByTagName('i')[n];
+      mark.hidden = !(place > 0 && place < 1);
+      mark.style.left = `calc(9px + ${place} * (100% - 18px))`;
+      return frames;
+    });
+    const share = (part, all) => `${asRatio(100 * part / all)} %`;
+    by('race-text').textContent = least === 'kept'
+      ? `Maintained strips move the fewest bytes: ${share(kept.all, slots.all)} of the list with slots, ${share(kept.all, costs.scratch.all)} of strips from scratch.`
+      : `Here the ${ways[least].toLowerCase()} move${least === 'scratch' ? '' : 's'} the fewest bytes: ${share(costs[least].all, kept.all)} of maintained strips.`;
+    const limit = operations / steps / even;  // operations per drawn frame
+    by('even-text').textContent = even > 0
+      ? `Maintained strips beat the list with slots while fewer than ${asNumber(limit)} operations, ${share(limit, slots.read / 3 / lanes.slots.width)} of the triangles, happen per drawn frame.`
+      : 'Maintained strips write no more than the list with slots, and read less.';
+    if (rebuilt > 0) by('even-text').textContent += ` From ${asRatio(rebuilt)} drawn frames per change on, strips from scratch win.`;
   }
 }

@@ -15,6 +15,8 @@ function colorOf(hue, saturation, lightness) {
   };
   return channel(4) << 16 | channel(8) << 8 | channel(0);
 }
+/// Whether a corner is at an end of a side.
+const isEnd = (corner, side) => side >= 0 && (corner === side || corner === (side + 1) % 3);
 const fresh = colorOf(0.12, 1, 0.56);  // triangles that have just come, and are of no strip yet
 
 export class Ribbon {
@@ -42,6 +44,11 @@ export class Ribbon {
   }
   triangle(i) { return this.data[perTriangle * i]; }
   corners(i) { return this.data.subarray(perTriangle * i + 1, perTriangle * i + 4); }
+  /// Where a triangle with these corners is in the data; -1: nowhere.
+  find(corners) {
+    for (let i = 0; i < this.count; ++i) if (this.corners(i).every((v) => corners.includes(v))) return i;
+    return -1;
+  }
   beyond(i, side) { return this.data[perTriangle * i + 4 + side]; }
   joined(i, side) { return (this.data[perTriangle * i + 7] >> side & 1) === 1; }
 
@@ -101,27 +108,35 @@ export class Ribbon {
     const hue = (hueOf(strip.name) + 0.75 * share * along) % 1;
     return colorOf(hue, 0.62, share > 0.3 ? 0.6 : 0.45 + 0.3 * along);
   }
-  /// Corners for the graphics card, six numbers each: a point; red, green and blue, and a bit for each side that is a wall;
-  /// how far along its strip it lies, and how long that is. `moved`: points that are elsewhere.
-  vertices(points, moved = new Map()) {
+  /// The same of the triangle at i, as a drawing has it.
+  fill(i) {
+    const color = this.color(this.#stripAt(i), i);
+    return `rgb(${color & 255} ${color >> 8 & 255} ${color >> 16})`;
+  }
+  /// Corners for the graphics card, six numbers each: a point; red, green and blue, with a bit for each side that is a wall and one
+  /// for each side at the rim of `only`; how far along its strip it lies, and how long that is. `moved`: points that are elsewhere;
+  /// `only`: triangles that are to be told from all others.
+  vertices(points, { moved = null, only = null } = {}) {
+    const { data } = this;
     const out = new Float32Array(18 * this.count);
     const words = new Uint32Array(out.buffer);
     for (const strip of this.strips) {
-      for (let i = strip.first; i < strip.first + strip.count; ++i) {
-        const { data } = this;
-        const word = (this.color(strip, i) | (~data[perTriangle * i + 7] & 7) << 24) >>> 0;
-        const order = i - strip.first;
-        const sides = [i - 1, i + 1].map((other) => this.#sideTo(i, other));
+      const end = strip.first + strip.count;
+      for (let i = strip.first; i < end; ++i) {
+        const at = perTriangle * i;
+        let word = this.color(strip, i) | (~data[at + 7] & 7) << 24;
+        if (only && !only.has(data[at])) word = (word & 0xfcfcfc) / 4 + 0x949494 | word & 0xff000000;
+        else for (let side = 0; only && side < 3; ++side) if (!only.has(data[at + 4 + side])) word |= 8 << 24 + side;
+        const [enters, leaves] = [i > strip.first ? this.#sideTo(i, i - 1) : -1, i + 1 < end ? this.#sideTo(i, i + 1) : -1];
         for (let corner = 0; corner < 3; ++corner) {
-          const v = data[perTriangle * i + 1 + corner];
-          const at = 18 * i + 6 * corner;
-          const place = moved.get(v);
-          for (let n = 0; n < 3; ++n) out[at + n] = place ? place[n] : points[3 * v + n];
-          words[at + 3] = word;
+          const v = data[at + 1 + corner];
+          const to = 18 * i + 6 * corner;
+          const place = moved?.get(v);
+          for (let n = 0; n < 3; ++n) out[to + n] = place ? place[n] : points[3 * v + n];
+          words[to + 3] = word;
           // Behind at the side where the strip comes in, ahead at the one where it goes on.
-          const [enters, leaves] = sides.map((side) => side >= 0 && (corner === side || corner === (side + 1) % 3));
-          out[at + 4] = order + (leaves ? 0.5 : 0) - (enters ? 0.5 : 0);
-          out[at + 5] = strip.count;
+          out[to + 4] = i - strip.first + (isEnd(corner, leaves) ? 0.5 : 0) - (isEnd(corner, enters) ? 0.5 : 0);
+          out[to + 5] = strip.count;
         }
       }
     }
@@ -129,9 +144,51 @@ export class Ribbon {
   }
   /// The side by which triangle i joins the one at `other`; -1: none.
   #sideTo(i, other) {
-    if (other < 0 || other >= this.count) return -1;
-    for (let side = 0; side < 3; ++side) if (this.joined(i, side) && this.beyond(i, side) === this.triangle(other)) return side;
+    const { data } = this;
+    const wanted = data[perTriangle * other];
+    for (let side = 0; side < 3; ++side)
+      if (data[perTriangle * i + 4 + side] === wanted && (data[perTriangle * i + 7] >> side & 1) === 1) return side;
     return -1;
+  }
+
+  /// The strips as flat bands, one after the other, broken into rows that fill a window: for each corner its place, both from -1 to 1,
+  /// and how much of all lies before it, from 0 to 1. A triangle that turns left has its new corner below, one that turns right above.
+  flat(aspect) {
+    const { data } = this;
+    const out = new Float32Array(9 * this.count);
+    const all = this.strips.reduce((sum, { count }) => sum + count / 2 + 1.5, 0);
+    const rows = Math.max(1, Math.round(Math.sqrt(all / (1.3 * aspect))));
+    const wide = all / rows + 1;
+    const unit = 1.8 / Math.max(wide, 1.3 * rows * aspect);  // of the window's width
+    let begin = 0;
+    for (const { first, count } of this.strips) {
+      let places = new Map();  // of the corners of the last triangle
+      for (let i = first; i < first + count; ++i) {
+        const enters = i > first ? this.#sideTo(i, i - 1) : -1;
+        const leaves = i + 1 < first + count ? this.#sideTo(i, i + 1) : -1;
+        const corners = data.subarray(perTriangle * i + 1, perTriangle * i + 4);
+        const x = begin + (i - first) / 2;
+        const now = new Map();
+        if (enters < 0) {
+          const apex = leaves < 0 ? 0 : (leaves + 2) % 3;
+          [[0, 0], [1, 0], [0.5, 1]].forEach(([dx, y], n) => now.set(corners[(apex + n) % 3], [x + dx, y]));
+        } else {
+          const [u, v, next] = [0, 1, 2].map((n) => corners[(enters + n) % 3]);
+          const keeps = leaves < 0 || isEnd((enters + 1) % 3, leaves) ? v : u;  // of the side where it comes in
+          now.set(u, places.get(u)).set(v, places.get(v)).set(next, [x + 1, 1 - places.get(keeps)[1]]);
+        }
+        const row = Math.min(rows - 1, Math.floor(x / (wide - 1)));
+        for (let corner = 0; corner < 3; ++corner) {
+          const [px, py] = now.get(corners[corner]);
+          const across = (px - row * (wide - 1) - wide / 2) * unit;
+          const down = (1.3 * (row - rows / 2) + 0.65 - (py - 0.5) * 0.87) * unit * aspect;
+          out.set([across, -down, px / all], 9 * i + 3 * corner);
+        }
+        places = now;
+      }
+      begin += count / 2 + 1.5;
+    }
+    return out;
   }
 
   /// The triangles of this ribbon, joined as they were in `before`: what a split leaves before anything is mended.
@@ -153,5 +210,57 @@ export class Ribbon {
       return was < 0 ? fresh : before.color(before.#stripAt(was), was);
     };
     return cut;
+  }
+}
+
+/// More triangles are not painted in one frame, and not at all while the mesh moves.
+const atOnce = 40000;
+
+/// The ribbon of a mesh on a scene.
+export class Painter {
+  ribbon = null;
+  painted = false;  // the scene has it
+  #fresh = false;  // it is of the mesh as it is
+  #vertices = null;
+  #flat = null;  // the shape of the window for which the scene has the flat bands
+
+  constructor(scene) { this.scene = scene; }
+  /// The mesh has changed.
+  stale() {
+    this.#fresh = false;
+    this.repaint();
+  }
+  /// The scene has another picture.
+  repaint() {
+    this.painted = false;
+    this.#vertices = this.#flat = null;
+  }
+  /// `data`: gives StripMesh.ribbon.
+  read(data) {
+    if (!this.#fresh) this.ribbon = new Ribbon(data(), this.ribbon);
+    this.#fresh = true;
+    return this.ribbon;
+  }
+  /// Paints as much as fits into a frame; returns how many parts are left. `resting`: the mesh does not move; `whole`: all at once.
+  paint(data, points, resting, whole = false) {
+    for (let left = this.painted ? 0 : this.#vertices ? 1 : this.#fresh ? 2 : 3; ; --left) {
+      if (left === 0) return 0;
+      const many = (this.ribbon?.count ?? 0) > atOnce;
+      if (left === 3 && many && !resting && !whole) return left;
+      if (left === 3) this.read(data);
+      else if (left === 2) this.#vertices = this.ribbon.vertices(points);
+      else {
+        this.scene.paint(this.#vertices);
+        this.#vertices = null;
+        this.painted = true;
+      }
+      if (!whole && this.ribbon.count > atOnce) return left - 1;
+    }
+  }
+  /// The flat bands for a window, painted as well.
+  flatten(aspect) {
+    if (this.#flat === aspect) return;
+    this.#flat = aspect;
+    this.scene.flatten(this.ribbon.flat(aspect));
   }
 }

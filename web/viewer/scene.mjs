@@ -1,12 +1,12 @@
 // What WebGL draws. The index buffer on the card is a copy of the live one, kept in step by its changed ranges alone,
 // and is drawn as one triangle strip with primitive restart.
-import { multiply } from './camera.mjs';
 
 const surfaceVertex = `#version 300 es
 uniform mat4 view, projection;
+uniform float size;
 layout(location = 0) in vec3 place;
 out vec3 seen;
-void main() { vec4 at = view * vec4(place, 1.0); seen = at.xyz; gl_Position = projection * at; }`;
+void main() { vec4 at = view * vec4(place, 1.0); seen = at.xyz; gl_Position = projection * at; gl_PointSize = size; }`;
 const shade = `
 float shade(vec3 seen) {
   vec3 normal = normalize(cross(dFdx(seen), dFdy(seen)));
@@ -15,29 +15,41 @@ float shade(vec3 seen) {
 const surfaceFragment = `#version 300 es
 precision highp float;
 uniform vec4 paint;
-uniform float flatness;
+uniform float flatness, size;
 in vec3 seen;
 out vec4 pixel;
 ${shade}
-void main() { pixel = vec4(mix(paint.rgb * shade(seen), paint.rgb, flatness) * paint.a, paint.a); }`;
-// Ribbons: dark walls at the sides where a strip does not go on, thin edges within it, and a light that runs along it.
+void main() {
+  float apart = size > 0.0 ? distance(gl_PointCoord, vec2(0.5)) : 0.0;
+  if (apart > 0.5) discard;
+  pixel = vec4(mix(paint.rgb * shade(seen), paint.rgb, flatness) * paint.a, paint.a);
+  if (apart > 0.3) pixel.rgb = vec3(0.05, 0.06, 0.09);
+}`;
+// Ribbons: dark walls at the sides where a strip does not go on, thin edges within it, bright ones around a patch, and a light that
+// runs along it. Peeled, they leave the mesh one after the other and lie flat in the window.
 const ribbonVertex = `#version 300 es
 uniform mat4 view, projection;
+uniform float peel, away;
 layout(location = 0) in vec3 place;
 layout(location = 1) in vec4 tint;
 layout(location = 2) in vec2 way;
+layout(location = 3) in vec3 band;
 out vec3 seen, inside;
 out vec2 along;
 out vec3 own;
-flat out vec3 wall;
+flat out vec3 wall, rim;
 void main() {
   vec4 at = view * vec4(place, 1.0);
+  float share = smoothstep(0.0, 1.0, clamp((1.12 * peel - band.z) / 0.12, 0.0, 1.0));
+  vec3 flatly = vec3(band.xy * away / vec2(projection[0][0], projection[1][1]), -away);
+  at.xyz = mix(at.xyz, flatly, share) + vec3(0.0, 0.0, 0.2 * away * share * (1.0 - share));
   seen = at.xyz;
   own = tint.rgb;
   along = way;
   int corner = gl_VertexID % 3, walls = int(tint.a * 255.0 + 0.5);
   inside = vec3(corner == 0, corner == 1, corner == 2);
   wall = vec3(walls >> 1 & 1, walls >> 2 & 1, walls & 1);  // by the corner that lies opposite
+  rim = vec3(walls >> 4 & 1, walls >> 5 & 1, walls >> 3 & 1);
   gl_Position = projection * at;
 }`;
 const ribbonFragment = `#version 300 es
@@ -45,7 +57,7 @@ precision highp float;
 uniform float time, density;
 in vec3 seen, inside, own;
 in vec2 along;
-flat in vec3 wall;
+flat in vec3 wall, rim;
 out vec4 pixel;
 ${shade}
 void main() {
@@ -62,35 +74,10 @@ void main() {
   vec3 room = smoothstep(vec3(2.0), vec3(9.0), 1.0 / step);
   color *= 1.0 - 0.22 * max(max(thin.x * room.x, thin.y * room.y), thin.z * room.z);
   thick *= 0.35 + 0.55 * room;
-  pixel = vec4(mix(color, vec3(0.05, 0.06, 0.09), max(max(thick.x, thick.y), thick.z)), 1.0);
+  color = mix(color, vec3(0.05, 0.06, 0.09), max(max(thick.x, thick.y), thick.z));
+  vec3 bright = (1.0 - smoothstep(vec3(2.4), vec3(3.4), inside / step)) * rim;
+  pixel = vec4(mix(color, vec3(1.0), max(max(bright.x, bright.y), bright.z)), 1.0);
 }`;
-// Each segment is a quad of some width on the screen; one that ends a strip is an arrow head.
-const lineVertex = `#version 300 es
-uniform mat4 all;
-uniform vec2 size;
-uniform float width;
-in vec4 start;
-in vec4 end;
-flat out float strip;
-void main() {
-  vec4 a = all * vec4(start.xyz, 1.0), b = all * vec4(end.xyz - 0.0, 1.0);
-  vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1) - 0.5);
-  vec2 along = (b.xy / b.w - a.xy / a.w) * size;
-  along = length(along) > 0.0001 ? normalize(along) : vec2(1.0, 0.0);
-  vec4 at = corner.x < 0.5 ? a : b;
-  float broad = end.w > 0.5 ? (corner.x < 0.5 ? 3.6 : 0.0) : 1.0;
-  at.xy += vec2(-along.y, along.x) * corner.y * broad * width / size * at.w * 2.0;
-  at.z -= 0.0004 * at.w;  // over the surface
-  strip = start.w;
-  gl_Position = at;
-}`;
-const lineFragment = `#version 300 es
-precision highp float;
-flat in float strip;
-out vec4 pixel;
-vec3 hue(float h) { return clamp(abs(mod(h * 6.0 + vec3(0.0, 4.0, 2.0), 6.0) - 3.0) - 1.0, 0.0, 1.0); }
-void main() { pixel = vec4(mix(vec3(0.5), hue(fract(strip * 0.6180339887)), 0.62) * 0.8, 1.0); }`;
-
 export class Scene {
   bytesUploaded = 0;  // of the index buffer, since it was asked last
   #gl;
@@ -102,24 +89,17 @@ export class Scene {
     if (!gl) throw new Error('This browser offers no WebGL 2, so the mesh cannot be shown. The picture is a still one.');
     this.#gl = gl;
     this.canvas = canvas;
-    for (const [name, vertex, fragment] of [['surface', surfaceVertex, surfaceFragment], ['ribbon', ribbonVertex, ribbonFragment], ['line', lineVertex, lineFragment]])
+    for (const [name, vertex, fragment] of [['surface', surfaceVertex, surfaceFragment], ['ribbon', ribbonVertex, ribbonFragment]])
       this.#programs[name] = this.#program(vertex, fragment);
     this.points = gl.createBuffer();
     this.live = gl.createBuffer();
     this.other = gl.createBuffer();
-    this.segments = gl.createBuffer();
     this.surface = this.#array(this.points, 0, [[0, 3, gl.FLOAT, false, 0]]);
     const corners = gl.createBuffer();
     this.ribbon = { buffer: corners, array: this.#array(corners, 24, [[0, 3, gl.FLOAT, false, 0], [1, 4, gl.UNSIGNED_BYTE, true, 12], [2, 2, gl.FLOAT, false, 16]]), size: 0 };
-    this.lines = gl.createVertexArray();
-    gl.bindVertexArray(this.lines);
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.segments);
-    for (const [name, offset] of [['start', 0], ['end', 16]]) {
-      const at = gl.getAttribLocation(this.#programs.line.program, name);
-      gl.enableVertexAttribArray(at);
-      gl.vertexAttribPointer(at, 4, gl.FLOAT, false, 32, offset);
-      gl.vertexAttribDivisor(at, 1);
-    }
+    this.bands = gl.createBuffer();
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.bands);
+    gl.vertexAttribPointer(3, 3, gl.FLOAT, false, 0, 0);
   }
   #array(buffer, stride, attributes) {
     const gl = this.#gl;
@@ -147,8 +127,10 @@ export class Scene {
   }
 
   get lost() { return this.#gl.isContextLost(); }
-  setPoints(points) {
+  /// `width`: bytes of an index on the card.
+  setPoints(points, width) {
     const gl = this.#gl;
+    this.indices = width === 2 ? { width, type: gl.UNSIGNED_SHORT, List: Uint16Array } : { width, type: gl.UNSIGNED_INT, List: Uint32Array };
     gl.bindBuffer(gl.ARRAY_BUFFER, this.points);
     gl.bufferData(gl.ARRAY_BUFFER, points, gl.STATIC_DRAW);
     this.#room = 0;
@@ -158,7 +140,7 @@ export class Scene {
     const gl = this.#gl;
     gl.bindVertexArray(this.surface);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
-    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, 4 * length, gl.DYNAMIC_DRAW);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, this.indices.width * length, gl.DYNAMIC_DRAW);
     this.#room = length;
   }
   /// Copies the ranges that changed; everything only where the buffer has outgrown its room.
@@ -172,8 +154,9 @@ export class Scene {
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
     for (const { first, count } of ranges) {
       if (count === 0) continue;
-      gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, 4 * first, indices, first, count);
-      this.bytesUploaded += 4 * count;
+      const { width, List } = this.indices;
+      gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, width * first, List.from(indices.subarray(first, first + count)));  // restarts are all ones
+      this.bytesUploaded += width * count;
     }
   }
 
@@ -185,25 +168,24 @@ export class Scene {
     gl.bindBuffer(gl.ARRAY_BUFFER, this.ribbon.buffer);
     gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.DYNAMIC_DRAW);
   }
-  /// The strips as lines: start with the strip as its fourth number, end with the mark of a strip's end.
-  setLines(lines) {
+  /// Where they lie flat, from Ribbon.flat.
+  flatten(bands) {
     const gl = this.#gl;
-    for (let i = 0; i < lines.length; i += 8) lines.set([lines[i + 6], lines[i + 3], lines[i + 4], lines[i + 5]], i + 3);
-    this.drawnLines = lines.length / 8;
-    gl.bindBuffer(gl.ARRAY_BUFFER, this.segments);
-    gl.bufferData(gl.ARRAY_BUFFER, lines, gl.DYNAMIC_DRAW);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.bands);
+    gl.bufferData(gl.ARRAY_BUFFER, bands, gl.DYNAMIC_DRAW);
   }
 
-  /// `style`: shaded, list (the same from a buffer that is a triangle list), strips (the ribbon as it was painted), lines
-  /// (over the surface). `patch`: triangles to be marked. `glow`: triangles that are lit, and how much, from 0 to 1. `list`: draws these triangles instead of the live buffer, to compare with it. `time`: of the light that runs
-  /// along strips, in seconds; less than 0: none.
-  draw(camera, { style, length, patch, glow, list, ink, paper, time = -1 }) {
+  /// `style`: shaded, list (the same from a buffer that is a triangle list), strips (the ribbon as it was painted). `patch`: triangles
+  /// to be marked; `dots`: vertices. `glow`: triangles that are lit, and how much, from 0 to 1. `list`: draws these triangles instead
+  /// of the live buffer, to compare with it. `time`: of the light that runs along strips, in seconds; less than 0: none. `peel`: how
+  /// much of the ribbon lies flat, from 0 to 1.
+  draw(camera, { style, length, patch, dots, glow, list, ink, paper, time = -1, peel = 0 }) {
     const gl = this.#gl;
     this.#clear(paper);
     const view = camera.view();
     const projection = camera.projection(this.canvas.width / this.canvas.height);
     if (style === 'strips' && !list) {
-      this.#drawRibbon(view, projection, time);
+      this.#drawRibbon(view, projection, time, peel, 0.6 * camera.distance);
     } else {
       const color = this.#surfaceProgram(view, projection, 0);
       gl.uniform4f(color, ...ink, 1);
@@ -213,13 +195,13 @@ export class Scene {
         gl.drawElements(gl.TRIANGLES, list.length, gl.UNSIGNED_INT, 0);
       } else {
         gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
-        gl.drawElements(style === 'list' ? gl.TRIANGLES : gl.TRIANGLE_STRIP, length, gl.UNSIGNED_INT, 0);
+        gl.drawElements(style === 'list' ? gl.TRIANGLES : gl.TRIANGLE_STRIP, length, this.indices.type, 0);
       }
     }
     gl.disable(gl.POLYGON_OFFSET_FILL);
     if (glow?.strength > 0) this.#drawOver(glow.triangles, this.#surfaceProgram(view, projection, 1), 0.4 * glow.strength);
     if (patch?.length > 0) this.#drawPatch(patch, this.#surfaceProgram(view, projection, 1));
-    if (style === 'lines' && !list) this.#drawLines(multiply(projection, view), 1.5 * (window.devicePixelRatio || 1));
+    if (dots?.length > 0) this.#drawDots(dots, this.#surfaceProgram(view, projection, 1, 9 * Math.min(window.devicePixelRatio || 1, 2)));
   }
   #clear(paper) {
     const gl = this.#gl;
@@ -232,7 +214,7 @@ export class Scene {
     gl.enable(gl.POLYGON_OFFSET_FILL);
     gl.polygonOffset(1, 1);
   }
-  #drawRibbon(view, projection, time) {
+  #drawRibbon(view, projection, time, peel, away) {
     const gl = this.#gl;
     const { array, size } = this.ribbon;
     const { program, at } = this.#programs.ribbon;
@@ -240,12 +222,15 @@ export class Scene {
     gl.bindVertexArray(array);
     gl.uniformMatrix4fv(at('view'), false, view);
     gl.uniformMatrix4fv(at('projection'), false, projection);
+    gl[peel > 0 ? 'enableVertexAttribArray' : 'disableVertexAttribArray'](3);
+    gl.uniform1f(at('peel'), peel);
+    gl.uniform1f(at('away'), away);
     gl.uniform1f(at('time'), time);
     gl.uniform1f(at('density'), Math.min(window.devicePixelRatio || 1, 2));
     gl.drawArrays(gl.TRIANGLES, 0, size);
   }
-  /// Where its colour goes.
-  #surfaceProgram(view, projection, flatness) {
+  /// Where its colour goes. `size`: of dots.
+  #surfaceProgram(view, projection, flatness, size = 0) {
     const gl = this.#gl;
     const { program, at } = this.#programs.surface;
     gl.useProgram(program);
@@ -253,6 +238,7 @@ export class Scene {
     gl.uniformMatrix4fv(at('view'), false, view);
     gl.uniformMatrix4fv(at('projection'), false, projection);
     gl.uniform1f(at('flatness'), flatness);
+    gl.uniform1f(at('size'), size);
     return at('paint');
   }
   #drawOver(triangles, color, opacity, edges = []) {
@@ -277,22 +263,21 @@ export class Scene {
     for (let i = 0; i < patch.length; i += 3) edges.push(patch[i], patch[i + 1], patch[i + 1], patch[i + 2], patch[i + 2], patch[i]);
     this.#drawOver(patch, color, 0.55, edges);
   }
-  #drawLines(all, width) {
+  #drawDots(dots, color) {
     const gl = this.#gl;
-    const line = this.#programs.line;
-    gl.useProgram(line.program);
-    gl.bindVertexArray(this.lines);
-    gl.uniformMatrix4fv(line.at('all'), false, all);
-    gl.uniform2f(line.at('size'), this.canvas.width, this.canvas.height);
-    gl.uniform1f(line.at('width'), width);
-    gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, this.drawnLines);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.other);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, dots, gl.STREAM_DRAW);
+    gl.depthFunc(gl.LEQUAL);
+    gl.uniform4f(color, 1, 1, 1, 1);
+    gl.drawElements(gl.POINTS, dots.length, gl.UNSIGNED_INT, 0);
+    gl.depthFunc(gl.LESS);
   }
   /// What the card has of the live buffer.
   copyOnCard(length) {
     const gl = this.#gl;
     gl.bindVertexArray(this.surface);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.live);
-    const out = new Uint32Array(length);
+    const out = new this.indices.List(length);
     gl.getBufferSubData(gl.ELEMENT_ARRAY_BUFFER, 0, out);
     return out;
   }

@@ -6,14 +6,14 @@ import { embedded } from './embedded.mjs';
 import { Camera } from './camera.mjs';
 import { Pane } from './pane.mjs';
 import { Pace } from './pace.mjs';
-import { Ribbon } from './ribbon.mjs';
+import { Painter } from './ribbon.mjs';
 import { Cut } from './cut.mjs';
 import { Turn } from './turn.mjs';
 import { Race } from './race.mjs';
 import { Files } from './files.mjs';
 import { Link } from './link.mjs';
 import { listen } from './controls.mjs';
-import { showFigures, showLevel, showMesh } from './figures.mjs';
+import { indexWidth, showFigures, showLevel, showMesh, showReads } from './figures.mjs';
 import { wantedRecords } from './detail.mjs';
 
 const by = (id) => document.getElementById(id);
@@ -32,6 +32,11 @@ class Viewer {
   #moved = true;
   #done = true;
   #waiting = false;  // the frame that was asked for is for more than the light
+  #seen = undefined;  // the step of a cut that is painted
+  #painting = false;  // parts of the ribbon are not painted yet
+  #read = false;  // the page says what a frame reads
+  peel = 0;  // how much of the ribbon lies flat
+  #peeling = null;  // to which share, from when on
 
   constructor(restrip, wasm) {
     this.restrip = restrip;
@@ -40,12 +45,14 @@ class Viewer {
       changed: () => this.ask(),
       lost: () => this.lost(),
       restored: () => {
-        this.scene.setPoints(this.mesh.points);
+        this.painter.scene = this.scene;
+        this.painter.repaint();  // the ribbon goes on
+        this.scene.setPoints(this.mesh.points, indexWidth(this.source));
         this.scene.upload(this.mesh.indices, []);
-        this.painted = null;  // the ribbon goes on
         this.found();
       },
     });
+    this.painter = new Painter(this.scene);
     this.cut = new Cut(this, by);
     this.turn = new Turn(this, by);
     this.race = new Race(this, by);
@@ -55,23 +62,25 @@ class Viewer {
   }
 
   get scene() { return this.pane.scene; }
+  get ribbon() { return this.painter.ribbon; }
 
   // ---- meshes
   /// `source`: of prepared().
-  show(source) {
+  async show(source) {
     const mesh = source.baked ? this.restrip.baked(source.baked) : this.restrip.progressive(source);
+    await new Promise((later) => setTimeout(later));  // a large mesh takes a frame for this, and another to begin
     this.mesh?.close();
     this.mesh = mesh;
     this.source = source;
     const baked = by('policy').querySelector('[value=baked]');
     baked.disabled = baked.hidden = !mesh.hasBakedStrips;
     if (baked.disabled && by('policy').value === 'baked') by('policy').value = 'quick';
-    by('fault').hidden = true;
+    this.found();
     this.splits = source.splits;
     this.normals = source.normals;
     this.camera.fit(mesh.points);
     this.home = this.camera.place;
-    this.scene.setPoints(mesh.points);
+    this.scene.setPoints(mesh.points, indexWidth(source));
     showMesh(by, source, mesh);
     by('level').max = mesh.levels;
     this.level = Math.round(mesh.levels * 0.1);
@@ -84,7 +93,7 @@ class Viewer {
     this.mesh.begin({ policy: by('policy').value, cost: by('cost').value });
     this.clicks = [];
     this.cut.end();
-    this.ribbon = null;
+    this.painter.ribbon = null;
     by('cost').disabled = by('policy').value === 'baked';
     this.#told = -1;
     this.pace = new Pace();
@@ -109,14 +118,12 @@ class Viewer {
   /// Splits one record beyond the level, whose needs are split already.
   splitRecord(record) {
     this.arrive();
-    const before = this.#paintedRibbon();
+    const read = () => this.painter.read(() => this.mesh.ribbon);
+    const before = read();
     this.clicks.push(record);
     this.#advance(1);
-    this.ribbon = new Ribbon(this.mesh.ribbon, before);
-    this.stale = false;
     this.marked = null;
-    this.cut.begin(before, this.ribbon);
-    this.ask();
+    this.cut.begin(before, read());
   }
   canSplit(record) {
     this.arrive();
@@ -136,7 +143,8 @@ class Viewer {
   /// Things may move by themselves.
   get moves() { return !still.matches; }
   /// Nothing is left to be done.
-  get settled() { return !(this.#asked && this.#waiting) && (this.part === 'race' ? this.race.settled : !this.#moved && this.#done); }
+  get settled() { return !(this.#asked && this.#waiting) && (this.part === 'race' ? this.race.settled : this.resting && !this.#painting); }
+  get resting() { return !this.#moved && this.#done; }
   changed() {
     this.#moved = true;
     this.ask();
@@ -153,8 +161,8 @@ class Viewer {
   #upload() {
     const ranges = this.mesh.update();  // may move the indices
     this.scene.upload(this.mesh.indices, ranges);
-    this.stale = true;
-    this.painted = null;
+    this.painter.stale();
+    this.#read = false;
   }
   /// Towards what is wanted, with at most so many operations.
   #advance(most) {
@@ -168,8 +176,10 @@ class Viewer {
     this.pace.learn(done, most, took);
     this.#moved = false;
     this.#done = done < most || this.clicks.length > 0;
-    this.#upload();
-    if (done > 0) this.lastDone = done;
+    if (done > 0) {
+      this.#upload();
+      this.lastDone = done;
+    }
     this.figures = mesh.figures;
     this.showLast();
   }
@@ -184,36 +194,60 @@ class Viewer {
   }
   /// Of the one mesh that all parts but the race show.
   #frameAlone(now) {
-    if (this.#moved || !this.#done) this.#advance(this.pace.most);
+    if (!this.resting) this.#advance(this.pace.most);
     const going = this.cut.advance(now);
-    if (this.part !== 'turn') this.draw({ now });  // which covers it
+    const peeling = this.#peelOn(now);
+    this.#painting = this.#drawn && this.draw({ now, whole: false });
     showLevel(by, this.figures.played, this.mesh.levels, this.level);
     showFigures(by, this);
-    return going || this.#lit;
-  }
-  get #lit() { return this.light && by('style').value === 'strips' && this.part !== 'turn' && !document.hidden; }
-  /// The ribbon of the mesh as it is.
-  #paintedRibbon() {
-    if (this.stale || !this.ribbon) this.ribbon = new Ribbon(this.mesh.ribbon, this.ribbon);
-    this.stale = false;
-    return this.ribbon;
-  }
-  /// `list`: draws the triangles of the mesh one by one, from no strips.
-  draw({ style = by('style').value, list = false, patch = true, now = -1 } = {}) {
-    const { mesh } = this;
-    if (this.scene.lost) return;
-    const step = patch ? this.cut.seen(now) : null;
-    if (step) style = 'strips';
-    const marked = this.pointed ?? (patch && !this.cut.shown ? this.marked : null);
-    // What a style shows beside the buffer is made when the buffer has changed, not when the camera moves.
-    const what = step ? `step ${this.cut.step}` : style;
-    if (!list && style !== 'shaded' && this.painted !== what) {
-      if (style === 'strips') this.scene.paint((step?.ribbon ?? this.#paintedRibbon()).vertices(mesh.points, step?.moved));
-      else this.scene.setLines(mesh.lines);
-      this.painted = what;
+    by('unpeel').textContent = (this.#peeling?.to ?? this.peel) > 0.5 ? 'Roll up' : 'Unpeel';
+    by('cut-none').hidden = this.part !== 'cut' || !this.resting || this.cut.ready.length > 0;
+    if (this.part === 'ribbon' && this.settled && !this.#read) {
+      showReads(by, this);
+      this.#read = true;
     }
-    this.scene.draw(this.camera, { style, length: mesh.indices.length, ...this.pane.colors, patch: marked,
-      list: list ? mesh.triangles : null, time: this.light && now >= 0 ? now / 1000 : -1 });
+    return going || peeling || this.#lit;
+  }
+  get #drawn() { return this.part !== 'turn' && by('canvas').checkVisibility(); }
+  get #lit() { return this.light && this.#drawn && by('style').value === 'strips' && !document.hidden; }
+  /// Unrolls the ribbon, or rolls it up again.
+  unpeel() {
+    this.#peeling = { to: (this.#peeling?.to ?? this.peel) > 0.5 ? 0 : 1, from: this.peel, start: performance.now() };
+    this.ask();
+  }
+  peelTo(share) {
+    this.peel = share;
+    this.#peeling = null;
+    this.ask();
+  }
+  #peelOn(now) {
+    if (!this.#peeling) return false;
+    const { to, from, start } = this.#peeling;
+    const share = this.moves ? Math.max(0, Math.min(1, (now - start) / 5000)) : 1;
+    this.peel = by('peel').value = from + (to - from) * share;
+    if (share === 1) this.#peeling = null;
+    return share < 1;
+  }
+  /// `list`: draws the triangles of the mesh one by one, from no strips. Unless `whole`, paints no more of the ribbon than fits into
+  /// a frame; returns whether parts of it are left.
+  draw({ style = by('style').value, list = false, patch = true, now = -1, whole = true } = {}) {
+    const { mesh, painter, scene } = this;
+    if (scene.lost) return false;
+    const step = patch ? this.cut.seen(now) : null;
+    let left = 0;
+    if (step && !list) {
+      // It differs from the ribbon of the mesh; what it shows is made when it has changed, not when the camera moves.
+      if (this.#seen !== step.name) scene.paint(step.ribbon.vertices(mesh.points, step));
+      painter.repaint();
+      style = 'strips';
+    } else if (style === 'strips' && !list) left = painter.paint(() => mesh.ribbon, mesh.points, this.resting, whole);
+    this.#seen = step?.name;
+    const peel = step || this.part !== 'ribbon' ? 0 : this.peel;
+    if (peel > 0 && left === 0 && style === 'strips') painter.flatten(this.pane.aspect);
+    scene.draw(this.camera, { style: left > 0 ? 'shaded' : style, length: mesh.indices.length, ...this.pane.colors,
+      patch: patch ? this.pointed ?? (this.cut.shown ? null : this.marked) : null, dots: patch && this.part === 'cut' ? this.cut.places : null,
+      list: list ? mesh.triangles : null, time: this.light && now >= 0 ? now / 1000 : -1, peel });
+    return left > 0 && this.resting;
   }
 
   savePicture() {
@@ -231,7 +265,7 @@ class Viewer {
     this.ask();
   }
   fault(message) {
-    by('fault').textContent = message;
+    by('fault-text').textContent = message;
     by('fault').hidden = false;
   }
   showLast() {
@@ -249,7 +283,6 @@ class Viewer {
         this.ask();
       }, 500);
     }
-    this.cut.tell();
   }
 }
 
@@ -259,10 +292,10 @@ try {
   const viewer = new Viewer(restrip, wasm);
   window.restripViewer = viewer;  // for the console, and for tests
   by('still').hidden = true;
-  viewer.show({ ...prepared(restrip, 'hare', { baked: new Uint8Array(await embedded('mesh')) }).next().value });
+  await viewer.show({ ...prepared(restrip, 'hare', { baked: new Uint8Array(await embedded('mesh')) }).next().value });
   viewer.link.follow();
 } catch (error) {
-  by('fault').textContent = error.message;
+  by('fault-text').textContent = error.message;
   by('fault').hidden = false;
   console.error(error);
 }
