@@ -3,7 +3,7 @@
 
 CERTIFICATE is that of splits (docs/certificate.md); MET.csv says how often splits of real meshes meet a rule (scripts/met_rules.mjs).
 First how many splits were counted, then a line for each rule: how many of them met it, k, a, solid ports and joined pairs as masks,
-and its reason, in the certificate's words. Rules that were met most often come first, the others in the certificate's order."""
+and its reason, in the certificate's words. Small vertices come first, and among equal ones the rules that were met most often."""
 import csv
 import re
 import sys
@@ -24,7 +24,7 @@ def main():
             rows.append((met.get(name, 0), " ".join([*section, ports, joined, reason])))
     if not rows:
         sys.exit(f"puzzles.py: {certificate}: has no rules")
-    rows.sort(key=lambda row: -row[0])
+    rows.sort(key=lambda row: (int(row[1].split()[0]), -row[0]))
     out.write_text("\n".join([str(sum(met.values())), *(f"{count} {row}" for count, row in rows)]) + "\n", encoding="ascii")
 
 

@@ -28,7 +28,7 @@ export async function checkTurn(browser, address, scratch) {
   await page.until(() => window.restripViewer?.turn.puzzle && window.restripViewer.settled);
   const first = await turn(page);
   assert.equal(first.number, 0);
-  assert.match(await verdict(page), /^\d strips in the patch; before the split there were \d\. Fewer are possible\.$/);
+  assert.match(await verdict(page), /^\d strips in the patch; before the split there (was 1|were \d)\. Fewer are possible\.$/);
   writeFileSync(join(scratch, 'turn-phone.png'), await page.screenshot());
 
   // Mouse and keys in turn, up to the rule. The line keeps the focus.
@@ -46,6 +46,32 @@ export async function checkTurn(browser, address, scratch) {
   assert.equal((await turn(page)).inner, first.best);
   assert.match(await verdict(page), /Nobody can do better/);
   assert.equal(await page.run('document.querySelectorAll("#turn-after .wrong").length'), 0);
+  // The browser remembers it: another visit begins with the next one.
+  const again = await browser.page(390, 844);
+  await again.open(`${address}#part=turn`);
+  await again.until(() => !!window.restripViewer?.turn.puzzle && window.restripViewer.settled);
+  assert.equal((await turn(again)).number, 1);
+  assert.match(await again.run('document.getElementById("turn-count").textContent'), /, 1 solved$/);
+  // The puzzle of a day, each day another; its result is offered when it is solved by hand, and only then.
+  const daily = await again.run(() => {
+    const { turn: own } = restripViewer;
+    document.getElementById('turn-daily').click();
+    const press = () => [...document.querySelectorAll('#turn-after .hit')].forEach((line, edge) => {
+      if ((own.inner ^ own.best) >> BigInt(edge) & 1n) document.querySelectorAll('#turn-after .hit')[edge].dispatchEvent(new MouseEvent('click', { bubbles: true }));
+    });
+    const share = document.getElementById('turn-share');
+    const found = { number: own.number, k: own.puzzle.k, days: new Set(Array.from({ length: 100 }, (_, n) => own.puzzles.daily(own.day + n))).size, same: own.number === own.puzzles.daily(own.day), hidden: [share.hidden] };
+    document.getElementById('turn-rule').click();
+    found.hidden.push(share.hidden);
+    document.getElementById('turn-again').click();
+    press();
+    found.hidden.push(share.hidden);
+    return { ...found, text: document.getElementById('turn-result').textContent, name: own.puzzle.name };
+  });
+  assert.deepEqual([daily.same, daily.days, ...daily.hidden], [true, 100, true, true, false]);
+  assert.ok(daily.k >= 5 && daily.text.includes(`#part=turn&puzzle=${daily.name}`) && /solved in \d+ clicks?\./.test(daily.text), daily.text);
+  assert.deepEqual(again.faults, []);
+  await page.send('Page.bringToFront');
 
   // Its reason, set by set.
   await page.run(() => { document.querySelector('#part-turn details').open = true; });

@@ -1,6 +1,7 @@
 // The lines that the viewer's page prints in its part Use it run as they are printed. What WebGL and WebGPU draw of strips is
 // the picture of the triangle list, at several levels, also after the buffer has outgrown its storage. What three.js
-// is told to upload makes its copy of the list the mesh's; with the package in the folder RESTRIP_THREE its renderer draws it.
+// is told to upload makes its copy of the list, or of the strips, the mesh's, and only the draw call of the object that is drawn as
+// strips gets their mode; with the package in the folder RESTRIP_THREE its renderer draws both.
 // Triangles that a stroke says went and came lead from one list to the next. (The lines for C++ are compiled by
 // tests/runtime/live_mesh_test.cpp.)
 import assert from 'node:assert/strict';
@@ -133,10 +134,10 @@ async function run(size, real) {
     return { found, error: errors.join('; ') };
   };
 
-  const threejs = async () => {
+  const threejs = async (strips) => {
     const THREE = await import('three');
-    const { geometryOf, follow } = await import('/use/three.mjs');
-    const mesh = await begin(points, triangles, 'bare');
+    const { geometryOf, follow, drawAsStrips } = await import('/use/three.mjs');
+    const mesh = await begin(points, triangles, strips ? 'quick' : 'bare');
     const geometry = geometryOf(mesh);
     const { index } = geometry;
     // The renderer: what it uploads when, and its copy. The real one clears the ranges itself.
@@ -156,9 +157,9 @@ async function run(size, real) {
     let found = [];
     const told = [];
     const followed = () => {
-      follow(mesh, geometry);
+      follow(mesh, geometry, strips);
       upload();
-      const list = mesh.listIndices;
+      const list = strips ? mesh.indices : mesh.listIndices;
       const { start, count } = geometry.drawRange;
       told.push({ same: start === 0 && count === list.length && list.every((v, n) => v === card.copy[n]), uploaded: card.uploaded, all: list.length });
     };
@@ -170,7 +171,11 @@ async function run(size, real) {
       const material = new THREE.MeshNormalMaterial({ flatShading: true, side: THREE.DoubleSide });
       const seen = (...shapes) => {
         const scene = new THREE.Scene();
-        for (const shape of shapes) scene.add(Object.assign(new THREE.Mesh(shape, material), { frustumCulled: false }));
+        for (const shape of shapes) {
+          const object = Object.assign(new THREE.Mesh(shape, material), { frustumCulled: false });
+          if (strips && shape === geometry) drawAsStrips(renderer, object);
+          scene.add(object);
+        }
         return picture(gl, () => renderer.render(scene, camera));
       };
       found = await compare(mesh, () => { followed(); return seen(geometry); }, (list) => seen(new THREE.BufferGeometry()
@@ -187,7 +192,17 @@ async function run(size, real) {
       index.clearUpdateRanges();
     }
     followed();  // nothing has changed
-    return { found, told, error: 0 };
+    if (!strips) return { found, told, error: 0 };
+    // Another object is drawn before, between and after.
+    const modes = [];
+    const [gl, object] = [{ TRIANGLES: 4, TRIANGLE_STRIP: 5, drawElements(mode, count) { modes.push([mode, count, this === gl]); } }, {}];
+    drawAsStrips({ getContext: () => gl }, object);
+    for (const own of [false, true, false]) {
+      if (own) object.onBeforeRender();
+      gl.drawElements(gl.TRIANGLES, 9);
+      if (own) object.onAfterRender();
+    }
+    return { found, told, error: JSON.stringify(modes) === '[[4,9,true],[5,9,true],[4,9,true]]' ? 0 : JSON.stringify(modes) };
   };
 
   const sculpt = async () => {
@@ -219,7 +234,7 @@ async function run(size, real) {
     }
     return strokes;
   };
-  return { webgl: await webgl(), webgpu: await webgpu(), three: await threejs(), strokes: await sculpt() };
+  return { webgl: await webgl(), webgpu: await webgpu(), three: await threejs(false), threeStrips: await threejs(true), strokes: await sculpt() };
 }
 
 export async function checkUse(page) {
@@ -227,14 +242,15 @@ export async function checkUse(page) {
   const { strokes, ...drawn } = await page.run(run, size, Boolean(three));
   for (const [name, { found, error }] of Object.entries(drawn)) {
     assert.ok(!error, `${name}: ${error}`);
-    assert.equal(found.length, name === 'three' && !three ? 0 : 4);
+    assert.equal(found.length, name.startsWith('three') && !three ? 0 : 4);
     // Colours that are interpolated from another corner of a triangle may round differently.
     for (const { different, shown } of found) assert.ok(shown > 3000 && different <= shown / 1000, `${name}: ${JSON.stringify(found)}`);
   }
-  const { told } = drawn.three;
-  assert.ok(told.length === 8 && told.every(({ same }) => same), JSON.stringify(told));
-  for (const { uploaded, all } of told.slice(4, 7)) assert.ok(uploaded > 0 && uploaded < all / 20, `${uploaded} of ${all}`);
-  assert.equal(told.at(-1).uploaded, 0);
+  for (const { told } of [drawn.three, drawn.threeStrips]) {
+    assert.ok(told.length === 8 && told.every(({ same }) => same), JSON.stringify(told));
+    for (const { uploaded, all } of told.slice(4, 7)) assert.ok(uploaded > 0 && uploaded < all / 20, `${uploaded} of ${all}`);
+    assert.equal(told.at(-1).uploaded, 0);
+  }
   for (const { before, removed, added, triangles, same } of strokes) {
     assert.ok(same, JSON.stringify(strokes));
     assert.ok(removed > 0 && removed <= before && triangles === before - removed + added, JSON.stringify(strokes));

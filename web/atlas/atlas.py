@@ -9,6 +9,7 @@ splits of real meshes meet a rule, which scripts/met_rules.mjs has counted."""
 import argparse
 import csv
 import json
+import re
 import sys
 from collections import Counter, defaultdict
 from pathlib import Path
@@ -24,8 +25,7 @@ from plots import escaped, grouped  # noqa: E402
 from surfaces import drawings  # noqa: E402
 
 STYLES = [WEB / "viewer/style.css", WEB / "atlas/atlas.css"]
-SCRIPTS = [WEB / "viewer/patch.mjs", WEB / "atlas/atlas.mjs"]
-FEW_ROWS = 40  # pages of so many have their pictures without JavaScript, too
+SCRIPTS = [WEB / "atlas/atlas.mjs"]
 UNITS = {  # what a rule adds, one and several; what solid edges make
     "strips": ("strip", "strips", "strip"), "forest": ("tree", "trees", "tree"),
     "matching": ("triangle left alone", "triangles left alone", "pair")}
@@ -109,9 +109,7 @@ def row(page, rule, sides, met):
     kinds += ["alone"] if page.leaves_alone(colors, kept) else []
     kinds += ["symmetric"] if page.orbits[ports, joined] < max(page.orbits.values()) else []
     kinds += ["met"] if name in met else []
-    picture = ""
-    if len(page.section.rules) <= FEW_ROWS:
-        picture = side_picture(sides[0][position], inner, ports, "before") + side_picture(sides[1], colors, kept, "after")
+    picture = picture_of(f"b{position}", inner, ports, "before") + picture_of("a", colors, kept, "after")
     cells = [f'<a href="#{name}">{ports:x}-{joined:x}</a>', numbers(ports), " ".join(f"{i}–{j}" for i, j in sorted(pairs_of(joined))) or "–"]
     cells += [numbers(kept)] if page.description.gives_up else []
     cells += [numbers(colors), grouped(sum(counts.values())), signed(low) if low == high else f"{signed(low)} to {signed(high)}"]
@@ -120,6 +118,24 @@ def row(page, rule, sides, met):
     more = f' data-met="{met[name]}"' if name in met else ""
     return (f'<tr id="{name}" class="{" ".join(kinds)}" data-rule="{ports} {joined} {colors} {kept}" data-before="{position} {inner}"{more}>'
             f'<td class="pic">{picture}</td>' + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>")
+
+
+# ---- pictures: a page has each patch once, with all edges dashed, and each of its edges and ports as a solid line
+
+def picture_parts(side, name):
+    def solid(kind, i, colors, ports):
+        line = re.search('<path class="solid"[^>]*>', side_picture(side, colors, ports, ""))[0]
+        return f'<g id="{name}{kind}{i}" class="patch">{line}</g>'
+
+    whole_patch = re.search("<svg[^>]*>(.*)</svg>", side_picture(side, 0, 0, ""))[1]
+    return (f'<g id="{name}" class="patch">{whole_patch}</g>' + "".join(solid("e", i, 1 << i, 0) for i in range(len(side["edges"]))) +
+            "".join(solid("p", i, 0, 1 << i) for i in range(len(side["ports"]))))
+
+
+def picture_of(name, colors, ports, description):
+    parts = [name, *(f"{name}e{i}" for i in bits(colors)), *(f"{name}p{i}" for i in bits(ports))]
+    return (f'<svg class="patch" viewBox="5 5 390 390" role="img" aria-label="{description}">' +
+            "".join(f'<use href="#{part}"/>' for part in parts) + "</svg>")
 
 
 WHY = """<p>Why nothing is better: of the edges in a pair of braces at least one must stay dashed. If all of them were solid, a
@@ -178,9 +194,8 @@ def body_of(page, sides, met):
     names = "".join(side_picture(side, 0, 0, f"the names of edges and ports {when}", letter)
                     for side, when, letter in ((sides[0][0], "before", "e"), (sides[1], "after", "f")))
     abouts = dict.fromkeys(position.description.about for position in page.positions)
-    # What pictures are drawn from as their rows come into sight.
-    patches = json.dumps({"before": [{**side, "position": f"{position.description.name} {position.text}"} for side, position in zip(sides[0], page.positions)],
-                          "after": sides[1]}, separators=(",", ":")).replace("<", "\\u003c")
+    patches = "".join(picture_parts(side, f"b{n}") for n, side in enumerate(sides[0])) + picture_parts(sides[1], "a")
+    positions = escaped(json.dumps([f"{position.description.name} {position.text}" for position in page.positions])).replace('"', "&quot;")
     heads = "".join(f'#rules td:nth-child({n})::before {{ content: "{column}: "; }}' for n, column in enumerate(columns, 1) if column)
     return (f'<h1>{escaped(page.title)}</h1><div id="names">{names}</div><p>{escaped(" ".join(abouts))}</p>{words_of(page, sides)}<p>{facts}</p><p>{notes}</p>'
             f'{WHY if any(tree is not None for *_, tree in section.rules) else ""}'
@@ -188,8 +203,8 @@ def body_of(page, sides, met):
             f'{legend(page)}<form id="filter" hidden>{filters}{sorting}<label>solid ports <input name="ports" size="10" placeholder="0 3"></label>'
             '<output></output></form>'
             f'<style>@media (max-width: 700px), print {{ {heads} }}</style>'
-            f'<div class="wide" tabindex="0"><table id="rules"><thead><tr>{"".join(f"<th>{c}</th>" if c else "<td></td>" for c in columns)}</tr></thead><tbody>\n{rows}\n</tbody></table></div>'
-            f'<script type="application/json" id="patches">{patches}</script>')
+            f'<svg width="0" height="0" class="parts" aria-hidden="true"><defs>{patches}</defs></svg>'
+            f'<div class="wide" tabindex="0"><table id="rules" data-positions="{positions}"><thead><tr>{"".join(f"<th>{c}</th>" if c else "<td></td>" for c in columns)}</tr></thead><tbody>\n{rows}\n</tbody></table></div>')
 
 
 INTRODUCTION = """<p>A strip is a path through triangles that share an edge. When a vertex is split, two triangles come into the mesh and

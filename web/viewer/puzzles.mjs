@@ -1,5 +1,5 @@
-// The puzzles of the part Your turn: every rule of the certificate of splits, those that real meshes meet most often first
-// (web/puzzles.py), and patches from elsewhere.
+// The puzzles of the part Your turn: every rule of the certificate of splits, small vertices first, and among equal ones those that
+// real meshes meet most often (web/puzzles.py); one of them for each day; and patches from elsewhere.
 import { listed, representative, ruleName } from './patch.mjs';
 import { Puzzle, fullest } from './judge.mjs';
 import { reasonBack } from './reason.mjs';
@@ -23,6 +23,11 @@ export class Puzzles {
   get count() { return this.#rows.length; }
   /// How many splits of real meshes met it.
   met(n) { return this.#rows[n].met; }
+  /// The puzzle of a day, by days since 1970: no easy one, and one that real meshes meet.
+  daily(day) {
+    const numbers = this.#rows.flatMap(({ k, met }, n) => (k >= 5 && k <= 7 && met > 0 ? [n] : []));
+    return numbers[day * 7919 % numbers.length];
+  }
   at(n) {
     const { k, a, ports, joined } = this.#rows[n];
     return new Puzzle(k, a, fullest(k, ports, joined), ports);

@@ -18,6 +18,15 @@ export function faultText({ names }, { kind, triangles, ports }) {
   if (kind === 'cycle') return `${named} close a cycle`;
   return `the lines that leave ${together(ports.map((port) => names[port]))} get joined`;
 }
+/// The numbers of the puzzles that were solved, in the storage of the browser if it has one; the argument replaces them.
+function remembered(numbers) {
+  try {
+    if (numbers) localStorage.setItem('restrip-solved', numbers);
+    return (localStorage.getItem('restrip-solved') ?? '').split(',').filter(Boolean).map(Number);
+  } catch {
+    return [];
+  }
+}
 const whyNot = {
   branch: 'A strip enters a triangle once and leaves it once.',
   cycle: 'A strip has two ends.',
@@ -34,10 +43,15 @@ export class Turn {
     this.viewer = viewer;
     this.by = by;
     by('take').addEventListener('click', () => this.take());
-    by('turn-again').addEventListener('click', () => this.#paint(this.first));
-    by('turn-rule').addEventListener('click', () => this.#paint(this.best));
+    for (const [id, colors, clicks] of [['turn-again', 'first', 0], ['turn-rule', 'best', -Infinity]])  // what the rule solves does not count
+      by(id).addEventListener('click', () => {
+        this.clicks = clicks;
+        this.#paint(this[colors]);
+      });
     by('turn-back').addEventListener('click', () => this.go(this.number - 1));
-    by('turn-next').addEventListener('click', () => this.go(this.number + 1));
+    by('turn-next').addEventListener('click', () => this.go(this.#unsolved(this.number + 1)));
+    by('turn-daily').addEventListener('click', () => this.go(this.puzzles.daily(this.day)));
+    by('turn-copy').addEventListener('click', () => navigator.clipboard.writeText(this.by('turn-result').textContent));
     by('turn-number').addEventListener('change', () => this.go(Math.round(+by('turn-number').value) - 1));
     const board = by('turn-after');
     board.addEventListener('click', (event) => this.#press(event.detail === 0 ? event.target : this.#nearest(event)));
@@ -56,16 +70,22 @@ export class Turn {
     return this.#loading ??= embedded('puzzles').then((bytes) => {
       this.puzzles = new Puzzles(new TextDecoder().decode(bytes));
       this.by('turn-number').max = this.puzzles.count;
-      this.by('turn-count').textContent = `of ${this.puzzles.count.toLocaleString('en')}`;
+      this.solved = new Set(remembered());
     });
   }
-  /// The puzzle and the colours that a link names; without them what is there, at first the puzzle that is met most often.
+  get day() { return Math.floor(Date.now() / 86400000); }
+  /// The first puzzle from a number on that was not solved yet.
+  #unsolved(number) {
+    while (this.solved.has(number)) ++number;
+    return number;
+  }
+  /// The puzzle and the colours that a link names; without them what is there, at first the easiest puzzle that was not solved yet.
   async goTo({ puzzle, mine }) {
     if (this.viewer.part !== 'turn' && puzzle === undefined) return;
     await this.#load();
     const named = this.puzzles.named(puzzle, this.viewer.restrip);
     if (named && named.name !== this.puzzle?.name) this.#begin(named);
-    else if (!this.puzzle) this.#begin(this.puzzles.at(0));
+    else if (!this.puzzle) this.go(this.#unsolved(0));
     if (!/^[0-9a-f]{1,8}$/.test(mine ?? '')) return;
     const inner = BigInt(`0x${mine}`);
     if (inner < 1n << BigInt(this.puzzle.edges.length) && inner !== this.inner) this.#paint(inner);
@@ -91,6 +111,7 @@ export class Turn {
     this.first = cutColors(k, a, loop);
     const found = this.puzzles.find(puzzle);
     this.number = found ? found.index : -1;
+    this.clicks = 0;
     this.by('turn-number').value = found ? found.index + 1 : '';
     this.by('turn-before').innerHTML = fanPicture(k, a, loop, ports, 'the patch before the split');
     this.#tellWhere(found, own);
@@ -119,6 +140,7 @@ export class Turn {
   #press(line) {
     const { edge } = line?.dataset ?? {};
     if (edge === undefined) return;
+    ++this.clicks;
     this.#paint(this.inner ^ 1n << BigInt(edge.replace('inner ', '')));
     this.by('turn-after').querySelector(`[data-edge="${edge}"]`).focus({ preventScroll: true });
   }
@@ -169,9 +191,21 @@ export class Turn {
         : strips > least ? 'Fewer are possible.'
           : `Nobody has fewer, but ${isAlone(puzzle, alone)}, and it can be done with ${leastAlone.length === 0 ? 'none' : 'fewer'} alone.`;
     verdict.textContent = `${count} ${worth}`;
+    if (solved && this.clicks > 0) this.#remember();
+  }
+  /// A puzzle that the visitor solved; the one of the day has a result to copy.
+  #remember() {
+    const { by, puzzles, number, solved, day, clicks, puzzle } = this;
+    if (number >= 0) remembered([...solved.add(number)]);
+    if (number !== puzzles.daily(day)) return;
+    by('turn-result').textContent = `restrip, ${new Date().toISOString().slice(0, 10)}: ${puzzle.k} triangles, ${counted(puzzle.after(this.inner), 'strip')}, ` +
+      `solved in ${counted(clicks, 'click')}. ${location.href.replace(/#.*/, '')}#part=turn&puzzle=${puzzle.name}`;
+    by('turn-share').hidden = false;
   }
   #tellWhere(found, own) {
     const { k, a } = this.puzzle;
+    this.by('turn-share').hidden = true;
+    this.by('turn-count').textContent = `of ${this.puzzles.count.toLocaleString('en')}, ${this.solved.size.toLocaleString('en')} solved`;
     const where = this.by('turn-where');
     where.textContent = `${own ? 'The patch that you cut: a' : 'A'} vertex of ${k} triangles, ${a} of which go to one end of the new edge. `;
     if (!found) return;

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 
-// The mesh has begun with the policy 'bare', which keeps no strips.
+// For a list the mesh has begun with the policy 'bare', which keeps no strips.
 export function geometryOf(mesh) {
   const most = mesh.figures.triangles + 2 * mesh.levels;  // of the finest level
   return new BufferGeometry()
@@ -9,13 +9,24 @@ export function geometryOf(mesh) {
 }
 
 // After mesh.moveTo(level), before the geometry is rendered.
-export function follow(mesh, geometry) {
+export function follow(mesh, geometry, strips = false) {
   const { index } = geometry;
-  const ranges = mesh.updateList();
+  const ranges = strips ? mesh.update() : mesh.updateList();
+  const indices = strips ? mesh.indices : mesh.listIndices;
   for (const { first, count } of ranges) {
-    index.array.set(mesh.listIndices.subarray(first, first + count), first);
+    index.array.set(indices.subarray(first, first + count), first);
     index.addUpdateRange(first, count);
   }
   index.needsUpdate = ranges.length > 0;
-  geometry.setDrawRange(0, mesh.listIndices.length);
+  geometry.setDrawRange(0, indices.length);
+}
+
+// An experiment: one object is drawn as a triangle strip, which three.js has no word for.
+export function drawAsStrips(renderer, object) {
+  const gl = renderer.getContext();
+  const draw = gl.drawElements.bind(gl);
+  let strips = false;
+  gl.drawElements = (mode, ...rest) => draw(strips ? gl.TRIANGLE_STRIP : mode, ...rest);
+  object.onBeforeRender = () => { strips = true; };
+  object.onAfterRender = () => { strips = false; };
 }
