@@ -2,8 +2,9 @@
 """Makes the table of the puzzles of the viewer's part Your turn: puzzles.py CERTIFICATE MET.csv OUT
 
 CERTIFICATE is that of splits (docs/certificate.md); MET.csv says how often splits of real meshes meet a rule (scripts/met_rules.mjs).
-First how many splits were counted, then a line for each rule: how many of them met it, k, a, solid ports and joined pairs as masks,
-and its reason, in the certificate's words. Small vertices come first, and among equal ones the rules that were met most often."""
+First how many splits were counted, then a line for each column of the table of rules, which compresses better than rows: how many
+of the splits met each, k, a, solid ports and joined pairs as masks, and its reason, in the certificate's words. The rules are in the
+certificate's order."""
 import csv
 import re
 import sys
@@ -21,11 +22,10 @@ def main():
         elif line.startswith("rule "):
             ports, joined, _, _, reason = re.fullmatch(r"rule (\w+) (\w+) (\w+) (\w+) because (.+)", line).groups()
             name = "-".join(["split", *section, ports, joined])
-            rows.append((met.get(name, 0), " ".join([*section, ports, joined, reason])))
+            rows.append((str(met.get(name, 0)), *section, ports, joined, reason))
     if not rows:
         sys.exit(f"puzzles.py: {certificate}: has no rules")
-    rows.sort(key=lambda row: (int(row[1].split()[0]), -row[0]))
-    out.write_text("\n".join([str(sum(met.values())), *(f"{count} {row}" for count, row in rows)]) + "\n", encoding="ascii")
+    out.write_text("\n".join([str(sum(met.values())), *map(",".join, zip(*rows))]) + "\n", encoding="ascii")
 
 
 if __name__ == "__main__":

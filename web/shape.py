@@ -115,8 +115,8 @@ def project(x, y, z, h=1e-4):
 def main():
     points, triangles = surface(float(sys.argv[2]) if len(sys.argv) > 2 else 0.035)
     with open(sys.argv[1], "w", encoding="ascii") as out:
-        for p in points:
-            out.write("v %.5f %.5f %.5f\n" % p)
+        for p in points:  # multiples of a power of two: floats with few bits, which compress
+            out.write("v %.11f %.11f %.11f\n" % tuple(round(c * 2048) / 2048 for c in p))
         for a, b, c in triangles:
             out.write(f"f {a + 1} {b + 1} {c + 1}\n")
 

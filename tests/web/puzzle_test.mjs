@@ -68,11 +68,14 @@ function check(puzzle, inner) {
   return fault === null;
 }
 
-// Every puzzle of the certificate.
-assert.ok(puzzles.count > 5000 && puzzles.met(0) > puzzles.met(100) && puzzles.met(puzzles.count - 1) === 0);
+// Every puzzle of the certificate: small vertices first, and among equal ones those that are met most often.
+let before = { k: 0 };
+assert.ok(puzzles.count > 5000 && puzzles.at(0).k === 3 && puzzles.at(puzzles.count - 1).k === 8);
 const cases = new Set();
 for (let n = 0; n < puzzles.count; ++n) {
   const puzzle = puzzles.at(n);
+  assert.ok(before.k < puzzle.k || (before.k === puzzle.k && before.met >= puzzles.met(n)), puzzle.name);
+  before = { k: puzzle.k, met: puzzles.met(n) };
   const best = rule(puzzle);
   assert.ok(best.valid && best.strips === puzzle.after(best.colors) - puzzle.before, puzzle.name);
   assert.ok(check(puzzle, best.colors));

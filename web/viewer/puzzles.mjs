@@ -12,12 +12,11 @@ export class Puzzles {
   #numbers;
 
   constructor(text) {
-    const [counted, ...lines] = text.trim().split('\n');
+    const [counted, ...columns] = text.trim().split('\n');
     this.counted = Number(counted);  // splits of real meshes
-    this.#rows = lines.map((line) => {
-      const [, met, k, a, ports, joined, reason] = /^(\d+) (\d+) (\d+) (\w+) (\w+) (.*)$/.exec(line);
-      return { met: +met, k: +k, a: +a, ports: BigInt(`0x${ports}`), joined: BigInt(`0x${joined}`), reason };
-    });
+    const [met, k, a, ports, joined, reasons] = columns.map((column) => column.split(','));
+    this.#rows = reasons.map((reason, n) => ({ met: +met[n], k: +k[n], a: +a[n], ports: BigInt(`0x${ports[n]}`), joined: BigInt(`0x${joined[n]}`), reason }))
+      .sort((one, other) => one.k - other.k || other.met - one.met);
     this.#numbers = new Map(this.#rows.map((row, n) => [ruleName(row.k, row.a, row), n]));
   }
   get count() { return this.#rows.length; }
