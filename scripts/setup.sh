@@ -95,7 +95,7 @@ need_clang() {
       return 0
     fi
   fi
-  need $(clang_set "$version") wasi-libc python3-markdown-it
+  need $(clang_set "$version") wasi-libc
   export RESTRIP_CLANG=clang++-$version
 }
 
@@ -113,7 +113,7 @@ style_tool() {
 }
 
 build_packages=(g++ cmake ninja-build libboost-dev "libnauty-dev|libnauty2-dev" libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
-  libpng-dev libssl-dev libgtest-dev)
+  libpng-dev libssl-dev libgtest-dev python3-markdown-it)
 # Wanted by tests alone, and by what test.sh --all adds.
 test_packages=(git libcgal-dev libtbb-dev python3 nodejs ocaml "pkgconf|pkg-config")
 all_packages=(xz-utils parallel openmpi-bin g++-multilib rustc glslang-tools libvulkan-dev dpkg-dev file make
