@@ -255,7 +255,7 @@ try {
   assert.ok(cuts.strips <= 1 + 60 && !cuts.baked);
   await page.run(() => { location.hash = '#part=cut'; });
   await page.until(() => !document.getElementById('part-cut').hidden);
-  assert.equal(await page.run('document.querySelectorAll("#steps svg [data-face]").length > 0 && document.querySelectorAll("#steps [aria-pressed=true]").length'), 1);
+  assert.equal(await page.run('document.querySelectorAll("#steps svg .old[style]").length > 0 && document.querySelectorAll("#steps [aria-pressed=true]").length'), 1);
   writeFileSync(join(scratch, 'viewer-cut.png'), await page.screenshot());
   await page.run(() => document.querySelector('#steps [value=mended]').click());
   await agrees(page, 'after 60 cuts');
@@ -310,8 +310,8 @@ try {
       const { k, before, after, strips } = mesh.last;
       const counts = [...document.querySelectorAll('#steps button')].map((button) => +/(\d+) strips?$/.exec(button.textContent)[1]);
       const fills = [...document.querySelectorAll('#steps [value=mended] .old[style]')].map(({ style }) => style.fill);
-      const { ribbon, faces } = cut.shown.mended;
-      const names = faces.map((corners) => ribbon.names[ribbon.triangle(ribbon.find(corners))]);
+      const { ribbon, only } = cut.shown.mended;
+      const names = [...only].map((triangle) => ribbon.names[triangle]);
       const bits = (mask) => mask.toString(2).replaceAll('0', '').length;
       found.push({ counts, expected: [k - bits(before), k + 2 - bits(after)], drawings: document.querySelectorAll('#steps svg').length, strips,
         text: document.getElementById('last-text').textContent, fills: fills.length, faces: names.length, colours: new Set(fills).size >= new Set(names).size });

@@ -19,9 +19,7 @@ export function listen(viewer, by) {
   });
   by('canvas').addEventListener('pointermove', (event) => {
     viewer.cursor = viewer.pane.placeOf(event);
-    if (event.buttons !== 0) return;
-    if (by('mode').value === 'cursor') viewer.changed();
-    else if (viewer.part === 'cut' && viewer.cut.shown) viewer.cut.pointFrom(viewer.pane.rayAt(event));
+    if (event.buttons === 0 && by('mode').value === 'cursor') viewer.changed();
   });
   by('level').addEventListener('input', () => viewer.moveTo(+by('level').value));
   by('down').addEventListener('click', () => viewer.step(-1));

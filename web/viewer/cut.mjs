@@ -1,5 +1,5 @@
 // One vertex split, shown in steps: the patch before, the patch with its two new triangles and the strips that they cut,
-// and the patch as the rule mended it; on the mesh and as drawings side by side, in the same colours, that point at each other.
+// and the patch as the rule mended it; on the mesh and as drawings side by side, in the same colours.
 import { none } from '../js/restrip.mjs';
 import { cross, unit } from './camera.mjs';
 import { bitsIn } from './judge.mjs';
@@ -74,7 +74,7 @@ const names = { before: '1 Before', cut: '2 Cut', mended: '3 Mended' };
 
 export class Cut {
   step = 'mended';
-  shown = null;  // what is shown: by step its ribbon, the faces of its drawing and the triangles of the patch
+  shown = null;  // what is shown: by step its ribbon, the colours of its drawing and the triangles of the patch
   #started = null;
   #found = {};  // the records that can be split, after how many operations of which mesh
 
@@ -84,9 +84,6 @@ export class Cut {
     by('steps').addEventListener('click', ({ target }) => target.closest('button') && this.show(target.closest('button').value));
     by('anywhere').addEventListener('click', () => this.anywhere());
     by('whole').addEventListener('click', () => this.viewer.afresh());
-    const point = (event) => this.#pointAt(event.target.dataset?.face ?? null);
-    for (const name of ['pointerover', 'focusin']) by('steps').addEventListener(name, point);
-    for (const name of ['pointerleave', 'focusout']) by('steps').addEventListener(name, () => this.#pointAt(null));
   }
 
   // ---- where
@@ -132,7 +129,7 @@ export class Cut {
     if (!faces) return;
     const shown = (ribbon, each) => {
       const places = each.map((corners) => ribbon.find(corners));
-      return { ribbon, faces: each, fills: places.map((i) => ribbon.fill(i)), only: new Set(places.map((i) => ribbon.triangle(i))) };
+      return { ribbon, fills: places.map((i) => ribbon.fill(i)), only: new Set(places.map((i) => ribbon.triangle(i))) };
     };
     this.shown = { vS: faces.vS, vT: faces.vT, before: shown(before, faces.before), cut: shown(after.cutOf(before), faces.after), mended: shown(after, faces.after) };
     const canvas = this.by('canvas');
@@ -179,29 +176,6 @@ export class Cut {
     return { name: `cut ${share}`, ribbon, only, moved: new Map([[vT, [0, 1, 2].map((n) => from[n] + (to[n] - from[n]) * share)]]) };
   }
 
-  // ---- drawings that point at the mesh, and back
-  #pointAt(face) {
-    this.point(this.shown?.[this.step].faces[face] ? +face : null);
-  }
-  point(face) {
-    this.viewer.pointed = face === null ? null : new Uint32Array(this.shown[this.step].faces[face]);
-    for (const element of this.by('steps').querySelectorAll('[data-face]')) element.classList.toggle('lit', +element.dataset.face === face);
-    this.viewer.ask();
-  }
-  /// The face of the drawing over which a ray meets the mesh.
-  pointFrom({ from, along }) {
-    const { mesh } = this.viewer;
-    const hit = mesh.pick(from, along);
-    const within = ([a, b, c]) => {
-      const [p, q, r] = [a, b, c].map((v) => mesh.points.subarray(3 * v, 3 * v + 3)).map((place) => minus([...place], hit));
-      const all = Math.hypot(...cross(minus(q, p), minus(r, p)));
-      const parts = [[p, q], [q, r], [r, p]].reduce((sum, [u, v]) => sum + Math.hypot(...cross(u, v)), 0);
-      return parts < 1.001 * all;
-    };
-    const face = hit ? this.shown[this.step].faces.findIndex(within) : -1;
-    this.point(face < 0 ? null : face);
-  }
-
   // ---- what is said
   /// Of the split that is shown, if there is one.
   tell() {
@@ -216,7 +190,7 @@ export class Cut {
     by('steps').innerHTML = Object.entries(colors).map(([step, edges]) => {
       const draw = step === 'before' ? fanPicture : ringPicture;
       const strips = (step === 'before' ? k : k + 2) - bitsIn(edges);
-      const picture = draw(k, a, edges, step === 'mended' ? last.portsAfter : ports, step, { faces: true, fills: shown[step].fills });
+      const picture = draw(k, a, edges, step === 'mended' ? last.portsAfter : ports, step, { fills: shown[step].fills });
       return `<button value="${step}" aria-pressed="false">${picture}<span>${names[step]}</span><span>${plural(strips, 'strip')}</span></button>`;
     }).join('');
     const rule = viewer.restrip.rule({ family: 'split', k, a, edges: last.before, ports }).colors;

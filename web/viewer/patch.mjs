@@ -11,6 +11,8 @@ export function rimOf(k, a) {
   return [...places, places[0]];
 }
 
+const outline = (corners) => `M${corners.map((p) => p.map((c) => c.toFixed(1)).join(',')).join('L')}z`;
+
 export class Patch {
   faces = { old: '', new: '' };
   fills = '';
@@ -18,7 +20,7 @@ export class Patch {
   nodes = [];
   extra = '';
   add(a, b, c, style = 'old') {
-    this.faces[style] += `M${[a, b, c].map((p) => `${p[0].toFixed(1)},${p[1].toFixed(1)}`).join('L')}z`;
+    this.faces[style] += outline([a, b, c]);
     this.nodes.push(middle(a, b, c));
     return this.nodes.length - 1;
   }
@@ -40,12 +42,9 @@ export class Patch {
     const line = points.map((p) => p.map((c) => c.toFixed(1)).join(',')).join(' ');
     this.extra += `<polyline class="hit" tabindex="0" role="button" aria-pressed="${solid}" aria-label="${label}" data-edge="${edge}" points="${line}"/>`;
   }
-  /// A triangle that can be pointed at, in a colour of its own if it has one.
-  face(i, corners, fill) {
-    const outline = `M${corners.map((p) => p.map((c) => c.toFixed(1)).join(',')).join('L')}z`;
-    if (fill) this.fills += `<path class="old" style="fill:${fill}" d="${outline}"/>`;
-    this.extra += `<path class="face" data-face="${i}" d="${outline}"/>`;
-  }
+  /// A triangle in a colour of its own, and one that can be marked.
+  fill(color, corners) { this.fills += `<path class="old" style="fill:${color}" d="${outline(corners)}"/>`; }
+  face(i, corners) { this.extra += `<path class="face" data-face="${i}" d="${outline(corners)}"/>`; }
   /// The name of a triangle, beside its node: so far away, turned by so much from where something is.
   name(node, toward, away, turn, text) {
     const [x, y] = toward.map((c, n) => (c - node[n]) * away / Math.hypot(toward[0] - node[0], toward[1] - node[1]));
@@ -61,8 +60,8 @@ export class Patch {
   }
 }
 
-/// The closed fan before a split. `click`: edges can be clicked; `faces`: triangles can be pointed at.
-export function fanPicture(k, a, loop, ports, description, { click = false, faces = false, fills = [] } = {}) {
+/// The closed fan before a split. `click`: edges can be clicked; `fills`: colours of the triangles.
+export function fanPicture(k, a, loop, ports, description, { click = false, fills = [] } = {}) {
   const rim = rimOf(k, a);
   const center = [200, 200];
   const patch = new Patch();
@@ -71,7 +70,7 @@ export function fanPicture(k, a, loop, ports, description, { click = false, face
     const across = middle(center, rim[i + 1]);
     patch.join(i, (i + 1) % k, across, has(loop, i));
     const outside = patch.port(i, rim[i], rim[i + 1], has(ports, i));
-    if (faces) patch.face(i, [center, rim[i], rim[i + 1]], fills[i]);
+    if (fills[i]) patch.fill(fills[i], [center, rim[i], rim[i + 1]]);
     if (!click) continue;
     patch.hit(`loop ${i}`, `loop edge ${i}`, has(loop, i), [patch.nodes[i], across, patch.nodes[(i + 1) % k]]);
     patch.hit(`port ${i}`, `port ${i}`, has(ports, i), [patch.nodes[i], outside]);
@@ -79,7 +78,7 @@ export function fanPicture(k, a, loop, ports, description, { click = false, face
   return patch.svg(description);
 }
 
-/// The ring with chord after it, in the same way; its ports cannot be clicked. `marked`: inner edges to point at;
+/// The ring with chord after it, in the same way; its ports cannot be clicked. `faces`: triangles can be marked; `marked`: inner edges to point at;
 /// `named`: each triangle has its name on it.
 export function ringPicture(k, a, inner, ports, description, { click = false, faces = false, fills = [], named = false, marked = 0n } = {}) {
   const rim = rimOf(k, a);
@@ -90,7 +89,8 @@ export function ringPicture(k, a, inner, ports, description, { click = false, fa
   const corners = [...Array.from({ length: k }, (_, i) => [i < a ? vS : vT, rim[i], rim[i + 1]]), [vS, vT, rim[0]], [vT, vS, rim[a]]];
   corners.forEach((places, i) => {
     patch.add(...places, i < k ? 'old' : 'new');
-    if (faces) patch.face(i, places, fills[i]);
+    if (fills[i]) patch.fill(fills[i], places);
+    if (faces) patch.face(i, places);
   });
   const names = [...Array.from({ length: k }, (_, i) => `t${i}`), 'A', 'D'];
   ringEdges(k, a).forEach(([i, j], edge) => {

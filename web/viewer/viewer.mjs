@@ -25,7 +25,6 @@ class Viewer {
   level = 0;
   clicks = [];  // records that are split beyond the level, in order
   part = 'ribbon';
-  pointed = null;  // a triangle that is pointed at
   lastDone = 0;  // operations of the last frame that had any
   #asked = false;
   #told = -1;  // the operations that the last one was told of
@@ -245,7 +244,7 @@ class Viewer {
     const peel = step || this.part !== 'ribbon' ? 0 : this.peel;
     if (peel > 0 && left === 0 && style === 'strips') painter.flatten(this.pane.aspect);
     scene.draw(this.camera, { style: left > 0 ? 'shaded' : style, length: mesh.indices.length, ...this.pane.colors,
-      patch: patch ? this.pointed ?? (this.cut.shown ? null : this.marked) : null, dots: patch && this.part === 'cut' ? this.cut.places : null,
+      patch: patch && !this.cut.shown ? this.marked : null, dots: patch && this.part === 'cut' ? this.cut.places : null,
       list: list ? mesh.triangles : null, time: this.light && now >= 0 ? now / 1000 : -1, peel });
     return left > 0 && this.resting;
   }
