@@ -159,7 +159,7 @@ export class Ribbon {
     const all = this.strips.reduce((sum, { count }) => sum + count / 2 + 1.5, 0);
     const rows = Math.max(1, Math.round(Math.sqrt(all / (1.3 * aspect))));
     const wide = all / rows + 1;
-    const unit = 1.8 / Math.max(wide, 1.3 * rows * aspect);  // of the window's width
+    const unit = 1.7 / Math.max(wide, 1.3 * rows * aspect);  // of the window's width
     let begin = 0;
     for (const { first, count } of this.strips) {
       let places = new Map();  // of the corners of the last triangle
