@@ -19,7 +19,7 @@ if [ -z "${bin:-}" ]; then
   need_clang
 
   say "building"
-  cmake --preset programs >/dev/null
+  configured=$(cmake --preset programs)
   cmake --build --preset programs
 fi
 
@@ -47,6 +47,10 @@ split inherit colours, reports an isolated triangle in 52.7 % of the splits of i
 END
 
 [ -n "${build:-}" ] || exit 0
+if without=$(grep 'no target `web`' <<<"$configured"); then
+  leave_out "the pages: ${without#-- }"
+  exit 0
+fi
 say "making the pages: a viewer, and an atlas of all rules"
 cmake --build --preset programs --target web
 echo "open them in a browser: file://$PWD/build/programs/web/index.html"
