@@ -5,7 +5,6 @@ levels:     strips, indices and times of each mesh under every policy (docs/stri
 indices:    indices and times of each mesh where indices are the cost (docs/strips.md)
 brief:      the same of one mesh in a few columns (README.md)
 cycles:     strips at the top of one mesh after many ways down and up (docs/strips.md)
-bolder:     how often a bolder recolouring than the local rule would have been valid in one mesh (docs/strips.md)
 baked:      what baked strips cost (docs/baked.md)
 baked-indices:  the same where indices are the cost (docs/baked.md)
 gltf:       the sizes of strips as glTF files (docs/own-mesh.md)
@@ -75,10 +74,6 @@ def most_indices(levels, above):
 def nearest(levels, triangles):
     """The level with about this many triangles."""
     return min(levels, key=lambda level: abs(level["triangles"] - triangles))
-
-
-def share(part, whole):
-    return f"{100 * part / whole:.1f} %"
 
 
 def times_bare(report):
@@ -165,16 +160,6 @@ def cycles_table(program, meshes, ways):
         line([f"`{way}`", *(f"{cycles[cycle - 1]['top_strips']:,}" for cycle in SHOWN_CYCLES), f"{isolating}"])
 
 
-def bolder_table(program, meshes, _):
-    report = program.replay(meshes[0], "local", repeats=0)["best_in_this_mesh"]
-    header("", "operations", "a bolder recolouring was valid", "bolder than the linked rule, too", "the local rule adds a strip",
-           "so does the best in that mesh")
-    for kind in ("splits", "collapses"):
-        counts = report[kind]
-        line([kind, f"{counts['operations']:,}"] + [share(counts[what], counts["operations"]) for what in
-                                                    ("bolder", "missed_by_linked", "adding_strip", "adding_strip_at_best")])
-
-
 def bake_and_play(program, mesh, bake_options, replay_options):
     """The reports of `bake` and of a replay of its file."""
     with tempfile.TemporaryDirectory() as folder:
@@ -254,7 +239,7 @@ def gltf_table(program, meshes, _):
                 line([name_of(mesh), cost, f"{report['strips']:,}", *sizes])
 
 
-TABLES = {"levels": levels_table, "indices": indices_table, "brief": brief_table, "cycles": cycles_table, "bolder": bolder_table,
+TABLES = {"levels": levels_table, "indices": indices_table, "brief": brief_table, "cycles": cycles_table,
           "baked": baked_table, "baked-indices": baked_indices_table, "gltf": gltf_table, "isolating": isolating_table}
 
 
@@ -267,7 +252,7 @@ def main():
     parser.add_argument("--way", action="append", help="levels, brief, cycles: only this policy; may be repeated")
     parser.add_argument("--repeats", type=int, help="how often times are measured; default: as restrip replay does")
     arguments = parser.parse_args()
-    if arguments.table in ("brief", "cycles", "bolder") and len(arguments.meshes) != 1:
+    if arguments.table in ("brief", "cycles") and len(arguments.meshes) != 1:
         parser.error(f"{arguments.table} takes one mesh")
     TABLES[arguments.table](Program(arguments.program, arguments.repeats), arguments.meshes, arguments.way)
 

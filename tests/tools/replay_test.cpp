@@ -42,33 +42,6 @@ TEST(Replay, ClosedMesh) {
   EXPECT_GT(report.ns_per_operation_bare, 0);
 }
 
-// Where triangles lie in memory makes no difference to strips, indices and what the buffer draws.
-TEST(Replay, HandlesDecideNoStrips) {
-  const Soup soup = make_mesh(5000);
-  const ProgressiveMesh mesh = simplify(soup, {0.02, BoundaryPolicy::move}).mesh;
-  for (const char* policy : {"local", "linked", "quick"})
-    for (const Cost cost : {Cost::strips(), Cost::indices()}) {
-      Plan::Given given;
-      given.cost = cost;
-      const Plan in_order_of_splits(way_named(policy), mesh, given);
-      given.handles_along_strips = true;
-      const Plan along_strips(way_named(policy), mesh, given);
-      EXPECT_EQ(in_order_of_splits.base().triangle_bound(), mesh.base.size());
-      EXPECT_EQ(along_strips.base().triangle_bound(), soup.triangles.size());
-      const ReplayReport report = replay(along_strips, soup.triangles, quick);
-      const ReplayReport other = replay(in_order_of_splits, soup.triangles, quick);
-      EXPECT_TRUE(report.valid());
-      for (const auto levels : {&ReplayReport::levels, &ReplayReport::levels_down}) {
-        ASSERT_EQ((report.*levels).size(), (other.*levels).size());
-        for (std::size_t i = 0; i < (report.*levels).size(); ++i) {
-          EXPECT_EQ((report.*levels)[i].triangles, (other.*levels)[i].triangles);
-          EXPECT_EQ((report.*levels)[i].strips, (other.*levels)[i].strips) << policy;
-          EXPECT_EQ((report.*levels)[i].indices, (other.*levels)[i].indices) << policy;
-        }
-      }
-    }
-}
-
 TEST(Replay, EveryPolicyBothWays) {
   std::size_t strips = 20'000;
   const Soup soup = make_mesh(test::large(20'000));

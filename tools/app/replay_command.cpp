@@ -35,10 +35,9 @@ struct ReplayCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
   ReplayOptions replay;
-  std::string way;                    ///< its name; empty: the usual one (ways.hpp)
-  std::uint32_t states = 0;           ///< of each search of a way that searches; 0: its own
-  Cost cost = Cost::strips();         ///< what is kept low
-  bool handles_along_strips = false;  ///< else in the order of the splits (Plan::Given)
+  std::string way;             ///< its name; empty: the usual one (ways.hpp)
+  std::uint32_t states = 0;    ///< of each search of a way that searches; 0: its own
+  Cost cost = Cost::strips();  ///< what is kept low
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
   std::filesystem::path out;      ///< where a level is written, with its strips; empty: nowhere
@@ -81,7 +80,6 @@ int run(const ReplayCommand& command) {
   const Way& way = command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way);
   Plan::Given given;
   given.cost = command.cost;
-  given.handles_along_strips = command.handles_along_strips;
   if (command.states != 0) given.search = {command.states, 0};
   if (source.baked) given.baked = &*source.baked;
   const Plan plan(way, source.mesh, given);
@@ -161,12 +159,6 @@ Subcommand add_replay(CLI::App& app) {
          "the index buffer that is kept in step: strips, or a plain list of triangles to compare with")
       ->check(CLI::IsMember({"strips", "list"}))
       ->default_str("strips");
-  sub->add_option_function<std::string>(
-         "--handles", [&command](const std::string& word) { command.handles_along_strips = word == "strips"; },
-         "how triangles lie in memory: in the order of the splits, or along the strips of the finest level to compare "
-         "with; baked meshes support only splits")
-      ->check(CLI::IsMember({"splits", "strips"}))
-      ->default_str("splits");
   sub->add_option("--cycles", command.replay.cycles, "ways down to the base and up again")
       ->check(whole_number())
       ->capture_default_str();

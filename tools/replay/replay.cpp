@@ -41,8 +41,6 @@ class Replay {
     if (report_.operations_without_rule == 0) {
       watch_the_way_down();
       if (trace_) take_trace();
-      if (plan_.way().local && plan_.cost() == Cost::strips())
-        report_.boldness = count_bolder(plan_.mesh(), plan_.base());
       measure_buffer();
       measure();
       check_top(original.empty() ? bare_triangles() : original);

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "lod/bolder.hpp"
 #include "meshes/soup.hpp"
 #include "replay/levels.hpp"
 #include "replay/ways.hpp"
@@ -59,10 +58,9 @@ struct ReplayReport {
   /// triangle_list_buffer.hpp).
   std::size_t buffer_bytes = 0;  ///< at the finest level
   double bytes_written_per_operation = 0;
-  double ns_per_buffer_update = 0;         ///< of a timed run with the buffer less one without; 0: not timed
-  std::optional<BoldnessReport> boldness;  ///< under the local rules: what they lose by not looking outside the patch
-  std::size_t levels_compared = 0;         ///< baked: levels reached again, with the same strips
-  std::vector<std::string> faults;         ///< what a check found; empty when all is well
+  double ns_per_buffer_update = 0;  ///< of a timed run with the buffer less one without; 0: not timed
+  std::size_t levels_compared = 0;  ///< baked: levels reached again, with the same strips
+  std::vector<std::string> faults;  ///< what a check found; empty when all is well
 
   [[nodiscard]] bool valid() const noexcept { return faults.empty(); }
 };

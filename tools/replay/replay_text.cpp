@@ -37,14 +37,6 @@ Json json_of(const std::vector<Level>& levels) {
   return json;
 }
 
-Json json_of(const Boldness& counts) {
-  return {{"operations", counts.operations},
-          {"adding_strip", counts.costing},
-          {"adding_strip_at_best", counts.costing_at_best},
-          {"bolder", counts.bolder},
-          {"missed_by_linked", counts.missed_by_linked}};
-}
-
 double ratio(std::size_t a, std::size_t b) { return b == 0 ? 0.0 : static_cast<double>(a) / static_cast<double>(b); }
 double percent(std::size_t part, std::size_t whole) { return 100.0 * ratio(part, whole); }
 
@@ -89,15 +81,6 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   share("splits that introduced an isolated one", report.operations_isolating);
   share("splits that added a strip", report.operations_adding_strip);
   share("splits without a rule", report.operations_without_rule);
-  const auto bolder = [&](const char* what, const Boldness& counts) {
-    fmt::format_to(out, "\n  {:<41}{:>10}{:>8.2f} %, of {} with k <= {}; {:.1f} % add a strip, {:.1f} % at best", what,
-                   counts.bolder, percent(counts.bolder, counts.operations), counts.operations, max_compared_valence,
-                   percent(counts.costing, counts.operations), percent(counts.costing_at_best, counts.operations));
-  };
-  if (report.boldness) {
-    bolder("splits with a better recolouring here", report.boldness->splits);
-    bolder("collapses with a better recolouring here", report.boldness->collapses);
-  }
   const auto cost = [&](const char* what, double with, double bare) {
     if (bare > 0)
       fmt::format_to(out, "\n  {:<41}{:>7.0f} ns, bare {:.0f} ns: {:.2f} times", what, with, bare, with / bare);
@@ -206,9 +189,6 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
                      {"bytes_per_record", subject.baked->bytes_per_record},
                      {"bake_seconds", subject.baked->seconds},
                      {"levels_compared", report.levels_compared}};
-  if (report.boldness)
-    json["best_in_this_mesh"] = {{"splits", json_of(report.boldness->splits)},
-                                 {"collapses", json_of(report.boldness->collapses)}};
   if (walk) json["walk"] = json_of(*walk);
   // Names may hold bytes that are no UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

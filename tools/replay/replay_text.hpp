@@ -14,8 +14,6 @@
 //  - triangles_per_strip: at the finest level
 //  - policy, cost, states, enough: how strips were kept; what was kept low: strips or indices
 //  - most_strips: of all levels on the way up, every split counted
-//  - best_in_this_mesh: {splits, collapses}, each {operations, adding_strip, adding_strip_at_best, bolder,
-//    missed_by_linked}; under local rules (bolder.hpp)
 //  - baked: {flips_per_record, bytes_per_record, bake_seconds, levels_compared}; for baked strips
 //  - cycles: [{cycle, base_strips, base_isolated, top_strips, top_isolated, isolating, adding_strip}], each a way down
 //    and up; of more than 1024 the last one and every second, fourth … before it

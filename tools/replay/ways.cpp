@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "lod/coloring_check.hpp"
-#include "lod/handle_order.hpp"
 #include "replay/paper_ways.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
@@ -76,7 +75,6 @@ Way kept(const PolicyRow& row) {
           [policy](StripMesh& mesh, const Beginning& with) { return begin_by<Kept>(mesh, policy, with); }};
   way.search = row.search;
   way.weighed = {row.plan.limits.looks, 0};
-  way.local = policy == Policy::local;
   if (way.searches()) way.says += ": up to " + std::to_string(way.search.states) + " states from each strip end";
   return way;
 }
@@ -141,8 +139,6 @@ Plan::Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given)
     base_ = StripMesh::build(mesh.base, mesh.points.size());
     stripify(base_, Effort::full, cost_);
   }
-  // Baked records name dual edges by the handles of the splits' order.
-  if (!way.bakes && given.handles_along_strips) base_.renumber(handles_along_strips(mesh, base_));
 }
 
 }  // namespace restrip::tools

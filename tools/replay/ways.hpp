@@ -42,7 +42,6 @@ struct Way {
   Search weighed{};    ///< the same under other costs than strips, where `states` counts the strip ends looked at after
                        ///< each operation (policy.hpp); one without states: the way knows no other cost
   bool bakes = false;  ///< decides the strips of all levels beforehand, so that a level always has the same
-  bool local = false;  ///< sees the patch and what it isolates, no more (what that gives away: bolder.hpp)
 
   [[nodiscard]] bool searches() const noexcept { return search.states != 0; }
   [[nodiscard]] bool weighs() const noexcept { return weighed.states != 0; }
@@ -65,9 +64,8 @@ class Plan {
   struct Given {
     std::optional<Search> search = std::nullopt;  ///< other than the way's own
     Cost cost = Cost::strips();                   ///< what is kept low; other costs only where the way weighs
-    bool handles_along_strips = false;  ///< of the finest level (handle_order.hpp), but where strips are baked
-    const StripMesh* base = nullptr;    ///< the base with strips from scratch
-    const BakedMesh* baked = nullptr;   ///< must be baked from that mesh, and outlive the plan
+    const StripMesh* base = nullptr;              ///< the base with strips from scratch
+    const BakedMesh* baked = nullptr;             ///< must be baked from that mesh, and outlive the plan
   };
 
   /// The mesh must outlive the plan. Stripifies the base, or bakes, which may throw BadInput and take long (bake.hpp).

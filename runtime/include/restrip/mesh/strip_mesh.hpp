@@ -231,16 +231,6 @@ class StripMesh {
   }
   /// Room for this many triangles and vertices, so that insertions up to there do not allocate.
   void reserve(std::size_t triangles, std::size_t vertices);
-  /// Gives the triangles other handles: what had handle t has handles[t] from now on. `handles` is a permutation of 0 …
-  /// n - 1 with n >= triangle_bound(), and n is the bound then. The handles that insertions are going to take are
-  /// renamed too, those beyond the old bound included: any sequence of operations gives the mesh that it would have
-  /// given before, with handles[t] for t. Handles and halfedges that the caller holds become invalid, and so does what
-  /// keeps strips of this mesh; vertices keep their numbers. A watch is not told. Linear time. Throws
-  /// std::length_error for more than `max_triangles` handles, or std::bad_alloc; nothing has changed then.
-  ///
-  /// Which order is quickest depends on the machine and on what is done. In the order of the splits, as triangles lie
-  /// by themselves, coarse levels are close together (docs/strips.md, "Where triangles lie in memory", has figures).
-  void renumber(std::span<const Triangle> handles);
 
  private:
   friend class detail::TwoSteps;

@@ -103,46 +103,6 @@ inline void StripMesh::reserve(std::size_t triangles, std::size_t vertices) {
   free_vertices_.reserve(vertices);
 }
 
-namespace detail {
-
-inline bool is_permutation(std::span<const std::uint32_t> numbers) {
-  std::vector<bool> met(numbers.size(), false);
-  for (const std::uint32_t n : numbers) {
-    if (n >= met.size() || met[n]) return false;
-    met[n] = true;
-  }
-  return true;
-}
-
-}  // namespace detail
-
-inline void StripMesh::renumber(std::span<const Triangle> handles) {
-  RESTRIP_ASSERT(handles.size() >= triangles_.size() && detail::is_permutation(handles), "StripMesh::renumber",
-                 "the handles are no permutation that covers all triangles");
-  if (handles.size() > max_triangles)
-    RESTRIP_THROW(std::length_error, "restrip: more triangles than a StripMesh can hold");
-  const std::size_t bound = triangles_.size();
-  // No less room than before.
-  std::vector<Record> triangles;
-  triangles.reserve(std::max(triangles_.capacity(), handles.size()));
-  triangles.resize(handles.size(), {{none, none, none}, {edge_of_mesh, edge_of_mesh, edge_of_mesh}});
-  std::vector<Triangle> free;
-  free.reserve(std::max(free_.capacity(), free_.size() + handles.size() - bound));
-  // The last one is taken first; those beyond the bound would have come after all others.
-  for (std::size_t t = handles.size(); t-- > bound;) free.push_back(handles[t]);
-  for (const Triangle t : free_) free.push_back(handles[t]);
-  for (Triangle t = 0; t < bound; ++t) {
-    Record record = triangles_[t];
-    for (std::uint32_t& link : record.link)
-      if (link != edge_of_mesh) link = handles[link >> 3] << 3 | (link & 7U);
-    triangles[handles[t]] = record;
-  }
-  for (std::uint32_t& spoke : spoke_)
-    if (spoke != none) spoke = handles[triangle({spoke})] << 2 | (spoke & (outside | 3U));
-  triangles_ = std::move(triangles);
-  free_ = std::move(free);
-}
-
 inline void StripMesh::clear_colors() noexcept {
   for (Record& record : triangles_)
     for (std::uint32_t& link : record.link)
