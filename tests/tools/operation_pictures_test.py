@@ -2,6 +2,7 @@
 """Claims: the patches of all shipped operations and families are drawn without overlap, each triangle counter-clockwise, edges across
 sides that their triangles share, ports where they are on the other side too; operation files get pictures and pages with all
 rules of their certificates; graphs that belong to no disc, triangles that are none, and certificates of something else are refused."""
+import json
 import subprocess
 import sys
 import tempfile
@@ -102,11 +103,14 @@ class Programs(unittest.TestCase):
     def test_refusals(self):
         for graph in sorted((CORPUS / "graphs").glob("*.json")):
             self.assertIn("is a graph only, which has no picture", self.refused("scripts/pictures.py", graph, "out.svg"))
+        faulty = json.loads((CORPUS.parent / "refused_operations.json").read_text(encoding="utf-8"))
+        for name, operation in faulty.items():
+            (self.folder / f"{name}.json").write_text(json.dumps(operation), encoding="utf-8")
         for fault, sentence in {"pinched": "no disc", "handle": "no disc", "closed": "no disc", "turned-triangle": "no disc",
                                 "crossed-ports": "rim before is another one than after", "parity": "rim before is another one than after",
                                 "both-forms": "restrip-generate rules names the fault", "stretch-to-nowhere": "restrip-generate rules names the fault"}.items():
-            self.assertIn(sentence, self.refused("scripts/pictures.py", CORPUS / f"refused/{fault}.json", "out.svg"), fault)
-        self.assertIn("names the fault", self.refused("web/atlas/atlas.py", CORPUS / "refused/no-port.json", "--certificates", CERTIFICATES, "-o", "out"))
+            self.assertIn(sentence, self.refused("scripts/pictures.py", f"{fault}.json", "out.svg"), fault)
+        self.assertIn("names the fault", self.refused("web/atlas/atlas.py", "no-port.json", "--certificates", CERTIFICATES, "-o", "out"))
         (self.folder / "list.json").write_text("[1]", encoding="ascii")
         self.assertIn("is not an operation file", self.refused("scripts/pictures.py", "list.json", "out.svg"))
         (self.folder / "name.json").write_text((OPERATIONS / "merge.json").read_text(encoding="utf-8").replace('"merge"', '"../merge"'), encoding="utf-8")
