@@ -131,7 +131,7 @@ void find_rules(Section& section, const Operation& rows_of, Watched watched) {
   Copier copier(section, symmetry.maps);
   std::optional<Candidates> candidates;
   std::optional<Mask> candidates_of;
-  Progress progress("found", section.rows.size(), "rules", watched);
+  Progress progress("finding rules", section.rows.size(), watched);
   for (std::size_t i = 0; i < section.rows.size(); ++i) {
     progress.step();
     if (copier.done(i)) continue;
@@ -254,7 +254,7 @@ Section solve(Patches patches, Watched watched) {
 
 std::vector<Section> solve_all(const std::vector<Patches>& patches, unsigned threads, Watched watched) {
   std::vector<Section> sections(patches.size());
-  share_sections(patches, threads, watched, "solved", [&](std::size_t i) { sections[i] = solve(patches[i]); });
+  share_sections(patches, threads, watched, "solving", [&](std::size_t i) { sections[i] = solve(patches[i]); });
   return sections;
 }
 

@@ -66,16 +66,16 @@ struct Section : Patches {
   std::vector<Claims> claims;       ///< for each position served
 };
 
-/// Calls work(i) once for each section i, the largest valences first, which take longest. On a terminal it shows how
-/// many are done: "solved 3 of 7 sections".
+/// Calls work(i) once for each section i, the largest valences first, which take longest. `label` is
+/// what a terminal shows beside the share that is done.
 template <class Any, class Work>
-void share_sections(const std::vector<Any>& sections, unsigned threads, Watched watched, const char* done,
+void share_sections(const std::vector<Any>& sections, unsigned threads, Watched watched, const char* label,
                     Work&& work) {
   std::vector<std::size_t> places(sections.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   std::stable_sort(places.begin(), places.end(),
                    [&](std::size_t x, std::size_t y) { return sections[x].position.k > sections[y].position.k; });
-  Progress progress(done, places.size(), "sections", watched);
+  Progress progress(label, places.size(), watched);
   share(places.size(), threads, [&](std::size_t i) {
     work(places[i]);
     progress.step();

@@ -76,7 +76,7 @@ void add_rules(Out out, const Section& section, Watched watched) {
   if (has_reasons(operation)) reasoner.emplace(operation);
   // The rule row of an orbit is its first line, whichever the search began with.
   std::map<std::size_t, const Row*> rule_of;
-  Progress progress("found reasons of", section.rows.size(), "rules", watched);
+  Progress progress("finding reasons", section.rows.size(), watched);
   for (const WrittenRow& line : written_rows(section)) {
     const Row& row = *line.row;
     const auto [rule, is_rule] = rule_of.try_emplace(line.orbit, &row);
@@ -129,7 +129,7 @@ std::vector<Certificate> certify(std::vector<Section> sections, unsigned threads
 
 std::vector<std::string> section_texts(const std::vector<Section>& sections, unsigned threads) {
   std::vector<std::string> texts(sections.size());
-  share_sections(sections, threads, Watched::yes, "certified",
+  share_sections(sections, threads, Watched::yes, "certifying",
                  [&](std::size_t i) { texts[i] = section_text(sections[i]); });
   return texts;
 }

@@ -2,8 +2,9 @@
 # Allowed everywhere: standard headers, and quoted files that lie in the room itself.
 set(std "<[a-z_0-9]+>")
 set(allowed_in_files "${std}|\"files/.*\"|<fmt/.*>|<(fcntl|signal|unistd|sys/stat|sys/types).h>")
-set(allowed_in_generator "${std}|\"files/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
-set(allowed_in_verify "${std}|<(fmt|nauty|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
+set(allowed_in_common "${std}|<fmt/.*>|<unistd.h>")
+set(allowed_in_generator "${std}|\"(common|files)/.*\"|<(fmt|nauty|openssl|CLI|nlohmann)/.*>|<unistd.h>")
+set(allowed_in_verify "${std}|\"common/(counted|share).hpp\"|<(fmt|nauty|nlohmann|openssl|CLI)/.*>|<(unistd|stdlib|spawn|fcntl|sys/wait).h>")
 set(allowed_in_runtime "${std}|\"restrip/.*\"")
 set(allowed_in_tables "${std}|\"restrip/tables/([a-z_]+_)?format.hpp\"")
 set(allowed_in_tools "${std}|\"(files|restrip|common|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<(png|unistd).h>")
@@ -108,7 +109,7 @@ function(judge room source line out)
 endfunction()
 
 set(seen 0)
-foreach(room IN ITEMS files generator verify runtime tables tools examples bench web c)
+foreach(room IN ITEMS common files generator verify runtime tables tools examples bench web c)
   file(GLOB_RECURSE sources ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp ${ROOT}/${room}/*.h ${ROOT}/${room}/*.c)
   list(FILTER sources EXCLUDE REGEX "/verify/formal/")  # printers of their own, compiled by its script
   foreach(source IN LISTS sources)

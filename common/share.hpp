@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-namespace restrip::generator {
+namespace restrip {
 
 /// Calls work(0) … work(count - 1), begun in this order, by `threads` threads. The first exception is thrown again when
 /// all have ended; work not yet begun is then left out.
@@ -34,4 +34,4 @@ void share(std::size_t count, unsigned threads, Work&& work) {
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace restrip::generator
+}  // namespace restrip
