@@ -77,10 +77,6 @@ REPORTS = {
              "reasons, without a search", CERTIFICATES),
         Line(r"/linked-(?P<operation>[a-z-]+)\.cert: \d+ alternatives, the lists are complete", ["Linked"], SEARCH, CERTIFICATES),
     ],
-    "compiler": [
-        Line(r"^proved while this was compiled: splits, collapses and flips, k <= (?P<k>\d+)$", RULE, "`static_assert`", TABLES,
-             ["split", "collapse", "flip"]),
-    ],
     "valences": [
         Line(r"^\d+ random fans, k = \d+ \.\.\. (?P<k>\d+)$", ["Sound", "Locally optimal", "Told"], RANDOM, AUTOMATON, FANS),
     ],

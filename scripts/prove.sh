@@ -29,7 +29,7 @@ need "${packages[@]}"
 say "building"
 cmake --preset release -DRESTRIP_ALLOW_MISSING=ON >/dev/null
 cmake --build --preset release --target restrip-dump-tables restrip-verify restrip-verify-automaton restrip-generate restrip restrip-check \
-  runtime_static_proof_test runtime_exact_large_test runtime_linked_test >/dev/null
+  runtime_exact_large_test runtime_linked_test >/dev/null
 bin=build/release/bin
 logs=build/proof
 mkdir -p "$logs"
@@ -132,11 +132,6 @@ rung reasons "every rule in the certificates is sound and optimal" \
   "Python, scripts/check_reasons.py" \
   's/^in all: (.*)$/\1/p' \
   all_reasons
-rung compiler "the shipped headers give sound and optimal rules, k <= 4" \
-  "brute force in static_assert, while the program is built" \
-  "C++ compiler, one page of tests/runtime/rules/static_proof_test.cpp" \
-  's/.*\[  PASSED  \] (.*)$/\1/p' \
-  $bin/runtime_static_proof_test
 rung run "the rules as a program applied them: every colouring valid, every number true, every operation optimal" \
   "each operation of a run followed in a mesh of raw triangles; patches judged by functions extracted from Coq" \
   "Coq's extraction, the OCaml compiler, verify/check: the mesh and the walk along strips" \
