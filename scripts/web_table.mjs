@@ -94,8 +94,8 @@ async function bytes() {
           follow();
           ++steps;
           uploaded += scene.bytesUploaded;
-          whole += 4 * (policy === 'bare' ? mesh.listIndices : mesh.indices).length;
-          list += 12 * mesh.figures.triangles;
+          whole += scene.indices.width * (policy === 'bare' ? mesh.listIndices : mesh.indices).length;
+          list += 3 * scene.indices.width * mesh.figures.triangles;
         };
         for (let percent = 1; percent <= 100; ++percent) step(percent);
         for (let percent = 99; percent >= 0; --percent) step(percent);

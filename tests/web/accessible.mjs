@@ -67,6 +67,10 @@ export async function checkParts(browser, address, scratch) {
       await page.run((name) => { location.hash = `#part=${name}`; }, part);
       await page.until((name) => document.body.dataset.part === name && restripViewer.settled, part);
       assert.deepEqual(await faultsOf(page), [], `${part}, ${width} pixels wide`);
+      // Fingers need room.
+      const small = await page.run(() => [...document.querySelectorAll('button, select, summary, input:not(.file input), nav a')]
+        .filter((element) => element.checkVisibility() && element.getBoundingClientRect().height < 44).map((element) => element.textContent || element.id));
+      if (width < 800) assert.deepEqual(small, [], `${part}: too small for a finger`);
       const sizes = await page.run(() => [document.documentElement.scrollWidth,
         Math.abs(document.documentElement.scrollHeight - document.querySelector('main').getBoundingClientRect().bottom - scrollY) <= 1]);
       assert.deepEqual(sizes, [width, true], part);

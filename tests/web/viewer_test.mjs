@@ -80,8 +80,8 @@ try {
     for (const level of native.levels) {
       await choose(page, { level: (level.triangles - first + 1 >> 1) });
       const found = await agrees(page, `${policy}, ${cost}, ${level.triangles} triangles`);
-      const shown = await page.run(() => ['f-triangles', 'f-strips', 'f-length'].map((id) => document.getElementById(id).textContent.replaceAll(',', '')));
-      assert.deepEqual(shown, [`${level.triangles}`, `${level.strips}`, (level.triangles / level.strips).toFixed(1)]);
+      const shown = await page.run(() => ['f-triangles', 'f-strips', 'f-length'].map((id) => document.getElementById(id).textContent));
+      assert.deepEqual(shown, [level.triangles, level.strips, +(level.triangles / level.strips).toFixed(1)].map((n, i) => n.toLocaleString('en', { minimumFractionDigits: i === 2 ? 1 : 0 })));
       assert.equal(found.strips, level.strips);
       assert.equal(await page.run('restripViewer.mesh.plainIndices'), level.indices);
       ++compared;
@@ -442,6 +442,25 @@ try {
   await touch('touchEnd');
   assert.notEqual(await phone.run('restripViewer.camera.yaw'), yaw);
   await agrees(phone, 'on a telephone');
+  // Where the mesh is not seen, nothing is drawn for the light, and the mesh is no stop of the Tab key.
+  const drawn = async (part) => {
+    await phone.run((name) => { location.hash = `#part=${name}`; }, part);
+    await phone.until((name) => restripViewer.part === name && restripViewer.settled, part);
+    return phone.run(async () => {
+      restripViewer.light = true;
+      restripViewer.ask();
+      await new Promise((later) => setTimeout(later, 200));
+      let frames = 0;
+      const { frame } = restripViewer;
+      restripViewer.frame = (now) => (++frames, frame.call(restripViewer, now));
+      for (let n = 0; n < 20; ++n) await new Promise(requestAnimationFrame);
+      delete restripViewer.frame;
+      restripViewer.light = false;
+      return [frames > 5, document.getElementById('canvas').checkVisibility({ visibilityProperty: true })];
+    });
+  };
+  assert.deepEqual([await drawn('ribbon'), await drawn('turn'), await drawn('use')], [[true, true], [false, false], [false, false]]);
+  await phone.run(() => { location.hash = '#part=ribbon'; });
   writeFileSync(join(scratch, 'viewer-phone.png'), await phone.screenshot());
   quiet(phone);
 

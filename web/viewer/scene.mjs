@@ -155,7 +155,7 @@ export class Scene {
     for (const { first, count } of ranges) {
       if (count === 0) continue;
       const { width, List } = this.indices;
-      gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, width * first, List.from(indices.subarray(first, first + count)));  // restarts are all ones
+      gl.bufferSubData(gl.ELEMENT_ARRAY_BUFFER, width * first, new List(indices.subarray(first, first + count)));  // restarts are all ones
       this.bytesUploaded += width * count;
     }
   }
