@@ -214,7 +214,7 @@ export class Ribbon {
 }
 
 /// More triangles are not painted in one frame, and not at all while the mesh moves.
-const atOnce = 40000;
+const atOnce = 16000;
 
 /// The ribbon of a mesh on a scene.
 export class Painter {
