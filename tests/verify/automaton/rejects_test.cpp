@@ -2,6 +2,8 @@
 // a price, are altered in one row, their sums brought up to date, and each alteration must fail the claim that it
 // breaks, or be refused as not well formed. Kinds of rows are altered wherever a fixed stride meets them, so that no
 // row is picked because it is known to be noticed.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -10,13 +12,55 @@
 #include <string>
 #include <vector>
 
-#include "altered.hpp"
 #include "automaton/automaton_certificate.hpp"
+#include "automaton/class_check.hpp"
 #include "automaton/fan_check.hpp"
+#include "certificate/sums.hpp"
 #include "model/input.hpp"
 
 namespace restrip::verify::test {
 namespace {
+
+/// What stands between these characters: lines, the empty one behind the last line break included, or words.
+std::vector<std::string> parts_of(const std::string& text, char between) {
+  std::vector<std::string> parts(1);
+  for (const char c : text)
+    if (c == between)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+/// The words of a line, and a line of words.
+std::vector<std::string> words_of(const std::string& line) { return parts_of(line, ' '); }
+std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
+
+/// The text with the right last line. Whatever is not part of the frame is a row.
+std::string sealed_again(const std::vector<std::string>& lines) {
+  std::string text;
+  std::size_t rows = 0;
+  for (std::size_t i = 0; i + 2 < lines.size(); ++i) {
+    text += lines[i] + "\n";
+    const std::string word = words_of(lines[i])[0];
+    rows += word != "restrip-certificate" && word != "family" && word != "section" && word != "claim";
+  }
+  const ByteSums sums = sums_of(text);
+  return text + fmt::format("end {} {} {}\n", rows, sums.plain, sums.weighted);
+}
+
+/// What the checker says first; empty when all claims hold.
+std::string verdict_of(const std::string& text) {
+  try {
+    const AutomatonCertificate certificate = parse_automaton("altered.cert", text);
+    const ClassCheck check(certificate);
+    for (const AutomatonClaim& claim : check.claims())
+      if (claim.failures.count != 0) return claim.failures.first;
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
 
 /// A change of one row; nothing where it does not apply to this row.
 using RowChange = std::function<std::optional<std::string>(std::vector<std::string> words)>;
