@@ -115,7 +115,7 @@ style_tool() {
 build_packages=(g++ cmake ninja-build libboost-dev "libnauty-dev|libnauty2-dev" libfmt-dev libcli11-dev nlohmann-json3-dev libopenmesh-dev
   libpng-dev libssl-dev libgtest-dev python3-markdown-it)
 # Wanted by tests alone, and by what test.sh --all adds.
-test_packages=(git libcgal-dev libtbb-dev python3 nodejs ocaml "pkgconf|pkg-config")
+test_packages=(git libcgal-dev libtbb-dev python3 python3-numpy python3-pip python3-setuptools python3-venv python3-wheel nodejs ocaml "pkgconf|pkg-config")
 all_packages=(xz-utils parallel openmpi-bin g++-multilib rustc glslang-tools libvulkan-dev dpkg-dev file make
   "clang-tidy-$style_version" "clang-format-$style_version")
 command -v chromium >/dev/null || all_packages+=(chromium)  # Ubuntu has no such package: install another Chromium there

@@ -18,7 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "tidy"
-ROOMS = ["c", "examples", "files", "generator", "runtime", "tools", "bench", "verify", "web"]
+ROOMS = ["bindings", "examples", "files", "generator", "runtime", "tools", "bench", "verify", "web"]
 OF_EACH_PROGRAM = ["main", "register_benchmarks"]
 # They include tables that only a build makes.
 LEFT_OUT = ["examples/own_operation.cpp", "examples/own_family.cpp"]
@@ -57,8 +57,9 @@ def room_units():
             place = source.relative_to(ROOT)
             if str(place) in LEFT_OUT:
                 continue
-            alone = source == pathlib.Path(entry["file"]) and f"{place.parts[0]}_{source.stem}"
-            flags, sources = units.setdefault(alone or place.parts[0], ({}, {}))
+            room = "_".join(place.parts[:2]) if place.parts[0] == "bindings" else place.parts[0]
+            alone = source == pathlib.Path(entry["file"]) and f"{room}_{source.stem}"
+            flags, sources = units.setdefault(alone or room, ({}, {}))
             flags.update(dict.fromkeys(flags_of(entry["command"])))
             sources[place] = None
     return {name: (list(flags), list(sources)) for name, (flags, sources) in units.items()}

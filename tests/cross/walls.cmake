@@ -10,7 +10,8 @@ set(allowed_in_tables "${std}|\"restrip/tables/([a-z_]+_)?format.hpp\"")
 set(allowed_in_tools "${std}|\"(files|restrip|common|meshes|pictures|lod|replay|paper|app)/.*\"|<(fmt|CLI|nlohmann|OpenMesh)/.*>|<(png|unistd).h>")
 set(allowed_in_examples "${std}|[\"<]restrip/.*[\">]|<(restrip|stdio|stdlib).h>")
 set(allowed_in_web "${std}|\"restrip/restrip.hpp\"")
-set(allowed_in_c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
+set(allowed_in_bindings/js "${allowed_in_web}")
+set(allowed_in_bindings/c "${std}|<std(def|int).h>|\"restrip.h\"|\"restrip/.*\"")
 set(allowed_in_bench "${std}|[\"<]restrip/.*[\">]|<(benchmark|fmt|nlohmann|OpenMesh|meshoptimizer)[./].*>|<meshoptimizer.h>|<(malloc|unistd).h>")
 string(APPEND allowed_in_bench "|\"(files|common|meshes|lod|replay)/.*\"|\"rm_tristripper.h\"|<string.h>")  # bench/ measures the mesh programs too
 # Doors that are there on purpose: adapters to other libraries, the other backend of batches.
@@ -26,7 +27,7 @@ set(door_check "<(stdio|stdlib|string).h>|\"restrip_(automaton|tables).h\"")
 set(never_in_tools "restrip/tables/")
 # Bodies are private to the floor whose manual lies beside them; see below.
 set(never_in_examples "/impl/")
-set(never_in_c "/impl/|restrip/tables/")
+set(never_in_bindings/c "/impl/|restrip/tables/")
 set(never_in_bench "/impl/")
 
 # The floors, lowest first: a file includes its own folder and lower floors, never a higher floor or another folder of its own floor.
@@ -109,7 +110,7 @@ function(judge room source line out)
 endfunction()
 
 set(seen 0)
-foreach(room IN ITEMS common files generator verify runtime tables tools examples bench web c)
+foreach(room IN ITEMS common files generator verify runtime tables tools examples bench web bindings/c bindings/js)
   file(GLOB_RECURSE sources ${ROOT}/${room}/*.hpp ${ROOT}/${room}/*.cpp ${ROOT}/${room}/*.h ${ROOT}/${room}/*.c)
   list(FILTER sources EXCLUDE REGEX "/verify/formal/")  # printers of their own, compiled by its script
   foreach(source IN LISTS sources)
@@ -163,14 +164,14 @@ foreach(wrong IN ITEMS "generator/any.cpp|\"restrip/rules/rules.hpp\"" "generato
                        "tools/common/any.cpp|\"meshes/soup.hpp\"" "tools/meshes/any.cpp|\"lod/simplify.hpp\""
                        "tools/lod/any.cpp|\"replay/replay.hpp\"" "tools/replay/any.cpp|\"paper/paper.hpp\""
                        "tools/paper/any.cpp|\"app/commands.hpp\"" "tools/app/any.cpp|\"restrip/search/impl/tunnel.hpp\""
-                       "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "web/glue/any.cpp|\"lod/simplify.hpp\"" "web/readers/any.cpp|\"lod/simplify.hpp\""
-                       "web/glue/any.cpp|\"restrip/rules/rules.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\""
-                       "c/any.cpp|\"lod/simplify.hpp\"" "c/any.cpp|<fmt/format.h>" "c/any.cpp|\"restrip/search/impl/tunnel.hpp\""
+                       "bench/any.cpp|\"restrip/operations/impl/patch_walk.hpp\"" "bindings/js/glue/any.cpp|\"lod/simplify.hpp\"" "web/readers/any.cpp|\"lod/simplify.hpp\""
+                       "bindings/js/glue/any.cpp|\"restrip/rules/rules.hpp\"" "examples/any.cpp|\"restrip/mesh/impl/strip_mesh.hpp\""
+                       "bindings/c/any.cpp|\"lod/simplify.hpp\"" "bindings/c/any.cpp|<fmt/format.h>" "bindings/c/any.cpp|\"restrip/search/impl/tunnel.hpp\""
                        "examples/any.c|<unistd.h>")
   string(REPLACE "|" ";" wrong "${wrong}")
   list(GET wrong 0 source)
   list(GET wrong 1 what)
-  string(REGEX REPLACE "/.*" "" room "${source}")
+  string(REGEX MATCH "^(bindings/)?[^/]+" room "${source}")
   judge(${room} ${ROOT}/${source} "#include ${what}" broken)
   if(NOT broken)
     message(SEND_ERROR "${source} may include ${what}")

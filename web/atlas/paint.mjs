@@ -1,5 +1,5 @@
 // Painting a configuration: its rule, or why it is none that strips can have.
-import { load } from '../js/restrip.mjs';
+import { load } from '../../bindings/js/restrip.mjs';
 import { embedded } from '../viewer/embedded.mjs';
 import { fanPicture, has, listed, representative, ringPicture, ruleName } from '../viewer/patch.mjs';
 

@@ -1,5 +1,5 @@
-// The readers of the program `restrip` for JavaScript (js/formats.mjs): one module for each file that is read. The
-// caller writes the bytes into memory taken by readers_take, and looks at the Found that readers_read returns.
+// The readers of the program `restrip` for JavaScript (bindings/js/formats.mjs): one module for each file that is read.
+// The caller writes the bytes into memory taken by readers_take, and looks at the Found that readers_read returns.
 //
 // The readers throw. This module has nobody who would catch: an exception's sentence goes to JavaScript, which throws
 // it on and drops the module with all of its memory.

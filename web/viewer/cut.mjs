@@ -1,6 +1,6 @@
 // One vertex split, shown in steps: the patch before, the patch with its two new triangles and the strips that they cut,
 // and the patch as the rule mended it; on the mesh and as drawings side by side, in the same colours.
-import { none } from '../js/restrip.mjs';
+import { none } from '../../bindings/js/restrip.mjs';
 import { cross, unit } from './camera.mjs';
 import { bitsIn } from './judge.mjs';
 import { largestPuzzle } from './puzzles.mjs';

@@ -1,5 +1,5 @@
 // The mesh that is shown and its figures, as text.
-import { none } from '../js/restrip.mjs';
+import { none } from '../../bindings/js/restrip.mjs';
 
 export const asNumber = (n, digits = 0) => n.toLocaleString('en', { minimumFractionDigits: digits, maximumFractionDigits: digits });
 /// With two digits that count, and all before the point.

@@ -1,6 +1,6 @@
 // Ways to have an index buffer while the level of a mesh moves, each with a mesh of its own: the bytes that a change writes into it,
 // and the bytes that each drawn frame reads from it.
-import { restartIndex } from '../js/restrip.mjs';
+import { restartIndex } from '../../bindings/js/restrip.mjs';
 
 /// And what the page calls them.
 export const ways = { kept: 'Maintained strips', scratch: 'Strips from scratch', whole: 'List written whole', slots: 'List with slots' };

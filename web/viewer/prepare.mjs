@@ -16,7 +16,7 @@ function normalsOf(points, triangles) {
   return normals;
 }
 
-/// A generator of the share that is done; it returns the mesh. `read` is as the readers give it (js/formats.d.ts). Throws an
+/// A generator of the share that is done; it returns the mesh. `read` is as the readers give it (bindings/js/formats.d.ts). Throws an
 /// Error that says what is wrong.
 export function* prepared(restrip, name, read) {
   const mesh = read.baked ? restrip.baked(read.baked) : read.base ? restrip.progressive(read) : yield* restrip.simplifying(read);

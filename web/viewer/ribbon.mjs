@@ -1,6 +1,6 @@
 // A mesh as ribbons: which strip each triangle is part of, how far along it lies, and where neighbours do not join. A
 // strip keeps its colour while it changes: it inherits the name of the strip with which it shares most triangles.
-import { none } from '../js/restrip.mjs';
+import { none } from '../../bindings/js/restrip.mjs';
 
 const perTriangle = 9;  // numbers of a triangle in StripMesh.ribbon
 const hueOf = (name) => name * 0.618033988749895 % 1;

@@ -1,6 +1,6 @@
 // The page: a progressive mesh whose strips are kept in WebAssembly, drawn from the live index buffer or as ribbons, and
 // the parts that play with it.
-import { load } from '../js/restrip.mjs';
+import { load } from '../../bindings/js/restrip.mjs';
 import { prepared } from './prepare.mjs';
 import { embedded } from './embedded.mjs';
 import { Camera } from './camera.mjs';

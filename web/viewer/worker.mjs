@@ -1,6 +1,6 @@
 // The worker that prepares one mesh, so that the page goes on meanwhile.
-import { loadReaders } from '../js/formats.mjs';
-import { load } from '../js/restrip.mjs';
+import { loadReaders } from '../../bindings/js/formats.mjs';
+import { load } from '../../bindings/js/restrip.mjs';
 import { prepared } from './prepare.mjs';
 
 onmessage = async ({ data: { wasm, readers, name, bytes } }) => {

@@ -1,0 +1,120 @@
+"""The C interface (restrip.h) by ctypes: the shared library in this package, and the types of its functions."""
+from __future__ import annotations
+
+import ctypes as c
+import os
+import pathlib
+
+NONE = 0xFFFFFFFF
+ABI = 2  # RESTRIP_ABI_VERSION
+TOO_SMALL = 104
+
+_u32, _size, _mesh, _int = c.c_uint32, c.c_size_t, c.c_void_p, c.c_int32
+
+
+class BuildReport(c.Structure):
+    _fields_ = [(name, _size) for name in ("degenerate_triangles", "out_of_range_triangles", "boundary_edges", "non_manifold_edges",
+                                           "inconsistent_edges", "non_manifold_vertices")]
+
+
+class Coloring(c.Structure):
+    _fields_ = [("triangles", _size), ("strips", _size), ("isolated", _size), ("valid", _int)]
+
+
+class Cost(c.Structure):
+    _fields_ = [("restart", c.c_uint16), ("swap", c.c_uint16), ("isolated", c.c_uint16)]
+
+
+class Change(c.Structure):
+    _fields_ = [("halfedge", _u32), ("valence", _u32), ("strips", _int), ("isolated", _int)]
+
+
+class SplitRequest(c.Structure):
+    _fields_ = [("left", _u32), ("right", _u32), ("v_t", _u32)]
+
+
+class Range(c.Structure):
+    _fields_ = [("first", _size), ("count", _size)]
+
+
+_counts = [_mesh, c.c_void_p, _size, c.POINTER(_size)]
+_change = c.POINTER(Change)
+# Functions that return a status: the types of their arguments.
+_checked = {
+    "mesh_build_u32": [c.c_void_p, _size, _size, c.POINTER(BuildReport), c.c_void_p, c.POINTER(_mesh)],
+    "mesh_corners": [_mesh, _u32, c.c_void_p],
+    "mesh_get_colors": [_mesh, c.c_void_p, _size],
+    "mesh_set_colors": [_mesh, c.c_void_p, _size],
+    "mesh_check": [_mesh, c.POINTER(Coloring)],
+    "mesh_strip_count": [_mesh, c.POINTER(_size)],
+    "mesh_stripify": [_mesh, _int, c.POINTER(Cost), c.c_uint64, c.POINTER(_size)],
+    "mesh_keep": [_mesh, _int, c.POINTER(Cost)],
+    "mesh_split": [_mesh, _u32, _u32, _u32, _change],
+    **{f"mesh_{name}": [_mesh, _u32, _change] for name in ("collapse", "flip", "split_face", "join_faces", "bisect", "merge")},
+    "mesh_split_batch": [_mesh, c.POINTER(SplitRequest), _size, _u32, _change, c.POINTER(_size)],
+    "mesh_collapse_batch": [_mesh, c.c_void_p, _size, _u32, _change, c.POINTER(_size)],
+    "mesh_improve": [_mesh, _size, c.POINTER(_size)],
+    **{f"mesh_{name}": _counts for name in ("strip_triangles", "strip_starts", "strip_indices_u32", "strip_indices_u16")},
+    "live_begin": [_mesh, _int],
+    "live_update": [_mesh, c.POINTER(c.POINTER(Range)), c.POINTER(_size)],
+    "live_indices": [_mesh, c.POINTER(c.c_void_p), c.POINTER(_size)],
+    "live_end": [_mesh],
+}
+# Functions that return what they are asked for.
+_plain = {
+    "abi_version": (_u32, []), "version": (c.c_char_p, []), "describe": (c.c_char_p, [_int]), "mesh_free": (None, [_mesh]),
+    **{f"mesh_{name}": (_size, [_mesh]) for name in ("triangle_count", "triangle_bound", "vertex_bound")},
+    "mesh_find": (_u32, [_mesh, _u32, _u32]),
+    **{f"mesh_{name}": (_u32, [_mesh, _u32]) for name in ("spoke", "next", "opposite", "from", "to", "triangle")},
+    "mesh_solid": (c.c_int, [_mesh, _u32]),
+    "mesh_check_split": (_int, [_mesh, _u32, _u32, _u32]),
+    **{f"mesh_check_{name}": (_int, [_mesh, _u32]) for name in ("collapse", "flip", "split_face", "join_faces", "bisect", "merge")},
+}
+
+
+class RestripError(ValueError):
+    """The library did not do what it was asked to, and nothing changed. `code` is the number of restrip.h, 1 to 99 where
+    an operation would spoil the mesh."""
+
+    def __init__(self, code: int, what: str):
+        super().__init__(what)
+        self.code = code
+
+
+def _load() -> c.CDLL:
+    named = os.environ.get("RESTRIP_C_LIBRARY")
+    if named:
+        found = [pathlib.Path(named)]
+    else:
+        found = [file for pattern in ("librestrip_c.*", "restrip_c.dll") for file in sorted(pathlib.Path(__file__).parent.glob(pattern))]
+    if not found:
+        raise ImportError("restrip: the C library is not in this package; install it with pip, or name the library by RESTRIP_C_LIBRARY")
+    library = c.CDLL(str(found[0]))
+    library.restrip_abi_version.restype = _u32
+    if library.restrip_abi_version() != ABI:
+        raise ImportError(f"restrip: {found[0]} has interface {library.restrip_abi_version()}, this package needs {ABI}")
+    for name, (result, arguments) in {**_plain, **{name: (_int, arguments) for name, arguments in _checked.items()}}.items():
+        function = getattr(library, "restrip_" + name)
+        function.restype, function.argtypes = result, arguments
+    return library
+
+
+_library = _load()
+
+
+def plain(name: str, *arguments):
+    """What a function returns that cannot fail."""
+    return getattr(_library, "restrip_" + name)(*arguments)
+
+
+def describe(code: int) -> str:
+    return plain("describe", code).decode()
+
+
+def call(name: str, *arguments) -> None:
+    """Calls a function that returns a status. RestripError unless it is done; MemoryError where memory was short."""
+    code = getattr(_library, "restrip_" + name)(*arguments)
+    if code == 109:
+        raise MemoryError(describe(code))
+    if code != 0:
+        raise RestripError(code, f"{name.split('_', 1)[1]}: {describe(code)}")

@@ -1,0 +1,35 @@
+"""The Python package installs into a fresh virtual environment, from a folder of wheels or from its sources, without a package
+index and without a trace in the sources; its tests pass there, and its example prints what is expected.
+
+    install_test.py PACKAGE SCRATCH [WHEELS]
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+
+package, scratch = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+here = pathlib.Path(__file__).parent
+
+
+def run(*command):
+    print(*command, flush=True)
+    return subprocess.run([str(word) for word in command], check=True, cwd=scratch, stdout=subprocess.PIPE, text=True).stdout
+
+
+shutil.rmtree(scratch, ignore_errors=True)
+scratch.mkdir(parents=True)
+before = sorted(package.rglob("*"))
+run(sys.executable, "-m", "venv", "--system-site-packages", scratch / "venv")
+python = scratch / "venv/bin/python"
+source = package
+if len(sys.argv) > 3:
+    source, = pathlib.Path(sys.argv[3]).glob("restrip-*.whl")
+    assert "-py3-none-" in source.name and not source.name.endswith("-any.whl"), source
+run(python, "-m", "pip", "install", "--no-index", "--no-deps", "--no-build-isolation", "--disable-pip-version-check", source)
+assert sorted(package.rglob("*")) == before and not list(package.rglob("*.egg-info")), set(package.rglob("*")) ^ set(before)
+where = run(python, "-c", "import restrip; print(restrip.__file__)")
+assert str(scratch / "venv") in where, where
+run(python, "-B", here / "package_test.py")
+found = run(python, "-B", package / "example.py")
+assert found == (here / "example.txt").read_text(), found

@@ -1,0 +1,179 @@
+"""The Python package: strips and buffers draw the faces given, windings included, whatever the operation, policy and form;
+what it refuses says why and changes nothing. Run in an environment that has the package."""
+import pathlib
+import random
+import unittest
+import warnings
+
+import numpy as np
+
+import restrip
+
+
+def grid(n, dtype=np.int64):
+    place = np.arange(n * n, dtype=dtype).reshape(n, n)
+    a, b, c, d = (part.ravel() for part in (place[:-1, :-1], place[:-1, 1:], place[1:, 1:], place[1:, :-1]))
+    return np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
+
+
+def rotated(faces):
+    """As a sorted list, each from its smallest corner on: equal for equal sets with equal windings."""
+    return sorted(tuple(np.roll(face, -int(np.argmin(face))).tolist()) for face in np.asarray(faces))
+
+
+def drawn(indices):
+    """The triangles of a strip with restart, one index after the other."""
+    end, faces, strip = np.iinfo(indices.dtype).max, [], []
+    for index in [*indices.tolist(), end]:
+        if index == end:
+            faces += [strip[i:i + 3] if i % 2 == 0 else [strip[i + 1], strip[i], strip[i + 2]] for i in range(len(strip) - 2)]
+            strip = []
+        else:
+            strip.append(index)
+    return [face for face in faces if len(set(face)) == 3]
+
+
+class StripsOf(unittest.TestCase):
+    def test_every_format_draws_the_faces(self):
+        for faces in (grid(9), grid(9, np.uint8), grid(9)[::-1].astype(np.int32), np.asfortranarray(grid(7))):
+            for cost in ("strips", "indices", (5, 2, 1)):
+                for effort in ("fast", "full", "best"):
+                    indices = restrip.strips_of(faces, cost, effort=effort)
+                    self.assertEqual(indices.dtype, np.uint16)
+                    self.assertEqual(rotated(drawn(indices)), rotated(faces))
+                    self.assertEqual(rotated(restrip.faces_of(indices)), rotated(faces))
+                    strips = restrip.strips_of(faces, cost, "strips", effort=effort)
+                    self.assertEqual(np.concatenate([[*strip, 65535] for strip in strips])[:-1].tolist(), indices.tolist())
+                    cells = restrip.strips_of(faces, cost, "vtk", effort=effort)
+                    for strip in strips:
+                        self.assertEqual(cells[0], len(strip))
+                        self.assertEqual(cells[1:1 + len(strip)].tolist(), strip.tolist())
+                        cells = cells[1 + len(strip):]
+                    self.assertEqual(len(cells), 0)
+
+    def test_width_of_indices(self):
+        faces = grid(3)
+        self.assertEqual(restrip.strips_of(faces, index=32).dtype, np.uint32)
+        self.assertEqual(restrip.strips_of(faces + 65535 - 9).dtype, np.uint16)
+        self.assertEqual(restrip.strips_of(faces + 65536 - 9).dtype, np.uint32)
+        with self.assertRaisesRegex(restrip.RestripError, "16"):
+            restrip.strips_of(faces + 65536 - 9, index=16)
+
+    def test_progress_is_reported_and_can_stop(self):
+        calls = []
+        indices = restrip.strips_of(grid(30), progress=lambda *call: calls.append(call))
+        self.assertEqual(rotated(drawn(indices)), rotated(grid(30)))
+        self.assertGreater(len(calls), 10)
+        self.assertEqual(calls, sorted(calls))
+        self.assertEqual(calls[-1][0], calls[-1][1])
+        few = []
+        restrip.strips_of(grid(30), progress=lambda *call: few.append(call) or len(few) == 3)
+        self.assertEqual(few, calls[:3])
+
+    def test_nothing_and_little(self):
+        self.assertEqual(len(restrip.strips_of([])), 0)
+        self.assertEqual(restrip.strips_of([], format="strips"), [])
+        self.assertEqual(len(restrip.strips_of([], format="vtk")), 0)
+        self.assertEqual(restrip.faces_of(restrip.strips_of([[0, 1, 2]])).tolist(), [[0, 1, 2]])
+
+    def test_bad_input_is_named(self):
+        for faces, said in (([[0, 1]], "three columns"), ([0, 1, 2], "three columns"), ([[0.0, 1.0, 2.0]], "float64"), ([[0, 1, -1]], "-1 to 1"),
+                            ([[0, 1, 2 ** 32]], "4294967296")):
+            with self.assertRaisesRegex(ValueError, said):
+                restrip.strips_of(faces)
+        for options, said in (({"cost": "turns"}, "strips, indices"), ({"cost": (0, 1, 1)}, "1 to 1000"), ({"format": "fans"}, "restart, strips, vtk"),
+                              ({"effort": "most"}, "fast, full, best"), ({"index": 8}, "16 or 32")):
+            with self.assertRaisesRegex(ValueError, said):
+                restrip.strips_of(grid(3), **options)
+
+    def test_what_is_left_out_gives_a_warning(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            mesh = restrip.LiveMesh([[0, 1, 2], [2, 2, 1], [1, 3, 7]], vertex_count=4)
+        self.assertEqual(mesh.report[:2], (1, 1))
+        self.assertEqual(mesh.triangle_count, 1)
+        self.assertIn("2 of 3 faces are left out", str(caught[0].message))
+
+
+class Live(unittest.TestCase):
+    def test_buffers_follow_random_operations(self):
+        for policy in ("bare", "rules", "local", "linked", "quick", "full"):
+            for form, index in (("strips", 16), ("strips", 32), ("list", 16), ("list", "auto")):
+                generator = random.Random(f"{policy} {form} {index}")
+                mesh = restrip.LiveMesh(grid(8), policy=policy, effort="full")
+                mesh.begin_buffer(form, index)
+                device = np.zeros(5000, np.uint32)
+                done = {}
+                for _ in range(60):
+                    operation = generator.choice(["collapse", "flip", "split_face", "join_faces", "bisect", "merge"])
+                    h = 4 * generator.randrange(mesh.triangle_bound) + generator.randrange(3)
+                    before = (mesh.strip_count, rotated(mesh.faces()))
+                    refused = mesh.why_not(operation, h)
+                    if refused is not None:
+                        with self.assertRaisesRegex(restrip.RestripError, refused):
+                            getattr(mesh, operation)(h)
+                        self.assertEqual((mesh.strip_count, rotated(mesh.faces())), before)
+                        continue
+                    change = getattr(mesh, operation)(h)
+                    done[operation] = done.get(operation, 0) + 1
+                    self.assertEqual(mesh.strip_count, before[0] + change.strips)
+                    for first, part in mesh.update():
+                        device[first:first + len(part)] = part
+                    buffer = mesh.buffer()
+                    self.assertEqual(device[:len(buffer)].tolist(), buffer.tolist())
+                    faces = drawn(buffer) if form == "strips" else [f for f in buffer.reshape(-1, 3) if len(set(f.tolist())) == 3]
+                    self.assertEqual(rotated(faces), rotated(mesh.faces()))
+                coloring = mesh.check()
+                self.assertEqual((coloring.valid, coloring.strips, coloring.triangles), (True, mesh.strip_count, mesh.triangle_count))
+                self.assertGreaterEqual(len(done), 3, done)
+
+    def test_splits_undo_collapses(self):
+        mesh = restrip.LiveMesh(grid(6))
+        h = mesh.find(14, 15)
+        self.assertEqual(mesh.ends(h), (14, 15))
+        self.assertEqual(mesh.ends(mesh.opposite(h)), (15, 14))
+        self.assertEqual(mesh.ends(mesh.next(h))[0], 15)
+        self.assertIn(15, mesh.corners(mesh.triangle(h)))
+        left, right = mesh.ends(mesh.next(h))[1], mesh.ends(mesh.next(mesh.opposite(h)))[1]
+        faces = rotated(mesh.faces())
+        mesh.collapse(h)
+        self.assertEqual(mesh.find(14, 15), restrip.NONE)
+        change = mesh.split(mesh.find(14, left), mesh.find(14, right), 15)
+        self.assertEqual(mesh.ends(change.halfedge), (14, 15))
+        self.assertEqual(rotated(mesh.faces()), faces)
+        with self.assertRaisesRegex(restrip.RestripError, "split: "):
+            mesh.split(mesh.find(14, left), mesh.find(14, left))
+
+    def test_batches(self):
+        mesh, one_by_one = restrip.LiveMesh(grid(12), policy="rules"), restrip.LiveMesh(grid(12), policy="rules")
+        chords = [mesh.find(26, 27), mesh.find(31, 32), mesh.find(98, 99)]
+        changes = mesh.collapse_batch(np.array(chords), threads=2)
+        self.assertEqual(changes, [one_by_one.collapse(h) for h in chords])
+        self.assertEqual(mesh.colors.tolist(), one_by_one.colors.tolist())
+        with self.assertRaisesRegex(restrip.RestripError, r"request 1, with 0"):
+            mesh.collapse_batch([mesh.find(40, 41), mesh.find(41, 42)])
+        self.assertEqual(mesh.collapse_batch([]), [])
+
+    def test_colors_go_out_and_in(self):
+        mesh = restrip.LiveMesh(grid(7), effort="best")
+        colors, strips = mesh.colors, mesh.strips()
+        self.assertEqual(sorted(np.concatenate(strips).tolist()), list(range(mesh.triangle_count)))
+        self.assertEqual(len(strips), mesh.strip_count)
+        mesh.stripify("fast", "indices")
+        mesh.colors = colors
+        self.assertEqual([strip.tolist() for strip in mesh.strips()], [strip.tolist() for strip in strips])
+        with self.assertRaises(restrip.RestripError):
+            mesh.colors = np.full(mesh.triangle_bound, 7)
+        with self.assertRaises(restrip.RestripError):
+            mesh.colors = colors[1:]
+
+    def test_a_buffer_must_be_begun(self):
+        with self.assertRaisesRegex(restrip.RestripError, "live"):
+            restrip.LiveMesh(grid(3)).update()
+
+    def test_types_are_shipped(self):
+        self.assertTrue((pathlib.Path(restrip.__file__).parent / "py.typed").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
