@@ -19,9 +19,11 @@ int restrip_bench_is_manifold(const std::uint32_t* ids, std::size_t count, std::
 std::size_t restrip_bench_strips(const std::uint32_t* ids, std::size_t count, std::size_t vertices, int trust,
                                  std::uint32_t* out) {
   const std::span<const std::uint32_t> list(ids, count);
-  const std::vector<std::uint32_t> indices =
-      trust != 0 ? restrip::strips_of(restrip::trusted, list, vertices, restrip::Effort::fast)
-                 : restrip::strips_of(list, vertices, restrip::Effort::fast);
+  constexpr restrip::StripFormat plain{.width = restrip::IndexWidth::bits32, .list_if_shorter = false};
+  const restrip::IndexBuffer buffer =
+      trust != 0 ? restrip::strips_of(restrip::trusted, list, vertices, plain, restrip::Effort::fast)
+                 : restrip::strips_of(list, vertices, plain, restrip::Effort::fast);
+  const auto& indices = std::get<std::vector<std::uint32_t>>(buffer.indices);
   std::copy(indices.begin(), indices.end(), out);
   return indices.size();
 }

@@ -47,6 +47,7 @@
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/output/index_bound.hpp"
 #include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/strip_format.hpp"
 #include "restrip/output/strip_order.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/output/trace.hpp"

@@ -16,6 +16,9 @@ namespace {
 using sample::Corners;
 using Indices = std::vector<std::uint32_t>;
 
+/// Strips as strip_indices() has them, however long.
+constexpr StripFormat plain{.width = IndexWidth::bits32, .list_if_shorter = false};
+
 Indices by_way_of_a_mesh(const std::vector<Corners>& list, std::size_t vertices, Effort effort, Cost cost) {
   StripMesh mesh = StripMesh::build(list, vertices);
   stripify(mesh, effort, cost);
@@ -29,11 +32,11 @@ TEST(StripsOf, AreThoseOfTheMesh) {
     for (const Cost cost : {Cost::indices(), Cost{100, 70, 1}, Cost::strips()})
       for (const Effort effort : {Effort::fast, Effort::full}) {
         const Indices expected = by_way_of_a_mesh(list, vertices, effort, cost);
-        EXPECT_EQ(strips_of(list, vertices, effort, cost), expected);
+        EXPECT_EQ(std::get<Indices>(strips_of(list, vertices, plain, effort, cost).indices), expected);
         BuildReport report;
-        EXPECT_EQ(strips_of(list, vertices, effort, cost, &report), expected);
+        EXPECT_EQ(std::get<Indices>(strips_of(list, vertices, plain, effort, cost, &report).indices), expected);
         if (report.non_manifold_edges + report.inconsistent_edges != 0) continue;
-        EXPECT_EQ(strips_of(trusted, list, vertices, effort, cost), expected);
+        EXPECT_EQ(std::get<Indices>(strips_of(trusted, list, vertices, plain, effort, cost).indices), expected);
       }
   }
 }
@@ -47,7 +50,7 @@ TEST(StripsOf, WhatIsLeftOutIsNotDrawn) {
       for (Vertex& v : c) v = static_cast<Vertex>(random() % (vertices + 1));
     BuildReport report;
     const StripMesh mesh = StripMesh::build(list, vertices, &report);
-    const Indices indices = strips_of(list, vertices, Effort::fast);
+    const Indices indices = std::get<Indices>(strips_of(list, vertices, plain, Effort::fast).indices);
     ASSERT_EQ(indices, by_way_of_a_mesh(list, vertices, Effort::fast, Cost::indices()));
     ASSERT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), triangles_of(mesh));
     ASSERT_EQ(mesh.triangle_count() + report.degenerate_triangles + report.out_of_range_triangles, list.size());
@@ -58,19 +61,31 @@ TEST(StripsOf, TakesShortIndicesAndAnEmptyList) {
   const StripMesh mesh = sample::sphere(3);
   std::vector<std::uint16_t> narrow;
   for (const Corners& c : sample::triangles_of(mesh)) narrow.insert(narrow.end(), c.begin(), c.end());
-  const Indices indices = strips_of(narrow, mesh.vertex_bound());
+  const Indices indices = std::get<Indices>(strips_of(narrow, mesh.vertex_bound(), plain).indices);
   EXPECT_EQ(triangles_of_strips(std::span<const std::uint32_t>(indices)), triangles_of(mesh));
-  EXPECT_EQ(strips_of(trusted, narrow, mesh.vertex_bound()), indices);
-  EXPECT_TRUE(strips_of(std::vector<Corners>{}, 0, Effort::fast).empty());
+  EXPECT_EQ(std::get<Indices>(strips_of(trusted, narrow, mesh.vertex_bound(), plain).indices), indices);
+  EXPECT_TRUE(strips_of(std::vector<Corners>{}, 0, plain, Effort::fast).empty());
   EXPECT_TRUE(strips_of(trusted, std::vector<Corners>{}, 4).empty());
 }
 
 TEST(StripsOf, TakesFewerIndicesThanTheFewestStripsAndMoreWithLessEffort) {
   const StripMesh mesh = sample::torus(60, 50);
   const std::vector<Corners> list = sample::triangles_of(mesh);
-  const std::size_t fast = strips_of(list, mesh.vertex_bound(), Effort::fast).size();
-  EXPECT_LT(fast, strips_of(list, mesh.vertex_bound(), Effort::fast, Cost::strips()).size());
-  EXPECT_LT(strips_of(list, mesh.vertex_bound(), Effort::full).size(), fast);
+  const std::size_t fast = strips_of(list, mesh.vertex_bound(), plain, Effort::fast).size();
+  EXPECT_LT(fast, strips_of(list, mesh.vertex_bound(), plain, Effort::fast, Cost::strips()).size());
+  EXPECT_LT(strips_of(list, mesh.vertex_bound(), plain, Effort::full).size(), fast);
+}
+
+/// Triangles without neighbours: a list has fewer indices than strips with restarts, and the call says so.
+TEST(StripsOf, NeverMoreThanTheListUnlessAskedFor) {
+  std::vector<Corners> islands(1000);
+  for (Vertex v = 0; v < 3000; ++v) islands[v / 3][v % 3] = v;
+  for (const StripForm form : {StripForm::restart, StripForm::stitched, StripForm::lengths, StripForm::list}) {
+    const IndexBuffer buffer = strips_of(islands, 3000, {.form = form});
+    EXPECT_EQ(buffer.size(), 3000U);
+    EXPECT_EQ(buffer.form, form == StripForm::lengths ? form : StripForm::list);
+  }
+  EXPECT_EQ(strips_of(islands, 3000, plain).size(), 3999U);
 }
 
 }  // namespace

@@ -43,16 +43,10 @@
 
 #include "restrip/mesh/numbered_mesh.hpp"
 #include "restrip/output/impl/run_places.hpp"
+#include "restrip/output/strip_format.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip {
-
-/// Some consecutive indices of a buffer.
-struct IndexRange {
-  std::size_t first = 0;
-  std::size_t count = 0;
-  friend constexpr bool operator==(const IndexRange&, const IndexRange&) = default;
-};
 
 namespace detail {
 

@@ -1,6 +1,6 @@
-// Strips of a mesh that stays as it is: a triangle list in, the indices of its strips out.
+// Strips of a mesh that stays as it is: a triangle list in, an index buffer of its strips out.
 //
-//   const std::vector<std::uint32_t> indices = strips_of(list, vertex_count);   // draw with primitive restart
+//   const IndexBuffer strips = strips_of(list, vertex_count, {.form = StripForm::stitched});   // upload strips.bytes()
 //
 // No mesh is made where the cost allows that: the neighbours of the list are all that is needed. So this is quicker
 // than StripMesh::build, stripify and strip_indices one after the other.
@@ -14,22 +14,25 @@
 #include "restrip/mesh/cost.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/mesh/triangle_list.hpp"
+#include "restrip/output/strip_format.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
 
 namespace restrip {
 
-/// A triangle list in (what a TriangleList can be made of), the indices of strips with primitive restart out: those of
-/// strip_indices() after stripify() of StripMesh::build(). `report` tells what of the list was left out; it takes the
-/// time of building a mesh. Throws as TriangleList, find_neighbors() and stripify() do.
+/// A triangle list in (what a TriangleList can be made of), its strips out, in the form that output/strip_format.hpp
+/// describes: those of strip_indices() after stripify() of StripMesh::build(). When a list has fewer indices, it is
+/// returned, and IndexBuffer::form reports that. `report` receives what of the list was left out; it takes the time of
+/// building a mesh. Throws as TriangleList, find_neighbors(), stripify() and format_strips() do.
 template <class Triangles>
-[[nodiscard]] std::vector<std::uint32_t> strips_of(const Triangles& triangles, std::size_t vertex_count,
-                                                   Effort effort = Effort::full, Cost cost = Cost::indices(),
-                                                   BuildReport* report = nullptr);
+[[nodiscard]] IndexBuffer strips_of(const Triangles& triangles, std::size_t vertex_count,
+                                    const StripFormat& format = {}, Effort effort = Effort::full,
+                                    Cost cost = Cost::indices(), BuildReport* report = nullptr);
 /// The same for a list that is known to be an oriented manifold, as strips_of(trusted, list, vertex_count).
 template <class Triangles>
-[[nodiscard]] std::vector<std::uint32_t> strips_of(Trusted trust, const Triangles& triangles, std::size_t vertex_count,
-                                                   Effort effort = Effort::full, Cost cost = Cost::indices());
+[[nodiscard]] IndexBuffer strips_of(Trusted trust, const Triangles& triangles, std::size_t vertex_count,
+                                    const StripFormat& format = {}, Effort effort = Effort::full,
+                                    Cost cost = Cost::indices());
 
 namespace detail {
 
@@ -66,25 +69,26 @@ std::vector<std::uint32_t> strips_of_list(const TriangleList<Element>& list, Col
 }  // namespace detail
 
 template <class Triangles>
-std::vector<std::uint32_t> strips_of(const Triangles& triangles, std::size_t vertex_count, Effort effort, Cost cost,
-                                     BuildReport* report) {
+IndexBuffer strips_of(const Triangles& triangles, std::size_t vertex_count, const StripFormat& format, Effort effort,
+                      Cost cost, BuildReport* report) {
   if (report == nullptr && cost.swap != 0) {
     const TriangleList list(triangles);
-    return detail::strips_of_list(list, detail::ColoringCopy(list, vertex_count), effort, cost);
+    return format_strips(detail::strips_of_list(list, detail::ColoringCopy(list, vertex_count), effort, cost), format);
   }
   StripMesh mesh = StripMesh::build(triangles, vertex_count, report);
   stripify(mesh, effort, cost);
-  return strip_indices(mesh);
+  return format_strips(strip_indices(mesh), format);
 }
 
 template <class Triangles>
-std::vector<std::uint32_t> strips_of(Trusted /*trust*/, const Triangles& triangles, std::size_t vertex_count,
-                                     Effort effort, Cost cost) {
+IndexBuffer strips_of(Trusted /*trust*/, const Triangles& triangles, std::size_t vertex_count,
+                      const StripFormat& format, Effort effort, Cost cost) {
   const TriangleList list(triangles);
   RESTRIP_ASSERT(detail::is_oriented_manifold(list, vertex_count), "strips_of",
                  "the list that is trusted is no oriented manifold");
-  if (cost.swap == 0) return strips_of(triangles, vertex_count, effort, cost);
-  return detail::strips_of_list(list, detail::ColoringCopy(trusted, list, vertex_count), effort, cost);
+  if (cost.swap == 0) return strips_of(triangles, vertex_count, format, effort, cost);
+  return format_strips(detail::strips_of_list(list, detail::ColoringCopy(trusted, list, vertex_count), effort, cost),
+                       format);
 }
 
 }  // namespace restrip

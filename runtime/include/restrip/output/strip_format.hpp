@@ -1,0 +1,85 @@
+// The forms of an index buffer that hardware and engines take: StripFormat describes one, format_strips() writes it.
+//
+//   const IndexBuffer buffer = format_strips(strip_indices(mesh), {.form = StripForm::stitched});
+//   upload(buffer.bytes());                    // 2 or 4 bytes an index: buffer.index_bytes()
+//   for (const IndexRange& batch : buffer.batches) draw(buffer.form, batch);
+//
+// The same description is taken by strips_of() (search/strips_of.hpp), the live buffers (output/live_buffer.hpp,
+// live_mesh.hpp), the programs (--form, --index), the C interface and JavaScript.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace restrip {
+
+enum class StripForm : std::uint8_t {
+  restart,   ///< one triangle strip; the index with all bits set lies between two strips (primitive restart)
+  stitched,  ///< one triangle strip without restart: repeated indices lead from strip to strip. For hardware and
+             ///< formats that know no restart. Two indices for each strip but the first, where restart takes one
+  lengths,   ///< the strips one after the other, and a table of their lengths: one draw call each, or a multi-draw
+  list,      ///< a triangle list, three indices a triangle
+};
+
+enum class IndexWidth : std::uint8_t {
+  automatic,  ///< 16 bits where every index is below 65,535, else 32
+  bits16,
+  bits32,
+};
+
+struct StripFormat {
+  StripForm form = StripForm::restart;
+  IndexWidth width = IndexWidth::automatic;
+  /// A list is returned instead when it has fewer indices, as with many isolated triangles; IndexBuffer::form reports
+  /// it.
+  bool list_if_shorter = true;
+  /// At most this many different vertices and this many indices in a batch, at least 3 and 4; 0: no limit. Strips are
+  /// cut where a batch ends. Live buffers have no batches.
+  std::size_t most_vertices = 0;
+  std::size_t most_indices = 0;
+  friend constexpr bool operator==(const StripFormat&, const StripFormat&) = default;
+};
+
+/// Some consecutive indices of a buffer.
+struct IndexRange {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  friend constexpr bool operator==(const IndexRange&, const IndexRange&) = default;
+};
+
+/// The highest index of 16 bits restarts strips, or is forbidden as in glTF; so is no vertex in any form.
+inline constexpr std::uint32_t highest_index16 = 0xFFFE;
+
+struct IndexBuffer {
+  StripForm form = StripForm::restart;  ///< as in the format, or StripForm::list when that is shorter
+  std::variant<std::vector<std::uint32_t>, std::vector<std::uint16_t>> indices;
+  std::vector<std::uint32_t> lengths;  ///< of each strip, for StripForm::lengths
+  std::vector<IndexRange> batches;     ///< to be drawn one by one: consecutive, without the restarts between; strips
+                                       ///< start again in each. One for the whole buffer when there is no limit
+  std::size_t triangles = 0;           ///< drawn, degenerate ones left out
+
+  [[nodiscard]] std::size_t size() const noexcept {
+    return std::visit([](const auto& all) { return all.size(); }, indices);
+  }
+  [[nodiscard]] bool empty() const noexcept { return size() == 0; }
+  /// 2 or 4.
+  [[nodiscard]] std::size_t index_bytes() const noexcept { return indices.index() == 0 ? 4 : 2; }
+  /// In the byte order of this machine.
+  [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
+    return std::visit([](const auto& all) { return std::as_bytes(std::span(all)); }, indices);
+  }
+};
+
+/// `indices`: those of strip_indices(), or any that draw triangle strips with restart_index between them, stitched by
+/// repeated indices or not. Writes them in that format: the same triangles with the same windings, each strip whole
+/// unless a batch ends in it. Strips keep their order, but in the stitched form one of odd length waits for the next
+/// one, so that no index is spent on parity. Linear time. Throws std::invalid_argument for a limit that is too low, and
+/// std::length_error when 16 bits are wanted and an index is too high.
+[[nodiscard]] inline IndexBuffer format_strips(std::span<const std::uint32_t> indices, const StripFormat& format = {});
+
+}  // namespace restrip
+
+#include "restrip/output/impl/strip_format.hpp"

@@ -1,0 +1,98 @@
+// Index buffers read as a graphics card reads them: bytes in, wound triangles out. Shares no code with what writes
+// them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "restrip/output/strip_format.hpp"
+
+namespace restrip::form_reader {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;  // from the smallest corner, in order
+
+class Reader {
+ public:
+  Reader(std::span<const std::byte> bytes, std::size_t width) : restart_(width == 2 ? 0xFFFFU : 0xFFFFFFFFU) {
+    for (std::size_t at = 0; at < bytes.size(); at += width) {
+      std::uint16_t narrow = 0;
+      std::uint32_t wide = 0;
+      if (width == 2) std::memcpy(&narrow, bytes.data() + at, 2);
+      if (width == 4) std::memcpy(&wide, bytes.data() + at, 4);
+      indices_.push_back(width == 2 ? narrow : wide);
+    }
+  }
+  // One draw call of a triangle strip; `restarts`: primitive restart is enabled.
+  void strip(std::size_t first, std::size_t count, bool restarts) {
+    std::vector<std::uint32_t> last;
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (restarts && indices_.at(i) == restart_) {
+        last.clear();
+        continue;
+      }
+      last.push_back(indices_.at(i));
+      const std::size_t n = last.size();
+      if (n >= 3 && n % 2 == 1) triangle(last[n - 3], last[n - 2], last[n - 1]);
+      if (n >= 3 && n % 2 == 0) triangle(last[n - 2], last[n - 3], last[n - 1]);
+    }
+  }
+  void list(std::size_t first, std::size_t count) {
+    for (std::size_t i = first; i + 3 <= first + count; i += 3)
+      triangle(indices_.at(i), indices_.at(i + 1), indices_.at(i + 2));
+  }
+  [[nodiscard]] std::size_t vertices(std::size_t first, std::size_t count) const {
+    std::vector<std::uint32_t> all(indices_.begin() + static_cast<std::ptrdiff_t>(first),
+                                   indices_.begin() + static_cast<std::ptrdiff_t>(first + count));
+    std::erase(all, restart_);
+    std::sort(all.begin(), all.end());
+    return static_cast<std::size_t>(std::unique(all.begin(), all.end()) - all.begin());
+  }
+  [[nodiscard]] Triangles triangles() && {
+    std::sort(drawn_.begin(), drawn_.end());
+    return std::move(drawn_);
+  }
+
+ private:
+  // Without an area nothing is drawn; a vertex that restarts elsewhere would be read beyond the vertex buffer.
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a == b || b == c || c == a) return;
+    if (b < a && b < c)
+      drawn_.push_back({b, c, a});
+    else if (c < a && c < b)
+      drawn_.push_back({c, a, b});
+    else
+      drawn_.push_back({a, b, c});
+  }
+
+  std::uint32_t restart_;
+  std::vector<std::uint32_t> indices_;
+  Triangles drawn_;
+};
+
+// Everything that the buffer draws, batch by batch.
+inline Triangles read(const IndexBuffer& buffer) {
+  Reader reader(buffer.bytes(), buffer.index_bytes());
+  if (buffer.form == StripForm::lengths) {
+    std::size_t first = 0;
+    for (const std::uint32_t length : buffer.lengths) {
+      reader.strip(first, length, false);
+      first += length;
+    }
+    return std::move(reader).triangles();
+  }
+  for (const auto& [first, count] : buffer.batches) {
+    if (buffer.form == StripForm::list)
+      reader.list(first, count);
+    else
+      reader.strip(first, count, buffer.form == StripForm::restart);
+  }
+  return std::move(reader).triangles();
+}
+
+}  // namespace restrip::form_reader
