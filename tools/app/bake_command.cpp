@@ -28,7 +28,7 @@ struct BakeCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;
   BakeOptions bake;
-  GltfPrimitives gltf = GltfPrimitives::strips;
+  StripOptions strips;
   MendingOptions mending;
   std::string json;
 };
@@ -41,9 +41,9 @@ int run(const BakeCommand& command) {
   BakeReport report;
   BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
   if (source.baked) baked.payload = std::move(source.baked->payload);  // the records are the same
-  const std::string file = format.write_baked(baked_bytes(baked), command.gltf);
-  const std::size_t bytes = file.size();
-  out.write(file);
+  const WrittenStrips written = format.write_baked(baked_bytes(baked), command.strips);
+  const std::size_t bytes = written.bytes.size();
+  out.write(written.bytes);
   const std::size_t records = baked.records.size();
   const auto each = static_cast<double>(std::max<std::size_t>(records, 1));
   const BakedCosts costs = costs_of(baked, report.seconds);
@@ -63,10 +63,9 @@ int run(const BakeCommand& command) {
                               {"states", report.states},
                               {"seconds", report.seconds}};
   add_to(json, source.subject.mended);
-  const auto required = format.required_extensions(command.gltf, report.base_strips);
-  if (!required.empty()) json["required_extensions"] = required;
+  add_to(json, written);
   const std::string text =
-      as_text(source.subject.mended) + as_text(required, command.out.string()) +
+      as_text(source.subject.mended) + as_text(written, command.out.string()) +
       fmt::format(
           "{}: {} and {} to {}\n"
           "{} at the base, {} at the finest level (at least {} needed), {} at most; {}, {:.2f} % of the levels in as "
@@ -101,9 +100,9 @@ Subcommand add_bake(CLI::App& app) {
   add_cost_option(*sub, command.bake.cost);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
-  const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
-  sub->callback([sub, gltf, &command] {
-    refuse_gltf_elsewhere(*gltf, command.out);
+  add_strip_options(*sub, command.strips);
+  sub->callback([sub, &command] {
+    refuse_strip_options_elsewhere(*sub, command.out);
     command.simplify_given = simplify_options_given(*sub);
   });
   sub->footer("Example: restrip bake bunny.obj -o bunny.baked");

@@ -27,8 +27,7 @@ namespace {
 struct ConvertCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;
-  GltfPrimitives gltf = GltfPrimitives::strips;
-  bool gltf_given = false;  ///< then a mesh without strips is refused but for a list
+  StripOptions strips;
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;
@@ -36,45 +35,44 @@ struct ConvertCommand {
 
 /// What is written of a mesh, and what of it the format left out.
 struct Converted {
-  std::string bytes;
+  WrittenStrips written;
   std::size_t strips = 0;
   std::size_t left_out = 0;
-  std::vector<std::string> required_extensions = {};
 };
 
 Converted converted(const Soup& soup, const ConvertCommand& command, const MeshFormat& format) {
   if (format.write_mesh != nullptr && (!format.holds_strips || soup.strips.empty()))
-    return {format.write_mesh(soup), 0, 0};
-  GltfPrimitives primitives = command.gltf;
+    return {{.bytes = format.write_mesh(soup), .required_extensions = {}}, 0, 0};
+  StripOptions options = command.strips;
   if (soup.strips.empty()) {
-    if (!format.primitives || (command.gltf_given && primitives != GltfPrimitives::list))
+    if (format.write_baked == nullptr || options.form.value_or(StripForm::list) != StripForm::list)
       throw BadInput(
           fmt::format("{}: has no strips; restrip stripify makes some and writes them", command.mesh.string()));
-    primitives = GltfPrimitives::list;
+    options.form = StripForm::list;
   }
   std::vector<Corners> drawn;
   std::copy_if(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(drawn),
                [](const Corners& t) { return !degenerate(t); });
   const auto ends = std::count(soup.strips.begin(), soup.strips.end(), strip_end);
-  const std::size_t strips =
-      soup.strips.empty() || primitives == GltfPrimitives::list ? 0 : static_cast<std::size_t>(ends) + 1;
-  return {format.write_strips({soup.points, soup.strips, drawn, soup.attributes}, primitives), strips,
-          soup.triangles.size() - drawn.size(), format.required_extensions(primitives, strips)};
+  WrittenStrips written = written_strips(format, soup.points, soup.strips.empty() ? each_a_strip(drawn) : soup.strips,
+                                         options, soup.attributes);
+  const std::size_t strips = written.form == StripForm::list ? 0 : static_cast<std::size_t>(ends) + 1;
+  return {std::move(written), strips, soup.triangles.size() - drawn.size()};
 }
 
 /// A baked mesh as it is, byte by byte, from one kind of file into the other.
 int convert_baked(const BakedBytes& found, const ConvertCommand& command, const MeshFormat& format,
                   const files::Output& out, const files::ReportOutput& report) {
   refuse_mending(command.mesh, command.mending);
-  out.write(format.write_baked(found.bytes, command.gltf));
+  const WrittenStrips written = format.write_baked(found.bytes, command.strips);
+  out.write(written.bytes);
   const ProgressiveMesh& mesh = found.baked.mesh;
-  const auto required = format.required_extensions(command.gltf, count_strips(found.baked.base));
   nlohmann::ordered_json json{
       {"base_triangles", mesh.base.size()}, {"records", mesh.splits.size()}, {"triangles", mesh.fine_triangles()}};
-  if (!required.empty()) json["required_extensions"] = required;
+  add_to(json, written);
   report.print(fmt::format("{}: {} and {} to {}\n", command.out.string(), counted(mesh.base.size(), "triangle"),
                            counted(mesh.splits.size(), "record"), mesh.fine_triangles()) +
-                   as_text(required, command.out.string()),
+                   as_text(written, command.out.string()),
                json.dump(2) + "\n");
   return 0;
 }
@@ -92,7 +90,7 @@ int run(const ConvertCommand& command) {
   Mended mended = mend(soup, command.mesh.string(), command.mending);
   leave_out_attributes(soup, format, mended);
   const Converted made = converted(soup, command, format);
-  out.write(made.bytes);
+  out.write(made.written.bytes);
   nlohmann::ordered_json json{{"vertices", soup.points.size()},
                               {"triangles", soup.triangles.size() - made.left_out},
                               {"strips", made.strips},
@@ -103,8 +101,8 @@ int run(const ConvertCommand& command) {
                       counted(soup.triangles.size() - made.left_out, "triangle"));
   if (made.strips != 0) text += fmt::format(" in {}", counted(made.strips, "strip"));
   if (made.left_out != 0) text += fmt::format("; {} left out", counted(made.left_out, "degenerate triangle"));
-  if (!made.required_extensions.empty()) json["required_extensions"] = made.required_extensions;
-  report.print(text + "\n" + as_text(made.required_extensions, command.out.string()), json.dump(2) + "\n");
+  add_to(json, made.written);
+  report.print(text + "\n" + as_text(made.written, command.out.string()), json.dump(2) + "\n");
   return 0;
 }
 
@@ -122,14 +120,11 @@ Subcommand add_convert(CLI::App& app) {
                       "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none; "
                       ".baked and .glb from a baked mesh, with all its levels")
       ->required();
-  const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  add_strip_options(*sub, command.strips);
   add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
-  sub->callback([gltf, &command] {
-    refuse_gltf_elsewhere(*gltf, command.out);
-    command.gltf_given = !gltf->empty();
-  });
+  sub->callback([sub, &command] { refuse_strip_options_elsewhere(*sub, command.out); });
   sub->footer("Example: restrip convert scan.ply --weld -o scan.glb");
   return {sub, [kept] { return run(*kept); }};
 }

@@ -5,14 +5,13 @@
 #include <vector>
 
 #include "common/bad_input.hpp"
-#include "lod/coloring_check.hpp"
 #include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
 
 LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const MeshFormat& format,
-                     GltfPrimitives primitives, std::span<const Attribute> attributes) {
+                     const StripOptions& options, std::span<const Attribute> attributes) {
   const Strips strips = extract_strips(mesh);
   std::vector<std::uint32_t> indices = strip_indices(mesh, strips);
   std::vector<std::uint32_t> number(points.size(), none);
@@ -25,14 +24,12 @@ LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const
     }
     index = number[index];
   }
-  const std::vector<Corners> drawn = decode_strips(indices);
   std::vector<Point> used_points;
   used_points.reserve(used.size());
   for (const std::uint32_t v : used) used_points.push_back(points[v]);
   std::vector<Attribute> used_attributes;
   for (const Attribute& attribute : attributes) used_attributes.push_back(selected(attribute, used));
-  return {format.write_strips({used_points, indices, drawn, used_attributes}, primitives), drawn.size(), strips.size(),
-          format.required_extensions(primitives, strips.size())};
+  return {written_strips(format, used_points, indices, options, used_attributes), strips.order.size(), strips.size()};
 }
 
 StripMesh level_mesh(const Plan& plan, std::size_t triangles) {
@@ -50,8 +47,8 @@ StripMesh level_mesh(const Plan& plan, std::size_t triangles) {
   return mesh;
 }
 
-LevelFile level_file(const Plan& plan, std::size_t triangles, const MeshFormat& format, GltfPrimitives primitives) {
-  return level_file(level_mesh(plan, triangles), plan.mesh().points, format, primitives);
+LevelFile level_file(const Plan& plan, std::size_t triangles, const MeshFormat& format, const StripOptions& options) {
+  return level_file(level_mesh(plan, triangles), plan.mesh().points, format, options);
 }
 
 }  // namespace restrip::tools

@@ -12,21 +12,20 @@
 namespace restrip::tools {
 
 struct LevelFile {
-  std::string bytes;
+  WrittenStrips written;
   std::size_t triangles = 0;
   std::size_t strips = 0;
-  std::vector<std::string> required_extensions;
 };
 
 /// The mesh and its strips in a format that has strips. Vertices are numbered as the strips come to
 /// them; the others are left out. Throws what the format throws.
 [[nodiscard]] LevelFile level_file(const StripMesh& mesh, std::span<const Point> points, const MeshFormat& format,
-                                   GltfPrimitives primitives, std::span<const Attribute> attributes = {});
+                                   const StripOptions& options, std::span<const Attribute> attributes = {});
 /// The level of at least so many triangles, its strips kept from the base up in the way of the plan; the finest level
 /// where there are not so many. Throws BadInput at a split that is not possible.
 [[nodiscard]] StripMesh level_mesh(const Plan& plan, std::size_t triangles);
 /// The level as a file.
 [[nodiscard]] LevelFile level_file(const Plan& plan, std::size_t triangles, const MeshFormat& format,
-                                   GltfPrimitives primitives);
+                                   const StripOptions& options);
 
 }  // namespace restrip::tools

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -160,25 +161,62 @@ void refuse_cost_elsewhere(const Cost& cost, const std::string& way) {
                                                      fmt::join(names_of_ways(&Way::weighs), ", ")));
 }
 
-CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf) {
-  return app
-      .add_option_function<std::string>(
-          "--gltf",
-          [&gltf](const std::string& word) {
-            gltf = word == "list"     ? GltfPrimitives::list
-                   : word == "strips" ? GltfPrimitives::strips
-                                      : GltfPrimitives::restart;
-          },
-          "what a .glb has: strips: a primitive for each strip; list: a list of triangles; restart: one primitive, "
-          "for the few viewers that know KHR_mesh_primitive_restart")
-      ->check(CLI::IsMember({"strips", "list", "restart"}))
-      ->default_str("strips");
+namespace {
+constexpr std::array strip_options{"--gltf", "--form", "--index", "--batch-vertices", "--batch-indices"};
+}  // namespace
+
+void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output) {
+  const auto set_form = [&options](const std::string& word) {
+    if (word == "auto") return options.form.reset();
+    options.form = word == "stitched"  ? StripForm::stitched
+                   : word == "restart" ? StripForm::restart
+                   : word == "list"    ? StripForm::list
+                                       : StripForm::lengths;
+  };
+  app.add_option_function<std::string>(
+         "--gltf", set_form,
+         "what a .glb has: stitched: one strip, repeated indices lead from one to the next; strips: a primitive for "
+         "each; "
+         "list: a list of triangles; restart: one primitive, for the few viewers that know KHR_mesh_primitive_restart; "
+         "auto: stitched. A list is written where it has fewer indices")
+      ->check(CLI::IsMember({"auto", "stitched", "strips", "list", "restart"}))
+      ->default_str("auto");
+  app.add_option_function<std::string>(
+         "--form", set_form,
+         "what a .bin has: restart: the index with all bits set between strips; stitched: repeated indices; lengths: a "
+         "table of lengths first; list: triangles. A list is written where it has fewer indices")
+      ->check(CLI::IsMember({"restart", "stitched", "lengths", "list"}))
+      ->default_str("restart")
+      ->excludes(app.get_option("--gltf"));
+  app.add_option_function<std::string>(
+         "--index",
+         [&options](const std::string& word) {
+           options.width = word == "16"   ? IndexWidth::bits16
+                           : word == "32" ? IndexWidth::bits32
+                                          : IndexWidth::automatic;
+         },
+         "bits of an index in .glb and .bin; auto: 16 where all are below 65535")
+      ->check(CLI::IsMember({"16", "32", "auto"}))
+      ->default_str("auto");
+  app.add_option("--batch-vertices", options.most_vertices, "most vertices of a batch; each is drawn by itself")
+      ->check(CLI::Range(std::size_t{3}, std::size_t{1'000'000'000}));
+  app.add_option("--batch-indices", options.most_indices, "most indices of a batch")
+      ->check(CLI::Range(std::size_t{4}, std::size_t{1'000'000'000}));
+  for (const char* name : strip_options)
+    if (output != nullptr) app.get_option(name)->needs(output);
 }
 
-void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out) {
+void refuse_strip_options_elsewhere(const CLI::App& app, const std::filesystem::path& out) {
   const MeshFormat* format = format_named(files::extension_of(out));
-  if (!gltf.empty() && (format == nullptr || !format->primitives))
-    throw CLI::ValidationError("--gltf", "only an output that ends in .glb has primitives");
+  const bool forms = format != nullptr && format->forms;
+  for (const std::string name : strip_options) {
+    const bool fits =
+        forms && (name != "--gltf" || writes_baked(*format)) && (name != "--form" || !writes_baked(*format));
+    if (app.count(name) == 0 || fits) continue;
+    if (name == "--gltf") throw CLI::ValidationError(name, "only an output that ends in .glb has primitives");
+    throw CLI::ValidationError(
+        name, fmt::format("only an output that ends in .bin{} has it", name == "--form" ? "" : " or .glb"));
+  }
 }
 
 std::string PlainFormatter::make_option_opts(const CLI::Option* option) const {

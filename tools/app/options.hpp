@@ -38,9 +38,10 @@ void add_policy_option(CLI::App& app, std::string& way);
 [[nodiscard]] std::vector<std::string> names_of_ways(bool (Way::*holds)() const noexcept);
 /// Throws CLI::ValidationError where the way, if one is named, knows no such cost.
 void refuse_cost_elsewhere(const Cost& cost, const std::string& way);
-/// --gltf, which only an output that ends in .glb has: `refuse_gltf_elsewhere` says so.
-CLI::Option* add_gltf_option(CLI::App& app, GltfPrimitives& gltf);
-void refuse_gltf_elsewhere(const CLI::Option& gltf, const std::filesystem::path& out);
+/// --gltf for .glb, --form for .bin, and for both --index, --batch-vertices and --batch-indices. They need the option
+/// `output`, if there is one. refuse_strip_options_elsewhere() throws CLI::ValidationError for another output.
+void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output = nullptr);
+void refuse_strip_options_elsewhere(const CLI::App& app, const std::filesystem::path& out);
 
 /// Values of options in words for people: "a|b", "from 2 to 1000".
 class PlainFormatter : public CLI::Formatter {

@@ -42,7 +42,7 @@ struct ReplayCommand {
   std::uint64_t seed = 1;
   std::filesystem::path out;      ///< where a level is written, with its strips; empty: nowhere
   std::size_t out_triangles = 0;  ///< of that level, at least; 0: the finest one
-  GltfPrimitives gltf = GltfPrimitives::strips;
+  StripOptions strips;
   std::filesystem::path trace;  ///< where the operations are recorded for restrip-check; empty: nowhere
   MendingOptions mending;
   std::string json;
@@ -99,11 +99,11 @@ int run(const ReplayCommand& command) {
   std::string text = as_text(report, source.subject) + (walk ? as_text(*walk) : "");
   if (level && report.valid()) {
     const std::size_t triangles = command.out_triangles == 0 ? report.triangles : command.out_triangles;
-    const LevelFile file = level_file(plan, triangles, *format, command.gltf);
-    level->write(file.bytes);
+    const LevelFile file = level_file(plan, triangles, *format, command.strips);
+    level->write(file.written.bytes);
     text += fmt::format("\n  {}: {} in {}\n", command.out.string(), counted(file.triangles, "triangle"),
                         counted(file.strips, "strip")) +
-            as_text(file.required_extensions, command.out.string());
+            as_text(file.written, command.out.string());
   }
   if (trace_of_walk) {
     trace_of_walk->end();
@@ -137,7 +137,7 @@ Subcommand add_replay(CLI::App& app) {
   CLI::Option* output = sub->add_option("-o,--output", command.out,
                                         "writes a level with its strips, kept under the policy: " + strip_formats())
                             ->excludes(built_in);
-  CLI::Option* gltf = add_gltf_option(*sub, command.gltf)->needs(output);
+  add_strip_options(*sub, command.strips, output);
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--levels", command.replay.levels, "levels of detail to report")
       ->check(CLI::Range(2, 1000))
@@ -184,7 +184,7 @@ Subcommand add_replay(CLI::App& app) {
   sub->callback([=, &command] {
     if (mesh->empty() && built_in->empty()) throw CLI::RequiredError("mesh or --built-in");
     command.simplify_given = simplify_options_given(*sub);
-    refuse_gltf_elsewhere(*gltf, command.out);
+    refuse_strip_options_elsewhere(*sub, command.out);
     if (!triangles->empty() && built_in->empty() && output->empty())
       throw CLI::ValidationError("--triangles", "wants --built-in or -o");
     if (!triangles->empty() && !built_in->empty()) {

@@ -22,7 +22,7 @@ namespace {
 struct SimplifyCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;  ///< .pm: a progressive mesh; else its base, with strips from scratch
-  GltfPrimitives gltf = GltfPrimitives::strips;
+  StripOptions strips;
   SimplifyOptions simplify;
   bool size_given = false;  ///< by the caller, not by default: then it is a failure to stop short of it
   ReadAttributes attributes = ReadAttributes::no;  ///< kept: vertices that differ in them are several
@@ -56,13 +56,13 @@ int run(const SimplifyCommand& command) {
   } else {
     StripMesh base = StripMesh::build(made.base, made.points.size());
     stripify(base);
-    const LevelFile file = level_file(base, made.points, format, command.gltf, soup.attributes);
-    out.write(file.bytes);
+    const LevelFile file = level_file(base, made.points, format, command.strips, soup.attributes);
+    out.write(file.written.bytes);
     json["strips"] = file.strips;
     text += fmt::format("{}: {} of {}, in {}\n", command.out.string(), file.triangles,
                         counted(made.fine_triangles(), "triangle"), counted(file.strips, "strip"));
-    if (!file.required_extensions.empty()) json["required_extensions"] = file.required_extensions;
-    text += as_text(file.required_extensions, command.out.string());
+    add_to(json, file.written);
+    text += as_text(file.written, command.out.string());
   }
   for (const Obstacle& obstacle : result.left_out.obstacles)
     json["obstacles"].push_back({{"why", obstacle.why}, {"edges", obstacle.edges}});
@@ -90,18 +90,18 @@ Subcommand add_simplify(CLI::App& app) {
       sub->add_option("--triangles", command.simplify.triangles, "of the coarsest level, in place of --base")
           ->check(CLI::Range(std::size_t{1}, max_triangles));
   add_simplify_options(*sub, command.simplify);
-  const CLI::Option* gltf = add_gltf_option(*sub, command.gltf);
+  add_strip_options(*sub, command.strips);
   sub->add_flag_callback(
       "--attributes", [&command] { command.attributes = ReadAttributes::yes; },
       "keep normals, texture coordinates and colours: where they differ one place is several vertices, and such seams "
       "are boundaries, which stay unless --boundary move is given");
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
-  sub->callback([sub, triangles, gltf, &command] {
+  sub->callback([sub, triangles, &command] {
     // Both sides of a seam would move on their own.
     if (command.attributes == ReadAttributes::yes && sub->count("--boundary") == 0)
       command.simplify.boundary = BoundaryPolicy::lock;
-    refuse_gltf_elsewhere(*gltf, command.out);
+    refuse_strip_options_elsewhere(*sub, command.out);
     command.size_given = triangles->count() + sub->count("--base") != 0;
     if (!triangles->empty() && sub->count("--base") != 0)
       throw CLI::ValidationError("--triangles", "and --base say the same thing twice; leave one out");

@@ -31,7 +31,7 @@ namespace {
 struct StripifyCommand {
   std::filesystem::path mesh;
   std::filesystem::path out;  ///< empty: the strips are counted and not written
-  GltfPrimitives gltf = GltfPrimitives::strips;
+  StripOptions strips;
   bool as_in_file = false;  ///< the strips that the file has, in place of the next four
   Effort effort = Effort::fast;
   Cost cost = Cost::strips();
@@ -82,9 +82,10 @@ int run(const StripifyCommand& command) {
       indices = strip_indices(mesh);
     }
   });
+  WrittenStrips written;
   if (strip_file) {
-    const std::vector<Corners> drawn = decode_strips(indices);
-    strip_file->write(format->write_strips({soup.points, indices, drawn, soup.attributes}, command.gltf));
+    written = written_strips(*format, soup.points, indices, command.strips, soup.attributes);
+    strip_file->write(written.bytes);
   }
   const std::vector<std::string> faults = find_faults(mesh);
   const std::size_t left_out = report.degenerate_triangles + report.out_of_range_triangles;
@@ -106,9 +107,8 @@ int run(const StripifyCommand& command) {
                               {"seconds_to_write", writing.nanoseconds() * 1e-9},
                               {"valid", faults.empty()}};
   if (command.as_in_file) json["cut_strips"] = in_file.cut;
-  std::vector<std::string> required;
-  if (format != nullptr) required = format->required_extensions(command.gltf, strips.size());
-  if (!required.empty()) json["required_extensions"] = required;
+  if (indices.size() > 3 * triangles) json["list_indices"] = 3 * triangles;
+  add_to(json, written);
   add_to(json, mended);
   const auto per_triangle = [triangles](std::size_t count) {
     return static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(triangles, 1));
@@ -130,7 +130,8 @@ int run(const StripifyCommand& command) {
   if (in_file.cut != 0)
     text += fmt::format("strips of the file cut at {}: consecutive triangles share no edge\n",
                         counted(in_file.cut, "place"));
-  text += as_text(required, command.out.string());
+  if (indices.size() > 3 * triangles) text += fmt::format("a triangle list has fewer indices: {}\n", 3 * triangles);
+  text += as_text(written, command.out.string());
   // A closed mesh has no seams.
   const bool has_seams = report.boundary_edges != 0;
   text += hints(has_seams ? coincident_vertices(soup) : 0, has_seams ? vertices_at_seams(soup) : 0,
@@ -148,7 +149,7 @@ Subcommand add_stripify(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("stripify", "Make the strips of a mesh from scratch, and write them");
   sub->add_option("mesh", command.mesh, help_of_mesh())->required();
   sub->add_option("-o,--output", command.out, strip_formats());
-  const auto* gltf = add_gltf_option(*sub, command.gltf);
+  add_strip_options(*sub, command.strips);
   const auto* effort = sub->add_option_function<std::string>(
                               "--effort",
                               [&command](const std::string& word) {
@@ -181,8 +182,8 @@ Subcommand add_stripify(CLI::App& app) {
   add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
-  sub->callback([sub, gltf, effort, limit, seed, &command] {
-    refuse_gltf_elsewhere(*gltf, command.out);
+  sub->callback([sub, effort, limit, seed, &command] {
+    refuse_strip_options_elsewhere(*sub, command.out);
     if (command.as_in_file && sub->count("--cost") != 0)
       throw CLI::ValidationError("--cost", "--effort file takes the strips as they are");
     const bool anneals = command.effort != restrip::Effort::fast && !(command.cost == restrip::Cost::strips());

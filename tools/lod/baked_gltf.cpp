@@ -45,12 +45,14 @@ std::optional<JsonPlace> extension_in(const GltfFile& file) {
 
 }  // namespace
 
-std::string baked_glb_bytes(std::string_view baked, GltfPrimitives primitives) {
+WrittenStrips baked_glb_bytes(std::string_view baked, const StripOptions& options) {
   // As whoever reads the bytes sees the mesh, not as it was made: bake and convert write the same file.
   const BakedMesh mesh = parse_baked(baked, "the baked mesh");
-  const std::vector<std::uint32_t> indices = strip_indices(mesh.base);
-  const std::vector<Corners> drawn = decode_strips(indices);
-  return glb_bytes({points_of_base(mesh.mesh), indices, drawn}, primitives, {baked_strips_extension, baked});
+  WrittenStrips written;
+  const IndexBuffer buffer = format_as(options, StripForm::stitched, strip_indices(mesh.base), written);
+  written.bytes = glb_bytes({points_of_base(mesh.mesh), buffer, {}}, {baked_strips_extension, baked});
+  if (restarts(buffer)) written.required_extensions = {std::string(restart_extension)};
+  return written;
 }
 
 BakedBytes parse_baked_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside) {

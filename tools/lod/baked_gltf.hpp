@@ -20,8 +20,9 @@ struct BakedBytes {
 };
 
 /// A .glb that draws the base as its strips and has `baked`, the bytes of a baked mesh, in the extension. The vertices
-/// are those of the base, in their order. Throws BadInput where the bytes are damaged, or more than a GLB can hold.
-[[nodiscard]] std::string baked_glb_bytes(std::string_view baked, GltfPrimitives primitives);
+/// are those of the base, in their order. The form is stitched unless the options name another. Throws BadInput where
+/// the bytes are damaged, or more than a GLB can hold.
+[[nodiscard]] WrittenStrips baked_glb_bytes(std::string_view baked, const StripOptions& options);
 
 /// What the extension of a glTF file has. Throws BadInput where the file is damaged, no mesh or more than one has the
 /// extension, and where what the file draws is not the base. `name` is for messages.

@@ -42,25 +42,31 @@ BakedBytes read_baked_mesh(std::string_view bytes, const std::string& name) {
   return {std::string(bytes), parse_baked(bytes, name), {}};
 }
 
-std::string baked_as_it_is(std::string_view baked, GltfPrimitives /*primitives*/) { return std::string(baked); }
+WrittenStrips baked_as_it_is(std::string_view baked, const StripOptions& /*options*/) {
+  return {.bytes = std::string(baked), .required_extensions = {}};
+}
 
 std::string ply_of_mesh(const Soup& mesh) { return ply_bytes(mesh); }
 
-std::string ply_of_strips(const StripFile& strips, GltfPrimitives /*primitives*/) {
-  return ply_bytes(strips.points, strips.attributes, strips.indices);
-}
-
-std::string glb_of_strips(const StripFile& strips, GltfPrimitives primitives) { return glb_bytes(strips, primitives); }
-
-std::string bare_indices(const StripFile& strips, GltfPrimitives /*primitives*/) { return index_bytes(strips.indices); }
-
-std::string obj_in_order(const StripFile& file, GltfPrimitives /*primitives*/) {
+Soup soup_of(const StripFile& file) {
   Soup soup;
   soup.points.assign(file.points.begin(), file.points.end());
   soup.triangles.assign(file.triangles.begin(), file.triangles.end());
   soup.attributes.assign(file.attributes.begin(), file.attributes.end());
-  return obj_bytes(soup);
+  return soup;
 }
+
+std::string ply_of_strips(const StripFile& file) {
+  if (file.buffer.form != StripForm::list)
+    return ply_bytes(file.points, file.attributes, std::get<std::vector<std::uint32_t>>(file.buffer.indices));
+  return ply_bytes(soup_of(file));
+}
+
+std::string glb_of_strips(const StripFile& file) { return glb_bytes(file); }
+
+std::string bare_indices(const StripFile& file) { return bin_bytes(file.buffer, file.in_batches); }
+
+std::string obj_in_order(const StripFile& file) { return obj_bytes(soup_of(file)); }
 
 constexpr std::array all_formats{
     MeshFormat{.extension = ".obj",
@@ -85,13 +91,15 @@ constexpr std::array all_formats{
                .write_baked = baked_glb_bytes,
                .attributes = MeshFormat::Attributes::all,
                .holds_strips = true,
-               .primitives = true},
+               .usual_form = StripForm::stitched,
+               .forms = true},
     MeshFormat{.extension = ".pm", .read = without_attributes<parse_pm>, .write_progressive = pm_bytes},
     MeshFormat{.extension = ".baked", .read = without_attributes<read_baked_mesh>, .write_baked = baked_as_it_is},
     MeshFormat{.extension = ".bin",
                .write_strips = bare_indices,
-               .strips_as = "indices of 32 bits, 0xFFFFFFFF between strips",
-               .holds_strips = true},
+               .strips_as = "the index buffer alone",
+               .holds_strips = true,
+               .forms = true},
 };
 
 const MeshFormat& format_that(FormatCan can, std::string_view extension, std::string_view what) {
@@ -124,11 +132,6 @@ bool MeshFormat::holds(const Attribute& attribute) const {
   const std::string& name = attribute.name;
   return attributes == Attributes::all ||
          (attributes == Attributes::usual && (name == "NORMAL" || name == "TEXCOORD_0" || name == "COLOR_0"));
-}
-
-std::vector<std::string> MeshFormat::required_extensions(GltfPrimitives with, std::size_t strips) const {
-  if (!primitives || with != GltfPrimitives::restart || strips < 2) return {};
-  return {std::string(restart_extension)};
 }
 
 std::span<const MeshFormat> mesh_formats() { return all_formats; }
@@ -184,8 +187,34 @@ std::string mesh_bytes(const Soup& soup, std::string_view extension) {
   return format_that(writes_mesh, extension, "meshes are written as").write_mesh(soup);
 }
 
-std::string strip_bytes(const StripFile& file, std::string_view extension, GltfPrimitives primitives) {
-  return format_that(writes_strips, extension, "strips are written as").write_strips(file, primitives);
+std::string strip_bytes(std::span<const Point> points, std::span<const std::uint32_t> indices,
+                        std::string_view extension, const StripOptions& options,
+                        std::span<const Attribute> attributes) {
+  return written_strips(format_that(writes_strips, extension, "strips are written as"), points, indices, options,
+                        attributes)
+      .bytes;
+}
+
+WrittenStrips written_strips(const MeshFormat& format, std::span<const Point> points,
+                             std::span<const std::uint32_t> indices, const StripOptions& options,
+                             std::span<const Attribute> attributes) {
+  WrittenStrips written;
+  const IndexBuffer buffer = format_as(format.forms ? options : StripOptions{StripForm::restart, IndexWidth::bits32},
+                                       format.usual_form, indices, written);
+  const std::vector<Corners> drawn = decode_strips(indices);
+  written.bytes = format.write_strips(
+      {points, buffer, drawn, attributes, format.forms && options.most_vertices + options.most_indices != 0});
+  if (!format.forms && buffer.form != StripForm::list) written.index_bits = 0;  // nothing was chosen
+  if (format.usual_form == StripForm::stitched && restarts(buffer))
+    written.required_extensions = {std::string(restart_extension)};
+  return written;
+}
+
+std::vector<std::uint32_t> each_a_strip(std::span<const Corners> triangles) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(4 * triangles.size());
+  for (const auto& [a, b, c] : triangles) indices.insert(indices.end(), {a, b, c, strip_end});
+  return indices;
 }
 
 }  // namespace restrip::tools

@@ -27,20 +27,19 @@ struct MeshFormat {
                    ReadAttributes attributes) = nullptr;
   std::string (*write_mesh)(const Soup& mesh) = nullptr;
   /// Throws BadInput where the format cannot hold the mesh: glTF and the lists of PLY have less than 2^31 values, and
-  /// glTF no mesh without triangles.
-  std::string (*write_strips)(const StripFile& strips, GltfPrimitives primitives) = nullptr;
+  /// glTF no mesh without triangles. written_strips() below makes the buffer.
+  std::string (*write_strips)(const StripFile& strips) = nullptr;
   std::string (*write_progressive)(const ProgressiveMesh& mesh) = nullptr;
   /// Writes a baked mesh, given by its bytes.
-  std::string (*write_baked)(std::string_view baked, GltfPrimitives primitives) = nullptr;
+  WrittenStrips (*write_baked)(std::string_view baked, const StripOptions& options) = nullptr;
   enum class Attributes { none, usual, all } attributes = Attributes::none;  ///< usual: those of OBJ and PLY
   std::string_view strips_as = {};  ///< how strips are written, where the extension alone does not say so
   bool holds_strips = false;        ///< else their triangles are written
-  bool primitives = false;          ///< there is a choice of GltfPrimitives
+  StripForm usual_form = StripForm::restart;
+  bool forms = false;  ///< StripOptions leave a choice; else strips have the usual form and 32 bits
 
   /// Whether a file has such an attribute.
   [[nodiscard]] bool holds(const Attribute& attribute) const;
-  /// The extensions that a viewer must know to open a file of so many strips. A report should tell of them.
-  [[nodiscard]] std::vector<std::string> required_extensions(GltfPrimitives with, std::size_t strips) const;
 };
 
 [[nodiscard]] std::span<const MeshFormat> mesh_formats();
@@ -74,7 +73,15 @@ inline constexpr FormatCan writes_strips_or_progressive = [](const MeshFormat& f
 
 /// The bytes of a mesh, or of strips, in the format with this extension. Throws BadInput when there is none.
 [[nodiscard]] std::string mesh_bytes(const Soup& soup, std::string_view extension);
-[[nodiscard]] std::string strip_bytes(const StripFile& file, std::string_view extension,
-                                      GltfPrimitives primitives = GltfPrimitives::strips);
+[[nodiscard]] std::string strip_bytes(std::span<const Point> points, std::span<const std::uint32_t> indices,
+                                      std::string_view extension, const StripOptions& options = {},
+                                      std::span<const Attribute> attributes = {});
+/// The file of strips with strip_end between them. A list takes their place when it has fewer indices. Throws BadInput
+/// as the format does, and when 16 bits are wanted and do not suffice.
+[[nodiscard]] WrittenStrips written_strips(const MeshFormat& format, std::span<const Point> points,
+                                           std::span<const std::uint32_t> indices, const StripOptions& options = {},
+                                           std::span<const Attribute> attributes = {});
+/// A triangle list as indices of strips of one triangle each.
+[[nodiscard]] std::vector<std::uint32_t> each_a_strip(std::span<const Corners> triangles);
 
 }  // namespace restrip::tools

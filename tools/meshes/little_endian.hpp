@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "meshes/soup.hpp"
+#include "restrip/output/strip_format.hpp"
 
 namespace restrip::tools {
 
@@ -17,6 +19,17 @@ inline void put(std::string& bytes, std::uint32_t value, unsigned width = 4) {
 
 inline void put(std::string& bytes, const Point& p) {
   for (const float coordinate : {p.x, p.y, p.z}) put(bytes, std::bit_cast<std::uint32_t>(coordinate));
+}
+
+/// 2 or 4 bytes an index.
+inline void put(std::string& bytes, const IndexBuffer& buffer) {
+  const auto width = static_cast<unsigned>(buffer.index_bytes());
+  bytes.reserve(bytes.size() + width * buffer.size());
+  std::visit(
+      [&](const auto& indices) {
+        for (const auto index : indices) put(bytes, index, width);
+      },
+      buffer.indices);
 }
 
 /// The number at a place; the bytes must be there.

@@ -3,21 +3,81 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "common/bad_input.hpp"
+#include "common/counted.hpp"
 #include "meshes/little_endian.hpp"
 
 namespace restrip::tools {
 
-std::string index_bytes(std::span<const std::uint32_t> indices) {
+IndexBuffer format_as(const StripOptions& options, StripForm usual, std::span<const std::uint32_t> indices,
+                      WrittenStrips& written) try {
+  const StripForm form = options.form.value_or(usual);
+  IndexBuffer buffer = format_strips(indices, {.form = form,
+                                               .width = options.width,
+                                               .most_vertices = options.most_vertices,
+                                               .most_indices = options.most_indices});
+  written.form = buffer.form;
+  if (buffer.form != form) written.wanted = form;
+  written.index_bits = 8 * buffer.index_bytes();
+  written.indices = buffer.size();
+  written.batches = buffer.batches.size();
+  return buffer;
+} catch (const std::length_error&) {
+  throw BadInput("the mesh has vertices above 65,534, which 16 bits cannot name; write --index auto or 32");
+}
+
+std::string_view name_of(StripForm form) noexcept {
+  switch (form) {
+    case StripForm::restart:
+      return "restart";
+    case StripForm::stitched:
+      return "stitched";
+    case StripForm::lengths:
+      return "lengths";
+    case StripForm::list:
+      break;
+  }
+  return "list";
+}
+
+std::string bin_bytes(const IndexBuffer& buffer, bool in_batches) {
   std::string bytes;
-  bytes.reserve(4 * indices.size());
-  for (const std::uint32_t index : indices) put(bytes, index);
+  if (in_batches) {
+    put(bytes, static_cast<std::uint32_t>(buffer.batches.size()));
+    for (const IndexRange& batch : buffer.batches) put(bytes, static_cast<std::uint32_t>(batch.count));
+  }
+  if (buffer.form == StripForm::lengths) {
+    put(bytes, static_cast<std::uint32_t>(buffer.lengths.size()));
+    for (const std::uint32_t length : buffer.lengths) put(bytes, length);
+  }
+  put(bytes, buffer);
   return bytes;
 }
 
-std::string as_text(const std::vector<std::string>& required_extensions, const std::string& name) {
-  if (required_extensions.empty()) return {};
-  return fmt::format("{}: requires {}, a proposal that few viewers know; the others refuse the file\n", name,
-                     fmt::join(required_extensions, ", "));
+std::string as_text(const WrittenStrips& written, const std::string& name) {
+  if (written.index_bits == 0) return {};
+  std::string text = fmt::format("{}: {} of {} bits, {}", name, counted(written.indices, "index", "indices"),
+                                 written.index_bits, name_of(written.form));
+  if (written.batches > 1) text += fmt::format(", in {}", counted(written.batches, "batch", "batches"));
+  if (written.wanted) text += fmt::format("; a list, because the form {} has more", name_of(*written.wanted));
+  text += '\n';
+  if (!written.required_extensions.empty())
+    text += fmt::format("{}: requires {}, a proposal that few viewers know; the others refuse the file\n", name,
+                        fmt::join(written.required_extensions, ", "));
+  return text;
+}
+
+void add_to(nlohmann::ordered_json& json, const WrittenStrips& written) {
+  if (written.index_bits == 0) return;
+  json["file"] = {{"form", name_of(written.form)},
+                  {"index_bits", written.index_bits},
+                  {"indices", written.indices},
+                  {"batches", written.batches}};
+  if (written.wanted) json["file"]["list_in_place_of"] = name_of(*written.wanted);
+  if (!written.required_extensions.empty()) json["required_extensions"] = written.required_extensions;
 }
 
 }  // namespace restrip::tools

@@ -1,40 +1,63 @@
 // Strips as a file: PLY with a `tristrips` element, binary glTF, OBJ, or the bare index buffer.
 //
-//   .ply  binary; one list of indices, -1 between strips, as Stanford's scans have it (Cyberware's `tristrips`)
-//   .glb  glTF 2.0; indices of 16 bits where they suffice, else of 32; GltfPrimitives says in which primitives
+//   .ply  binary; one list of indices, -1 between strips, as Stanford's scans have it (Cyberware's `tristrips`); faces
+//         where a list has fewer indices
+//   .glb  glTF 2.0; a primitive for each batch, or for each strip of StripForm::lengths
 //   .obj  the triangles in the order of the strips: OBJ knows no strips
-//   .bin  the indices alone, 32 bits each, little-endian, 0xFFFFFFFF between strips
+//   .bin  little-endian: with limits of a batch the number of batches and how many indices each has; with
+//         StripForm::lengths the number of strips and their lengths, 32 bits each; then the indices alone
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "meshes/soup.hpp"
+#include "restrip/output/strip_format.hpp"
 
 namespace restrip::tools {
 
-enum class GltfPrimitives {
-  strips,   ///< a primitive for each strip: plain glTF 2.0; each takes some 140 bytes of JSON
-  list,     ///< one list of triangles: plain glTF 2.0
-  restart,  ///< one primitive for all strips; needs a viewer that knows KHR_mesh_primitive_restart (a draft of 2026)
+/// How strips are written, where the format of the file leaves a choice.
+struct StripOptions {
+  std::optional<StripForm> form;  ///< none: the usual one of the file format
+  IndexWidth width = IndexWidth::automatic;
+  std::size_t most_vertices = 0;  ///< of a batch, as in StripFormat
+  std::size_t most_indices = 0;
 };
 
 /// An index buffer of strips and what it draws.
 struct StripFile {
   std::span<const Point> points;
-  std::span<const std::uint32_t> indices;  ///< restart_index between strips
-  std::span<const Corners> triangles;      ///< the same, drawn, in order
+  const IndexBuffer& buffer;
+  std::span<const Corners> triangles;  ///< the same, drawn, in order
   /// Attributes of the points. A format holds those of which MeshFormat::holds() (lod/mesh_formats.hpp) says so.
   std::span<const Attribute> attributes = {};
+  bool in_batches = false;  ///< a limit of a batch was given
 };
 
-/// The bare indices, as .bin has them.
-[[nodiscard]] std::string index_bytes(std::span<const std::uint32_t> indices);
+/// The bytes of a file of strips, and what they have.
+struct WrittenStrips {
+  std::string bytes;
+  StripForm form = StripForm::restart;
+  std::optional<StripForm> wanted;  ///< a list was written in its place, which has fewer indices
+  std::size_t index_bits = 0;       ///< 0 where the format has no index buffer
+  std::size_t indices = 0;
+  std::size_t batches = 0;
+  std::vector<std::string> required_extensions;  ///< that a viewer must know to open it
+};
 
-/// A sentence with a line feed about the extensions that a viewer must know to open the file of this name; empty when
-/// there are none.
-[[nodiscard]] std::string as_text(const std::vector<std::string>& required_extensions, const std::string& name);
+/// The indices, strip_end between strips, in that form; what the buffer has is noted in `written`. Throws BadInput when
+/// 16 bits are wanted and do not suffice.
+[[nodiscard]] IndexBuffer format_as(const StripOptions& options, StripForm usual,
+                                    std::span<const std::uint32_t> indices, WrittenStrips& written);
+[[nodiscard]] std::string_view name_of(StripForm form) noexcept;
+/// The tables and indices as .bin has them.
+[[nodiscard]] std::string bin_bytes(const IndexBuffer& buffer, bool in_batches);
+/// Lines about the file of this name.
+[[nodiscard]] std::string as_text(const WrittenStrips& written, const std::string& name);
+void add_to(nlohmann::ordered_json& json, const WrittenStrips& written);
 
 }  // namespace restrip::tools

@@ -6,33 +6,16 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
+#include <variant>
 
 #include "common/bad_input.hpp"
 #include "meshes/little_endian.hpp"
-#include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
 namespace {
 
 constexpr std::size_t most_glb_bytes = std::numeric_limits<std::int32_t>::max();
-
-/// A run of the index buffer.
-struct Run {
-  std::size_t first = 0;
-  std::size_t count = 0;
-};
-
-/// The strips between the restarts.
-std::vector<Run> strips_of(std::span<const std::uint32_t> indices) {
-  std::vector<Run> runs;
-  std::size_t first = 0;
-  for (std::size_t i = 0; i <= indices.size(); ++i) {
-    if (i < indices.size() && indices[i] != restart_index) continue;
-    runs.push_back({first, i - first});
-    first = i + 1;
-  }
-  return runs;
-}
 
 /// The least or the greatest coordinates, as glTF wants them said.
 std::string bound(std::span<const Point> points, const float& (*of)(const float&, const float&)) {
@@ -55,15 +38,9 @@ std::size_t stride_of(const Attribute& attribute) { return (attribute.value_byte
 /// The parts of the JSON that belong together by their numbers, written side by side.
 class GlbWriter {
  public:
-  GlbWriter(const StripFile& file, GltfPrimitives primitives, const GlbExtension& extension)
-      : file_(file), primitives_(primitives), extension_(extension) {
-    if (file.triangles.empty()) throw BadInput("glTF has no mesh without triangles");
-    if (primitives == GltfPrimitives::list)
-      for (const Corners& t : file.triangles) list_.insert(list_.end(), t.begin(), t.end());
-    indices_ = primitives == GltfPrimitives::list ? std::span<const std::uint32_t>(list_) : file.indices;
-    // The largest value of its width is the restart, or forbidden.
-    width_ = file.points.size() < 0xFFFF ? 2 : 4;
-    std::size_t bytes = 12 * file.points.size() + width_ * indices_.size() + extension.bytes.size();
+  GlbWriter(const StripFile& file, const GlbExtension& extension) : file_(file), extension_(extension) {
+    if (file.buffer.empty()) throw BadInput("glTF has no mesh without triangles");
+    std::size_t bytes = 12 * file.points.size() + file.buffer.bytes().size() + extension.bytes.size();
     for (const Attribute& attribute : file.attributes) bytes += file.points.size() * stride_of(attribute);
     if (bytes > most_glb_bytes)
       throw BadInput(fmt::format("a GLB holds {} bytes at most; write .ply or .bin", most_glb_bytes));
@@ -77,9 +54,8 @@ class GlbWriter {
     put_extension();
     std::string json = R"({"asset":{"version":"2.0","generator":"restrip"},"scene":0,"scenes":[{"nodes":[0]}],)"
                        R"("nodes":[{"mesh":0}],)";
-    const bool restarts = std::find(indices_.begin(), indices_.end(), restart_index) != indices_.end();
     std::vector<std::string_view> used;
-    if (primitives_ == GltfPrimitives::restart && restarts) {
+    if (restarts(file_.buffer)) {
       used.push_back(restart_extension);
       json += fmt::format(R"("extensionsRequired":["{}"],)", restart_extension);
     }
@@ -140,16 +116,23 @@ class GlbWriter {
 
   void put_indices() {
     const std::size_t begin = binary_.size();
-    for (const std::uint32_t index : indices_) put(binary_, index, width_);
-    const std::vector<Run> runs =
-        primitives_ == GltfPrimitives::strips ? strips_of(indices_) : std::vector<Run>{{0, indices_.size()}};
-    for (const Run& run : runs) {
+    const IndexBuffer& buffer = file_.buffer;
+    put(binary_, buffer);
+    std::vector<IndexRange> primitives = buffer.batches;
+    if (buffer.form == StripForm::lengths) {
+      primitives.clear();
+      std::size_t first = 0;
+      for (const std::uint32_t length : buffer.lengths)
+        primitives.push_back({std::exchange(first, first + length), length});
+    }
+    for (const IndexRange& range : primitives) {
       fmt::format_to(std::back_inserter(accessors_),
                      R"(,{{"bufferView":{},"byteOffset":{},"componentType":{},"count":{},"type":"SCALAR"}})",
-                     view_count_, width_ * run.first, width_ == 2 ? 5123 : 5125, run.count);
+                     view_count_, buffer.index_bytes() * range.first, buffer.index_bytes() == 2 ? 5123 : 5125,
+                     range.count);
       fmt::format_to(std::back_inserter(meshes_), R"({}{{"attributes":{{{}}},"indices":{},"mode":{}}})",
                      meshes_.empty() ? "" : ",", attributes_, accessor_count_++,
-                     primitives_ == GltfPrimitives::list ? 4 : 5);
+                     buffer.form == StripForm::list ? 4 : 5);
     }
     end_view(begin, ViewOf::indices);
   }
@@ -164,11 +147,7 @@ class GlbWriter {
   }
 
   const StripFile& file_;
-  GltfPrimitives primitives_;
   GlbExtension extension_;
-  std::vector<std::uint32_t> list_;
-  std::span<const std::uint32_t> indices_;
-  unsigned width_ = 2;
   std::string binary_;
   std::string attributes_;  // of every primitive
   std::string meshes_;      // the primitives
@@ -181,8 +160,13 @@ class GlbWriter {
 
 }  // namespace
 
-std::string glb_bytes(const StripFile& file, GltfPrimitives primitives, const GlbExtension& extension) {
-  return GlbWriter(file, primitives, extension).run();
+bool restarts(const IndexBuffer& buffer) {
+  const auto has_restart = []<class Index>(const std::vector<Index>& all) {
+    return std::find(all.begin(), all.end(), std::numeric_limits<Index>::max()) != all.end();
+  };
+  return buffer.form == StripForm::restart && std::visit(has_restart, buffer.indices);
 }
+
+std::string glb_bytes(const StripFile& file, const GlbExtension& extension) { return GlbWriter(file, extension).run(); }
 
 }  // namespace restrip::tools

@@ -1,4 +1,4 @@
-// Binary glTF 2.0, written by hand: points, attributes and one kind of primitives (strip_file.hpp says which).
+// Binary glTF 2.0, written by hand: points, attributes and one kind of primitives.
 #pragma once
 
 #include <string>
@@ -11,6 +11,9 @@ namespace restrip::tools {
 /// Required where a strip follows another one in a primitive.
 inline constexpr std::string_view restart_extension = "KHR_mesh_primitive_restart";
 
+/// Does a strip follow another one in a primitive?
+[[nodiscard]] bool restarts(const IndexBuffer& buffer);
+
 /// Something more that is known of the mesh, which viewers may leave unknown: bytes in a buffer view of their own. In
 /// the mesh it is `"extensions": {name: {"bufferView": number}}`.
 struct GlbExtension {
@@ -19,7 +22,6 @@ struct GlbExtension {
 };
 
 /// Throws BadInput where a GLB cannot hold the mesh.
-[[nodiscard]] std::string glb_bytes(const StripFile& file, GltfPrimitives primitives,
-                                    const GlbExtension& extension = {});
+[[nodiscard]] std::string glb_bytes(const StripFile& file, const GlbExtension& extension = {});
 
 }  // namespace restrip::tools

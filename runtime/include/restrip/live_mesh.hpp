@@ -1,8 +1,10 @@
 // LiveMesh: a mesh, its strips and the index buffer that draws them, in one object. What most engines need:
 //
-//   LiveMesh live(triangles, vertex_count);            // upload live.indices()
+//   LiveMesh live(triangles, vertex_count);            // upload live.bytes(), with room for live.room() indices
 //   live.collapse(live.edge(v_s, v_t));                // and split, flip, as often as the frame wants
-//   for (const auto& range : live.update()) upload(range);
+//   const auto ranges = live.update();
+//   if (ranges.outgrown) make_buffer(live.room());     // then there is one range: everything
+//   for (const auto& range : ranges) upload(range);
 //   live.undo();                                       // the last frame, if there is to be a history
 //
 // The parts can be had one by one: StripMesh, Keeper, StripBuffer, History.
@@ -12,7 +14,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "restrip/mesh/cost.hpp"
@@ -21,7 +25,8 @@
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/checked.hpp"
 #include "restrip/output/buffer_history.hpp"
-#include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/live_buffer.hpp"
+#include "restrip/output/strip_format.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
 
@@ -32,6 +37,8 @@ struct LiveOptions {
   Cost cost = Cost::indices();
   Effort effort = Effort::full;  ///< of the strips that it begins with
   std::size_t history = 0;       ///< triangles that may have changed in all frames that can be undone; 0: no history
+  /// Of the buffer; without limits of a batch.
+  StripFormat format = {.width = IndexWidth::bits32};
 };
 
 /// Stays where it is: neither copied nor moved. Each call throws what its parts throw; after an exception of update(),
@@ -73,74 +80,106 @@ class BasicLiveMesh {
   /// In idle time: see Keeper::improve. Returns the cost saved.
   std::size_t improve(std::size_t budget) { return keeper_.improve(budget); }
 
-  /// Ends a frame: the ranges of indices() that must be uploaded, ascending; valid until the next call.
-  std::span<const IndexRange> update() {
+  /// Ends a frame: the ranges of the buffer that must be uploaded, ascending; valid until the next call. Reports when
+  /// the buffer has outgrown the one on the device.
+  Upload update(const RangeOptions& ranges = {}) {
     if (std::exchange(interrupted_, false)) {
       history_.reset();
-      buffers_.reset();
-      buffer_ = {};  // to be written as a whole
+      buffers_ = {};
+      buffer_.forget();
     }
-    const auto ranges = buffer_.update(mesh_, changed_);
+    const Upload upload = buffer_.update(mesh_, changed_, ranges);
     if (history_) {
       interrupted_ = true;
-      buffers_->note(buffer_, changed_);
-      if (history_->frame(mesh_, changed_)) buffers_->frame(buffer_, history_->undoable());
+      with_history([this](auto& buffers, auto& strips) {
+        buffers.note(strips, changed_);
+        return true;
+      });
+      if (history_->frame(mesh_, changed_))
+        with_history([this](auto& buffers, auto& strips) {
+          buffers.frame(strips, history_->undoable());
+          return true;
+        });
       interrupted_ = false;
     }
     changed_.clear();
-    return ranges;
+    return upload;
   }
   /// Takes back the last frame, or does it again; what has not been ended by update() counts as a frame. Triangles,
-  /// handles, colours and indices() are those there were, one for one. False when there is nothing to take back. Then
-  /// update(), which returns what is to be uploaded. Linear time in the mesh.
+  /// handles and colours are those there were, one for one; so are the indices of strips, unless their width has
+  /// changed since. False when there is nothing to take back. Then update(), which returns what is to be uploaded.
+  /// Linear time in the mesh.
   bool undo() {
-    return stepped([this] { return buffers_->undo(buffer_) && counted_anew(history_->undo(mesh_)); });
+    return stepped([this] { return history_->undo(mesh_); },
+                   [](auto& buffers, auto& strips) { return buffers.undo(strips); });
   }
   bool redo() {
-    return stepped([this] { return buffers_->redo(buffer_) && counted_anew(history_->redo(mesh_)); });
+    return stepped([this] { return history_->redo(mesh_); },
+                   [](auto& buffers, auto& strips) { return buffers.redo(strips); });
   }
 
-  /// Draw them as one triangle strip with primitive restart.
+  /// The buffer: see live_buffer.hpp. `indices` are empty when they have 16 bits.
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return buffer_.indices(); }
+  [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return buffer_.indices16(); }
+  [[nodiscard]] std::span<const std::byte> bytes() const noexcept { return buffer_.bytes(); }
+  [[nodiscard]] std::size_t index_bytes() const noexcept { return buffer_.index_bytes(); }
+  /// How many indices the buffer on the device should have room for.
+  [[nodiscard]] std::size_t room() const noexcept { return buffer_.room(); }
+  [[nodiscard]] const LiveBuffer& buffer() const noexcept { return buffer_; }
   [[nodiscard]] const Mesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] Keeper<Mesh>& keeper() noexcept { return keeper_; }
 
  private:
   BasicLiveMesh(Mesh&& mesh, const LiveOptions& options, bool from_scratch)
-      : mesh_(std::move(mesh)), keeper_(colored(mesh_, options, from_scratch), options.policy, options.cost) {
+      : mesh_(std::move(mesh)),
+        keeper_(colored(mesh_, options, from_scratch), options.policy, options.cost),
+        buffer_(options.format) {
     mesh_.watch(&changed_);
     buffer_.rebuild(mesh_);
     if (options.history == 0) return;
     history_.emplace(mesh_, options.history);
-    buffers_.emplace(buffer_);
+    if (auto* wide = std::get_if<StripBuffer>(&buffer_.buffer())) buffers_.template emplace<BufferHistory>(*wide);
+    if (auto* narrow = std::get_if<StripBuffer16>(&buffer_.buffer()))
+      buffers_.template emplace<BufferHistory16>(*narrow);
   }
   static Mesh& colored(Mesh& mesh, const LiveOptions& options, bool from_scratch) {
     if (from_scratch) stripify(mesh, options.effort, options.cost);
     return mesh;
   }
-  template <class Step>
-  bool stepped(Step&& step) {
-    if (history_) update();
-    if (!history_) return false;  // there is none, or it was given up
-    buffer_.keep_ranges();
-    interrupted_ = true;
-    const bool done = step();
-    interrupted_ = false;
-    return done;
+  /// Calls use(history, buffer) for the two that belong together; false when the buffer has no history.
+  template <class Use>
+  bool with_history(Use&& use) {
+    const auto of_width = [&](auto* buffers) {
+      using OfHistory = typename std::remove_pointer_t<decltype(buffers)>::Buffer;
+      auto* strips = std::get_if<OfHistory>(&buffer_.buffer());
+      return buffers != nullptr && strips != nullptr && use(*buffers, *strips);
+    };
+    return of_width(std::get_if<BufferHistory>(&buffers_)) || of_width(std::get_if<BufferHistory16>(&buffers_));
   }
-  bool counted_anew(bool done) {
-    changed_.clear();  // the buffer has it already
+  template <class StepMesh, class StepBuffer>
+  bool stepped(StepMesh&& step_mesh, StepBuffer&& step_buffer) {
+    if (history_) update();
+    if (!history_) return false;  // it does not exist, or an exception ended it
+    buffer_.keep_upload();
+    interrupted_ = true;
+    const bool exact = with_history([](auto&, auto&) { return true; });
+    const bool done = (!exact || with_history(step_buffer)) && step_mesh();
+    if (exact)
+      changed_.clear();  // the buffer has it already
+    else if (done)
+      buffer_.forget();
     if (done) keeper_.rebuild();
+    interrupted_ = false;
     return done;
   }
 
   Mesh mesh_;
   Keeper<Mesh> keeper_;
   std::vector<Triangle> changed_;
-  StripBuffer buffer_;
+  LiveBuffer buffer_;
   std::optional<History> history_;
-  std::optional<BufferHistory> buffers_;  // where there is a history; in step with it
-  bool interrupted_ = false;              // by an exception, so that the histories may be out of step
+  std::variant<std::monostate, BufferHistory, BufferHistory16> buffers_;  // of strips; in step with history_
+  bool interrupted_ = false;  // by an exception, so that the histories may be out of step
 };
 
 using LiveMesh = BasicLiveMesh<StripMesh>;

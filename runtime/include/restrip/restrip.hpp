@@ -46,6 +46,7 @@
 #include "restrip/output/changes.hpp"
 #include "restrip/output/check_buffer.hpp"
 #include "restrip/output/index_bound.hpp"
+#include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strip_buffer.hpp"
 #include "restrip/output/strip_format.hpp"
 #include "restrip/output/strip_order.hpp"

@@ -1,4 +1,4 @@
-// What is handed on of a list of changes: ranges that are worth an upload each; triangles added, removed and changed.
+// What is handed on of a list of changes: triangles added, removed and changed.
 #include "restrip/output/changes.hpp"
 
 #include <gtest/gtest.h>
@@ -11,19 +11,6 @@
 
 namespace restrip {
 namespace {
-
-TEST(MergeRanges, JoinsWhatIsCloseAndNothingElse) {
-  const std::vector<IndexRange> ranges{{0, 4}, {6, 2}, {11, 1}, {40, 3}};
-  std::vector<IndexRange> merged;
-  const auto with_gap = [&](std::size_t gap) {
-    const auto all = merge_ranges(ranges, gap, merged);
-    return std::vector<IndexRange>(all.begin(), all.end());
-  };
-  EXPECT_EQ(with_gap(0), ranges);
-  EXPECT_EQ(with_gap(2), (std::vector<IndexRange>{{0, 8}, {11, 1}, {40, 3}}));
-  EXPECT_EQ(with_gap(3), (std::vector<IndexRange>{{0, 12}, {40, 3}}));
-  EXPECT_EQ(with_gap(100), (std::vector<IndexRange>{{0, 43}}));
-}
 
 TEST(ChangeFeed, AddsUpToTheMesh) {
   StripMesh mesh = sample::torus(8, 7);

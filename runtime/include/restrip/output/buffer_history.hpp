@@ -30,26 +30,29 @@
 
 namespace restrip {
 
-class BufferHistory {
+template <class Index>
+class BasicBufferHistory {
  public:
+  using Buffer = BasicStripBuffer<Index>;
+
   /// Begins with the buffer as it is. Linear time.
-  explicit BufferHistory(StripBuffer& buffer) : last_(buffer) {
+  explicit BasicBufferHistory(Buffer& buffer) : last_(buffer) {
     note_all(buffer);
     take(buffer);
   }
 
   /// After each update, with what it was told, and after each rebuild(). After an exception the history must not be
   /// used any more; the same holds for frame(), undo() and redo().
-  void note(const StripBuffer& buffer, std::span<const std::uint32_t> changed);
+  void note(const Buffer& buffer, std::span<const std::uint32_t> changed);
   /// Ends a frame, of all updates since the frame before. Frames that were undone and not redone are forgotten, and the
   /// oldest, so that no more than `most` are kept.
-  void frame(StripBuffer& buffer, std::size_t most);
+  void frame(Buffer& buffer, std::size_t most);
 
   /// undo() gives the buffer back as it was before the last frame that is not undone, redo() as it was after the frame
   /// that was undone last. Both first take back what was noted since the last frame, and return false when there is no
   /// such frame. The next update() returns the ranges that were written.
-  bool undo(StripBuffer& buffer);
-  bool redo(StripBuffer& buffer);
+  bool undo(Buffer& buffer);
+  bool redo(Buffer& buffer);
 
  private:
   /// Values of an array that are exchanged with what is there now.
@@ -62,19 +65,19 @@ class BufferHistory {
     void exchange_with(std::vector<Value>& array, Value beyond);
   };
   struct Frame {
-    Values<std::uint32_t> cells;
+    Values<Index> cells;
     Values<std::uint32_t> run_of;
     Values<detail::RunPlaces::Place> places;
     detail::RunPlaces::Totals totals;
   };
 
-  void note_all(const StripBuffer& buffer);
-  Frame take(StripBuffer& buffer);
-  static void exchange(Frame& frame, StripBuffer& buffer);
-  void put(Frame& frame, StripBuffer& buffer);
-  void forget_unframed(StripBuffer& buffer);
+  void note_all(const Buffer& buffer);
+  Frame take(Buffer& buffer);
+  static void exchange(Frame& frame, Buffer& buffer);
+  void put(Frame& frame, Buffer& buffer);
+  void forget_unframed(Buffer& buffer);
 
-  StripBuffer last_;  // as it was at the end of the last frame
+  Buffer last_;  // as it was at the end of the last frame
   std::deque<Frame> frames_;
   std::size_t done_ = 0;              // frames that are not undone
   std::vector<std::uint32_t> cells_;  // that updates since may have changed
@@ -82,14 +85,16 @@ class BufferHistory {
   std::vector<std::uint32_t> places_;
 };
 
-inline void BufferHistory::note_all(const StripBuffer& buffer) {
+template <class Index>
+void BasicBufferHistory<Index>::note_all(const Buffer& buffer) {
   cells_.resize(std::max(buffer.cells_.size(), last_.cells_.size()));
   triangles_.resize(std::max(buffer.run_of_.size(), last_.run_of_.size()));
   places_.resize(std::max(buffer.places_.places_.size(), last_.places_.places_.size()));
   for (auto* const list : {&cells_, &triangles_, &places_}) std::iota(list->begin(), list->end(), 0U);
 }
 
-inline void BufferHistory::note(const StripBuffer& buffer, std::span<const std::uint32_t> changed) {
+template <class Index>
+void BasicBufferHistory<Index>::note(const Buffer& buffer, std::span<const std::uint32_t> changed) {
   if (buffer.rebuilt_) return note_all(buffer);
   for (const auto& [first, count] : buffer.written_)
     for (std::size_t i = first; i < first + count; ++i) cells_.push_back(static_cast<std::uint32_t>(i));
@@ -98,9 +103,10 @@ inline void BufferHistory::note(const StripBuffer& buffer, std::span<const std::
 }
 
 // From `last`, which is brought in step, the values before. `named` is cleared.
+template <class Index>
 template <class Value>
-void BufferHistory::Values<Value>::take(std::vector<std::uint32_t>& named, std::vector<Value>& last,
-                                        const std::vector<Value>& now, Value beyond) {
+void BasicBufferHistory<Index>::Values<Value>::take(std::vector<std::uint32_t>& named, std::vector<Value>& last,
+                                                    const std::vector<Value>& now, Value beyond) {
   for (std::size_t i = std::min(last.size(), now.size()); i < std::max(last.size(), now.size()); ++i)
     named.push_back(static_cast<std::uint32_t>(i));
   std::sort(named.begin(), named.end());
@@ -118,35 +124,39 @@ void BufferHistory::Values<Value>::take(std::vector<std::uint32_t>& named, std::
   named.clear();
 }
 
+template <class Index>
 template <class Value>
-void BufferHistory::Values<Value>::exchange_with(std::vector<Value>& array, Value beyond) {
+void BasicBufferHistory<Index>::Values<Value>::exchange_with(std::vector<Value>& array, Value beyond) {
   const std::size_t now = array.size();
   array.resize(std::max(now, size), beyond);
   for (std::size_t i = 0; i < at.size(); ++i) std::swap(array[at[i]], value[i]);
   array.resize(std::exchange(size, now), beyond);
 }
 
-inline BufferHistory::Frame BufferHistory::take(StripBuffer& buffer) {
+template <class Index>
+typename BasicBufferHistory<Index>::Frame BasicBufferHistory<Index>::take(Buffer& buffer) {
   detail::RunPlaces& places = buffer.places_;
   for (const std::uint32_t p : places.changed_) places.places_[p].named = false;
   places_.insert(places_.end(), places.changed_.begin(), places.changed_.end());
   places.changed_.clear();
   Frame frame;
-  frame.cells.take(cells_, last_.cells_, buffer.cells_, StripBuffer::restart);
-  frame.run_of.take(triangles_, last_.run_of_, buffer.run_of_, StripBuffer::nothing);
+  frame.cells.take(cells_, last_.cells_, buffer.cells_, buffer.filling());
+  frame.run_of.take(triangles_, last_.run_of_, buffer.run_of_, Buffer::nothing);
   frame.places.take(places_, last_.places_.places_, places.places_, {});
   frame.totals = std::exchange(last_.places_.totals_, places.totals_);
   return frame;
 }
 
-inline void BufferHistory::exchange(Frame& frame, StripBuffer& buffer) {
-  frame.cells.exchange_with(buffer.cells_, StripBuffer::restart);
-  frame.run_of.exchange_with(buffer.run_of_, StripBuffer::nothing);
+template <class Index>
+void BasicBufferHistory<Index>::exchange(Frame& frame, Buffer& buffer) {
+  frame.cells.exchange_with(buffer.cells_, buffer.filling());
+  frame.run_of.exchange_with(buffer.run_of_, Buffer::nothing);
   frame.places.exchange_with(buffer.places_.places_, {});
   std::swap(frame.totals, buffer.places_.totals_);
 }
 
-inline void BufferHistory::frame(StripBuffer& buffer, std::size_t most) {
+template <class Index>
+void BasicBufferHistory<Index>::frame(Buffer& buffer, std::size_t most) {
   frames_.resize(done_);
   frames_.push_back(take(buffer));
   while (frames_.size() > most) frames_.pop_front();
@@ -154,7 +164,8 @@ inline void BufferHistory::frame(StripBuffer& buffer, std::size_t most) {
 }
 
 // What the frame has is told by the next update, and goes into the buffer and the copy.
-inline void BufferHistory::put(Frame& frame, StripBuffer& buffer) {
+template <class Index>
+void BasicBufferHistory<Index>::put(Frame& frame, Buffer& buffer) {
   detail::make_buffer_room(buffer.written_, frame.cells.at.size() + 1);
   buffer.mark(std::min(frame.cells.size, buffer.cells_.size()), std::max(frame.cells.size, buffer.cells_.size()));
   for (const std::uint32_t i : frame.cells.at) buffer.mark(i, i + std::size_t{1});
@@ -166,23 +177,29 @@ inline void BufferHistory::put(Frame& frame, StripBuffer& buffer) {
   buffer.stale_ = stale;
 }
 
-inline void BufferHistory::forget_unframed(StripBuffer& buffer) {
+template <class Index>
+void BasicBufferHistory<Index>::forget_unframed(Buffer& buffer) {
   Frame unframed = take(buffer);
   put(unframed, buffer);
 }
 
-inline bool BufferHistory::undo(StripBuffer& buffer) {
+template <class Index>
+bool BasicBufferHistory<Index>::undo(Buffer& buffer) {
   forget_unframed(buffer);
   if (done_ == 0) return false;
   put(frames_[--done_], buffer);
   return true;
 }
 
-inline bool BufferHistory::redo(StripBuffer& buffer) {
+template <class Index>
+bool BasicBufferHistory<Index>::redo(Buffer& buffer) {
   forget_unframed(buffer);
   if (done_ == frames_.size()) return false;
   put(frames_[done_++], buffer);
   return true;
 }
+
+using BufferHistory = BasicBufferHistory<std::uint32_t>;
+using BufferHistory16 = BasicBufferHistory<std::uint16_t>;
 
 }  // namespace restrip

@@ -1,5 +1,4 @@
-// What to hand on of a list of changes: triangles added, removed and changed, and ranges of a buffer that are worth one
-// upload each.
+// What to hand on of a list of changes: triangles added, removed and changed.
 #pragma once
 
 #include <algorithm>
@@ -9,23 +8,8 @@
 #include <vector>
 
 #include "restrip/mesh/numbered_mesh.hpp"
-#include "restrip/output/strip_buffer.hpp"
 
 namespace restrip {
-
-/// Joins ranges that are at most `gap` indices apart: fewer uploads, of a few indices more. `ranges` are ascending and
-/// apart, as the buffers return them; the result is valid as long as `merged`. Linear time.
-inline std::span<const IndexRange> merge_ranges(std::span<const IndexRange> ranges, std::size_t gap,
-                                                std::vector<IndexRange>& merged) {
-  merged.clear();
-  for (const IndexRange& range : ranges) {
-    if (!merged.empty() && range.first - (merged.back().first + merged.back().count) <= gap)
-      merged.back().count = range.first + range.count - merged.back().first;
-    else
-      merged.push_back(range);
-  }
-  return merged;
-}
 
 /// Sorts a list of changes into triangles added, removed and changed since the last call, each named once and
 /// ascending: for acceleration structures and other feeds that are kept beside a mesh.

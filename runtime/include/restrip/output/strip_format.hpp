@@ -50,6 +50,15 @@ struct IndexRange {
   friend constexpr bool operator==(const IndexRange&, const IndexRange&) = default;
 };
 
+/// Which ranges an update of a live buffer returns.
+struct RangeOptions {
+  /// Ranges at most this many indices apart are joined: fewer uploads, of a few indices more.
+  std::size_t merge_gap = 2;
+  /// Ranges begin and end at multiples of this many bytes, 2 or a multiple of 4; the last may end with the buffer,
+  /// whose length is a multiple of 4 bytes. WebGPU's writeBuffer asks for 4.
+  std::size_t align = 4;
+};
+
 /// The highest index of 16 bits restarts strips, or is forbidden as in glTF; so is no vertex in any form.
 inline constexpr std::uint32_t highest_index16 = 0xFFFE;
 

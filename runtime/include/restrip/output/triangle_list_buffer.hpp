@@ -8,6 +8,9 @@
 //   for (const auto& range : buffer.update(mesh, changed)) upload(range);
 //   changed.clear();
 //
+// Of 16 bits a buffer with an odd number of triangles has one index more at its end, which draws nothing: its length is
+// a multiple of four bytes.
+//
 // Every triangle has a slot. One that is removed leaves its slot to a new one or, if there is none, to the last
 // triangle of the buffer, so that there are no gaps. Slots are given in the order of the triangle numbers: numbers in
 // an order that suits the vertex cache make a buffer that does.
@@ -59,6 +62,7 @@ class BasicTriangleListBuffer {
     slot_.assign(mesh.triangle_bound(), no_slot);
     for (std::uint32_t t = 0; t < slot_.size(); ++t)
       if (mesh.has_triangle(t)) append(t, corners_of(mesh, t));
+    pad();
     written_.assign(cells_.empty() ? 0 : 1, {0, cells_.size()});
     stale_ = false;
   }
@@ -69,12 +73,14 @@ class BasicTriangleListBuffer {
   /// logarithm and the growth of its arrays (reserve()). Throws as rebuild() does; what is drawn is not known then, and
   /// the next update writes everything anew.
   template <NumberedMesh Mesh>
-  std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed) {
+  std::span<const Range> update(const Mesh& mesh, std::span<const std::uint32_t> changed,
+                                const RangeOptions& ranges = {.merge_gap = 0}) {
     if (stale_) {
       rebuild(mesh);
       return written_;
     }
     stale_ = true;
+    cells_.resize(3 * owner_.size());
     written_.clear();
     if (slot_.size() < mesh.triangle_bound()) slot_.resize(mesh.triangle_bound(), no_slot);
     free_.clear();
@@ -116,7 +122,8 @@ class BasicTriangleListBuffer {
       cells_.resize(cells_.size() - 3);
     }
     free_.clear();
-    detail::join_ranges(written_, cells_.size(), 0);
+    pad();
+    detail::join_ranges(written_, cells_.size(), ranges.merge_gap, ranges.align / sizeof(Index));
     stale_ = false;
     return written_;
   }
@@ -124,7 +131,7 @@ class BasicTriangleListBuffer {
   [[nodiscard]] std::span<const Index> indices() const noexcept { return cells_; }
   /// Room for a mesh of this many triangles.
   void reserve(std::size_t triangles) {
-    cells_.reserve(3 * triangles);
+    cells_.reserve(3 * triangles + 1);
     owner_.reserve(triangles);
     slot_.reserve(triangles);
   }
@@ -143,6 +150,9 @@ class BasicTriangleListBuffer {
       if (v >= std::numeric_limits<Index>::max())
         RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
     return {static_cast<Index>(corner[0]), static_cast<Index>(corner[1]), static_cast<Index>(corner[2])};
+  }
+  void pad() {
+    if (sizeof(Index) == 2 && cells_.size() % 2 != 0) cells_.push_back(cells_.back());
   }
   void append(std::uint32_t t, const std::array<Index, 3>& corners) {
     cells_.insert(cells_.end(), corners.begin(), corners.end());

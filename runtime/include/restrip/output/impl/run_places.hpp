@@ -11,7 +11,8 @@
 #include <vector>
 
 namespace restrip {
-class BufferHistory;
+template <class Index>
+class BasicBufferHistory;
 }
 
 namespace restrip::detail {
@@ -119,7 +120,8 @@ class RunPlaces {
   }
 
  private:
-  friend class restrip::BufferHistory;
+  template <class>
+  friend class restrip::BasicBufferHistory;
 
   struct Place {
     Run run;

@@ -77,7 +77,8 @@ void BasicStripBuffer<Index>::rebuild(const Mesh& mesh) {
 
 template <class Index>
 template <NumberedMesh Mesh>
-std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, std::span<const std::uint32_t> changed) {
+std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, std::span<const std::uint32_t> changed,
+                                                            const RangeOptions& ranges) {
   if (stale_) {
     rebuild(mesh);
     return written_;
@@ -103,7 +104,7 @@ std::span<const IndexRange> BasicStripBuffer<Index>::update(const Mesh& mesh, st
   prepare();
   store();
   if (!changed.empty()) close_gaps();
-  detail::join_ranges(written_, cells_.size(), 2);
+  detail::join_ranges(written_, cells_.size(), ranges.merge_gap, ranges.align / sizeof(Index));
   stale_ = false;
   return written_;
 }
@@ -222,6 +223,8 @@ typename BasicStripBuffer<Index>::Start BasicStripBuffer<Index>::start(const Mes
     corner = detail::from_of(mesh, h);
     h = mesh.next(h);
   }
+  // At an odd place the winding asks for the same edge the other way round.
+  if (stitched_) std::swap(start.corner[1], start.corner[2]);
   link += start.step;
   if (text.end - text.begin > 2) start.swaps = (start.corner[2] ^ link->corners ^ link[start.edge].edge) == 0;
   return start;
@@ -250,7 +253,7 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
     text.place = run;
     places_.set_state(run, State::claimed);
   }
-  if (text_.size() < letters_ + 2 * triangles + 2) text_.resize(2 * (text_.size() + triangles + 1));
+  if (text_.size() < letters_ + 2 * triangles + 5) text_.resize(2 * (text_.size() + triangles + 3));
   const bool forward = is_forward(text);
   Start run = start(mesh, text, forward);
   // Perhaps shorter from the other end.
@@ -261,6 +264,7 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
   std::uint32_t in = p ^ q;
   std::uint32_t largest = std::max({run.corner[0], p, q});
   Index* out = text_.data() + letters_;
+  if (stitched_) *out++ = static_cast<Index>(run.corner[0]);
   for (const std::uint32_t corner : run.corner) *out++ = static_cast<Index>(corner);
   // Each further triangle has the last two indices p, q already and adds its third corner x. Where it is left over the
   // edge (p, x), p is repeated before x. Strips turn at random: no branch.
@@ -284,7 +288,9 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
   }
   if (largest >= restart)
     RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
-  *out++ = restart;
+  const Index behind = stitched_ ? *(out - 1) : restart;
+  *out++ = behind;
+  if (stitched_ && (out - text_.data() - letters_) % 2 != 0) *out++ = behind;
   letters_ = static_cast<std::uint32_t>(out - text_.data());
   text.length = letters_ - text.first;
   texts_.push_back(text);

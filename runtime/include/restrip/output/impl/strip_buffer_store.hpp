@@ -23,7 +23,7 @@ template <class Index>
 void BasicStripBuffer<Index>::prepare() {
   constexpr std::size_t slides_for_a_run = detail::moved_for_a_run / detail::shortest_run;
   constexpr std::size_t slides = (detail::moved_for_a_gap + detail::moved_by_an_update) / detail::shortest_run;
-  detail::make_buffer_room(cells_, letters_);
+  detail::make_buffer_room(cells_, letters_ + 1);
   detail::make_buffer_room(written_, dirty_.size() + 3 * (slides_for_a_run + 1) * texts_.size() + 3 * slides);
   places_.make_room(texts_.size());
 }
@@ -81,9 +81,10 @@ void BasicStripBuffer<Index>::store_anew(const Text& text) noexcept {
   if (before == nothing || places_.gap(before) < text.length) before = places_.last();
   const std::uint32_t first = places_.run(before).end();
   if (first + text.length > places_.limit(before)) {
-    mark(cells_.size(), first + text.length);
-    cells_.resize(first + text.length, restart);
-    places_.set_length(first + text.length);
+    const std::uint32_t length = even(first + text.length);
+    mark(cells_.size(), length);
+    cells_.resize(length, filling());
+    places_.set_length(length);
   }
   write(text, first);
   own(text, places_.insert(before, {first, text.length, text.end - text.begin, text.cuts}));
@@ -119,7 +120,7 @@ void BasicStripBuffer<Index>::write(const Text& text, std::uint32_t first) noexc
 template <class Index>
 void BasicStripBuffer<Index>::blank(std::uint32_t first, std::uint32_t end) noexcept {
   if (first >= end) return;
-  std::fill(cells_.data() + first, cells_.data() + end, restart);
+  std::fill(cells_.data() + first, cells_.data() + end, filling());
   mark(first, end);
 }
 
@@ -187,18 +188,19 @@ std::uint32_t BasicStripBuffer<Index>::widen(std::uint32_t left, std::uint32_t r
 
 // ---- gaps
 
-// Moves the last run into a gap, again and again. A cut wastes some two and a half indices, half of them at each end.
+// Moves the last run into a gap, again and again. A cut wastes some two and a half indices, of stitched runs four, half
+// of them at each end.
 template <class Index>
 void BasicStripBuffer<Index>::close_gaps() noexcept {
   for (std::uint32_t moved = 0;;) {
     const std::uint32_t last = places_.last();
     const detail::Run run = places_.run(last);
     // A gap at the end is no part of the buffer.
-    if (run.end() < cells_.size()) {
-      cells_.resize(run.end());
-      places_.set_length(run.end());
+    if (const std::uint32_t length = even(run.end()); length < cells_.size()) {
+      cells_.resize(length);
+      places_.set_length(length);
     }
-    const std::uint64_t needed = places_.used() - std::uint64_t{places_.cuts()} * 5 / 4;
+    const std::uint64_t needed = places_.used() - std::uint64_t{places_.cuts()} * (stitched_ ? 8 : 5) / 4;
     const bool wasteful = 1000 * (places_.length() - needed) > detail::tolerated_waste * needed;
     const std::uint32_t before = places_.find_gap(run.length);
     if (!wasteful || moved >= detail::moved_by_an_update || before == nothing) return;
@@ -231,7 +233,21 @@ void BasicStripBuffer<Index>::mark(std::size_t first, std::size_t end) noexcept 
   written_.push_back({first, end - first});
 }
 
-inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap) noexcept {
+template <class Index>
+void BasicStripBuffer<Index>::draws(std::vector<Range>& draws) const {
+  draws.clear();
+  for (std::uint32_t p = places_.next(detail::RunPlaces::head); p != detail::RunPlaces::head; p = places_.next(p))
+    draws.push_back({places_.run(p).first, places_.run(p).length - std::size_t{1}});
+}
+
+inline void detail::join_ranges(std::vector<IndexRange>& ranges, std::size_t end, std::size_t gap,
+                                std::size_t unit) noexcept {
+  for (IndexRange& range : ranges) {
+    const std::size_t behind =
+        unit < 2 ? range.first + range.count : (range.first + range.count + unit - 1) / unit * unit;
+    if (unit >= 2) range.first = range.first / unit * unit;
+    range.count = behind - range.first;
+  }
   std::sort(ranges.begin(), ranges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::size_t kept = 0;
   for (const auto& [first, count] : ranges) {

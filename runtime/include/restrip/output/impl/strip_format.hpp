@@ -65,7 +65,7 @@ class StripFormatter {
         }
         const std::size_t first = i;
         std::size_t last = i;
-        for (; i + 2 < end && i - last < 2; ++i) {
+        for (; i + 2 < end && i - last <= 2; ++i) {
           if (degenerate(i)) continue;
           last = i;
           ++triangles_;
@@ -86,7 +86,7 @@ class StripFormatter {
     ++batch_;
     in_batch_ = 0;
     const bool limited = format_.most_vertices + format_.most_indices != 0;
-    if (limited) batch_of_.assign(std::size_t{highest_} + 1, 0);
+    if (format_.most_vertices != 0) batch_of_.assign(std::size_t{highest_} + 1, 0);
     out_.reserve(text_.size() + (form == StripForm::stitched ? strips_.size() : 0));
     if (form == StripForm::list) {
       for (const Strip& strip : strips_)
@@ -167,10 +167,10 @@ class StripFormatter {
                              : format_.most_indices > used + beside
                                  ? std::min(strip.count, format_.most_indices - used - beside)
                                  : 0;
-    for (std::size_t i = 0; i < most; ++i) {
+    for (std::size_t i = 0; i < most && format_.most_vertices != 0; ++i) {
       std::size_t& batch = batch_of_[text_[strip.first + i]];
       if (batch == batch_) continue;
-      if (format_.most_vertices != 0 && in_batch_ == format_.most_vertices) return i;
+      if (in_batch_ == format_.most_vertices) return i;
       batch = batch_;
       ++in_batch_;
     }

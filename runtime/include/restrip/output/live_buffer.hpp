@@ -1,0 +1,170 @@
+// LiveBuffer: an index buffer in any form that StripFormat describes, kept in step with a mesh.
+//
+//   std::vector<Triangle> changed;
+//   mesh.watch(&changed);
+//   LiveBuffer buffer({.form = StripForm::stitched});
+//   ... operations ...
+//   for (const IndexRange& range : buffer.update(mesh, changed)) upload(range);    // of buffer.bytes()
+//   changed.clear();
+//
+// It is a StripBuffer or a TriangleListBuffer with indices of 16 or 32 bits: their headers say what updates cost. The
+// choice is made when the program runs, and IndexWidth::automatic changes it: 16 bits until a vertex is numbered 65,535
+// or above, then 32.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <variant>
+#include <vector>
+
+#include "restrip/mesh/numbered_mesh.hpp"
+#include "restrip/output/strip_buffer.hpp"
+#include "restrip/output/strip_format.hpp"
+#include "restrip/output/triangle_list_buffer.hpp"
+#include "restrip/precondition.hpp"
+
+namespace restrip {
+
+/// What an update returns: the ranges to upload, ascending and apart from each other.
+struct Upload : std::span<const IndexRange> {
+  /// The buffer has become longer than LiveBuffer::room() was, or its indices wider: make a new one of room() indices
+  /// on the device. There is one range then, the whole buffer.
+  bool outgrown = false;
+};
+
+class LiveBuffer {
+ public:
+  /// Empty; the first update writes it as a whole. Live buffers have no batches, and stay strips when a list is
+  /// shorter: std::invalid_argument for limits of a batch.
+  explicit LiveBuffer(const StripFormat& format = {}) : format_(format) {
+    if (format.most_vertices + format.most_indices != 0)
+      RESTRIP_THROW(std::invalid_argument, "restrip: a live buffer has no batches");
+    make(format.width == IndexWidth::bits32);
+  }
+
+  /// Writes everything from scratch. Linear time. Throws as the rebuild() of its buffer does.
+  template <NumberedMesh Mesh>
+  void rebuild(const Mesh& mesh) {
+    if (format_.width == IndexWidth::automatic) make(!fits_16_bits(mesh));
+    whole_ = true;
+    std::visit([&](auto& buffer) { buffer.rebuild(mesh); }, buffer_);
+    whole_ = false;
+    if (size() > room_) room_ = size() + size() / 4;
+  }
+  /// Brings the buffer in step with the mesh, as the update() of its buffer does, and throws as that does; then the
+  /// next update writes everything. Valid until the next call.
+  template <NumberedMesh Mesh>
+  Upload update(const Mesh& mesh, std::span<const std::uint32_t> changed, const RangeOptions& options = {}) {
+    const std::size_t old_bytes = index_bytes() * room_;
+    const bool widens = format_.width == IndexWidth::automatic && index_bytes() == 2 && !fits_16_bits(mesh, changed);
+    std::span<const IndexRange> ranges{&all_, 1};
+    if (whole_ || widens) {
+      rebuild(mesh);
+      all_ = {0, size()};
+    } else {
+      whole_ = true;
+      ranges = std::visit([&](auto& buffer) { return buffer.update(mesh, changed, options); }, buffer_);
+      whole_ = false;
+    }
+    if (size() > room_) room_ = size() + size() / 4;
+    outgrown_ = (outgrown_ && kept_) || index_bytes() * room_ != old_bytes;
+    kept_ = false;
+    if (outgrown_) {
+      all_ = {0, size()};
+      ranges = {&all_, 1};
+    }
+    if (size() == 0) ranges = {};
+    return {ranges, outgrown_};
+  }
+  /// Makes the next update return what the last one returned as well, for a caller that has not uploaded it.
+  void keep_upload() noexcept {
+    kept_ = true;
+    std::visit(
+        [&](auto& buffer) {
+          if constexpr (requires { buffer.keep_ranges(); })
+            buffer.keep_ranges();
+          else
+            whole_ = true;
+        },
+        buffer_);
+  }
+  /// The next update writes the whole buffer: the mesh has changed without a report.
+  void forget() noexcept { whole_ = true; }
+
+  [[nodiscard]] const StripFormat& format() const noexcept { return format_; }
+  /// 2 or 4.
+  [[nodiscard]] std::size_t index_bytes() const noexcept { return buffer_.index() % 2 == 0 ? 4 : 2; }
+  [[nodiscard]] std::size_t size() const noexcept {
+    return std::visit([](const auto& buffer) { return buffer.indices().size(); }, buffer_);
+  }
+  /// How many indices the buffer on the device should have room for: a quarter more than there were when it was
+  /// outgrown last.
+  [[nodiscard]] std::size_t room() const noexcept { return room_; }
+  /// In the byte order of this machine.
+  [[nodiscard]] std::span<const std::byte> bytes() const noexcept {
+    return std::visit([](const auto& buffer) { return std::as_bytes(buffer.indices()); }, buffer_);
+  }
+  /// The indices, when they have 32 or 16 bits; else nothing.
+  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return indices_of<std::uint32_t>(); }
+  [[nodiscard]] std::span<const std::uint16_t> indices16() const noexcept { return indices_of<std::uint16_t>(); }
+  /// What is to be drawn, one draw call or one entry of a multi-draw each: the runs of StripForm::lengths, else the
+  /// whole buffer. `draws` is overwritten.
+  void draws(std::vector<IndexRange>& draws) const {
+    std::visit(
+        [&](const auto& buffer) {
+          if constexpr (requires { buffer.draws(draws); })
+            if (format_.form == StripForm::lengths) return buffer.draws(draws);
+          draws.assign(size() == 0 ? 0 : 1, {0, size()});
+        },
+        buffer_);
+  }
+
+  using Buffer = std::variant<StripBuffer, StripBuffer16, TriangleListBuffer, TriangleListBuffer16>;
+  /// For what only one of them can do.
+  [[nodiscard]] Buffer& buffer() noexcept { return buffer_; }
+
+ private:
+  void make(bool wide) {
+    if (format_.form == StripForm::list)
+      buffer_ = wide ? Buffer(TriangleListBuffer()) : Buffer(TriangleListBuffer16());
+    else
+      buffer_ = wide ? Buffer(StripBuffer(format_.form)) : Buffer(StripBuffer16(format_.form));
+  }
+  template <class Index>
+  [[nodiscard]] std::span<const Index> indices_of() const noexcept {
+    if (const auto* strips = std::get_if<BasicStripBuffer<Index>>(&buffer_)) return strips->indices();
+    if (const auto* list = std::get_if<BasicTriangleListBuffer<Index>>(&buffer_)) return list->indices();
+    return {};
+  }
+  template <class Mesh>
+  [[nodiscard]] static bool fits_16_bits(const Mesh& mesh, std::uint32_t t) {
+    if (t >= mesh.triangle_bound() || !mesh.has_triangle(t)) return true;
+    auto h = mesh.halfedge(t);
+    for (int corner = 0; corner < 3; ++corner, h = mesh.next(h))
+      if (static_cast<std::uint32_t>(mesh.from(h)) > highest_index16) return false;
+    return true;
+  }
+  template <class Mesh>
+  [[nodiscard]] static bool fits_16_bits(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+    return std::all_of(triangles.begin(), triangles.end(), [&](std::uint32_t t) { return fits_16_bits(mesh, t); });
+  }
+  template <class Mesh>
+  [[nodiscard]] static bool fits_16_bits(const Mesh& mesh) {
+    for (std::uint32_t t = 0; t < mesh.triangle_bound(); ++t)
+      if (!fits_16_bits(mesh, t)) return false;
+    return true;
+  }
+
+  StripFormat format_;
+  Buffer buffer_;
+  bool whole_ = true;
+  bool outgrown_ = false;  // by the last update
+  bool kept_ = false;
+  std::size_t room_ = 0;
+  IndexRange all_;
+};
+
+}  // namespace restrip
