@@ -138,7 +138,7 @@ std::string no_other_file(const std::string& /*name*/) { throw BadInput("f: ther
 
 bool play_baked_gltf(std::string_view bytes) {
   const BakedBytes found = parse_baked_gltf(bytes, "f", no_other_file);
-  const std::string again = baked_glb_bytes(found.bytes, GltfPrimitives::strips);
+  const std::string again = baked_glb_bytes(found.bytes, {StripForm::lengths}).bytes;
   promise(parse_baked_gltf(again, "g", no_other_file).bytes == found.bytes, "a baked mesh in a GLB is read as it was");
   return true;
 }
@@ -179,7 +179,7 @@ std::string ply_of_strips() {
   StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
   stripify(mesh);
   const std::vector<std::uint32_t> indices = strip_indices(mesh);
-  return strip_bytes({shape.points, indices, shape.triangles}, ".ply");
+  return strip_bytes(shape.points, indices, ".ply");
 }
 
 Soup textured_sheet() {
@@ -195,12 +195,12 @@ Soup textured_sheet() {
   return shape;
 }
 
-std::string glb_of_strips(GltfPrimitives primitives) {
+std::string glb_of_strips(StripForm form) {
   const Soup shape = textured_sheet();
   StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
   stripify(mesh);
   const std::vector<std::uint32_t> indices = strip_indices(mesh);
-  return strip_bytes({shape.points, indices, shape.triangles, shape.attributes}, ".glb", primitives);
+  return strip_bytes(shape.points, indices, ".glb", {form}, shape.attributes);
 }
 
 }  // namespace
@@ -270,15 +270,15 @@ std::vector<Target> mesh_targets() {
        soup(read_stl),
        10000},
       {"gltf",
-       {glb_of_strips(GltfPrimitives::restart), glb_of_strips(GltfPrimitives::strips),
-        glb_of_strips(GltfPrimitives::list), intricate_glb(), text_gltf()},
+       {glb_of_strips(StripForm::restart), glb_of_strips(StripForm::lengths), glb_of_strips(StripForm::stitched),
+        glb_of_strips(StripForm::list), intricate_glb(), text_gltf()},
        refusing([](std::string_view bytes) { return play(read_gltf(bytes, "f", no_other_file, ReadAttributes::yes)); }),
        10000},
       {"pm", pms, refusing(check_pm), 10000},
       {"baked", bakeds, refusing(play_baked), 2000},
       {"baked-gltf",
-       {baked_glb_bytes(bakeds[0], GltfPrimitives::strips), baked_glb_bytes(bakeds[1], GltfPrimitives::restart),
-        baked_glb_bytes(bakeds[2], GltfPrimitives::list)},
+       {baked_glb_bytes(bakeds[0], {StripForm::lengths}).bytes, baked_glb_bytes(bakeds[1], {StripForm::restart}).bytes,
+        baked_glb_bytes(bakeds[2], {StripForm::list}).bytes},
        refusing(play_baked_gltf),
        2000},
   };

@@ -45,7 +45,7 @@ def check(name, mode_of_bake, mesh, *options):
     run("bake", mesh, "-o", scratch / "made.glb", *mode_of_bake, *options)
     run("convert", baked, "-o", glb, *mode_of_bake)
     assert (scratch / "made.glb").read_bytes() == glb.read_bytes(), "baking is the same"
-    for mode in ("restart", "strips", "list"):
+    for mode in ("restart", "strips", "list", "stitched"):
         run("convert", baked, "-o", glb, "--gltf", mode)
         assert in_glb(glb) == data
         run("convert", glb, "-o", back)
@@ -55,7 +55,7 @@ def check(name, mode_of_bake, mesh, *options):
         strips = [frozenset(at_points(player.points, [player.triangles[f] for f in strip])) for strip in player.strips()]
         points, made = drawn(glb)
         assert points == player.points
-        assert set(made) == ({frozenset().union(*strips)} if mode == "list" else set(strips))
+        assert set(made) == ({frozenset().union(*strips)} if mode in ("list", "stitched") else set(strips))
         assert required == (["KHR_mesh_primitive_restart"] if mode == "restart" and len(strips) > 1 else None), (mode, required)
 
     # Plain glTF 2.0 unless asked for: then `convert` and `bake` write strips.

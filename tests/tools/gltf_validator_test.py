@@ -96,7 +96,7 @@ plain, with_restarts = [], []
 for name, triangles in (("small", 600), ("large", 140_000)):  # indices of 16 and of 32 bits
     source = scratch / f"{name}.obj"
     run("make-mesh", "-o", source, "--triangles", triangles)
-    for mode in ("restart", "strips", "list"):
+    for mode in ("restart", "strips", "list", "stitched"):
         written = scratch / f"{name}-{mode}.glb"
         run("stripify", source, "-o", written, "--gltf", mode)
         converted = scratch / f"{name}-{mode}-converted.glb"
@@ -106,10 +106,12 @@ for name, triangles in (("small", 600), ("large", 140_000)):  # indices of 16 an
     # As they are written where nothing else is asked for.
     run("stripify", source, "-o", scratch / f"{name}-default.glb")
     run("simplify", source, "--base", 0.4, "-o", scratch / f"{name}-level.glb")
-    plain.extend(scratch / f"{name}-{kind}.glb" for kind in ("bare", "default", "level"))
+    run("stripify", source, "-o", scratch / f"{name}-batches.glb", "--batch-vertices", 60)
+    run("stripify", source, "-o", scratch / f"{name}-wide.glb", "--index", "32")
+    plain.extend(scratch / f"{name}-{kind}.glb" for kind in ("bare", "default", "level", "batches", "wide"))
 for name, shape in (("cube", cube()), ("sphere", sphere())):  # with attributes
     source = save(shape, scratch / f"{name}.glb")
-    for mode in ("restart", "strips", "list"):
+    for mode in ("restart", "strips", "list", "stitched"):
         written = scratch / f"{name}-{mode}.glb"
         run("stripify", source, "-o", written, "--gltf", mode)
         (with_restarts if mode == "restart" else plain).append(written)
@@ -119,7 +121,7 @@ for end in ("obj", "ply"):
     run("convert", scratch / f"cube.{end}", "-o", scratch / f"cube-{end}.glb")
     plain.append(scratch / f"cube-{end}.glb")
 # A baked mesh: viewers need to know nothing of its extension.
-for mode in ("strips", "list"):
+for mode in ("stitched", "strips", "list"):
     written = scratch / f"baked-{mode}.glb"
     run("bake", scratch / "small.obj", "--cost", "indices", "--base", 0.3, "-o", written, "--gltf", mode)
     plain.append(written)

@@ -82,22 +82,22 @@ TEST(MeshFormats, WhatIsWrittenIsRead) {
         EXPECT_EQ(by_points(std::get<Soup>(parsed(format, format.write_mesh(all.mesh)))), by_points(soup)) << in;
       }
       if (writes_strips(format))
-        for (const GltfPrimitives primitives :
-             {GltfPrimitives::restart, GltfPrimitives::strips, GltfPrimitives::list}) {
+        for (const StripForm form : {StripForm::restart, StripForm::lengths, StripForm::stitched, StripForm::list}) {
           ++ways;
-          const StripFile strips{all.mesh.points, all.indices, all.drawn};
-          const std::string bytes = format.write_strips(strips, primitives);
-          const auto ends = std::count(all.indices.begin(), all.indices.end(), restart_index);
-          const auto required = format.required_extensions(primitives, static_cast<std::size_t>(ends) + 1);
+          const auto [bytes, written, wanted, bits, count, batches, strips, required] =
+              written_strips(format, all.mesh.points, all.indices, {form});
           EXPECT_EQ(bytes.find("extensionsRequired") != std::string::npos, !required.empty()) << in;
           for (const std::string& name : required) {
             ++requirements;
             EXPECT_NE(bytes.find(name), std::string::npos) << in;
           }
           const Soup read = std::get<Soup>(parsed(format, bytes));
-          EXPECT_EQ(read.triangles, all.drawn) << in;
-          const bool as_strips = format.holds_strips && !(format.primitives && primitives == GltfPrimitives::list);
-          if (as_strips) {
+          if (!format.forms || form != StripForm::stitched) EXPECT_EQ(read.triangles, all.drawn) << in;
+          EXPECT_EQ(sorted_triangles(read.triangles), sorted_triangles(all.drawn)) << in;
+          const bool as_strips = format.holds_strips && !(format.forms && form == StripForm::list);
+          if (format.forms && form == StripForm::stitched) {
+            EXPECT_EQ(std::count(read.strips.begin(), read.strips.end(), strip_end), 0) << in;
+          } else if (as_strips) {
             EXPECT_EQ(read.strips, all.indices) << in;
           } else {
             EXPECT_TRUE(read.strips.empty()) << in;
@@ -110,12 +110,12 @@ TEST(MeshFormats, WhatIsWrittenIsRead) {
       }
       if (writes_baked(format)) {
         ++ways;
-        const auto read = std::get<BakedBytes>(parsed(format, format.write_baked(all.baked, GltfPrimitives::strips)));
+        const auto read = std::get<BakedBytes>(parsed(format, format.write_baked(all.baked, {}).bytes));
         EXPECT_EQ(read.bytes, all.baked) << in;
       }
     }
   }
-  EXPECT_EQ(ways, 2U * (4 + 3 * 3 + 1 + 2));
+  EXPECT_EQ(ways, 2U * (4 + 3 * 4 + 1 + 2));
   EXPECT_GT(requirements, 0U);
 }
 
@@ -127,7 +127,8 @@ TEST(MeshFormats, TheFinestLevelIsTheMeshThatWasSimplified) {
     EXPECT_TRUE(progressive.strips.empty());
     for (const char* extension : {".baked", ".glb"}) {
       const MeshFormat& format = *format_named(extension);
-      const Soup baked = finest_level(parsed(format, format.write_baked(all.baked, GltfPrimitives::list)), "some file");
+      const Soup baked =
+          finest_level(parsed(format, format.write_baked(all.baked, {StripForm::list}).bytes), "some file");
       EXPECT_EQ(by_points(baked), by_points(soup));
       std::vector<std::uint32_t> origin;
       StripMesh mesh = StripMesh::build(baked.triangles, baked.points.size(), nullptr, &origin);
@@ -147,7 +148,8 @@ TEST_F(FormatsInFolder, AFileIsOpenedOnce) {
   for (const MeshFormat& format : mesh_formats()) {
     const std::string extension(format.extension);
     if (reads(format) && writes_mesh(format)) written[extension] = format.write_mesh(all.mesh);
-    if (reads(format) && writes_baked(format)) written[extension] = format.write_baked(all.baked, GltfPrimitives::list);
+    if (reads(format) && writes_baked(format))
+      written[extension] = format.write_baked(all.baked, {StripForm::list}).bytes;
   }
   EXPECT_EQ(written.size(), 7U);
   for (const auto& [extension, bytes] : written) {

@@ -21,13 +21,70 @@ def required(path):
     return parts_of_glb(path)[0].get("extensionsRequired")
 
 
+def read_bin(path, form, width, in_batches):
+    """The draw calls of a .bin: lists of indices."""
+    data, at = path.read_bytes(), 0
+
+    def table():
+        nonlocal at
+        (count,) = struct.unpack_from("<I", data, at)
+        values = struct.unpack_from(f"<{count}I", data, at + 4)
+        at += 4 + 4 * count
+        return values
+
+    batches = table() if in_batches else None
+    lengths = table() if form == "lengths" else None
+    indices = [index for (index,) in struct.iter_unpack("<H" if width == 2 else "<I", data[at:])]
+    calls = []
+    for length in lengths or batches or [len(indices)]:
+        calls.append(indices[:length])
+        del indices[:length]
+    assert not indices and sum(batches or ()) == (sum(map(len, calls)) if batches else 0)
+    return calls
+
+
+def triangles_of_calls(calls, form, width):
+    if form == "list":
+        return sorted(rotated(call[i:i + 3]) for call in calls for i in range(0, len(call), 3))
+    return drawn([strip for call in calls for strip in (strips_between(call, RESTART[width]) if form == "restart" else [call])])
+
+
+def check_forms(name, source, expected, width):
+    """Every form and width of .bin, whole and in batches; batches of .glb are primitives."""
+    for form in ("restart", "stitched", "lengths", "list"):
+        for index in ("auto", "32") if width == 2 else ("auto",):
+            bytes_each = 4 if index == "32" else width
+            for limit in ((), ("--batch-vertices", 40), ("--batch-indices", 30)) if width == 2 else ((),):
+                out = scratch / f"{name}-form.bin"
+                about = json.loads(run("stripify", source, "-o", out, "--form", form, "--index", index, *limit, "--json", "-").stdout)
+                calls = read_bin(out, form, bytes_each, bool(limit))
+                assert triangles_of_calls(calls, form, bytes_each) == expected, (form, index, limit)
+                told = about["file"]
+                assert (told["form"], told["index_bits"], told["indices"]) == (form, 8 * bytes_each, sum(map(len, calls)))
+                if limit and form != "lengths":
+                    assert told["batches"] == len(calls) > 1
+                for call in calls if limit else ():
+                    used = len(call) if "--batch-indices" in limit else len(set(call) - {RESTART[bytes_each]})
+                    assert used <= limit[1], (form, limit)
+    if width == 2:
+        out = scratch / f"{name}-batches.glb"
+        run("stripify", source, "-o", out, "--batch-vertices", 40)
+        _, primitives = glb(out)
+        assert len(primitives) > 1 and all(mode == 5 and len(set(strip)) <= 40 for mode, strip, _ in primitives)
+        assert drawn([strip for _, strip, _ in primitives]) == expected
+    else:
+        refused = run("stripify", source, "-o", scratch / "wide.bin", "--index", "16", code=2).stderr
+        assert "16 bits" in refused and "--index auto" in refused and not (scratch / "wide.bin").exists(), refused
+
+
 def check(name, triangles, width):
     source = scratch / f"{name}.obj"
     run("make-mesh", "-o", source, "--triangles", triangles)
     points, expected = obj(source)
     told = None
-    for out in (f"{name}.ply", f"{name}.bin", f"{name}-list.obj", f"{name}.glb"):
-        report = run("stripify", source, "--cost", "indices", "-o", scratch / out, "--json", "-").stdout
+    for out, *form in ((f"{name}.ply",), (f"{name}.bin",), (f"{name}-list.obj",), (f"{name}-default.glb",),
+                       (f"{name}.glb", "--gltf", "strips")):
+        report = run("stripify", source, "--cost", "indices", "-o", scratch / out, *form, "--json", "-").stdout
         told = json.loads(report)
         assert told["triangles"] == len(expected) and told["left_out"] == 0
 
@@ -35,15 +92,18 @@ def check(name, triangles, width):
     assert ply_points == points and len(strips) == told["strips"] and drawn(strips) == expected
     assert sum(map(len, strips)) + len(strips) - 1 == told["indices"]
 
-    indices = [index for (index,) in struct.iter_unpack("<I", (scratch / f"{name}.bin").read_bytes())]
-    assert len(indices) == told["indices"] and strips_between(indices, RESTART[4]) == strips
+    indices = [index for (index,) in struct.iter_unpack("<H" if width == 2 else "<I", (scratch / f"{name}.bin").read_bytes())]
+    assert len(indices) == told["indices"] and strips_between(indices, RESTART[width]) == strips
     assert obj(scratch / f"{name}-list.obj") == (points, expected)
 
     # By default every viewer opens the file; where it must know a proposal, the report says so.
     assert "required_extensions" not in told and required(scratch / f"{name}.glb") is None
     assert glb(scratch / f"{name}.glb") == (points, [(5, strip, width) for strip in strips])
-    run("stripify", source, "--cost", "indices", "-o", scratch / f"{name}-strips.glb", "--gltf", "strips")
-    assert (scratch / f"{name}-strips.glb").read_bytes() == (scratch / f"{name}.glb").read_bytes()
+    # The usual form is one draw call: one stitched strip, without restarts.
+    glb_points, ((mode, stitched, stitched_width),) = glb(scratch / f"{name}-default.glb")
+    assert (glb_points, mode, stitched_width) == (points, 5, width) and RESTART[width] not in stitched
+    assert drawn([stitched]) == expected and len(stitched) <= told["indices"] + told["strips"]
+    check_forms(name, source, expected, width)
     restart = ("stripify", source, "--cost", "indices", "-o", scratch / f"{name}-restart.glb", "--gltf", "restart")
     assert "requires KHR_mesh_primitive_restart, a proposal" in run(*restart).stdout
     assert json.loads(run(*restart, "--json", "-").stdout)["required_extensions"] == required(scratch / f"{name}-restart.glb")
@@ -56,7 +116,7 @@ def check(name, triangles, width):
     assert sorted(rotated(flat[i:i + 3]) for i in range(0, len(flat), 3)) == expected
 
     # Back in: the same oriented triangles, whatever strips they came in, and the same strips where they are wanted.
-    every = (f"{name}.ply", f"{name}.glb", f"{name}-restart.glb")
+    every = (f"{name}.ply", f"{name}.glb", f"{name}-restart.glb", f"{name}-default.glb")
     for back in every if width == 2 else [f"{name}.glb"]:
         run("stripify", scratch / back, "-o", scratch / f"{name}-again.obj")
         assert obj(scratch / f"{name}-again.obj") == (points, expected), back
@@ -65,15 +125,20 @@ def check(name, triangles, width):
         assert (kept["strips"], kept["cut_strips"], kept["valid"]) == (told["strips"], 0, True), (back, kept)
         assert sorted(sorted(triangles_of_strip(strip)) for strip in ply(scratch / f"{name}-kept.ply")[1]) == \
             sorted(sorted(triangles_of_strip(strip)) for strip in strips), back
-        # Converted, the index buffer is the very same.
+        about = json.loads(run("stats", scratch / back, "--json", "-").stdout)
+        assert (about["strips"], about["cut_strips"]) == (told["strips"], 0), about
+        # Converted, the index buffer is the very same; what was stitched is taken apart.
         run("convert", scratch / back, "-o", scratch / f"{name}-converted.ply")
+        if "default" in back:
+            converted_points, converted = ply(scratch / f"{name}-converted.ply")
+            assert (converted_points, len(converted), drawn(converted)) == (points, told["strips"], expected)
+            continue
+        assert about["strip_indices"] == told["indices"], about
         assert ply(scratch / f"{name}-converted.ply") == (points, strips), back
         run("convert", scratch / back, "-o", scratch / f"{name}-converted.bin")
         assert (scratch / f"{name}-converted.bin").read_bytes() == (scratch / f"{name}.bin").read_bytes(), back
-        run("convert", scratch / back, "-o", scratch / f"{name}-converted.glb")
+        run("convert", scratch / back, "-o", scratch / f"{name}-converted.glb", "--gltf", "strips")
         assert glb(scratch / f"{name}-converted.glb") == (points, [(5, strip, width) for strip in strips]), back
-        about = json.loads(run("stats", scratch / back, "--json", "-").stdout)
-        assert (about["strips"], about["cut_strips"], about["strip_indices"]) == (told["strips"], 0, told["indices"]), about
 
     # A list stays a list.
     if width == 4:
@@ -101,6 +166,24 @@ def euler(triangles):
     assert len(directed) == 3 * len(triangles) == 2 * len(edges), "a closed oriented manifold"
     return len({v for t in triangles for v in t}) - len(edges) + len(triangles)
 
+
+# Triangles without neighbours: a list has fewer indices than strips with restarts or stitches, so it is written, and said.
+with open(scratch / "islands.obj", "w") as file:
+    file.write("".join(f"v {i} {i * i % 7} {i % 3}\n" for i in range(90)) + "".join(f"f {i} {i + 1} {i + 2}\n" for i in range(1, 91, 3)))
+islands = [(i, i + 1, i + 2) for i in range(0, 90, 3)]
+for out, *form in (("islands.glb",), ("islands.glb", "--gltf", "stitched"), ("islands.glb", "--gltf", "restart"), ("islands.ply",),
+                   ("islands.bin",), ("islands.bin", "--form", "stitched")):
+    said = run("stripify", scratch / "islands.obj", "-o", scratch / out, *form).stdout
+    assert "a triangle list has fewer indices: 90" in said and "list; a list, because" in said, said
+    if out.endswith(".glb"):
+        _, ((mode, flat, _),) = glb(scratch / out)
+        assert mode == 4 and triangles_of_calls([flat], "list", 2) == islands
+    elif out.endswith(".bin"):
+        assert triangles_of_calls(read_bin(scratch / out, "list", 2, False), "list", 2) == islands
+    else:
+        run("convert", scratch / out, "-o", scratch / "islands-back.obj")
+        assert obj(scratch / "islands-back.obj")[1] == islands
+assert "a triangle list has fewer indices" in run("stripify", scratch / "islands.obj").stdout
 
 # Levels of detail: of the size asked for, a torus still, and the finest one the mesh itself.
 mesh = scratch / "small.obj"
@@ -157,6 +240,10 @@ for arguments, words in (
         (("-o", scratch / "x.off"), "name a file that ends so"),
         (("-o", scratch / "x.ply", "--gltf", "list"), "--gltf"),
         (("--gltf", "list"), "--gltf"),
+        (("-o", scratch / "x.ply", "--index", "16"), "--index"),
+        (("-o", scratch / "x.glb", "--form", "list"), "--form"),
+        (("-o", scratch / "x.bin", "--gltf", "list"), "--gltf"),
+        (("-o", scratch / "x.bin", "--batch-vertices", "2"), "--batch-vertices"),
         (("--effort", "file"), "has no strips"),
         (("-o", mesh), "small.obj")):
     before = mesh.read_bytes()

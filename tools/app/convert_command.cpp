@@ -36,13 +36,12 @@ struct ConvertCommand {
 /// What is written of a mesh, and what of it the format left out.
 struct Converted {
   WrittenStrips written;
-  std::size_t strips = 0;
   std::size_t left_out = 0;
 };
 
 Converted converted(const Soup& soup, const ConvertCommand& command, const MeshFormat& format) {
   if (format.write_mesh != nullptr && (!format.holds_strips || soup.strips.empty()))
-    return {{.bytes = format.write_mesh(soup), .required_extensions = {}}, 0, 0};
+    return {{.bytes = format.write_mesh(soup)}};
   StripOptions options = command.strips;
   if (soup.strips.empty()) {
     if (format.write_baked == nullptr || options.form.value_or(StripForm::list) != StripForm::list)
@@ -53,11 +52,9 @@ Converted converted(const Soup& soup, const ConvertCommand& command, const MeshF
   std::vector<Corners> drawn;
   std::copy_if(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(drawn),
                [](const Corners& t) { return !degenerate(t); });
-  const auto ends = std::count(soup.strips.begin(), soup.strips.end(), strip_end);
   WrittenStrips written = written_strips(format, soup.points, soup.strips.empty() ? each_a_strip(drawn) : soup.strips,
                                          options, soup.attributes);
-  const std::size_t strips = written.form == StripForm::list ? 0 : static_cast<std::size_t>(ends) + 1;
-  return {std::move(written), strips, soup.triangles.size() - drawn.size()};
+  return {std::move(written), soup.triangles.size() - drawn.size()};
 }
 
 /// A baked mesh as it is, byte by byte, from one kind of file into the other.
@@ -93,13 +90,13 @@ int run(const ConvertCommand& command) {
   out.write(made.written.bytes);
   nlohmann::ordered_json json{{"vertices", soup.points.size()},
                               {"triangles", soup.triangles.size() - made.left_out},
-                              {"strips", made.strips},
+                              {"strips", made.written.strips},
                               {"left_out", made.left_out}};
   add_to(json, mended);
   std::string text = as_text(mended);
   text += fmt::format("{}: {}, {}", command.out.string(), counted(soup.points.size(), "vertex", "vertices"),
                       counted(soup.triangles.size() - made.left_out, "triangle"));
-  if (made.strips != 0) text += fmt::format(" in {}", counted(made.strips, "strip"));
+  if (made.written.strips != 0) text += fmt::format(" in {}", counted(made.written.strips, "strip"));
   if (made.left_out != 0) text += fmt::format("; {} left out", counted(made.left_out, "degenerate triangle"));
   add_to(json, made.written);
   report.print(text + "\n" + as_text(made.written, command.out.string()), json.dump(2) + "\n");

@@ -43,7 +43,7 @@ BakedBytes read_baked_mesh(std::string_view bytes, const std::string& name) {
 }
 
 WrittenStrips baked_as_it_is(std::string_view baked, const StripOptions& /*options*/) {
-  return {.bytes = std::string(baked), .required_extensions = {}};
+  return {.bytes = std::string(baked)};
 }
 
 std::string ply_of_mesh(const Soup& mesh) { return ply_bytes(mesh); }

@@ -24,14 +24,19 @@ void for_each_drawn(const Soup& soup, Next&& next) {
   };
   std::size_t first = 0;
   bool begins = true;
+  std::size_t degenerate_ones = 0;  // in a row: one repeats an index within a strip, more stitch two strips together
   for (std::size_t i = 0; i < soup.strips.size(); ++i) {
     if (soup.strips[i] == strip_end) {
       first = i + 1;
       begins = true;
-    } else if (i >= first + 2 && !degenerate({soup.strips[i - 2], soup.strips[i - 1], soup.strips[i]})) {
+      degenerate_ones = 0;
+    } else if (i >= first + 2 && degenerate({soup.strips[i - 2], soup.strips[i - 1], soup.strips[i]})) {
+      ++degenerate_ones;
+    } else if (i >= first + 2) {
       to_drawn();
-      next(triangle++, begins);
+      next(triangle++, begins || degenerate_ones > 1);
       begins = false;
+      degenerate_ones = 0;
     }
   }
 }

@@ -24,6 +24,7 @@ IndexBuffer format_as(const StripOptions& options, StripForm usual, std::span<co
   written.index_bits = 8 * buffer.index_bytes();
   written.indices = buffer.size();
   written.batches = buffer.batches.size();
+  if (buffer.form != StripForm::list) written.strips = buffer.strips;
   return buffer;
 } catch (const std::length_error&) {
   throw BadInput("the mesh has vertices above 65,534, which 16 bits cannot name; write --index auto or 32");

@@ -42,11 +42,12 @@ struct StripFile {
 struct WrittenStrips {
   std::string bytes;
   StripForm form = StripForm::restart;
-  std::optional<StripForm> wanted;  ///< a list was written in its place, which has fewer indices
-  std::size_t index_bits = 0;       ///< 0 where the format has no index buffer
+  std::optional<StripForm> wanted = {};  ///< a list was written in its place, which has fewer indices
+  std::size_t index_bits = 0;            ///< 0 where the format has no index buffer
   std::size_t indices = 0;
   std::size_t batches = 0;
-  std::vector<std::string> required_extensions;  ///< that a viewer must know to open it
+  std::size_t strips = 0;                             ///< 0 for a list
+  std::vector<std::string> required_extensions = {};  ///< that a viewer must know to open it
 };
 
 /// The indices, strip_end between strips, in that form; what the buffer has is noted in `written`. Throws BadInput when

@@ -69,6 +69,7 @@ struct IndexBuffer {
   std::vector<IndexRange> batches;     ///< to be drawn one by one: consecutive, without the restarts between; strips
                                        ///< start again in each. One for the whole buffer when there is no limit
   std::size_t triangles = 0;           ///< drawn, degenerate ones left out
+  std::size_t strips = 0;              ///< that they come in, before batches cut them
 
   [[nodiscard]] std::size_t size() const noexcept {
     return std::visit([](const auto& all) { return all.size(); }, indices);

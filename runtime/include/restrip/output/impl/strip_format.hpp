@@ -26,7 +26,7 @@ class StripFormatter {
     write(format_.form);
     const std::size_t of_list = 3 * triangles_;
     if (format_.list_if_shorter && out_.size() > of_list) write(StripForm::list);
-    IndexBuffer buffer{form_, {}, std::move(lengths_), std::move(batches_), triangles_};
+    IndexBuffer buffer{form_, {}, std::move(lengths_), std::move(batches_), triangles_, strips_.size()};
     const bool narrow = highest_ <= highest_index16;
     if (format_.width == IndexWidth::bits16 && !narrow)
       RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into indices of 16 bits");
