@@ -3,8 +3,8 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "restrip.h"
@@ -12,53 +12,40 @@
 
 namespace restrip::c {
 
+inline std::vector<restrip_range> ranges_of(std::span<const IndexRange> ranges) {
+  std::vector<restrip_range> made;
+  made.reserve(ranges.size());
+  for (const IndexRange& range : ranges) made.push_back({range.first, range.count});
+  return made;
+}
+
 /// The live buffer of a mesh.
-class Live {
- public:
-  using Buffer = std::variant<StripBuffer, StripBuffer16, TriangleListBuffer, TriangleListBuffer16>;
+struct Live {
+  explicit Live(const StripFormat& format) : buffer(format) {}
 
-  explicit Live(Buffer buffer) : buffer_(std::move(buffer)) {}
-
-  /// Where the mesh reports to.
-  [[nodiscard]] std::vector<Triangle>* changed() noexcept { return &changed_; }
-  /// The mesh has changed without a report.
-  void forget() noexcept { whole_ = true; }
-
-  const std::vector<restrip_range>& update(const StripMesh& mesh) {
-    // Until this comes to its end the next update is to write everything.
-    const bool whole = std::exchange(whole_, true);
-    std::visit([&](auto& buffer) { bring_in_step(buffer, mesh, whole); }, buffer_);
-    whole_ = false;
-    return ranges_;
-  }
-  template <class Use>
-  void with_indices(Use&& use) const {
-    std::visit([&](const auto& buffer) { use(buffer.indices()); }, buffer_);
-  }
-
- private:
-  template <class OneBuffer>
-  void bring_in_step(OneBuffer& buffer, const StripMesh& mesh, bool whole) {
-    if (whole) {
-      changed_.clear();
-      buffer.rebuild(mesh);
-      ranges_.clear();
-      if (!buffer.indices().empty()) ranges_.push_back({0, buffer.indices().size()});
-      return;
-    }
-    const auto written = buffer.update(mesh, changed_);
-    changed_.clear();
-    ranges_.clear();
-    for (const IndexRange& range : written) ranges_.push_back({range.first, range.count});
-  }
-
-  Buffer buffer_;
-  std::vector<Triangle> changed_;
-  std::vector<restrip_range> ranges_;
-  bool whole_ = true;
+  LiveBuffer buffer;
+  std::vector<Triangle> changed;  // where the mesh reports to
+  std::vector<restrip_range> ranges;
+  std::vector<restrip_range> draws;
 };
 
 }  // namespace restrip::c
+
+struct restrip_buffer {
+  explicit restrip_buffer(restrip::IndexBuffer made) : buffer(std::move(made)) {
+    if (buffer.form != restrip::StripForm::lengths) {
+      draws = restrip::c::ranges_of(buffer.batches);
+      return;
+    }
+    std::size_t first = 0;
+    for (const std::uint32_t length : buffer.lengths) {
+      draws.push_back({first, length});
+      first += length;
+    }
+  }
+  const restrip::IndexBuffer buffer;
+  std::vector<restrip_range> draws;
+};
 
 struct restrip_mesh {
   using Keeper = restrip::Keeper<restrip::StripMesh>;
@@ -107,7 +94,7 @@ struct restrip_mesh {
     struct Afterwards {
       restrip_mesh* self;
       ~Afterwards() {
-        if (self->live) self->mesh.watch(self->live->changed());
+        if (self->live) self->mesh.watch(&self->live->changed);
         // Without memory the keeper reads the mesh before its next operation.
         try {
           self->keeper.rebuild();
@@ -117,7 +104,10 @@ struct restrip_mesh {
     };
     const Afterwards afterwards{this};
     mesh.watch(nullptr);
-    if (live) live->forget();
+    if (live) {
+      live->changed.clear();
+      live->buffer.forget();
+    }
     if (keeper.baked() != nullptr) keeper.baked()->leave_step();
     work(mesh);
   }

@@ -55,6 +55,41 @@ restrip_status build(const Index* indices, std::size_t index_count, std::size_t 
   });
 }
 
+// ---- buffers
+
+bool format_of(const restrip_format* format, StripFormat& out) noexcept {
+  if (format == nullptr) return true;
+  const auto limit_is = [](std::size_t limit, std::size_t least) { return limit == 0 || limit >= least; };
+  if (!restrip::c::named(format->form, StripForm::list, out.form)) return false;
+  if (format->index_bits != 0 && format->index_bits != 16 && format->index_bits != 32) return false;
+  if (!limit_is(format->most_vertices, 3) || !limit_is(format->most_indices, 4)) return false;
+  out.width = format->index_bits == 0    ? IndexWidth::automatic
+              : format->index_bits == 16 ? IndexWidth::bits16
+                                         : IndexWidth::bits32;
+  out.list_if_shorter = format->keep_strips == 0;
+  out.most_vertices = format->most_vertices;
+  out.most_indices = format->most_indices;
+  return true;
+}
+
+template <class Index>
+restrip_status strips_of_list(const Index* indices, std::size_t index_count, std::size_t vertex_count,
+                              std::int32_t effort, const restrip_cost* cost, const restrip_format* format,
+                              restrip_buffer** out) {
+  if (out != nullptr) *out = nullptr;
+  if (out == nullptr || (indices == nullptr && index_count != 0)) return RESTRIP_NULL_ARGUMENT;
+  Effort how{};
+  Cost what = Cost::indices();
+  StripFormat wanted;
+  if (index_count % 3 != 0 || !restrip::c::named(effort, Effort::best, how) || !format_of(format, wanted) ||
+      (cost != nullptr && !restrip::c::cost_of(cost, what)))
+    return RESTRIP_BAD_ARGUMENT;
+  return guarded([&] {
+    *out = new restrip_buffer(strips_of(std::span<const Index>(indices, index_count), vertex_count, wanted, how, what));
+    return RESTRIP_OK;
+  });
+}
+
 /// Is h a halfedge of the mesh?
 bool known(const restrip_mesh* mesh, restrip_halfedge h) noexcept {
   return mesh != nullptr && mesh->mesh.alive(StripMesh::Halfedge{h});
@@ -406,39 +441,111 @@ restrip_status restrip_mesh_strip_indices_u16(const restrip_mesh* mesh, std::uin
   return indices_of(mesh, indices, capacity, count);
 }
 
+// ---- buffers in any form
+
+restrip_status restrip_strips_of_u32(const std::uint32_t* indices, std::size_t index_count, std::size_t vertex_count,
+                                     std::int32_t effort, const restrip_cost* cost, const restrip_format* format,
+                                     restrip_buffer** buffer) {
+  return strips_of_list(indices, index_count, vertex_count, effort, cost, format, buffer);
+}
+restrip_status restrip_strips_of_u16(const std::uint16_t* indices, std::size_t index_count, std::size_t vertex_count,
+                                     std::int32_t effort, const restrip_cost* cost, const restrip_format* format,
+                                     restrip_buffer** buffer) {
+  return strips_of_list(indices, index_count, vertex_count, effort, cost, format, buffer);
+}
+restrip_status restrip_mesh_buffer(const restrip_mesh* mesh, const restrip_format* format, std::uint32_t cache_size,
+                                   restrip_buffer** buffer) {
+  if (buffer != nullptr) *buffer = nullptr;
+  if (any_null(mesh, buffer)) return RESTRIP_NULL_ARGUMENT;
+  StripFormat wanted;
+  if (!format_of(format, wanted)) return RESTRIP_BAD_ARGUMENT;
+  return guarded([&] {
+    const StripMesh& own = mesh->mesh;
+    const auto ordered = [&] {
+      return strip_indices(own, order_for_vertex_cache(own, extract_strips(own), cache_size));
+    };
+    *buffer = new restrip_buffer(format_strips(cache_size == 0 ? strip_indices(own) : ordered(), wanted));
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_buffer_read(const restrip_buffer* buffer, restrip_buffer_view* view) {
+  if (any_null(buffer, view)) return RESTRIP_NULL_ARGUMENT;
+  const IndexBuffer& made = buffer->buffer;
+  *view = {made.bytes().data(),
+           made.size(),
+           static_cast<std::int32_t>(8 * made.index_bytes()),
+           static_cast<std::int32_t>(made.form),
+           buffer->draws.data(),
+           buffer->draws.size(),
+           made.triangles};
+  return RESTRIP_OK;
+}
+void restrip_buffer_free(restrip_buffer* buffer) { delete buffer; }
+
 // ---- the live buffer
 
 restrip_status restrip_live_begin(restrip_mesh* mesh, std::int32_t form) {
   if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
   if (form < RESTRIP_STRIPS_U32 || form > RESTRIP_LIST_U16) return RESTRIP_BAD_ARGUMENT;
+  const bool wide = form == RESTRIP_STRIPS_U32 || form == RESTRIP_LIST_U32;
+  const restrip_format format{form < RESTRIP_LIST_U32 ? RESTRIP_FORM_RESTART : RESTRIP_FORM_LIST, wide ? 32 : 16, 0, 0,
+                              0};
+  return restrip_live_begin_format(mesh, &format);
+}
+restrip_status restrip_live_begin_format(restrip_mesh* mesh, const restrip_format* format) {
+  if (any_null(mesh)) return RESTRIP_NULL_ARGUMENT;
+  StripFormat wanted;
+  if (!format_of(format, wanted) || wanted.most_vertices + wanted.most_indices != 0) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    restrip::c::Live::Buffer buffer;
-    if (form == RESTRIP_STRIPS_U16) buffer = StripBuffer16();
-    if (form == RESTRIP_LIST_U32) buffer = TriangleListBuffer();
-    if (form == RESTRIP_LIST_U16) buffer = TriangleListBuffer16();
-    auto live = std::make_unique<restrip::c::Live>(std::move(buffer));
-    mesh->live = std::move(live);
-    mesh->mesh.watch(mesh->live->changed());
+    mesh->live = std::make_unique<restrip::c::Live>(wanted);
+    mesh->mesh.watch(&mesh->live->changed);
     return RESTRIP_OK;
   });
 }
 restrip_status restrip_live_update(restrip_mesh* mesh, const restrip_range** ranges, std::size_t* range_count) {
+  return restrip_live_update_with(mesh, RangeOptions().merge_gap, RangeOptions().align, ranges, range_count, nullptr);
+}
+restrip_status restrip_live_update_with(restrip_mesh* mesh, std::size_t merge_gap, std::size_t align,
+                                        const restrip_range** ranges, std::size_t* range_count,
+                                        std::int32_t* outgrown) {
   if (any_null(mesh, ranges, range_count)) return RESTRIP_NULL_ARGUMENT;
   if (!mesh->live) return RESTRIP_NOT_LIVE;
+  if (align == 0 || (align != 2 && align % 4 != 0)) return RESTRIP_BAD_ARGUMENT;
   return guarded([&] {
-    const auto& written = mesh->live->update(mesh->mesh);
-    *ranges = written.data();
-    *range_count = written.size();
+    restrip::c::Live& live = *mesh->live;
+    const Upload upload = live.buffer.update(mesh->mesh, live.changed, {merge_gap, align});
+    live.changed.clear();
+    live.ranges = restrip::c::ranges_of(upload);
+    *ranges = live.ranges.data();
+    *range_count = live.ranges.size();
+    if (outgrown != nullptr) *outgrown = upload.outgrown ? 1 : 0;
+    return RESTRIP_OK;
+  });
+}
+restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view, std::size_t* room) {
+  if (any_null(mesh, view)) return RESTRIP_NULL_ARGUMENT;
+  if (!mesh->live) return RESTRIP_NOT_LIVE;
+  return guarded([&] {
+    restrip::c::Live& live = *mesh->live;
+    std::vector<IndexRange> draws;
+    live.buffer.draws(draws);
+    live.draws = restrip::c::ranges_of(draws);
+    *view = {live.buffer.bytes().data(),
+             live.buffer.size(),
+             static_cast<std::int32_t>(8 * live.buffer.index_bytes()),
+             static_cast<std::int32_t>(live.buffer.format().form),
+             live.draws.data(),
+             live.draws.size(),
+             mesh->mesh.triangle_count()};
+    if (room != nullptr) *room = live.buffer.room();
     return RESTRIP_OK;
   });
 }
 restrip_status restrip_live_indices(const restrip_mesh* mesh, const void** indices, std::size_t* count) {
   if (any_null(mesh, indices, count)) return RESTRIP_NULL_ARGUMENT;
   if (!mesh->live) return RESTRIP_NOT_LIVE;
-  mesh->live->with_indices([&](auto all) {
-    *indices = all.data();
-    *count = all.size();
-  });
+  *indices = mesh->live->buffer.bytes().data();
+  *count = mesh->live->buffer.size();
   return RESTRIP_OK;
 }
 restrip_status restrip_live_end(restrip_mesh* mesh) {

@@ -23,6 +23,7 @@ using Across = std::vector<std::array<std::uint32_t, 3>>;
 struct Expected {
   Across across;
   BuildReport report;
+  std::vector<std::vector<std::uint32_t>> odd = {};  // the sides of edges of more than two
 };
 
 // Every edge with all its sides.
@@ -46,6 +47,7 @@ Expected from_table(const std::vector<Corners>& list, std::size_t vertices) {
       ++expected.report.boundary_edges;
     } else if (sides.size() > 2) {
       ++expected.report.non_manifold_edges;
+      expected.odd.push_back(sides);
     } else if (from(0) == from(1)) {
       ++expected.report.inconsistent_edges;
     } else {
@@ -56,13 +58,33 @@ Expected from_table(const std::vector<Corners>& list, std::size_t vertices) {
   return expected;
 }
 
+// At an edge of more than two sides as many pairs as there can be, each of one side one way and one the other way.
+void expect_pairs(const std::vector<Corners>& list, const std::vector<std::uint32_t>& sides, Across& across) {
+  const auto from = [&](std::uint32_t h) { return list[h / 4][h % 4]; };
+  const auto upwards = static_cast<std::size_t>(std::count_if(
+      sides.begin(), sides.end(), [&](std::uint32_t h) { return from(h) < list[h / 4][(h % 4 + 1) % 3]; }));
+  std::size_t joined = 0;
+  for (const std::uint32_t h : sides) {
+    const std::uint32_t there = across[h / 4][h % 4];
+    if (there == none) continue;
+    ++joined;
+    ASSERT_TRUE(std::find(sides.begin(), sides.end(), there) != sides.end());
+    ASSERT_EQ(across[there / 4][there % 4], h);
+    ASSERT_NE(from(h), from(there));
+  }
+  ASSERT_EQ(joined, 2 * std::min(upwards, sides.size() - upwards));
+  for (const std::uint32_t h : sides) across[h / 4][h % 4] = none;
+}
+
 void expect_table(const std::vector<Corners>& list, std::size_t vertices) {
   const Expected expected = from_table(list, vertices);
   Across across(list.size());
   BuildReport report;
   report.boundary_edges = 77;
   find_neighbors(TriangleList(list), vertices, across, report);
-  ASSERT_EQ(across, expected.across);
+  Across of_manifold_edges = across;
+  for (const auto& sides : expected.odd) expect_pairs(list, sides, of_manifold_edges);
+  ASSERT_EQ(of_manifold_edges, expected.across);
   ASSERT_EQ(report.degenerate_triangles, expected.report.degenerate_triangles);
   ASSERT_EQ(report.out_of_range_triangles, expected.report.out_of_range_triangles);
   ASSERT_EQ(report.boundary_edges, expected.report.boundary_edges);
@@ -113,6 +135,48 @@ TEST(TriangleList, NeighborsAreThoseOfMeshesInAnyOrder) {
     expect_table(list, mesh.vertex_bound());
     if (HasFatalFailure()) return;
   }
+}
+
+// The sides of one edge, and how often anything is asked about sides.
+class CountingSides {
+ public:
+  static constexpr std::uint32_t not_joined = none;
+  explicit CountingSides(const std::vector<Corners>& list) : list_(list), across_(list.size()) {}
+  [[nodiscard]] std::size_t triangle_bound() const { return list_.size(); }
+  [[nodiscard]] static bool takes(Triangle /*t*/) { return true; }
+  [[nodiscard]] Vertex corner(std::uint32_t h) const { return ++asked, list_[h / 4][h % 4]; }
+  [[nodiscard]] std::uint32_t& link(std::uint32_t h) const { return ++asked, across_[h / 4][h % 4]; }
+  [[nodiscard]] static std::uint32_t joined(std::uint32_t h) { return h; }
+  [[nodiscard]] std::uint32_t across(std::uint32_t h) const { return link(h); }
+  void odd_edge(Vertex /*v*/, Vertex /*w*/) const {}
+
+  mutable std::size_t asked = 0;
+
+ private:
+  const std::vector<Corners>& list_;
+  mutable Across across_;
+};
+
+// A book: pages on one edge, each a triangle and its back. All sides are joined, in steps that grow as the pages do.
+TEST(TriangleList, PairsThePagesOfABookInLinearTime) {
+  std::array<std::size_t, 2> asked{};
+  for (const Vertex pages : {2'000U, 4'000U}) {
+    std::vector<Corners> list;
+    for (Vertex p = 2; p < pages + 2; ++p) list.insert(list.end(), {{0, 1, p}, {1, 0, p}});
+    BuildReport report;
+    const CountingSides sides(list);
+    detail::JoinSides<true, CountingSides>(sides, pages + 2, report).run();
+    asked[pages / 4'000] = sides.asked;
+    EXPECT_EQ(report.non_manifold_edges, 1U);
+    std::size_t backs = 0;
+    for (Triangle t = 0; t < list.size(); ++t) {
+      ASSERT_NE(sides.across(4 * t), none);
+      backs += sides.across(4 * t) / 4 == (t ^ 1U) ? 1U : 0U;
+    }
+    EXPECT_EQ(backs, 0U);
+    expect_table(list, pages + 2);
+  }
+  EXPECT_LT(asked[1], 2 * asked[0] + 100);
 }
 
 TEST(TriangleList, ReadsTriplesAndIndicesOfTwoSizes) {

@@ -35,7 +35,9 @@ struct BuildReport {
   std::size_t degenerate_triangles = 0;    ///< left out: a corner twice
   std::size_t out_of_range_triangles = 0;  ///< left out: a corner that is no vertex
   std::size_t boundary_edges = 0;          ///< edges of one triangle
-  std::size_t non_manifold_edges = 0;      ///< edges of three triangles or more: no strip crosses them
+  /// Edges of three triangles or more. Strips cross them in pairs of triangles wound alike, so that the sheets of a
+  /// two-sided mesh keep their strips; operations there are refused.
+  std::size_t non_manifold_edges = 0;
   std::size_t inconsistent_edges = 0;  ///< edges of two triangles that disagree in orientation: no strip crosses them
   std::size_t non_manifold_vertices =
       0;  ///< vertices of several fans, or on one of the edges above: operations refuse them
@@ -99,7 +101,8 @@ TriangleList(const Elements&)
     -> TriangleList<std::remove_cv_t<typename decltype(std::span(std::declval<const Elements&>()))::element_type>>;
 
 /// For each triangle of the list and each of its sides the halfedge across, or none where there is no neighbour: those
-/// of triangles that are left out, and of the edges that the report counts. All of the report is written but
+/// of triangles that are left out, of boundary and inconsistent edges, and of a non-manifold edge those that are left
+/// over when sides of opposite directions are joined in pairs. All of the report is written but
 /// non_manifold_vertices. `across` must have list.size() elements. O(triangles + vertices), however many triangles a
 /// vertex has; 12 bytes a vertex while it runs. Throws std::length_error for more than 2^32 - 1 vertices.
 template <class Element>

@@ -2,8 +2,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "restrip/mesh/triangle_list.hpp"
@@ -16,12 +20,17 @@ namespace detail {
 /// on the list of the smaller of its two vertices, whose links are the places where the neighbours go later. A vertex
 /// then reads its list, and an edge of it is known by the larger vertex. Which side is the second of its edge is as
 /// good as random, so that is no branch. O(triangles + vertices), however many triangles a vertex has; 12 bytes a
-/// vertex while it runs.
+/// vertex while it runs, 4 more when there are odd edges, and 16 for each side of one.
+///
+/// Edges of three sides or more, and of two that run the same way, are *odd*. Each side that runs one way is joined to
+/// one that runs the other way, as far as there are any, so that windings stay right. First those that close the fan
+/// around one of their ends, so that sheets go on; then any, but for a triangle and its own back (the same corners the
+/// other way round), which are joined only when no other choice is left.
 ///
 /// `Sides`: triangle_bound(); takes(t), are there sides of t?; corner(h), the vertex that h leaves; link(h), a place
 /// for a number of 32 bits, written before it is read; joined(h), what stands there when h is across, or not_joined;
-/// odd_edge(v, w), told of each edge that is left unjoined though it has several sides. Unless `checked`, each directed
-/// edge must be there once at most, and its triangle be one that is taken.
+/// odd_edge(v, w), called for each odd edge. Unless `checked`, each directed edge must be there once at most, and its
+/// triangle be one that is taken.
 template <bool checked, class Sides>
 class JoinSides {
  public:
@@ -31,15 +40,17 @@ class JoinSides {
   void run() {
     make_lists();
     for (std::uint32_t v = 0; v < lists_.size(); ++v) read_list(v);
-    if constexpr (checked) report_.boundary_edges += alone_;
+    if constexpr (checked) {
+      report_.boundary_edges += alone_;
+      join_odd_edges();
+    }
   }
 
  private:
   static constexpr std::uint32_t end = 0xFFFF'FFFFU;  // of a list; also no vertex
-  // What an edge has in place of its first side: it is joined, or as below; these have the highest bit.
+  // What an edge has in place of its first side: two are joined, or it is odd.
   static constexpr std::uint32_t second = 1U << 31;
-  static constexpr std::uint32_t inconsistent = end - 1;
-  static constexpr std::uint32_t non_manifold = end;
+  static constexpr std::uint32_t odd = end;
 
   struct Edge {
     std::uint32_t low = end;   // the vertex whose list it was met in
@@ -47,6 +58,7 @@ class JoinSides {
   };
 
   static constexpr std::uint32_t next(std::uint32_t h) noexcept { return (h & 2U) != 0 ? h - 2 : h + 1; }
+  static constexpr std::uint32_t previous(std::uint32_t h) noexcept { return next(next(h)); }
 
   void make_lists() {
     for (std::uint32_t t = 0; t < sides_.triangle_bound(); ++t) {
@@ -67,7 +79,7 @@ class JoinSides {
       Edge& edge = edges_[high];
       const bool met = edge.low == low;
       if (checked && met && ((edge.side & second) != 0 || sides_.corner(edge.side) == from)) {
-        refuse(h, edge, low, high);
+        put_odd(h, edge, low, high);
         continue;
       }
       const std::uint32_t g = met ? edge.side : h;
@@ -78,35 +90,127 @@ class JoinSides {
     }
   }
 
+  // ---- odd edges
+
   // One side too many, or one that runs the same way as the other.
-  void refuse(std::uint32_t h, Edge& edge, std::uint32_t low, std::uint32_t high) {
-    sides_.link(h) = Sides::not_joined;
-    if (edge.side == non_manifold) return;
-    if (edge.side == inconsistent) {
-      --report_.inconsistent_edges;
-      ++report_.non_manifold_edges;
-      edge.side = non_manifold;
-      return;
+  void put_odd(std::uint32_t h, Edge& edge, std::uint32_t low, std::uint32_t high) {
+    if (edge.side != odd) {
+      if (odd_of_.empty()) odd_of_.resize(edges_.size());
+      odd_of_[high] = static_cast<std::uint32_t>(odd_edges_++);
+      sides_.odd_edge(low, high);
+      const std::uint32_t g = edge.side & ~second;
+      if ((edge.side & second) != 0)
+        put_odd_side(sides_.across(g), high);
+      else
+        --alone_;
+      put_odd_side(g, high);
+      edge.side = odd;
     }
-    sides_.odd_edge(low, high);
-    if ((edge.side & second) == 0) {
-      --alone_;
-      ++report_.inconsistent_edges;
-      edge.side = inconsistent;
-      return;
-    }
-    const std::uint32_t g = edge.side & ~second;
-    sides_.link(sides_.across(g)) = Sides::not_joined;
-    sides_.link(g) = Sides::not_joined;
-    ++report_.non_manifold_edges;
-    edge.side = non_manifold;
+    put_odd_side(h, high);
   }
+  void put_odd_side(std::uint32_t h, std::uint32_t high) {
+    sides_.link(h) = Sides::not_joined;
+    odd_sides_.push_back({odd_of_[high], h});
+  }
+
+  void join_odd_edges() {
+    std::vector<std::size_t> begin(odd_edges_ + 1, 0);
+    for (const OddSide& side : odd_sides_) ++begin[side.edge + 1];
+    for (std::size_t e = 0; e < odd_edges_; ++e) begin[e + 1] += begin[e];
+    std::vector<std::uint32_t> sorted(odd_sides_.size());
+    std::vector<std::size_t> place(begin.begin() + 1, begin.end());
+    for (const OddSide& side : odd_sides_) sorted[--place[side.edge]] = side.h;  // ascending: lists are read backwards
+    const auto sides_of = [&](std::size_t e) { return std::span(sorted).subspan(begin[e], begin[e + 1] - begin[e]); };
+    for (std::size_t e = 0; e < odd_edges_; ++e) join_odd_edge(sides_of(e));
+    connect(sides_of);
+  }
+
+  // Where two pairs of sides of an edge are in two connected components, they exchange their partners, so that one
+  // strip may cover both.
+  template <class SidesOf>
+  void connect(SidesOf&& sides_of) {
+    std::vector<std::uint32_t> parent(odd_edges_ == 0 ? 0 : sides_.triangle_bound());
+    std::iota(parent.begin(), parent.end(), 0U);
+    const auto root = [&parent](std::uint32_t t) {
+      while (parent[t] != t) t = parent[t] = parent[parent[t]];
+      return t;
+    };
+    for (std::uint32_t t = 0; t < parent.size(); ++t)
+      for (std::uint32_t h = t << 2; h < (t << 2 | 3U); ++h)
+        if (is_joined(h)) parent[root(t)] = root(sides_.across(h) >> 2);
+    for (std::size_t e = 0; e < odd_edges_; ++e) {
+      std::uint32_t one = end;
+      for (const std::uint32_t h : sides_of(e)) {
+        if (!is_joined(h) || sides_.corner(h) > sides_.corner(next(h))) continue;
+        const std::uint32_t before = std::exchange(one, h);
+        if (before == end || root(before >> 2) == root(h >> 2)) continue;
+        const std::uint32_t g = sides_.across(h);
+        join(h, sides_.across(before));
+        join(before, g);
+        parent[root(before >> 2)] = root(h >> 2);
+      }
+    }
+  }
+
+  void join_odd_edge(std::span<const std::uint32_t> sides) {
+    ++(sides.size() == 2 ? report_.inconsistent_edges : report_.non_manifold_edges);
+    for (const std::uint32_t h : sides)
+      if (const std::uint32_t other = is_joined(h) ? end : beyond_fan(h); other != end) join(h, other);
+    for (auto& way : ways_) way.clear();
+    for (const std::uint32_t h : sides)
+      if (!is_joined(h)) ways_[sides_.corner(h) < sides_.corner(next(h)) ? 0 : 1].push_back(h);
+    if (ways_[0].size() > ways_[1].size()) std::swap(ways_[0], ways_[1]);
+    auto& [few, many] = ways_;
+    // Looks at few others, so that an edge of many sides takes linear time.
+    constexpr std::size_t most_looks = 8;
+    for (std::size_t i = 0; i < few.size(); ++i)
+      for (std::size_t j = i; j < std::min(i + most_looks, many.size()); ++j)
+        if (!are_backs(few[i], many[j])) {
+          std::swap(many[i], many[j]);
+          break;
+        }
+    for (std::size_t i = 0; i < few.size(); ++i)
+      for (std::size_t j = i - std::min(i, most_looks); are_backs(few[i], many[i]) && j < i; ++j)
+        if (!are_backs(few[i], many[j]) && !are_backs(few[j], many[i])) std::swap(many[i], many[j]);
+    for (std::size_t i = 0; i < few.size(); ++i) join(few[i], many[i]);
+  }
+
+  [[nodiscard]] bool is_joined(std::uint32_t h) const noexcept { return sides_.link(h) != Sides::not_joined; }
+  void join(std::uint32_t h, std::uint32_t g) noexcept {
+    sides_.link(h) = sides_.joined(g);
+    sides_.link(g) = sides_.joined(h);
+  }
+  // Of two sides of one edge.
+  [[nodiscard]] bool are_backs(std::uint32_t h, std::uint32_t g) const noexcept {
+    return sides_.corner(previous(h)) == sides_.corner(previous(g));
+  }
+  // The side of the same edge, the other way, that is met when one turns from h around one of its ends; or `end`.
+  [[nodiscard]] std::uint32_t beyond_fan(std::uint32_t h) const noexcept {
+    const auto turned = [this, h](auto turn) {
+      std::uint32_t g = turn(h);
+      for (unsigned steps = 0; steps < 64 && is_joined(g); ++steps) g = turn(sides_.across(g));
+      const bool same =
+          !is_joined(g) && sides_.corner(g) == sides_.corner(next(h)) && sides_.corner(next(g)) == sides_.corner(h);
+      return same && !are_backs(h, g) ? g : end;
+    };
+    const std::uint32_t g = turned(next);
+    return g != end ? g : turned(previous);
+  }
+
+  struct OddSide {
+    std::uint32_t edge;
+    std::uint32_t h;
+  };
 
   const Sides& sides_;
   BuildReport& report_;
-  std::size_t alone_ = 0;             // edges of one side, as far as it is known
-  std::vector<std::uint32_t> lists_;  // of each vertex the first side
-  std::vector<Edge> edges_;           // by their larger vertex
+  std::size_t alone_ = 0;              // edges of one side, as far as it is known
+  std::vector<std::uint32_t> lists_;   // of each vertex the first side
+  std::vector<Edge> edges_;            // by their larger vertex
+  std::vector<std::uint32_t> odd_of_;  // of an odd edge, by its larger vertex: its number
+  std::size_t odd_edges_ = 0;
+  std::vector<OddSide> odd_sides_;
+  std::array<std::vector<std::uint32_t>, 2> ways_;  // of an odd edge: its sides that are not joined, by their direction
 };
 
 /// What JoinSides asks of a list, and where it writes.

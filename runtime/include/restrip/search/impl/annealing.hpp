@@ -298,7 +298,8 @@ class Annealing : private ColoringCopy {
       if (full_here != full_there && (full_here ? least_change(g, which & 1U) : least_change(h, which >> 1)) > allowed)
         return;
       if (full_here) cut((h & ~3U) | ((h & 3U) + 1 + (which & 1U)) % 3);
-      if (full_there) cut((g & ~3U) | ((g & 3U) + 1 + (which >> 1)) % 3);
+      // Two triangles may share two sides: then the first cut may have made room in both.
+      if (full(g >> 2)) cut((g & ~3U) | ((g & 3U) + 1 + (which >> 1)) % 3);
       bool possible = change - cost_.restart - 2 * std::int64_t{cost_.isolated} <= allowed;
       if (possible) {
         flip(h);
