@@ -515,7 +515,12 @@ restrip_status restrip_live_update_with(restrip_mesh* mesh, std::size_t merge_ga
     restrip::c::Live& live = *mesh->live;
     const Upload upload = live.buffer.update(mesh->mesh, live.changed, {merge_gap, align});
     live.changed.clear();
-    live.ranges = restrip::c::ranges_of(upload);
+    try {
+      live.ranges = restrip::c::ranges_of(upload);
+    } catch (...) {
+      live.buffer.keep_upload();  // the next update returns them
+      throw;
+    }
     *ranges = live.ranges.data();
     *range_count = live.ranges.size();
     if (outgrown != nullptr) *outgrown = upload.outgrown ? 1 : 0;

@@ -13,7 +13,11 @@ export type Policy = 'bare' | 'rules' | 'local' | 'linked' | 'quick' | 'full' | 
 export type Cost = 'strips' | 'indices' | { restart: number; swap: number; isolated?: number };
 export type Family = 'split' | 'collapse' | 'open-split' | 'open-collapse' | 'boundary-split' | 'boundary-collapse' | 'flip';
 
-/** Between two strips of an index buffer; WebGL 2 and WebGPU restart there. */
+/** Forms of the index buffer: one strip restarted by the index with all bits set; one strip without restart, stitched by
+ * repeated indices; runs to be drawn one by one (`draws`); a triangle list. */
+export type Form = 'restart' | 'stitched' | 'lengths' | 'list';
+
+/** Between two strips of an index buffer of 32 bits (0xffff of 16); WebGL 2 and WebGPU restart there. */
 export const restartIndex: 0xffffffff;
 /** No vertex. */
 export const none: 0xffffffff;
@@ -31,6 +35,8 @@ export class Restrip {
    * v_l, v_r (one of the last two is `none` on the boundary). Vertices are those that have a point. Throws when a record
    * cannot be played. */
   progressive(source: { points: ArrayLike<number>; base: ArrayLike<number>; splits: ArrayLike<number> }): StripMesh;
+  /** A mesh as it is, without records. */
+  mesh(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }): StripMesh;
   /** Simplifies a mesh to that share of its triangles, from 0 to 1, by quadric errors; boundary vertices stay. Takes
    * seconds for a million triangles. */
   simplified(source: { points: ArrayLike<number>; triangles: ArrayLike<number> }, share?: number): StripMesh;
@@ -99,6 +105,7 @@ export interface LastOperation {
 /** Call begin() first; everything else is an error before it. A view of memory (`indices`) is valid until the next
  * call of any method of any mesh. */
 export class StripMesh implements Disposable {
+  /** Replaced by addPoint(), which has room for one more. */
   readonly points: Float32Array;
   /** Number of records. */
   readonly levels: number;
@@ -109,23 +116,35 @@ export class StripMesh implements Disposable {
   readonly leftOut: { triangles: number; nonManifoldVertices: number; boundaryEdges: number };
 
   /** Goes to the base, gives it strips from scratch, and keeps them in this way from now on. Policy 'baked' begins with the
-   * baked strips instead, whatever the cost. */
-  begin(options?: { policy?: Policy; cost?: Cost }): this;
+   * baked strips instead, whatever the cost. `bits` of an index: 32, 16, or 'auto': 16 until a vertex is numbered 65,535
+   * or above. */
+  begin(options?: { policy?: Policy; cost?: Cost; form?: Form; bits?: 16 | 32 | 'auto' }): this;
   /** Splits and collapses until the first `level` records are played, a whole number up to `levels`; at most `most`
-   * operations. Returns their number; fewer than `most`: done. */
+   * operations. Returns their number; fewer than `most`: done. Throws after split(), collapse() or flip(), until begin():
+   * records do not fit a mesh that these have changed. */
   moveTo(level: number, most?: number): number;
   /** The same towards the records marked 1 in `wanted`, a byte each, and those that they need: a view-dependent mesh. */
   approach(wanted: Uint8Array, most?: number): number;
   /** The records that can be split now: all that they need are split. Linear time. */
   readonly ready: Uint32Array;
+  /** A new vertex for split(). Returns its number. */
+  addPoint(x: number, y: number, z: number): number;
+  /** Moves a vertex; strips do not depend on places. */
+  setPoint(v: number, x: number, y: number, z: number): void;
   /** Single operations by vertices; vT needs a point. Null when done, else a sentence that says why the mesh refuses. */
   split(vS: number, vT: number, vL: number, vR: number): string | null;
   collapse(vS: number, vT: number): string | null;
   flip(u: number, v: number): string | null;
 
-  /** Brings the index buffer in step; returns the ranges to upload. The buffer may have become longer than its storage
-   * on the graphics card. Time linear in what changed. */
-  update(): Range[];
+  /** Brings the index buffer in step; returns the ranges to upload. Ranges at most `join` indices apart (2) become one;
+   * they begin and end at multiples of `align` bytes, 2 or a multiple of 4 (4, as WebGPU's writeBuffer asks). `outgrown`:
+   * the buffer has become longer than `room`, or its indices wider; make one of `room` indices on the card. There is one
+   * range then, everything. Time linear in what changed. */
+  update(options?: { join?: number; align?: number }): Range[] & { outgrown: boolean };
+  /** How many indices the buffer on the card should have room for. */
+  readonly room: number;
+  /** What is to be drawn: the runs of the form 'lengths', else the whole buffer. */
+  readonly draws: Range[];
   /** In place of update(), for a policy such as 'bare' that keeps no strips: a triangle list, in which an operation writes
    * the slots of the triangles that it changed alone; or, if it is to be so, the list as a whole. */
   updateList(options?: { whole?: boolean }): Range[];
@@ -134,8 +153,8 @@ export class StripMesh implements Disposable {
   /** A copy of the index buffer of strips that are made anew, by the fastest way there is here, in a copy of the mesh as it
    * is; those that are kept do not change. Linear time. */
   fromScratch(options?: { cost?: Cost }): Uint32Array;
-  /** The index buffer: one triangle strip with restarts. A view, not a copy. */
-  readonly indices: Uint32Array;
+  /** The index buffer in the form that begin() was given. A view, not a copy. */
+  readonly indices: Uint32Array | Uint16Array;
   /** A copy of the triangles, 3 numbers each. */
   readonly triangles: Uint32Array;
 

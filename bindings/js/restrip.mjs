@@ -6,6 +6,7 @@ import { compiled } from './module.mjs';
 
 const families = ['split', 'collapse', 'open-split', 'open-collapse', 'boundary-split', 'boundary-collapse', 'flip'];
 const costs = { strips: { restart: 1, swap: 0, isolated: 0 }, indices: { restart: 3, swap: 1, isolated: 0 } };
+const forms = ['restart', 'stitched', 'lengths', 'list'];
 export const restartIndex = 0xffffffff;
 export const none = 0xffffffff;
 
@@ -85,6 +86,8 @@ export class Restrip {
     return this.#opened(this.#with([places, corners, records],
       (p, b, s) => this.#wasm.restrip_open(p, count, b, corners.length / 3, s, records.length / 4)), places);
   }
+  /// A mesh as it is, without records.
+  mesh({ points, triangles }) { return this.progressive({ points, base: triangles, splits: [] }); }
   /// A mesh, simplified here to `share` of its triangles.
   simplified(source, share) {
     const steps = this.simplifying(source, share);
@@ -190,7 +193,7 @@ export class StripMesh {
   #levels;
   #begun = false;
   #wanted = 0;
-  /// Three coordinates a vertex; they never change.
+  /// Three coordinates a vertex.
   points;
 
   constructor(wasm, page, points) {
@@ -226,7 +229,11 @@ export class StripMesh {
 
   get hasBakedStrips() { return this.#wasm.restrip_has_baked_strips(this.#open) === 1; }
 
-  begin({ policy = 'quick', cost = 'strips' } = {}) {
+  begin({ policy = 'quick', cost = 'strips', form = 'restart', bits = 32 } = {}) {
+    if (!forms.includes(form)) throw new RangeError(`there is no form ${form}; there are ${forms.join(', ')}`);
+    if (![16, 32, 'auto'].includes(bits)) throw new RangeError(`bits is ${String(bits)}; it must be 16, 32 or 'auto'`);
+    if (bits === 16 && this.points.length > 3 * 0xffff) throw new RangeError('16 bits do not name all vertices; leave it to bits: \'auto\'');
+    this.#wasm.restrip_set_format(this.#open, forms.indexOf(form), bits === 'auto' ? 0 : bits);
     if (policy === 'baked') {
       if (!this.hasBakedStrips) throw new RangeError('this mesh has no baked strips; open the file of a baked mesh');
       this.#wasm.restrip_begin_baked(this.#open);
@@ -240,13 +247,19 @@ export class StripMesh {
     this.#begun = true;
     return this;
   }
+  /// The same, at a level: once split(), collapse() and flip() have changed the mesh, records cannot be counted on.
+  get #inRecords() {
+    if (this.#wasm.restrip_left_records(this.#kept) === 1)
+      throw new Error('single operations have changed the mesh since begin(), so its records do not fit it; call begin() again');
+    return this.#kept;
+  }
   moveTo(level, most = 0xffffffff) {
-    return this.#wasm.restrip_move(this.#kept, whole('the level', level, this.#levels), limit(most));
+    return this.#wasm.restrip_move(this.#inRecords, whole('the level', level, this.#levels), limit(most));
   }
   approach(wanted, most = 0xffffffff) {
     if (wanted?.length !== this.#levels)
       throw new RangeError(`there are ${String(wanted?.length ?? 'no')} marks; there must be one for each of the ${this.#levels} records`);
-    const page = this.#kept;
+    const page = this.#inRecords;
     if (!this.#wanted) this.#wanted = taken(this.#wasm, this.#levels);
     new Uint8Array(this.#wasm.memory.buffer, this.#wanted, this.#levels).set(wanted);
     return this.#wasm.restrip_approach(page, this.#wanted, limit(most));
@@ -265,7 +278,28 @@ export class StripMesh {
 
   get ready() { return listAt(this.#wasm, this.#wasm.restrip_ready(this.#kept), Uint32Array, 1).slice(); }
 
-  update() { return this.#ranges(this.#wasm.restrip_update(this.#kept)); }
+  addPoint(x, y, z) {
+    const place = coordinates([x, y, z]);
+    const v = this.#wasm.restrip_add_point(this.#open, ...place);
+    const points = new Float32Array(this.points.length + 3);
+    points.set(this.points);
+    points.set(place, 3 * v);
+    this.points = points;
+    return v;
+  }
+  setPoint(v, x, y, z) {
+    const place = coordinates([x, y, z]);
+    this.#wasm.restrip_set_point(this.#open, whole('v', v, this.points.length / 3 - 1), ...place);
+    this.points.set(place, 3 * v);
+  }
+
+  update({ join = 2, align = 4 } = {}) {
+    if (align !== 2 && (whole('align', align) === 0 || align % 4 !== 0)) throw new RangeError(`align is ${align}; it must be 2 or a multiple of 4`);
+    const ranges = this.#ranges(this.#wasm.restrip_update(this.#kept, whole('join', join), align));
+    return Object.assign(ranges, { outgrown: this.#wasm.restrip_outgrown(this.#page) === 1 });
+  }
+  get room() { return this.#wasm.restrip_room(this.#kept); }
+  get draws() { return this.#ranges(this.#wasm.restrip_draws(this.#kept)); }
   updateList({ whole: all = false } = {}) { return this.#ranges(this.#wasm.restrip_update_list(this.#kept, all ? 1 : 0)); }
   get listIndices() { return listAt(this.#wasm, this.#wasm.restrip_list(this.#kept), Uint32Array, 1); }
   fromScratch({ cost = 'strips' } = {}) {
@@ -277,7 +311,11 @@ export class StripMesh {
     for (let i = 0; i < flat.length; i += 2) ranges.push({ first: flat[i], count: flat[i + 1] });
     return ranges;
   }
-  get indices() { return listAt(this.#wasm, this.#wasm.restrip_indices(this.#kept), Uint32Array, 1); }
+  get indices() {
+    const [data, bytes] = new Uint32Array(this.#wasm.memory.buffer, this.#wasm.restrip_indices(this.#kept), 2);
+    const Type = this.#wasm.restrip_index_bytes(this.#page) === 2 ? Uint16Array : Uint32Array;
+    return bytes === 0 ? new Type(0) : new Type(this.#wasm.memory.buffer, data, bytes / Type.BYTES_PER_ELEMENT);
+  }
   get triangles() { return listAt(this.#wasm, this.#wasm.restrip_triangles(this.#kept), Uint32Array, 3).slice(); }
 
   get figures() {

@@ -17,6 +17,7 @@
 #include "restrip/rules/rules.hpp"
 #include "restrip/search/keeper.hpp"
 #include "restrip/search/stripify.hpp"
+#include "runtime/form_reader.hpp"
 #include "runtime/sample_meshes.hpp"
 
 namespace restrip::c_test {
@@ -358,6 +359,123 @@ TEST(CInterface, RangesToldAreAllThatChanged) {
     follow_live_buffer<std::uint32_t>(RESTRIP_LIST_U32, true, random);
     follow_live_buffer<std::uint16_t>(RESTRIP_LIST_U16, true, random);
   }
+}
+
+form_reader::Triangles read_view(const void* indices, std::size_t bytes, const restrip_buffer_view& view) {
+  const auto width = static_cast<std::size_t>(view.index_bits) / 8;
+  form_reader::Reader reader({static_cast<const std::byte*>(indices), bytes}, width);
+  for (const restrip_range& draw : std::span(view.draws, view.draw_count)) {
+    if (view.form == RESTRIP_FORM_LIST)
+      reader.list(draw.first, draw.count);
+    else
+      reader.strip(draw.first, draw.count, view.form == RESTRIP_FORM_RESTART);
+  }
+  return std::move(reader).triangles();
+}
+form_reader::Triangles sorted_triangles(const restrip_mesh* mesh) {
+  form_reader::Triangles all;
+  for (Corners c : corners_of(mesh)) {
+    if (c[0] == RESTRIP_NONE) continue;
+    std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+    all.push_back(c);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Every form and width: live after random operations, of a mesh as it is, and of a list.
+TEST(CInterface, BuffersInEveryForm) {
+  std::mt19937 random(31);
+  for (std::int32_t form = RESTRIP_FORM_RESTART; form <= RESTRIP_FORM_LIST; ++form)
+    for (const std::int32_t bits : {0, 16, 32}) {
+      const Handle mesh = handle_of(sample::tube(9, 12));
+      const restrip_format format{form, bits, 0, 0, 1};
+      ASSERT_EQ(restrip_live_begin_format(mesh.get(), &format), RESTRIP_OK);
+      std::vector<std::byte> device;
+      restrip_buffer_view view{};
+      for (int round = 0; round < 20; ++round) {
+        const restrip_range* ranges = nullptr;
+        std::size_t count = 0;
+        std::int32_t outgrown = 0;
+        std::size_t room = 0;
+        ASSERT_EQ(restrip_live_update_with(mesh.get(), 9, 16, &ranges, &count, &outgrown), RESTRIP_OK);
+        ASSERT_EQ(restrip_live_buffer(mesh.get(), &view, &room), RESTRIP_OK);
+        const auto width = static_cast<std::size_t>(view.index_bits) / 8;
+        ASSERT_EQ(width, bits == 32 ? 4U : 2U);
+        ASSERT_EQ(view.form, form);
+        if (outgrown != 0) device.assign(room * width, std::byte{1});
+        for (const restrip_range& range : std::span(ranges, count)) {
+          ASSERT_EQ(range.first * width % 16, 0U);
+          ASSERT_LE((range.first + range.count) * width, device.size());
+          std::copy_n(static_cast<const std::byte*>(view.indices) + range.first * width, range.count * width,
+                      device.begin() + static_cast<std::ptrdiff_t>(range.first * width));
+        }
+        ASSERT_EQ(read_view(device.data(), view.index_count * width, view), sorted_triangles(mesh.get()));
+        Told told;
+        play(mesh.get(), random, 8, told, [](const Move&, restrip_status, const restrip_change&) {});
+      }
+      ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_indices, 0, nullptr), RESTRIP_OK);
+      std::vector<std::uint32_t> list;
+      for (const Corners& c : corners_of(mesh.get()))
+        if (c[0] != RESTRIP_NONE) list.insert(list.end(), c.begin(), c.end());
+      const std::vector<std::uint16_t> narrow(list.begin(), list.end());
+      const std::size_t vertices = restrip_mesh_vertex_bound(mesh.get());
+      for (const std::size_t most : {0U, 40U}) {
+        const restrip_format wanted{form, bits, most, most, 1};
+        for (int source = 0; source < 4; ++source) {
+          restrip_buffer* buffer = nullptr;
+          const restrip_status status =
+              source < 2    ? restrip_mesh_buffer(mesh.get(), &wanted, source == 0 ? 0 : 16, &buffer)
+              : source == 2 ? restrip_strips_of_u32(list.data(), list.size(), vertices, RESTRIP_EFFORT_FAST, nullptr,
+                                                    &wanted, &buffer)
+                            : restrip_strips_of_u16(narrow.data(), list.size(), vertices, RESTRIP_EFFORT_FULL,
+                                                    &fewest_indices, &wanted, &buffer);
+          ASSERT_EQ(status, RESTRIP_OK);
+          ASSERT_EQ(restrip_buffer_read(buffer, &view), RESTRIP_OK);
+          ASSERT_EQ(view.form, form);
+          ASSERT_EQ(view.triangles, list.size() / 3);
+          ASSERT_EQ(read_view(view.indices, view.index_count * static_cast<std::size_t>(view.index_bits) / 8, view),
+                    sorted_triangles(mesh.get()));
+          for (const restrip_range& draw : std::span(view.draws, view.draw_count))
+            ASSERT_TRUE(most == 0 || draw.count <= most);
+          restrip_buffer_free(buffer);
+        }
+      }
+    }
+  // Triangles without neighbours: a list, and it says so.
+  const std::vector<std::uint32_t> islands{0, 1, 2, 3, 4, 5};
+  restrip_buffer* buffer = nullptr;
+  restrip_buffer_view view{};
+  ASSERT_EQ(restrip_strips_of_u32(islands.data(), 6, 6, RESTRIP_EFFORT_FAST, nullptr, nullptr, &buffer), RESTRIP_OK);
+  ASSERT_EQ(restrip_buffer_read(buffer, &view), RESTRIP_OK);
+  EXPECT_EQ(view.form, RESTRIP_FORM_LIST);
+  EXPECT_EQ(view.index_bits, 16);
+  EXPECT_EQ(view.index_count, 6U);
+  restrip_buffer_free(buffer);
+}
+
+TEST(CInterface, FormatsAreChecked) {
+  const Handle mesh = handle_of(sample::octahedron());
+  restrip_buffer* buffer = nullptr;
+  const std::vector<std::uint32_t> far{0, 1, 70'000};
+  const auto status_of = [&](restrip_format format) {
+    return restrip_strips_of_u32(far.data(), 3, 70'001, RESTRIP_EFFORT_FAST, nullptr, &format, &buffer);
+  };
+  EXPECT_EQ(status_of({RESTRIP_FORM_LIST, 16, 0, 0, 0}), RESTRIP_TOO_LARGE);
+  EXPECT_EQ(buffer, nullptr);
+  for (const restrip_format bad :
+       {restrip_format{4, 0, 0, 0, 0}, {-1, 0, 0, 0, 0}, {0, 8, 0, 0, 0}, {0, 0, 2, 0, 0}, {0, 0, 0, 3, 0}})
+    EXPECT_EQ(status_of(bad), RESTRIP_BAD_ARGUMENT);
+  const restrip_format batches{RESTRIP_FORM_RESTART, 0, 64, 0, 0};
+  EXPECT_EQ(restrip_live_begin_format(mesh.get(), &batches), RESTRIP_BAD_ARGUMENT);
+  ASSERT_EQ(restrip_live_begin_format(mesh.get(), nullptr), RESTRIP_OK);
+  const restrip_range* ranges = nullptr;
+  std::size_t count = 0;
+  for (const std::size_t align : {0U, 3U, 6U})
+    EXPECT_EQ(restrip_live_update_with(mesh.get(), 0, align, &ranges, &count, nullptr), RESTRIP_BAD_ARGUMENT);
+  EXPECT_EQ(restrip_mesh_buffer(nullptr, nullptr, 0, &buffer), RESTRIP_NULL_ARGUMENT);
+  EXPECT_EQ(restrip_buffer_read(nullptr, nullptr), RESTRIP_NULL_ARGUMENT);
+  restrip_buffer_free(nullptr);
 }
 
 TEST(CInterface, BuffersOutDrawTheMesh) {

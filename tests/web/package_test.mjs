@@ -250,6 +250,62 @@ function copiesByRanges() {
   mesh.close();
 }
 
+/// Every form and width, for a mesh without records that is sculpted: a copy that gets the ranges alone, in storage made when
+/// the update says so, draws the mesh; ranges are joined and aligned as asked for.
+function sculpts() {
+  const open = () => restrip.mesh({ points: source.points, triangles: source.base });
+  for (const form of ['restart', 'stitched', 'lengths', 'list'])
+    for (const bits of [16, 32, 'auto']) {
+      const mesh = open().begin({ policy: 'quick', cost: 'indices', form, bits });
+      assert.equal(mesh.levels, 0);
+      let storage = null;
+      const follow = (options) => {
+        const ranges = mesh.update(options);
+        const live = mesh.indices;
+        assert.equal(live.BYTES_PER_ELEMENT, bits === 32 ? 4 : 2);
+        if (ranges.outgrown) storage = new live.constructor(mesh.room).fill(7);
+        for (const { first, count } of ranges) storage.set(live.subarray(first, first + count), first);
+        const { join = 2, align = 4 } = options ?? {};
+        ranges.forEach(({ first, count }, n) => {
+          assert.equal(first * live.BYTES_PER_ELEMENT % align, 0);
+          assert.ok((first + count) * live.BYTES_PER_ELEMENT % align === 0 || first + count === live.length);
+          if (n > 0) assert.ok(first - ranges[n - 1].first - ranges[n - 1].count > join);
+        });
+        const restart = form === 'restart' ? 2 ** (8 * live.BYTES_PER_ELEMENT) - 1 : -1;
+        const shown = mesh.draws.flatMap(({ first, count }) => {
+          const part = Array.from(storage.subarray(first, first + count));
+          return form === 'list' ? part.slice(0, count - count % 3) : drawn(part.map((index) => index === restart ? restartIndex : index));
+        });
+        assert.deepEqual(sorted(shown), sorted(mesh.triangles));
+      };
+      follow();
+      const { triangles } = mesh;
+      let done = 0;
+      for (let i = 0; i + 2 < triangles.length && i < 120; i += 3) {
+        const [a, b, c] = triangles.subarray(i, i + 3);
+        const v = mesh.addPoint(i, 1, 2);
+        assert.deepEqual([...mesh.points.slice(3 * v)], [i, 1, 2]);
+        if (mesh.split(a, v, b, c) === null) ++done;
+        if (mesh.collapse(b, c) === null) ++done;
+        mesh.setPoint(a, 4, 5, 6);
+        follow(i % 2 ? { join: 40, align: 16 } : undefined);
+      }
+      assert.ok(done > 20 && mesh.valid);
+      mesh.close();
+    }
+  const mesh = restrip.progressive(source).begin();
+  const [a, b, c] = mesh.triangles;
+  assert.ok(mesh.collapse(a, b) === null || mesh.flip(a, b) === null || mesh.flip(b, c) === null);
+  assert.throws(() => mesh.moveTo(10), /call begin\(\) again/);
+  assert.throws(() => mesh.approach(new Uint8Array(mesh.levels)), /call begin\(\) again/);
+  assert.throws(() => mesh.begin({ form: 'fans' }), /no form fans/);
+  assert.throws(() => mesh.begin({ bits: 8 }), /must be 16, 32/);
+  assert.throws(() => mesh.update({ align: 6 }), /multiple of 4/);
+  assert.throws(() => mesh.addPoint(1, NaN, 2));
+  assert.equal(mesh.begin().moveTo(10), 10);
+  mesh.close();
+}
+
 function viewDependent() {
   const mesh = restrip.progressive(source).begin({ policy: 'linked' });
   const splits = mesh.splits;
@@ -517,7 +573,7 @@ async function worksAboveTwoGigabytes() {
   mesh.close();
 }
 
-for (const test of [asDependency, misuseThrows, worksAboveTwoGigabytes, singleOperations, sameRules, smallIsAsGood, copiesByRanges, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
+for (const test of [asDependency, misuseThrows, worksAboveTwoGigabytes, singleOperations, sameRules, smallIsAsGood, copiesByRanges, sculpts, viewDependent, simplifies, refusesDamage, sameAsBaked, sameAsReplay]) {
   await test();
   console.log(`${test.name}: as claimed`);
 }

@@ -133,6 +133,23 @@ RESTRIP_EXPORT(restrip_policy_name)
 const char* restrip_policy_name(std::uint32_t policy) {
   return policy < policies.size() ? policies[policy].name : nullptr;
 }
+/// `form` as StripForm; `bits` 16, 32 or 0. For the next begin.
+RESTRIP_EXPORT(restrip_set_format)
+void restrip_set_format(Page* page, std::uint32_t form, std::uint32_t bits) {
+  page->session->set_format({.form = static_cast<StripForm>(form % 4),
+                             .width = bits == 16   ? IndexWidth::bits16
+                                      : bits == 32 ? IndexWidth::bits32
+                                                   : IndexWidth::automatic});
+}
+RESTRIP_EXPORT(restrip_add_point)
+std::uint32_t restrip_add_point(Page* page, float x, float y, float z) { return page->session->add_point({x, y, z}); }
+RESTRIP_EXPORT(restrip_set_point)
+void restrip_set_point(Page* page, std::uint32_t v, float x, float y, float z) {
+  page->session->set_point(v, {x, y, z});
+}
+/// 1: single operations have changed the mesh since begin, so that records are not played any more.
+RESTRIP_EXPORT(restrip_left_records)
+std::uint32_t restrip_left_records(const Page* page) { return page->session->left_records() ? 1 : 0; }
 RESTRIP_EXPORT(restrip_begin)
 void restrip_begin(Page* page, std::uint32_t policy, std::uint32_t restart, std::uint32_t swap,
                    std::uint32_t isolated) {
@@ -167,9 +184,27 @@ const char* restrip_describe(std::uint32_t refusal) { return describe(static_cas
 
 // ---- the index buffer
 RESTRIP_EXPORT(restrip_update)
-const List* restrip_update(Page* page) { return give(page->session->update()); }
+const List* restrip_update(Page* page, std::uint32_t join, std::uint32_t align) {
+  return give(page->session->update({join, align}));
+}
+/// The bytes of the buffer; each index has restrip_index_bytes().
 RESTRIP_EXPORT(restrip_indices)
-const List* restrip_indices(const Page* page) { return give(page->session->indices()); }
+const List* restrip_indices(const Page* page) { return give(page->session->buffer().bytes()); }
+RESTRIP_EXPORT(restrip_index_bytes)
+std::uint32_t restrip_index_bytes(const Page* page) {
+  return static_cast<std::uint32_t>(page->session->buffer().index_bytes());
+}
+RESTRIP_EXPORT(restrip_room)
+std::uint32_t restrip_room(const Page* page) { return static_cast<std::uint32_t>(page->session->buffer().room()); }
+RESTRIP_EXPORT(restrip_outgrown)
+std::uint32_t restrip_outgrown(const Page* page) { return page->session->outgrown() ? 1 : 0; }
+/// The runs to be drawn one by one, of buffers of lengths; else one range.
+RESTRIP_EXPORT(restrip_draws)
+const List* restrip_draws(const Page* page) {
+  static std::vector<IndexRange> draws;
+  page->session->buffer().draws(draws);
+  return give(std::span<const IndexRange>(draws));
+}
 RESTRIP_EXPORT(restrip_update_list)
 const List* restrip_update_list(Page* page, std::uint32_t whole) {
   return give(page->session->update_list(whole != 0));

@@ -51,6 +51,8 @@ class Session {
   [[nodiscard]] const StripMesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] const LastOperation& last() const noexcept { return last_; }
 
+  /// Of the buffer, from the next begin() on. No limits of a batch.
+  void set_format(const StripFormat& format) { format_ = format; }
   /// Goes to the base and gives it strips from scratch, as `restrip replay` does.
   void begin(Policy policy, Cost cost) {
     begin_with(StripMesh::build(source_.base, source_.points));
@@ -140,22 +142,31 @@ class Session {
   }
 
   /// Brings the buffer in step; the ranges that are to be uploaded.
-  std::span<const IndexRange> update() {
+  std::span<const IndexRange> update(const RangeOptions& options) {
     ++figures_.updates;
-    if (!whole_.empty()) {
-      changed_.clear();
-      buffer_.rebuild(mesh_);
-      given_ = {{0, buffer_.indices().size()}};
-      whole_.clear();
-    } else {
-      const auto ranges = buffer_.update(mesh_, changed_);
-      changed_.clear();
-      given_.assign(ranges.begin(), ranges.end());
+    const Upload upload = buffer_.update(mesh_, changed_, options);
+    changed_.clear();
+    given_.assign(upload.begin(), upload.end());
+    if (!std::exchange(begun_, false))
       for (const IndexRange& range : given_) figures_.indices_written += static_cast<std::uint32_t>(range.count);
-    }
+    outgrown_ = upload.outgrown;
     return given_;
   }
-  [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return buffer_.indices(); }
+  [[nodiscard]] const LiveBuffer& buffer() const noexcept { return buffer_; }
+  /// The last update found that the buffer has outgrown its room.
+  [[nodiscard]] bool outgrown() const noexcept { return outgrown_; }
+  /// Single operations have changed the mesh: records are not what they were.
+  [[nodiscard]] bool left_records() const noexcept { return checked_; }
+
+  // ---- vertices
+  /// A new vertex, to be named by a split or a bisection. Returns its number.
+  Vertex add_point(const std::array<float, 3>& point) {
+    points_.insert(points_.end(), point.begin(), point.end());
+    return static_cast<Vertex>(points_.size() / 3 - 1);
+  }
+  void set_point(Vertex v, const std::array<float, 3>& point) {
+    std::copy(point.begin(), point.end(), points_.begin() + std::ptrdiff_t{3} * v);
+  }
 
   // ---- what strips kept can be compared with
   /// In place of update(): a triangle list, written whole or with a slot for each triangle.
@@ -190,7 +201,7 @@ class Session {
     figures_.played = static_cast<std::uint32_t>(played);
     figures_.in_order = played == beyond ? 1 : 0;
     figures_.baked = keeper_->baked() != nullptr && keeper_->baked()->in_step() ? 1 : 0;
-    figures_.buffer_indices = static_cast<std::uint32_t>(buffer_.indices().size());
+    figures_.buffer_indices = static_cast<std::uint32_t>(buffer_.size());
     return figures_;
   }
   /// Indices of a buffer written from scratch. Linear time.
@@ -221,10 +232,13 @@ class Session {
     checked_ = false;
     changed_.clear();
     mesh_.watch(&changed_);
+    buffer_ = LiveBuffer(format_);
     buffer_.rebuild(mesh_);
     buffer_.reserve(source_.fine_triangles());
+    buffer_.forget();
     list_ = {};
-    whole_ = {{0, buffer_.indices().size()}};
+    begun_ = true;
+    outgrown_ = true;
   }
   /// From now on the mesh is not what the records expect.
   void leave_records() {
@@ -331,11 +345,13 @@ class Session {
   StripMesh mesh_;
   std::optional<Keeper<StripMesh>> keeper_;
   std::vector<Triangle> changed_;
-  StripBuffer buffer_;
+  StripFormat format_{.width = IndexWidth::bits32};
+  LiveBuffer buffer_;
   TriangleListBuffer list_;
   StripMesh scratch_;
   std::vector<std::uint32_t> scratch_indices_;
-  std::vector<IndexRange> whole_;  // not empty: the next update writes everything
+  bool begun_ = true;      // and not updated yet
+  bool outgrown_ = false;  // by the last update
   std::vector<IndexRange> given_;
   Figures figures_;
   LastOperation last_;

@@ -94,6 +94,11 @@ class LiveBuffer {
   /// The next update writes the whole buffer: the mesh has changed without a report.
   void forget() noexcept { whole_ = true; }
 
+  /// Room for a mesh of this many triangle numbers.
+  void reserve(std::size_t triangles) {
+    std::visit([triangles](auto& buffer) { buffer.reserve(triangles); }, buffer_);
+  }
+
   [[nodiscard]] const StripFormat& format() const noexcept { return format_; }
   /// 2 or 4.
   [[nodiscard]] std::size_t index_bytes() const noexcept { return buffer_.index() % 2 == 0 ? 4 : 2; }
