@@ -105,7 +105,7 @@ export interface LastOperation {
 /** Call begin() first; everything else is an error before it. A view of memory (`indices`) is valid until the next
  * call of any method of any mesh. */
 export class StripMesh implements Disposable {
-  /** Replaced by addPoint(), which has room for one more. */
+  /** Replaced by addPoint(), bisect() and splitFace(), which add one. */
   readonly points: Float32Array;
   /** Number of records. */
   readonly levels: number;
@@ -120,7 +120,7 @@ export class StripMesh implements Disposable {
    * or above. */
   begin(options?: { policy?: Policy; cost?: Cost; form?: Form; bits?: 16 | 32 | 'auto' }): this;
   /** Splits and collapses until the first `level` records are played, a whole number up to `levels`; at most `most`
-   * operations. Returns their number; fewer than `most`: done. Throws after split(), collapse() or flip(), until begin():
+   * operations. Returns their number; fewer than `most`: done. Throws after a single operation, until begin():
    * records do not fit a mesh that these have changed. */
   moveTo(level: number, most?: number): number;
   /** The same towards the records marked 1 in `wanted`, a byte each, and those that they need: a view-dependent mesh. */
@@ -135,6 +135,10 @@ export class StripMesh implements Disposable {
   split(vS: number, vT: number, vL: number, vR: number): string | null;
   collapse(vS: number, vT: number): string | null;
   flip(u: number, v: number): string | null;
+  /** A new vertex at the middle of an edge, or of the triangle with these corners in this order. Returns its number, or a
+   * sentence that says why the mesh refuses. */
+  bisect(u: number, v: number): number | string;
+  splitFace(a: number, b: number, c: number): number | string;
 
   /** Brings the index buffer in step; returns the ranges to upload. Ranges at most `join` indices apart (2) become one;
    * they begin and end at multiples of `align` bytes, 2 or a multiple of 4 (4, as WebGPU's writeBuffer asks). `outgrown`:

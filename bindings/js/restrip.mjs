@@ -271,6 +271,15 @@ export class StripMesh {
   }
   collapse(vS, vT) { return this.#done(this.#wasm.restrip_collapse(this.#kept, whole('vS', vS), whole('vT', vT))); }
   flip(u, v) { return this.#done(this.#wasm.restrip_flip(this.#kept, whole('u', u), whole('v', v))); }
+  bisect(u, v) { return this.#added(this.#wasm.restrip_bisect(this.#kept, whole('u', u), whole('v', v))); }
+  splitFace(a, b, c) {
+    return this.#added(this.#wasm.restrip_split_face(this.#kept, whole('a', a), whole('b', b), whole('c', c)));
+  }
+  #added(refusal) {
+    if (refusal !== 0) return this.#done(refusal);
+    this.points = listAt(this.#wasm, this.#wasm.restrip_points(this.#page), Float32Array, 1).slice();
+    return this.#wasm.restrip_new_vertex(this.#page);
+  }
   #done(refusal) {
     if (refusal === 0) return null;
     return textAt(this.#wasm, this.#wasm.restrip_describe(refusal));
@@ -281,10 +290,7 @@ export class StripMesh {
   addPoint(x, y, z) {
     const place = coordinates([x, y, z]);
     const v = this.#wasm.restrip_add_point(this.#open, ...place);
-    const points = new Float32Array(this.points.length + 3);
-    points.set(this.points);
-    points.set(place, 3 * v);
-    this.points = points;
+    this.points = listAt(this.#wasm, this.#wasm.restrip_points(this.#open), Float32Array, 1).slice();
     return v;
   }
   setPoint(v, x, y, z) {

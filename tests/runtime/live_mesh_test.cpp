@@ -92,6 +92,41 @@ TEST(LiveMesh, BufferDrawsTheMeshThroughFramesAndUndo) {
   }
 }
 
+TEST(LiveMesh, RefinesAndCoarsensWithTheNumbersOfNewVertices) {
+  LiveMesh live(list_of(sample::torus(8, 8)), 64, {.history = 100'000});
+  const std::size_t before = live.mesh().triangle_count();
+  const auto h = StripMesh::halfedge(5);
+  const Vertex from = live.mesh().from(h);
+  const Checked bisected = live.bisect(h);
+  ASSERT_TRUE(bisected);
+  EXPECT_EQ(bisected.new_vertex, 64U);
+  EXPECT_EQ(live.mesh().to(bisected.rewrite.halfedge), 64U);
+  const Checked inside = live.split_face(StripMesh::halfedge(9));
+  ASSERT_TRUE(inside);
+  EXPECT_EQ(inside.new_vertex, 65U);
+  const Checked split = live.split({live.edge(20, live.mesh().to(live.mesh().spoke(20))),
+                                    turn_ccw(live.mesh(), turn_ccw(live.mesh(), live.mesh().spoke(20)))});
+  ASSERT_TRUE(split);
+  EXPECT_EQ(split.new_vertex, 66U);
+  EXPECT_EQ(live.mesh().triangle_count(), before + 6);
+  live.update();
+  EXPECT_EQ(live.undoable(), 1U);
+  EXPECT_EQ(live.redoable(), 0U);
+  EXPECT_EQ(live.merge(live.edge(from, 65)).refusal, Refusal::no_such_edge);
+  EXPECT_EQ(live.join_faces(live.edge(from, 64)).refusal, Refusal::other_valence);
+  ASSERT_TRUE(live.merge(live.edge(from, 64)));
+  ASSERT_TRUE(live.join_faces(live.mesh().opposite(live.mesh().spoke(65))));
+  EXPECT_EQ(live.mesh().triangle_count(), before + 2);
+  EXPECT_EQ(live.keeper().strips(), count_strips(live.mesh()));
+  live.update();
+  EXPECT_EQ(triangles_of_strips(live.indices()), triangles_of(live.mesh()));
+  EXPECT_EQ(live.undoable(), 2U);
+  ASSERT_TRUE(live.undo());
+  ASSERT_TRUE(live.undo());
+  EXPECT_EQ(live.redoable(), 2U);
+  EXPECT_EQ(live.mesh().triangle_count(), before);
+}
+
 TEST(LiveMesh, OperationsByVerticesAndRefusals) {
   LiveMesh live(list_of(sample::octahedron()), 6, {.history = 1000});
   const std::size_t before = live.mesh().triangle_count();

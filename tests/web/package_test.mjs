@@ -288,6 +288,14 @@ function sculpts() {
         if (mesh.split(a, v, b, c) === null) ++done;
         if (mesh.collapse(b, c) === null) ++done;
         mesh.setPoint(a, 4, 5, 6);
+        const [d, e, f] = mesh.triangles.subarray(i, i + 3);
+        for (const [added, corners] of [[mesh.bisect(d, e), [d, e]], [mesh.splitFace(...mesh.triangles.subarray(0, 3)), null]]) {
+          if (typeof added === 'string') continue;
+          ++done;
+          assert.equal(mesh.points.length % 3, 0);
+          if (corners) assert.equal(mesh.points[3 * added], Math.fround((mesh.points[3 * d] + mesh.points[3 * e]) / 2));
+        }
+        assert.match(String(mesh.bisect(d, d)), /not one of this mesh/);
         follow(i % 2 ? { join: 40, align: 16 } : undefined);
       }
       assert.ok(done > 20 && mesh.valid);

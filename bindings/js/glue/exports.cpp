@@ -179,6 +179,16 @@ RESTRIP_EXPORT(restrip_flip)
 std::uint32_t restrip_flip(Page* page, std::uint32_t u, std::uint32_t v) {
   return static_cast<std::uint32_t>(page->session->flip(u, v));
 }
+RESTRIP_EXPORT(restrip_bisect)
+std::uint32_t restrip_bisect(Page* page, std::uint32_t u, std::uint32_t v) {
+  return static_cast<std::uint32_t>(page->session->bisect(u, v));
+}
+RESTRIP_EXPORT(restrip_split_face)
+std::uint32_t restrip_split_face(Page* page, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  return static_cast<std::uint32_t>(page->session->split_face(a, b, c));
+}
+RESTRIP_EXPORT(restrip_new_vertex)
+std::uint32_t restrip_new_vertex(const Page* page) { return page->session->new_vertex(); }
 RESTRIP_EXPORT(restrip_describe)
 const char* restrip_describe(std::uint32_t refusal) { return describe(static_cast<Refusal>(refusal)); }
 

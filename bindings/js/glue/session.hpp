@@ -141,6 +141,21 @@ class Session {
     return refusal;
   }
 
+  /// A new vertex on the edge of u and v, or in the triangle of the three. Its number is new_vertex(); it has a point,
+  /// at the middle.
+  Refusal bisect(Vertex u, Vertex v) {
+    const Halfedge h = find_edge(mesh_, u, v);
+    return refine(h.id == none ? Refusal::no_such_edge : check_bisect(mesh_, h), {u, v},
+                  [&] { return keeper_->bisect(h); });
+  }
+  Refusal split_face(Vertex a, Vertex b, Vertex c) {
+    Halfedge h = find_edge(mesh_, a, b);
+    if (h.id != none && (StripMesh::on_boundary(h) || mesh_.to(StripMesh::next(h)) != c)) h = {};
+    return refine(h.id == none ? Refusal::no_such_edge : check_split_face(mesh_, h), {a, b, c},
+                  [&] { return keeper_->split_face(h); });
+  }
+  [[nodiscard]] Vertex new_vertex() const noexcept { return new_vertex_; }
+
   /// Brings the buffer in step; the ranges that are to be uploaded.
   std::span<const IndexRange> update(const RangeOptions& options) {
     ++figures_.updates;
@@ -244,6 +259,22 @@ class Session {
   void leave_records() {
     checked_ = true;
     if (keeper_->baked() != nullptr) keeper_->baked()->leave_step();
+  }
+  template <class Operation>
+  Refusal refine(Refusal refusal, const std::vector<Vertex>& corners, Operation&& operation) {
+    if (refusal != Refusal::granted) return refusal;
+    leave_records();
+    last_ = {};
+    const Rewrite<Halfedge> done = operation();
+    count(done);
+    new_vertex_ = mesh_.to(done.halfedge);
+    points_.resize(std::max(points_.size(), 3 * (std::size_t{new_vertex_} + 1)));
+    for (std::size_t x = 0; x < 3; ++x) {
+      float sum = 0;
+      for (const Vertex v : corners) sum += points_[3 * std::size_t{v} + x];
+      points_[3 * std::size_t{new_vertex_} + x] = sum / static_cast<float>(corners.size());
+    }
+    return refusal;
   }
   bool play(std::size_t i) {
     const Record& r = source_.splits[i];
@@ -353,6 +384,7 @@ class Session {
   bool begun_ = true;      // and not updated yet
   bool outgrown_ = false;  // by the last update
   std::vector<IndexRange> given_;
+  Vertex new_vertex_ = none;  // of the last bisection or split of a face
   Figures figures_;
   LastOperation last_;
   bool tell_ = true;      // the operations that follow are to be described in last_

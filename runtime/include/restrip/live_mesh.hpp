@@ -24,6 +24,7 @@
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/apply.hpp"
 #include "restrip/operations/checked.hpp"
+#include "restrip/operations/refine.hpp"
 #include "restrip/output/buffer_history.hpp"
 #include "restrip/output/live_buffer.hpp"
 #include "restrip/output/strip_format.hpp"
@@ -36,7 +37,9 @@ struct LiveOptions {
   Policy policy = Policy::quick;
   Cost cost = Cost::indices();
   Effort effort = Effort::full;  ///< of the strips that it begins with
-  std::size_t history = 0;       ///< triangles that may have changed in all frames that can be undone; 0: no history
+  /// The budget of undo: a frame counts the triangles that changed in it, each once, some 100 bytes; when all frames
+  /// kept count more, the oldest are forgotten, but for the last one. 0: no history.
+  std::size_t history = 0;
   /// Of the buffer; without limits of a batch.
   StripFormat format = {.width = IndexWidth::bits32};
 };
@@ -72,6 +75,11 @@ class BasicLiveMesh {
   }
   Checked collapse(Halfedge chord) { return checked_collapse(keeper_, chord); }
   Checked flip(Halfedge h) { return checked_flip(keeper_, h); }
+  /// Those of refine.hpp, in the same way.
+  Checked split_face(Halfedge h) { return checked_split_face(keeper_, h); }
+  Checked join_faces(Halfedge chord) { return checked_join_faces(keeper_, chord); }
+  Checked bisect(Halfedge h) { return checked_bisect(keeper_, h); }
+  Checked merge(Halfedge chord) { return checked_merge(keeper_, chord); }
   /// An operation of your own: see apply.hpp.
   template <SurfaceTable Table>
   Checked apply(const Table& table, Halfedge where) {
@@ -117,6 +125,10 @@ class BasicLiveMesh {
     return stepped([this] { return history_->redo(mesh_); },
                    [](auto& buffers, auto& strips) { return buffers.redo(strips); });
   }
+
+  /// How many frames can be taken back, and done again; update() ends a frame first.
+  [[nodiscard]] std::size_t undoable() const noexcept { return history_ ? history_->undoable() : 0; }
+  [[nodiscard]] std::size_t redoable() const noexcept { return history_ ? history_->redoable() : 0; }
 
   /// The buffer: see live_buffer.hpp. `indices` are empty when they have 16 bits.
   [[nodiscard]] std::span<const std::uint32_t> indices() const noexcept { return buffer_.indices(); }

@@ -22,6 +22,7 @@ namespace restrip {
 struct Checked {
   Refusal refusal = Refusal::granted;
   Rewrite<StripMesh::Halfedge> rewrite{};  ///< of the operation, if it was granted
+  Vertex new_vertex = none;                ///< of a split, split_face or bisect that was granted
 
   [[nodiscard]] constexpr bool granted() const noexcept { return refusal == Refusal::granted; }
   constexpr explicit operator bool() const noexcept { return granted(); }
@@ -35,13 +36,21 @@ Checked done_if_granted(Refusal refusal, Operation&& operation) {
   if (refusal != Refusal::granted) return {refusal};
   return {Refusal::granted, operation()};
 }
+/// The same of one that adds a vertex, to which the halfedge of its Rewrite leads.
+template <class Operation>
+Checked vertex_if_granted(Refusal refusal, const StripMesh& mesh, Operation&& operation) {
+  Checked done = done_if_granted(refusal, operation);
+  if (done) done.new_vertex = mesh.to(done.rewrite.halfedge);
+  return done;
+}
 
 }  // namespace detail
 
 /// `new_vertex`: see check_split. Complexity: that of the check and of the operation. May throw what the mesh throws to
 /// grow (std::bad_alloc, std::length_error); nothing has changed then.
 inline Checked checked_split(StripMesh& mesh, const VertexSplit<StripMesh::Halfedge>& where, Vertex new_vertex = none) {
-  return detail::done_if_granted(check_split(mesh, where, new_vertex), [&] { return split(mesh, where, new_vertex); });
+  return detail::vertex_if_granted(check_split(mesh, where, new_vertex), mesh,
+                                   [&] { return split(mesh, where, new_vertex); });
 }
 inline Checked checked_collapse(StripMesh& mesh, StripMesh::Halfedge chord) {
   return detail::done_if_granted(check_collapse(mesh, chord), [&] { return collapse(mesh, chord); });
@@ -62,8 +71,8 @@ concept KeepsStrips = requires(Keeper& keeper, const VertexSplit<StripMesh::Half
 /// The operations of a keeper, checked in the same way.
 template <KeepsStrips Keeper>
 Checked checked_split(Keeper& keeper, const VertexSplit<StripMesh::Halfedge>& where, Vertex new_vertex = none) {
-  return detail::done_if_granted(check_split(keeper.mesh(), where, new_vertex),
-                                 [&] { return keeper.split(where, new_vertex); });
+  return detail::vertex_if_granted(check_split(keeper.mesh(), where, new_vertex), keeper.mesh(),
+                                   [&] { return keeper.split(where, new_vertex); });
 }
 template <KeepsStrips Keeper>
 Checked checked_collapse(Keeper& keeper, StripMesh::Halfedge chord) {

@@ -15,6 +15,8 @@
 // operation, checked in debug builds; exceptions of the mesh leave the colouring valid.
 #pragma once
 
+#include <concepts>
+
 #include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/mesh.hpp"
 #include "restrip/mesh/strip_mesh.hpp"
@@ -54,6 +56,32 @@ inline Checked checked_split_face(StripMesh& mesh, StripMesh::Halfedge h);
 inline Checked checked_join_faces(StripMesh& mesh, StripMesh::Halfedge chord);
 inline Checked checked_bisect(StripMesh& mesh, StripMesh::Halfedge h);
 inline Checked checked_merge(StripMesh& mesh, StripMesh::Halfedge chord);
+
+/// A keeper (checked.hpp) that has these operations as well, as Keeper does (search/keeper.hpp).
+template <class Keeper>
+concept KeepsRefinement = KeepsStrips<Keeper> && requires(Keeper& keeper, StripMesh::Halfedge h) {
+  { keeper.split_face(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
+  { keeper.join_faces(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
+  { keeper.bisect(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
+  { keeper.merge(h) } -> std::same_as<Rewrite<StripMesh::Halfedge>>;
+};
+template <KeepsRefinement Keeper>
+Checked checked_split_face(Keeper& keeper, StripMesh::Halfedge h) {
+  return detail::vertex_if_granted(check_split_face(keeper.mesh(), h), keeper.mesh(),
+                                   [&] { return keeper.split_face(h); });
+}
+template <KeepsRefinement Keeper>
+Checked checked_join_faces(Keeper& keeper, StripMesh::Halfedge chord) {
+  return detail::done_if_granted(check_join_faces(keeper.mesh(), chord), [&] { return keeper.join_faces(chord); });
+}
+template <KeepsRefinement Keeper>
+Checked checked_bisect(Keeper& keeper, StripMesh::Halfedge h) {
+  return detail::vertex_if_granted(check_bisect(keeper.mesh(), h), keeper.mesh(), [&] { return keeper.bisect(h); });
+}
+template <KeepsRefinement Keeper>
+Checked checked_merge(Keeper& keeper, StripMesh::Halfedge chord) {
+  return detail::done_if_granted(check_merge(keeper.mesh(), chord), [&] { return keeper.merge(chord); });
+}
 
 }  // namespace restrip
 

@@ -170,7 +170,7 @@ inline Refusal check_merge(const StripMesh& mesh, StripMesh::Halfedge chord) {
 }
 
 inline Checked checked_split_face(StripMesh& mesh, StripMesh::Halfedge h) {
-  return detail::done_if_granted(check_split_face(mesh, h), [&] { return split_face(mesh, h); });
+  return detail::vertex_if_granted(check_split_face(mesh, h), mesh, [&] { return split_face(mesh, h); });
 }
 
 inline Checked checked_join_faces(StripMesh& mesh, StripMesh::Halfedge chord) {
@@ -178,7 +178,7 @@ inline Checked checked_join_faces(StripMesh& mesh, StripMesh::Halfedge chord) {
 }
 
 inline Checked checked_bisect(StripMesh& mesh, StripMesh::Halfedge h) {
-  return detail::done_if_granted(check_bisect(mesh, h), [&] { return bisect(mesh, h); });
+  return detail::vertex_if_granted(check_bisect(mesh, h), mesh, [&] { return bisect(mesh, h); });
 }
 
 inline Checked checked_merge(StripMesh& mesh, StripMesh::Halfedge chord) {
