@@ -6,9 +6,13 @@ int main() {
   for (std::uint32_t v = 0; v < 40 * 41; ++v)
     if (v % 41 != 40) triangles.insert(triangles.end(), {v, v + 1, v + 42, v, v + 42, v + 41});
   restrip::LiveMesh live(triangles, 41 * 41, {.history = 10'000});  // strips from scratch; upload live.indices() once
+  const auto make_buffer = [](std::size_t) {};                      // with room for that many indices
+  make_buffer(live.room());
   const auto end_of_frame = [&live] {
     std::size_t written = 0;
-    for (const auto& range : live.update()) written += range.count;  // upload each range
+    const auto ranges = live.update();
+    if (ranges.outgrown) make_buffer(live.room());            // then the only range is everything
+    for (const auto& range : ranges) written += range.count;  // upload each range
     std::printf("%zu triangles, strips: %zu, indices written: %zu of %zu\n", live.mesh().triangle_count(),
                 live.keeper().strips(), written, live.indices().size());
   };
