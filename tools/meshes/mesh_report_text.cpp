@@ -30,7 +30,8 @@ std::string as_text(const MeshReport& report, const std::string& name, const Men
   fault("faces left out", report.stubs, "they have fewer than three corners");
   fault("degenerate faces", report.degenerate_faces, "a corner twice; they are in no strip");
   fault("duplicate faces", report.duplicate_faces, "the same three corners as an earlier face");
-  fault("non-manifold edges", report.non_manifold_edges, "three triangles or more; strips cross them in pairs, no operation there");
+  fault("non-manifold edges", report.non_manifold_edges,
+        "three triangles or more; strips cross them in pairs, no operation there");
   fault("inconsistent edges", report.inconsistent_edges,
         "two triangles of opposite orientation; no strip crosses them; --orient turns triangles");
   fault("bow-tie vertices", report.bow_tie_vertices, "several fans at one vertex; no operation there");

@@ -348,12 +348,12 @@ typedef struct restrip_range {
   size_t count;
 } restrip_range;
 
-/* What a buffer has. Pointers are valid as long as it is, those of a live buffer until the next call for its mesh that is
- * not const. */
+/* What a buffer has. Pointers are valid as long as it is, those of a live buffer until the next call for its mesh that
+ * is not const. */
 typedef struct restrip_buffer_view {
   const void* indices;
   size_t index_count;
-  int32_t index_bits;         /* 16 or 32 */
+  int32_t index_bits; /* 16 or 32 */
   int32_t form;
   const restrip_range* draws; /* each to be drawn by itself: batches, strips of RESTRIP_FORM_LENGTHS, or everything */
   size_t draw_count;
@@ -362,17 +362,18 @@ typedef struct restrip_buffer_view {
 
 /* An index buffer that stays as it is. */
 typedef struct restrip_buffer restrip_buffer;
-/* The strips of a triangle list, without a mesh: as restrip_mesh_build_u32 and restrip_mesh_stripify. `cost` may be null:
- * RESTRIP_FEWEST_INDICES; `format` may be null: restarts, the narrowest indices. Triangles with a corner twice or out of
- * range are left out. RESTRIP_TOO_LARGE when 16 bits are asked for and do not suffice. After an error *buffer is null. */
+/* The strips of a triangle list, without a mesh: as restrip_mesh_build_u32 and restrip_mesh_stripify. `cost` may be
+ * null: RESTRIP_FEWEST_INDICES; `format` may be null: restarts, the narrowest indices. Triangles with a corner twice or
+ * out of range are left out. RESTRIP_TOO_LARGE when 16 bits are asked for and do not suffice. After an error *buffer is
+ * null. */
 RESTRIP_API restrip_status restrip_strips_of_u32(const uint32_t* indices, size_t index_count, size_t vertex_count,
-                                                 int32_t effort, const restrip_cost* cost,
-                                                 const restrip_format* format, restrip_buffer** buffer);
+                                                 int32_t effort, const restrip_cost* cost, const restrip_format* format,
+                                                 restrip_buffer** buffer);
 RESTRIP_API restrip_status restrip_strips_of_u16(const uint16_t* indices, size_t index_count, size_t vertex_count,
-                                                 int32_t effort, const restrip_cost* cost,
-                                                 const restrip_format* format, restrip_buffer** buffer);
-/* The strips that a mesh has. With a cache_size they come in an order that a vertex cache of so many vertices misses less
- * often; 0: in the order of the triangles. O(T). */
+                                                 int32_t effort, const restrip_cost* cost, const restrip_format* format,
+                                                 restrip_buffer** buffer);
+/* The strips that a mesh has. With a cache_size they come in an order that a vertex cache of so many vertices misses
+ * less often; 0: in the order of the triangles. O(T). */
 RESTRIP_API restrip_status restrip_mesh_buffer(const restrip_mesh* mesh, const restrip_format* format,
                                                uint32_t cache_size, restrip_buffer** buffer);
 RESTRIP_API restrip_status restrip_buffer_read(const restrip_buffer* buffer, restrip_buffer_view* view);
@@ -389,8 +390,8 @@ RESTRIP_API void restrip_buffer_free(restrip_buffer* buffer);
 enum { RESTRIP_STRIPS_U32 = 0, RESTRIP_STRIPS_U16 = 1, RESTRIP_LIST_U32 = 2, RESTRIP_LIST_U16 = 3 };
 /* Starts a live buffer, in place of the one that there is; the first update writes it. O(1). */
 RESTRIP_API restrip_status restrip_live_begin(restrip_mesh* mesh, int32_t form);
-/* The same for any format, without limits of a batch (else RESTRIP_BAD_ARGUMENT). A live buffer stays strips. With 0 for
- * index_bits it has 16 bits until a vertex needs 32. */
+/* The same for any format, without limits of a batch (else RESTRIP_BAD_ARGUMENT). A live buffer stays strips. With 0
+ * for index_bits it has 16 bits until a vertex needs 32. */
 RESTRIP_API restrip_status restrip_live_begin_format(restrip_mesh* mesh, const restrip_format* format);
 /* Brings the buffer in step with the mesh. *ranges receives the places that may have changed, ascending and apart, to
  * be copied to the device, and *range_count their number; the buffer may have become longer or shorter
@@ -401,8 +402,8 @@ RESTRIP_API restrip_status restrip_live_begin_format(restrip_mesh* mesh, const r
  * writes the whole buffer. */
 RESTRIP_API restrip_status restrip_live_update(restrip_mesh* mesh, const restrip_range** ranges, size_t* range_count);
 /* The same with ranges that are joined when they are at most merge_gap indices apart, and begin and end at multiples of
- * `align` bytes: 2, or a multiple of 4. restrip_live_update has 2 and 4. The last may end with the buffer, whose length is
- * a multiple of four bytes. `outgrown` may be null, or receives 1 when the buffer has become longer than `room` of
+ * `align` bytes: 2, or a multiple of 4. restrip_live_update has 2 and 4. The last may end with the buffer, whose length
+ * is a multiple of four bytes. `outgrown` may be null, or receives 1 when the buffer has become longer than `room` of
  * restrip_live_buffer was, or its indices wider: make a new one on the device. There is one range then. */
 RESTRIP_API restrip_status restrip_live_update_with(restrip_mesh* mesh, size_t merge_gap, size_t align,
                                                     const restrip_range** ranges, size_t* range_count,
@@ -410,8 +411,8 @@ RESTRIP_API restrip_status restrip_live_update_with(restrip_mesh* mesh, size_t m
 /* The buffer as the last update left it. `room` may be null, or receives for how many indices the device should have
  * room. O(runs) for RESTRIP_FORM_LENGTHS, else O(1). */
 RESTRIP_API restrip_status restrip_live_buffer(restrip_mesh* mesh, restrip_buffer_view* view, size_t* room);
-/* The indices alone, as the last update left them: *count indices of 16 or 32 bits. Valid until the next call for this mesh that
- * is not const. */
+/* The indices alone, as the last update left them: *count indices of 16 or 32 bits. Valid until the next call for this
+ * mesh that is not const. */
 RESTRIP_API restrip_status restrip_live_indices(const restrip_mesh* mesh, const void** indices, size_t* count);
 /* Ends the live buffer, if there is one. */
 RESTRIP_API restrip_status restrip_live_end(restrip_mesh* mesh);
