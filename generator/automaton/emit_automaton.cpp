@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "common/number_lines.hpp"
 #include "tables/certificate_text.hpp"
+#include "tables/number_lines.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "common/number_lines.hpp"
 #include "languages/languages.hpp"
+#include "tables/number_lines.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "common/number_lines.hpp"
+#include "tables/number_lines.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "common/number_lines.hpp"
 #include "tables/emit.hpp"
+#include "tables/number_lines.hpp"
 
 namespace restrip::generator {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "common/number_lines.hpp"
 #include "operations/operation_layout.hpp"
+#include "tables/number_lines.hpp"
 
 namespace restrip::generator {
 namespace {

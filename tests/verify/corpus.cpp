@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "certificate/manifest.hpp"
+#include "common/digest.hpp"
 #include "naive_tables.hpp"
 
 namespace restrip::verify::test {
@@ -175,7 +175,7 @@ void write_manifest(const fs::path& tables_dir) {
     const auto rows = std::count_if(lines.begin(), lines.end(), [](const std::string& line) {
       return line.starts_with("rule ") || line.starts_with("copy ") || line.starts_with("alternative ");
     });
-    text += fmt::format("{} {} {} {}\n", sha256_of(bytes), bytes.size(), rows, path);
+    text += fmt::format("{} {} {} {}\n", sha256(bytes), bytes.size(), rows, path);
   }
   write(tables_dir / "MANIFEST", text);
 }

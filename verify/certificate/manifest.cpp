@@ -1,13 +1,13 @@
 #include "certificate/manifest.hpp"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <set>
 
+#include "common/digest.hpp"
 #include "model/families_text.hpp"
 #include "model/input.hpp"
 #include "model/quantity.hpp"
@@ -88,16 +88,6 @@ std::vector<ManifestLine> read_manifest(const std::string& tables_dir) {
   return parse_manifest(file, read_file(file));
 }
 
-std::string sha256_of(const std::string& bytes) {
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest, &size, EVP_sha256(), nullptr) != 1)
-    throw std::runtime_error("SHA-256 is not available");
-  std::string text;
-  for (unsigned i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
-  return text;
-}
-
 std::vector<std::string> manifest_faults(const std::string& tables_dir, const std::vector<ManifestLine>& lines) {
   std::vector<std::string> faults;
   std::set<std::string> listed;
@@ -114,7 +104,7 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
     const std::string bytes = read_file(path);
     if (bytes.size() != line.bytes)
       fault(fmt::format("wrong size: {} bytes listed, {} found", line.bytes, bytes.size()));
-    if (const std::string found = sha256_of(bytes); found != line.sha256)
+    if (const std::string found = sha256(bytes); found != line.sha256)
       fault(fmt::format("wrong checksum: {} listed, {} found", line.sha256, found));
   }
   if (const std::string families = tables_dir + "/families.json";

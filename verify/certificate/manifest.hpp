@@ -20,8 +20,6 @@ std::vector<ManifestLine> parse_manifest(const std::string& file, const std::str
 /// The lines of the folder's MANIFEST. InputError as well when it cannot be read.
 std::vector<ManifestLine> read_manifest(const std::string& tables_dir);
 
-std::string sha256_of(const std::string& bytes);
-
 /// What is wrong with the files below the folder, one sentence each, empty when they are exactly those listed.
 /// MANIFEST itself and files of CMake need no line. Families that are there must be those that this program knows.
 std::vector<std::string> manifest_faults(const std::string& tables_dir, const std::vector<ManifestLine>& lines);
