@@ -2,11 +2,108 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <stdexcept>
 #include <tuple>
+#include <vector>
 
 namespace restrip::generator {
 
 namespace {
+
+/// Solid edges at each node.
+struct Degrees {
+  std::vector<int> inner;
+  std::vector<int> all;
+};
+
+Degrees degrees(const Side& side, const Coloring& coloring, Mask ports) {
+  Degrees d{std::vector<int>(side.nodes, 0), {}};
+  for (std::size_t e = 0; e < side.edges.size(); ++e) {
+    if ((coloring.inner >> e & 1U) == 0) continue;
+    ++d.inner[side.edges[e].u];
+    ++d.inner[side.edges[e].v];
+  }
+  d.all = d.inner;
+  for (std::size_t p = 0; p < side.owner.size(); ++p) d.all[side.owner[p]] += (ports >> p & 1U) != 0 ? 1 : 0;
+  return d;
+}
+
+/// Swaps inside the patch. Ring and path edges come in order, a chord after them. Along the ring a fan triangle is
+/// passed with a left turn and left or entered over its port with a right one; at an inserted triangle, which points
+/// outward, it is the other way round, the chord being its port.
+int swaps(const Side& after, const Coloring& coloring, Mask ports) {
+  const auto fan = static_cast<unsigned>(after.owner.size());
+  const bool chord = after.nodes == fan + 2;
+  const std::size_t along = after.edges.size() - (chord ? 1 : 0);
+  const auto solid = [&](std::size_t e) { return (coloring.inner >> e & 1U) != 0; };
+  const bool chord_solid = chord && solid(along);
+  std::vector<int> below(after.nodes, 0);
+  std::vector<int> above(after.nodes, 0);
+  for (std::size_t e = 0; e < along; ++e) above[after.edges[e].u] = below[after.edges[e].v] = solid(e) ? 1 : 0;
+  const auto third = [&](unsigned node) { return node < fan ? (ports >> node & 1U) != 0 : chord_solid; };
+  const auto passed = [&](unsigned node) { return below[node] + above[node] + (third(node) ? 1 : 0) == 2; };
+  const auto left_turn = [&](unsigned node) { return (node < fan) != third(node); };
+  int count = 0;
+  for (std::size_t e = 0; e < along; ++e) {
+    const auto [u, v] = after.edges[e];
+    count += solid(e) && passed(u) && passed(v) && left_turn(u) == left_turn(v) ? 1 : 0;
+  }
+  if (chord_solid && passed(fan) && passed(fan + 1)) count += below[fan] == above[fan + 1] ? 1 : 0;
+  return count;
+}
+
+/// What the criteria add up to of a colouring after the operation whose ports `kept` are solid, out of `ports`. Depends
+/// on the patch alone, never on the machine.
+CriterionValues values_of(const Operation& operation, const Coloring& coloring, const Outcome& outcome, Mask ports,
+                          Mask kept) {
+  const Side& after = operation.patch.after;
+  const Degrees degree = degrees(after, coloring, kept);
+  const auto end = [&](unsigned node) { return degree.all[node] == 1; };
+  const auto nodes_where = [&](Mask of, const auto& holds) {
+    int count = 0;
+    for (unsigned node = 0; node < after.nodes; ++node) count += (of >> node & 1U) != 0 && holds(node) ? 1 : 0;
+    return count;
+  };
+  const auto counted = [&](const Term& term) -> int {
+    switch (term.count) {
+      case Count::strips:
+        return static_cast<int>(after.nodes - outcome.solid) - std::popcount(kept);
+      case Count::isolated:
+        return static_cast<int>(outcome.isolated);
+      case Count::given_up:
+        return std::popcount(ports & ~kept);
+      case Count::kept:
+        return std::popcount(kept & term.of);
+      case Count::joined:
+        return static_cast<int>(outcome.joined.size());
+      case Count::solid:
+        return std::popcount(coloring.inner & term.of);
+      case Count::ends:
+        return nodes_where(term.of, end);
+      case Count::ends_at_port:
+        return nodes_where(term.of, [&](unsigned node) { return end(node) && degree.inner[node] == 0; });
+      case Count::neighbouring_ends: {
+        int count = 0;
+        for (const auto& [u, v] : after.edges) count += end(u) && end(v) ? 1 : 0;
+        return count;
+      }
+      case Count::squares: {
+        int sum = 0;
+        for (const Mask strip : coloring.strips) sum += std::popcount(strip) * std::popcount(strip);
+        return sum;
+      }
+      case Count::swaps:
+        return swaps(after, coloring, kept);
+    }
+    throw std::logic_error("a count without a meaning");
+  };
+  CriterionValues values{};
+  for (std::size_t i = 0; i < operation.preference.size(); ++i)
+    for (const Term& term : operation.preference[i]) values[i] += term.weight * counted(term);
+  for (const Term& term : operation.tie_break) values.back() += term.weight * counted(term);
+  return values;
+}
 
 /// Calls visit for every valid recolouring: its colouring, the ports that it keeps, and what comes of them.
 template <class Visit>

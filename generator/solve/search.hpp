@@ -1,12 +1,13 @@
 // Exhaustive search: the best sound recolouring for every key.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "operations/operation.hpp"
 #include "solve/coloring.hpp"
-#include "solve/values.hpp"
 
 namespace restrip::generator {
 
@@ -21,6 +22,9 @@ struct Choice {
 /// By solid ports, the pairs that some valid recolouring of these joins: of others it does not matter whether they were
 /// joined.
 [[nodiscard]] std::vector<PortPairs> relevant_pairs(const Operation& operation);
+
+/// What the criteria add up to, and last the tie-break; smaller is better, compared in turn.
+using CriterionValues = std::array<std::int64_t, most_criteria + 1>;
 
 /// Valid recolourings of one port mask, best first.
 class Candidates {
