@@ -10,28 +10,35 @@
 
 namespace restrip {
 
-/// Calls work(0) … work(count - 1), begun in this order, by `threads` threads. The first exception is thrown again when
-/// all have ended; work not yet begun is then left out.
-template <class Work>
-void share(std::size_t count, unsigned threads, Work&& work) {
+/// Each of the threads makes itself a worker and has it called with numbers below `count`, of which every one comes
+/// once, the lower ones earlier. The first exception ends the work, and is thrown again when all threads have ended.
+template <class MakeWorker>
+void on_threads(unsigned threads, std::size_t count, const MakeWorker& make_worker) {
   std::atomic<std::size_t> next = 0;
   std::exception_ptr failure;
   std::mutex mutex;
   const auto run = [&] {
     try {
+      auto work = make_worker();
       for (std::size_t i = next++; i < count; i = next++) work(i);
     } catch (...) {
+      next = count;
       const std::lock_guard lock(mutex);
       if (!failure) failure = std::current_exception();
-      next = count;
     }
   };
   {
-    std::vector<std::jthread> pool;
-    for (unsigned t = 1; t < threads; ++t) pool.emplace_back(run);
+    std::vector<std::jthread> others;
+    for (unsigned i = 1; i < threads; ++i) others.emplace_back(run);
     run();
   }
   if (failure) std::rethrow_exception(failure);
+}
+
+/// The same with one worker for all threads.
+template <class Work>
+void share(std::size_t count, unsigned threads, const Work& work) {
+  on_threads(threads, count, [&] { return [&](std::size_t i) { work(i); }; });
 }
 
 }  // namespace restrip
