@@ -127,6 +127,25 @@ TEST(LiveMesh, RefinesAndCoarsensWithTheNumbersOfNewVertices) {
   EXPECT_EQ(live.mesh().triangle_count(), before);
 }
 
+/// A sheet whose triangles are there twice, with opposite windings: few strips, and every operation is refused.
+TEST(LiveMesh, RefusesOperationsInATwoSidedSheet) {
+  std::vector<std::uint32_t> list = list_of(sample::rectangle(12, 12));
+  for (std::size_t i = 0, size = list.size(); i < size; i += 3)
+    list.insert(list.end(), {list[i + 1], list[i], list[i + 2]});
+  BuildReport report;
+  LiveMesh live(list, 13 * 13, {}, &report);
+  EXPECT_GT(report.non_manifold_edges, 0U);
+  EXPECT_EQ(triangles_of_strips(live.indices()).size(), list.size() / 3);
+  EXPECT_LE(live.indices().size(), 13 * list.size() / 30);
+  for (Triangle t = 0; t < list.size() / 3; ++t)
+    for (unsigned side = 0; side < 3; ++side) {
+      const auto h = StripMesh::halfedge(t, side);
+      for (const Checked& done :
+           {live.collapse(h), live.flip(h), live.bisect(h), live.split({h, turn_ccw(live.mesh(), h)})})
+        ASSERT_EQ(done.refusal, Refusal::non_manifold_vertex);
+    }
+}
+
 TEST(LiveMesh, OperationsByVerticesAndRefusals) {
   LiveMesh live(list_of(sample::octahedron()), 6, {.history = 1000});
   const std::size_t before = live.mesh().triangle_count();
