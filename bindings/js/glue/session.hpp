@@ -180,7 +180,7 @@ class Session {
     return static_cast<Vertex>(points_.size() / 3 - 1);
   }
   void set_point(Vertex v, const std::array<float, 3>& point) {
-    std::copy(point.begin(), point.end(), points_.begin() + std::ptrdiff_t{3} * v);
+    std::copy(point.begin(), point.end(), points_.begin() + std::ptrdiff_t{3} * static_cast<std::ptrdiff_t>(v));
   }
 
   // ---- what strips kept can be compared with

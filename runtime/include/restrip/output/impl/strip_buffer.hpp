@@ -290,7 +290,7 @@ void BasicStripBuffer<Index>::write_text(const Mesh& mesh, std::uint32_t begin, 
     RESTRIP_THROW(std::length_error, "restrip: a vertex does not fit into the indices of the buffer");
   const Index behind = stitched_ ? *(out - 1) : restart;
   *out++ = behind;
-  if (stitched_ && (out - text_.data() - letters_) % 2 != 0) *out++ = behind;
+  if (stitched_ && (static_cast<std::uint32_t>(out - text_.data()) - letters_) % 2 != 0) *out++ = behind;
   letters_ = static_cast<std::uint32_t>(out - text_.data());
   text.length = letters_ - text.first;
   texts_.push_back(text);
