@@ -1,13 +1,20 @@
 // How many operations a frame may have: as many as fit into its time.
-export const frameBudget = 12;  // milliseconds
 const firstPace = 256;  // operations, before their speed is known
 
 export class Pace {
   most = firstPace;
+  budget = 12;  // milliseconds
+  #begun = performance.now();
 
+  /// A frame begins. Where frames are far apart, because drawing takes long, operations take a third of the time between them.
+  begin() {
+    const now = performance.now();
+    this.budget = Math.max(12, Math.min(50, (now - this.#begun) / 3));
+    this.#begun = now;
+  }
   /// After `done` of at most `most` operations, in so many milliseconds; the clock may be a coarse one.
   learn(done, most, took) {
-    if (most <= this.most && done > 0 && (done === most || took > frameBudget))
-      this.most = Math.max(1, Math.min(4 * most, Math.floor(done * frameBudget / Math.max(took, 0.1))));
+    if (most <= this.most && done > 0 && (done === most || took > this.budget))
+      this.most = Math.max(1, Math.min(4 * most, Math.floor(done * this.budget / Math.max(took, 0.1))));
   }
 }

@@ -1,7 +1,7 @@
 // The race: four index buffers take the same steps of the level. What counts is the sum of the bytes that changes write and the bytes
 // that drawn frames read. Two of the buffers are drawn side by side; what a step has written is lit.
 import { Pane } from './pane.mjs';
-import { Pace, frameBudget } from './pace.mjs';
+import { Pace } from './pace.mjs';
 import { Painter } from './ribbon.mjs';
 import { Lane, ways } from './lanes.mjs';
 import { asBytes, asNumber, asRatio, barRow, fineTriangles, indexWidth, showLevel } from './figures.mjs';
@@ -46,6 +46,7 @@ export class Race {
   at = 0;  // the level of all of them
   tracks = null;  // the other's, and that of maintained strips
   #work = null;  // what is to be done, in pieces
+  #pace = null;
   #resting = false;  // nothing of it is left
   #counts = false;  // the lanes have arrived at the level from which on steps count
   #stepped = -Infinity;  // when the last step was
@@ -114,11 +115,10 @@ export class Race {
       viewer.found();
     }));
     this.#take();
-    const pace = new Pace();
     for (;;) {
       let operations = 0;
       while (this.at !== viewer.level) {
-        const [to, most] = [viewer.level, pace.most];
+        const [to, most] = [viewer.level, this.#pace.most];
         let [done, took] = [0, 0];
         for (const { mesh } of Object.values(this.lanes)) {
           const start = performance.now();
@@ -126,7 +126,7 @@ export class Race {
           took = Math.max(took, performance.now() - start);
           yield 'more';
         }
-        pace.learn(done, most, took);
+        this.#pace.learn(done, most, took);
         this.at += to > this.at ? done : -done;
         operations += done;
       }
@@ -147,10 +147,14 @@ export class Race {
   /// Works, and draws; whether there is more to come.
   frame(now) {
     const { viewer } = this;
-    this.#work ??= this.#pieces();
+    if (!this.#work) {
+      this.#work = this.#pieces();
+      this.#pace = new Pace();
+    }
     // Where nothing may move by itself, a run is seen at its end.
     const ends = viewer.moves ? ['step', 'rest'] : ['rest'];
-    const until = performance.now() + frameBudget;
+    this.#pace.begin();
+    const until = performance.now() + this.#pace.budget;
     const before = this.lanes?.kept?.total.steps;
     let piece;
     do piece = this.#work.next().value; while (performance.now() < until && !ends.includes(piece));

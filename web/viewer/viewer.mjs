@@ -17,6 +17,8 @@ import { indexWidth, showFigures, showLevel, showMesh, showReads } from './figur
 import { wantedRecords } from './detail.mjs';
 
 const by = (id) => document.getElementById(id);
+/// The rest in another task.
+const later = () => new Promise((then) => setTimeout(then));
 const still = matchMedia('(prefers-reduced-motion: reduce)');
 
 class Viewer {
@@ -66,8 +68,9 @@ class Viewer {
   // ---- meshes
   /// `source`: of prepared().
   async show(source) {
+    await later();  // a large mesh takes a frame for each of these
     const mesh = source.baked ? this.restrip.baked(source.baked) : this.restrip.progressive(source);
-    await new Promise((later) => setTimeout(later));  // a large mesh takes a frame for this, and another to begin
+    await later();
     this.mesh?.close();
     this.mesh = mesh;
     this.source = source;
@@ -193,6 +196,7 @@ class Viewer {
   }
   /// Of the one mesh that all parts but the race show.
   #frameAlone(now) {
+    this.pace.begin();
     if (!this.resting) this.#advance(this.pace.most);
     const going = this.cut.advance(now);
     const peeling = this.#peelOn(now);
