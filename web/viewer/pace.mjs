@@ -5,15 +5,18 @@ export class Pace {
   most = firstPace;
   budget = 12;  // milliseconds
   #begun = performance.now();
+  #took = 0;
 
-  /// A frame begins. Where frames are far apart, because drawing takes long, operations take a third of the time between them.
+  /// A frame begins. Where drawing takes long, operations have a quarter of that time.
   begin() {
     const now = performance.now();
-    this.budget = Math.max(12, Math.min(50, (now - this.#begun) / 3));
+    this.budget = Math.max(12, Math.min(50, (now - this.#begun - this.#took) / 4));
     this.#begun = now;
+    this.#took = 0;
   }
   /// After `done` of at most `most` operations, in so many milliseconds; the clock may be a coarse one.
   learn(done, most, took) {
+    this.#took += took;
     if (most <= this.most && done > 0 && (done === most || took > this.budget))
       this.most = Math.max(1, Math.min(4 * most, Math.floor(done * this.budget / Math.max(took, 0.1))));
   }
