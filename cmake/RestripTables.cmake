@@ -156,13 +156,13 @@ function(restrip_generate_tables)
     set(headers automaton boundary_split collapse fan_collapse flip linked open_split rows split)
     list(TRANSFORM headers REPLACE "(.+)" "${folder}/include/restrip/tables/\\1.hpp")
     add_custom_command(
-      OUTPUT ${folder}/MANIFEST  # written last
-      BYPRODUCTS ${headers}
+      OUTPUT ${folder}/restrip-digests.txt  # which has the present time also if there was nothing to do
+      BYPRODUCTS ${folder}/MANIFEST ${headers}
       COMMAND restrip::generate tables --out ${folder} --threads 0 ${options}
       DEPENDS ${folder}.options $<TARGET_FILE:restrip::generate>
       COMMENT "Generating the tables of ${arg_TARGET}"
       VERBATIM)
-    list(APPEND made ${folder}/MANIFEST)
+    list(APPEND made ${folder}/restrip-digests.txt)
     list(APPEND commands COMMAND restrip::generate tables --out ${folder}-languages --threads 0 ${options} ${arg_LANGUAGE})
     if(--language=c IN_LIST arg_LANGUAGE)
       set(check ${folder}-languages/restrip_tables_check.c)
@@ -174,24 +174,22 @@ function(restrip_generate_tables)
   # Other languages have a folder of their own, because the MANIFEST lists all that is in that of the tables.
   if(arg_LANGUAGE)
     add_custom_command(
-      OUTPUT ${folder}-languages.made
+      OUTPUT ${folder}-languages/restrip-digests.txt
       BYPRODUCTS ${check}
       ${commands}
-      COMMAND ${CMAKE_COMMAND} -E touch ${folder}-languages.made
       DEPENDS ${folder}.options ${operations} $<TARGET_FILE:restrip::generate>
       COMMENT "Generating the tables of ${arg_TARGET} in other languages"
       VERBATIM)
-    list(APPEND made ${folder}-languages.made)
+    list(APPEND made ${folder}-languages/restrip-digests.txt)
   endif()
   if(operations)
     add_custom_command(
-      OUTPUT ${folder}-operations.made
+      OUTPUT ${folder}-operations/restrip-digests.txt
       COMMAND restrip::generate rules --out ${folder}-operations ${own}
-      COMMAND ${CMAKE_COMMAND} -E touch ${folder}-operations.made
       DEPENDS ${folder}.options ${operations} $<TARGET_FILE:restrip::generate>
       COMMENT "Generating the operations of ${arg_TARGET}"
       VERBATIM)
-    list(APPEND made ${folder}-operations.made)
+    list(APPEND made ${folder}-operations/restrip-digests.txt)
   endif()
   add_custom_target(${arg_TARGET}_files DEPENDS ${made})
   add_library(${arg_TARGET} INTERFACE)

@@ -35,6 +35,13 @@ CLI::Option* add_json_option(CLI::App& command, std::string& file) {
                             "Write the report as JSON to this file; - for standard output, in place of the text");
 }
 
+void add_force_option(CLI::App& command, bool& force) {
+  command.add_flag(
+      "--force", force,
+      "Make the files also if the directory has them, made by this program from the same inputs and options "
+      "(as restrip-digests.txt says, which is not written then); --json makes them always");
+}
+
 /// The option of the languages; `of_cpp` is what is written in C++, `in_others` in the others.
 CLI::Option* add_language_option(CLI::App& command, std::set<std::string>& languages, const char* of_cpp,
                                  const char* in_others) {
@@ -103,6 +110,7 @@ int main(int argc, char** argv) {
       ->excludes(shard_option);
   add_language_option(*tables_command, tables.languages, "headers, certificates and MANIFEST", "data")
       ->excludes(shard_option);
+  add_force_option(*tables_command, tables.force);
   add_json_option(*tables_command, tables.json);
   tables_command->footer(
       "\nExample, two shares by two machines, then all together:\n"
@@ -161,6 +169,7 @@ int main(int argc, char** argv) {
       ->add_option("--max-k", rules.max_k, "Families: positions whose first number is at most this, by default 8")
       ->check(CLI::Range(3, 10));
   add_language_option(*rules_command, rules.languages, "header and certificate", "table");
+  add_force_option(*rules_command, rules.force);
   add_json_option(*rules_command, rules.json);
   rules_command->footer(
       "\nExamples, from the top of the source tree; the second writes restrip_bisect.h and restrip_bisect.rs:\n"

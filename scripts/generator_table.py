@@ -269,7 +269,7 @@ def print_speed(generate):
             file = os.path.join(out, "operation.json")
             with open(file, "w", encoding="utf-8") as written:
                 json.dump(operation, written)
-            made = least(5, generate, "rules", "--operation", file, "--out", out)
+            made = least(5, generate, "rules", "--force", "--operation", file, "--out", out)
             certificate = os.path.join(out, "certificates/operations", operation["name"] + ".cert")
             proved = least(5, verify, "--operation", file, "--certificate", certificate)
         line([name, *(str(edges_and_ports(operation[side])) for side in ("before", "after")),

@@ -396,9 +396,13 @@ std::vector<Description> parse_descriptions(const std::string& file, const std::
   return all;
 }
 
-std::vector<Description> read_descriptions(const std::string& file) {
+std::string read_description_text(const std::string& file) {
   constexpr std::uint64_t longest = 1 << 20;
-  return parse_descriptions(file, files::read_whole(file, {longest, longest}));
+  return files::read_whole(file, {longest, longest});
+}
+
+std::vector<Description> read_descriptions(const std::string& file) {
+  return parse_descriptions(file, read_description_text(file));
 }
 
 }  // namespace restrip::generator

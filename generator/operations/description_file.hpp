@@ -22,6 +22,9 @@ enum class Author { user, restrip };
 /// Reads the file of a user; std::runtime_error says file, line, and what was expected.
 [[nodiscard]] std::vector<Description> read_descriptions(const std::string& file);
 
+/// The text of a user's file, of at most 1 MiB. Throws files::FileError.
+[[nodiscard]] std::string read_description_text(const std::string& file);
+
 /// Reads the text of a file; `file` is only named in errors.
 [[nodiscard]] std::vector<Description> parse_descriptions(const std::string& file, const std::string& text,
                                                           Author author = Author::user);

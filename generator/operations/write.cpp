@@ -19,6 +19,7 @@
 #include "operations/description_file.hpp"
 #include "operations/operation_layout.hpp"
 #include "tables/certificate_text.hpp"
+#include "tables/made_before.hpp"
 
 namespace restrip::generator {
 namespace {
@@ -137,9 +138,11 @@ std::string told(const Solved& made) {
 void make_rules(const RulesOptions& options) {
   std::vector<Description> descriptions;
   bool has_family = false;
+  std::vector<std::string> made_from{"rules", fmt::format("{}", options.max_k.value_or(0))};
   for (const std::string& file : options.files) {
     const std::vector<Description> others = descriptions;
-    for (Description& description : read_descriptions(file)) {
+    made_from.push_back(read_description_text(file));
+    for (Description& description : parse_descriptions(file, made_from.back())) {
       for (const Description& other : others)
         if (other.name == description.name || other.certificate == description.certificate)
           throw std::runtime_error(
@@ -166,7 +169,14 @@ void make_rules(const RulesOptions& options) {
   }
   for (const Description& description : descriptions) paths.merge(paths_of(description, options.languages));
   const std::vector<std::filesystem::path> inputs{options.files.begin(), options.files.end()};
-  files::OutputSet out(options.out, {paths.begin(), paths.end()}, {{}, inputs});
+  const MadeBefore before(options.out, made_from);
+  std::vector<std::filesystem::path> names{paths.begin(), paths.end()};
+  if (!options.force && options.json.empty() && before.has(names)) {
+    fmt::print("{}", before.sentence());
+    return;
+  }
+  if (!options.force) names.emplace_back(MadeBefore::file_name);
+  files::OutputSet out(options.out, names, {{}, inputs});
   const files::ReportOutput report(options.json, inputs);
 
   std::vector<files::NamedBytes> texts;
@@ -184,6 +194,7 @@ void make_rules(const RulesOptions& options) {
     json["operations"].push_back(figures(made));
     text += told(made);
   }
+  if (!options.force) texts.push_back(before.with(texts));
   out.write(texts);
   report.print(text, json.dump(2) + "\n");
 }

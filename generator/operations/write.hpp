@@ -13,6 +13,7 @@ struct RulesOptions {
   std::string out;                         ///< the folder that receives the files of each
   std::optional<unsigned> max_k;           ///< of families, the largest first number; otherwise 8
   std::set<std::string> languages{"c++"};  ///< of language_files(); that of C++ are header and certificate
+  bool force = false;                      ///< make them whether or not the folder has them, and keep no record of it
   std::string json;  ///< file for the figures, "-" for standard output in place of the text, or empty
 };
 

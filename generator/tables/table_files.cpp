@@ -24,8 +24,10 @@
 #include "files/output.hpp"
 #include "files/report_output.hpp"
 #include "languages/languages.hpp"
+#include "operations/families_text.hpp"
 #include "tables/certificate_text.hpp"
 #include "tables/emit.hpp"
+#include "tables/made_before.hpp"
 #include "tables/shard.hpp"
 
 namespace restrip::generator {
@@ -71,11 +73,11 @@ Weights weights_named(const std::string& cost) {
   return weights;
 }
 
-/// The files that write_tables writes, whatever the largest valence; MANIFEST, which vouches for the others, last.
-files::OutputSet table_files(const std::string& out, const std::set<std::string>& wanted) {
+/// The files of the tables, whatever the largest valence; MANIFEST, which vouches for the others, last.
+std::vector<std::filesystem::path> table_files(const std::set<std::string>& wanted) {
   std::set<std::filesystem::path> names;
   for (const auto& other : files_in(wanted, "tables")) names.insert(other.first);
-  if (!wanted.contains("c++")) return files::OutputSet(out, {names.begin(), names.end()});
+  if (!wanted.contains("c++")) return {names.begin(), names.end()};
   names.insert({headers + "rows.hpp", headers + "linked.hpp", header_path("automaton"), certificate_path("automaton")});
   for (const Patches& section : patches_of(families(), 3)) {
     names.insert(certificate_path(section.certificate));
@@ -83,7 +85,7 @@ files::OutputSet table_files(const std::string& out, const std::set<std::string>
   }
   std::vector<std::filesystem::path> in_order(names.begin(), names.end());
   in_order.emplace_back("MANIFEST");
-  return files::OutputSet(out, in_order);
+  return in_order;
 }
 
 /// The files of the tables, and what is printed about them.
@@ -178,15 +180,18 @@ std::string written_json(unsigned max_k, const std::vector<files::NamedBytes>& f
   return json.dump(2) + "\n";
 }
 
-void write(const Emitted& made, unsigned max_k, files::OutputSet& out, const files::ReportOutput& report) {
-  out.write(made.files);
-  report.print(made.told, written_json(max_k, made.files));
-}
-
 }  // namespace
 
 void make_tables(const TablesOptions& options) {
-  files::OutputSet out = table_files(options.out, options.languages);
+  std::vector<std::filesystem::path> names = table_files(options.languages);
+  const MadeBefore before(options.out, {"tables", std::string(families_text), std::to_string(options.max_k),
+                                        options.goal == Goal::strips ? "strips" : "indices"});
+  if (!options.force && options.json.empty() && before.has(names)) {
+    fmt::print("{}", before.sentence());
+    return;
+  }
+  if (!options.force) names.insert(names.begin(), MadeBefore::file_name);
+  files::OutputSet out(options.out, names);
   const files::ReportOutput report(options.json);
   const bool certified = options.languages.contains("c++");
 
@@ -197,7 +202,11 @@ void make_tables(const TablesOptions& options) {
   const std::vector<Certificate> certificates =
       certified ? certify(std::move(solved), options.threads) : by_certificate(std::move(solved));
   const Packings packings = pack(certificates, options.max_k);
-  write(emit(certificates, packings, options), options.max_k, out, report);
+  const Emitted made = emit(certificates, packings, options);
+  std::vector<files::NamedBytes> written = made.files;
+  if (!options.force) written.insert(written.begin(), before.with(made.files));
+  out.write(written);
+  report.print(made.told, written_json(options.max_k, made.files));
 }
 
 void make_shard(const TablesOptions& options) {
@@ -221,12 +230,14 @@ void make_shard(const TablesOptions& options) {
 
 void merge_shards(const std::string& in, const std::string& folder, const std::string& json) {
   TablesOptions options;
-  files::OutputSet out = table_files(folder, options.languages);
+  files::OutputSet out(folder, table_files(options.languages));
   const files::ReportOutput report(json);
   Merged merged = read_shards(in, generator_id(RESTRIP_VERSION));
   options.max_k = merged.max_k;
   const std::vector<Certificate> certificates = by_certificate(std::move(merged.sections), std::move(merged.texts));
-  write(emit(certificates, pack(certificates, options.max_k), options), options.max_k, out, report);
+  const Emitted made = emit(certificates, pack(certificates, options.max_k), options);
+  out.write(made.files);
+  report.print(made.told, written_json(options.max_k, made.files));
 }
 
 void make_automaton_files(const AutomatonOptions& options) {

@@ -15,6 +15,7 @@ struct TablesOptions {
   unsigned threads = 1;
   Goal goal = Goal::strips;
   std::set<std::string> languages{"c++"};  ///< of language_files()
+  bool force = false;                      ///< make them whether or not the folder has them, and keep no record of it
   std::string json;                        ///< file for a list of what was written, "-" for standard output, or empty
 };
 

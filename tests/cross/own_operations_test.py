@@ -10,7 +10,9 @@ graphs, both take it and say `graph only`. Operations given by triangles are not
 """
 import copy
 import json
+import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -238,6 +240,64 @@ def check_shipped_names():
             expect(done.returncode == 2 and f'{shipped.stem}.json:1' in done.stderr and "is an operation of restrip" in done.stderr, done.stderr)
 
 
+def check_made_before():
+    """Files made from the same inputs and options are left as they are, and whatever differs makes them again."""
+    out, file, other = SCRATCH / "before", SCRATCH / "first.json", SCRATCH / "second.json"
+    text = json.loads((CORPUS / "split-face-graph.json").read_text())
+    file.write_text(json.dumps({**text, "name": "first"}))
+    other.write_text(json.dumps({**text, "name": "second"}))
+    header = out / "include/restrip/tables/operations/first.hpp"
+
+    def times():
+        return {path.relative_to(out): path.stat().st_mtime_ns for path in out.rglob("*") if path.is_file()}
+
+    def makes(again, *command):
+        old = times()
+        for path in old:  # whatever the clock's resolution
+            os.utime(out / path, ns=(0, 0))
+        done = run(GENERATOR, *command, "--out", out)
+        expect(done.returncode == 0 and ("nothing to do (--force makes it again)" in done.stdout) != again, f"{command}: {done.stdout}{done.stderr}")
+        new = {path for path, time in times().items() if time != 0}
+        expect(new > {Path("restrip-digests.txt")} if again else new == {Path("restrip-digests.txt")}, f"{command}: {new}")
+
+    rules = ("rules", "--operation", file)
+    tables = ("tables", "--max-k", "3")
+    makes(True, *rules)
+    made = header.read_bytes()
+    makes(False, *rules)
+    makes(True, "rules", "--operation", other)  # into the same folder
+    makes(False, *rules)
+    makes(True, *rules, "--language", "c")
+    makes(False, *rules, "--language", "c++,c")
+    makes(False, *rules)
+    makes(True, *tables)
+    makes(False, *tables)
+    makes(True, *tables, "--tie-break", "indices")
+    makes(True, *tables)
+    makes(False, *rules)
+    header.write_bytes(made + b"\n")
+    makes(True, *rules)
+    expect(header.read_bytes() == made, "an altered header stays")
+    header.unlink()
+    makes(True, *rules)
+    file.write_text(json.dumps({**text, "name": "first", "about": "Another sentence."}))
+    makes(True, *rules)
+    expect(b"Another sentence." in header.read_bytes(), "the old header stays")
+    record = (out / "restrip-digests.txt").read_text()
+    for broken in ("", "restrip-digests 2\n", record[:200], record.replace(" ", "", 1)):
+        (out / "restrip-digests.txt").write_text(broken)
+        makes(True, *rules)
+    makes(False, *rules)
+    done = run(GENERATOR, *rules, "--force", "--out", out)
+    expect(done.returncode == 0 and "bytes" in done.stdout, done.stdout)
+    done = run(GENERATOR, *rules, "--json", "-", "--out", out)
+    expect(done.returncode == 0 and json.loads(done.stdout)["operations"], done.stdout)
+    family = SCRATCH / "k.json"
+    family.write_text(json.dumps({**FAN, "name": "of-before"}))
+    for again, max_k in ((True, "4"), (False, "4"), (True, "5"), (False, "5"), (True, "4")):
+        makes(again, "rules", "--operation", family, "--max-k", max_k)
+
+
 def check_links():
     """An output that leads to the operation file is refused; an operation file may be a pipe."""
     file = SCRATCH / "linked.json"
@@ -335,7 +395,8 @@ def check_single():
     expect(done.returncode == 2 and "no family, so --max-k has no effect" in done.stderr, done.stderr)
 
 
-SCRATCH.mkdir(parents=True, exist_ok=True)
+shutil.rmtree(SCRATCH, ignore_errors=True)
+SCRATCH.mkdir(parents=True)
 check_own_families()
 check_shipped_families()
 check_ports_given_up()
@@ -346,3 +407,4 @@ check_corpus()
 check_single()
 check_shipped_names()
 check_links()
+check_made_before()

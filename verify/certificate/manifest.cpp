@@ -29,7 +29,8 @@ std::size_t natural(const LineReader& reader, std::size_t index) {
 
 /// What lies among the tables and is no part of them.
 bool needs_no_line(const std::string& path) {
-  return path == "MANIFEST" || path.ends_with("CMakeLists.txt") || path.ends_with(".cmake");
+  return path == "MANIFEST" || path == "restrip-digests.txt" || path.ends_with("CMakeLists.txt") ||
+         path.ends_with(".cmake");
 }
 
 /// The number in the last line of a certificate, "end NUMBER …"; 0 when it has no such line.
