@@ -109,9 +109,10 @@ void write_through(const std::string& shown, int descriptor, std::string_view by
 Output::Output(const fs::path& file, const OutputRules& rules) : file_(file) {
   const std::string shown = file.string();
   if (file.empty()) throw FileError("the name of an output is empty; name a file");
-  const Destination end = follow_links(file);
+  const Destination end = file == "-" ? Destination{file, STDOUT_FILENO} : follow_links(file);
   const auto status = status_of(file);
   check_inputs(file, status, rules.inputs);
+  claim_ = std::make_shared<Claim>(shown, end.file, end.descriptor);
   if (end.descriptor >= 0) {
     const int flags = ::fcntl(end.descriptor, F_GETFL);
     if (flags < 0) fail_to_write(shown, errno);
@@ -179,8 +180,7 @@ OutputSet::OutputSet(fs::path folder, const std::vector<fs::path>& names, const 
   for (const fs::path& name : names) {
     const fs::path file = folder_ / name;
     made_.make(folder_of(file));
-    const Output tested(file, rules);
-    if (tested.target_.empty())
+    if (tested_.emplace_back(file, rules).target_.empty())
       throw FileError(fmt::format("{}: cannot be written: it is no regular file; remove it", file.string()));
   }
 }

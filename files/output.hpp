@@ -1,28 +1,32 @@
 #pragma once
 // The one way in which our programs write files. An output is tested before the work that makes it, and appears whole
-// or not at all: drafted beside the file that it names (through links), synced, renamed.
+// or not at all: drafted beside the file that it names (through links), synced, renamed. While an output lives, no
+// other output may name its file, and read_whole() refuses to read it (claim.hpp).
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "files/claim.hpp"
 #include "files/draft.hpp"
 
 namespace restrip::files {
 
 /// What an output has to be.
 struct OutputRules {
-  std::vector<std::string> extensions;        ///< one of these (".pm"), in any case; none: all are welcome
-  std::vector<std::filesystem::path> inputs;  ///< must not be one of these, under whatever name
+  std::vector<std::string> extensions;  ///< one of these (".pm"), in any case; none: all are welcome
+  /// Must not be one of these, under whatever name. For inputs that are not read by read_whole().
+  std::vector<std::filesystem::path> inputs = {};
 };
 
 /// A file to be written. What is there and not a regular file (a terminal, a pipe, /dev/null, /dev/stdout) is written
-/// to as it is, under any name: replacing it would take it away from other programs.
+/// to as it is, under any name: replacing it would take it away from other programs. `-` is standard output.
 class Output {
  public:
   /// Throws FileError unless the file can be written: its folder is there and takes files, it is no folder and not
-  /// protected, and the rules hold.
+  /// protected, the rules hold, and no other output of this thread is the same file.
   explicit Output(const std::filesystem::path& file, const OutputRules& rules = {});
 
   /// Writes the file whole; its permissions are those of the file that it replaces, or as the umask says. Throws
@@ -37,6 +41,7 @@ class Output {
   std::filesystem::path file_;    ///< as the user named it
   std::filesystem::path target_;  ///< the regular file that it leads to; empty for everything else
   int descriptor_ = -1;           ///< for /dev/stdout and the like: one that is open already
+  std::shared_ptr<const Claim> claim_;
 };
 
 /// Writes a file in a folder that only this program uses: neither drafted nor synced. Throws FileError.
@@ -72,7 +77,7 @@ struct NamedBytes {
 class OutputSet {
  public:
   /// Makes the folders of these files, which go again if nothing is written. Throws FileError unless each file can be
-  /// written and is, if it is there, a regular one.
+  /// written and is, if it exists, a regular one, and no two are the same.
   OutputSet(std::filesystem::path folder, const std::vector<std::filesystem::path>& names,
             const OutputRules& rules = {});
 
@@ -85,6 +90,7 @@ class OutputSet {
  private:
   std::filesystem::path folder_;
   MadeFolders made_;
+  std::vector<Output> tested_;
 };
 
 }  // namespace restrip::files

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "files/claim.hpp"
 #include "files/descriptor.hpp"
 #include "files/file_error.hpp"
 #include "files/size_in_words.hpp"
@@ -16,7 +17,7 @@
 namespace restrip::files {
 
 std::string read_whole(const std::filesystem::path& file, const ReadLimits& limits) {
-  const std::string name = file.string();
+  const std::string name = file == "-" ? "/dev/stdin" : file.string();
   Descriptor in(system_calls().open(name.c_str(), O_RDONLY | O_CLOEXEC, 0));
   if (!in.is_open()) {
     if (errno == ENOENT) throw FileError(fmt::format("{}: no such file; check the path", name));
@@ -26,6 +27,9 @@ std::string read_whole(const std::filesystem::path& file, const ReadLimits& limi
   struct stat status {};
   if (fstat(in.get(), &status) != 0)
     throw FileError(fmt::format("{}: cannot be read: {}; check the path", name, std::strerror(errno)));
+  if (const Claim* claim = Claim::on(status))
+    throw FileError(
+        fmt::format("{}: is the input {} itself, which would be lost; name another file", claim->shown(), name));
   if (S_ISDIR(status.st_mode)) throw FileError(fmt::format("{}: is a directory; name a file inside it", name));
   const bool regular = S_ISREG(status.st_mode);
   const std::uint64_t limit = regular ? limits.regular : limits.endless;

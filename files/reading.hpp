@@ -13,8 +13,9 @@ struct ReadLimits {
   std::uint64_t endless = std::uint64_t{256} << 20;
 };
 
-/// All bytes of a file, a pipe or a device. Throws FileError when it cannot be read or is larger than the limit, which
-/// the message states; then at most that many bytes have been read.
+/// All bytes of a file, a pipe or a device; `-` is standard input. Throws FileError when it cannot be read, is an
+/// output of this thread (output.hpp), or is larger than the limit, which the message states; then at most that many
+/// bytes have been read.
 [[nodiscard]] std::string read_whole(const std::filesystem::path& file, const ReadLimits& limits = {});
 
 /// The extension in lower case, with its dot; empty when there is none.

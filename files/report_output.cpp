@@ -1,14 +1,21 @@
 #include "files/report_output.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <utility>
+
+#include "files/printable.hpp"
 
 namespace restrip::files {
 
 ReportOutput::ReportOutput(const std::string& json, std::vector<std::filesystem::path> inputs)
     : to_stdout_(json == "-") {
-  if (!json.empty() && !to_stdout_) file_.emplace(json, OutputRules{{".json"}, std::move(inputs)});
+  if (to_stdout_)
+    claim_ = std::make_shared<Claim>("standard output", "-", STDOUT_FILENO);
+  else if (!json.empty())
+    file_.emplace(json, OutputRules{{".json"}, std::move(inputs)});
 }
 
 void ReportOutput::print(std::string_view text, std::string_view json) const {
@@ -17,7 +24,7 @@ void ReportOutput::print(std::string_view text, std::string_view json) const {
     return;
   }
   if (file_) file_->write(json);
-  fmt::print("{}", text);
+  fmt::print(Claim::on_standard_output() ? stderr : stdout, "{}", printable(text));
 }
 
 }  // namespace restrip::files

@@ -1,8 +1,10 @@
-// Where the report of a command goes, the same for every command: text on standard output; with `--json FILE` JSON into
-// the file as well; with `--json -` JSON on standard output in place of the text.
+// Where the report of a command goes, the same for every command: text on standard output, or on standard error when
+// another output of the command is standard output; with `--json FILE` JSON into the file as well; with `--json -` JSON
+// on standard output in place of the text.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +29,7 @@ class ReportOutput {
  private:
   bool to_stdout_;
   std::optional<Output> file_;
+  std::shared_ptr<const Claim> claim_;  // on standard output
 };
 
 }  // namespace restrip::files

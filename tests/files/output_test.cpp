@@ -145,6 +145,26 @@ TEST_F(Outputs, MustNotBeInputs) {
   EXPECT_EQ(complaint("/dev/null", {{}, {"/dev/null"}}), "");
 }
 
+TEST_F(Outputs, AreNeitherReadNorWrittenTwiceWhileTheyLive) {
+  put(at("in"), "input");
+  fs::create_hard_link(at("in"), at("hard"));
+  fs::create_symlink("new", at("link"));
+  {
+    const Output in(at("in"));
+    const Output fresh(at("new"));
+    EXPECT_SAYS(complaint(at("hard")), "is the output");
+    EXPECT_SAYS(complaint(at("link")), "is the output");
+    EXPECT_THROW((void)read_whole(at("hard")), FileError);
+    EXPECT_THROW(OutputSet(folder_, {"other", "new"}), FileError);
+    EXPECT_EQ(complaint(at("other")), "");
+    const Output device("/dev/null");
+    EXPECT_EQ(complaint("/dev/null"), "");
+  }
+  EXPECT_EQ(read_whole(at("hard")), "input");
+  EXPECT_EQ(complaint(at("in")), "");
+  EXPECT_THROW(OutputSet(folder_, {"in", "hard"}), FileError);
+}
+
 TEST_F(Outputs, MustBeOfTheFormat) {
   const OutputRules rules{{".pm", ".svg"}, {}};
   EXPECT_EQ(complaint(at("a.pm"), rules), "");

@@ -11,7 +11,7 @@ import pathlib
 import struct
 import sys
 
-from gltf_maker import File
+from gltf_maker import FLOAT, File
 from program import Program
 from strip_readers import obj, rotated
 
@@ -189,6 +189,38 @@ for edit, words in DAMAGED:
     refused("bad.glb", made.glb(), words)
     if "byteLength" not in words:
         refused("bad.gltf", made.gltf(), words)
+
+
+# Small files that draw much: values without bytes, and one mesh in many nodes; and many members, each looked up.
+def many_zeros():
+    made = File()
+    made.doc["accessors"] = [{"componentType": FLOAT, "count": 60_000, "type": "VEC3"}] * 300
+    for i in range(300):
+        made.primitive(i)
+    made.doc["extras"] = " " * 60_000
+    return made.glb()
+
+
+def many_nodes():
+    made = File()
+    made.primitive(made.positions([(0, 0, 0), (1, 0, 0), (0, 1, 0)]), made.indices([0, 1, 2] * 1000))
+    made.doc |= {"nodes": [{"mesh": 0}] * 4000, "scenes": [{"nodes": list(range(4000))}]}
+    return made.glb()
+
+
+def many_primitives():
+    made = File()
+    made.primitive(made.positions([]), made.indices([]))
+    made.doc["meshes"][0]["primitives"] *= 1000
+    made.doc |= {"nodes": [{"mesh": 0}] * 1000, "scenes": [{"nodes": list(range(1000))}]}
+    return made.glb()
+
+
+for made in (many_zeros(), many_nodes(), many_primitives()):
+    refused("bomb.glb", made, "draws more than 8388608 vertices and indices, the limit for a file of its size")
+made = whole()
+made.doc["meshes"][0]["primitives"][0]["attributes"] |= {f"_{i}": 0 for i in range(300)}
+refused("bomb.glb", made.glb(), "more than 256, the limit")
 for uri, words in (("../outside.bin", "only a file in the same folder"), ("/etc/passwd", "only a file in the same folder"),
                    ("https://host/a.bin", "only a file in the same folder"), ("%2e%2e%2fa.bin", "only a file in the same"),
                    ("%zz", "only a file in the same folder"),

@@ -1,16 +1,23 @@
 // Simplifying, baking, replaying and drawing take linear time however many triangles share one vertex; the steps are
 // counted at two sizes, one twice the other. tests/runtime/hub_steps_test.cpp does so for what the library promises.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "lod/bake.hpp"
 #include "lod/simplify.hpp"
+#include "meshes/json_tree.hpp"
+#include "meshes/little_endian.hpp"
+#include "meshes/mend.hpp"
+#include "meshes/mesh_file.hpp"
 #include "pictures/picture_file.hpp"
 #include "pictures/scene.hpp"
 #include "replay/replay.hpp"
@@ -27,6 +34,66 @@ using counter::grows_at_most;
 using counter::linear;
 using counter::Work;
 using counter::work_of;
+
+/// Binary STL. The corners that collide have one std::hash of their 12 bytes (MurmurHash64A, as libstdc++ has it).
+std::string stl_of(std::size_t facets, bool collide) {
+  constexpr std::uint64_t factor = 0xC6A4A7935BD1E995;
+  constexpr std::uint64_t inverse = 0x5F7A0EA7E59B19BD;
+  static_assert(factor * inverse == 1);
+  const auto unmixed = [](std::uint64_t k) {
+    k *= inverse;
+    return (k ^ k >> 47U) * inverse;
+  };
+  std::string bytes(80, ' ');
+  put(bytes, static_cast<std::uint32_t>(facets));
+  std::uint32_t last = 0x3F800000;
+  for (std::size_t f = 0; f < facets; ++f) {
+    bytes += std::string(12, '\0');
+    for (unsigned corner = 0; corner < 3;) {
+      ++last;
+      const std::uint64_t first = collide
+                                      ? unmixed(((0x123456789ABCDEF0 ^ last) * inverse) ^ 0xC70F6907 ^ (12 * factor))
+                                      : (std::uint64_t{last} << 32U | last * 7919U);
+      const auto x = static_cast<std::uint32_t>(first);
+      const auto y = static_cast<std::uint32_t>(first >> 32U);
+      if (!std::isfinite(std::bit_cast<float>(x)) || !std::isfinite(std::bit_cast<float>(y))) continue;
+      put(bytes, x), put(bytes, y), put(bytes, last);
+      ++corner;
+    }
+    bytes += std::string(2, '\0');
+  }
+  return bytes;
+}
+
+TEST(Reading, PlacesThatCollideTakeAsManyStepsAsOthers) {
+  const auto steps = [](bool collide) {
+    const std::string bytes = stl_of(3000, collide);
+    Soup soup;
+    const Work work = work_of([&] {
+      soup = read_stl(bytes, "f");
+      EXPECT_EQ(coincident_vertices(soup), 0U);
+      Mended mended;
+      weld(soup, mended);
+    });
+    EXPECT_EQ(soup.points.size(), 9000U);
+    return work.steps;
+  };
+  EXPECT_LT(steps(true), 2 * steps(false));
+}
+
+TEST(Reading, MembersOfAnObjectAreFoundWithoutWalkingOverIt) {
+  const auto work = [](std::size_t members) {
+    std::string text = "{";
+    for (std::size_t i = 0; i < members; ++i) text += fmt::format("\"x{}\":{},", i, i);
+    text.back() = '}';
+    return work_of([&] {
+      const JsonValue tree = parse_json(text, "f");
+      const std::string name = "f";
+      for (std::size_t i = 0; i < members; ++i) EXPECT_EQ(JsonPlace(tree, name)[fmt::format("x{}", i)].whole(), i);
+    });
+  };
+  EXPECT_TRUE(grows_at_most(linear, work(1000), work(2000)));
+}
 
 /// On a spiral: no two points at one place, and no three in a line.
 Soup soup_of(const sample::HubMesh& mesh) {

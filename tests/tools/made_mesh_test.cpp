@@ -17,7 +17,7 @@ std::uint64_t fingerprint(const Soup& soup) {
   std::uint64_t hash = 0xCBF29CE484222325U;
   const auto add = [&hash](std::uint32_t value) { hash = (hash ^ value) * 0x100000001B3U; };
   for (const Point& p : soup.points)
-    for (const float x : {p.x, p.y, p.z}) add(std::bit_cast<std::uint32_t>(x));
+    for (const double x : {p.x, p.y, p.z}) add(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
   for (const Corners& t : soup.triangles)
     for (const std::uint32_t corner : t) add(corner);
   return hash;

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cctype>
 #include <fstream>
+#include <utility>
 
 #include "common/bad_input.hpp"
 #include "files/output.hpp"
@@ -73,12 +75,29 @@ TEST(Obj, LinesMayEndInAnyWayAndGoOn) {
   EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}}));
 }
 
+TEST(Obj, ALineGoesOnAfterABackslash) {
+  for (const char* text : {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/2\\\n 3/3", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\\\r3\\",
+                           "v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\\\nf 1 2 3\\\r\n"})
+    EXPECT_EQ(read_obj(text, "f").triangles, (std::vector<Corners>{{0, 1, 2}})) << text;
+  EXPECT_EQ(read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib c:\\m\\f 1 1 1\nf 1 2 3\n", "f").triangles.size(), 1U);
+}
+
+TEST(Obj, ValuesThatFacesNameAndTheFileLacksAreMissing) {
+  const Soup soup = read_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/4/1 2/4/1 3/4/1\n", "f", ReadAttributes::yes);
+  EXPECT_EQ(soup.triangles.size(), 1U);
+  EXPECT_TRUE(soup.attributes.empty());
+  EXPECT_EQ(attributes_in_words(soup.left_out_attributes),
+            "texture coordinates (missing from the file), normals (missing from the file)");
+}
+
 TEST(Obj, Refusals) {
   expect_refused(bare_obj, "", "no vertices");
   expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\n", "no triangles");
   expect_refused(bare_obj, "v 0 0 0\nv 1 0\n", ":2: a vertex needs three numbers");
-  expect_refused(bare_obj, "v 0 0 nan\n", "infinite or not a number");
-  expect_refused(bare_obj, "v 0 0 1e300\n", "infinite or not a number");
+  expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\nv 0 0 nan\nf 1 2 3\n",
+                 "vertex 2 has a coordinate that is infinite or not");
+  expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\nv 0 0 1e300\nf 1 2 3\n", "infinite or not a number");
+  expect_refused(bare_obj, "v 0 0 0\nv 1 0 0\nf 1 1 2\nf 2 2 2\n", "2 triangles, each with a corner twice");
   expect_refused(bare_obj, "v 0 0 0\nf 0 1 1\n", "counted from 1");
   expect_refused(bare_obj, "v 0 0 0\nf -2 1 1\n", "is no vertex");
   expect_refused(bare_obj, "v 0 0 0\nf 1 1 x\n", "is no vertex");
@@ -95,9 +114,11 @@ TEST(Obj, RefusalsOfAttributes) {
   expect_refused(full_obj, two + "vn 0 0 1\nf 1//1 2//3 1//1\n", "refers to `vn` 3 (counted from 1), but there are 1");
   expect_refused(full_obj, two + "vn 0 1\n", ":3: a `vn` of 2 numbers needs 3");
   expect_refused(full_obj, two + "vt\n", ":3: a `vt` of 0 numbers needs 1");
-  expect_refused(full_obj, two + "vn 0 nan 1\n", ":3: 'nan' is no number that is finite");
-  expect_refused(full_obj, two + "vt 0 x\n", ":3: 'x' is no number that is finite");
-  expect_refused(full_obj, "v 0 0 0 1 1 1e99\n", ":1: '1e99' is no number that is finite");
+  expect_refused(full_obj, two + "vn 0 0 1\nvn 0 nan 1\nf 1//1 2//2 1//1\n",
+                 "refers to `vn` 2 (counted from 1), which is");
+  expect_refused(full_obj, two + "vt 0 x\n", ":3: 'x' is not a number");
+  expect_refused(full_obj, "v 0 0 0 1 1 1e99\nv 1 0 0 0 0 0\nv 0 1 0 0 0 0\nf 1 2 3\n",
+                 "vertex 0 has colours that are infinite or not a number");
   expect_refused(full_obj, two + "vt 0 0\nf 1/0 2/1 1/1\n", "'1/0' is no vertex");
   expect_refused(full_obj, two + "vt 0 0\nf 1/-2 2/1 1/1\n", "'1/-2' is no vertex");
   expect_refused(full_obj, two + "vn 0 0 1\nf 1//z 2/1 1/1\n", "'1//z' is no vertex");
@@ -116,9 +137,57 @@ TEST(Off, CountsMayFollowTheKeyword) {
   EXPECT_EQ(read_off("OFF 3 1 3\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "f").triangles.size(), 1U);
 }
 
+TEST(Off, HeadersHaveManyForms) {
+  const std::string body = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 2 1 3\n";
+  const std::vector<Corners> both{{0, 1, 2}, {2, 1, 3}};
+  for (const char* header : {"OFF4 2 0\n", "OFF 4 2 0\n", "OFF\n4 2 5\n", "OFF\n4 2\n", "4 2 0\n", "OFF\n4\n2\n0\n",
+                             "OFF 4 2\n0\n", "nOFF 3\n4 2 0\n", "COFF\n4 2 0\n", "STCNOFF 4 2 0\n", "NCSTOFF4 2 0\n"})
+    EXPECT_EQ(read_off(header + body, "f").triangles, both) << header;
+  EXPECT_EQ(read_off("OFF 4 2 0 0 0 0 1 0 0 0 1 0 1 1 0 3 0 1 2 3 2 1 3", "f").triangles, both);
+  EXPECT_EQ(read_off("OFF\n4 2 0\n0\n0\n0\n1 0\n0 0 1 0\n1 1 0 3\n0 1 2 3 2 1 3\n", "f").triangles, both);
+  EXPECT_EQ(read_off("4OFF 4 2 0\n0 0 0 1\n1 0 0 1\n0 1 0 1\n1 1 0 1\n3 0 1 2\n3 2 1 3\n", "f").triangles, both);
+}
+
+TEST(Off, WhatIsLeftOutIsReported) {
+  const auto left_out = [](const char* text) { return attributes_in_words(read_off(text, "f").left_out_attributes); };
+  EXPECT_EQ(left_out("COFF\n3 1 0\n0 0 0 9 9 9 9\n1 0 0 9 9 9 9\n0 1 0 9 9 9 9\n3 0 1 2\n"), "colours");
+  EXPECT_EQ(left_out("STNOFF\n3 1 0\n0 0 0 0 0 1 0 0\n1 0 0 0 0 1 1 0\n0 1 0 0 0 1 0 1\n3 0 1 2\n"),
+            "texture coordinates, normals");
+  EXPECT_EQ(left_out("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"), "colours");
+  EXPECT_EQ(left_out("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "");
+}
+
+// Of every text format: a byte order mark, and each end of lines.
+TEST(Texts, MayBeginWithAByteOrderMarkAndEndLinesInAnyWay) {
+  using Read = Soup (*)(std::string_view, const std::string&);
+  for (const auto& [read, text] : std::vector<std::pair<Read, std::string>>{
+           {bare_obj, "v 0 0 0\nv 1 0 0 # c\nv 0 1 0\nf 1 2 3\n"},
+           {full_obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"},
+           {read_off, "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+           {bare_ply,
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "
+            "face 1\nproperty list uchar int vertex_index\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
+           {read_stl,
+            "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+            "endfacet\nendsolid a\n"}})
+    for (const char* mark : {"", "\xEF\xBB\xBF"})
+      for (const char* end : {"\n", "\r\n", "\r"}) {
+        std::string written = mark;
+        for (const char c : text) written += c == '\n' ? std::string(end) : std::string(1, c);
+        const Soup soup = read(written, "f");
+        EXPECT_EQ(soup.points, (std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})) << text;
+        EXPECT_EQ(soup.triangles, (std::vector<Corners>{{0, 1, 2}})) << text;
+      }
+}
+
 TEST(Off, Refusals) {
   expect_refused(read_off, "", "does not begin with OFF");
-  expect_refused(read_off, "4OFF\n", "does not begin with OFF");
+  expect_refused(read_off, "XOFF\n", "does not begin with OFF");
+  expect_refused(read_off, "4OFF\n3 1 0\n0 0 0 2\n1 0 0 1\n0 1 0 1\n3 0 1 2\n",
+                 ":3: vertex 0 has the fourth coordinate 2");
+  expect_refused(read_off, "nOFF 4\n3 1 0\n", "points of 4 dimensions");
+  // One number is missing and another one is too many: neither lines nor numbers alone fit.
+  expect_refused(read_off, "OFF\n3 1 0\n0 0\n1 0 0\n0 1 0\n3 0 1 2\n", ":3: expected a coordinate, found ''");
   expect_refused(read_off, "OFF BINARY\n", "binary OFF");
   expect_refused(read_off, "OFF\n3\n", "the file ends");
   expect_refused(read_off, "OFF\n4000000000 1 0\n", "more than its");
@@ -210,6 +279,36 @@ TEST(Ply, Refusals) {
   expect_refused(bare_ply, with("comment c", "commend c"), "unknown keyword");
 }
 
+TEST(Ply, WhatNoTriangleUsesMayBeNoNumber) {
+  const auto with = [](std::string_view last) {
+    return fmt::format(
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+        "property float nx\nproperty float ny\nproperty float nz\nelement face 1\nproperty list uchar int "
+        "vertex_index\n"
+        "end_header\nnan inf 0 0 0 nan\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n{}\n",
+        last);
+  };
+  const Soup soup = read_ply(with("3 1 2 3"), "f", ReadAttributes::yes);
+  EXPECT_EQ(soup.points[0], (Point{0, 0, 0}));
+  EXPECT_EQ(soup.attributes.at(0).value(0), (Attribute::Value{0, 0, 1}));
+  EXPECT_EQ(attributes_in_words(soup.left_out_attributes),
+            "a coordinate that is infinite or not a number, of 1 vertex in no triangle, "
+            "normals that are infinite or not a number, of 1 vertex in no triangle");
+  expect_refused(bare_ply, with("3 0 2 3"), "vertex 0 has a coordinate that is infinite or not a number");
+}
+
+TEST(Ply, ABodyMayBeginWithTheByteOfALineFeed) {
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    std::string file;
+    for (const char* line :
+         {"ply", "format binary_little_endian 1.0", "element vertex 3", "property char x", "property char y",
+          "property char z", "element face 1", "property list uchar uchar vertex_index", "end_header"})
+      file += std::string(line) + end;
+    file += std::string("\n\n\r\1\0\0\0\1\0\3\0\1\2", 13);
+    EXPECT_EQ(read_ply(file, "f").points[0], (Point{10, 10, 13}));
+  }
+}
+
 // A turn the other way is a repeated index; what draws nothing is no triangle.
 TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
   const auto with = [](std::string_view lists) {
@@ -228,6 +327,8 @@ TEST(Ply, StripsAreTheTrianglesThatTheyDraw) {
   EXPECT_EQ(strips("9 8 0 1 2 -1 2 1 3 -1\n9 2 0 1\n9 3 2 3 4\n"),
             (std::vector<std::uint32_t>{0, 1, 2, strip_end, 2, 1, 3, strip_end, 2, 3, 4}));
   EXPECT_EQ(strips("9 5 0 1 2 1 3\n"), (std::vector<std::uint32_t>{0, 1, 2, 1, 3}));
+  // The restart as a number without a sign.
+  EXPECT_EQ(triangles("9 7 0 1 2 4294967295 2 1 3\n"), (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}}));
   expect_refused(bare_ply, with("9 5 0 1 2 2 6\n"), "refers to vertex 6");
   expect_refused(bare_ply, with("9 3 0 1 6\n"), "refers to vertex 6");
   expect_refused(bare_ply, with("9 3 0 1 -2\n"), "strip list 0 has a corner -2, which is no vertex");
@@ -245,7 +346,8 @@ std::string stl_binary(const Soup& soup) {
   for (const Corners& t : soup.triangles) {
     for (unsigned i = 0; i < 3; ++i) put(0);
     for (const std::uint32_t v : t)
-      for (const float x : {soup.points[v].x, soup.points[v].y, soup.points[v].z}) put(std::bit_cast<std::uint32_t>(x));
+      for (const double x : {soup.points[v].x, soup.points[v].y, soup.points[v].z})
+        put(std::bit_cast<std::uint32_t>(static_cast<float>(x)));
     bytes += std::string(2, '\0');
   }
   return bytes;
@@ -261,6 +363,22 @@ TEST(Stl, CornersAtOnePlaceBecomeOneVertex) {
       "f");
   EXPECT_EQ(text.points.size(), 4U);
   EXPECT_EQ(text.triangles, (std::vector<Corners>{{0, 1, 2}, {2, 1, 3}}));
+}
+
+TEST(Stl, LettersMayBeLargeAndMoreBytesFollow) {
+  std::string upper =
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 "
+      "0\nendloop\nendfacet\nendsolid\n";
+  for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  EXPECT_EQ(read_stl(upper, "f").triangles.size(), 1U);
+  const std::string whole = stl_binary(tetrahedron());
+  EXPECT_TRUE(read_stl(whole, "f").left_out_attributes.empty());
+  const Soup longer = read_stl(whole + "more", "f");
+  EXPECT_EQ(longer.triangles.size(), 4U);
+  EXPECT_EQ(attributes_in_words(longer.left_out_attributes), "4 bytes after the facets");
+  std::string coloured = whole;
+  coloured.back() = 'c';
+  EXPECT_EQ(attributes_in_words(read_stl(coloured, "f").left_out_attributes), "colours");
 }
 
 TEST(Stl, Refusals) {
@@ -308,7 +426,7 @@ TEST_F(InFolder, Refusals) {
   std::ofstream(folder_ / "empty.ply");
   EXPECT_NE(refused(folder_ / "empty.ply").find("the file is empty"), std::string::npos);
   std::ofstream(folder_ / "a.xyz") << "0 0 0\n";
-  EXPECT_NE(refused(folder_ / "a.xyz").find("unknown extension '.xyz'"), std::string::npos);
+  EXPECT_NE(refused(folder_ / "a.xyz").find("unknown extension '.xyz'; name the format by --from"), std::string::npos);
   EXPECT_THROW((void)mesh_bytes(tetrahedron(), ".xyz"), BadInput);
 }
 

@@ -39,8 +39,8 @@ ReadMesh parsed(const MeshFormat& format, const std::string& bytes) {
 }
 
 /// The triangles by their points, so that the numbers of vertices do not matter.
-std::vector<std::array<std::array<float, 3>, 3>> by_points(const Soup& soup) {
-  std::vector<std::array<std::array<float, 3>, 3>> all;
+std::vector<std::array<std::array<double, 3>, 3>> by_points(const Soup& soup) {
+  std::vector<std::array<std::array<double, 3>, 3>> all;
   for (const Corners& t : soup.triangles) {
     auto& c = all.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) c[i] = {soup.points[t[i]].x, soup.points[t[i]].y, soup.points[t[i]].z};
@@ -123,13 +123,12 @@ TEST(MeshFormats, WhatIsWrittenIsRead) {
 TEST(MeshFormats, TheFinestLevelIsTheMeshThatWasSimplified) {
   for (const Soup& soup : {make_mesh(600), sheet(9)}) {
     const Everything all(soup);
-    const Soup progressive = finest_level(all.progressive, "some file");
+    const Soup progressive = finest_level(all.progressive);
     EXPECT_EQ(by_points(progressive), by_points(soup));
     EXPECT_TRUE(progressive.strips.empty());
     for (const char* extension : {".baked", ".glb"}) {
       const MeshFormat& format = *format_named(extension);
-      const Soup baked =
-          finest_level(parsed(format, format.write_baked(all.baked, {StripForm::list}).bytes), "some file");
+      const Soup baked = finest_level(parsed(format, format.write_baked(all.baked, {StripForm::list}).bytes));
       EXPECT_EQ(by_points(baked), by_points(soup));
       std::vector<std::uint32_t> origin;
       StripMesh mesh = StripMesh::build(baked.triangles, baked.points.size(), nullptr, &origin);
@@ -138,6 +137,36 @@ TEST(MeshFormats, TheFinestLevelIsTheMeshThatWasSimplified) {
       EXPECT_EQ(count_strips(mesh), all.report.top_strips);
     }
   }
+}
+
+// Coordinates far from the origin: text and PLY keep every digit, and where 32 bits would join vertices that is
+// reported.
+TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
+  const std::string far =
+      "v 500000.001 4649776.251 10.004\nv 500000.501 4649776.251 10.004\nv 500000.001 4649776.501 10.004\n"
+      "v 500000.501 4649776.501 10.004\nf 1 2 3\nf 3 2 4\n";
+  const Soup soup = read_obj(far, "f");
+  EXPECT_EQ(soup.points[0], (Point{500000.001, 4649776.251, 10.004}));
+  EXPECT_EQ(coincident_vertices(soup), 0U) << "--weld would not join them";
+  for (const MeshFormat& format : mesh_formats()) {
+    Mended mended;
+    note_losses(soup, format, mended);
+    EXPECT_EQ(as_text(mended).find("2 vertices lie at the place of another") != std::string::npos, format.rounds)
+        << format.extension;
+    if (format.write_mesh == nullptr) continue;
+    const Soup again = std::get<Soup>(parsed(format, format.write_mesh(soup)));
+    EXPECT_EQ(again.points == soup.points, !format.rounds) << format.extension;
+  }
+  // What the file has in 64 bits is written in 64 bits; else no more bits are written than matter.
+  const auto ply = [](const char* type) {
+    return fmt::format(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty {0} x\nproperty {0} y\nproperty {0} z\nelement face 1\n"
+        "property list uchar int vertex_index\nend_header\n0.1 0 0\n1 0.2 0\n0 1 0.3\n3 0 1 2\n",
+        type);
+  };
+  EXPECT_EQ(read_ply(mesh_bytes(read_ply(ply("double"), "f"), ".ply"), "f").points[0], (Point{0.1, 0, 0}));
+  EXPECT_EQ(read_ply(mesh_bytes(read_ply(ply("float"), "f"), ".ply"), "f").points[0], (Point{0.1F, 0, 0}));
+  EXPECT_EQ(read_obj(mesh_bytes(read_ply(ply("float"), "f"), ".obj"), "f").points[0], (Point{0.1, 0, 0}));
 }
 
 using FormatsInFolder = ScratchFolder;

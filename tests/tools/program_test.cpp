@@ -335,6 +335,73 @@ TEST_F(Meshes, AnInputIsNoOutput) {
   EXPECT_EQ(bytes_of(file("a.baked")), baked);
 }
 
+// Of every subcommand: no output is another output, nor a file that the input names.
+TEST_F(Meshes, NoFileIsWrittenTwice) {
+  std::ofstream(file("x.gltf"))
+      << R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
+         R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[)"
+         R"({"byteLength":36,"uri":"x.bin"}]})";
+  std::ofstream(file("x.bin"), std::ios::binary)
+      << std::string("\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3F\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3F\0\0\0\0", 36);
+  std::filesystem::create_hard_link(file("x.bin"), file("hard.json"));
+  std::filesystem::create_symlink("new.json", file("link.json"));
+  const std::string buffer = bytes_of(file("x.bin"));
+  for (const char* command :
+       {"stripify '{0}/x.gltf' -o '{0}/x.bin'", "convert '{0}/x.gltf' -o '{0}/x.bin'",
+        "stats '{0}/x.gltf' --json '{0}/hard.json'", "simplify '{0}/x.gltf' -o '{0}/x.bin'",
+        "replay '{0}/x.gltf' -o '{0}/x.bin'", "bake '{0}/x.gltf' -o '{0}/b.baked' --json '{0}/hard.json'",
+        "draw '{0}/x.gltf' -o '{0}/hard.json'", "paper '{0}/x.gltf' --out '{0}/report' --json '{0}/hard.json'"})
+    EXPECT_NE(refusal(fmt::format(fmt::runtime(command), folder_.string())).find("is the input"), std::string::npos)
+        << command;
+  for (const char* command :
+       {"draw -o '{0}/new.json' --json '{0}/new.json'", "draw -o '{0}/new.json' --json '{0}/../{1}/new.json'",
+        "draw -o '{0}/new.json' --json '{0}/link.json'",
+        "paper '{0}/a.obj' --out '{0}/report' --json '{0}/report/report.json'",
+        "replay '{0}/a.pm' --trace /dev/stdout --json -"})
+    EXPECT_NE(
+        refusal(fmt::format(fmt::runtime(command), folder_.string(), folder_.filename().string())).find("as well"),
+        std::string::npos)
+        << command;
+  EXPECT_EQ(bytes_of(file("x.bin")), buffer);
+  EXPECT_FALSE(std::filesystem::exists(file("new.json")));
+}
+
+// Pipes have no name: how a file begins says what it is, in every format that is read, or the user does.
+TEST_F(Meshes, PipesAreReadAndWritten) {
+  const std::string folder = folder_.string();
+  const auto shell = [&](const std::string& command) {
+    return run_command(fmt::format("export restrip='{}'; cd '{}'; {}", RESTRIP_PROGRAM, folder, command));
+  };
+  ASSERT_EQ(run_program(fmt::format("stripify '{0}/a.obj' -o '{0}/a.glb'", folder)).code, 0);
+  for (const char* to : {"off", "ply", "stl"})
+    ASSERT_EQ(run_program(fmt::format("convert '{0}/a.obj' -o '{0}/a.{1}'", folder, to)).code, 0);
+  const std::string triangles = shell("$restrip stats a.obj --json - | grep '\"triangles\"'").out;
+  EXPECT_NE(triangles, "");
+  for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.glb", "a.pm", "a.baked"})
+    for (const char* command : {"$restrip stats - --json - < {}", "cat {} | $restrip stats /dev/stdin --json -",
+                                "cp {0} bare; $restrip stats bare --json -"}) {
+      const Outcome told = shell(fmt::format(fmt::runtime(command), name) + " | grep '\"triangles\"'");
+      EXPECT_EQ(told.out, triangles) << name << ' ' << command;
+    }
+  EXPECT_EQ(
+      shell("$restrip convert a.obj -o - --to off 2>/dev/null | $restrip convert - -o - --to obj 2>/dev/null").out,
+      bytes_of(file("a.obj")));
+  EXPECT_EQ(shell("$restrip make-mesh --triangles 500 -o - --to obj 2>/dev/null").out, bytes_of(file("a.obj")));
+  EXPECT_EQ(shell("cp a.off a.txt; $restrip convert a.txt --from off -o same --to obj > told && cat same").out,
+            bytes_of(file("a.obj")));
+  EXPECT_TRUE(shell("$restrip draw a.obj -o - --to svg 2>/dev/null").out.starts_with("<svg"));
+  EXPECT_NE(refusal(fmt::format("convert '{}' -o -", file("a.obj"))).find("name it by --to"), std::string::npos);
+  EXPECT_NE(refusal(fmt::format("convert '{0}/a.obj' -o '{0}/b.off' --to obj", folder)).find("has the extension"),
+            std::string::npos);
+}
+
+// What is written to standard output is alone there.
+TEST_F(Meshes, TextMakesRoomForAFile) {
+  const Outcome piped = run_program(fmt::format("bake '{}' -o -", file("a.pm")));
+  EXPECT_EQ(piped.code, 0);
+  EXPECT_EQ(piped.out, bytes_of(file("a.baked")));
+}
+
 TEST_F(Meshes, AnOutputIsOfItsFormat) {
   for (const auto& [command, out] : std::vector<std::array<const char*, 2>>{
            {"simplify '{0}/a.obj' -o '{0}/{1}'", "b.off"},
@@ -371,12 +438,13 @@ TEST_F(Meshes, OutputsAreTestedBeforeTheWork) {
 }
 
 TEST_F(Meshes, InputsThatCannotBeReadAreNamed) {
-  std::ofstream(file("bad.obj")) << "v 0 0 1e300\n";
+  std::ofstream(file("bad.obj")) << "v 0 0 1e300\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   std::string unfinished = bytes_of(file("a.pm"));
   const std::uint32_t not_a_number = 0x7FC00000U;
   std::memcpy(unfinished.data() + 20, &not_a_number, 4);
   std::ofstream(file("nan.pm"), std::ios::binary) << unfinished;
   std::filesystem::create_directory(file("folder.obj"));
+  std::ofstream(file("what")) << "what is this?\n";
   std::filesystem::create_symlink("/dev/zero", file("zero.xyz"));
   for (const auto& [command, complaint] : std::vector<std::array<const char*, 2>>{
            {"stats '{0}/none.obj'", "none.obj: no such file; check the path"},
@@ -384,8 +452,10 @@ TEST_F(Meshes, InputsThatCannotBeReadAreNamed) {
            {"stats '{0}'", "is a directory"},
            {"stats '{0}/bad.obj'", "vertex 0 has a coordinate that is infinite or not a number; mend or remove it"},
            {"stats '{0}/nan.pm'", "vertex 0 has a coordinate that is infinite or not a number"},
-           {"stats '{0}/zero.xyz'", "unknown extension '.xyz'; meshes are read from"},
-           {"stats /dev/zero", "unknown extension ''"},
+           {"stats '{0}/zero.xyz'", "unknown extension '.xyz'; name the format by --from"},
+           {"stats /dev/zero", "larger than 256 MiB"},
+           {"stats /dev/null", "the file is empty"},
+           {"stats '{0}/what'", "neither its name nor how it begins says what it is; name the format by --from"},
            {"replay '{0}/none.pm'", "none.pm: no such file"},
            {"bake '{0}/none.baked' -o '{0}/b.baked'", "none.baked: no such file"},
            {"paper '{0}/none.obj' --out '{0}/report'", "none.obj: no such file"},
@@ -433,9 +503,43 @@ TEST_F(Meshes, BystandersAndTheNamesOfOldStay) {
   for (const char* name : {"b.pm.part", "b.pm.partial"}) EXPECT_EQ(bytes_of(file(name)), "mine");
 }
 
+TEST_F(Meshes, AProgressiveMeshThatDoesNotFitIsNamed) {
+  std::string bytes = bytes_of(file("a.pm"));
+  bytes.replace(bytes.size() - 4, 4, 4, '\0');
+  std::ofstream(file("bad.pm"), std::ios::binary) << bytes;
+  for (const char* command :
+       {"draw '{0}/bad.pm' -o '{0}/b.svg'", "bake '{0}/bad.pm' -o '{0}/b.baked'", "stats '{0}/bad.pm'",
+        "convert '{0}/bad.pm' -o '{0}/b.obj'", "replay '{0}/bad.pm' --policy baked"}) {
+    const std::string said = refusal(fmt::format(fmt::runtime(command), folder_.string()));
+    EXPECT_NE(said.find("bad.pm: split "), std::string::npos) << said;
+  }
+}
+
+// A terminal obeys some bytes, and nobody reads a line of a megabyte.
+TEST_F(Meshes, MessagesArePlainAndShort) {
+  std::ofstream(file("bad.ply")) << "ply\nformat \033[2J\u009b1m\377\n";
+  std::string name = "\033]0;x\a";
+  name.resize(100'000, 'n');
+  std::ofstream(file("long.gltf")) << R"({"asset":{"version":"2.0"},"extensionsRequired":[{")" << name << R"(":1}]})";
+  std::ofstream(file("long.ply")) << "ply\nformat ascii 1.0\nelement vertex 1\nproperty float " << name
+                                  << "\nelement face 1\nproperty list uchar int " << name << "\nend_header\n0\n9\n";
+  for (const char* command :
+       {"stats '{0}/bad.ply'", "stats '{0}/long.gltf'", "stats '{0}/long.ply'",
+        "stats \"$(printf '{0}/\\033[31m.obj')\"", "stats --json \"$(printf '\\033[31m')\" '{0}/a.obj'",
+        "stats \"$(printf -- '--\\033[31m')\""}) {
+    const Outcome refused = run_program(fmt::format(fmt::runtime(command), folder_.string()), true);
+    EXPECT_EQ(refused.code, 2) << command;
+    EXPECT_LT(refused.out.size(), 2000U) << command;
+    for (const char* raw : {"\033", "\a", "\xC2\x9B", "\377"})
+      EXPECT_EQ(refused.out.find(raw), std::string::npos) << command;
+  }
+  EXPECT_NE(refusal(fmt::format("stats '{}'", file("bad.ply"))).find("\\x1b[2J\\xc2\\x9b1m\\xff"), std::string::npos);
+}
+
 TEST(Numbers, BadOnesAreNamed) {
   for (const auto& [arguments, named] : std::vector<std::array<const char*, 2>>{
            {"replay --built-in --base nan", "--base"},
+           {"replay --built-in --base 2", "2 is not a share of the triangles; give a number above 0 and at most 1"},
            {"replay --built-in --walk -1", "--walk"},
            {"replay --built-in --base -1", "--base"},
            {"replay --built-in --base 1e999", "--base"},

@@ -23,8 +23,8 @@ namespace restrip::tools {
 namespace {
 
 struct BakeCommand {
-  std::filesystem::path mesh;
-  std::filesystem::path out;
+  NamedFile mesh;
+  NamedFile out;
   SimplifyOptions simplify;
   bool simplify_given = false;
   BakeOptions bake;
@@ -34,10 +34,11 @@ struct BakeCommand {
 };
 
 int run(const BakeCommand& command) {
-  const files::Output out(command.out, {extensions_of(writes_baked), {command.mesh}});
-  const files::ReportOutput told(command.json, {command.mesh, command.out});
+  const files::Output out = open_output(command.out, extensions_of(writes_baked));
+  const files::ReportOutput told(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_baked, ".baked");
   Source source = source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
+  source.subject.mended.rounding = rounding_of(source.mesh.points);
   BakeReport report;
   BakedMesh baked = bake(std::move(source.mesh), command.bake, &report);
   if (source.baked) baked.payload = std::move(source.baked->payload);  // the records are the same
@@ -87,9 +88,9 @@ Subcommand add_bake(CLI::App& app) {
   BakeCommand& command = *kept;
   CLI::App* sub =
       app.add_subcommand("bake", "Decide the strips of every level of detail and write them beside the mesh");
-  sub->add_option("mesh", command.mesh, help_of_mesh(levels_kept))->required();
-  sub->add_option("-o,--output", command.out,
-                  ".baked; or .glb, whose mesh is the base, with all levels in an extension (RESTRIP_baked_strips)")
+  add_mesh_option(*sub, command.mesh, help_of_mesh(levels_kept))->required();
+  add_output_option(*sub, command.out, extensions_of(writes_baked),
+                    ".baked; or .glb, whose mesh is the base, with all levels in an extension (RESTRIP_baked_strips)")
       ->required();
   add_simplify_options(*sub, command.simplify);
   sub->add_option("--effort", command.bake.effort,

@@ -25,8 +25,8 @@ namespace {
 
 /// A mesh in another format. Strips of the file stay where the new format has strips; a baked mesh stays one.
 struct ConvertCommand {
-  std::filesystem::path mesh;
-  std::filesystem::path out;
+  NamedFile mesh;
+  NamedFile out;
   StripOptions strips;
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
@@ -53,14 +53,14 @@ Converted converted(const Soup& soup, const ConvertCommand& command, const MeshF
   std::copy_if(soup.triangles.begin(), soup.triangles.end(), std::back_inserter(drawn),
                [](const Corners& t) { return !degenerate(t); });
   WrittenStrips written = written_strips(format, soup.points, soup.strips.empty() ? each_a_strip(drawn) : soup.strips,
-                                         options, soup.attributes);
+                                         options, soup.attributes, soup.is_64_bits);
   return {std::move(written), soup.triangles.size() - drawn.size()};
 }
 
 /// A baked mesh as it is, byte by byte, from one kind of file into the other.
 int convert_baked(const BakedBytes& found, const ConvertCommand& command, const MeshFormat& format,
                   const files::Output& out, const files::ReportOutput& report) {
-  refuse_mending(command.mesh, command.mending);
+  refuse_mending(command.mesh.string(), command.mending);
   const WrittenStrips written = format.write_baked(found.bytes, command.strips);
   out.write(written.bytes);
   const ProgressiveMesh& mesh = found.baked.mesh;
@@ -75,17 +75,17 @@ int convert_baked(const BakedBytes& found, const ConvertCommand& command, const 
 }
 
 int run(const ConvertCommand& command) {
-  const files::Output out(command.out, {extensions_of(writes_any), {command.mesh}});
-  const files::ReportOutput report(command.json, {command.mesh, command.out});
+  const files::Output out = open_output(command.out, extensions_of(writes_any));
+  const files::ReportOutput report(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_any);
   ReadMesh read = read_mesh_file(command.mesh, command.attributes);
   const auto* baked = std::get_if<BakedBytes>(&read);
   if (baked != nullptr && writes_baked(format)) return convert_baked(*baked, command, format, out, report);
   if (!writes_mesh(format) && !writes_strips(format))
     throw BadInput(fmt::format("{}: is no baked mesh; restrip bake makes one", command.mesh.string()));
-  Soup soup = finest_level(std::move(read), command.mesh.string());
+  Soup soup = finest_level(std::move(read));
   Mended mended = mend(soup, command.mesh.string(), command.mending);
-  leave_out_attributes(soup, format, mended);
+  note_losses(soup, format, mended);
   const Converted made = converted(soup, command, format);
   out.write(made.written.bytes);
   nlohmann::ordered_json json{{"vertices", soup.points.size()},
@@ -109,13 +109,12 @@ Subcommand add_convert(CLI::App& app) {
   const auto kept = std::make_shared<ConvertCommand>();
   ConvertCommand& command = *kept;
   CLI::App* sub = app.add_subcommand("convert", "Write a mesh in another format; strips of the file stay strips");
-  sub->add_option("mesh", command.mesh,
-                  help_of_mesh("the finest level, unless a baked one is written as .baked or .glb"))
+  add_mesh_option(*sub, command.mesh, help_of_mesh("the finest level, unless a baked one is written as .baked or .glb"))
       ->required();
-  sub->add_option("-o,--output", command.out,
-                  list_in_words(extensions_of(writes_any), "or") +
-                      "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none; "
-                      ".baked and .glb from a baked mesh, with all its levels")
+  add_output_option(*sub, command.out, extensions_of(writes_any),
+                    list_in_words(extensions_of(writes_any), "or") +
+                        "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none; "
+                        ".baked and .glb from a baked mesh, with all its levels")
       ->required();
   add_strip_options(*sub, command.strips);
   add_attributes_option(*sub, command.attributes);

@@ -44,8 +44,8 @@ namespace {
 /// of the README (.json): the same, and the rule of one split. A file that has strips is drawn with them, unless the
 /// level, the policy, the cost or the base is named.
 struct DrawCommand {
-  std::filesystem::path mesh;  ///< may be a progressive mesh; empty: the built-in mesh
-  std::filesystem::path out;
+  NamedFile mesh;  ///< may be a progressive mesh; empty: the built-in mesh
+  NamedFile out;
   SimplifyOptions simplify;
   bool simplify_given = false;
   std::string way;             ///< its name; empty: the usual one (ways.hpp)
@@ -61,18 +61,20 @@ struct DrawCommand {
 /// Moves each vertex to the mean of its neighbours, so that the made mesh's jitter does not hide it in a picture.
 void smooth(Soup& soup, int rounds) {
   for (; rounds > 0; --rounds) {
-    std::vector<Point> sum(soup.points.size());
+    std::vector<std::array<float, 3>> sum(soup.points.size());  // in 32 bits, as the shipped picture was made
     std::vector<float> count(soup.points.size(), 0);
     for (const Corners& t : soup.triangles) {
       for (std::size_t i = 0; i < 3; ++i) {
         const Point& p = soup.points[t[(i + 1) % 3]];
-        Point& s = sum[t[i]];
-        s = {s.x + p.x, s.y + p.y, s.z + p.z};
+        auto& [x, y, z] = sum[t[i]];
+        x += static_cast<float>(p.x);
+        y += static_cast<float>(p.y);
+        z += static_cast<float>(p.z);
         count[t[i]] += 1;
       }
     }
     for (std::size_t v = 0; v < sum.size(); ++v)
-      if (count[v] > 0) soup.points[v] = {sum[v].x / count[v], sum[v].y / count[v], sum[v].z / count[v]};
+      if (count[v] > 0) soup.points[v] = {sum[v][0] / count[v], sum[v][1] / count[v], sum[v][2] / count[v]};
   }
 }
 
@@ -143,11 +145,11 @@ std::vector<std::string> drawn_extensions() {
 }
 
 int run(const DrawCommand& command) {
-  const files::Output out(command.out, {drawn_extensions(), {command.mesh}});
-  const files::ReportOutput report(command.json, {command.mesh, command.out});
-  const std::string format = files::extension_of(command.out);
+  const files::Output out = open_output(command.out, drawn_extensions());
+  const files::ReportOutput report(command.json);
+  const std::string format = command.out.extension();
   if (format.empty())  // a device
-    throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}",
+    throw BadInput(fmt::format("{}: its format is not known; name it by --to, or a file that ends in {}",
                                command.out.string(), fmt::join(drawn_extensions(), ", ")));
   const auto [mesh, points, mended, policy] = colored(command);
   if (const std::vector<std::string> faults = find_faults(mesh); !faults.empty()) {
@@ -236,9 +238,9 @@ Subcommand add_draw(CLI::App& app) {
   DrawCommand& command = *kept;
   CLI::App* sub =
       app.add_subcommand("draw", "Draw a mesh at a level of detail, with its strips kept as replay keeps them");
-  sub->add_option("mesh", command.mesh, help_of_mesh(levels_kept) + "; without one a torus");
-  sub->add_option("-o,--output", command.out,
-                  ".svg, .png, or .json: the mesh, its strips and a rule, from which scripts/pictures.py draws")
+  add_mesh_option(*sub, command.mesh, help_of_mesh(levels_kept) + "; without one a torus");
+  add_output_option(*sub, command.out, drawn_extensions(),
+                    ".svg, .png, or .json: the mesh, its strips and a rule, from which scripts/pictures.py draws")
       ->required();
   sub->add_option("--triangles", command.triangles, "the least size of the level (default: the finest)")
       ->check(CLI::Range(std::size_t{1}, max_triangles));
@@ -252,7 +254,7 @@ Subcommand add_draw(CLI::App& app) {
     command.simplify_given = simplify_options_given(*sub);
     refuse_cost_elsewhere(command.cost, command.way);
     for (const CLI::Option* option : only_pictures)
-      if (!option->empty() && restrip::files::extension_of(command.out) == ".json")
+      if (!option->empty() && command.out.extension() == ".json")
         throw CLI::ValidationError(option->get_name(), "only pictures have one: .svg and .png");
   });
   sub->footer(

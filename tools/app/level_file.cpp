@@ -1,11 +1,7 @@
 #include "app/level_file.hpp"
 
-#include <fmt/format.h>
-
 #include <vector>
 
-#include "common/bad_input.hpp"
-#include "restrip/mesh/checks.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
@@ -38,10 +34,7 @@ StripMesh level_mesh(const Plan& plan, std::size_t triangles) {
   const auto upkeep = plan.begin(mesh);
   const auto splits = std::span(plan.mesh().splits).first(plan.mesh().splits_to(triangles));
   for (std::size_t i = 0; i < splits.size(); ++i) {
-    const Record& record = splits[i];
-    if (const Refusal refusal = check_split(mesh, spokes_of(mesh, record), record.v_t); refusal != Refusal::granted)
-      throw BadInput(
-          fmt::format("split {} ({} -> {}) is not possible: {}", i, record.v_s, record.v_t, describe(refusal)));
+    (void)possible_split(mesh, plan.mesh(), i);
     upkeep->play_up(splits.subspan(i, 1), i);
   }
   return mesh;

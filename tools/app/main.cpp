@@ -3,14 +3,17 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <iostream>
 #include <memory>
 #include <new>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "app/commands.hpp"
 #include "app/options.hpp"
 #include "common/bad_input.hpp"
+#include "files/printable.hpp"
 #include "files/reading.hpp"
 #include "files/size_in_words.hpp"
 #include "files/system_calls.hpp"
@@ -44,7 +47,10 @@ int run_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : exit_bad_input;
+    std::ostringstream complaint;
+    const int code = app.exit(error, std::cout, complaint);
+    if (!complaint.str().empty()) fmt::print(stderr, "{}\n", restrip::files::printable_message(complaint.str()));
+    return code == 0 ? 0 : exit_bad_input;
   }
   for (const Subcommand& subcommand : subcommands)
     if (subcommand.line->parsed()) return subcommand.run();
@@ -62,7 +68,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "restrip: not enough memory for a mesh of this size\n");
   } catch (const std::exception& error) {
-    fmt::print(stderr, "restrip: {}\n", error.what());
+    fmt::print(stderr, "restrip: {}\n", restrip::files::printable_message(error.what()));
   }
   return exit_bad_input;
 }

@@ -18,15 +18,15 @@ namespace restrip::tools {
 namespace {
 
 struct MakeMeshCommand {
-  std::filesystem::path out;
+  NamedFile out;
   std::size_t triangles = default_made_triangles;
   std::uint64_t seed = 1;
   std::string json;
 };
 
 int run(const MakeMeshCommand& command) {
-  const files::Output out(command.out, {extensions_of(writes_mesh), {}});
-  const files::ReportOutput report(command.json, {command.out});
+  const files::Output out = open_output(command.out, extensions_of(writes_mesh));
+  const files::ReportOutput report(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_mesh);
   const Soup soup = make_mesh(command.triangles, command.seed);
   out.write(format.write_mesh(soup));
@@ -44,7 +44,8 @@ Subcommand add_make_mesh(CLI::App& app) {
   MakeMeshCommand& command = *kept;
   CLI::App* sub =
       app.add_subcommand("make-mesh", "Make a closed mesh of irregular valences, the same on every machine");
-  sub->add_option("-o,--output", command.out, "a file that ends in " + list_in_words(extensions_of(writes_mesh), "or"))
+  add_output_option(*sub, command.out, extensions_of(writes_mesh),
+                    "a file that ends in " + list_in_words(extensions_of(writes_mesh), "or"))
       ->required();
   sub->add_option("--triangles", command.triangles, "about how many")
       ->check(CLI::Range(least_made_triangles, most_made_triangles))

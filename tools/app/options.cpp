@@ -15,13 +15,14 @@
 namespace restrip::tools {
 namespace {
 
-/// A range admits what is no number at all.
-const CLI::Validator true_number(
+const CLI::Validator share(
     [](std::string& word) {
       const auto number = parse<double>(word);
-      return number && std::isfinite(*number) ? std::string() : fmt::format("{} is no number", word);
+      return number && *number > 0 && *number <= 1
+                 ? std::string()
+                 : fmt::format("{} is not a share of the triangles; give a number above 0 and at most 1", word);
     },
-    "", "number");
+    "FLOAT in [0 (excluded) - 1]", "share");
 
 /// Letters to put in, take out or exchange until one word is the other.
 std::size_t distance(const std::string& one, const std::string& other) {
@@ -53,6 +54,11 @@ std::string values_in_words(const std::string& type) {
                        type.substr(dash + 3, type.find(']', dash) - dash - 3));
   }
   return type.starts_with("TEXT") ? "FILE" : number;
+}
+
+std::vector<std::string> without_points(std::vector<std::string> extensions) {
+  for (std::string& extension : extensions) extension.erase(0, 1);
+  return extensions;
 }
 
 std::string names_of(const std::set<CLI::Option*>& options) {
@@ -95,6 +101,23 @@ std::string strip_formats() {
   return list_in_words(words, "or");
 }
 
+CLI::Option* add_mesh_option(CLI::App& app, NamedFile& mesh, const std::string& help) {
+  CLI::Option* option = app.add_option("mesh", mesh.path, help + "; - for standard input");
+  app.add_option("--from", mesh.format, "the format of the mesh; without it that of its name, or as it begins")
+      ->check(CLI::IsMember(without_points(extensions_of(reads))));
+  return option;
+}
+
+CLI::Option* add_output_option(CLI::App& app, NamedFile& out, const std::vector<std::string>& extensions,
+                               const std::string& help) {
+  CLI::Option* option =
+      app.add_option("-o,--output", out.path, help + "; - for standard output, text then goes to standard error");
+  app.add_option("--to", out.format, "the format of the output; without it that of its name")
+      ->check(CLI::IsMember(without_points(extensions)))
+      ->needs(option);
+  return option;
+}
+
 void add_attributes_option(CLI::App& app, ReadAttributes& attributes) {
   app.add_flag_callback(
       "--no-attributes", [&attributes] { attributes = ReadAttributes::no; },
@@ -108,8 +131,7 @@ void add_mending_options(CLI::App& app, MendingOptions& options) {
 
 void add_simplify_options(CLI::App& app, SimplifyOptions& options) {
   app.add_option("--base", options.base, "share of the triangles that the coarsest level keeps")
-      ->check(true_number)
-      ->check(CLI::Range(1e-9, 1.0))
+      ->check(share)
       ->capture_default_str();
   app.add_option_function<std::string>(
          "--boundary",
@@ -206,8 +228,8 @@ void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output
     if (output != nullptr) app.get_option(name)->needs(output);
 }
 
-void refuse_strip_options_elsewhere(const CLI::App& app, const std::filesystem::path& out) {
-  const MeshFormat* format = format_named(files::extension_of(out));
+void refuse_strip_options_elsewhere(const CLI::App& app, const NamedFile& out) {
+  const MeshFormat* format = format_named(out.extension());
   const bool forms = format != nullptr && format->forms;
   for (const std::string name : strip_options) {
     const bool fits =

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "common/named_file.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/mend.hpp"
 #include "meshes/mesh_file.hpp"
@@ -25,6 +26,12 @@ inline const std::string levels_kept = "all levels as they are";
 /// The formats in which strips are written.
 [[nodiscard]] std::string strip_formats();
 
+/// A mesh that is read, and --from. Returns the first.
+CLI::Option* add_mesh_option(CLI::App& app, NamedFile& mesh, const std::string& help);
+/// -o, and --to with these formats, given by their extensions. Returns the first.
+CLI::Option* add_output_option(CLI::App& app, NamedFile& out, const std::vector<std::string>& extensions,
+                               const std::string& help);
+
 /// For outputs that may carry them.
 void add_attributes_option(CLI::App& app, ReadAttributes& attributes);
 void add_mending_options(CLI::App& app, MendingOptions& options);
@@ -41,7 +48,7 @@ void refuse_cost_elsewhere(const Cost& cost, const std::string& way);
 /// --gltf for .glb, --form for .bin, and for both --index, --batch-vertices and --batch-indices. They need the option
 /// `output`, if there is one. refuse_strip_options_elsewhere() throws CLI::ValidationError for another output.
 void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output = nullptr);
-void refuse_strip_options_elsewhere(const CLI::App& app, const std::filesystem::path& out);
+void refuse_strip_options_elsewhere(const CLI::App& app, const NamedFile& out);
 
 /// Values of options in words for people: "a|b", "from 2 to 1000".
 class PlainFormatter : public CLI::Formatter {

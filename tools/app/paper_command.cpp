@@ -38,8 +38,8 @@ int run(const PaperCommand& command) {
   std::vector<std::filesystem::path> names;
   for (const files::NamedBytes& file : with_report(csv_files(RuleFigures{}), csv_files(std::vector<PaperMesh>{}), ""))
     names.push_back(file.name);
-  files::OutputSet out(command.out, names, {{}, command.meshes});
-  const files::ReportOutput report(command.json, command.meshes);
+  files::OutputSet out(command.out, names);
+  const files::ReportOutput report(command.json);
   std::vector<PaperSubject> subjects;
   for (const std::filesystem::path& mesh : command.meshes) subjects.push_back(read_subject(mesh, command.mending));
   const RuleFigures figures = rule_figures();

@@ -29,8 +29,8 @@ namespace restrip::tools {
 namespace {
 
 struct ReplayCommand {
-  std::filesystem::path mesh;  ///< may be a progressive mesh (.pm, .baked): then it is replayed as it is
-  bool built_in = false;       ///< make a mesh instead
+  NamedFile mesh;         ///< may be a progressive mesh (.pm, .baked): then it is replayed as it is
+  bool built_in = false;  ///< make a mesh instead
   std::size_t built_in_triangles = default_made_triangles;
   SimplifyOptions simplify;
   bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
@@ -40,7 +40,7 @@ struct ReplayCommand {
   Cost cost = Cost::strips();  ///< what is kept low
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
-  std::filesystem::path out;      ///< where a level is written, with its strips; empty: nowhere
+  NamedFile out;                  ///< where a level is written, with its strips; empty: nowhere
   std::size_t out_triangles = 0;  ///< of that level, at least; 0: the finest one
   StripOptions strips;
   std::filesystem::path trace;  ///< where the operations are recorded for restrip-check; empty: nowhere
@@ -68,15 +68,15 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Pl
 
 int run(const ReplayCommand& command) {
   std::optional<files::Output> level;
-  if (!command.out.empty())
-    level.emplace(command.out, files::OutputRules{extensions_of(writes_strips), {command.mesh}});
+  if (!command.out.empty()) level = open_output(command.out, extensions_of(writes_strips));
   std::optional<files::Output> trace;
-  if (!command.trace.empty()) trace.emplace(command.trace, files::OutputRules{{".trace"}, {command.mesh, command.out}});
-  const files::ReportOutput out(command.json, {command.mesh, command.out, command.trace});
+  if (!command.trace.empty()) trace.emplace(command.trace, files::OutputRules{{".trace"}});
+  const files::ReportOutput out(command.json);
   const MeshFormat* format = level ? &format_to_write(command.out, writes_strips) : nullptr;
   Source source = command.built_in
                       ? simplified("built-in torus", make_mesh(command.built_in_triangles), command.simplify)
                       : source_of(command.mesh, command.mending, command.simplify, command.simplify_given);
+  if (format != nullptr && format->rounds) source.subject.mended.rounding = rounding_of(source.mesh.points);
   const Way& way = command.way.empty() ? usual_way(source.baked.has_value()) : way_named(command.way);
   Plan::Given given;
   given.cost = command.cost;
@@ -124,7 +124,7 @@ Subcommand add_replay(CLI::App& app) {
   const auto kept = std::make_shared<ReplayCommand>();
   ReplayCommand& command = *kept;
   CLI::App* sub = app.add_subcommand("replay", "Simplify a mesh, then replay every vertex split with its strips kept");
-  CLI::Option* mesh = sub->add_option("mesh", command.mesh, help_of_mesh(levels_kept));
+  CLI::Option* mesh = add_mesh_option(*sub, command.mesh, help_of_mesh(levels_kept));
   CLI::Option* built_in =
       sub->add_flag("--built-in", command.built_in, "a torus made by the program, instead of a file");
   mesh->excludes(built_in);
@@ -134,8 +134,8 @@ Subcommand add_replay(CLI::App& app) {
              "with --built-in the size of that mesh (default: 100000); with -o the least size of the level that "
              "is written (default: the finest)")
           ->check(CLI::Range(std::size_t{1}, max_triangles));
-  CLI::Option* output = sub->add_option("-o,--output", command.out,
-                                        "writes a level with its strips, kept under the policy: " + strip_formats())
+  CLI::Option* output = add_output_option(*sub, command.out, extensions_of(writes_strips),
+                                          "writes a level with its strips, kept under the policy: " + strip_formats())
                             ->excludes(built_in);
   add_strip_options(*sub, command.strips, output);
   add_simplify_options(*sub, command.simplify);

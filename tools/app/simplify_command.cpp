@@ -11,6 +11,7 @@
 #include "app/options.hpp"
 #include "common/counted.hpp"
 #include "files/output.hpp"
+#include "files/printable.hpp"
 #include "files/report_output.hpp"
 #include "lod/mesh_files.hpp"
 #include "meshes/soup_builder.hpp"
@@ -20,8 +21,8 @@ namespace restrip::tools {
 namespace {
 
 struct SimplifyCommand {
-  std::filesystem::path mesh;
-  std::filesystem::path out;  ///< .pm: a progressive mesh; else its base, with strips from scratch
+  NamedFile mesh;
+  NamedFile out;  ///< .pm: a progressive mesh; else its base, with strips from scratch
   StripOptions strips;
   SimplifyOptions simplify;
   bool size_given = false;  ///< by the caller, not by default: then it is a failure to stop short of it
@@ -31,16 +32,12 @@ struct SimplifyCommand {
 };
 
 int run(const SimplifyCommand& command) {
-  const files::Output out(command.out, {extensions_of(writes_strips_or_progressive), {command.mesh}});
-  const files::ReportOutput report(command.json, {command.mesh, command.out});
+  const files::Output out = open_output(command.out, extensions_of(writes_strips_or_progressive));
+  const files::ReportOutput report(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_strips_or_progressive, ".pm");
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
-  leave_out_attributes(soup, format, mended);
-  if (!mended.left_out_attributes.empty())  // before the work begins
-    fmt::print(
-        stderr, "restrip: {}: leaves out {}{}\n", command.out.string(), attributes_in_words(mended.left_out_attributes),
-        command.attributes == ReadAttributes::no ? "; with --attributes .glb, .ply and .obj keep what they hold" : "");
+  note_losses(soup, format, mended);
   const Simplification result = simplify(soup, command.simplify);
   const ProgressiveMesh& made = result.mesh;
   nlohmann::ordered_json json{{"base_triangles", made.base.size()},
@@ -49,6 +46,8 @@ int run(const SimplifyCommand& command) {
                               {"splits", made.splits.size()},
                               {"triangles", made.fine_triangles()}};
   std::string text = as_text(mended);
+  if (!mended.left_out_attributes.empty() && command.attributes == ReadAttributes::no)
+    text += "with --attributes .glb, .ply and .obj keep what they hold\n";
   if (format.write_progressive != nullptr) {
     out.write(format.write_progressive(made));
     text += fmt::format("{}: {} and {} to {}\n", command.out.string(), counted(made.base.size(), "triangle"),
@@ -69,7 +68,7 @@ int run(const SimplifyCommand& command) {
   add_to(json, mended);
   report.print(text, json.dump(2) + "\n");
   if (!result.stopped_short()) return 0;
-  fmt::print(stderr, "restrip: {}: stopped at {}, where {}: {}\n", command.out.string(),
+  fmt::print(stderr, "restrip: {}: stopped at {}, where {}: {}\n", files::printable(command.out.string()),
              counted(made.base.size(), "triangle"), counted(result.wanted_triangles, "was asked for", "were asked for"),
              why_no_coarser(result.left_out));
   return command.size_given ? 1 : 0;
@@ -81,10 +80,10 @@ Subcommand add_simplify(CLI::App& app) {
   const auto kept = std::make_shared<SimplifyCommand>();
   SimplifyCommand& command = *kept;
   CLI::App* sub = app.add_subcommand("simplify", "Simplify a mesh and write it, or the way back as a progressive mesh");
-  sub->add_option("mesh", command.mesh, help_of_mesh())->required();
-  sub->add_option(
-         "-o,--output", command.out,
-         ".pm: a progressive mesh as OpenMesh writes it; or the coarsest level with strips: " + strip_formats())
+  add_mesh_option(*sub, command.mesh, help_of_mesh())->required();
+  add_output_option(
+      *sub, command.out, extensions_of(writes_strips_or_progressive),
+      ".pm: a progressive mesh as OpenMesh writes it; or the coarsest level with strips: " + strip_formats())
       ->required();
   CLI::Option* triangles =
       sub->add_option("--triangles", command.simplify.triangles, "of the coarsest level, in place of --base")

@@ -13,7 +13,7 @@
 namespace restrip::tools {
 namespace {
 
-void refuse_simplifying(const std::filesystem::path& file, bool given) {
+void refuse_simplifying(const NamedFile& file, bool given) {
   if (given)
     throw BadInput(
         fmt::format("{}: is progressive already and not simplified, so --base and --boundary do not apply; leave them "
@@ -43,13 +43,13 @@ Source simplified(std::string name, Soup soup, const SimplifyOptions& options) {
   return source;
 }
 
-Source source_of(const std::filesystem::path& file, const MendingOptions& mending, const SimplifyOptions& options,
+Source source_of(const NamedFile& file, const MendingOptions& mending, const SimplifyOptions& options,
                  bool options_given) {
   return source_of(read_mesh_file(file), file, mending, options, options_given);
 }
 
-Source source_of(ReadMesh read, const std::filesystem::path& file, const MendingOptions& mending,
-                 const SimplifyOptions& options, bool options_given) {
+Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& mending, const SimplifyOptions& options,
+                 bool options_given) {
   if (auto* soup = std::get_if<Soup>(&read)) {
     const Mended mended = mend(*soup, file.string(), mending);
     Source source = simplified(file.string(), std::move(*soup), options);
@@ -57,7 +57,7 @@ Source source_of(ReadMesh read, const std::filesystem::path& file, const Mending
     return source;
   }
   refuse_simplifying(file, options_given);
-  refuse_mending(file, mending);
+  refuse_mending(file.string(), mending);
   Source source;
   source.subject.name = file.string();
   if (auto* baked = std::get_if<BakedBytes>(&read)) {

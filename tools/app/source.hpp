@@ -1,11 +1,11 @@
 // A mesh on its way to be replayed: read and simplified, or as a progressive or baked file has it.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "common/named_file.hpp"
 #include "lod/bake.hpp"
 #include "lod/mesh_formats.hpp"
 #include "lod/progressive_mesh.hpp"
@@ -30,10 +30,10 @@ struct Source {
 [[nodiscard]] Source simplified(std::string name, Soup soup, const SimplifyOptions& options);
 /// Throws BadInput where the file cannot be read, and where a progressive mesh is to be simplified (`options_given`) or
 /// mended.
-[[nodiscard]] Source source_of(const std::filesystem::path& file, const MendingOptions& mending,
-                               const SimplifyOptions& options, bool options_given);
+[[nodiscard]] Source source_of(const NamedFile& file, const MendingOptions& mending, const SimplifyOptions& options,
+                               bool options_given);
 /// The same of what was read from the file.
-[[nodiscard]] Source source_of(ReadMesh read, const std::filesystem::path& file, const MendingOptions& mending,
+[[nodiscard]] Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& mending,
                                const SimplifyOptions& options, bool options_given);
 
 }  // namespace restrip::tools

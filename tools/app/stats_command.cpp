@@ -17,16 +17,16 @@ namespace restrip::tools {
 namespace {
 
 struct StatsCommand {
-  std::filesystem::path mesh;
+  NamedFile mesh;
   MendingOptions mending;
   std::string json;
 };
 
 int run(const StatsCommand& command) {
-  const files::ReportOutput out(command.json, {command.mesh});
+  const files::ReportOutput out(command.json);
   ReadMesh read = read_mesh_file(command.mesh);
   const std::string level = std::holds_alternative<Soup>(read) ? "" : " (its finest level)";
-  Soup soup = finest_level(std::move(read), command.mesh.string());
+  Soup soup = finest_level(std::move(read));
   Mended mended = mend(soup, command.mesh.string(), command.mending);
   const MeshReport report = report_on(soup);
   mended.left_out_attributes.clear();  // nothing is written that could have them
@@ -40,7 +40,7 @@ Subcommand add_stats(CLI::App& app) {
   const auto kept = std::make_shared<StatsCommand>();
   StatsCommand& command = *kept;
   CLI::App* sub = app.add_subcommand("stats", "Count what a mesh has: triangles per vertex, boundary, faults");
-  sub->add_option("mesh", command.mesh, help_of_mesh())->required();
+  add_mesh_option(*sub, command.mesh, help_of_mesh())->required();
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   sub->footer("Example: restrip stats bunny.obj");

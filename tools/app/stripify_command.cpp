@@ -29,8 +29,8 @@ namespace restrip::tools {
 namespace {
 
 struct StripifyCommand {
-  std::filesystem::path mesh;
-  std::filesystem::path out;  ///< empty: the strips are counted and not written
+  NamedFile mesh;
+  NamedFile out;  ///< empty: the strips are counted and not written
   StripOptions strips;
   bool as_in_file = false;  ///< the strips that the file has, in place of the next four
   Effort effort = Effort::fast;
@@ -46,13 +46,12 @@ struct StripifyCommand {
 
 int run(const StripifyCommand& command) {
   std::optional<files::Output> strip_file;
-  if (!command.out.empty())
-    strip_file.emplace(command.out, files::OutputRules{extensions_of(writes_strips), {command.mesh}});
-  const files::ReportOutput out(command.json, {command.mesh, command.out});
+  if (!command.out.empty()) strip_file = open_output(command.out, extensions_of(writes_strips));
+  const files::ReportOutput out(command.json);
   const MeshFormat* format = strip_file ? &format_to_write(command.out, writes_strips) : nullptr;
   Mended mended;
   const Soup soup = read_mesh(command.mesh, command.mending, mended, command.attributes);
-  if (format != nullptr) leave_out_attributes(soup, *format, mended);
+  if (format != nullptr) note_losses(soup, *format, mended);
   if (command.as_in_file && soup.strips.empty())
     throw BadInput(
         fmt::format("{}: has no strips (PLY `tristrips`, or strips of glTF); leave out --effort file to make "
@@ -84,12 +83,14 @@ int run(const StripifyCommand& command) {
   });
   WrittenStrips written;
   if (strip_file) {
-    written = written_strips(*format, soup.points, indices, command.strips, soup.attributes);
+    written = written_strips(*format, soup.points, indices, command.strips, soup.attributes, soup.is_64_bits);
     strip_file->write(written.bytes);
   }
   const std::vector<std::string> faults = find_faults(mesh);
   const std::size_t left_out = report.degenerate_triangles + report.out_of_range_triangles;
   const double seconds = clock.nanoseconds() * 1e-9;
+  const double seconds_to_build = building.nanoseconds() * 1e-9;
+  const double seconds_to_write = writing.nanoseconds() * 1e-9;
   const std::size_t triangles = mesh.triangle_count();
   // Indices that are repeated, in the middle of a strip or at its beginning.
   const std::size_t swaps = triangles == 0 ? 0 : indices.size() + 1 - triangles - 3 * strips.size();
@@ -103,8 +104,8 @@ int run(const StripifyCommand& command) {
                               {"acmr", cache_misses},
                               {"acmr_32", acmr(indices, 32, triangles)},
                               {"seconds", seconds},
-                              {"seconds_to_build", building.nanoseconds() * 1e-9},
-                              {"seconds_to_write", writing.nanoseconds() * 1e-9},
+                              {"seconds_to_build", seconds_to_build},
+                              {"seconds_to_write", seconds_to_write},
                               {"valid", faults.empty()}};
   if (command.as_in_file) json["cut_strips"] = in_file.cut;
   if (indices.size() > 3 * triangles) json["list_indices"] = 3 * triangles;
@@ -123,10 +124,12 @@ int run(const StripifyCommand& command) {
   text += fmt::format(
       "{}: {} ({} left out) in {}, {}\n"
       "{:.3f} indices per triangle{}, {}, {:.3f} vertex cache misses per triangle "
-      "(FIFO 16), {:.3f} seconds\n",
+      "(FIFO 16)\n"
+      "{:.3f} seconds: {:.3f} for the mesh, {:.3f} for its strips, {:.3f} for the indices\n",
       command.mesh.string(), counted(triangles, "triangle"), counted(left_out, "degenerate one"),
       counted(strips.size(), "strip"), counted(connected_components(mesh), "connected component"),
-      per_triangle(indices.size()), at_least, counted(swaps, "swap"), cache_misses, seconds);
+      per_triangle(indices.size()), at_least, counted(swaps, "swap"), cache_misses,
+      seconds_to_build + seconds + seconds_to_write, seconds_to_build, seconds, seconds_to_write);
   if (in_file.cut != 0)
     text += fmt::format("strips of the file cut at {}: consecutive triangles share no edge\n",
                         counted(in_file.cut, "place"));
@@ -147,8 +150,8 @@ Subcommand add_stripify(CLI::App& app) {
   const auto kept = std::make_shared<StripifyCommand>();
   StripifyCommand& command = *kept;
   CLI::App* sub = app.add_subcommand("stripify", "Make the strips of a mesh from scratch, and write them");
-  sub->add_option("mesh", command.mesh, help_of_mesh())->required();
-  sub->add_option("-o,--output", command.out, strip_formats());
+  add_mesh_option(*sub, command.mesh, help_of_mesh())->required();
+  add_output_option(*sub, command.out, extensions_of(writes_strips), strip_formats());
   add_strip_options(*sub, command.strips);
   const auto* effort = sub->add_option_function<std::string>(
                               "--effort",

@@ -14,7 +14,6 @@
 #include "lod/coloring_check.hpp"
 #include "lod/component_strips.hpp"
 #include "lod/trail_search.hpp"
-#include "restrip/mesh/checks.hpp"
 #include "restrip/mesh/walks.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/end_search.hpp"
@@ -28,16 +27,6 @@ namespace restrip::tools {
 namespace {
 
 using Halfedge = StripMesh::Halfedge;
-
-VertexSplit<Halfedge> where_of(const StripMesh& mesh, const BakedMesh& baked, std::size_t i) {
-  const Record& record = baked.mesh.splits[i];
-  const auto where = spokes_of(mesh, record);
-  const Refusal refusal = check_split(mesh, where, record.v_t);
-  if (refusal != Refusal::granted)
-    throw BadInput(
-        fmt::format("split {} ({} -> {}) is not possible: {}", i, record.v_s, record.v_t, describe(refusal)));
-  return where;
-}
 
 /// What all ways of baking have in common: they walk up from the base, and the flips of a record are the dual edges
 /// whose colours have changed since its split.
@@ -113,7 +102,7 @@ class Baker {
     count_level();
     Progress progress("baking", baked_.mesh.splits.size());
     for (std::size_t i = 0; i < baked_.mesh.splits.size(); ++i) {
-      bake_split(where_of(mesh_, baked_, i), baked_.mesh.splits[i].v_t);
+      bake_split(possible_split(mesh_, baked_.mesh, i), baked_.mesh.splits[i].v_t);
       add_record();
       count_level();
       progress.at(i);

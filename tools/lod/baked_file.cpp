@@ -56,7 +56,7 @@ class Writer {
     for (unsigned i = 0; i < 4; ++i) bytes_.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
   }
   void put(const Point& p) {
-    for (const float coordinate : {p.x, p.y, p.z}) put(std::bit_cast<std::uint32_t>(coordinate));
+    for (const double coordinate : {p.x, p.y, p.z}) put(std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
   }
   void put_number(std::uint64_t value) {
     for (; value >= 128; value >>= 7) bytes_.push_back(static_cast<char>((value & 127U) | 128U));

@@ -123,7 +123,7 @@ class HoppeReader {
   }
   Point vector() {
     Point p;
-    for (float* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(whole(4));
+    for (double* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(whole(4));
     return p;
   }
   void skip(std::size_t bytes) {
@@ -214,7 +214,7 @@ class HoppeReader {
 
   /// Gives both vertices their places.
   void move(const Record& record, unsigned centre, const Point& large, const Point& small) {
-    const auto sum = [](const Point& a, const Point& b, float factor) {
+    const auto sum = [](const Point& a, const Point& b, double factor) {
       return Point{a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
     };
     const Point old = mesh_.points[record.v_s];

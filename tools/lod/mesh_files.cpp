@@ -11,40 +11,48 @@
 
 namespace restrip::tools {
 
-ReadMesh read_mesh_file(const std::filesystem::path& file, ReadAttributes attributes) {
-  const std::string extension = files::extension_of(file);
-  const auto beside = [&file](const std::string& buffer) { return files::read_whole(file.parent_path() / buffer); };
+ReadMesh read_mesh_file(const NamedFile& file, ReadAttributes attributes) {
+  const std::string extension = file.extension();
+  const auto beside = [&file](const std::string& buffer) {
+    return files::read_whole(file.path.parent_path() / buffer);
+  };
   std::error_code error;
-  const auto kind = std::filesystem::status(file, error).type();
+  const auto kind = std::filesystem::status(file.path, error).type();
   const bool there = kind != std::filesystem::file_type::not_found && kind != std::filesystem::file_type::directory;
   const MeshFormat* format = format_named(extension);
-  const bool readable = format != nullptr && reads(*format);
+  const bool readable = extension.empty() || (format != nullptr && reads(*format));
   // What cannot be understood is not read, as it may never end.
-  const std::string bytes = there && !readable ? "" : files::read_whole(file);
+  const std::string bytes = there && !readable ? "" : files::read_whole(file.path);
   return parse_mesh(bytes, extension, file.string(), beside, attributes);
 }
 
-Soup read_mesh(const std::filesystem::path& file, ReadAttributes attributes) {
-  return finest_level(read_mesh_file(file, attributes), file.string());
+Soup read_mesh(const NamedFile& file, ReadAttributes attributes) {
+  return finest_level(read_mesh_file(file, attributes));
 }
 
-Soup read_mesh(const std::filesystem::path& file, const MendingOptions& options, Mended& mended,
-               ReadAttributes attributes) {
+Soup read_mesh(const NamedFile& file, const MendingOptions& options, Mended& mended, ReadAttributes attributes) {
   Soup soup = read_mesh(file, attributes);
   mended = mend(soup, file.string(), options);
   return soup;
 }
 
-const MeshFormat& format_to_write(const std::filesystem::path& file, FormatCan can, std::string_view usual) {
-  const std::string extension = files::extension_of(file);
+files::Output open_output(const NamedFile& file, const std::vector<std::string>& extensions) {
+  if (file.format.empty()) return files::Output(file.path, {extensions});
+  const bool has_extension = !files::extension_of(file.path).empty();
+  return files::Output(file.path, {has_extension ? std::vector{file.extension()} : std::vector<std::string>()});
+}
+
+const MeshFormat& format_to_write(const NamedFile& file, FormatCan can, std::string_view usual) {
+  const std::string extension = file.extension();
   const MeshFormat* format = format_named(extension.empty() ? usual : extension);
   if (format == nullptr || !can(*format))
-    throw BadInput(fmt::format("{}: has no extension that names a format; name a file that ends in {}", file.string(),
+    throw BadInput(fmt::format("{}: its format is not known; name it by --to, or a file that ends in {}", file.string(),
                                fmt::join(extensions_of(can), ", ")));
   return *format;
 }
 
-void leave_out_attributes(const Soup& soup, const MeshFormat& format, Mended& mended) {
+void note_losses(const Soup& soup, const MeshFormat& format, Mended& mended) {
+  if (format.rounds) mended.rounding = rounding_of(soup.points);
   for (const Attribute& attribute : soup.attributes)
     if (!format.holds(attribute)) note(mended.left_out_attributes, attribute.name);
 }

@@ -10,11 +10,13 @@
 #include "common/bad_input.hpp"
 #include "lod/baked_file.hpp"
 #include "lod/coloring_check.hpp"
+#include "lod/hoppe_pm_file.hpp"
 #include "lod/pm_file.hpp"
+#include "meshes/text_cursor.hpp"
 #include "meshes/write_glb.hpp"
 #include "meshes/write_obj.hpp"
 #include "meshes/write_ply.hpp"
-#include "restrip/mesh/checks.hpp"
+#include "restrip/formats/baked_format.hpp"
 #include "restrip/output/strips.hpp"
 
 namespace restrip::tools {
@@ -53,12 +55,14 @@ Soup soup_of(const StripFile& file) {
   soup.points.assign(file.points.begin(), file.points.end());
   soup.triangles.assign(file.triangles.begin(), file.triangles.end());
   soup.attributes.assign(file.attributes.begin(), file.attributes.end());
+  soup.is_64_bits = file.is_64_bits;
   return soup;
 }
 
 std::string ply_of_strips(const StripFile& file) {
   if (file.buffer.form != StripForm::list)
-    return ply_bytes(file.points, file.attributes, std::get<std::vector<std::uint32_t>>(file.buffer.indices));
+    return ply_bytes(file.points, file.is_64_bits, file.attributes,
+                     std::get<std::vector<std::uint32_t>>(file.buffer.indices));
   return ply_bytes(soup_of(file));
 }
 
@@ -83,7 +87,7 @@ constexpr std::array all_formats{
                .attributes = MeshFormat::Attributes::usual,
                .strips_as = "tristrips",
                .holds_strips = true},
-    MeshFormat{.extension = ".stl", .read = without_attributes<read_stl>, .write_mesh = stl_bytes},
+    MeshFormat{.extension = ".stl", .read = without_attributes<read_stl>, .write_mesh = stl_bytes, .rounds = true},
     MeshFormat{.extension = ".gltf", .read = read_any_gltf},
     MeshFormat{.extension = ".glb",
                .read = read_any_gltf,
@@ -92,9 +96,13 @@ constexpr std::array all_formats{
                .attributes = MeshFormat::Attributes::all,
                .holds_strips = true,
                .usual_form = StripForm::stitched,
-               .forms = true},
-    MeshFormat{.extension = ".pm", .read = without_attributes<parse_pm>, .write_progressive = pm_bytes},
-    MeshFormat{.extension = ".baked", .read = without_attributes<read_baked_mesh>, .write_baked = baked_as_it_is},
+               .forms = true,
+               .rounds = true},
+    MeshFormat{.extension = ".pm", .read = without_attributes<parse_pm>, .write_progressive = pm_bytes, .rounds = true},
+    MeshFormat{.extension = ".baked",
+               .read = without_attributes<read_baked_mesh>,
+               .write_baked = baked_as_it_is,
+               .rounds = true},
     MeshFormat{.extension = ".bin",
                .write_strips = bare_indices,
                .strips_as = "the index buffer alone",
@@ -142,6 +150,22 @@ const MeshFormat* format_named(std::string_view extension) {
   return found == all_formats.end() ? nullptr : &*found;
 }
 
+std::string_view extension_of_bytes(std::string_view bytes) {
+  if (bytes.starts_with("glTF")) return ".glb";
+  if (bytes.starts_with("ProgMesh") || is_hoppe_pm(bytes)) return ".pm";
+  if (bytes.starts_with(baked_format::magic)) return ".baked";
+  if (is_binary_stl(bytes)) return ".stl";
+  const std::string_view word = TextCursor(bytes).word_on_any_line();
+  if (word == "ply") return ".ply";
+  if (word.starts_with('{')) return ".gltf";
+  if (word == "solid" || word == "SOLID") return ".stl";
+  if (const std::size_t off = word.find("OFF");
+      off != std::string_view::npos && word.substr(0, off).find_first_not_of("STCN4n") == std::string_view::npos)
+    return ".off";
+  constexpr std::array obj_lines{"v", "vt", "vn", "vp", "f", "fo", "o", "g", "s", "l", "p", "mtllib", "usemtl"};
+  return std::find(obj_lines.begin(), obj_lines.end(), word) != obj_lines.end() ? ".obj" : "";
+}
+
 std::vector<std::string> extensions_of(FormatCan can) {
   std::vector<std::string> extensions;
   for (const MeshFormat& format : all_formats)
@@ -151,25 +175,22 @@ std::vector<std::string> extensions_of(FormatCan can) {
 
 ReadMesh parse_mesh(std::string_view bytes, std::string_view extension, const std::string& name,
                     const ReadBeside& beside, ReadAttributes attributes) {
-  const MeshFormat* format = format_named(extension);
-  if (format == nullptr || !reads(*format))
-    throw BadInput(fmt::format("{}: unknown extension '{}'; meshes are read from {}", name, extension,
+  const MeshFormat* format = format_named(extension.empty() ? extension_of_bytes(bytes) : extension);
+  if (!extension.empty() && (format == nullptr || !reads(*format)))
+    throw BadInput(fmt::format("{}: unknown extension '{}'; name the format by --from: {}", name, extension,
                                fmt::join(extensions_of(reads), ", ")));
   if (bytes.empty()) throw BadInput(fmt::format("{}: the file is empty", name));
+  if (format == nullptr)
+    throw BadInput(fmt::format("{}: neither its name nor how it begins says what it is; name the format by --from: {}",
+                               name, fmt::join(extensions_of(reads), ", ")));
   return format->read(bytes, name, beside, attributes);
 }
 
-Soup finest_level(const ProgressiveMesh& source, const std::string& name) {
+Soup finest_level(const ProgressiveMesh& source) {
   StripMesh mesh = StripMesh::build(source.base, source.points.size());
   for (std::size_t i = 0; i < source.splits.size(); ++i) {
-    const Record& record = source.splits[i];
-    const auto where = spokes_of(mesh, record);
-    const Refusal refusal = check_split(mesh, where, record.v_t);
-    if (refusal != Refusal::granted)
-      throw BadInput(
-          fmt::format("{}: split {} ({} -> {}) is not possible: {}; make the file anew with restrip simplify", name, i,
-                      record.v_s, record.v_t, describe(refusal)));
-    mesh.insert_vertex(where, record.v_t);
+    const auto where = possible_split(mesh, source, i);
+    mesh.insert_vertex(where, source.splits[i].v_t);
   }
   Soup soup;
   soup.points = source.points;
@@ -177,9 +198,9 @@ Soup finest_level(const ProgressiveMesh& source, const std::string& name) {
   return soup;
 }
 
-Soup finest_level(ReadMesh mesh, const std::string& name) {
+Soup finest_level(ReadMesh mesh) {
   if (auto* soup = std::get_if<Soup>(&mesh)) return std::move(*soup);
-  if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) return finest_level(*progressive, name);
+  if (const auto* progressive = std::get_if<ProgressiveMesh>(&mesh)) return finest_level(*progressive);
   return finest_level(std::get<BakedBytes>(mesh));
 }
 
@@ -197,13 +218,13 @@ std::string strip_bytes(std::span<const Point> points, std::span<const std::uint
 
 WrittenStrips written_strips(const MeshFormat& format, std::span<const Point> points,
                              std::span<const std::uint32_t> indices, const StripOptions& options,
-                             std::span<const Attribute> attributes) {
+                             std::span<const Attribute> attributes, bool is_64_bits) {
   WrittenStrips written;
   const IndexBuffer buffer = format_as(format.forms ? options : StripOptions{StripForm::restart, IndexWidth::bits32},
                                        format.usual_form, indices, written);
   const std::vector<Corners> drawn = decode_strips(indices);
-  written.bytes = format.write_strips(
-      {points, buffer, drawn, attributes, format.forms && options.most_vertices + options.most_indices != 0});
+  written.bytes = format.write_strips({points, buffer, drawn, attributes,
+                                       format.forms && options.most_vertices + options.most_indices != 0, is_64_bits});
   if (!format.forms && buffer.form != StripForm::list) written.index_bits = 0;  // nothing was chosen
   if (format.usual_form == StripForm::stitched && restarts(buffer))
     written.required_extensions = {std::string(restart_extension)};

@@ -36,7 +36,8 @@ struct MeshFormat {
   std::string_view strips_as = {};  ///< how strips are written, where the extension alone does not say so
   bool holds_strips = false;        ///< else their triangles are written
   StripForm usual_form = StripForm::restart;
-  bool forms = false;  ///< StripOptions leave a choice; else strips have the usual form and 32 bits
+  bool forms = false;   ///< StripOptions leave a choice; else strips have the usual form and 32 bits
+  bool rounds = false;  ///< coordinates to 32 bits
 
   /// Whether a file has such an attribute.
   [[nodiscard]] bool holds(const Attribute& attribute) const;
@@ -45,6 +46,10 @@ struct MeshFormat {
 [[nodiscard]] std::span<const MeshFormat> mesh_formats();
 /// Or nullptr. `extension` is in lower case.
 [[nodiscard]] const MeshFormat* format_named(std::string_view extension);
+
+/// The extension of the format that bytes are of, by how they begin; empty when that is not known. STL in binary is
+/// told by its size.
+[[nodiscard]] std::string_view extension_of_bytes(std::string_view bytes);
 
 /// What a format may be asked for.
 using FormatCan = bool (*)(const MeshFormat&);
@@ -68,8 +73,8 @@ inline constexpr FormatCan writes_strips_or_progressive = [](const MeshFormat& f
 
 /// The mesh, or the finest level of a progressive or baked one; the latter with its strips. Throws BadInput at a split
 /// that is not possible. Linear in the triangles, and in the valences of the vertices that are split.
-[[nodiscard]] Soup finest_level(ReadMesh mesh, const std::string& name);
-[[nodiscard]] Soup finest_level(const ProgressiveMesh& mesh, const std::string& name);
+[[nodiscard]] Soup finest_level(ReadMesh mesh);
+[[nodiscard]] Soup finest_level(const ProgressiveMesh& mesh);
 
 /// The bytes of a mesh, or of strips, in the format with this extension. Throws BadInput when there is none.
 [[nodiscard]] std::string mesh_bytes(const Soup& soup, std::string_view extension);
@@ -80,7 +85,7 @@ inline constexpr FormatCan writes_strips_or_progressive = [](const MeshFormat& f
 /// as the format does, and when 16 bits are wanted and do not suffice.
 [[nodiscard]] WrittenStrips written_strips(const MeshFormat& format, std::span<const Point> points,
                                            std::span<const std::uint32_t> indices, const StripOptions& options = {},
-                                           std::span<const Attribute> attributes = {});
+                                           std::span<const Attribute> attributes = {}, bool is_64_bits = false);
 /// A triangle list as indices of strips of one triangle each.
 [[nodiscard]] std::vector<std::uint32_t> each_a_strip(std::span<const Corners> triangles);
 

@@ -8,6 +8,7 @@
 
 #include "common/bad_input.hpp"
 #include "lod/hoppe_pm_file.hpp"
+#include "restrip/mesh/checks.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -29,7 +30,7 @@ class Bytes {
   }
   Point point() {
     Point p;
-    for (float* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(u32());
+    for (double* coordinate : {&p.x, &p.y, &p.z}) *coordinate = std::bit_cast<float>(u32());
     return p;
   }
 
@@ -63,6 +64,7 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
                     "mesh (restrip simplify)",
                     name));
   ProgressiveMesh mesh;
+  mesh.file = name;
   mesh.points.reserve(vertices + splits);
   mesh.base.resize(faces);
   mesh.splits.reserve(splits);
@@ -101,6 +103,16 @@ ProgressiveMesh parse_pm(std::string_view bytes, const std::string& name) {
   return mesh;
 }
 
+VertexSplit<StripMesh::Halfedge> possible_split(const StripMesh& now, const ProgressiveMesh& mesh, std::size_t number) {
+  const Record& record = mesh.splits[number];
+  const auto where = spokes_of(now, record);
+  if (const Refusal refusal = check_split(now, where, record.v_t); refusal != Refusal::granted)
+    throw BadInput(fmt::format("{}{}split {} ({} -> {}) is not possible: {}; make the file again with restrip simplify",
+                               mesh.file, mesh.file.empty() ? "" : ": ", number, record.v_s, record.v_t,
+                               describe(refusal)));
+  return where;
+}
+
 ProgressiveMesh numbered_by_appearance(const ProgressiveMesh& mesh) {
   ProgressiveMesh out;
   std::vector<Vertex> number(mesh.points.size(), none);
@@ -130,7 +142,7 @@ std::string pm_bytes(const ProgressiveMesh& any) {
     for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
   };
   const auto put_point = [&](const Point& p) {
-    for (const float coordinate : {p.x, p.y, p.z}) put(std::bit_cast<std::uint32_t>(coordinate));
+    for (const double coordinate : {p.x, p.y, p.z}) put(std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
   };
   const std::size_t base_points = mesh.points.size() - mesh.splits.size();
   put(static_cast<std::uint32_t>(base_points));

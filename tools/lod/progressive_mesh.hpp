@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "meshes/soup.hpp"
@@ -27,6 +28,7 @@ struct ProgressiveMesh {
   std::vector<Point> points;   ///< of all vertices
   std::vector<Corners> base;   ///< the triangles of the coarse mesh
   std::vector<Record> splits;  ///< from coarse to fine
+  std::string file = {};       ///< from which it was read, for messages; may be empty
 
   /// Triangles of the fine mesh.
   [[nodiscard]] std::size_t fine_triangles() const noexcept {
@@ -50,5 +52,10 @@ struct ProgressiveMesh {
   if (record.v_l == none) return {{}, mesh.spoke(record.v_s, record.v_r), Split::Spokes::right_only};
   return {mesh.spoke(record.v_s, record.v_l), mesh.spoke(record.v_s, record.v_r), Split::Spokes::both};
 }
+
+/// The spokes of the split of this number. Throws BadInput, which names the file and the split, where `now`, the mesh
+/// after the splits before it, does not allow it (checks.hpp).
+[[nodiscard]] VertexSplit<StripMesh::Halfedge> possible_split(const StripMesh& now, const ProgressiveMesh& mesh,
+                                                              std::size_t number);
 
 }  // namespace restrip::tools

@@ -68,7 +68,10 @@ class RecordedMesh : public KernelMesh {
     const Fans fans = fans_of(strips_);
     vertex_ = fans.vertex;
     reserve(vertex_.size(), 3 * strips_.triangle_count() / 2, strips_.triangle_count());
-    for (const Vertex v : vertex_) add_vertex(Point(soup.points[v].x, soup.points[v].y, soup.points[v].z));
+    for (const Vertex v : vertex_) {
+      const auto& [x, y, z] = soup.points[v];
+      add_vertex(Point(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)));
+    }
     if (has_large_fan(fans))
       add_faces_at_once(fans);
     else
@@ -311,7 +314,7 @@ class RecordedMesh : public KernelMesh {
       if (strips_.leaves_boundary(h) && !strips_.leaves_boundary(chord)) return;
       const auto& from = points[v_t];
       const auto& to = points[strips_.to(h)];
-      const double length = std::hypot(double{from.x} - to.x, double{from.y} - to.y, double{from.z} - to.z);
+      const double length = std::hypot(from.x - to.x, from.y - to.y, from.z - to.z);
       if ((best.id != none && !(length < least)) || check(chord) != Refusal::granted) return;
       best = chord;
       least = length;

@@ -13,7 +13,10 @@
 namespace restrip::tools {
 namespace {
 
+/// A remark may follow the name after a blank.
 std::string attribute_in_words(std::string_view name) {
+  if (const std::size_t blank = name.find(' '); blank != std::string_view::npos)
+    return attribute_in_words(name.substr(0, blank)) + std::string(name.substr(blank));
   if (name == "NORMAL") return "normals";
   if (name == "TANGENT") return "tangents";
   if (name.starts_with("TEXCOORD_")) return "texture coordinates";
@@ -80,6 +83,11 @@ Attribute::Value unit_normal(const Attribute::Value& normal) {
   if (std::abs(square - 1) <= nearly || !(square > 0) || !std::isfinite(square)) return normal;
   const double length = std::sqrt(square);
   return {x / length, y / length, z / length, 0};
+}
+
+Attribute::Value neutral_value(std::string_view name) {
+  if (name == "NORMAL") return {0, 0, 1, 0};
+  return name == "TANGENT" ? Attribute::Value{1, 0, 0, 1} : Attribute::Value{};
 }
 
 std::string attributes_in_words(std::span<const std::string> names) {

@@ -60,6 +60,9 @@ struct Attribute {
 /// glTF's normals have length one, those of other formats nearly: others are made so. What has no length stays.
 [[nodiscard]] Attribute::Value unit_normal(const Attribute::Value& normal);
 
+/// What a vertex without a value of its own is given: a normal or tangent of length one, else zeros.
+[[nodiscard]] Attribute::Value neutral_value(std::string_view name);
+
 /// The names, each once, as a reader knows them: "normals, texture coordinates". Others as they are.
 [[nodiscard]] std::string attributes_in_words(std::span<const std::string> names);
 

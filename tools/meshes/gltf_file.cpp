@@ -187,6 +187,23 @@ std::string_view GltfFile::buffer(std::uint64_t number) {
   return bytes.substr(0, static_cast<std::size_t>(length));
 }
 
+void GltfFile::charge(std::uint64_t values) {
+  charged_ += values;
+  if (charged_ <= limit_) return;
+  if (!all_loaded_) {  // large files may have more
+    all_loaded_ = true;
+    std::uint64_t bytes = file_bytes_;
+    for (std::size_t i = 0; i < root()["buffers"].size(); ++i)
+      if (root()["buffers"].at(i)["uri"].there()) bytes += buffer(i).size();
+    limit_ = std::max(limit_, most_gltf_values_per_byte * bytes);
+  }
+  if (charged_ > limit_)
+    throw BadInput(
+        fmt::format("{}: draws more than {} vertices and indices, the limit for a file of its size; export "
+                    "its meshes once each",
+                    name_, limit_));
+}
+
 double GltfFile::Elements::value(std::size_t element, std::size_t component) const {
   const unsigned width = width_of(type);
   const std::uint32_t bits = little_endian(bytes, element * stride + component * width, width);
@@ -236,6 +253,7 @@ template <class Value, class Read>
 void GltfFile::fill(const JsonPlace& accessor, unsigned type, std::size_t components, std::vector<Value>& values,
                     Read&& read) {
   const std::size_t count = count_of(accessor);
+  charge(count);
   if (accessor["bufferView"].there()) {
     const Elements all = elements(accessor, type, components, count);
     values.reserve(count);
@@ -311,12 +329,7 @@ std::optional<Attribute> GltfFile::attribute(std::uint64_t number, const std::st
     return value;
   });
   made.bytes.reserve(values.size() * made.value_bytes());
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    for (const double component : values[v])
-      if (!std::isfinite(component))
-        about.refuse(fmt::format("has a value, number {}, that is infinite or not a number; mend or remove it", v));
-    made.append(values[v]);
-  }
+  for (const Attribute::Value& value : values) made.append(value);
   return made;
 }
 

@@ -14,6 +14,11 @@
 
 namespace restrip::tools {
 
+/// What is read of one file: values (vertices, attributes and indices, those of each node counted, and 16 for each
+/// primitive) for each byte of the file and its buffers, or so many.
+inline constexpr std::uint64_t most_gltf_values_per_byte = 16;
+inline constexpr std::uint64_t most_gltf_values = std::uint64_t{1} << 23U;
+
 /// The extension of a mesh that holds its levels of detail with their strips (lod/baked_gltf.hpp).
 inline constexpr std::string_view baked_strips_extension = "RESTRIP_baked_strips";
 
@@ -33,6 +38,8 @@ class GltfFile {
   /// What an accessor says of an attribute with this name: as it is encoded where glTF allows that without extensions,
   /// else as floats. Nothing where it is of a kind that is not carried: skins, matrices, names of no meaning.
   [[nodiscard]] std::optional<Attribute> attribute(std::uint64_t accessor, const std::string& name);
+  /// Counts values that are about to be read. Throws BadInput when they are more than the file may have.
+  void charge(std::uint64_t values);
   /// The largest value of the type of an index is the restart of primitives: strip_end.
   [[nodiscard]] std::vector<std::uint32_t> indices(std::uint64_t accessor);
 
@@ -62,6 +69,9 @@ class GltfFile {
   const std::string& name_;
   const ReadBeside& beside_;
   std::size_t file_bytes_;
+  std::uint64_t charged_ = 0;
+  std::uint64_t limit_ = most_gltf_values;
+  bool all_loaded_ = false;
   JsonValue json_;
   std::string_view binary_;  // the BIN chunk of a GLB
   bool has_binary_ = false;

@@ -11,6 +11,8 @@
 namespace restrip::tools {
 namespace {
 
+bool by_name(const JsonMember& a, const JsonMember& b) { return a.name < b.name; }
+
 /// Puts the tree together as the parser of nlohmann-json finds its pieces. (Its own tree ends the program when memory
 /// runs out while it is taken down.)
 class TreeBuilder {
@@ -27,7 +29,11 @@ class TreeBuilder {
   bool binary(std::vector<std::uint8_t>& /*value*/) { return false; }  // JSON as text has none
   bool start_object(std::size_t /*size*/) { return open({std::vector<JsonMember>()}); }
   bool start_array(std::size_t /*size*/) { return open({std::vector<JsonValue>()}); }
-  bool end_object() { return close(); }
+  bool end_object() {
+    auto& members = std::get<std::vector<JsonMember>>(open_.back()->is);
+    std::stable_sort(members.begin(), members.end(), by_name);
+    return close();
+  }
   bool end_array() { return close(); }
   bool key(std::string& name) {
     std::get<std::vector<JsonMember>>(open_.back()->is).push_back({std::move(name), {}});
@@ -96,8 +102,10 @@ JsonPlace JsonPlace::operator[](std::string_view member) const {
   if (!found.path_.empty()) found.path_ += '.';
   found.path_ += member;
   if (!there()) return found;
-  for (const JsonMember& candidate : as<std::vector<JsonMember>>("object"))
-    if (candidate.name == member) found.value_ = &candidate.value;
+  const auto& members = as<std::vector<JsonMember>>("object");
+  const auto after = std::upper_bound(members.begin(), members.end(), member,
+                                      [](std::string_view name, const JsonMember& other) { return name < other.name; });
+  if (after != members.begin() && after[-1].name == member) found.value_ = &after[-1].value;
   return found;
 }
 

@@ -37,14 +37,14 @@ class JsonPlace {
   JsonPlace(const JsonValue& root, const std::string& file) : file_(&file), value_(&root) {}
 
   [[nodiscard]] bool there() const noexcept { return value_ != nullptr; }
-  /// A member of an object; of what is not there, nothing.
+  /// A member of an object; of what is not there, nothing. Of several of one name the last. O(log n).
   [[nodiscard]] JsonPlace operator[](std::string_view member) const;
   /// An element of an array. Throws BadInput when there are fewer.
   [[nodiscard]] JsonPlace at(std::uint64_t index) const;
   /// Elements of an array; 0 when it is not there.
   [[nodiscard]] std::size_t size() const;
 
-  /// The names of an object's members, in the order of the text; none when it is not there.
+  /// The names of an object's members, in alphabetical order; none when it is not there.
   [[nodiscard]] std::vector<std::string> members() const;
 
   /// These throw BadInput when the value is not there, but for those with a default.

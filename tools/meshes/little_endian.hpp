@@ -17,8 +17,10 @@ inline void put(std::string& bytes, std::uint32_t value, unsigned width = 4) {
   for (unsigned i = 0; i < width; ++i) bytes.push_back(static_cast<char>(value >> (8 * i) & 0xFFU));
 }
 
+/// In 32 bits a coordinate.
 inline void put(std::string& bytes, const Point& p) {
-  for (const float coordinate : {p.x, p.y, p.z}) put(bytes, std::bit_cast<std::uint32_t>(coordinate));
+  for (const double coordinate : {p.x, p.y, p.z})
+    put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
 }
 
 /// 2 or 4 bytes an index.

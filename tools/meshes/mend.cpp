@@ -11,7 +11,7 @@
 
 #include "common/bad_input.hpp"
 #include "common/counted.hpp"
-#include "meshes/vertex_lookup.hpp"
+#include "meshes/alike.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -155,10 +155,14 @@ std::size_t repeated(const Soup& soup, std::span<const Attribute> attributes) {
   std::vector<bool> used(soup.points.size(), false);
   for (const Corners& t : soup.triangles)
     for (const std::uint32_t corner : t) used[corner] = true;
-  VertexLookup places(attributes);
+  const std::vector<std::uint32_t> first = first_alike(used.size(), soup.points, attributes);
+  std::vector<bool> taken(used.size(), false);
   std::size_t count = 0;
-  for (std::uint32_t v = 0; v < used.size(); ++v)
-    if (used[v] && places.put(soup.points[v], v) != v) ++count;
+  for (std::uint32_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    if (taken[first[v]]) ++count;
+    taken[first[v]] = true;
+  }
   return count;
 }
 
@@ -167,7 +171,7 @@ std::size_t repeated(const Soup& soup, std::span<const Attribute> attributes) {
 Mended mend(Soup& soup, const std::string& name, const MendingOptions& options) {
   Mended mended{options, 0, 0, 0, soup.left_out_attributes};
   if (options.weld) weld(soup, mended);
-  if (soup.triangles.empty())
+  if (std::all_of(soup.triangles.begin(), soup.triangles.end(), degenerate))
     throw BadInput(fmt::format("{}: --weld leaves no triangle: each has two corners at one place", name));
   if (options.orient) orient(soup, name, mended);
   return mended;
@@ -182,13 +186,12 @@ void refuse_mending(const std::string& file, const MendingOptions& options) {
 }
 
 void weld(Soup& soup, Mended& mended) {
-  std::vector<std::uint32_t> number(soup.points.size());
-  VertexLookup places(soup.attributes);
+  std::vector<std::uint32_t> number = first_alike(soup.points.size(), soup.points, soup.attributes);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t v = 0; v < soup.points.size(); ++v) {
-    const std::uint32_t first = places.put(soup.points[v], v);
-    number[v] = first == v ? static_cast<std::uint32_t>(kept.size()) : number[first];
-    if (first == v)
+    const bool is_first = number[v] == v;
+    number[v] = is_first ? static_cast<std::uint32_t>(kept.size()) : number[number[v]];
+    if (is_first)
       kept.push_back(v);
     else
       ++mended.welded_vertices;
@@ -230,6 +233,9 @@ std::string as_text(const Mended& mended) {
   if (mended.asked.orient) text += fmt::format("oriented: {} turned\n", counted(mended.turned_triangles, "triangle"));
   if (!mended.left_out_attributes.empty())
     text += fmt::format("left out: {}\n", attributes_in_words(mended.left_out_attributes));
+  if (mended.rounding.matters)
+    text += fmt::format("coordinates rounded to 32 bits, by {:.2g} at most; {} at the place of another thereby\n",
+                        mended.rounding.largest, counted(mended.rounding.coinciding, "vertex lies", "vertices lie"));
   return text;
 }
 
@@ -240,6 +246,8 @@ nlohmann::ordered_json json_of(const Mended& mended) {
 }
 
 void add_to(nlohmann::ordered_json& report, const Mended& mended) {
+  if (mended.rounding.matters)
+    report["rounded"] = {{"largest", mended.rounding.largest}, {"coinciding_vertices", mended.rounding.coinciding}};
   if (mended.any_asked()) report["mended"] = json_of(mended);
   if (!mended.left_out_attributes.empty()) report["left_out_attributes"] = mended.left_out_attributes;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "meshes/rounding.hpp"
 #include "meshes/soup.hpp"
 
 namespace restrip::tools {
@@ -26,6 +27,7 @@ struct Mended {
   std::size_t turned_triangles = 0;
   /// What the file has and is not carried on (Soup::left_out_attributes).
   std::vector<std::string> left_out_attributes = {};
+  Rounding rounding = {};  ///< by the format that is written
 };
 
 /// What is asked for is done. Throws BadInput where that leaves no triangle, and as orient() does. `name` is the file.
@@ -52,7 +54,8 @@ void orient(Soup& soup, const std::string& name, Mended& mended);
 /// One sentence for each thing done or left out, each with a line feed; empty when there is none.
 [[nodiscard]] std::string as_text(const Mended& mended);
 [[nodiscard]] nlohmann::ordered_json json_of(const Mended& mended);
-/// Adds `mended`, when it was asked for, and `left_out_attributes`, when there are some, to a report.
+/// Adds `mended`, when it was asked for, `left_out_attributes`, when there are some, and `rounded`, when that matters,
+/// to a report.
 void add_to(nlohmann::ordered_json& report, const Mended& mended);
 /// Sentences that say that mending would help, each with a line feed.
 [[nodiscard]] std::string hints(std::size_t coincident_vertices, std::size_t vertices_at_seams,

@@ -6,13 +6,17 @@
 #include <iterator>
 
 #include "meshes/little_endian.hpp"
+#include "meshes/rounding.hpp"
 
 namespace restrip::tools {
 
 std::string off_bytes(const Soup& soup) {
   std::string text = fmt::format("OFF\n{} {} 0\n", soup.points.size(), soup.triangles.size());
   auto out = std::back_inserter(text);
-  for (const Point& p : soup.points) fmt::format_to(out, "{} {} {}\n", p.x, p.y, p.z);
+  for (const Point& p : soup.points) {
+    put_coordinates(text, p);
+    text += '\n';
+  }
   for (const Corners& t : soup.triangles) fmt::format_to(out, "3 {} {} {}\n", t[0], t[1], t[2]);
   return text;
 }

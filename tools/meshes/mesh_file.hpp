@@ -28,6 +28,8 @@ enum class ReadAttributes { no, yes };
 [[nodiscard]] Soup read_off(std::string_view bytes, const std::string& name);
 [[nodiscard]] Soup read_ply(std::string_view bytes, const std::string& name,
                             ReadAttributes attributes = ReadAttributes::no);
+/// By its size, which its count of facets says.
+[[nodiscard]] bool is_binary_stl(std::string_view bytes);
 /// Corners at exactly the same place become one vertex (STL has no indices).
 [[nodiscard]] Soup read_stl(std::string_view bytes, const std::string& name);
 /// Buffers in files of their own are asked of `beside`.

@@ -10,6 +10,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "common/bad_input.hpp"
@@ -165,6 +166,7 @@ class GltfReader {
     const bool mirrored = mirrors(map);
     for (std::size_t i = 0; i < primitives.size(); ++i) {
       const JsonPlace primitive = primitives.at(i);
+      file_.charge(16);
       const std::uint64_t mode = primitive["mode"].whole_or(4);
       if (mode > 6) primitive["mode"].refuse(fmt::format("is {}; there are 0 to 6", mode));
       if (mode < 4) continue;  // points and lines
@@ -198,6 +200,9 @@ class GltfReader {
 
   Accessors accessors_of(const JsonPlace& attributes) {
     Accessors found{attributes["POSITION"].whole()};
+    constexpr std::size_t most_attributes = 256;
+    if (const std::size_t count = attributes.members().size(); count > most_attributes)
+      attributes.refuse(fmt::format("are {}, more than {}, the limit", count, most_attributes));
     for (const std::string& name : attributes.members()) {
       if (name == "POSITION") continue;
       const auto is_letter = [](char c) {
@@ -224,6 +229,14 @@ class GltfReader {
       if (count != first.count)
         file_.accessor(accessor).refuse(
             fmt::format("has {} values of {}, and there are {} positions", count, name, first.count));
+      for (std::size_t v = 0; v < count; ++v) {
+        const Attribute::Value value = attribute->value(v);
+        if (std::all_of(value.begin(), value.end(), [](double c) { return std::isfinite(c); })) continue;
+        soup_.doubt(first.point + v, attributes_in_words(std::span(&name, 1)) + " that are");
+        Attribute neutral = selected(*attribute, {});
+        neutral.append(neutral_value(name));
+        attribute->bytes.replace(v * attribute->value_bytes(), neutral.bytes.size(), neutral.bytes);
+      }
       added.push_back(moved(*attribute, map));
     }
     std::vector<Attribute>& carried = soup_.attributes();
@@ -254,8 +267,7 @@ class GltfReader {
     for (const Point& p : file_.positions(accessors.positions)) {
       const auto coordinate = [&](std::size_t row) {
         const auto& m = map[row];
-        return m[0] * static_cast<double>(p.x) + m[1] * static_cast<double>(p.y) + m[2] * static_cast<double>(p.z) +
-               m[3];
+        return m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
       };
       soup_.add_point(coordinate(0), coordinate(1), coordinate(2));
     }

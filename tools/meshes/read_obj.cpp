@@ -6,6 +6,7 @@
 // number of the `v`; others come behind, in the order of the faces.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -62,11 +63,13 @@ class ObjReader {
     return *found;
   }
   /// Reads a value other than a coordinate.
-  double finite_number(std::string_view word) const {
+  double value(std::string_view word) const {
     const auto found = parse<double>(word);
-    if (!found || !std::isfinite(static_cast<float>(*found)))
-      refuse(fmt::format("'{}' is no number that is finite", word.substr(0, 40)));
+    if (!found) refuse(fmt::format("'{}' is not a number", word.substr(0, 40)));
     return *found;
+  }
+  static bool is_finite(const Attribute::Value& value) {
+    return std::all_of(value.begin(), value.end(), [](double c) { return std::isfinite(static_cast<float>(c)); });
   }
 
   void read_point() {
@@ -76,7 +79,7 @@ class ObjReader {
     Attribute::Value color{};
     unsigned components = 0;
     for (std::string_view word = cursor_.word(); !word.empty() && components < 4; word = cursor_.word())
-      color[components++] = carry_ ? finite_number(word) : 0;
+      color[components++] = carry_ ? value(word) : 0;
     if (components < 3) components = 0;  // one more is a weight
     if (components != 0 && !carry_) soup_.leave_out("COLOR_0");
     if (!carry_) return;
@@ -87,7 +90,9 @@ class ObjReader {
       if (components != 0 || colors_.components != 0) soup_.leave_out("COLOR_0");
       colors_.components = 0;
     }
-    if (colors_.components != 0) colors_.append(color);
+    if (colors_.components == 0) return;
+    if (!is_finite(color)) soup_.doubt(soup_.point_count() - 1, "colours that are");
+    colors_.append(is_finite(color) ? color : Attribute::Value{});
   }
 
   void read_value(const char* name, std::vector<Attribute::Value>& values, unsigned least, unsigned most) {
@@ -95,13 +100,13 @@ class ObjReader {
       soup_.leave_out(name);
       return;
     }
-    Attribute::Value value{};
+    Attribute::Value read{};
     unsigned components = 0;
     for (std::string_view word = cursor_.word(); !word.empty() && components < most; word = cursor_.word())
-      value[components++] = finite_number(word);
+      read[components++] = value(word);
     if (components < least) refuse(fmt::format("a {} of {} numbers needs {}", attribute_line(name), components, least));
-    if (most == 2) value[1] = 1 - value[1];  // OBJ counts from below
-    values.push_back(most == 3 ? unit_normal(value) : value);
+    if (most == 2) read[1] = 1 - read[1];  // OBJ counts from below
+    values.push_back(most == 3 ? unit_normal(read) : read);
   }
   static const char* attribute_line(std::string_view name) { return name == "NORMAL" ? "`vn`" : "`vt`"; }
 
@@ -141,18 +146,24 @@ class ObjReader {
     faces_.push_back(corners.size());
   }
 
-  /// Whether the corners of all faces have one; told if some have.
+  /// Whether the corners of all faces have one. Reported if only some have, or if the file has no values at all.
   bool all_have(std::uint32_t ObjCorner::*part, const std::vector<Attribute::Value>& values, const char* name) {
     std::size_t have = 0;
     for (const ObjCorner& corner : corners_) {
       if (corner.*part == no_value) continue;
       ++have;
-      if (corner.*part >= values.size())
+      if (corner.*part >= values.size() && !values.empty())
         throw BadInput(
             fmt::format("{}: a face refers to {} {} (counted from 1), but there are {}; is the file complete?", name_,
                         attribute_line(name), std::uint64_t{corner.*part} + 1, values.size()));
+      if (!values.empty() && !is_finite(values[corner.*part]))
+        throw BadInput(
+            fmt::format("{}: a face refers to {} {} (counted from 1), which is infinite or not a number; "
+                        "mend or remove it",
+                        name_, attribute_line(name), std::uint64_t{corner.*part} + 1));
     }
-    const bool all = have == corners_.size() && have != 0;
+    if (have != 0 && values.empty()) soup_.leave_out(fmt::format("{} (missing from the file)", name));
+    const bool all = have == corners_.size() && have != 0 && !values.empty();
     if (!all && !values.empty()) soup_.leave_out(name);
     return all;
   }
@@ -161,7 +172,7 @@ class ObjReader {
     const bool has_places = all_have(&ObjCorner::place, places_, "TEXCOORD_0");
     const bool has_normals = all_have(&ObjCorner::normal, normals_, "NORMAL");
     const std::size_t points = soup_.point_count();
-    // With which values a vertex is drawn. Those that no face has are drawn by nobody, and have the first values.
+    // With which values a vertex is drawn. Those that no face has are not drawn, and have neutral values.
     std::vector<ObjCorner> drawn(points);
     std::map<std::array<std::uint32_t, 3>, std::uint32_t> others;
     std::size_t at = 0;
@@ -204,7 +215,8 @@ class ObjReader {
   void add_values(const char* name, unsigned components, const std::vector<Attribute::Value>& values,
                   std::uint32_t ObjCorner::*part, const std::vector<ObjCorner>& drawn) {
     Attribute made{name, ComponentType::real, components};
-    for (const ObjCorner& corner : drawn) made.append(values[corner.point == no_value ? 0 : corner.*part]);
+    for (const ObjCorner& corner : drawn)
+      made.append(corner.point == no_value ? neutral_value(name) : values[corner.*part]);
     soup_.attributes().push_back(std::move(made));
   }
 

@@ -1,5 +1,6 @@
-// Object File Format (Geomview), as text: the keyword OFF (with C, N, ST: colours, normals and texture coordinates,
-// which follow the position on its line and are skipped), three counts, then a line for each vertex and each face.
+// Object File Format (Geomview), as text: the keyword OFF, before it the letters of what vertices have (C, N, ST:
+// colours, normals, texture coordinates, which are left out; 4: a fourth coordinate, which must be 1; n: the dimension
+// follows, which must be 3), three counts, then vertices and faces.
 #include <fmt/format.h>
 
 #include <vector>
@@ -12,70 +13,159 @@
 namespace restrip::tools {
 namespace {
 
+/// Writers put a vertex or a face on a line of its own and more numbers after it, which are colours and the like. In
+/// other files numbers follow each other without regard to lines, and each is needed.
+enum class Lines { one_each, free };
+
 class OffReader {
  public:
   OffReader(std::string_view bytes, const std::string& name) : name_(name), cursor_(bytes), soup_(name) {}
 
   Soup read() {
-    std::string_view keyword = cursor_.word_on_any_line();
-    if (keyword.starts_with("ST")) keyword.remove_prefix(2);
-    if (keyword.starts_with("C")) keyword.remove_prefix(1);
-    if (keyword.starts_with("N")) keyword.remove_prefix(1);
-    if (keyword != "OFF")
-      throw BadInput(fmt::format(
-          "{}: does not begin with OFF, COFF, NOFF or STOFF; only these (three coordinates a vertex) are read", name_));
-    if (cursor_.rest().starts_with(" BINARY"))
-      throw BadInput(fmt::format("{}: binary OFF is not read; save it as text or as PLY", name_));
-
-    const std::size_t vertices = count("the number of vertices");
-    const std::size_t faces = count("the number of faces");
+    read_keyword();
+    const std::size_t vertices =
+        glued_.empty() ? number<std::uint32_t>(counted_vertices) : read_number<std::uint32_t>(glued_, counted_vertices);
+    const std::size_t faces = number<std::uint32_t>("the number of faces");
+    if (!fits(vertices, faces, Lines::one_each) && fits(vertices, faces, Lines::free)) lines_ = Lines::free;
+    // The number of edges may be missing.
+    if (skip_rest_of_line() == 0 && lines_ == Lines::free) number<std::uint32_t>("the number of edges");
     // Two bytes a number at least: what cannot be there is not waited for.
     if (vertices > cursor_.rest().size() / 6 + 1 || faces > cursor_.rest().size() / 2 + 1)
       throw BadInput(
           fmt::format("{}: announces {} vertices and {} faces, more than its {} bytes can hold; is the file complete?",
                       name_, vertices, faces, cursor_.rest().size()));
-    cursor_.next_line();
-    for (std::size_t i = 0; i < vertices; ++i, cursor_.next_line()) {
-      const double x = number<double>("a coordinate");
-      const double y = next_number<double>("a coordinate");
-      const double z = next_number<double>("a coordinate");
-      soup_.add_point(x, y, z);
-    }
+    for (std::size_t i = 0; i < vertices; ++i) read_vertex(i);
     std::vector<std::uint32_t> corners;
-    for (std::size_t i = 0; i < faces; ++i, cursor_.next_line()) {
+    for (std::size_t i = 0; i < faces; ++i) {
       corners.clear();
       const auto size = number<std::uint32_t>("a number of corners");
       for (std::uint32_t corner = 0; corner < size; ++corner) corners.push_back(next_number<std::uint32_t>("a corner"));
       soup_.add_face(corners);
+      if (skip_rest_of_line() != 0) soup_.leave_out("COLOR_0");
     }
     return std::move(soup_).finish();
   }
 
  private:
-  std::size_t count(const char* what) { return number<std::uint32_t>(what); }
+  static constexpr const char* counted_vertices = "the number of vertices";
+
+  [[noreturn]] void refuse(const std::string& why) const {
+    throw BadInput(fmt::format("{}:{}: {}", name_, cursor_.line(), why));
+  }
+
+  /// The letters, the keyword and what is glued to it. Without any the file begins with its counts.
+  void read_keyword() {
+    glued_ = cursor_.word_on_any_line();
+    if (parse<std::uint32_t>(glued_)) return;
+    std::string_view word = glued_;
+    bool has_dimension = false;
+    const auto take = [&word](std::string_view letters) {
+      const bool found = word.starts_with(letters);
+      if (found) word.remove_prefix(letters.size());
+      return found;
+    };
+    while (!take("OFF")) {
+      if (take("ST"))
+        left_out_.emplace_back("TEXCOORD_0");
+      else if (take("C"))
+        left_out_.emplace_back("COLOR_0");
+      else if (take("N"))
+        left_out_.emplace_back("NORMAL");
+      else if (take("4"))
+        has_weight_ = true;
+      else if (take("n"))
+        has_dimension = true;
+      else
+        throw BadInput(fmt::format(
+            "{}: does not begin with OFF (before it C, N, ST, 4 or n) or with the number of its vertices", name_));
+    }
+    glued_ = word;
+    if (cursor_.rest().starts_with(" BINARY"))
+      throw BadInput(fmt::format("{}: binary OFF is not read; save it as text or as PLY", name_));
+    if (!has_dimension) return;
+    if (const auto dimension = number<std::uint32_t>("the dimension"); dimension != 3)
+      refuse(fmt::format("points of {} dimensions; only 3 are read", dimension));
+  }
+
+  /// Whether there are so many words, in free lines no more, from the counts to the end.
+  [[nodiscard]] bool fits(std::size_t vertices, std::size_t faces, Lines lines) const {
+    TextCursor cursor = cursor_;
+    const auto skip = [&](std::size_t words) {
+      if (cursor.word_on_any_line().empty()) return false;
+      for (; words > 1; --words)
+        if ((lines == Lines::free ? cursor.word_on_any_line() : cursor.word()).empty()) return false;
+      if (lines == Lines::one_each) cursor.next_line();
+      return true;
+    };
+    std::size_t each = has_weight_ ? 4 : 3;
+    for (const std::string& name : left_out_) each += lines == Lines::free ? values_of(name) : 0;
+    if (lines == Lines::one_each)
+      cursor.next_line();
+    else if (!skip(1))
+      return false;
+    for (; vertices > 0; --vertices)
+      if (!skip(each)) return false;
+    for (; faces > 0; --faces) {
+      TextCursor ahead = cursor;
+      const auto corners = parse<std::uint32_t>(ahead.word_on_any_line());
+      if (!corners || !skip(std::size_t{1} + *corners)) return false;
+    }
+    return lines == Lines::one_each || cursor.word_on_any_line().empty();
+  }
+  static std::size_t values_of(std::string_view attribute) {
+    return attribute == "TEXCOORD_0" ? 2 : attribute == "NORMAL" ? 3 : 4;
+  }
+
+  void read_vertex(std::size_t i) {
+    const auto x = number<double>("a coordinate");
+    const auto y = next_number<double>("a coordinate");
+    const auto z = next_number<double>("a coordinate");
+    soup_.add_point(x, y, z);
+    if (has_weight_)
+      if (const auto w = next_number<double>("a fourth coordinate"); w != 1)
+        refuse(fmt::format("vertex {} has the fourth coordinate {}; only 1 is read", i, w));
+    for (const std::string& name : left_out_)
+      for (std::size_t n = lines_ == Lines::free ? values_of(name) : 0; n > 0; --n)
+        number<double>("a value of a vertex");
+    const std::size_t more = skip_rest_of_line();
+    for (const std::string& name : left_out_) soup_.leave_out(name);
+    if (more != 0 && left_out_.empty()) soup_.leave_out("COLOR_0");
+  }
+
+  /// How many words were left on it, where lines count.
+  std::size_t skip_rest_of_line() {
+    if (lines_ == Lines::free) return 0;
+    std::size_t words = 0;
+    while (!cursor_.word().empty()) ++words;
+    cursor_.next_line();
+    return words;
+  }
 
   template <class Number>
   Number number(const char* what) {
     return read_number<Number>(cursor_.word_on_any_line(), what);
   }
+  /// One that belongs to the same vertex or face.
   template <class Number>
   Number next_number(const char* what) {
-    return read_number<Number>(cursor_.word(), what);
+    return read_number<Number>(lines_ == Lines::free ? cursor_.word_on_any_line() : cursor_.word(), what);
   }
   template <class Number>
   Number read_number(std::string_view word, const char* what) {
     if (word.empty() && cursor_.at_end())
-      throw BadInput(
-          fmt::format("{}:{}: the file ends where {} should be; is it complete?", name_, cursor_.line(), what));
+      refuse(fmt::format("the file ends where {} should be; is it complete?", what));
     const auto parsed = parse<Number>(word);
-    if (!parsed)
-      throw BadInput(fmt::format("{}:{}: expected {}, found '{}'", name_, cursor_.line(), what, word.substr(0, 40)));
+    if (!parsed) refuse(fmt::format("expected {}, found '{}'", what, word.substr(0, 40)));
     return *parsed;
   }
 
   const std::string& name_;
   TextCursor cursor_;
   SoupBuilder soup_;
+  Lines lines_ = Lines::one_each;
+  std::string_view glued_;  // to the keyword
+  std::vector<std::string> left_out_;
+  bool has_weight_ = false;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // PLY (the Stanford polygon format): text, little-endian and big-endian. Elements `vertex` (x, y, z), `face` and
-// `tristrips` (vertex_indices or vertex_index; in strips -1 begins the next one); all else is stepped over by its
-// declared type. Of vertices are carried nx ny nz, s t (or u v, texture_u texture_v), red green blue alpha (or
-// diffuse_red …).
+// `tristrips` (vertex_indices or vertex_index; in strips -1 begins the next one, written with or without a sign); all
+// else is stepped over by its declared type. Of vertices are carried nx ny nz, s t (or u v, texture_u texture_v), red
+// green blue alpha (or diffuse_red …).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -80,7 +80,6 @@ class PlyReader {
 
   Soup read() {
     read_header();
-    bytes_ = cursor_.rest();
     if (encoding_ == Encoding::text) refuse_long_lines(bytes_, name_);
     for (const Element& element : elements_) {
       if (element.properties.empty()) continue;
@@ -110,6 +109,8 @@ class PlyReader {
   // ---- the header
   void read_header() {
     if (cursor_.word() != "ply") refuse("does not begin with `ply`");
+    // Lines that end with CR alone end so at the body, which may begin with the byte of LF.
+    const bool ends_with_cr = cursor_.rest().starts_with('\r') && !cursor_.rest().starts_with("\r\n");
     bool format_known = false;
     for (cursor_.next_line();; cursor_.next_line()) {
       if (cursor_.at_end()) refuse("ends before `end_header`; is it complete?");
@@ -140,7 +141,9 @@ class PlyReader {
         refuse_header(fmt::format("unknown keyword '{}'", keyword.substr(0, 40)));
       }
     }
+    const std::string_view end = cursor_.rest();
     cursor_.next_line();
+    bytes_ = ends_with_cr && end.starts_with('\r') ? end.substr(1) : cursor_.rest();
     if (!format_known) refuse("its header has no `format` line");
   }
 
@@ -238,6 +241,8 @@ class PlyReader {
       if (std::none_of(element.properties.begin(), element.properties.end(),
                        [&](const Property& property) { return property.name == std::string(1, letter); }))
         refuse(fmt::format("its vertices have no property `{}`", letter));
+    for (const Property& property : element.properties)
+      if (axis_of(property) != nullptr && property.type.bytes == 8) soup_.say_64_bits();
     const std::vector<Component> components = components_of(element);
     std::vector<Attribute>& attributes = soup_.attributes();
     std::vector<Attribute::Value> values(attributes.size());
@@ -292,11 +297,12 @@ class PlyReader {
     return components;
   }
 
-  void append(Attribute& attribute, Attribute::Value value, std::size_t vertex) const {
+  void append(Attribute& attribute, Attribute::Value value, std::size_t vertex) {
     for (unsigned c = 0; c < attribute.components; ++c)
-      if (!std::isfinite(static_cast<float>(value[c])))
-        refuse(fmt::format("vertex {} has {} that are infinite or not a number; mend or remove it", vertex,
-                           attributes_in_words(std::span(&attribute.name, 1))));
+      if (!std::isfinite(static_cast<float>(value[c]))) {
+        soup_.doubt(vertex, attributes_in_words(std::span(&attribute.name, 1)) + " that are");
+        value = neutral_value(attribute.name);
+      }
     if (attribute.type != ComponentType::real)
       for (unsigned c = 0; c < attribute.components; ++c)
         if (const double most = attribute.type == ComponentType::unsigned_byte ? 255 : 65535;
@@ -341,6 +347,9 @@ class PlyReader {
   }
 
   void read_strips(const Element& element) {
+    double vertices = 0;
+    for (const Element& each : elements_)
+      if (each.name == "vertex") vertices += static_cast<double>(each.count);
     std::vector<std::uint32_t> strip;
     const auto end_strip = [&] {
       soup_.add_strip(strip);
@@ -349,7 +358,8 @@ class PlyReader {
     for_each_list(element, [&](std::size_t i, const Property& list) {
       for (std::size_t left = length(list); left > 0; --left) {
         const double index = value(list.type, "strips");
-        if (index == -1)
+        const bool is_vertex = index >= 0 && index < vertices;
+        if (index == -1 || (!is_vertex && index == std::ldexp(1.0, static_cast<int>(8 * list.type.bytes)) - 1))
           end_strip();
         else
           strip.push_back(corner_of(index, "strip list", i));

@@ -12,11 +12,16 @@
 namespace restrip::tools {
 
 struct Point {
-  float x = 0;
-  float y = 0;
-  float z = 0;
+  double x = 0;
+  double y = 0;
+  double z = 0;
   friend bool operator==(const Point&, const Point&) = default;
 };
+
+/// As most formats and graphics processors have it.
+[[nodiscard]] constexpr Point in_32_bits(const Point& p) noexcept {
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
 
 /// Three vertices, counter-clockwise.
 using Corners = std::array<std::uint32_t, 3>;
@@ -49,6 +54,7 @@ struct Soup {
   /// What each point has beside its place, where that was asked for. Two points at one place that differ in these are
   /// two vertices: a strip does not go from one to the other.
   std::vector<Attribute> attributes = {};
+  bool is_64_bits = false;                            ///< the file says so of its coordinates (`double` in PLY)
   std::vector<std::string> left_out_attributes = {};  ///< names of those that the file has, and the soup has not
 };
 

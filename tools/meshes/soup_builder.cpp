@@ -13,7 +13,7 @@ namespace restrip::tools {
 
 void refuse_long_lines(std::string_view text, const std::string& name, std::size_t limit) {
   for (std::size_t line = 1; text.size() > limit; ++line) {
-    const std::size_t stop = std::min(text.find('\n'), text.size());
+    const std::size_t stop = std::min(text.find_first_of("\n\r"), text.size());
     if (stop > limit)
       throw BadInput(fmt::format("{}:{}: a line of more than {}, the limit; write a line for each vertex and face",
                                  name, line, files::size_in_words(limit)));
@@ -22,13 +22,39 @@ void refuse_long_lines(std::string_view text, const std::string& name, std::size
 }
 
 void SoupBuilder::add_point(double x, double y, double z) {
-  const Point point{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
-  if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))
-    throw BadInput(fmt::format("{}: vertex {} has a coordinate that is infinite or not a number; mend or remove it",
-                               name_, soup_.points.size()));
   if (soup_.points.size() == max_vertices)
     throw BadInput(fmt::format("{}: more than {} vertices", name_, max_vertices));
+  Point point{x, y, z};
+  const Point rounded = in_32_bits(point);  // nothing is beyond their range
+  if (!std::isfinite(rounded.x) || !std::isfinite(rounded.y) || !std::isfinite(rounded.z)) {
+    doubt(soup_.points.size(), "a coordinate that is");
+    point = {};
+  }
   soup_.points.push_back(point);
+}
+
+void SoupBuilder::leave_out(const std::string& attribute) {
+  note(soup_.left_out_attributes, attribute);
+  constexpr std::size_t most_names = 256;
+  if (soup_.left_out_attributes.size() > most_names)
+    throw BadInput(fmt::format("{}: has more than {} kinds of attributes that are left out; export it without them",
+                               name_, most_names));
+}
+
+void SoupBuilder::doubt(std::size_t vertex, const std::string& what) { doubts_[what].push_back(vertex); }
+
+void SoupBuilder::settle_doubts() {
+  if (doubts_.empty()) return;
+  std::vector<bool> used(soup_.points.size(), false);
+  for (const Corners& triangle : soup_.triangles)
+    for (const std::uint32_t corner : triangle) used[corner] = true;
+  for (const auto& [what, vertices] : doubts_) {
+    for (const std::size_t v : vertices)
+      if (used[v])
+        throw BadInput(fmt::format("{}: vertex {} has {} infinite or not a number; mend or remove it", name_, v, what));
+    leave_out(fmt::format("{} infinite or not a number, of {} in no triangle", what,
+                          counted(vertices.size(), "vertex", "vertices")));
+  }
 }
 
 void SoupBuilder::add_face(std::span<const std::uint32_t> corners) {
@@ -90,6 +116,10 @@ Soup SoupBuilder::finish() && {
     for (const std::uint32_t corner : triangle) check(corner);
   for (const std::uint32_t index : soup_.strips)
     if (index != strip_end) check(index);
+  settle_doubts();
+  if (std::all_of(soup_.triangles.begin(), soup_.triangles.end(), degenerate))
+    throw BadInput(fmt::format("{}: {}, each with a corner twice; strips need triangles with three different corners",
+                               name_, counted(soup_.triangles.size(), "triangle")));
   return std::move(soup_);
 }
 

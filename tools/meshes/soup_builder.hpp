@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "meshes/soup.hpp"
 
@@ -24,22 +26,26 @@ class SoupBuilder {
   /// `name` is the file, for messages.
   explicit SoupBuilder(std::string name) : name_(std::move(name)) {}
 
-  /// Throws BadInput when a coordinate is infinite or no number, or when there are too many.
+  /// Throws BadInput when there are too many.
   void add_point(double x, double y, double z);
+  /// The vertex has a value that is not finite, and is given 0 instead. That is an error if a triangle uses the vertex,
+  /// and reported otherwise. `what`: "normals that are".
+  void doubt(std::size_t vertex, const std::string& what);
   /// Corners may refer to points that come later. Throws BadInput when there are too many.
   void add_face(std::span<const std::uint32_t> corners);
   /// The triangles that a strip of these indices draws, and the strip. A repeated index turns the strip and draws
   /// nothing; fewer than three indices draw nothing either.
   void add_strip(std::span<const std::uint32_t> indices);
-  /// The file has this, and the soup has not.
-  void leave_out(const std::string& attribute) { note(soup_.left_out_attributes, attribute); }
+  /// The file has this, and the soup has not. Throws BadInput when there are too many.
+  void leave_out(const std::string& attribute);
   /// Values for points to come, or the last ones. At the end each attribute must have as many as there are points.
   [[nodiscard]] std::vector<Attribute>& attributes() noexcept { return soup_.attributes; }
+  void say_64_bits() noexcept { soup_.is_64_bits = true; }
   [[nodiscard]] std::size_t point_count() const noexcept { return soup_.points.size(); }
   [[nodiscard]] const Point& point(std::size_t number) const { return soup_.points[number]; }
 
-  /// The soup. Throws BadInput when a face refers to a vertex that the file does not have, or when there is no
-  /// triangle.
+  /// The soup. Throws BadInput when a face refers to a vertex that the file does not have or that has a value that is
+  /// not finite, and when no triangle has three different corners.
   [[nodiscard]] Soup finish() &&;
 
  private:
@@ -47,9 +53,11 @@ class SoupBuilder {
   /// A strip for each of these triangles that is not degenerate.
   void add_strips_of_one(std::size_t first, std::size_t end);
   void begin_strip();
+  void settle_doubts();
 
   std::string name_;
   Soup soup_;
+  std::map<std::string, std::vector<std::size_t>> doubts_;  // vertices, by what of them is not finite
 };
 
 }  // namespace restrip::tools

@@ -36,6 +36,7 @@ struct StripFile {
   /// Attributes of the points. A format holds those of which MeshFormat::holds() (lod/mesh_formats.hpp) says so.
   std::span<const Attribute> attributes = {};
   bool in_batches = false;  ///< a limit of a batch was given
+  bool is_64_bits = false;  ///< as Soup says
 };
 
 /// The bytes of a file of strips, and what they have.

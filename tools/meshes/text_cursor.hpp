@@ -1,7 +1,8 @@
-// Walks through a text by lines and words, and knows the line number for messages. Never reads past the end, whatever
-// the bytes are.
+// Walks through a text by lines and words, and knows the line number for messages. A byte order mark is skipped; lines
+// end with LF, CRLF or CR. Never reads past the end, whatever the bytes are.
 #pragma once
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -41,7 +42,9 @@ template <class Number>
 
 class TextCursor {
  public:
-  explicit TextCursor(std::string_view text) : rest_(text) {}
+  explicit TextCursor(std::string_view text) : rest_(text) {
+    if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+  }
 
   [[nodiscard]] bool at_end() const noexcept { return rest_.empty(); }
   [[nodiscard]] std::size_t line() const noexcept { return line_; }
@@ -49,11 +52,11 @@ class TextCursor {
   [[nodiscard]] std::string_view rest() const noexcept { return rest_; }
 
   /// The next word of this line; empty at its end. A # begins a comment that lasts to the end of the line. A backslash
-  /// at the end of a line continues it.
+  /// at the end of a line ends the word and continues the line.
   std::string_view word() {
     skip_blanks();
     std::size_t size = 0;
-    while (size < rest_.size() && !is_blank(rest_[size]) && rest_[size] != '\n') ++size;
+    while (size < rest_.size() && !is_blank(rest_[size]) && !ends_line(rest_[size]) && !continues(size)) ++size;
     const std::string_view found = rest_.substr(0, size);
     rest_.remove_prefix(size);
     return found;
@@ -70,24 +73,33 @@ class TextCursor {
 
   /// Leaves the rest of this line unread.
   void next_line() {
-    const std::size_t stop = rest_.find('\n');
-    rest_.remove_prefix(stop == std::string_view::npos ? rest_.size() : stop + 1);
-    ++line_;
+    rest_.remove_prefix(std::min(rest_.find_first_of(line_ends), rest_.size()));
+    skip_line_end();
   }
 
  private:
-  static bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+  static constexpr std::string_view line_ends = "\n\r";
+  static bool is_blank(char c) noexcept { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+  static bool ends_line(char c) noexcept { return c == '\n' || c == '\r'; }
+  /// Whether a backslash stands there, and nothing after it on its line.
+  [[nodiscard]] bool continues(std::size_t at) const noexcept {
+    return rest_[at] == '\\' && (at + 1 == rest_.size() || ends_line(rest_[at + 1]));
+  }
+
+  void skip_line_end() {
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(rest_.size(), 1));
+    ++line_;
+  }
 
   void skip_blanks() {
     while (!rest_.empty()) {
       if (is_blank(rest_.front())) {
         rest_.remove_prefix(1);
       } else if (rest_.front() == '#') {
-        const std::size_t stop = rest_.find('\n');
-        rest_.remove_prefix(stop == std::string_view::npos ? rest_.size() : stop);
-      } else if (rest_.starts_with("\\\n") || rest_.starts_with("\\\r\n")) {
-        rest_.remove_prefix(rest_.find('\n') + 1);
-        ++line_;
+        rest_.remove_prefix(std::min(rest_.find_first_of(line_ends), rest_.size()));
+      } else if (continues(0)) {
+        rest_.remove_prefix(1);
+        skip_line_end();
       } else {
         return;
       }

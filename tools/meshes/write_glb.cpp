@@ -18,10 +18,10 @@ namespace {
 constexpr std::size_t most_glb_bytes = std::numeric_limits<std::int32_t>::max();
 
 /// The least or the greatest coordinates, as glTF wants them said.
-std::string bound(std::span<const Point> points, const float& (*of)(const float&, const float&)) {
+std::string bound(std::span<const Point> points, const double& (*of)(const double&, const double&)) {
   Point p = points.front();
   for (const Point& q : points) p = {of(p.x, q.x), of(p.y, q.y), of(p.z, q.z)};
-  return fmt::format("[{},{},{}]", p.x, p.y, p.z);
+  return fmt::format("[{},{},{}]", static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
 }
 
 /// One chunk of a GLB, filled up to a multiple of four bytes.
@@ -93,7 +93,7 @@ class GlbWriter {
     end_view(0, ViewOf::vertices, 12);
     fmt::format_to(std::back_inserter(accessors_),
                    R"({{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3","min":{},"max":{}}})",
-                   file_.points.size(), bound(file_.points, std::min<float>), bound(file_.points, std::max<float>));
+                   file_.points.size(), bound(file_.points, std::min<double>), bound(file_.points, std::max<double>));
     attributes_ = R"("POSITION":0)";
     accessor_count_ = 1;
   }

@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <iterator>
-#include <unordered_map>
 #include <vector>
 
-#include "meshes/vertex_lookup.hpp"
+#include "meshes/alike.hpp"
+#include "meshes/rounding.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -51,20 +51,21 @@ class ObjWriter {
     std::vector<Attribute> all;
     for (const Attribute* attribute : {normals_, places_, colors_})
       if (attribute != nullptr) all.push_back(*attribute);
-    VertexLookup vertices(all);
-    VertexLookup points(colors_ == nullptr ? std::span<const Attribute>() : std::span(colors_, 1));
-    std::vector<std::uint32_t> number(soup_.points.size());
+    const std::size_t size = soup_.points.size();
+    const std::vector<std::uint32_t> first = first_alike(size, soup_.points, all);
+    std::vector<std::uint32_t> number =
+        first_alike(size, soup_.points, colors_ == nullptr ? std::span<const Attribute>() : std::span(colors_, 1));
     std::uint32_t count = 0;
     auto out = std::back_inserter(text_);
     for (std::uint32_t v = 0; v < number.size(); ++v) {
-      const Point& p = soup_.points[v];
-      const bool is_first = vertices.put(p, v) == v;  // of those that differ in nothing
-      if (const std::uint32_t same = is_first ? points.put(p, v) : v; same != v) {
-        number[v] = number[same];
+      // Vertices that differ in nothing stay several.
+      if (first[v] == v && number[v] != v) {
+        number[v] = number[number[v]];
         continue;
       }
       number[v] = ++count;
-      fmt::format_to(out, "v {} {} {}", p.x, p.y, p.z);
+      text_ += "v ";
+      put_coordinates(text_, soup_.points[v]);
       for (unsigned c = 0; colors_ != nullptr && c < colors_->components; ++c)
         fmt::format_to(out, " {}", static_cast<float>(colors_->meant(v)[c]));
       text_ += '\n';
@@ -86,16 +87,14 @@ class ObjWriter {
   /// Each value once; the number of that of each vertex, counted from 1.
   template <class Put>
   std::vector<std::uint32_t> put_values(const Attribute& attribute, Put&& put) {
-    std::unordered_map<std::string, std::uint32_t> number;
-    std::vector<std::uint32_t> numbers;
-    const std::size_t size = attribute.value_bytes();
-    for (std::size_t v = 0; v < soup_.points.size(); ++v) {
-      const auto [at, is_new] =
-          number.try_emplace(attribute.bytes.substr(v * size, size), static_cast<std::uint32_t>(number.size() + 1));
-      if (is_new) put(attribute.meant(v));
-      numbers.push_back(at->second);
+    std::vector<std::uint32_t> number = first_alike(soup_.points.size(), {}, std::span(&attribute, 1));
+    std::uint32_t count = 0;
+    for (std::uint32_t v = 0; v < number.size(); ++v) {
+      const bool is_first = number[v] == v;
+      number[v] = is_first ? ++count : number[number[v]];
+      if (is_first) put(attribute.meant(v));
     }
-    return numbers;
+    return number;
   }
 
   const Soup& soup_;

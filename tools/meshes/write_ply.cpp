@@ -8,6 +8,7 @@
 
 #include "common/bad_input.hpp"
 #include "meshes/little_endian.hpp"
+#include "meshes/rounding.hpp"
 
 namespace restrip::tools {
 namespace {
@@ -20,14 +21,15 @@ const char* name_of(ComponentType type) {
 }
 
 /// All of the file but what comes of `elements`, the rest of its header, and of the bytes that follow the vertices.
-std::string ply_of_vertices(std::span<const Point> points, std::span<const Attribute> attributes,
+std::string ply_of_vertices(std::span<const Point> points, bool is_64_bits, std::span<const Attribute> attributes,
                             const std::string& elements) {
   const Attribute* normals = named(attributes, "NORMAL");
   const Attribute* places = named(attributes, "TEXCOORD_0");
   const Attribute* colors = named(attributes, "COLOR_0");
+  const bool is_wide = is_64_bits || rounding_of(points).matters;
   std::string bytes = fmt::format(
-      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\n",
-      points.size());
+      "ply\nformat binary_little_endian 1.0\nelement vertex {0}\nproperty {1} x\nproperty {1} y\nproperty {1} z\n",
+      points.size(), is_wide ? "double" : "float");
   if (normals != nullptr) bytes += "property float nx\nproperty float ny\nproperty float nz\n";
   if (places != nullptr) bytes += "property float s\nproperty float t\n";
   constexpr const char* channels[] = {"red", "green", "blue", "alpha"};
@@ -37,7 +39,14 @@ std::string ply_of_vertices(std::span<const Point> points, std::span<const Attri
   bytes.reserve(bytes.size() + 52 * points.size());
   const auto put_real = [&bytes](double value) { put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(value))); };
   for (std::size_t v = 0; v < points.size(); ++v) {
-    put(bytes, points[v]);
+    if (is_wide) {
+      for (const double c : {points[v].x, points[v].y, points[v].z}) {
+        const auto bits = std::bit_cast<std::uint64_t>(c);
+        put(bytes, static_cast<std::uint32_t>(bits)), put(bytes, static_cast<std::uint32_t>(bits >> 32U));
+      }
+    } else {
+      put(bytes, points[v]);
+    }
     for (unsigned c = 0; normals != nullptr && c < 3; ++c) put_real(normals->value(v)[c]);
     if (places != nullptr) {
       const Attribute::Value at = places->meant(v);
@@ -53,7 +62,7 @@ std::string ply_of_vertices(std::span<const Point> points, std::span<const Attri
 
 std::string ply_bytes(const Soup& soup) {
   std::string bytes =
-      ply_of_vertices(soup.points, soup.attributes,
+      ply_of_vertices(soup.points, soup.is_64_bits, soup.attributes,
                       fmt::format("element face {}\nproperty list uchar uint vertex_indices\n", soup.triangles.size()));
   bytes.reserve(bytes.size() + 13 * soup.triangles.size());
   for (const Corners& t : soup.triangles) {
@@ -63,12 +72,12 @@ std::string ply_bytes(const Soup& soup) {
   return bytes;
 }
 
-std::string ply_bytes(std::span<const Point> points, std::span<const Attribute> attributes,
+std::string ply_bytes(std::span<const Point> points, bool is_64_bits, std::span<const Attribute> attributes,
                       std::span<const std::uint32_t> strips) {
   if (strips.size() > most_values || points.size() > most_values)
     throw BadInput(fmt::format("a PLY list holds {} indices at most; write .bin", most_values));
   std::string bytes =
-      ply_of_vertices(points, attributes, "element tristrips 1\nproperty list int int vertex_indices\n");
+      ply_of_vertices(points, is_64_bits, attributes, "element tristrips 1\nproperty list int int vertex_indices\n");
   bytes.reserve(bytes.size() + 4 * (1 + strips.size()));
   put(bytes, static_cast<std::uint32_t>(strips.size()));
   static_assert(strip_end == static_cast<std::uint32_t>(-1));

@@ -166,7 +166,7 @@ PaperSubject read_subject(const std::filesystem::path& file, const MendingOption
   refuse_mending(file, mending);
   auto* baked = std::get_if<BakedBytes>(&read);
   subject.progressive = std::move(baked != nullptr ? baked->baked.mesh : std::get<ProgressiveMesh>(read));
-  subject.soup = finest_level(*subject.progressive, file.string());
+  subject.soup = finest_level(*subject.progressive);
   return subject;
 }
 

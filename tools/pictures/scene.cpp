@@ -114,7 +114,7 @@ class Projection {
  private:
   using Axis = std::array<double, 3>;
   static double along(const Axis& axis, const Point& p) noexcept {
-    return axis[0] * static_cast<double>(p.x) + axis[1] * static_cast<double>(p.y) + axis[2] * static_cast<double>(p.z);
+    return axis[0] * p.x + axis[1] * p.y + axis[2] * p.z;
   }
   [[nodiscard]] Spot turned(const Point& p) const noexcept {
     return {along(right_, p), along(up_, p), along(near_, p)};

@@ -10,6 +10,7 @@
 #include "common/digest.hpp"
 #include "model/families_text.hpp"
 #include "model/input.hpp"
+#include "model/json.hpp"
 #include "model/quantity.hpp"
 
 namespace restrip::verify {
@@ -117,7 +118,8 @@ std::vector<std::string> manifest_faults(const std::string& tables_dir, const st
     const std::string path = fs::relative(entry.path(), tables_dir).generic_string();
     if (!needs_no_line(path) && !listed.contains(path)) unlisted.insert(path);
   }
-  for (const std::string& path : unlisted) faults.push_back(fmt::format("{}/{}: unlisted file", tables_dir, path));
+  for (const std::string& path : unlisted)
+    faults.push_back(fmt::format("{}/{}: unlisted file", tables_dir, shown(path)));
   return faults;
 }
 

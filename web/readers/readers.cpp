@@ -55,6 +55,7 @@ struct Found {
 
 ReadMesh mesh;
 std::string left_out;
+std::vector<float> points;
 Found found;
 
 template <class List>
@@ -63,16 +64,23 @@ void give(const List& list, std::size_t numbers, const void*& address, std::uint
   count = static_cast<std::uint32_t>(list.size() * numbers);
 }
 
+void give_points(const std::vector<Point>& list) {
+  points.clear();
+  for (const Point& p : list)
+    for (const double coordinate : {p.x, p.y, p.z}) points.push_back(static_cast<float>(coordinate));
+  give(points, 1, found.points, found.point_numbers);
+}
+
 void tell(Soup& soup, bool repeats_vertices) {
   // glTF repeats a vertex wherever a normal or a texture breaks; a strip crosses it.
   if (Mended mended; repeats_vertices) weld(soup, mended);
-  give(soup.points, 3, found.points, found.point_numbers);
+  give_points(soup.points);
   give(soup.triangles, 3, found.triangles, found.triangle_numbers);
   left_out = attributes_in_words(soup.left_out_attributes);
 }
 void tell(const ProgressiveMesh& progressive) {
   found.kind = Found::Kind::progressive;
-  give(progressive.points, 3, found.points, found.point_numbers);
+  give_points(progressive.points);
   give(progressive.base, 3, found.triangles, found.triangle_numbers);
   give(progressive.splits, 4, found.splits, found.split_numbers);
 }

@@ -1,0 +1,44 @@
+#include "files/printable.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+namespace restrip::files {
+namespace {
+
+/// The bytes of the character that the text begins with; 0 when it is not UTF-8, or a control character.
+std::size_t character_bytes(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (byte(0) < 0x80) return text[0] == '\n' || (byte(0) >= 0x20 && byte(0) != 0x7F) ? 1 : 0;
+  const std::size_t size = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
+  if (byte(0) < 0xC2 || byte(0) > 0xF4 || text.size() < size) return 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if ((byte(i) & 0xC0U) != 0x80) return 0;
+  const bool is_control = byte(0) == 0xC2 && byte(1) < 0xA0;
+  return is_control ? 0 : size;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const std::size_t size = character_bytes(text);
+    if (size == 0)
+      fmt::format_to(std::back_inserter(shown), "\\x{:02x}", static_cast<unsigned char>(text[0]));
+    else
+      shown += text.substr(0, size);
+    text.remove_prefix(size == 0 ? 1 : size);
+  }
+  return shown;
+}
+
+std::string printable_message(std::string_view text) {
+  // The file stands in front, the remedy at the end.
+  constexpr std::size_t tail = longest_message / 4;
+  if (text.size() <= longest_message) return printable(text);
+  return printable(text.substr(0, longest_message - tail)) + " [...] " + printable(text.substr(text.size() - tail));
+}
+
+}  // namespace restrip::files
