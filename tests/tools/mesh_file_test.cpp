@@ -399,8 +399,9 @@ TEST_F(InFolder, WhatIsWrittenIsRead) {
   const Soup soup = make_mesh(1000);
   for (const char* name : {"a.obj", "a.off", "a.ply", "A.OBJ"}) {
     files::Output(folder_ / name).write(mesh_bytes(soup, files::extension_of(name)));
-    const Soup again = read_mesh(folder_ / name);
-    EXPECT_EQ(again.points, soup.points) << name;
+    Soup again = read_mesh(folder_ / name);
+    for (Point& p : again.points) p = in_32_bits(p);  // text has no more digits than these need
+    EXPECT_TRUE(again.points == soup.points) << name;
     EXPECT_EQ(again.triangles, soup.triangles) << name;
   }
   // STL has corners without indices: the same triangles in the same places.

@@ -40,10 +40,13 @@ ReadMesh parsed(const MeshFormat& format, const std::string& bytes) {
 
 /// The triangles by their points, so that the numbers of vertices do not matter.
 std::vector<std::array<std::array<double, 3>, 3>> by_points(const Soup& soup) {
-  std::vector<std::array<std::array<double, 3>, 3>> all;
+  std::vector<std::array<std::array<double, 3>, 3>> all;  // in 32 bits: text has no more digits than these need
   for (const Corners& t : soup.triangles) {
     auto& c = all.emplace_back();
-    for (std::size_t i = 0; i < 3; ++i) c[i] = {soup.points[t[i]].x, soup.points[t[i]].y, soup.points[t[i]].z};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Point p = in_32_bits(soup.points[t[i]]);
+      c[i] = {p.x, p.y, p.z};
+    }
     std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
   }
   std::sort(all.begin(), all.end());
@@ -104,7 +107,7 @@ TEST(MeshFormats, WhatIsWrittenIsRead) {
             EXPECT_TRUE(read.strips.empty()) << in;
           }
         }
-      if (format.write_progressive != nullptr) {
+      if (format.write_progressive != nullptr && !writes_strips(format)) {  // progressive_gltf_test.py has the other
         ++ways;
         const auto read = std::get<ProgressiveMesh>(parsed(format, format.write_progressive(all.progressive)));
         EXPECT_EQ(read.splits.size(), all.progressive.splits.size());
@@ -153,9 +156,9 @@ TEST(MeshFormats, DigitsAreKeptOrTheirLossIsReported) {
     note_losses(soup, format, mended);
     EXPECT_EQ(as_text(mended).find("2 vertices lie at the place of another") != std::string::npos, format.rounds)
         << format.extension;
-    if (format.write_mesh == nullptr) continue;
+    if (format.write_mesh == nullptr || format.rounds) continue;
     const Soup again = std::get<Soup>(parsed(format, format.write_mesh(soup)));
-    EXPECT_EQ(again.points == soup.points, !format.rounds) << format.extension;
+    EXPECT_TRUE(again.points == soup.points) << format.extension;
   }
   // What the file has in 64 bits is written in 64 bits; else no more bits are written than matter.
   const auto ply = [](const char* type) {

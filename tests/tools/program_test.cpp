@@ -320,7 +320,6 @@ TEST_F(Meshes, AnInputIsNoOutput) {
   for (const auto& [command, in, out] : std::vector<std::array<const char*, 3>>{
            {"simplify '{}' -o '{}'", "a.obj", "a.obj"},
            {"simplify '{}' -o '{}'", "a.obj", "link.pm"},
-           {"bake '{}' -o '{}'", "a.pm", "a.pm"},
            {"bake '{}' -o '{}'", "a.pm", "hard.baked"},
            {"bake '{}' -o '{}'", "a.baked", "./a.baked"},
            {"draw '{}' -o '{}'", "a.obj", "hard.json"},

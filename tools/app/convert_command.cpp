@@ -28,6 +28,7 @@ struct ConvertCommand {
   NamedFile mesh;
   NamedFile out;
   StripOptions strips;
+  bool progressive = false;  ///< all levels in a .glb
   ReadAttributes attributes = ReadAttributes::yes;
   MendingOptions mending;
   std::string json;
@@ -74,11 +75,35 @@ int convert_baked(const BakedBytes& found, const ConvertCommand& command, const 
   return 0;
 }
 
+/// All levels of a progressive or baked mesh.
+int convert_progressive(const ReadMesh& read, const ConvertCommand& command, const MeshFormat& format,
+                        const files::Output& out, const files::ReportOutput& report) {
+  const auto* baked = std::get_if<BakedBytes>(&read);
+  const ProgressiveMesh* mesh = baked != nullptr ? &baked->baked.mesh : std::get_if<ProgressiveMesh>(&read);
+  if (mesh == nullptr)
+    throw BadInput(fmt::format("{}: has no levels; restrip simplify makes some", command.mesh.string()));
+  refuse_mending(command.mesh.string(), command.mending);
+  (void)finest_level(*mesh);  // every split is possible
+  out.write(format.write_progressive(*mesh));
+  Mended mended;
+  mended.left_out_attributes = mesh->left_out_attributes;
+  nlohmann::ordered_json json{
+      {"base_triangles", mesh->base.size()}, {"splits", mesh->splits.size()}, {"triangles", mesh->fine_triangles()}};
+  add_to(json, mended);
+  report.print(as_text(mended) + fmt::format("{}: {} and {} to {}\n", command.out.string(),
+                                             counted(mesh->base.size(), "triangle"),
+                                             counted(mesh->splits.size(), "split"), mesh->fine_triangles()),
+               json.dump(2) + "\n");
+  return 0;
+}
+
 int run(const ConvertCommand& command) {
   const files::Output out = open_output(command.out, extensions_of(writes_any));
   const files::ReportOutput report(command.json);
   const MeshFormat& format = format_to_write(command.out, writes_any);
   ReadMesh read = read_mesh_file(command.mesh, command.attributes);
+  if (command.progressive || !(writes_mesh(format) || writes_strips(format) || writes_baked(format)))
+    return convert_progressive(read, command, format, out, report);
   const auto* baked = std::get_if<BakedBytes>(&read);
   if (baked != nullptr && writes_baked(format)) return convert_baked(*baked, command, format, out, report);
   if (!writes_mesh(format) && !writes_strips(format))
@@ -114,9 +139,9 @@ Subcommand add_convert(CLI::App& app) {
   add_output_option(*sub, command.out, extensions_of(writes_any),
                     list_in_words(extensions_of(writes_any), "or") +
                         "; .bin, .ply and .glb with the strips of the file; .ply and .glb without, where it has none; "
-                        ".baked and .glb from a baked mesh, with all its levels")
+                        ".baked and .glb from a baked mesh, with all its levels; .pm from one or a progressive mesh")
       ->required();
-  add_strip_options(*sub, command.strips);
+  add_strip_options(*sub, command.strips, nullptr, &command.progressive);
   add_attributes_option(*sub, command.attributes);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);

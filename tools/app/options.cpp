@@ -187,21 +187,27 @@ namespace {
 constexpr std::array strip_options{"--gltf", "--form", "--index", "--batch-vertices", "--batch-indices"};
 }  // namespace
 
-void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output) {
-  const auto set_form = [&options](const std::string& word) {
+void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output, bool* progressive) {
+  const auto set_form = [&options, progressive](const std::string& word) {
+    if (word == "progressive") *progressive = true;
     if (word == "auto") return options.form.reset();
     options.form = word == "stitched"  ? StripForm::stitched
                    : word == "restart" ? StripForm::restart
                    : word == "list"    ? StripForm::list
                                        : StripForm::lengths;
   };
+  std::vector<std::string> words{"auto", "stitched", "strips", "list", "restart"};
+  if (progressive != nullptr) words.emplace_back("progressive");
   app.add_option_function<std::string>(
          "--gltf", set_form,
-         "what a .glb has: stitched: one strip, repeated indices lead from one to the next; strips: a primitive for "
-         "each; "
-         "list: a list of triangles; restart: one primitive, for the few viewers that know KHR_mesh_primitive_restart; "
-         "auto: stitched. A list is written where it has fewer indices")
-      ->check(CLI::IsMember({"auto", "stitched", "strips", "list", "restart"}))
+         std::string("what a .glb has: stitched: one strip, repeated indices lead from one to the next; strips: a "
+                     "primitive for "
+                     "each; "
+                     "list: a list of triangles; restart: one primitive, for the few viewers that know "
+                     "KHR_mesh_primitive_restart; "
+                     "auto: stitched. A list is written where it has fewer indices") +
+             (progressive == nullptr ? "" : "; progressive: the base, and all splits in MANYFOLD_mesh_progressive"))
+      ->check(CLI::IsMember(words))
       ->default_str("auto");
   app.add_option_function<std::string>(
          "--form", set_form,

@@ -46,8 +46,10 @@ void add_policy_option(CLI::App& app, std::string& way);
 /// Throws CLI::ValidationError where the way, if one is named, knows no such cost.
 void refuse_cost_elsewhere(const Cost& cost, const std::string& way);
 /// --gltf for .glb, --form for .bin, and for both --index, --batch-vertices and --batch-indices. They need the option
-/// `output`, if there is one. refuse_strip_options_elsewhere() throws CLI::ValidationError for another output.
-void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output = nullptr);
+/// `output`, if there is one. Where `progressive` is not null, --gltf progressive sets it: all levels, as
+/// MANYFOLD_mesh_progressive. refuse_strip_options_elsewhere() throws CLI::ValidationError for another output.
+void add_strip_options(CLI::App& app, StripOptions& options, CLI::Option* output = nullptr,
+                       bool* progressive = nullptr);
 void refuse_strip_options_elsewhere(const CLI::App& app, const NamedFile& out);
 
 /// Values of options in words for people: "a|b", "from 2 to 1000".

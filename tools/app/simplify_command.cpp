@@ -24,6 +24,7 @@ struct SimplifyCommand {
   NamedFile mesh;
   NamedFile out;  ///< .pm: a progressive mesh; else its base, with strips from scratch
   StripOptions strips;
+  bool progressive = false;  ///< all levels in a .glb
   SimplifyOptions simplify;
   bool size_given = false;  ///< by the caller, not by default: then it is a failure to stop short of it
   ReadAttributes attributes = ReadAttributes::no;  ///< kept: vertices that differ in them are several
@@ -48,7 +49,7 @@ int run(const SimplifyCommand& command) {
   std::string text = as_text(mended);
   if (!mended.left_out_attributes.empty() && command.attributes == ReadAttributes::no)
     text += "with --attributes .glb, .ply and .obj keep what they hold\n";
-  if (format.write_progressive != nullptr) {
+  if (command.progressive || !writes_strips(format)) {
     out.write(format.write_progressive(made));
     text += fmt::format("{}: {} and {} to {}\n", command.out.string(), counted(made.base.size(), "triangle"),
                         counted(made.splits.size(), "split"), made.fine_triangles());
@@ -89,7 +90,7 @@ Subcommand add_simplify(CLI::App& app) {
       sub->add_option("--triangles", command.simplify.triangles, "of the coarsest level, in place of --base")
           ->check(CLI::Range(std::size_t{1}, max_triangles));
   add_simplify_options(*sub, command.simplify);
-  add_strip_options(*sub, command.strips);
+  add_strip_options(*sub, command.strips, nullptr, &command.progressive);
   sub->add_flag_callback(
       "--attributes", [&command] { command.attributes = ReadAttributes::yes; },
       "keep normals, texture coordinates and colours: where they differ one place is several vertices, and such seams "

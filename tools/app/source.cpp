@@ -66,6 +66,7 @@ Source source_of(ReadMesh read, const NamedFile& file, const MendingOptions& men
     return source;
   }
   source.mesh = std::move(std::get<ProgressiveMesh>(read));
+  source.subject.mended.left_out_attributes = source.mesh.left_out_attributes;
   BuildReport report;
   const StripMesh base = StripMesh::build(source.mesh.base, source.mesh.points.size(), &report);
   source.subject.left_out = {report.degenerate_triangles, report.non_manifold_vertices, 0, 0};

@@ -12,6 +12,7 @@
 #include "lod/coloring_check.hpp"
 #include "lod/hoppe_pm_file.hpp"
 #include "lod/pm_file.hpp"
+#include "lod/progressive_gltf.hpp"
 #include "meshes/text_cursor.hpp"
 #include "meshes/write_glb.hpp"
 #include "meshes/write_obj.hpp"
@@ -37,6 +38,7 @@ ReadMesh without_attributes(std::string_view bytes, const std::string& name, con
 ReadMesh read_any_gltf(std::string_view bytes, const std::string& name, const ReadBeside& beside,
                        ReadAttributes attributes) {
   if (is_baked_gltf(bytes, name, beside)) return parse_baked_gltf(bytes, name, beside);
+  if (is_progressive_gltf(bytes, name, beside)) return parse_progressive_gltf(bytes, name, beside);
   return read_gltf(bytes, name, beside, attributes);
 }
 
@@ -92,6 +94,7 @@ constexpr std::array all_formats{
     MeshFormat{.extension = ".glb",
                .read = read_any_gltf,
                .write_strips = glb_of_strips,
+               .write_progressive = progressive_glb_bytes,
                .write_baked = baked_glb_bytes,
                .attributes = MeshFormat::Attributes::all,
                .holds_strips = true,
@@ -194,6 +197,7 @@ Soup finest_level(const ProgressiveMesh& source) {
   }
   Soup soup;
   soup.points = source.points;
+  soup.left_out_attributes = source.left_out_attributes;
   soup.triangles = triangles_of(mesh);
   return soup;
 }

@@ -29,6 +29,7 @@ struct MeshFormat {
   /// Throws BadInput where the format cannot hold the mesh: glTF and the lists of PLY have less than 2^31 values, and
   /// glTF no mesh without triangles. written_strips() below makes the buffer.
   std::string (*write_strips)(const StripFile& strips) = nullptr;
+  /// A .glb has it where the user asks for it. Throws BadInput where the format has no record for a split.
   std::string (*write_progressive)(const ProgressiveMesh& mesh) = nullptr;
   /// Writes a baked mesh, given by its bytes.
   WrittenStrips (*write_baked)(std::string_view baked, const StripOptions& options) = nullptr;
@@ -59,7 +60,7 @@ inline constexpr FormatCan writes_strips = [](const MeshFormat& format) { return
 inline constexpr FormatCan writes_baked = [](const MeshFormat& format) { return format.write_baked != nullptr; };
 /// A mesh alone, its strips or all its levels.
 inline constexpr FormatCan writes_any = [](const MeshFormat& format) {
-  return writes_mesh(format) || writes_strips(format) || writes_baked(format);
+  return writes_mesh(format) || writes_strips(format) || writes_baked(format) || format.write_progressive != nullptr;
 };
 inline constexpr FormatCan writes_strips_or_progressive = [](const MeshFormat& format) {
   return writes_strips(format) || format.write_progressive != nullptr;

@@ -25,10 +25,11 @@ struct Record {
 };
 
 struct ProgressiveMesh {
-  std::vector<Point> points;   ///< of all vertices
-  std::vector<Corners> base;   ///< the triangles of the coarse mesh
-  std::vector<Record> splits;  ///< from coarse to fine
-  std::string file = {};       ///< from which it was read, for messages; may be empty
+  std::vector<Point> points;                          ///< of all vertices
+  std::vector<Corners> base;                          ///< the triangles of the coarse mesh
+  std::vector<Record> splits;                         ///< from coarse to fine
+  std::string file = {};                              ///< from which it was read, for messages; may be empty
+  std::vector<std::string> left_out_attributes = {};  ///< what the vertices of the file have besides
 
   /// Triangles of the fine mesh.
   [[nodiscard]] std::size_t fine_triangles() const noexcept {

@@ -348,4 +348,18 @@ std::vector<std::uint32_t> GltfFile::indices(std::uint64_t number) {
   return indices;
 }
 
+std::vector<Corners> GltfFile::triples(std::uint64_t number) {
+  const JsonPlace about = accessor(number);
+  if (about["type"].text() != "VEC3") about["type"].refuse("is not VEC3, as three indices are");
+  const std::uint64_t type = about["componentType"].whole();
+  if (!is_index_type(type))
+    about["componentType"].refuse(fmt::format("is {}, no type of an index (5121, 5123 or 5125)", type));
+  std::vector<Corners> triples;
+  fill(about, static_cast<unsigned>(type), 3, triples, [](const Elements& from, std::size_t at) {
+    const auto index = [&](std::size_t component) { return static_cast<std::uint32_t>(from.value(at, component)); };
+    return Corners{index(0), index(1), index(2)};
+  });
+  return triples;
+}
+
 }  // namespace restrip::tools

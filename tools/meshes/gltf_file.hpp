@@ -38,6 +38,8 @@ class GltfFile {
   /// What an accessor says of an attribute with this name: as it is encoded where glTF allows that without extensions,
   /// else as floats. Nothing where it is of a kind that is not carried: skins, matrices, names of no meaning.
   [[nodiscard]] std::optional<Attribute> attribute(std::uint64_t accessor, const std::string& name);
+  /// Three numbers that are indices, for each element.
+  [[nodiscard]] std::vector<Corners> triples(std::uint64_t accessor);
   /// Counts values that are about to be read. Throws BadInput when they are more than the file may have.
   void charge(std::uint64_t values);
   /// The largest value of the type of an index is the restart of primitives: strip_end.

@@ -17,13 +17,6 @@ namespace {
 
 constexpr std::size_t most_glb_bytes = std::numeric_limits<std::int32_t>::max();
 
-/// The least or the greatest coordinates, as glTF wants them said.
-std::string bound(std::span<const Point> points, const double& (*of)(const double&, const double&)) {
-  Point p = points.front();
-  for (const Point& q : points) p = {of(p.x, q.x), of(p.y, q.y), of(p.z, q.z)};
-  return fmt::format("[{},{},{}]", static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
-}
-
 /// One chunk of a GLB, filled up to a multiple of four bytes.
 void put_chunk(std::string& glb, std::string bytes, std::uint32_t kind, char filling) {
   bytes.resize((bytes.size() + 3) / 4 * 4, filling);
@@ -65,13 +58,7 @@ class GlbWriter {
         std::back_inserter(json),
         R"("meshes":[{{"primitives":[{}]{}}}],"accessors":[{}],"bufferViews":[{}],"buffers":[{{"byteLength":{}}}]}})",
         meshes_, extensions_, accessors_, views_, binary_.size());
-    std::string chunks;
-    put_chunk(chunks, std::move(json), 0x4E4F534A, ' ');      // JSON
-    put_chunk(chunks, std::move(binary_), 0x004E4942, '\0');  // BIN
-    std::string glb = "glTF";
-    put(glb, 2);
-    put(glb, static_cast<std::uint32_t>(12 + chunks.size()));
-    return glb + chunks;
+    return glb_of_chunks(std::move(json), std::move(binary_));
   }
 
  private:
@@ -92,8 +79,8 @@ class GlbWriter {
     for (const Point& p : file_.points) put(binary_, p);
     end_view(0, ViewOf::vertices, 12);
     fmt::format_to(std::back_inserter(accessors_),
-                   R"({{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3","min":{},"max":{}}})",
-                   file_.points.size(), bound(file_.points, std::min<double>), bound(file_.points, std::max<double>));
+                   R"({{"bufferView":0,"componentType":5126,"count":{},"type":"VEC3",{}}})", file_.points.size(),
+                   bounds_of(file_.points));
     attributes_ = R"("POSITION":0)";
     accessor_count_ = 1;
   }
@@ -165,6 +152,31 @@ bool restarts(const IndexBuffer& buffer) {
     return std::find(all.begin(), all.end(), std::numeric_limits<Index>::max()) != all.end();
   };
   return buffer.form == StripForm::restart && std::visit(has_restart, buffer.indices);
+}
+
+std::string bounds_of(std::span<const Point> points) {
+  Point low = points.front();
+  Point high = low;
+  for (const Point& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  const auto list = [](const Point& p) {
+    return fmt::format("[{},{},{}]", static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
+  };
+  return fmt::format(R"("min":{},"max":{})", list(low), list(high));
+}
+
+std::string glb_of_chunks(std::string json, std::string binary) {
+  if (json.size() + binary.size() > most_glb_bytes)
+    throw BadInput(fmt::format("a GLB holds {} bytes at most; write .ply or .bin", most_glb_bytes));
+  std::string chunks;
+  put_chunk(chunks, std::move(json), 0x4E4F534A, ' ');     // JSON
+  put_chunk(chunks, std::move(binary), 0x004E4942, '\0');  // BIN
+  std::string glb = "glTF";
+  put(glb, 2);
+  put(glb, static_cast<std::uint32_t>(12 + chunks.size()));
+  return glb + chunks;
 }
 
 std::string glb_bytes(const StripFile& file, const GlbExtension& extension) { return GlbWriter(file, extension).run(); }

@@ -1,6 +1,7 @@
 // Binary glTF 2.0, written by hand: points, attributes and one kind of primitives.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,11 @@ struct GlbExtension {
   std::string_view name;  ///< empty: there is none
   std::string_view bytes;
 };
+
+/// A GLB of these two chunks. Throws BadInput where they are too large.
+[[nodiscard]] std::string glb_of_chunks(std::string json, std::string binary);
+/// The least and the greatest coordinates, as an accessor says them.
+[[nodiscard]] std::string bounds_of(std::span<const Point> points);
 
 /// Throws BadInput where a GLB cannot hold the mesh.
 [[nodiscard]] std::string glb_bytes(const StripFile& file, const GlbExtension& extension = {});
