@@ -10,7 +10,7 @@
 namespace restrip::verify {
 namespace {
 
-constexpr std::size_t most_members = 64;  // of any list in a pattern
+constexpr std::size_t most_listed = 64;  // of any list in a pattern
 
 /// Puts a side together and holds it against the limits.
 class SideBuilder {
@@ -162,7 +162,7 @@ class PatternReader {
     std::vector<JsonValue> values;
     if (const std::optional<JsonValue> single_one = value_.member(one)) values.push_back(*single_one);
     if (const std::optional<JsonValue> list = value_.member(more))
-      for (const JsonValue& item : list->list("a list of lists", most_members)) values.push_back(item);
+      for (const JsonValue& item : list->list("a list of lists", most_listed)) values.push_back(item);
     return values;
   }
 
@@ -170,7 +170,7 @@ class PatternReader {
     for (const bool ring : {true, false})
       for (const JsonValue& chain : ring ? one_or_more("ring", "rings") : one_or_more("path", "paths")) {
         chains_.push_back({chain, ring, {}});
-        for (const JsonValue& part : chain.list("a list of triangles", most_members)) {
+        for (const JsonValue& part : chain.list("a list of triangles", most_listed)) {
           const TriangleNames element = elements_.read(part);
           std::vector<std::string>& triangles = chains_.back().triangles;
           triangles.insert(triangles.end(), element.begin(), element.end());
@@ -212,7 +212,7 @@ class PatternReader {
   void add_ports(SideBuilder& builder) {
     const std::optional<JsonValue> ports = value_.member("ports");
     if (ports) {
-      for (const JsonValue& port : ports->list("the triangle of each port", most_members))
+      for (const JsonValue& port : ports->list("the triangle of each port", most_listed))
         for (const std::string& owner : elements_.read(port)) builder.add_port(port, number_of(port, owner));
     } else {
       for (unsigned i = 0; i < indexed_; ++i) builder.add_port(value_, i);
