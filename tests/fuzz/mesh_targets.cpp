@@ -8,6 +8,7 @@
 #include "lod/coloring_check.hpp"
 #include "lod/mesh_formats.hpp"
 #include "lod/pm_file.hpp"
+#include "lod/progressive_gltf.hpp"
 #include "lod/simplify.hpp"
 #include "meshes/file_strips.hpp"
 #include "meshes/mend.hpp"
@@ -106,6 +107,8 @@ std::function<bool(std::string_view)> refusing(Read&& read) {
   };
 }
 
+std::string no_other_file(const std::string& /*name*/) { throw BadInput("f: there is no other file"); }
+
 bool check_pm(std::string_view bytes) {
   const ProgressiveMesh mesh = parse_pm(bytes, "f");
   promise(mesh.points.size() * 12 < bytes.size(), "there are no more vertices than bytes for them");
@@ -116,6 +119,12 @@ bool check_pm(std::string_view bytes) {
     promise(record.v_s < record.v_t && record.v_t < mesh.points.size(), "a vertex is split that is there already");
     for (const Vertex apex : {record.v_l, record.v_r})
       promise(apex == none || apex < record.v_t, "an apex is there already");
+  }
+  try {
+    const ProgressiveMesh again = parse_progressive_gltf(progressive_glb_bytes(mesh), "g", no_other_file);
+    promise(again.splits.size() == mesh.splits.size(), "a progressive mesh in a GLB is read as it was");
+  } catch (const BadInput&) {
+    // splits that are not possible, or at a boundary
   }
   return true;
 }
@@ -133,8 +142,6 @@ bool play_baked(std::string_view bytes) {
   promise(baked_bytes(parse_baked(again, "g")) == again, "a baked mesh that was written is read");
   return true;
 }
-
-std::string no_other_file(const std::string& /*name*/) { throw BadInput("f: there is no other file"); }
 
 bool play_baked_gltf(std::string_view bytes) {
   const BakedBytes found = parse_baked_gltf(bytes, "f", no_other_file);
@@ -246,7 +253,8 @@ std::vector<Target> mesh_targets() {
        with_attributes(read_obj),
        10000},
       {"off",
-       {mesh_bytes(shape, ".off"), "COFF # c\n4 2 0\n0 0 0 1 1 1 1\n1 0 0\n0 1 0\n\n1 1 0.5\n3 0 1 2 9\n4 0 1 3 2\n"},
+       {mesh_bytes(shape, ".off"), "COFF # c\n4 2 0\n0 0 0 1 1 1 1\n1 0 0\n0 1 0\n\n1 1 0.5\n3 0 1 2 9\n4 0 1 3 2\n",
+        "STN4nOFF 3 3 1 0 0 0 0 1 0 0 1 0 0 1 0 0 1 0 0 1 1 0 0 1 0 1 0 0 1 0 1 3 0 1 2"},
        soup(read_off),
        10000},
       {"ply",

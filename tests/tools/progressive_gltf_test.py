@@ -118,6 +118,14 @@ for arguments, words in (((scratch / "square.pm",), "is at a boundary, for which
                          ((scratch / "torus.obj",), "has no levels; restrip simplify makes some")):
     said = run("convert", *arguments, "-o", scratch / "never.glb", "--gltf", "progressive", code=2).stderr
     assert words in said and arguments[0].name in said and not (scratch / "never.glb").exists(), said
+# A split of a vertex that no triangle uses: fuzzing found it.
+corners = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))
+(scratch / "unused.pm").write_bytes(b"ProgMesh" + struct.pack("<3I15f", 5, 4, 1, *[0.0] * 3, 1, 0, 0, 0, 1, 0, 0, 0, 1, 9, 9, 9)
+                                    + b"".join(struct.pack("<3I", *c) for c in corners) + struct.pack("<3f3i", 1, 1, 1, 4, 1, 0))
+for out in ("never.glb", "never.pm"):
+    said = run("convert", scratch / "unused.pm", "-o", scratch / out, *(("--gltf", "progressive") if out.endswith("glb") else ()),
+               code=2).stderr
+    assert "unused.pm: split 0 (4 -> 5) is not possible" in said and not (scratch / out).exists(), said
 said = run("convert", scratch / "torus.obj", "-o", scratch / "never.pm", code=2).stderr
 assert "has no levels; restrip simplify makes some" in said, said
 
