@@ -162,9 +162,10 @@ class Session {
     const Upload upload = buffer_.update(mesh_, changed_, options);
     changed_.clear();
     given_.assign(upload.begin(), upload.end());
-    if (!std::exchange(begun_, false))
+    const bool first = std::exchange(begun_, false);
+    if (!first)
       for (const IndexRange& range : given_) figures_.indices_written += static_cast<std::uint32_t>(range.count);
-    outgrown_ = upload.outgrown;
+    outgrown_ = upload.outgrown || first;
     return given_;
   }
   [[nodiscard]] const LiveBuffer& buffer() const noexcept { return buffer_; }
