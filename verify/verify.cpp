@@ -8,6 +8,7 @@
 
 #include "certificate/manifest.hpp"
 #include "judge/family_report.hpp"
+#include "judge/index_cost.hpp"
 #include "judge/operation_header.hpp"
 #include "judge/table_dump.hpp"
 #include "linked/linked_check.hpp"
@@ -179,6 +180,8 @@ class Verification {
       if (!chosen(family.name)) continue;
       const std::size_t count = tasks_of(family, nullptr).size();
       report_family(family, rules_of(family), rest.first(count), options_.second_formulation, listener_);
+      if (const Certificate* rules = rules_of(family))
+        report_index_cost(family, *rules, std::max(1U, options_.threads), listener_);
       rest = rest.subspan(count);
     }
     for (const LinkedFamily& family : linked_)

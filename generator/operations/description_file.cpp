@@ -278,9 +278,9 @@ void expect_numbers_once(const JsonValue& value, const std::vector<std::string>&
 /// The verifier holds every rule against these bounds.
 void expect_bounds(const JsonValue& value, const std::vector<std::string>& numbers) {
   for (const JsonValue& bound : value.elements("bounds")) {
-    bound.expect_members({"where", "strips", "isolated"});
+    bound.expect_members({"where", "strips", "isolated", "indices"});
     if (bound.has("where")) formula(bound["where"], numbers, parse_conditions);
-    for (const char* member : {"strips", "isolated"})
+    for (const char* member : {"strips", "isolated", "indices"})
       if (bound.has(member)) static_cast<void>(bound[member].number(-16, 16, "a number"));
   }
 }

@@ -90,7 +90,7 @@ FILES = [
     ("the automaton", "include/restrip/tables/automaton.hpp", token("1, 2, 3, 4, 5,", "1, 2, 3, 4, 6,"), "automaton.hpp: wrong checksum"),
     ("a certificate", "certificates/flip.cert", token("rule 0 0 1 0", "rule 0 0 0 0"), "flip.cert: wrong checksum"),
     ("the rows of a header in the MANIFEST", "MANIFEST", token(" 12411 include", " 999 include"), "split.hpp: 999 rows listed, 12411 found"),
-    ("families", "families.json", token('"at_most": [{"strips": 1, "isolated": 2}]', '"at_most": [{"strips": 1, "isolated": 3}]'), "families.json: wrong checksum"),
+    ("families", "families.json", token('"at_most": [{"strips": 1, "isolated": 2, "indices": 4}]', '"at_most": [{"strips": 1, "isolated": 3, "indices": 4}]'), "families.json: wrong checksum"),
 ]
 # Of its look-up in C, which prints its answers as a dump.
 OPERATION_IN_C = [

@@ -167,10 +167,11 @@ void expect_limits(const JsonValue& description, const Operation& operation) {
 
 void take_bounds(const JsonValue& value, const std::vector<std::string>& numbers, Operation& operation) {
   for (const JsonValue& bound : value.list("a list of bounds", most_bounds)) {
-    bound.expect_object({"where", "strips", "isolated"});
+    bound.expect_object({"where", "strips", "isolated", "indices"});
     const bool holds = conditions_of(bound, numbers, "where").hold(operation.numbers);
     lower(operation.most_strips, bound.member("strips"), holds);
     lower(operation.most_isolated, bound.member("isolated"), holds);
+    lower(operation.most_indices, bound.member("indices"), holds);
   }
 }
 

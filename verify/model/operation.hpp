@@ -68,6 +68,7 @@ struct Operation {
   std::vector<Criterion> cost;       ///< the default is written out
   std::optional<int> most_strips;    ///< as the description claims: no rule costs more
   std::optional<int> most_isolated;  ///< the same of isolated triangles
+  std::optional<int> most_indices;   ///< no operation adds more to 3 strips + swaps (judge/index_cost.hpp)
 
   bool on_a_mesh() const { return vertices != 0; }
   unsigned ports() const { return before.ports(); }
