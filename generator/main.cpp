@@ -101,13 +101,6 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   auto* shard_option = tables_command->add_option(
       "--shard", tables.shard, "I/N: solve only the I-th of N shares and write DIR/shard-I-of-N.txt, for `merge`");
-  const std::map<std::string, Goal> goals{{"strips", Goal::strips}, {"indices", Goal::indices}};
-  tables_command
-      ->add_option("--tie-break", tables.goal,
-                   "Between equally good rules: strips that stay long, or fewer indices in a plain strip")
-      ->transform(CLI::CheckedTransformer(goals))
-      ->default_str("strips")
-      ->excludes(shard_option);
   add_language_option(*tables_command, tables.languages, "headers, certificates and MANIFEST", "data")
       ->excludes(shard_option);
   add_force_option(*tables_command, tables.force);

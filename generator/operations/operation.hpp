@@ -43,21 +43,8 @@ struct Patch {
   Side after;
 };
 
-/// docs/operation-file.md says what each counts. `swaps` is for fans alone: pairs of neighbours that a strip passes
-/// with two turns the same way.
-enum class Count {
-  strips,
-  isolated,
-  given_up,
-  kept,
-  joined,
-  solid,
-  ends,
-  ends_at_port,
-  neighbouring_ends,
-  squares,
-  swaps
-};
+/// docs/operation-file.md says what each counts.
+enum class Count { strips, isolated, given_up, kept, joined, solid, ends, ends_at_port, neighbouring_ends, squares };
 
 struct Term {
   static constexpr Mask all = ~Mask{0};

@@ -34,7 +34,7 @@ Mask edges_at(const Side& side, Mask nodes, int ends) {
 
 }  // namespace
 
-Criterion tie_break(const Position& position, const Side& after, Sight sight, Goal goal) {
+Criterion tie_break(const Position& position, const Side& after, Sight sight) {
   const Description& family = *position.family;
   if (family.own_cost || family.constraint.most_edges != 2) return {};
   // Where one of two ports has to be given up, either will do: this has been the flip's choice from the start.
@@ -57,16 +57,14 @@ Criterion tie_break(const Position& position, const Side& after, Sight sight, Go
     terms.push_back({Count::solid, weight.solid_chord, chord});
     terms.push_back({Count::solid, weight.solid_in_first_arc, first_arc});
   }
-  constexpr std::int64_t above_all = 1000;
-  if (goal == Goal::indices) terms.push_back({Count::swaps, above_all});
   return terms;
 }
 
-Operation operation_of_rows(const Position& position, Sight sight, Goal goal) {
+Operation operation_of_rows(const Position& position, Sight sight) {
   Operation operation = operation_at(position, patch_of_rows(position));
   // Linked rules keep every port.
   if (sight == Sight::outside) operation.may_give_up = 0;
-  operation.tie_break = tie_break(position, operation.patch.after, sight, goal);
+  operation.tie_break = tie_break(position, operation.patch.after, sight);
   return operation;
 }
 

@@ -10,17 +10,11 @@ namespace restrip::generator {
 /// own weights.
 enum class Sight { patch, outside };
 
-/// What rules are preferred for, where strips and isolated triangles leave a choice.
-enum class Goal {
-  strips,  ///< long strips after thousands of operations
-  indices  ///< few swaps: two turns the same way in a row, each of which costs a plain strip one index
-};
-
 /// What the rows of a position act on (patch_of_rows), and what they are preferred for.
-[[nodiscard]] Operation operation_of_rows(const Position& position, Sight sight, Goal goal);
+[[nodiscard]] Operation operation_of_rows(const Position& position, Sight sight);
 
 /// The tie-break of a position where `after` is its side after: nothing for descriptions of single operations and for
 /// those with a constraint or a cost of their own.
-[[nodiscard]] Criterion tie_break(const Position& position, const Side& after, Sight sight, Goal goal);
+[[nodiscard]] Criterion tie_break(const Position& position, const Side& after, Sight sight);
 
 }  // namespace restrip::generator

@@ -29,30 +29,6 @@ Degrees degrees(const Side& side, const Coloring& coloring, Mask ports) {
   return d;
 }
 
-/// Swaps inside the patch. Ring and path edges come in order, a chord after them. Along the ring a fan triangle is
-/// passed with a left turn and left or entered over its port with a right one; at an inserted triangle, which points
-/// outward, it is the other way round, the chord being its port.
-int swaps(const Side& after, const Coloring& coloring, Mask ports) {
-  const auto fan = static_cast<unsigned>(after.owner.size());
-  const bool chord = after.nodes == fan + 2;
-  const std::size_t along = after.edges.size() - (chord ? 1 : 0);
-  const auto solid = [&](std::size_t e) { return (coloring.inner >> e & 1U) != 0; };
-  const bool chord_solid = chord && solid(along);
-  std::vector<int> below(after.nodes, 0);
-  std::vector<int> above(after.nodes, 0);
-  for (std::size_t e = 0; e < along; ++e) above[after.edges[e].u] = below[after.edges[e].v] = solid(e) ? 1 : 0;
-  const auto third = [&](unsigned node) { return node < fan ? (ports >> node & 1U) != 0 : chord_solid; };
-  const auto passed = [&](unsigned node) { return below[node] + above[node] + (third(node) ? 1 : 0) == 2; };
-  const auto left_turn = [&](unsigned node) { return (node < fan) != third(node); };
-  int count = 0;
-  for (std::size_t e = 0; e < along; ++e) {
-    const auto [u, v] = after.edges[e];
-    count += solid(e) && passed(u) && passed(v) && left_turn(u) == left_turn(v) ? 1 : 0;
-  }
-  if (chord_solid && passed(fan) && passed(fan + 1)) count += below[fan] == above[fan + 1] ? 1 : 0;
-  return count;
-}
-
 /// What the criteria add up to of a colouring after the operation whose ports `kept` are solid, out of `ports`. Depends
 /// on the patch alone, never on the machine.
 CriterionValues values_of(const Operation& operation, const Coloring& coloring, const Outcome& outcome, Mask ports,
@@ -93,8 +69,6 @@ CriterionValues values_of(const Operation& operation, const Coloring& coloring, 
         for (const Mask strip : coloring.strips) sum += std::popcount(strip) * std::popcount(strip);
         return sum;
       }
-      case Count::swaps:
-        return swaps(after, coloring, kept);
     }
     throw std::logic_error("a count without a meaning");
   };

@@ -210,7 +210,7 @@ std::vector<std::string> certificates_of(const std::vector<Description>& descrip
   return names;
 }
 
-std::vector<Patches> patches_of(const std::vector<Description>& descriptions, unsigned max_k, Goal goal) {
+std::vector<Patches> patches_of(const std::vector<Description>& descriptions, unsigned max_k) {
   std::vector<Patches> sections;
   std::vector<Patches> linked;
   for (const std::string& certificate : certificates_of(descriptions)) {
@@ -227,8 +227,8 @@ std::vector<Patches> patches_of(const std::vector<Description>& descriptions, un
             [&](const Patches& other) { return position_text(other.position) == position_text(position); });
         if (section == sections.end()) {
           const Position rows = position_of_rows(position);
-          section = sections.insert(section, {certificate, rows, {}, false, goal});
-          if (description.linked) linked.push_back({"linked-" + certificate, rows, {}, true, goal});
+          section = sections.insert(section, {certificate, rows, {}, false});
+          if (description.linked) linked.push_back({"linked-" + certificate, rows, {}, true});
         }
         expect_served(position, section->position);
         section->serves.push_back(position);
@@ -241,8 +241,7 @@ std::vector<Patches> patches_of(const std::vector<Description>& descriptions, un
 
 Section solve(Patches patches, Watched watched) {
   Section section{{std::move(patches)}, {}, {}, 1, {}, {}};
-  const Operation rows_of =
-      operation_of_rows(section.position, section.linked ? Sight::outside : Sight::patch, section.goal);
+  const Operation rows_of = operation_of_rows(section.position, section.linked ? Sight::outside : Sight::patch);
   if (section.linked) {
     find_alternatives(section, rows_of);
   } else {

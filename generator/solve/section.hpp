@@ -54,7 +54,6 @@ struct Patches {
   Position position;             ///< family and valence, and the place unless they serve every one
   std::vector<Position> serves;  ///< the positions whose configurations these rules answer
   bool linked = false;
-  Goal goal = Goal::strips;
 };
 
 /// The solution.
@@ -88,8 +87,7 @@ void share_sections(const std::vector<Any>& sections, unsigned threads, Watched 
 
 /// The sections of these certificates in order, for valences up to max_k (at most 13, so that a recolouring has 16
 /// bits): rules first, then linked rules.
-[[nodiscard]] std::vector<Patches> patches_of(const std::vector<Description>& descriptions, unsigned max_k,
-                                              Goal goal = Goal::strips);
+[[nodiscard]] std::vector<Patches> patches_of(const std::vector<Description>& descriptions, unsigned max_k);
 
 /// Rows and claims, by exhaustive search, reduced by symmetry. Threads may solve different sections at the same time.
 /// Throws std::runtime_error that names operation and configuration when one has no sound recolouring.

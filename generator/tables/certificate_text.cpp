@@ -71,7 +71,7 @@ void add_rules(Out out, const Section& section, Watched watched) {
                  claims.configurations, claims.valid, claims.orbits, claims.valid_orbits);
   fmt::format_to(out, "claim keys {}\nclaim costing {}\nclaim worst-strips {}\nclaim worst-isolated {}\n",
                  section.rows.size(), claims.costing, claims.worst_strips, claims.worst_isolated);
-  const Operation operation = operation_of_rows(section.position, Sight::patch, section.goal);
+  const Operation operation = operation_of_rows(section.position, Sight::patch);
   std::optional<Reasoner> reasoner;
   if (has_reasons(operation)) reasoner.emplace(operation);
   // The rule row of an orbit is its first line, whichever the search began with.

@@ -102,7 +102,7 @@ std::string command(const Shard& shard, unsigned max_k, const fs::path& director
 }
 
 void read_rules(Section& section, Reader& reader) {
-  const Operation operation = operation_of_rows(section.position, Sight::patch, section.goal);
+  const Operation operation = operation_of_rows(section.position, Sight::patch);
   const Side& after = operation.patch.after;
   const Mask inner_end = Mask{1} << after.edges.size();
   std::tuple<Mask, std::size_t, std::string_view> last{};
@@ -129,7 +129,7 @@ void read_rules(Section& section, Reader& reader) {
 }
 
 void read_alternatives(Section& section, Reader& reader) {
-  const Operation operation = operation_of_rows(section.position, Sight::outside, section.goal);
+  const Operation operation = operation_of_rows(section.position, Sight::outside);
   const Side& after = operation.patch.after;
   const std::vector<Coloring> colorings = legal_colorings(after, operation.constraint);
   Mask lists = 0;

@@ -196,7 +196,7 @@ void make_tables(const TablesOptions& options) {
   const bool certified = options.languages.contains("c++");
 
   const std::vector<Description>& described = families();
-  std::vector<Patches> patches = patches_of(described, options.max_k, options.goal);
+  std::vector<Patches> patches = patches_of(described, options.max_k);
   if (!certified) std::erase_if(patches, std::mem_fn(&Patches::linked));  // other languages have no lists
   std::vector<Section> solved = solve_all(patches, options.threads, Watched::yes);
   const std::vector<Certificate> certificates =

@@ -13,7 +13,6 @@ struct TablesOptions {
   std::string shard;  ///< "I/N", or empty for everything
   unsigned max_k = 8;
   unsigned threads = 1;
-  Goal goal = Goal::strips;
   std::set<std::string> languages{"c++"};  ///< of language_files()
   bool force = false;                      ///< make them whether or not the folder has them, and keep no record of it
   std::string json;                        ///< file for a list of what was written, "-" for standard output, or empty
