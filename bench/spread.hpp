@@ -68,7 +68,7 @@ struct Ground {
 [[nodiscard]] inline Ground make_ground(std::size_t triangles, Effort effort, std::size_t sites) {
   const tools::Soup soup = tools::make_mesh(triangles);
   Ground ground{StripMesh::build(soup.triangles, soup.points.size()), {}};
-  stripify(ground.mesh, effort);
+  stripify(ground.mesh, effort, Cost::strips());
   ground.sites = spread_out_sites(ground.mesh, sites);
   return ground;
 }

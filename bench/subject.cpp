@@ -26,7 +26,7 @@ Subject make(const std::string& name) {
   Subject made;
   made.mesh = tools::simplify(read(name)).mesh;
   made.base = StripMesh::build(made.mesh.base, made.mesh.points.size());
-  stripify(made.base, Effort::full);
+  stripify(made.base, Effort::full, Cost::strips());
   made.triangles = made.mesh.fine_triangles();
   return made;
 }

@@ -30,8 +30,8 @@ struct Record {
 
 int main() {
   StripMesh mesh = sheet(60);
-  restrip::stripify(mesh, restrip::Effort::full);
-  restrip::Keeper keeper(mesh, restrip::Policy::quick);
+  restrip::stripify(mesh, restrip::Effort::full, restrip::Cost::strips());
+  restrip::Keeper keeper(mesh, restrip::Policy::quick, restrip::Cost::strips());
 
   std::vector<restrip::Triangle> changed;
   mesh.watch(&changed);

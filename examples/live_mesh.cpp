@@ -8,7 +8,7 @@ int main() {
   restrip::LiveMesh live(triangles, 41 * 41, {.history = 10'000});  // strips from scratch; upload live.indices() once
   const auto make_buffer = [](std::size_t) {};                      // with room for that many indices
   make_buffer(live.room());
-  const auto end_of_frame = [&live] {
+  const auto end_of_frame = [&] {
     std::size_t written = 0;
     const auto ranges = live.update();
     if (ranges.outgrown) make_buffer(live.room());            // then the only range is everything
@@ -23,4 +23,7 @@ int main() {
   end_of_frame();
   live.undo();  // the split: the very triangles, strips and indices there were
   end_of_frame();
+  const auto& rules = live.rule_counts();
+  std::printf("%d rules asked: %d taken, %d kept colours as good; then %d improved\n", int(rules.asked),
+              int(rules.taken), int(rules.kept), int(rules.improved));
 }

@@ -38,8 +38,8 @@ int main(int argc, char** argv) {
   std::printf("| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
   for (const restrip::PolicyRow& row : restrip::policies) {
     restrip::StripMesh mesh = restrip::StripMesh::build(indices, vertices);
-    restrip::stripify(mesh);
-    restrip::Keeper keeper(mesh, row.policy);
+    restrip::stripify(mesh, restrip::Effort::fast, restrip::Cost::strips());
+    restrip::Keeper keeper(mesh, row.policy, restrip::Cost::strips());
     std::array<std::size_t, 9> gone{};  // by valence
     std::mt19937 random(1);
     for (int tries = 0; tries < 1'000'000 && mesh.triangle_count() > indices.size() / 6; ++tries) {

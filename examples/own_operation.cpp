@@ -41,8 +41,8 @@ int main(int argc, char** argv) {
   std::printf("| policy | operations | triangles | strips | triangles a strip |\n| --- | --- | --- | --- | --- |\n");
   for (const restrip::PolicyRow& row : restrip::policies) {
     restrip::StripMesh mesh = restrip::StripMesh::build(indices, vertices);
-    restrip::stripify(mesh);
-    restrip::Keeper keeper(mesh, row.policy);
+    restrip::stripify(mesh, restrip::Effort::fast, restrip::Cost::strips());
+    restrip::Keeper keeper(mesh, row.policy, restrip::Cost::strips());
     const std::size_t wanted = std::min<std::size_t>(10'000, indices.size() / 3 / 6);
     std::size_t done = 0;
     std::mt19937 random(1);

@@ -49,7 +49,7 @@ restrip::BakedRecords<StripMesh::Halfedge> bake(const StripMesh& base, const std
   restrip::BakedRecords<StripMesh::Halfedge> baked;
   StripMesh wanted = base;
   StripMesh plain = base;
-  restrip::Keeper keeper(wanted, restrip::Policy::full);
+  restrip::Keeper keeper(wanted, restrip::Policy::full, restrip::Cost::strips());
   for (const SplitRecord& record : records) {
     keeper.split(record.where(wanted), record.v_t);
     restrip::split_baked(plain, record.where(plain), {}, record.v_t);
@@ -70,7 +70,7 @@ restrip::BakedRecords<StripMesh::Halfedge> bake(const StripMesh& base, const std
 int main() {
   StripMesh mesh = cylinder(40);
   const std::vector<SplitRecord> records = coarsen(mesh);
-  restrip::stripify(mesh, restrip::Effort::full);
+  restrip::stripify(mesh, restrip::Effort::full, restrip::Cost::strips());
   const auto baked = bake(mesh, records);
   std::printf("%zu records, %zu flips\n", records.size(), baked.flips.size());
 

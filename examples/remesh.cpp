@@ -243,17 +243,18 @@ void run(const Surface& start, bool timed) {
   Bare alone(bare.mesh);
   Row scratch{"from scratch, fast"};
   const std::size_t operations = remesh(alone, bare.points, length, scratch);
-  scratch.stripifying = milliseconds([&] { scratch.strips = restrip::stripify(bare.mesh, restrip::Effort::fast); });
+  scratch.stripifying = milliseconds(
+      [&] { scratch.strips = restrip::stripify(bare.mesh, restrip::Effort::fast, restrip::Cost::strips()); });
   std::vector<Row> rows{scratch};
   // Stripified first, and kept.
   Surface striped = start;
-  const std::size_t before = restrip::stripify(striped.mesh, restrip::Effort::full);
+  const std::size_t before = restrip::stripify(striped.mesh, restrip::Effort::full, restrip::Cost::strips());
   for (const auto& [policy, way] : {std::pair{restrip::Policy::local, "kept, local"},
                                     {restrip::Policy::linked, "kept, linked"},
                                     {restrip::Policy::quick, "kept, quick"},
                                     {restrip::Policy::full, "kept, full"}}) {
     Surface kept = striped;
-    restrip::Keeper keeper(kept.mesh, policy);
+    restrip::Keeper keeper(kept.mesh, policy, restrip::Cost::strips());
     Row& row = rows.emplace_back(Row{way});
     const bool same = remesh(keeper, kept.points, length, row) == operations;
     const restrip::ColoringReport counted = restrip::check_coloring(kept.mesh);

@@ -36,7 +36,7 @@ class Terrain {
   Terrain() : mesh(StripMesh::build(std::vector<std::array<Vertex, 3>>{{0, 1, 2}, {0, 2, 3}}, 4)) {
     points_ = {{0, 0}, {side, 0}, {side, side}, {0, side}};
     tails_.resize(4);
-    restrip::stripify(mesh, restrip::Effort::fast);
+    restrip::stripify(mesh, restrip::Effort::fast, restrip::Cost::strips());
   }
 
   /// Merges what is too fine and bisects what is too coarse, seen from the camera.
@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
     if (!timed && !told_of) continue;
     StripMesh copy = terrain.mesh;
     const auto start = Clock::now();
-    restrip::stripify(copy, restrip::Effort::fast);
+    restrip::stripify(copy, restrip::Effort::fast, restrip::Cost::strips());
     from_scratch += Clock::now() - start;
     if (!told_of) continue;
     const auto report = [](const char* how, const StripMesh& mesh) {

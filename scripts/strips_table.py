@@ -44,7 +44,8 @@ class Program:
         base = [] if mesh.endswith(".baked") else ["--base", "0.02"]
         repeats = self.repeats if repeats is None else repeats
         timing = [] if repeats is None else ["--repeats", str(repeats)]
-        report = self.run("replay", mesh, *base, "--policy", *way.split(), *timing, *options)
+        cost = [] if "--cost" in options or mesh.endswith(".baked") else ["--cost", "strips"]
+        report = self.run("replay", mesh, *base, "--policy", *way.split(), *cost, *timing, *options)
         if not report["valid"]:
             sys.exit(f"{mesh}, {way}: {report['faults']}")
         return report
@@ -148,7 +149,7 @@ def brief_table(program, meshes, ways):
             "{:.1f}x, {:.1f}x".format(*times_bare(report)),
         ])
     for effort in ("fast", "full"):
-        report = program.run("stripify", meshes[0], "--effort", effort)
+        report = program.run("stripify", meshes[0], "--cost", "strips", "--effort", effort)
         line([f"from scratch, `stripify --effort {effort}`", f"{per_strip(report):,.1f}", "–", "–", "–", "–"])
 
 

@@ -58,7 +58,7 @@ struct restrip_mesh {
   Keeper keeper;
 
   explicit restrip_mesh(restrip::StripMesh built)
-      : mesh(std::move(built)), policy(RESTRIP_POLICY_LOCAL), keeper(mesh, restrip::Policy::local) {}
+      : mesh(std::move(built)), policy(static_cast<std::int32_t>(restrip::default_policy)), keeper(mesh) {}
   explicit restrip_mesh(std::unique_ptr<const restrip::BakedFile> baked)
       : file(std::move(baked)), mesh(base_of(*file)), policy(RESTRIP_POLICY_BAKED), keeper(mesh, file->records) {}
   /// With room for all levels.

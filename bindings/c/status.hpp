@@ -113,7 +113,7 @@ bool named(std::int32_t number, Enum last, Enum& out) noexcept {
 inline bool cost_of(const restrip_cost* given, Cost& out) noexcept {
   constexpr std::uint16_t most = 1000;
   if (given == nullptr) {
-    out = Cost::strips();
+    out = default_cost;
     return true;
   }
   out = {given->restart, given->swap, given->isolated};

@@ -1,6 +1,6 @@
 /// <reference lib="esnext.disposable" />
 // Triangle strips kept while the mesh changes. A mesh is a progressive mesh: a base and vertex splits, the *records*,
-// that lead from it to the fine mesh. Strips are kept by proven local rules, and further by the policy.
+// that lead from it to the fine mesh. Strips are kept by proven rules, and further by the policy.
 // README.md has a whole example.
 //
 // Misuse throws an Error whose message is a sentence: an argument out of its range, a number that is NaN, a call before

@@ -229,7 +229,7 @@ export class StripMesh {
 
   get hasBakedStrips() { return this.#wasm.restrip_has_baked_strips(this.#open) === 1; }
 
-  begin({ policy = 'quick', cost = 'strips', form = 'restart', bits = 32 } = {}) {
+  begin({ policy = 'quick', cost = 'indices', form = 'restart', bits = 32 } = {}) {
     if (!forms.includes(form)) throw new RangeError(`there is no form ${form}; there are ${forms.join(', ')}`);
     if (![16, 32, 'auto'].includes(bits)) throw new RangeError(`bits is ${String(bits)}; it must be 16, 32 or 'auto'`);
     if (bits === 16 && this.points.length > 3 * 0xffff) throw new RangeError('16 bits do not name all vertices; leave it to bits: \'auto\'');
@@ -308,7 +308,7 @@ export class StripMesh {
   get draws() { return this.#ranges(this.#wasm.restrip_draws(this.#kept)); }
   updateList({ whole: all = false } = {}) { return this.#ranges(this.#wasm.restrip_update_list(this.#kept, all ? 1 : 0)); }
   get listIndices() { return listAt(this.#wasm, this.#wasm.restrip_list(this.#kept), Uint32Array, 1); }
-  fromScratch({ cost = 'strips' } = {}) {
+  fromScratch({ cost = 'indices' } = {}) {
     return listAt(this.#wasm, this.#wasm.restrip_from_scratch(this.#kept, ...weights(cost)), Uint32Array, 1).slice();
   }
   #ranges(address) {

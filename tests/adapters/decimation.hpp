@@ -32,7 +32,7 @@ struct Placed {
 };
 
 inline Placed placed(StripMesh mesh, std::vector<std::array<double, 3>> points) {
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   return {std::move(mesh), std::move(points)};
 }
 

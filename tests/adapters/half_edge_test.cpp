@@ -52,9 +52,9 @@ TEST(HalfEdgeMesh, KeepsTheContract) { expect_contract_kept<Foreign>(); }
 /// frame to the buffer. The strips are the former ones, and operations continue from there.
 TEST(HalfEdgeMesh, UndoOfItsOwnerGoesWithStrips) {
   half_edge::Mesh mesh = copy_of(sample::rectangle(8, 8));
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   Watched watched(mesh);
-  Keeper keeper(watched, Policy::quick);
+  Keeper keeper(watched, Policy::quick, Cost::strips());
   StripBuffer buffer(watched);
   std::mt19937 random(5);
   int done = 0;

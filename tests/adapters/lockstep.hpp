@@ -62,6 +62,11 @@ class Lockstep {
       if (testing::Test::HasFatalFailure()) return;
     }
     compare();
+    const auto asked = mine_.policy() == Policy::bare ? 0 : static_cast<std::uint64_t>(done_[0] + done_[1] + done_[2]);
+    for (const RuleCounts& counts : {mine_.rule_counts(), theirs_.rule_counts()}) {
+      EXPECT_EQ(counts.asked, asked);
+      EXPECT_EQ(counts.taken + counts.kept, asked);
+    }
     EXPECT_GT(done_[0], operations / 20);
     EXPECT_GT(done_[1], operations / 20);
     EXPECT_GT(done_[2], operations / 20);

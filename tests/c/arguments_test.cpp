@@ -144,7 +144,7 @@ TEST(CArguments, NumbersOutOfRangeAreCodes) {
     EXPECT_EQ(restrip_mesh_stripify(m, 0, &wrong, 0, nullptr), RESTRIP_BAD_ARGUMENT);
     EXPECT_EQ(restrip_mesh_keep(m, RESTRIP_POLICY_LOCAL, &wrong), RESTRIP_BAD_ARGUMENT);
   }
-  EXPECT_EQ(restrip_mesh_policy(m), RESTRIP_POLICY_LOCAL);
+  EXPECT_EQ(restrip_mesh_policy(m), RESTRIP_POLICY_QUICK);
   // In no such state.
   const restrip_range* ranges = nullptr;
   const void* data = nullptr;
@@ -164,7 +164,7 @@ TEST(CArguments, NumbersOutOfRangeAreCodes) {
 
 TEST(CArguments, ShortArraysAreLeftAlone) {
   const Handle mesh = handle_of(sample::sphere(1));
-  ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, nullptr, 0, nullptr), RESTRIP_OK);
+  ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_strips, 0, nullptr), RESTRIP_OK);
   std::size_t needed = 0;
   ASSERT_EQ(restrip_mesh_strip_indices_u32(mesh.get(), nullptr, 0, &needed), RESTRIP_OK);
   std::vector<std::uint32_t> cells(needed, 77);
@@ -202,7 +202,7 @@ TEST(CArguments, VerticesBeyondSixteenBitsAreNotCut) {
 TEST(CArguments, OnlyValidColorsAreTaken) {
   const Handle mesh = handle_of(sample::octahedron());
   restrip_mesh* const m = mesh.get();
-  ASSERT_EQ(restrip_mesh_stripify(m, RESTRIP_EFFORT_FULL, nullptr, 0, nullptr), RESTRIP_OK);
+  ASSERT_EQ(restrip_mesh_stripify(m, RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
   const auto good = colors_of(m);
   ASSERT_EQ(restrip_mesh_set_colors(m, std::vector<std::uint8_t>(8, 0).data(), 8), RESTRIP_OK);
   EXPECT_EQ(strip_count(m), 8U);
@@ -303,9 +303,8 @@ std::size_t fail_everywhere(std::int32_t policy, const restrip_cost* cost,
 }
 
 TEST(CArguments, MemoryMayRunOut) {
-  constexpr restrip_cost fewest_indices = RESTRIP_FEWEST_INDICES;
   for (std::int32_t policy = RESTRIP_POLICY_BARE; policy <= RESTRIP_POLICY_BEST; ++policy)
-    for (const restrip_cost* cost : {static_cast<const restrip_cost*>(nullptr), &fewest_indices}) {
+    for (const restrip_cost* cost : {static_cast<const restrip_cost*>(nullptr), &fewest_strips}) {
       std::size_t failures = 0;
       failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
         return restrip_mesh_split(mesh, restrip_mesh_find(mesh, 0, 2), restrip_mesh_find(mesh, 0, 9), RESTRIP_NONE,
@@ -321,10 +320,11 @@ TEST(CArguments, MemoryMayRunOut) {
         const restrip_halfedge chord = restrip_mesh_find(mesh, 5, 6);  // a fan so large that a batch allocates for it
         return restrip_mesh_collapse_batch(mesh, &chord, 1, 1, nullptr, nullptr);
       });
-      failures += fail_everywhere(
-          policy, cost, [](restrip_mesh* mesh) { return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, nullptr); });
       failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
-        return restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FULL, nullptr, 0, nullptr);
+        return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, &fewest_strips);
+      });
+      failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
+        return restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr);
       });
       failures += fail_everywhere(policy, cost, [](restrip_mesh* mesh) {
         const std::uint8_t colors[80] = {};

@@ -122,8 +122,8 @@ TEST(CBaked, AnOperationOfOnesOwnLeavesTheLevels) {
             RESTRIP_NONE};
         return restrip_mesh_split_batch(mesh, &request, 1, 1, nullptr, nullptr);
       },
-      [](restrip_mesh* mesh) { return restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FAST, nullptr, 0, nullptr); },
-      [](restrip_mesh* mesh) { return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, nullptr); },
+      [](restrip_mesh* mesh) { return restrip_mesh_stripify(mesh, RESTRIP_EFFORT_FAST, &fewest_strips, 0, nullptr); },
+      [](restrip_mesh* mesh) { return restrip_mesh_keep(mesh, RESTRIP_POLICY_QUICK, &fewest_strips); },
       [](restrip_mesh* mesh) {
         return restrip_mesh_set_colors(mesh, colors_of(mesh).data(), restrip_mesh_triangle_bound(mesh));
       }};

@@ -61,9 +61,9 @@ TEST(CBatch, IsItsOperationsOneByOne) {
     for (const std::uint32_t threads : {1U, 2U, 0U}) {
       StripMesh mine = sample::rectangle(40, 30);
       const Handle mesh = handle_of(mine);
-      stripify(mine);
-      ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, nullptr, 0, nullptr), RESTRIP_OK);
-      ASSERT_EQ(restrip_mesh_keep(mesh.get(), policy, nullptr), RESTRIP_OK);
+      stripify(mine, Effort::fast, Cost::strips());
+      ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FAST, &fewest_strips, 0, nullptr), RESTRIP_OK);
+      ASSERT_EQ(restrip_mesh_keep(mesh.get(), policy, &fewest_strips), RESTRIP_OK);
       ASSERT_EQ(restrip_live_begin(mesh.get(), RESTRIP_LIST_U32), RESTRIP_OK);
       const auto any = [&] {
         return StripMesh::halfedge(static_cast<Triangle>(random() % mine.triangle_bound()),
@@ -115,7 +115,7 @@ TEST(CBatch, IsItsOperationsOneByOne) {
 TEST(CBatch, OneThatCannotBeDoneChangesNothing) {
   const Handle mesh = handle_of(sample::rectangle(12, 9));
   restrip_mesh* const m = mesh.get();
-  ASSERT_EQ(restrip_mesh_stripify(m, RESTRIP_EFFORT_FAST, nullptr, 0, nullptr), RESTRIP_OK);
+  ASSERT_EQ(restrip_mesh_stripify(m, RESTRIP_EFFORT_FAST, &fewest_strips, 0, nullptr), RESTRIP_OK);
   const auto corners = corners_of(m);
   const auto colors = colors_of(m);
   const std::uint32_t row = 13;

@@ -34,6 +34,8 @@ inline Handle handle_of(const StripMesh& mesh) {
   return Handle(made);
 }
 
+inline constexpr restrip_cost fewest_strips = RESTRIP_FEWEST_STRIPS;
+
 inline std::vector<std::uint8_t> colors_of(const restrip_mesh* mesh) {
   std::vector<std::uint8_t> colors(restrip_mesh_triangle_bound(mesh) + 1);  // never an array of null
   EXPECT_EQ(restrip_mesh_get_colors(mesh, colors.data(), colors.size()), RESTRIP_OK);

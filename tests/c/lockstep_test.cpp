@@ -235,7 +235,7 @@ TEST(CInterface, IsInStepWithTheLibrary) {
       for (const bool by_indices : {false, true}) {
         StripMesh mine = start;
         const Handle mesh = handle_of(start);
-        const restrip_cost* cost = by_indices ? &fewest_indices : nullptr;
+        const restrip_cost* cost = by_indices ? nullptr : &fewest_strips;
         std::size_t strips = 0;
         const int effort = policy % 2;
         ASSERT_EQ(restrip_mesh_stripify(mesh.get(), effort, cost, 0, &strips), RESTRIP_OK);
@@ -259,9 +259,9 @@ TEST(CInterface, BareOperationsTellWhatCountingFinds) {
     for (int round = 0; round < 4; ++round) {
       StripMesh mine = start;
       const Handle mesh = handle_of(start);
-      ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_BARE, nullptr), RESTRIP_OK);
-      ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, nullptr, 0, nullptr), RESTRIP_OK);
-      Keeper keeper(mine, Policy::local);
+      ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_BARE, &fewest_strips), RESTRIP_OK);
+      ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
+      Keeper keeper(mine, Policy::local, Cost::strips());
       play(mesh.get(), random, 120, told, [&](const Move& move, restrip_status status, const restrip_change& change) {
         const auto [refusal, rewrite] = apply(keeper, move);
         ASSERT_EQ(status, static_cast<restrip_status>(refusal));
@@ -337,10 +337,10 @@ void follow_live_buffer(int form, bool list, std::mt19937& random) {
   for (int round = 0; round < 12; ++round) {
     expect_drawn(device);
     if (round == 4) {
-      ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, nullptr, 0, nullptr), RESTRIP_OK);
+      ASSERT_EQ(restrip_mesh_stripify(mesh.get(), RESTRIP_EFFORT_FULL, &fewest_strips, 0, nullptr), RESTRIP_OK);
     }
     if (round == 8) {
-      ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_QUICK, nullptr), RESTRIP_OK);
+      ASSERT_EQ(restrip_mesh_keep(mesh.get(), RESTRIP_POLICY_QUICK, &fewest_strips), RESTRIP_OK);
     }
     Told told;
     play(mesh.get(), random, 25, told, [](const Move&, restrip_status, const restrip_change&) {});

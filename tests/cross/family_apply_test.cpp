@@ -63,7 +63,7 @@ TEST(FamilyApply, TellsWhatItChanged) {
   std::array<std::size_t, 9> done{};
   std::mt19937 random(8);
   for (StripMesh mesh : meshes()) {
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     ColoringReport last = check_coloring(mesh);
     for (int tries = 0; tries < 2000 && mesh.triangle_count() > 8; ++tries) {
       const Halfedge h = random_halfedge(mesh, random);
@@ -87,8 +87,8 @@ TEST(FamilyApply, IsKeptUnderEveryPolicy) {
   for (const PolicyRow& row : policies) {
     std::size_t done = 0;
     for (StripMesh mesh : meshes()) {
-      stripify(mesh);
-      Keeper keeper(mesh, row.policy);
+      stripify(mesh, Effort::fast, Cost::strips());
+      Keeper keeper(mesh, row.policy, Cost::strips());
       for (int tries = 0; tries < 2000 && mesh.triangle_count() > 8; ++tries) {
         const Halfedge h = random_halfedge(mesh, random);
         if (!checked_apply(keeper, position_of(family, {valence(mesh, h)}), h)) continue;

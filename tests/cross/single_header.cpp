@@ -112,11 +112,12 @@ void large_fan() {
 
 void by_keeper(restrip::Policy policy, const char* what) {
   StripMesh mesh = sheet(24);
-  restrip::stripify(mesh, policy == restrip::Policy::full ? restrip::Effort::full : restrip::Effort::fast);
+  restrip::stripify(mesh, policy == restrip::Policy::full ? restrip::Effort::full : restrip::Effort::fast,
+                    restrip::Cost::strips());
   std::vector<Triangle> changed;
   mesh.watch(&changed);
   restrip::StripBuffer buffer(mesh);
-  restrip::Keeper keeper(mesh, policy);
+  restrip::Keeper keeper(mesh, policy, restrip::Cost::strips());
   down_and_up(
       mesh, [&](Halfedge h) { restrip::checked_collapse(keeper, h); },
       [&](const restrip::VertexSplit<Halfedge>& where) { restrip::checked_split(keeper, where); });
@@ -130,7 +131,7 @@ void by_keeper(restrip::Policy policy, const char* what) {
 /// Split and collapse by flips decided beforehand.
 void by_record() {
   StripMesh mesh = sheet(2);
-  restrip::stripify(mesh);
+  restrip::stripify(mesh, restrip::Effort::fast, restrip::Cost::strips());
   restrip::BakedRecords<Halfedge> records;
   records.flips = {mesh.spoke(4, 5)};
   records.first = {0, 1};

@@ -41,7 +41,7 @@ bool play(Soup soup) {
   for (const Corners& t : soup.triangles)
     for (const std::uint32_t corner : t) promise(corner < soup.points.size(), "a corner is a vertex");
   StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   promise(find_faults(mesh).empty(), "strips from scratch are valid");
   if (!soup.strips.empty()) check_strips_of_file(soup);
   Mended mended;
@@ -184,7 +184,7 @@ std::string big_endian_ply() {
 std::string ply_of_strips() {
   const Soup shape = sheet(2);
   StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   const std::vector<std::uint32_t> indices = strip_indices(mesh);
   return strip_bytes(shape.points, indices, ".ply");
 }
@@ -205,7 +205,7 @@ Soup textured_sheet() {
 std::string glb_of_strips(StripForm form) {
   const Soup shape = textured_sheet();
   StripMesh mesh = StripMesh::build(shape.triangles, shape.points.size());
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   const std::vector<std::uint32_t> indices = strip_indices(mesh);
   return strip_bytes(shape.points, indices, ".glb", {form}, shape.attributes);
 }

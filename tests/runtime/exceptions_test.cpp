@@ -275,7 +275,7 @@ TEST(Exceptions, OfAllocationsLeaveAKeeperThatGoesOn) {
         ++begun[kind];
         for (std::size_t allocation = 0;; ++allocation) {
           StripMesh mesh = colored;
-          Keeper keeper(mesh, policy);
+          Keeper keeper(mesh, policy, Cost::strips());
           const auto operate = [&] {
             if (kind == 0) keeper.split(where);
             if (kind == 1) keeper.collapse(h);

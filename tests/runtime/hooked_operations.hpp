@@ -80,7 +80,7 @@ inline void expect_what_operations_give(HookRules rules) {
   const bool linked = rules == HookRules::linked;
   unsigned seed = 0;
   for (StripMesh& start : sample::meshes()) {
-    stripify(start);
+    stripify(start, Effort::fast, Cost::strips());
     StripMesh one = start;
     StripMesh two = start;
     std::mt19937 random(++seed);

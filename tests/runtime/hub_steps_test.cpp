@@ -47,7 +47,7 @@ void expect_linear(std::uint32_t n, Prepare&& prepare, Run&& run) {
   }
 }
 constexpr auto nothing = [](StripMesh&) {};
-constexpr auto fast = [](StripMesh& mesh) { stripify(mesh); };
+constexpr auto fast = [](StripMesh& mesh) { stripify(mesh, Effort::fast, Cost::strips()); };
 
 TEST(HubSteps, BuildingIsLinear) {
   std::array<std::array<Work, 2>, kinds> work;
@@ -73,7 +73,8 @@ TEST(HubSteps, StripsFromScratchAreLinear) {
 }
 
 TEST(HubSteps, SearchesFromScratchAreLinear) {
-  expect_linear(2'000, nothing, [](StripMesh& mesh) { stripify(mesh, Effort::full, 2 * mesh.triangle_count()); });
+  expect_linear(2'000, nothing,
+                [](StripMesh& mesh) { stripify(mesh, Effort::full, Cost::strips(), 2 * mesh.triangle_count()); });
 }
 
 // Walks along strips end at some length, and triangles without a flaw are not looked at one by one.

@@ -127,7 +127,7 @@ TEST(PreconditionDeathTest, EveryWayOfDoingAnOperation) {
   EXPECT_REFUSED(flip_and_link(mesh, {}), "flip_and_link", no_such_edge);
   EXPECT_REFUSED(mesh.turn_edge({}), "StripMesh::turn_edge", no_such_edge);
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
-    Keeper keeper(mesh, policy);
+    Keeper keeper(mesh, policy, Cost::strips());
     EXPECT_REFUSED(keeper.split(same), "Keeper::split", same_spoke);
     EXPECT_REFUSED(keeper.split({mesh.spoke(4, 0), mesh.spoke(4, 1)}, 2U), "Keeper::split", vertex_in_use);
     EXPECT_REFUSED(keeper.collapse({}), "Keeper::collapse", no_such_edge);
@@ -155,7 +155,7 @@ TEST(PreconditionDeathTest, OperationsOfOnesOwn) {
   EXPECT_REFUSED(apply(mesh, tables::bisect, inside), "apply", other_patch);
   StripMesh pointed = tetrahedron();
   EXPECT_REFUSED(apply(pointed, tables::join_faces, StripMesh::halfedge(0)), "apply", too_few_triangles);
-  Keeper keeper(mesh);
+  Keeper keeper(mesh, Policy::quick, Cost::strips());
   EXPECT_REFUSED(keeper.apply(tables::bisect, inside), "Keeper::apply", other_patch);
   const auto stay = [](const auto& patch) { return patch.side[0][0]; };
   EXPECT_REFUSED(keeper.apply(tables::bisect, inside, stay), "Keeper::apply", other_patch);
@@ -190,7 +190,7 @@ TEST(PreconditionDeathTest, EveryLookAtAMesh) {
 
 TEST(PreconditionDeathTest, StripsThatAreOutOfDate) {
   StripMesh mesh = sample::rectangle(3, 3);
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   const Strips strips = extract_strips(mesh);
   Halfedge solid = StripMesh::halfedge(strips.order[0], 0);
   while (!mesh.solid(solid)) solid = StripMesh::next(solid);
@@ -354,7 +354,7 @@ TEST(StripMeshLimit, AFullMeshSaysSoAndStaysAsItIs) {
   more.push_back({0, 1, 30});
   EXPECT_THROW((void)StripMesh::build(more, 31), std::length_error);
   StripMesh mesh = StripMesh::build(grid, 30);
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   const auto state = [&] {
     std::vector<std::array<std::uint32_t, 7>> all;
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {

@@ -10,11 +10,11 @@ namespace {
 TEST(OneInclude, IsEnough) {
   const std::vector<std::uint32_t> triangles{0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
   StripMesh mesh = StripMesh::build(triangles, 6);
-  EXPECT_EQ(stripify(mesh, Effort::full), 1U);
+  EXPECT_EQ(stripify(mesh, Effort::full, Cost::strips()), 1U);
   std::vector<Triangle> changed;
   mesh.watch(&changed);
   StripBuffer buffer(mesh);
-  Keeper keeper(mesh, Policy::quick);
+  Keeper keeper(mesh, Policy::quick, Cost::strips());
   const StripMesh::Halfedge spoke = mesh.spoke(4);
   const Checked up = checked_split(keeper, {spoke, turn_ccw(mesh, turn_ccw(mesh, spoke))});
   ASSERT_TRUE(up);

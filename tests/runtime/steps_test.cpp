@@ -59,14 +59,14 @@ TEST(Complexity, OperationsAreLinearInTheValenceUnderEveryPolicy) {
     for (const unsigned size : {0U, 1U}) {
       const Vertex k = 16'000U << size;
       StripMesh start = zigzags ? zigzag(k) : sample::double_cone(k);
-      if (!zigzags) stripify(start);
+      if (!zigzags) stripify(start, Effort::fast, Cost::strips());
       ASSERT_TRUE(check_coloring(start).valid);
       if (zigzags) {
         ASSERT_EQ(check_coloring(start).strips, 1U);
       }
       for (std::size_t p = 0; p < std::size(policies); ++p) {
         StripMesh mesh = start;
-        Keeper keeper(mesh, policies[p]);
+        Keeper keeper(mesh, policies[p], Cost::strips());
         Halfedge chord;
         split[p][size] = work_of([&] { chord = keeper.split(middle_of_the_fan(mesh, k)).halfedge; });
         collapse[p][size] = work_of([&] { keeper.collapse(chord); });
@@ -207,7 +207,7 @@ TEST(Complexity, NoUpdateOfABufferTakesLong) {
   Work longest[2];
   for (const unsigned size : {0U, 1U}) {
     StripMesh mesh = sample::torus(60, 60U << size);
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     StripBuffer buffer(mesh);
     buffer.reserve(mesh.triangle_bound());
     std::vector<Triangle> changed;
@@ -233,7 +233,7 @@ TEST(Complexity, SearchesAreLinearInTheirStates) {
   Work searching[2];
   for (const unsigned size : {0U, 1U}) {
     StripMesh torus = sample::torus(60, 60);
-    stripify(torus, Effort::full);
+    stripify(torus, Effort::full, Cost::strips());
     StripLocator locator(torus);
     Tunnel tunnel;
     std::size_t searches = 0;
@@ -279,9 +279,9 @@ TEST(Complexity, WindowsDoNotDependOnTheSizeOfTheMesh) {
 TEST(Complexity, OperationsAllocateNothing) {
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full, Policy::best}) {
     StripMesh mesh = sample::double_cone(40);
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     mesh.reserve(200, 200);
-    Keeper keeper(mesh, policy);
+    Keeper keeper(mesh, policy, Cost::strips());
     keeper.reserve(200);
     std::uint64_t allocations = 0;
     for (int round = 0; round < 200; ++round) {

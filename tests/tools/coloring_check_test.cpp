@@ -25,7 +25,7 @@ void close_a_cycle(StripMesh& mesh, Vertex v) {
 TEST(FindFaults, PassesGreedyStrips) {
   for (const Soup& soup : {tetrahedron(), sheet(6), bow_tie()}) {
     StripMesh mesh = mesh_of(soup);
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     EXPECT_TRUE(find_faults(mesh).empty());
     for (Vertex v = 0; v < mesh.vertex_bound(); ++v) EXPECT_EQ(find_fault_around(mesh, v), "");
   }
@@ -66,7 +66,7 @@ TEST(DecodeStrips, FollowsTheRulesOfTheCard) {
 
 TEST(DecodeStrips, GivesTheMeshBackAndNoticesAMissingIndex) {
   StripMesh mesh = mesh_of(sheet(7));
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   std::vector<std::uint32_t> indices = strip_indices(mesh, extract_strips(mesh));
   const auto expected = sorted_triangles(sheet(7).triangles);
   EXPECT_EQ(sorted_triangles(decode_strips(indices)), expected);

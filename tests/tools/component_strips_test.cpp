@@ -59,7 +59,7 @@ TEST(ComponentStrips, FollowSplits) {
   }
   EXPECT_GT(boundary_splits, 0U);
   EXPECT_GT(spared, 0U);
-  stripify(mesh, Effort::full);
+  stripify(mesh, Effort::full, Cost::strips());
   counts.recount(mesh);
   const ComponentStrips anew(mesh);
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) EXPECT_EQ(counts.can_spare(t), anew.can_spare(t)) << t;

@@ -64,7 +64,7 @@ struct Everything {
 
   explicit Everything(Soup soup) : mesh(std::move(soup)) {
     StripMesh strips = StripMesh::build(mesh.triangles, mesh.points.size());
-    stripify(strips);
+    stripify(strips, Effort::fast, Cost::strips());
     indices = strip_indices(strips);
     drawn = decode_strips(indices);
     progressive = simplify(mesh, {0.2, BoundaryPolicy::move}).mesh;

@@ -68,8 +68,10 @@ TEST_F(Program, FullCircle) {
   EXPECT_EQ(stats.code, 0);
   EXPECT_EQ(nlohmann::json::parse(stats.out).at("genus"), 1);
   EXPECT_EQ(run_program(fmt::format("simplify '{}' --base 0.1 -o '{}'", file("a.ply"), file("a.pm"))).code, 0);
-  const Outcome replay =
-      run_program(fmt::format("replay '{}' --repeats 1 --cycles 2 --walk 500 --seed 9 --json -", file("a.pm")), true);
+  const Outcome replay = run_program(
+      fmt::format("replay '{}' --policy local --cost strips --repeats 1 --cycles 2 --walk 500 --seed 9 --json -",
+                  file("a.pm")),
+      true);
   EXPECT_EQ(replay.code, 0);
   const auto json = nlohmann::json::parse(replay.out);  // and nothing else on either stream: silent in a pipe
   EXPECT_EQ(json.at("triangles"), nlohmann::json::parse(stats.out).at("triangles"));
@@ -79,8 +81,9 @@ TEST_F(Program, FullCircle) {
 
 TEST_F(Program, LargerSearchesKeepFewerStrips) {
   const auto strips = [](const std::string& states) {
-    const Outcome replay = run_program(fmt::format(
-        "replay --built-in --triangles {} --repeats 0 --policy quick --json - {}", test::large(20'000), states));
+    const Outcome replay =
+        run_program(fmt::format("replay --built-in --triangles {} --repeats 0 --policy quick --cost strips --json - {}",
+                                test::large(20'000), states));
     EXPECT_EQ(replay.code, 0);
     return nlohmann::json::parse(replay.out).at("levels").back().at("strips").get<int>();
   };
@@ -119,9 +122,10 @@ TEST_F(Program, ReplaysKeepIndicesFewWhereTheyAreTheCost) {
 
 TEST_F(Program, StripifyCountsStrips) {
   ASSERT_EQ(run_program(fmt::format("make-mesh --triangles 4000 -o '{}'", file("a.off"))).code, 0);
-  const auto fast = nlohmann::json::parse(run_program(fmt::format("stripify '{}' --json -", file("a.off"))).out);
-  const auto full =
-      nlohmann::json::parse(run_program(fmt::format("stripify '{}' --effort full --json -", file("a.off"))).out);
+  const auto fast =
+      nlohmann::json::parse(run_program(fmt::format("stripify '{}' --cost strips --json -", file("a.off"))).out);
+  const auto full = nlohmann::json::parse(
+      run_program(fmt::format("stripify '{}' --cost strips --effort full --json -", file("a.off"))).out);
   EXPECT_TRUE(fast.at("valid"));
   EXPECT_TRUE(full.at("valid"));
   EXPECT_FALSE(fast.contains("lower_bound_indices")) << "only --bound computes it";
@@ -150,9 +154,9 @@ TEST_F(Program, StripifyTellsWhatIndicesCost) {
     }
     return json;
   };
-  const auto strips = stripified("--effort full");
-  EXPECT_EQ(strips, stripified("--effort full --cost strips"));
-  const auto fast = stripified("--cost indices");
+  const auto strips = stripified("--effort full --cost strips");
+  const auto fast = stripified("");
+  EXPECT_EQ(fast, stripified("--effort fast --cost indices"));
   const auto full = stripified("--effort full --cost indices");
   EXPECT_EQ(full, stripified("--effort full --cost indices --seed 1"));
   const auto best = stripified("--effort best --cost indices --limit 300");
@@ -164,8 +168,9 @@ TEST_F(Program, StripifyTellsWhatIndicesCost) {
 
 TEST_F(Program, PoliciesKeepLongerStrips) {
   const auto strips_under = [&](const char* policy) {
-    const Outcome run = run_program(fmt::format(
-        "replay --built-in --triangles {} --repeats 0 --cycles 1 --policy {} --json -", test::large(6000), policy));
+    const Outcome run = run_program(
+        fmt::format("replay --built-in --triangles {} --repeats 0 --cycles 1 --policy {} --cost strips --json -",
+                    test::large(6000), policy));
     EXPECT_EQ(run.code, 0) << policy;
     return nlohmann::json::parse(run.out).at("levels").back().at("strips").get<int>();
   };
@@ -261,8 +266,11 @@ TEST_F(Program, ANegativeCountIsNamed) {
 }
 
 TEST_F(Program, JsonHasItsKeys) {
-  ASSERT_EQ(run_program(fmt::format("replay --built-in --triangles 3000 --repeats 1 --json '{}'", file("a.json"))).code,
-            0);
+  ASSERT_EQ(
+      run_program(fmt::format("replay --built-in --triangles 3000 --policy local --cost strips --repeats 1 --json '{}'",
+                              file("a.json")))
+          .code,
+      0);
   std::ifstream in(file("a.json"));
   const auto json = nlohmann::json::parse(in);
   for (const char* key : {"triangles", "operations", "operations_without_rule", "operations_isolating",

@@ -63,7 +63,7 @@ TEST(TrailSearch, EverySuccessIsOneStripLess) {
 TEST(TrailSearch, KeepsToItsBudget) {
   const Soup soup = make_mesh(2000);
   StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
-  stripify(mesh, Effort::full);
+  stripify(mesh, Effort::full, Cost::strips());
   StripLocator locator(mesh);
   TrailSearch search;
   ASSERT_EQ(locator.strips(), 1U);

@@ -19,7 +19,7 @@ namespace {
 
 StripMesh stripified(const Soup& soup) {
   StripMesh mesh = StripMesh::build(soup.triangles, soup.points.size());
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   return mesh;
 }
 

@@ -28,6 +28,7 @@ struct BakeCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;
   BakeOptions bake;
+  std::optional<Cost> cost;
   StripOptions strips;
   MendingOptions mending;
   std::string json;
@@ -98,13 +99,14 @@ Subcommand add_bake(CLI::App& app) {
                   "triangle of an exact window")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000'000}))
       ->capture_default_str();
-  add_cost_option(*sub, command.bake.cost);
+  add_cost_option(*sub, command.cost, command.bake.cost);
   add_mending_options(*sub, command.mending);
   add_json_option(*sub, command.json);
   add_strip_options(*sub, command.strips);
   sub->callback([sub, &command] {
     refuse_strip_options_elsewhere(*sub, command.out);
     command.simplify_given = simplify_options_given(*sub);
+    command.bake.cost = command.cost.value_or(command.bake.cost);
   });
   sub->footer("Example: restrip bake bunny.obj -o bunny.baked");
   return {sub, [kept] { return run(*kept); }};

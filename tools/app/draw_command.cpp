@@ -48,9 +48,9 @@ struct DrawCommand {
   NamedFile out;
   SimplifyOptions simplify;
   bool simplify_given = false;
-  std::string way;             ///< its name; empty: the usual one (ways.hpp)
-  Cost cost = Cost::strips();  ///< what is kept low
-  std::size_t triangles = 0;   ///< of the level, at least; 0: the finest one
+  std::string way;            ///< its name; empty: the usual one (ways.hpp)
+  std::optional<Cost> cost;   ///< what is kept low; by default what the policy can
+  std::size_t triangles = 0;  ///< of the level, at least; 0: the finest one
   Camera camera;
   PictureSize size;
   StripStyle style = StripStyle::faces;
@@ -114,8 +114,7 @@ Colored colored_by_policy(const Source& source, const DrawCommand& command) {
 /// The built-in mesh where none is named, and the strips of the file where no others are asked for.
 Colored colored(const DrawCommand& command) {
   if (command.mesh.empty()) return colored_by_policy(built_in_source(command), command);
-  const bool others =
-      command.triangles != 0 || command.simplify_given || !command.way.empty() || !(command.cost == Cost::strips());
+  const bool others = command.triangles != 0 || command.simplify_given || !command.way.empty() || command.cost;
   ReadMesh read = read_mesh_file(command.mesh);
   if (auto* soup = std::get_if<Soup>(&read); soup != nullptr && !others && !soup->strips.empty())
     return colored_as_in_file(std::move(*soup), command);

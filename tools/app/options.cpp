@@ -149,12 +149,12 @@ void add_json_option(CLI::App& app, std::string& json) {
   app.add_option("--json", json, "write the report as JSON to this file; - for standard output, in place of the text");
 }
 
-void add_cost_option(CLI::App& app, Cost& cost) {
+void add_cost_option(CLI::App& app, std::optional<Cost>& cost, const Cost& otherwise) {
   app.add_option_function<std::string>(
          "--cost", [&cost](const std::string& word) { cost = word == "indices" ? Cost::indices() : Cost::strips(); },
          "what is to be few: strips, or indices of plain triangle strips with primitive restart")
       ->check(CLI::IsMember({"strips", "indices"}))
-      ->default_str("strips");
+      ->default_str(otherwise == Cost::strips() ? "strips" : "indices");
 }
 
 std::vector<std::string> names_of_ways(bool (Way::*holds)() const noexcept) {
@@ -177,8 +177,8 @@ void add_policy_option(CLI::App& app, std::string& way) {
       ->check(CLI::IsMember(names));
 }
 
-void refuse_cost_elsewhere(const Cost& cost, const std::string& way) {
-  if (!(cost == Cost::strips()) && !way.empty() && !way_named(way).weighs())
+void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& way) {
+  if (cost && !(*cost == Cost::strips()) && !way.empty() && !way_named(way).weighs())
     throw CLI::ValidationError("--cost", fmt::format("--policy {} keeps the strips few; only {} know another cost", way,
                                                      fmt::join(names_of_ways(&Way::weighs), ", ")));
 }

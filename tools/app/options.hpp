@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,13 +39,14 @@ void add_mending_options(CLI::App& app, MendingOptions& options);
 void add_simplify_options(CLI::App& app, SimplifyOptions& options);
 [[nodiscard]] bool simplify_options_given(const CLI::App& app);
 void add_json_option(CLI::App& app, std::string& json);
-void add_cost_option(CLI::App& app, Cost& cost);
+/// `otherwise`: the cost where none is given, which help tells.
+void add_cost_option(CLI::App& app, std::optional<Cost>& cost, const Cost& otherwise = default_cost);
 /// --policy, by the names of ways.hpp.
 void add_policy_option(CLI::App& app, std::string& way);
 /// The ways of which that holds, by name.
 [[nodiscard]] std::vector<std::string> names_of_ways(bool (Way::*holds)() const noexcept);
 /// Throws CLI::ValidationError where the way, if one is named, knows no such cost.
-void refuse_cost_elsewhere(const Cost& cost, const std::string& way);
+void refuse_cost_elsewhere(const std::optional<Cost>& cost, const std::string& way);
 /// --gltf for .glb, --form for .bin, and for both --index, --batch-vertices and --batch-indices. They need the option
 /// `output`, if there is one. Where `progressive` is not null, --gltf progressive sets it: all levels, as
 /// MANYFOLD_mesh_progressive. refuse_strip_options_elsewhere() throws CLI::ValidationError for another output.

@@ -35,9 +35,9 @@ struct ReplayCommand {
   SimplifyOptions simplify;
   bool simplify_given = false;  ///< by the caller, not by default: refused where nothing is simplified
   ReplayOptions replay;
-  std::string way;             ///< its name; empty: the usual one (ways.hpp)
-  std::uint32_t states = 0;    ///< of each search of a way that searches; 0: its own
-  Cost cost = Cost::strips();  ///< what is kept low
+  std::string way;           ///< its name; empty: the usual one (ways.hpp)
+  std::uint32_t states = 0;  ///< of each search of a way that searches; 0: its own
+  std::optional<Cost> cost;  ///< what is kept low; by default what the policy can
   std::uint64_t walk_steps = 0;
   std::uint64_t seed = 1;
   NamedFile out;                  ///< where a level is written, with its strips; empty: nowhere
@@ -57,7 +57,7 @@ WalkTaken take_walk(const Source& source, const ReplayCommand& command, const Pl
   } else {
     mesh = StripMesh::build(source.original, source.mesh.points.size());
   }
-  stripify(mesh);
+  stripify(mesh, default_effort, plan.cost());
   WalkTaken taken{{command.walk_steps, command.seed}, {}};
   // A walk that fails is repeated on copies, and its trace is dropped.
   taken.report = walk(mesh, taken.options, [&](StripMesh& on) {

@@ -34,7 +34,7 @@ struct StripifyCommand {
   StripOptions strips;
   bool as_in_file = false;  ///< the strips that the file has, in place of the next four
   Effort effort = Effort::fast;
-  Cost cost = Cost::strips();
+  std::optional<Cost> cost;
   std::uint64_t limit = 0;  ///< of stripify(), for each triangle; 0: its own
   std::uint64_t seed = 1;
   bool order_for_cache = false;  ///< strips are written in an order for a vertex cache, not in that of the triangles
@@ -68,7 +68,8 @@ int run(const StripifyCommand& command) {
     if (command.as_in_file)
       in_file = color_as_in_file(mesh, soup, origin);
     else
-      stripify(mesh, command.effort, command.cost, command.limit * mesh.triangle_count(), command.seed);
+      stripify(mesh, command.effort, command.cost.value_or(default_cost), command.limit * mesh.triangle_count(),
+               command.seed);
   });
   Strips strips = extract_strips(mesh);
   std::vector<std::uint32_t> indices;
@@ -195,7 +196,7 @@ Subcommand add_stripify(CLI::App& app) {
     if (*seed && !anneals)
       throw CLI::ValidationError("--seed", "only --effort full and best with --cost indices draw at random");
   });
-  sub->footer("Example: restrip stripify bunny.obj --effort full --cost indices -o bunny.glb");
+  sub->footer("Example: restrip stripify bunny.obj --effort full -o bunny.glb");
   return {sub, [kept] { return run(*kept); }};
 }
 

@@ -157,7 +157,7 @@ class StripBaker final : public Baker {
   void begin(StripMesh& base) override {
     // Searches on the base are cheap, and every level inherits its strips.
     constexpr std::size_t states_per_triangle = 1000;
-    stripify(base, Effort::full, states_per_triangle * base.triangle_count());
+    stripify(base, Effort::full, Cost::strips(), states_per_triangle * base.triangle_count());
     locator_.rebuild(base);
     counts_.emplace(base);
   }

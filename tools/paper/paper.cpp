@@ -35,7 +35,7 @@ class Measurement {
     result_.paper = paper_row(result_.triangles);
     source_ = subject.progressive ? *subject.progressive : simplify(subject.soup, options.simplify).mesh;
     base_ = StripMesh::build(source_.base, source_.points.size());
-    stripify(base_, Effort::full);
+    stripify(base_, Effort::full, Cost::strips());
     result_.base_triangles = base_.triangle_count();
   }
 
@@ -50,6 +50,7 @@ class Measurement {
  private:
   void watch(const Way& way) {
     Plan::Given given;
+    given.cost = Cost::strips();
     given.base = &base_;
     const Plan plan(way, source_, given);
     StripMesh mesh = plan.base();
@@ -83,9 +84,9 @@ class Measurement {
     climb(
         "from scratch", mesh, [&](const Record& record) { mesh.insert_vertex(spokes_of(mesh, record), record.v_t); },
         [&] {
-          stripify(mesh, Effort::fast);
+          stripify(mesh, Effort::fast, Cost::strips());
           fast.levels.push_back(count(mesh, fast.name));
-          stripify(mesh, Effort::full);
+          stripify(mesh, Effort::full, Cost::strips());
           full.levels.push_back(count(mesh, full.name));
         });
     result_.scratch = {std::move(fast), std::move(full)};

@@ -40,6 +40,7 @@ class Replay {
     watch_the_way_up();
     if (report_.operations_without_rule == 0) {
       watch_the_way_down();
+      report_.rules = upkeep_->rule_counts();
       if (trace_) take_trace();
       measure_buffer();
       measure();

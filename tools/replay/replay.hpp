@@ -42,6 +42,7 @@ struct ReplayReport {
   std::size_t operations_without_rule = 0;  ///< refused: the file names a split that no mesh can do
   std::size_t operations_isolating = 0;     ///< introduced an isolated triangle
   std::size_t operations_adding_strip = 0;
+  RuleCounts rules;                     ///< of the first way up and the way back
   std::vector<std::size_t> by_valence;  ///< [k]: splits of a fan of k triangles
   std::size_t most_strips = 0;          ///< of all levels on the first way up, every split counted
   std::vector<Level> levels;            ///< on the way up

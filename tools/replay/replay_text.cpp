@@ -81,6 +81,9 @@ std::string as_text(const ReplayReport& report, const Subject& subject) {
   share("splits that introduced an isolated one", report.operations_isolating);
   share("splits that added a strip", report.operations_adding_strip);
   share("splits without a rule", report.operations_without_rule);
+  if (const RuleCounts& rules = report.rules; rules.asked != 0)
+    fmt::format_to(out, "\n  {:<41}{:>10}: {} taken, {} kept colours as good; {} improved afterwards", "rules asked",
+                   rules.asked, rules.taken, rules.kept, rules.improved);
   const auto cost = [&](const char* what, double with, double bare) {
     if (bare > 0)
       fmt::format_to(out, "\n  {:<41}{:>7.0f} ns, bare {:.0f} ns: {:.2f} times", what, with, bare, with / bare);
@@ -157,6 +160,11 @@ std::string as_json(const ReplayReport& report, const Subject& subject, const st
       {"operations_without_rule", report.operations_without_rule},
       {"operations_isolating", report.operations_isolating},
       {"operations_adding_strip", report.operations_adding_strip},
+      {"rules",
+       {{"asked", report.rules.asked},
+        {"taken", report.rules.taken},
+        {"kept", report.rules.kept},
+        {"improved", report.rules.improved}}},
       {"by_valence", std::move(by_valence)},
       {"levels", json_of(report.levels)},
       {"levels_down", json_of(report.levels_down)},

@@ -7,6 +7,9 @@
 //  - operations_without_rule: of them refused (only a wrong progressive mesh has such)
 //  - operations_isolating: of them introduced an isolated triangle
 //  - operations_adding_strip: of them left more strips than before
+//  - rules: {asked, taken, kept, improved}, of the way up and the way back: rules looked up; of them those whose
+//    colours were written, and those with which colours passed on were as good and stayed; operations that a search
+//    improved afterwards
 //  - by_valence: {"k": splits of a fan of k triangles}
 //  - levels: [{triangles, strips, isolated, swaps, indices}] from base to finest level, on the way up;
 //    indices = triangles + 3 strips + swaps - 1, a first turn the wrong way counted as a swap

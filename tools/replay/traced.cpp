@@ -46,6 +46,7 @@ class TracedOperations {
     trace_.emplace(mesh_, claim_);
   }
   [[nodiscard]] std::string fault() const { return kept_->fault(); }
+  [[nodiscard]] RuleCounts rule_counts() const { return kept_->rule_counts(); }
 
  private:
   void add(const Traced& done) {

@@ -16,6 +16,7 @@
 #include "restrip/mesh/strip_mesh.hpp"
 #include "restrip/operations/adopt.hpp"
 #include "restrip/operations/checked.hpp"
+#include "restrip/search/keeper.hpp"
 
 namespace restrip::tools {
 
@@ -65,6 +66,8 @@ class Upkeep {
   virtual void restart(std::size_t level) = 0;
   /// What is wrong with what is kept beside the mesh; empty when nothing is.
   [[nodiscard]] virtual std::string fault() const = 0;
+  /// What became of the rules of all operations; zero if none is asked.
+  [[nodiscard]] virtual RuleCounts rule_counts() const = 0;
 };
 static_assert(KeepsStrips<Upkeep>);
 
@@ -99,7 +102,7 @@ class Witness {
 /// An upkeep by a class of operations on a mesh, which has
 ///   split(where, v_t, record), collapse(chord, record), flip(h): each returns a Rewrite, or a Halfedge alone, and then
 ///     a witness tells the rest; or a Rewrite that tells too little, and then split_and_tell and collapse_and_tell do,
-/// and where it needs them between(), restart(level) and fault().
+/// and where it needs them between(), restart(level), fault() and rule_counts().
 template <class Operations>
 class UpkeepBy final : public Upkeep {
  public:
@@ -184,6 +187,12 @@ class UpkeepBy final : public Upkeep {
   [[nodiscard]] std::string fault() const override {
     if constexpr (requires { operations_.fault(); })
       return operations_.fault();
+    else
+      return {};
+  }
+  [[nodiscard]] RuleCounts rule_counts() const override {
+    if constexpr (requires { operations_.rule_counts(); })
+      return operations_.rule_counts();
     else
       return {};
   }

@@ -1,5 +1,7 @@
 #include "replay/ways.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -59,6 +61,7 @@ struct Kept {
     if (records != nullptr) keeper.baked()->restart(level);
     keeper.rebuild();
   }
+  [[nodiscard]] RuleCounts rule_counts() const { return keeper.rule_counts(); }
   [[nodiscard]] std::string fault() const {
     if (!(keeper.weights() == Cost::strips())) return find_fault(keeper);
     return keeper.locator() != nullptr ? find_fault(keeper.mesh(), *keeper.locator()) : std::string();
@@ -71,11 +74,13 @@ std::unique_ptr<Upkeep> begin_by(StripMesh& mesh, Arguments&&... arguments) {
 }
 Way kept(const PolicyRow& row) {
   const Policy policy = row.policy;
-  Way way{row.name, row.says, policy == Policy::rules ? Way::Kind::rules : Way::Kind::ours,
+  const std::string says = policy == Policy::rules
+                               ? "the rule of each operation and nothing else"
+                               : fmt::format("the rule, then {}; for indices {}", row.says, row.says_indices);
+  Way way{row.name, says, policy == Policy::rules ? Way::Kind::rules : Way::Kind::ours,
           [policy](StripMesh& mesh, const Beginning& with) { return begin_by<Kept>(mesh, policy, with); }};
   way.search = row.search;
   way.weighed = {row.plan.limits.looks, 0};
-  if (way.searches()) way.says += ": up to " + std::to_string(way.search.states) + " states from each strip end";
   return way;
 }
 
@@ -116,12 +121,12 @@ const Way& way_named(const std::string& name) {
 }
 
 const Way& usual_way(bool strips_are_baked) {
-  const auto usual = [&](const Way& way) { return way.kind == Way::Kind::ours && way.bakes == strips_are_baked; };
-  return *std::find_if(ways().begin(), ways().end(), usual);
+  return way_named(strips_are_baked ? baked().name : row_of(default_policy).name);
 }
 
 Plan::Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given)
-    : way_(&way), mesh_(&mesh), search_(given.search.value_or(way.search_under(given.cost))), cost_(given.cost) {
+    : way_(&way), mesh_(&mesh), cost_(given.cost.value_or(way.usual_cost())) {
+  search_ = given.search.value_or(way.search_under(cost_));
   if (!(cost_ == Cost::strips()) && !way.weighs())
     throw std::invalid_argument("the way of keeping strips named " + way.name + " knows no cost but strips");
   if (way.bakes) {
@@ -137,7 +142,7 @@ Plan::Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given)
     base_ = *given.base;
   } else {
     base_ = StripMesh::build(mesh.base, mesh.points.size());
-    stripify(base_, Effort::full, cost_);
+    stripify(base_, default_effort, cost_);
   }
 }
 

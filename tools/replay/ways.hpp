@@ -45,6 +45,8 @@ struct Way {
 
   [[nodiscard]] bool searches() const noexcept { return search.states != 0; }
   [[nodiscard]] bool weighs() const noexcept { return weighed.states != 0; }
+  /// What it keeps low unless told otherwise.
+  [[nodiscard]] Cost usual_cost() const noexcept { return weighs() ? default_cost : Cost::strips(); }
   [[nodiscard]] const Search& search_under(const Cost& cost) const noexcept {
     return cost == Cost::strips() ? search : weighed;
   }
@@ -63,7 +65,7 @@ class Plan {
   /// What is there already and need not be made.
   struct Given {
     std::optional<Search> search = std::nullopt;  ///< other than the way's own
-    Cost cost = Cost::strips();                   ///< what is kept low; other costs only where the way weighs
+    std::optional<Cost> cost = std::nullopt;      ///< what is kept low; otherwise that of the way
     const StripMesh* base = nullptr;              ///< the base with strips from scratch
     const BakedMesh* baked = nullptr;             ///< must be baked from that mesh, and outlive the plan
   };
@@ -71,7 +73,8 @@ class Plan {
   /// The mesh must outlive the plan. Stripifies the base, or bakes, which may throw BadInput and take long (bake.hpp).
   /// Throws std::invalid_argument when the way knows no such cost.
   Plan(const Way& way, const ProgressiveMesh& mesh, const Given& given);
-  Plan(const Way& way, const ProgressiveMesh& mesh) : Plan(way, mesh, Given{}) {}
+  /// For the fewest strips.
+  Plan(const Way& way, const ProgressiveMesh& mesh) : Plan(way, mesh, Given{.cost = Cost::strips()}) {}
   Plan(const std::string& way, const ProgressiveMesh& mesh) : Plan(way_named(way), mesh) {}
 
   [[nodiscard]] const Way& way() const noexcept { return *way_; }

@@ -1,4 +1,4 @@
-/* restrip for C: triangle strips kept while the mesh changes, by proven local rules.
+/* restrip for C: triangle strips kept while the mesh changes, by proven rules.
  *
  * This header is plain C99 and needs no other file of restrip. Link the shared or the static library restrip_c (CMake:
  * restrip::c, restrip::c_static; pkg-config: restrip-c). docs/c.md is the guide, examples/keep_strips.c a whole
@@ -115,11 +115,11 @@ typedef struct restrip_build_report {
 } restrip_build_report;
 
 /* Makes a mesh of an index array: three corners for each triangle, counter-clockwise, below vertex_count. All dual
- * edges are dashed, and the policy is RESTRIP_POLICY_LOCAL. `report` may be null. `origin` may be null, or has room for
- * index_count / 3 numbers and receives for each triangle of the mesh its place among those given (they differ when some
- * are left out). The indices are copied. index_count must be a multiple of 3 (else RESTRIP_BAD_ARGUMENT); a mesh holds
- * at most 536,870,911 triangles and 4,294,967,295 vertices (else RESTRIP_TOO_LARGE). O(T). Give the mesh back by
- * restrip_mesh_free. After an error *mesh is null. */
+ * edges are dashed, and the policy is RESTRIP_POLICY_QUICK for RESTRIP_FEWEST_INDICES. `report` may be null. `origin`
+ * may be null, or has room for index_count / 3 numbers and receives for each triangle of the mesh its place among those
+ * given (they differ when some are left out). The indices are copied. index_count must be a multiple of 3 (else
+ * RESTRIP_BAD_ARGUMENT); a mesh holds at most 536,870,911 triangles and 4,294,967,295 vertices (else
+ * RESTRIP_TOO_LARGE). O(T). Give the mesh back by restrip_mesh_free. After an error *mesh is null. */
 RESTRIP_API restrip_status restrip_mesh_build_u32(const uint32_t* indices, size_t index_count, size_t vertex_count,
                                                   restrip_build_report* report, uint32_t* origin, restrip_mesh** mesh);
 RESTRIP_API restrip_status restrip_mesh_build_u16(const uint16_t* indices, size_t index_count, size_t vertex_count,
@@ -181,7 +181,7 @@ RESTRIP_API restrip_status restrip_mesh_strip_count(const restrip_mesh* mesh, si
 
 /* What counts: restart * strips + swap * swaps + isolated * isolated triangles. A swap is a place where a strip turns
  * twice the same way and its index buffer repeats an index. Where a function takes a cost, null means
- * RESTRIP_FEWEST_STRIPS. restart is 1 to 1000, the others 0 to 1000 (else RESTRIP_BAD_ARGUMENT). */
+ * RESTRIP_FEWEST_INDICES. restart is 1 to 1000, the others 0 to 1000 (else RESTRIP_BAD_ARGUMENT). */
 typedef struct restrip_cost {
   uint16_t restart;
   uint16_t swap;
@@ -235,7 +235,7 @@ typedef struct restrip_change {
 } restrip_change;
 
 /* The operations of a dynamic mesh. Each is checked: an operation that would spoil the mesh is refused by one of
- * the codes 1 to 13 and changes nothing. `change` may be null. Complexity: O(valence), and that of the policy. After
+ * the codes 1 to 14 and changes nothing. `change` may be null. Complexity: O(valence), and that of the policy. After
  * RESTRIP_OUT_OF_MEMORY the operation may be done or not (compare restrip_mesh_triangle_count); mesh and colours are
  * valid.
  *

@@ -34,9 +34,9 @@
 namespace restrip {
 
 struct LiveOptions {
-  Policy policy = Policy::quick;
-  Cost cost = Cost::indices();
-  Effort effort = Effort::full;  ///< of the strips that it begins with
+  Policy policy = default_policy;
+  Cost cost = default_cost;
+  Effort effort = default_effort;  ///< of the strips that it begins with
   /// The budget of undo: a frame counts the triangles that changed in it, each once, some 100 bytes; when all frames
   /// kept count more, the oldest are forgotten, but for the last one. 0: no history.
   std::size_t history = 0;
@@ -140,6 +140,8 @@ class BasicLiveMesh {
   [[nodiscard]] const LiveBuffer& buffer() const noexcept { return buffer_; }
   [[nodiscard]] const Mesh& mesh() const noexcept { return mesh_; }
   [[nodiscard]] Keeper<Mesh>& keeper() noexcept { return keeper_; }
+  /// What became of the rules of all operations so far.
+  [[nodiscard]] const RuleCounts& rule_counts() const noexcept { return keeper_.rule_counts(); }
 
  private:
   BasicLiveMesh(Mesh&& mesh, const LiveOptions& options, bool from_scratch)

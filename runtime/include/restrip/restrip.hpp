@@ -1,4 +1,4 @@
-// restrip: triangle strips kept while the mesh changes, by proven local rules. Header-only, C++20, standard library
+// restrip: triangle strips kept while the mesh changes, by proven rules. Header-only, C++20, standard library
 // only.
 //
 // Start with live_mesh.hpp (mesh, strips and index buffer in one object), with search/strips_of.hpp for a mesh that

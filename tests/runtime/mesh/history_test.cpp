@@ -18,10 +18,10 @@ TEST(History, GivesBackTheVeryMesh) {
   std::mt19937 random(3);
   for (StripMesh& mesh : sample::meshes())
     for (const Policy policy : {Policy::local, Policy::quick}) {
-      stripify(mesh);
+      stripify(mesh, Effort::fast, Cost::strips());
       std::vector<Triangle> changed;
       mesh.watch(&changed);
-      Keeper keeper(mesh, policy);
+      Keeper keeper(mesh, policy, Cost::strips());
       History history(mesh);
       std::vector<Look> looks{look_at(mesh)};
       std::size_t at = 0;
@@ -86,10 +86,10 @@ TEST(History, AFrameThatSplitsAndCollapsesBackIsAFrame) {
 
 TEST(History, CollapsesToAFewAndComesBackWithAsManyStrips) {
   StripMesh mesh = sample::torus(40, 40);
-  stripify(mesh, Effort::full);
+  stripify(mesh, Effort::full, Cost::strips());
   std::vector<Triangle> changed;
   mesh.watch(&changed);
-  Keeper keeper(mesh, Policy::local);
+  Keeper keeper(mesh, Policy::local, Cost::strips());
   History history(mesh);
   const std::size_t strips = keeper.strips();
   const Look before = look_at(mesh);
@@ -111,7 +111,7 @@ TEST(History, ForgetsWhatIsTooMuch) {
   StripMesh mesh = sample::torus(12, 12);
   std::vector<Triangle> changed;
   mesh.watch(&changed);
-  Keeper keeper(mesh, Policy::local);
+  Keeper keeper(mesh, Policy::local, Cost::strips());
   History history(mesh, 100);
   std::mt19937 random(5);
   for (int n = 0; n < 200; ++n) {

@@ -40,11 +40,11 @@ TEST(InvalidColorings, AreRefusedByWhoeverReadsTheWholeMesh) {
     const std::string expected = std::string("restrip: the colouring is not valid: ") +
                                  (cycle ? "solid dual edges close a cycle" : "a triangle has three solid dual edges");
     for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full})
-      EXPECT_EQ(message([&] { const Keeper keeper(mesh, policy); }), expected);
+      EXPECT_EQ(message([&] { const Keeper keeper(mesh, policy, Cost::strips()); }), expected);
     EXPECT_EQ(message([&] { const StripLocator locator(mesh); }), expected);
     EXPECT_EQ(message([&] { (void)count_strips(mesh); }), expected);
     mesh.clear_colors();
-    Keeper keeper(mesh);
+    Keeper keeper(mesh, Policy::quick, Cost::strips());
     EXPECT_EQ(keeper.strips(), mesh.triangle_count());
     EXPECT_EQ(count_strips(mesh), mesh.triangle_count());
   }

@@ -88,7 +88,7 @@ TEST(StripMesh, AWatchNamesEveryTriangleThatChanges) {
   };
   std::mt19937 random(17);
   for (StripMesh& mesh : sample::meshes()) {
-    Keeper keeper(mesh, Policy::local);
+    Keeper keeper(mesh, Policy::local, Cost::strips());
     std::vector<Triangle> changed;
     mesh.watch(&changed);
     for (int round = 0; round < 60; ++round) {

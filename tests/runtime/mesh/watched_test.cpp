@@ -43,7 +43,7 @@ TEST(Watched, AListThatForgetsIsFound) {
 TEST(Watched, KeepsABufferInStepUnderAKeeper) {
   StripMesh mesh = sample::torus(12, 10);
   Watched watched(mesh);
-  Keeper keeper(watched, Policy::quick);
+  Keeper keeper(watched, Policy::quick, Cost::strips());
   StripBuffer buffer(watched);
   TriangleListBuffer list(watched);
   std::mt19937 random(2);

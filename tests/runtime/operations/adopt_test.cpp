@@ -34,7 +34,7 @@ TEST(Adopt, ThatFailsChangesNothing) {
 TEST(Adopt, LeavesFewAlone) {
   StripMesh mesh = sample::rectangle(20, 20);
   std::mt19937 random(5);
-  Keeper keeper(mesh, Policy::local);
+  Keeper keeper(mesh, Policy::local, Cost::strips());
   for (int n = 0; n < 2000; ++n) random_operation(keeper, random, mesh.triangle_count() < 800);
   // Isolate triangles by hand, then adopt them: what is reported is what a count from scratch finds.
   std::size_t adopted = 0;

@@ -33,12 +33,12 @@ TEST(KeptApply, KeepersFollow) {
     for (const Cost& cost : {Cost::strips(), Cost::indices(), Cost{3, 1, 2}})
       for (const StripMesh& start : {sample::torus(8, 7), sample::rectangle(7, 6)}) {
         StripMesh mesh = start;
-        stripify(mesh, Effort::fast);
+        stripify(mesh, Effort::fast, Cost::strips());
         Keeper keeper(mesh, row.policy, cost);
         if (row.policy == Policy::local && cost == Cost::strips()) join_all(mesh), keeper.rebuild();
         std::size_t done = 0;
         for (std::size_t n = 0; n < test::large(1500); ++n) {
-          if (row.policy == Policy::bare && n % 8 == 0) stripify(mesh, Effort::fast), keeper.rebuild();
+          if (row.policy == Policy::bare && n % 8 == 0) stripify(mesh, Effort::fast, Cost::strips()), keeper.rebuild();
           ColoringChange change = cost_of(mesh);
           Rewrite<Halfedge> told = stir(keeper, mesh, random, 2 * start.triangle_count()).rewrite;
           random_application(mesh, random, 3 * start.triangle_count(), [&](const auto& table, Halfedge h) {
@@ -129,7 +129,7 @@ auto merging(Mesh& mesh) {
 TEST(KeptApply, DoesTheSameOnAForeignMesh) {
   std::mt19937 random(8);
   StripMesh mesh = sample::torus(9, 8);
-  stripify(mesh, Effort::fast);
+  stripify(mesh, Effort::fast, Cost::strips());
   std::array<std::size_t, 2> compared{};
   const auto compare = [&](std::size_t kind, const auto& table, auto&& change) {
     const auto h = random_place(mesh, table, random);

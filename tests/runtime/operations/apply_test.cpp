@@ -74,7 +74,7 @@ TEST(Apply, TellsWhatItChanged) {
   std::mt19937 random(5);
   std::size_t done = 0;
   for (StripMesh& mesh : sample::meshes()) {
-    stripify(mesh, Effort::fast);
+    stripify(mesh, Effort::fast, Cost::strips());
     ColoringChange told = counted(mesh);
     const std::size_t size = 3 * mesh.triangle_count() + 20;
     for (std::size_t n = 0; n < test::large(20'000); ++n) {
@@ -116,7 +116,7 @@ TEST(Apply, DoesWhatTheShippedFunctionsDo) {
   };
   for (const StripMesh& start : {sample::torus(6, 5), sample::rectangle(5, 4), sample::tube(5, 6)}) {
     StripMesh mesh = start;
-    stripify(mesh, Effort::fast);
+    stripify(mesh, Effort::fast, Cost::strips());
     for (std::size_t n = 0; n < 2000; ++n) {
       stir(mesh, mesh, random, 3 * start.triangle_count());
       random_application(mesh, random, 3 * start.triangle_count(),
@@ -150,7 +150,7 @@ TEST(Apply, DoesWhatTheShippedFunctionsDo) {
 // The halves, for code that changes the mesh by itself.
 TEST(Apply, InTwoHalves) {
   StripMesh mesh = sample::torus(6, 6);
-  stripify(mesh, Effort::fast);
+  stripify(mesh, Effort::fast, Cost::strips());
   for (Triangle t = 0; t < 60; ++t) {
     StripMesh other = mesh;
     const Halfedge h = StripMesh::halfedge(t, t % 3);

@@ -46,7 +46,7 @@ TEST(Baked, FlipsGiveTheColoringTheyWereTakenFromAndTakeItBack) {
   for (const StripMesh& start : sample::meshes()) {
     std::mt19937 random(seed++);
     StripMesh mesh = start;
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     for (int n = 0; n < 300; ++n) {
       const Where where = random_place(mesh, random);
       if (check_split(mesh, where) != Refusal::granted) continue;
@@ -95,7 +95,7 @@ struct Sequence {
 };
 
 Sequence sequence_on(StripMesh mesh, unsigned seed, int tries) {
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   Sequence sequence{mesh, {}, {}, {colors(mesh)}};
   std::mt19937 random(seed);
   for (int n = 0; n < tries; ++n) {

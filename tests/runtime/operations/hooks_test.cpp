@@ -24,7 +24,7 @@ TEST(Hooks, GiveWhatTheOperationsGive) { expect_what_operations_give(HookRules::
 TEST(Hooks, FansOfAnySize) {
   for (const Vertex k : {15U, 16U, 17U, 63U, 64U, 65U, 200U}) {
     StripMesh one = sample::double_cone(k);
-    stripify(one);
+    stripify(one, Effort::fast, Cost::strips());
     StripMesh two = one;
     Spoke right = one.spoke(0);
     for (Vertex i = 0; i < k / 3; ++i) right = turn_ccw(one, right);
@@ -43,7 +43,7 @@ TEST(Hooks, FansOfAnySize) {
 // lies on the boundary then.
 TEST(Hooks, MergedEdgesComeDashed) {
   for (StripMesh mesh : {sample::rectangle(9, 7), sample::torus(12, 9)}) {
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     std::mt19937 random(5);
     std::size_t done = 0;
     for (int n = 0; n < 400; ++n) {
@@ -67,7 +67,7 @@ TEST(Hooks, MergedEdgesComeDashed) {
 
 TEST(Hooks, TallyAddsUp) {
   StripMesh mesh = sample::torus(12, 9);
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   const ColoringReport before = check_coloring(mesh);
   HookTally tally;
   std::mt19937 random(3);

@@ -74,7 +74,7 @@ TEST(Join, ToldWhetherTwoEndsAreOfOneStrip) {
   std::size_t different = 0;
   for (StripMesh mesh : meshes())
     for (int round = 0; round < 30; ++round) {
-      stripify(mesh);
+      stripify(mesh, Effort::fast, Cost::strips());
       for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
         if (const Halfedge h = StripMesh::halfedge(t, side(random)); mesh.solid(h) && random() % 4 == 0)
           mesh.set_solid(h, false);
@@ -107,9 +107,9 @@ TEST(Join, NoEndsMeetAfterAnyOperation) {
   for (const unsigned seed : {1U, 2U, 3U})
     for (StripMesh mesh : meshes()) {
       std::mt19937 random(seed);
-      if (seed == 1) stripify(mesh, Effort::full);  // few strips, whose own ends often meet
+      if (seed == 1) stripify(mesh, Effort::full, Cost::strips());  // few strips, whose own ends often meet
       join_all(mesh);
-      Keeper keeper(mesh, Policy::local);
+      Keeper keeper(mesh, Policy::local, Cost::strips());
       int done = 0;
       for (int n = 0; n < 1500 && done < 600; ++n) {
         done += random_operation(keeper, random, n / 100 % 2 == 0) ? 1 : 0;
@@ -124,7 +124,7 @@ TEST(Join, NoEndsMeetAfterRefinement) {
   for (StripMesh mesh : meshes()) {
     std::mt19937 random(4);
     join_all(mesh);
-    Keeper keeper(mesh, Policy::local);
+    Keeper keeper(mesh, Policy::local, Cost::strips());
     int done = 0;
     for (int n = 0; n < 1500; ++n) {
       const Halfedge h = random_halfedge(mesh, random);

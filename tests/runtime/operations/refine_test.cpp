@@ -206,8 +206,8 @@ TEST(Refine, InversesUndoEachOther) {
 TEST(Refine, KeepersFollow) {
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick, Policy::full}) {
     StripMesh mesh = sample::torus(12, 9);
-    stripify(mesh, Effort::fast);
-    Keeper keeper(mesh, policy);
+    stripify(mesh, Effort::fast, Cost::strips());
+    Keeper keeper(mesh, policy, Cost::strips());
     std::mt19937 random(3);
     Census told = census_of(mesh);
     for (std::uint32_t n = 0; n < test::large(4000); ++n) {

@@ -119,7 +119,7 @@ void expect_the_very_looks(Kept& kept, std::mt19937& random, int steps, bool onc
 TEST(BufferHistory, GivesBackTheVeryIndices) {
   std::mt19937 random(21);
   for (StripMesh shape : {sample::torus(12, 12), sample::rectangle(9, 8)}) {
-    stripify(shape);
+    stripify(shape, Effort::fast, Cost::strips());
     for (const std::size_t most : {std::size_t{400}, std::size_t{1} << 20}) {
       Kept kept(shape, most);
       expect_the_very_looks(kept, random, 120, true);
@@ -137,7 +137,7 @@ TEST(BufferHistory, GivesBackTheVeryIndices) {
 // A frame in which the mesh did not change is none, although the buffer may have been written.
 TEST(BufferHistory, WhatIsNoFrameIsForgotten) {
   StripMesh mesh = sample::torus(12, 12);
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   Kept kept(mesh, 1 << 20);
   const std::vector<std::uint32_t> first = kept.indices();
   kept.changed = {0, 1, 2};

@@ -16,7 +16,7 @@ TEST(ChangeFeed, AddsUpToTheMesh) {
   StripMesh mesh = sample::torus(8, 7);
   std::vector<Triangle> changed;
   mesh.watch(&changed);
-  Keeper keeper(mesh, Policy::quick);
+  Keeper keeper(mesh, Policy::quick, Cost::strips());
   ChangeFeed feed(mesh);
   std::set<Triangle> known;
   for (Triangle t = 0; t < mesh.triangle_bound(); ++t) known.insert(t);

@@ -12,7 +12,7 @@ namespace {
 
 TEST(CheckBuffer, CountsWhatIsMissingAndExtra) {
   for (StripMesh& mesh : sample::meshes()) {
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     const StripBuffer strips(mesh);
     const StripBuffer16 strips16(mesh);
     const TriangleListBuffer list(mesh);

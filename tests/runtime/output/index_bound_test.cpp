@@ -165,7 +165,7 @@ TEST(IndexBound, IsReachedByAZigzagAndByNoStripsPassed) {
     for (Vertex t = 0; t < triangles; ++t) zigzag.push_back({t + t % 2, t + 1 - t % 2, t + 2});
     StripMesh mesh = StripMesh::build(zigzag, triangles + 2);
     EXPECT_EQ(strip_index_lower_bound(mesh).indices, triangles + 2);
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     EXPECT_EQ(strip_indices(mesh).size(), triangles + 2);
   }
   std::mt19937 random(6);

@@ -30,7 +30,7 @@ TEST(StripBuffer, FollowsAnyOperationsUnderAnyPolicy) {
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
     for (const int most : {1, 5, 40}) {
       for (StripMesh& mesh : sample::meshes()) {
-        Keeper keeper(mesh, policy);
+        Keeper keeper(mesh, policy, Cost::strips());
         std::vector<Triangle> changed;
         mesh.watch(&changed);
         StripBuffer buffer(mesh);
@@ -58,8 +58,8 @@ TEST(StripBuffer, IsNeverMuchLongerThanTheStrips) {
   for (const Policy policy : {Policy::local, Policy::linked, Policy::quick}) {
     std::mt19937 random(12);
     StripMesh mesh = sample::torus(24, 24);
-    stripify(mesh);
-    Keeper keeper(mesh, policy);
+    stripify(mesh, Effort::fast, Cost::strips());
+    Keeper keeper(mesh, policy, Cost::strips());
     std::vector<Triangle> changed;
     mesh.watch(&changed);
     StripBuffer buffer(mesh);
@@ -113,7 +113,7 @@ std::size_t longest_run(std::span<const std::uint32_t> indices) {
 
 TEST(StripBuffer, WritesLittleForALittleChangeInALongStrip) {
   StripMesh mesh = sample::torus(60, 60);
-  ASSERT_EQ(stripify(mesh, Effort::full), 1U);
+  ASSERT_EQ(stripify(mesh, Effort::full, Cost::strips()), 1U);
   std::vector<Triangle> changed;
   mesh.watch(&changed);
   StripBuffer buffer(mesh);
@@ -131,7 +131,7 @@ TEST(StripBuffer, WritesLittleForALittleChangeInALongStrip) {
 // A run that is read is written as it was, unless it begins and ends beside the same vertex: it may be turned around.
 TEST(StripBuffer, WritesOnlyWhatDiffers) {
   StripMesh mesh = sample::torus(60, 60);
-  stripify(mesh, Effort::full);
+  stripify(mesh, Effort::full, Cost::strips());
   StripBuffer buffer(mesh);
   std::size_t updates = 0;
   std::size_t writing = 0;
@@ -157,7 +157,7 @@ TEST(StripBuffer, WritesOnlyWhatDiffers) {
 // Runs that lie within one strip, and have become short, are one after an update that names a triangle of either.
 TEST(StripBuffer, ShortRunsOfAStripBecomeOne) {
   StripMesh mesh = sample::torus(30, 30);
-  ASSERT_EQ(stripify(mesh, Effort::full), 1U);
+  ASSERT_EQ(stripify(mesh, Effort::full, Cost::strips()), 1U);
   std::vector<Triangle> changed;
   mesh.watch(&changed);
   StripBuffer buffer(mesh);
@@ -176,8 +176,8 @@ TEST(StripBuffer, ShortRunsOfAStripBecomeOne) {
 TEST(StripBuffer, SixteenBitIndices) {
   std::mt19937 random(13);
   StripMesh mesh = sample::torus(20, 20);
-  stripify(mesh);
-  Keeper keeper(mesh, Policy::linked);
+  stripify(mesh, Effort::fast, Cost::strips());
+  Keeper keeper(mesh, Policy::linked, Cost::strips());
   std::vector<Triangle> changed;
   mesh.watch(&changed);
   StripBuffer16 buffer(mesh);
@@ -217,7 +217,7 @@ TEST(StripBuffer, FollowsAMeshMadeByHand) {
   for (const StripMesh& shape : {sample::rectangle(6, 5), sample::torus(6, 6)}) {
     std::mt19937 random(14);
     StripMesh colors = shape;
-    stripify(colors);
+    stripify(colors, Effort::fast, Cost::strips());
     sample::HandMade mesh(shape);
     mesh.take_colors(colors);
     StripBuffer buffer(mesh);

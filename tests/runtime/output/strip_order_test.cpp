@@ -79,7 +79,7 @@ TEST(StripOrder, TheSameStripsAreMissedLessOften) {
 TEST(StripOrder, AnyStripsAndAnyCache) {
   for (StripMesh& mesh : meshes_to_order())
     for (const bool colors : {false, true}) {
-      if (colors) stripify(mesh);
+      if (colors) stripify(mesh, Effort::fast, Cost::strips());
       const Strips strips = extract_strips(mesh);
       for (const std::size_t cache_size : {0U, 1U, 3U, 1000U}) {
         const Strips ordered = order_for_vertex_cache(mesh, strips, cache_size);

@@ -195,7 +195,7 @@ TEST(Strips, OfAMeshMadeByHand) {
     sample::HandMade dashed(mesh);
     EXPECT_EQ(count_strips(dashed), mesh.triangle_count());
     EXPECT_EQ(check_coloring(dashed).isolated, mesh.triangle_count());
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     sample::HandMade other(mesh);
     other.take_colors(mesh);
     EXPECT_EQ(count_strips(other), count_strips(mesh));

@@ -88,7 +88,7 @@ TEST(Trace, LetsAReaderFollowTheMesh) {
     for (StripMesh mesh : {sample::torus(6, 7), sample::rectangle(6, 6)}) {
       std::vector<Triangle> changed;
       mesh.watch(&changed);
-      Keeper keeper(mesh, policy);
+      Keeper keeper(mesh, policy, Cost::strips());
       Trace trace(mesh, Trace::Claim::valid);
       std::istringstream head(trace.text());
       std::string line;

@@ -15,6 +15,7 @@
 #include "random_operation.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/stripify.hpp"
+#include "restrip/tables/operations/refine_face.hpp"
 #include "sample_meshes.hpp"
 #include "strip_moves.hpp"
 
@@ -34,7 +35,7 @@ void expect_right(const Keeper<StripMesh>& keeper) {
 TEST(Keeper, ChangesItsPolicyOnTheWay) {
   std::mt19937 random(8);
   StripMesh mesh = sample::torus(12, 12);
-  Keeper keeper(mesh, Policy::linked);
+  Keeper keeper(mesh, Policy::linked, Cost::strips());
   EXPECT_EQ(keeper.strips(), mesh.triangle_count());
   for (const Policy policy : {Policy::quick, Policy::local, Policy::full, Policy::linked, Policy::quick}) {
     keeper.set_policy(policy);
@@ -49,7 +50,7 @@ TEST(Keeper, IsRightAfterEveryOperation) {
   std::mt19937 random(6);
   for (const PolicyRow& row : policies) {
     for (StripMesh& mesh : sample::meshes()) {
-      Keeper keeper(mesh, row.policy);
+      Keeper keeper(mesh, row.policy, Cost::strips());
       for (int i = 0; i < 400; ++i) {
         random_operation(keeper, random, mesh.triangle_count() < 60 || (i / 80) % 2 == 0);
         if (i % 97 == 0) keeper.improve(200);
@@ -85,14 +86,16 @@ TEST(Keeper, OfAMeshMadeByHand) {
     }
 }
 
-std::size_t strips_from_scratch(StripMesh mesh) { return stripify(mesh, Effort::full, mesh.triangle_count() * 10); }
+std::size_t strips_from_scratch(StripMesh mesh) {
+  return stripify(mesh, Effort::full, Cost::strips(), mesh.triangle_count() * 10);
+}
 
 // Random operations make meshes on which no stripification is perfect: strips from scratch are the measure.
 TEST(Keeper, StripsDoNotAge) {
   std::mt19937 random(7);
   StripMesh mesh = sample::torus(60, 60);
-  stripify(mesh, Effort::full);
-  Keeper keeper(mesh, Policy::quick);
+  stripify(mesh, Effort::full, Cost::strips());
+  Keeper keeper(mesh, Policy::quick, Cost::strips());
   const auto allowed = [&](std::size_t triangles_per_strip) {
     return strips_from_scratch(mesh) + mesh.triangle_count() / triangles_per_strip;
   };
@@ -240,6 +243,110 @@ TEST(KeeperByCost, CountsAnewWhereItIsTold) {
     mesh.set_solid(h, true);
   EXPECT_THROW(keeper.rebuild(), std::invalid_argument);
   EXPECT_FALSE(keeper.up_to_date());
+}
+
+// ---- The rule first.
+
+/// Any kind of operation at a random place. False when it was not possible there.
+bool any_operation(Keeper<StripMesh>& keeper, std::mt19937& random, bool grow, bool& interior,
+                   Rewrite<StripMesh::Halfedge>& done) {
+  const StripMesh& mesh = keeper.mesh();
+  const StripMesh::Halfedge h = random_halfedge(mesh, random);
+  const auto if_granted = [&done](Refusal refusal, auto&& operation) {
+    if (refusal == Refusal::granted) done = operation();
+    return refusal == Refusal::granted;
+  };
+  const auto kind = random() % 12;
+  interior = kind > 4;
+  if (kind == 0) return if_granted(check_flip(mesh, h), [&] { return keeper.flip(h); });
+  if (kind == 1 && grow) return if_granted(check_split_face(mesh, h), [&] { return keeper.split_face(h); });
+  if (kind == 1) return if_granted(check_join_faces(mesh, h), [&] { return keeper.join_faces(h); });
+  if (kind == 2 && grow) return if_granted(check_bisect(mesh, h), [&] { return keeper.bisect(h); });
+  if (kind == 2) return if_granted(check_merge(mesh, h), [&] { return keeper.merge(h); });
+  if (kind == 3 && grow)
+    return if_granted(check_apply(mesh, tables::refine_face, h), [&] { return keeper.apply(tables::refine_face, h); });
+  if (!grow) return if_granted(check_collapse(mesh, h), [&] { return keeper.collapse(h); });
+  const VertexSplit<StripMesh::Halfedge> where = random_split(mesh, h, random);
+  return if_granted(check_split(mesh, where), [&] { return keeper.split(where); });
+}
+
+// A vertex of the mesh is on the boundary or not at random; closed fans are those of the torus.
+TEST(RuleFirst, EveryOperationAsksItsRuleAndKeepsBothGuarantees) {
+  for (const Cost& cost : {Cost::strips(), Cost::indices()})
+    for (const PolicyRow& row : policies) {
+      if (row.policy == Policy::bare) continue;
+      std::uint64_t operations = 0;
+      RuleCounts sum;
+      for (StripMesh& mesh : std::array{sample::torus(16, 16), sample::rectangle(16, 16)}) {
+        const bool closed = connected_components(mesh) == 1 && !mesh.leaves_boundary(mesh.spoke(0));
+        std::mt19937 random(41);
+        stripify(mesh, Effort::fast, cost);
+        Keeper keeper(mesh, row.policy, cost);
+        const std::uint64_t wanted = operations + 50'000;
+        for (std::uint64_t tries = 0; operations < wanted; ++tries) {
+          const auto before = static_cast<long>(keeper.cost());
+          bool fan = false;
+          Rewrite<StripMesh::Halfedge> done;
+          const bool grow = mesh.triangle_count() < 300 || (mesh.triangle_count() < 900 && tries / 4000 % 2 == 0);
+          if (!any_operation(keeper, random, grow, fan, done)) continue;
+          ++operations;
+          if (cost == Cost::strips()) {
+            ASSERT_LE(done.strips, most_strips_added) << row.name;
+            if (closed && fan) {
+              ASSERT_LE(done.isolated, 0) << row.name;
+            }
+          } else if (row.policy != Policy::rules) {
+            ASSERT_LE(static_cast<long>(keeper.cost()) - before, most_indices_added) << row.name;
+          }
+          if (operations % 1000 == 0) expect_right(keeper);
+        }
+        const RuleCounts& counts = keeper.rule_counts();
+        sum = {sum.asked + counts.asked, sum.taken + counts.taken, sum.kept + counts.kept,
+               sum.improved + counts.improved};
+      }
+      EXPECT_EQ(sum.asked, operations) << row.name;
+      EXPECT_EQ(sum.taken + sum.kept, operations) << row.name;
+      EXPECT_EQ(sum.kept != 0, !(cost == Cost::strips()) && row.policy != Policy::rules) << row.name;
+      EXPECT_EQ(sum.improved != 0, row.policy != Policy::rules) << row.name;
+      EXPECT_LT(sum.improved, operations) << row.name;
+    }
+}
+
+TEST(RuleFirst, ColoursStayAsTheyAreWhereNothingIsCheaper) {
+  for (const Cost& cost : {Cost::strips(), Cost::indices()})
+    for (const Policy policy : {Policy::local, Policy::quick, Policy::full}) {
+      std::size_t taken = 0;
+      std::size_t kept = 0;
+      StripMesh mesh = sample::rectangle(14, 14);
+      stripify(mesh, Effort::fast, cost);
+      Keeper keeper(mesh, policy, cost);
+      std::mt19937 random(42);
+      for (int n = 0; n < 3000; ++n) {
+        StripMesh alone = mesh;
+        std::mt19937 again = random;
+        const RuleCounts before = keeper.rule_counts();
+        Rewrite<StripMesh::Halfedge> done;
+        bool fan = false;
+        const bool grow = mesh.triangle_count() < 300 || n % 2 == 0;
+        if (!any_operation(keeper, random, grow, fan, done)) continue;
+        const RuleCounts& now = keeper.rule_counts();
+        if (now.improved != before.improved) continue;
+        Keeper by_rule(alone, Policy::rules, cost);
+        ASSERT_TRUE(any_operation(by_rule, again, grow, fan, done));
+        if (now.taken != before.taken) {
+          ++taken;
+          for (Triangle t = 0; t < mesh.triangle_bound(); ++t)
+            if (mesh.alive(t)) {
+              ASSERT_EQ(mesh.solid_sides(t), alone.solid_sides(t));
+            }
+        } else {
+          ++kept;
+          ASSERT_LE(keeper.cost(), by_rule.cost());
+        }
+      }
+      EXPECT_GT(taken, 300U);
+      EXPECT_EQ(kept != 0, !(cost == Cost::strips()));
+    }
 }
 
 }  // namespace

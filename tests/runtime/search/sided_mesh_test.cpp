@@ -17,7 +17,7 @@ static_assert(SidedMesh<SideView<StripMesh>> && NumberedMesh<SideView<StripMesh>
 
 TEST(SideView, AnswersWhatTheMeshAnswers) {
   for (StripMesh& mesh : sample::meshes()) {
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     const SideView<const StripMesh> view(mesh);
     EXPECT_EQ(view.triangle_count(), mesh.triangle_count());
     for (Triangle t = 0; t < mesh.triangle_bound(); ++t) {
@@ -48,7 +48,7 @@ TEST(SideView, AnswersWhatTheMeshAnswers) {
 
 TEST(SideView, ColoursGoThrough) {
   StripMesh mesh = sample::torus(6, 5);
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   std::vector<std::uint8_t> colors(mesh.triangle_bound());
   for (Triangle t = 0; t < colors.size(); ++t) colors[t] = static_cast<std::uint8_t>(mesh.solid_sides(t));
   StripMesh other = sample::torus(6, 5);

@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(ChunkLimits, StripLocatorOf, ::testing::Values(8, Strip
 TEST_P(StripLocatorOf, AgreesAfterCutsAndLinks) {
   std::mt19937 random(3);
   for (StripMesh& mesh : sample::meshes()) {
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     StripLocator locator(mesh, GetParam());
     ASSERT_TRUE(agrees(locator, mesh));
     for (int i = 0; i < 2000; ++i) {
@@ -92,7 +92,7 @@ TEST_P(StripLocatorOf, AgreesAfterCutsAndLinks) {
 TEST_P(StripLocatorOf, AgreesAfterRewrites) {
   std::mt19937 random(4);
   for (StripMesh& mesh : sample::meshes()) {
-    stripify(mesh);
+    stripify(mesh, Effort::fast, Cost::strips());
     StripLocator locator(mesh, GetParam());
     for (int i = 0; i < 3000; ++i) {
       random_operation(locator, mesh, random, mesh.triangle_count() < 40 || (i / 300) % 2 == 0);
@@ -107,7 +107,7 @@ TEST_P(StripLocatorOf, AgreesAfterRewrites) {
 TEST_P(StripLocatorOf, AgreesOnALargeMeshAfterEverything) {
   std::mt19937 random(5);
   StripMesh mesh = sample::torus(90, 70);
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   StripLocator locator(mesh, GetParam());
   for (int i = 0; i < 60000; ++i) {
     if (random() % 3 != 0)

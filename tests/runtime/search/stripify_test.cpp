@@ -15,22 +15,22 @@ namespace {
 
 TEST(StripifyFull, ReachesOneStripOnClosedMeshes) {
   StripMesh sphere = sample::sphere(4);
-  EXPECT_EQ(stripify(sphere, Effort::full), 1U);
+  EXPECT_EQ(stripify(sphere, Effort::full, Cost::strips()), 1U);
   EXPECT_EQ(check_coloring(sphere).strips, 1U);
   StripMesh torus = sample::torus(60, 50);
-  EXPECT_EQ(stripify(torus, Effort::full), 1U);
+  EXPECT_EQ(stripify(torus, Effort::full, Cost::strips()), 1U);
   EXPECT_TRUE(check_coloring(torus).valid);
 }
 
 TEST(StripifyFull, IsValidAndTheSameEveryTime) {
   for (StripMesh& mesh : sample::meshes()) {
-    const std::size_t strips = stripify(mesh, Effort::full, 5000);
+    const std::size_t strips = stripify(mesh, Effort::full, Cost::strips(), 5000);
     const ColoringReport report = check_coloring(mesh);
     EXPECT_TRUE(report.valid);
     EXPECT_EQ(report.strips, strips);
     EXPECT_GE(strips, connected_components(mesh));
     const Strips first = extract_strips(mesh);
-    EXPECT_EQ(stripify(mesh, Effort::full, 5000), strips);
+    EXPECT_EQ(stripify(mesh, Effort::full, Cost::strips(), 5000), strips);
     EXPECT_EQ(extract_strips(mesh).order, first.order);
   }
 }
@@ -44,11 +44,11 @@ std::uint64_t digest(const StripMesh& mesh) {
 
 TEST(Stripify, FewestStripsAreWhatTheyWere) {
   StripMesh mesh = sample::torus(60, 50);
-  stripify(mesh, Effort::fast);
+  stripify(mesh, Effort::fast, Cost::strips());
   EXPECT_EQ(digest(mesh), 3739437743101561692U);
   stripify(mesh, Effort::fast, Cost::strips());
   EXPECT_EQ(digest(mesh), 3739437743101561692U);
-  stripify(mesh, Effort::full);
+  stripify(mesh, Effort::full, Cost::strips());
   EXPECT_EQ(digest(mesh), 3166561605149442275U);
   stripify(mesh, Effort::full, Cost::strips());
   EXPECT_EQ(digest(mesh), 3166561605149442275U);

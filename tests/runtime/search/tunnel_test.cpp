@@ -34,7 +34,7 @@ TEST(Tunnel, EachJoinTakesOneStripAway) {
 
 TEST(Tunnel, LooksAtNoMoreStatesThanAllowed) {
   StripMesh mesh = sample::torus(30, 30);
-  stripify(mesh);
+  stripify(mesh, Effort::fast, Cost::strips());
   StripLocator locator(mesh);
   for (const std::uint32_t states : {0U, 1U, 2U, 7U, 100U}) {
     Tunnel tunnel;

@@ -48,7 +48,7 @@ def refused(text, said, name="damaged"):
 # ---- accepted
 torus = ("--built-in", "--triangles", 400)
 for policy, claim in (("rules", "best"), ("local", "no-worse"), ("quick", "no-worse")):
-    _, facts = traced(policy, torus, "--policy", policy)
+    _, facts = traced(policy, torus, "--policy", policy, "--cost", "strips")
     assert facts["claim"] == claim and facts["splits"] == facts["collapses"] > 150, facts
     assert facts["operations"] == facts["splits"] + facts["collapses"], facts
 _, facts = traced("indices", torus, "--policy", "quick", "--cost", "indices")
@@ -61,7 +61,7 @@ grid.write_text("".join(f"v {x} {y} {x * y % 3}\n" for y in range(side) for x in
                 "".join(f"f {a + 1} {a + 2} {a + side + 2}\nf {a + 1} {a + side + 2} {a + side + 1}\n"
                         for y in range(side - 1) for a in range(y * side, y * side + side - 1)))
 for policy in ("rules", "local", "quick"):
-    _, facts = traced(f"walk-{policy}", (grid,), "--policy", policy, "--walk", 1500)
+    _, facts = traced(f"walk-{policy}", (grid,), "--policy", policy, "--cost", "strips", "--walk", 1500)
     assert min(facts["splits"], facts["collapses"], facts["flips"]) > 100, facts
     assert len(facts["judged"]) == 7 and sum(facts["judged"].values()) == facts["operations"], facts
 
@@ -71,7 +71,7 @@ assert accepted(shown)["flips"] == 1
 
 if "RESTRIP_MESHES" in os.environ:
     bunny = pathlib.Path(os.environ["RESTRIP_MESHES"]) / "bunny.obj"
-    _, facts = traced("bunny", (bunny,), "--policy", "local")
+    _, facts = traced("bunny", (bunny,), "--policy", "local", "--cost", "strips")
     assert facts["splits"] == facts["collapses"] > 30000, facts
 
 # ---- refused

@@ -108,7 +108,7 @@ class LiveMesh:
 
     report: Report
 
-    def __init__(self, faces, vertex_count: Optional[int] = None, *, policy: str = "local", cost: Cost = "strips",
+    def __init__(self, faces, vertex_count: Optional[int] = None, *, policy: str = "quick", cost: Cost = "indices",
                  effort: Optional[str] = "fast"):
         self._mesh: Optional[int] = None
         self._dtype: Optional[type] = None
@@ -253,13 +253,13 @@ class LiveMesh:
 
     # ---- strips
 
-    def stripify(self, effort: str = "full", cost: Cost = "strips") -> int:
+    def stripify(self, effort: str = "fast", cost: Cost = "indices") -> int:
         """Strips from scratch; returns their number."""
         count = ctypes.c_size_t()
         lib.call("mesh_stripify", self._mesh, _one_of("effort", effort, _EFFORTS), _cost(cost), 0, count)
         return count.value
 
-    def keep(self, policy: str, cost: Cost = "strips") -> None:
+    def keep(self, policy: str, cost: Cost = "indices") -> None:
         """From now on operations keep the strips by this policy, for this cost."""
         lib.call("mesh_keep", self._mesh, _one_of("policy", policy, _POLICIES), _cost(cost))
 
@@ -357,7 +357,7 @@ class LiveMesh:
         return np.frombuffer((ctypes.c_uint8 * size).from_address(indices.value), self._dtype)
 
 
-def strips_of(faces, cost: Cost = "strips", format: str = "restart", *, effort: str = "full", vertex_count: Optional[int] = None,
+def strips_of(faces, cost: Cost = "indices", format: str = "restart", *, effort: str = "fast", vertex_count: Optional[int] = None,
               index: Index = "auto", progress: Optional[Progress] = None):
     """Triangle strips of a mesh.
 

@@ -29,6 +29,9 @@ struct Cost {
   friend constexpr bool operator==(const Cost&, const Cost&) = default;
 };
 
+/// What is kept low unless the caller says otherwise.
+inline constexpr Cost default_cost = Cost::indices();
+
 /// True when the dual edge of h, which must be solid, is a swap: both of its triangles have two solid edges, and the
 /// strip turns the same way in both. Constant time, four colours.
 template <ColoredMesh Mesh>

@@ -6,7 +6,7 @@
 //     report(describe(done.refusal));
 //
 // Each asks its check (mesh/checks.hpp) and does the operation if it is granted; a refused operation changes nothing.
-// Pass a StripMesh for the local rules (operations.hpp), or a Keeper for those of its policy.
+// Pass a StripMesh for the rules (operations.hpp), or a Keeper for those of its policy.
 #pragma once
 
 #include <concepts>

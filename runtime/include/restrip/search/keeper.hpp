@@ -1,20 +1,21 @@
 // Keeper: the strips of any mesh, kept through every operation under a policy.
 //
-// The local rules (operations.hpp) see one patch, and under them alone strips get shorter over thousands of operations.
-// A policy (policy.hpp) says how much more an operation looks at. Under the cost of strips that is: ends of strips that
-// meet (join.hpp), the strips around the patch (linked.hpp), or everything that tunnelling (tunnel.hpp) reaches from
-// every strip end in the patch, which needs a locator of the strips beside the mesh (strip_locator.hpp). At the moment
-// when a strip breaks, its ends are known, and ends of other strips are near. (Porcu and Scateni tunnel when isolated
-// triangles exceed a threshold. Tunnelling at once and locally keeps the strips of every level of detail as long as
-// those made from scratch.)
+// Every operation begins with its proven rule (operations.hpp), which sees one patch. A policy (policy.hpp) says how
+// much more an operation looks at, and what comes after the rule only lowers the cost. So what a rule adds at most, an
+// operation adds at most (docs/theory.md, "What an operation adds").
 //
-// Under a cost that weighs swaps or isolated triangles, such as Cost::indices(), an operation passes its colours on as
-// they are, and a search at the strip ends around it (end_search.hpp) mends what it can; under Policy::best an exact
-// window (window.hpp) comes after it. The fewest strips cost 15 to 25 % more indices than the best. No rules of such a
-// cost are used: rules recolour a patch as well as can be with its ports as they are, and alone they keep far more
-// indices, because they can neither give ports up nor take others (docs/strips.md, "Fewest indices").
+// Under the cost of strips the policies join ends of strips that meet (join.hpp), follow the strips around the patch
+// (linked.hpp), or search everything that tunnelling (tunnel.hpp) reaches from every strip end in the patch, which
+// needs a locator of the strips beside the mesh (strip_locator.hpp). At the moment when a strip breaks, its ends are
+// known, and ends of other strips are near. (Porcu and Scateni tunnel when isolated triangles exceed a threshold.
+// Tunnelling at once and locally keeps the strips of every level of detail as long as those made from scratch.)
 //
-//   Keeper keeper(mesh, Policy::quick);                // mesh: any NumberedMesh, such as a StripMesh
+// Under a cost that weighs swaps or isolated triangles, such as Cost::indices(), a split or collapse keeps the colours
+// before it, passed on, if they cost no more than the rule's. Then a search at the strip ends of the patch
+// (end_search.hpp) changes what lowers the cost; under Policy::best an exact window (window.hpp) comes after it. Fewest
+// strips take 15 to 25 % more indices than the best.
+//
+//   Keeper keeper(mesh);                               // mesh: any NumberedMesh, such as a StripMesh
 //   keeper.collapse(chord); keeper.split(where); keeper.flip(h);
 //   keeper.apply(table, h);                            // an operation of your own
 //   keeper.improve(10'000);                            // in idle time
@@ -47,7 +48,8 @@
 #include "restrip/operations/refine.hpp"
 #include "restrip/output/strips.hpp"
 #include "restrip/search/impl/members.hpp"
-#include "restrip/search/impl/passed_colors.hpp"
+#include "restrip/search/impl/rule_choice.hpp"
+#include "restrip/search/impl/surroundings.hpp"
 #include "restrip/search/policy.hpp"
 #include "restrip/search/rounds.hpp"
 #include "restrip/search/sided_mesh.hpp"
@@ -87,11 +89,12 @@ class Keeper {
   using Halfedge = typename Mesh::Halfedge;
   using Player = typename detail::PlayerOf<Mesh>::Player;
 
-  explicit Keeper(Mesh& mesh, Policy policy = Policy::quick, Cost cost = Cost::strips())
+  explicit Keeper(Mesh& mesh, Policy policy = default_policy, Cost cost = default_cost)
       : mesh_(&mesh),
         search_(row_of(policy).search),
         plan_(row_of(policy).plan),
         policy_(policy),
+        choice_(cost, cost.swap != 0 || cost.isolated != 0),
         ends_(cost),
         descent_(cost),
         windows_(cost, 1, Windings::ignored),
@@ -100,7 +103,8 @@ class Keeper {
   }
   /// Plays baked strips (baked.hpp): split_record and collapse_record are then copied, while in step. Every other
   /// operation is done under Policy::local, and the keeper is out of step after it. `level`: records played so far.
-  Keeper(Mesh& mesh, const BakedRecords<Halfedge>& records, std::size_t level = 0) : Keeper(mesh, Policy::local) {
+  Keeper(Mesh& mesh, const BakedRecords<Halfedge>& records, std::size_t level = 0)
+      : Keeper(mesh, Policy::local, Cost::strips()) {
     baked_.emplace(mesh, records, level);
   }
 
@@ -126,17 +130,15 @@ class Keeper {
   Rewrite<Halfedge> split(const VertexSplit<Halfedge>& where, Name... name);
   Rewrite<Halfedge> collapse(Halfedge chord);
   Rewrite<Halfedge> flip(Halfedge h);
-  /// Those of refine.hpp, likewise. Linked rules have none of their own here. Under `bare`, and under a cost that
-  /// weighs swaps or isolated triangles, they are the split or the collapse that changes the mesh in the same way, and
-  /// `valence` of the result is that operation's.
+  /// Those of refine.hpp, likewise. Linked rules have none of their own here. Under `bare` they are the split or the
+  /// collapse that changes the mesh in the same way, and `valence` of the result is that operation's.
   Rewrite<Halfedge> split_face(Halfedge h);
   Rewrite<Halfedge> bisect(Halfedge h);
   Rewrite<Halfedge> join_faces(Halfedge chord);
   Rewrite<Halfedge> merge(Halfedge chord);
 
-  /// Operations of your own, see apply.hpp: on a StripMesh, or by a function that changes the mesh. Under a cost that
-  /// weighs swaps or isolated triangles, their rules come first all the same; under `bare` all edges of the patch are
-  /// dashed.
+  /// Custom operations, see apply.hpp: on a StripMesh, or by a function that changes the mesh. Under `bare` all edges
+  /// of the patch become dashed.
   template <SurfaceTable Table>
   Rewrite<Halfedge> apply(const Table& table, Halfedge where) requires std::same_as<Mesh, StripMesh>;
   template <SurfaceTable Table, class Change>
@@ -173,6 +175,8 @@ class Keeper {
   }
   /// What the last operation changed, under a cost that weighs swaps or isolated triangles.
   [[nodiscard]] const ColoringChange& last_change() const noexcept { return change_; }
+  /// What became of the rules of all operations so far.
+  [[nodiscard]] const RuleCounts& rule_counts() const noexcept { return choice_.counts(); }
   [[nodiscard]] const Mesh& mesh() const noexcept { return *mesh_; }
   [[nodiscard]] Policy policy() const noexcept { return policy_; }
   [[nodiscard]] const Cost& weights() const noexcept { return descent_.cost(); }
@@ -189,14 +193,13 @@ class Keeper {
  private:
   /// What is more than strips costs something.
   [[nodiscard]] bool weighs() const noexcept { return descent_.cost().swap != 0 || descent_.cost().isolated != 0; }
-  [[nodiscard]] bool passes_colors() const noexcept { return weighs() && plan_.limits.looks != 0; }
   [[nodiscard]] bool tunnels() const noexcept { return !weighs() && search_.states != 0; }
 
   void begin();
   template <class Step>
   Rewrite<Halfedge> perform(const Step& step);
-  Rewrite<Halfedge> counted(const Rewrite<Halfedge>& done);
-  Rewrite<Halfedge> counted(Rewrite<Halfedge> done, const ColoringChange& change);
+  Rewrite<Halfedge> counted(const Rewrite<Halfedge>& done, bool improved);
+  Rewrite<Halfedge> counted(Rewrite<Halfedge> done, const ColoringChange& change, bool improved);
   template <class Step>
   Rewrite<Halfedge> count_around(const Step& step);
   template <class Step>
@@ -218,6 +221,7 @@ class Keeper {
   std::size_t swaps_ = 0;
   std::size_t isolated_ = 0;
   std::optional<Player> baked_;
+  detail::RuleChoice<Mesh> choice_;
   // For the cost of strips.
   StripLocator locator_;
   Tunnel tunnel_;
@@ -231,10 +235,9 @@ class Keeper {
   Triangle next_ = 0;          // of the descent
   std::size_t unsettled_ = 0;  // triangles that it has still to pass
   WindowRounds windows_;
-  detail::PassedColors<Mesh> passed_;
   ColoringChange change_;
   Window window_;  // after an operation and its search
-  // For operations that do not tell.
+  // For operations that do not count.
   detail::Surroundings<Mesh> around_;
 };
 

@@ -15,6 +15,9 @@ namespace restrip {
 /// Each looks further than the one before it.
 enum class Policy : std::uint8_t { bare, rules, local, linked, quick, full, best };
 
+/// What strips are kept with unless the caller says otherwise; for default_cost (mesh/cost.hpp).
+inline constexpr Policy default_policy = Policy::quick;
+
 /// The search from each strip end in a patch, where the cost is that of strips.
 struct Search {
   std::uint32_t states = 0;  ///< state limit per search; 0 disables searching
@@ -25,50 +28,76 @@ struct Search {
 struct IndexPlan {
   /// Where the search begins.
   enum class From : std::uint8_t {
-    joints,  ///< where strips do not go on: new triangles of a split, those that a collapse joins, the two of a flip
-    patch,   ///< all triangles of the patch
-    ring     ///< the same and their neighbours
+    ends,   ///< the strip ends among the triangles of the patch
+    patch,  ///< all triangles of the patch
+    ring    ///< the same and their neighbours
   };
   From from = From::patch;
   EndLimits limits{.looks = 0};  ///< without looks there is no search, and the cost is counted but not kept low
   std::uint32_t window = 0;      ///< triangles of an exact window that is laid around the operation last; 0: none
 };
 
+/// The most that an operation adds, whatever the mesh, its valences and its history (docs/theory.md, "What an operation
+/// adds"). The cost of strips: one strip. That of indices, 3 strips + swaps: this much, under the policies that search;
+/// under `rules` it grows with the valence, by about half of it.
+inline constexpr int most_strips_added = 1;
+inline constexpr int most_indices_added = 6;
+
+/// Every operation begins with its rule, except under `bare`. The other columns say what follows it.
 struct PolicyRow {
   Policy policy;
   const char* name;
-  const char* says;  ///< what it does, where the cost is that of strips
+  const char* says;          ///< what follows the rule, under the cost of strips
+  const char* says_indices;  ///< and under that of indices: first the choice between the rule and the colours before
+  const char* state;         ///< beside the colours, under the cost of strips; under that of indices there is none
+  const char* price;         ///< times the mesh update alone, under either cost, on meshes of some 50,000 triangles
   Search search;
   IndexPlan plan;
 };
 
 /// Searches of n states keep about 3 n triangles per strip, where holes and connected components of the mesh allow it.
 inline constexpr std::array policies{
-    PolicyRow{Policy::bare, "bare", "the mesh update alone; strips fall apart", {}, {}},
-    PolicyRow{Policy::rules, "rules", "the rules of the tables, and nothing else", {}, {}},
+    PolicyRow{
+        Policy::bare, "bare", "the mesh update alone, no rule; strips fall apart", "the same", "none", "1", {}, {}},
+    PolicyRow{Policy::rules, "rules", "nothing", "nothing", "none", "2", {}, {}},
     PolicyRow{Policy::local,
               "local",
-              "the rules, then ends of strips that meet are joined",
+              "ends of strips that meet are joined",
+              "4 looks at the strip ends of the patch",
+              "none",
+              "2 to 5",
               {},
-              {IndexPlan::From::joints, {.looks = 4}}},
+              {IndexPlan::From::ends, {.looks = 4}}},
     PolicyRow{Policy::linked,
               "linked",
-              "rules that follow the strips around the patch, then joins and exchanges",
+              "joins and exchanges; its rules follow the strips around the patch",
+              "5 looks, chains of 2 moves",
+              "none",
+              "4 to 8",
               {},
               {IndexPlan::From::patch, {.looks = 5, .length = 2}}},
     PolicyRow{Policy::quick,
               "quick",
-              "the rules, then tunnelling",
+              "tunnelling",
+              "12 looks, chains of 8 moves",
+              "a locator of the strips",
+              "9 to 30",
               {56, 150},
               {IndexPlan::From::patch, {.looks = 12, .length = EndSearch::max_length, .worse = 1}}},
     PolicyRow{Policy::full,
               "full",
-              "the rules, then tunnelling",
+              "tunnelling",
+              "70 looks, around the patch as well",
+              "a locator of the strips",
+              "40 to 200",
               {320, 0},
               {IndexPlan::From::ring, {.looks = 70, .length = EndSearch::max_length, .worse = 2}}},
     PolicyRow{Policy::best,
               "best",
-              "the rules, then tunnelling",
+              "tunnelling",
+              "the same, then an exact window of 40 triangles",
+              "a locator of the strips",
+              "500 to 1,000",
               {1024, 0},
               {IndexPlan::From::ring, {.looks = 70, .length = EndSearch::max_length, .worse = 2}, 40}}};
 

@@ -34,9 +34,13 @@ enum class Effort {
          ///< (window_rounds.hpp) for about as long as that
 };
 
-/// Colours the whole mesh anew and returns the number of strips. All triangles are kept; the result depends on the mesh
-/// and the arguments alone, and is the same on every machine. `cost` is what is kept low, exactly as anneal() counts
-/// it.
+/// What strips are made with unless the caller says otherwise, here and in LiveMesh, in C and JavaScript and on every
+/// command line. policy.hpp has the same for keeping them.
+inline constexpr Effort default_effort = Effort::fast;
+
+/// Colours the whole mesh from scratch and returns the number of strips. All triangles are kept; the result depends on
+/// the mesh and the arguments alone, and is the same on every machine. `cost` is what is kept low, exactly as anneal()
+/// counts it.
 ///
 /// `limit` bounds the work of Effort::full and Effort::best; 0 is the default. Where strips alone have a weight it
 /// counts states of searches, a few hundred nanoseconds each: 40 for each triangle, 1,000 with Effort::best; it stops
@@ -45,13 +49,8 @@ enum class Effort {
 /// not counted; with Effort::best they are 1,000 for each triangle after all that Effort::full does by default, two
 /// fifths of them moves. `seed` chooses another of many colourings that are as good; fewest strips do not ask for it.
 template <NumberedMesh Mesh>
-std::size_t stripify(Mesh& mesh, Effort effort, Cost cost, std::uint64_t limit = 0, std::uint64_t seed = 1);
-
-/// Makes the fewest strips.
-template <NumberedMesh Mesh>
-std::size_t stripify(Mesh& mesh, Effort effort = Effort::fast, std::size_t limit = 0) {
-  return stripify(mesh, effort, Cost::strips(), limit);
-}
+std::size_t stripify(Mesh& mesh, Effort effort = default_effort, Cost cost = default_cost, std::uint64_t limit = 0,
+                     std::uint64_t seed = 1);
 
 namespace detail {
 

@@ -26,13 +26,13 @@ namespace restrip {
 /// building a mesh. Throws as TriangleList, find_neighbors(), stripify() and format_strips() do.
 template <class Triangles>
 [[nodiscard]] IndexBuffer strips_of(const Triangles& triangles, std::size_t vertex_count,
-                                    const StripFormat& format = {}, Effort effort = Effort::full,
-                                    Cost cost = Cost::indices(), BuildReport* report = nullptr);
+                                    const StripFormat& format = {}, Effort effort = default_effort,
+                                    Cost cost = default_cost, BuildReport* report = nullptr);
 /// The same for a list that is known to be an oriented manifold, as strips_of(trusted, list, vertex_count).
 template <class Triangles>
 [[nodiscard]] IndexBuffer strips_of(Trusted trust, const Triangles& triangles, std::size_t vertex_count,
-                                    const StripFormat& format = {}, Effort effort = Effort::full,
-                                    Cost cost = Cost::indices());
+                                    const StripFormat& format = {}, Effort effort = default_effort,
+                                    Cost cost = default_cost);
 
 namespace detail {
 

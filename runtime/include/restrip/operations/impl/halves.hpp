@@ -75,7 +75,7 @@ Layout layout_after_split(const Fan<Bits>& fan, bool both) noexcept {
 }
 
 template <class Rules, class Mesh, class Bits>
-PatchChange<Bits> begin_split(const Rules& rules, Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
+PatchChange<Bits> begin_split(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
                               Fan<Bits>& fan) {
   using Spokes = typename VertexSplit<typename Mesh::Halfedge>::Spokes;
   const bool both = where.spokes == Spokes::both;
@@ -93,8 +93,7 @@ PatchChange<Bits> begin_split(const Rules& rules, Mesh& mesh, const VertexSplit<
 
 /// The first half of a split, of whatever size and kind the fan is; then do_rest(change).
 template <class Rules, class Mesh, class Rest>
-auto with_split_begun(const Rules& rules, Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where,
-                      Rest&& do_rest) {
+auto with_split_begun(Rules&& rules, Mesh& mesh, const VertexSplit<typename Mesh::Halfedge>& where, Rest&& do_rest) {
   using Halfedge = typename Mesh::Halfedge;
   InteriorChange<Halfedge> change;
   InteriorFan<Halfedge>& interior = change.fan;
@@ -161,7 +160,7 @@ inline Layout layout_before_collapse(const PatchPlace& at) noexcept {
 }
 
 template <class Rules, class Mesh, class Bits>
-PatchChange<Bits> begin_collapse(const Rules& rules, Mesh& mesh, typename Mesh::Halfedge chord, const PatchPlace& at,
+PatchChange<Bits> begin_collapse(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord, const PatchPlace& at,
                                  Bits& inner, Bits& ports) {
   PatchChange<Bits> change{rules.answer_collapse(std::as_const(mesh), chord, at, inner, ports), at};
   const Layout before = layout_before_collapse(at);
@@ -177,7 +176,7 @@ PatchChange<Bits> begin_collapse(const Rules& rules, Mesh& mesh, typename Mesh::
 
 /// The first half of a collapse, of whatever size and kind the patch is; then do_rest(change).
 template <class Rules, class Mesh, class Rest>
-auto with_collapse_begun(const Rules& rules, Mesh& mesh, typename Mesh::Halfedge chord, Rest&& do_rest) {
+auto with_collapse_begun(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord, Rest&& do_rest) {
   InteriorChange<typename Mesh::Halfedge> change;
   InteriorFan<typename Mesh::Halfedge>& interior = change.fan;
   if (Word ring = 0; read_ring(mesh, chord, interior, ring)) {

@@ -101,7 +101,7 @@ class PendingFlip {
 namespace detail {
 
 template <class Rules, class Mesh>
-PendingSplit<typename Mesh::Halfedge> before_split_by(const Rules& rules, Mesh& mesh,
+PendingSplit<typename Mesh::Halfedge> before_split_by(Rules&& rules, Mesh& mesh,
                                                       const VertexSplit<typename Mesh::Halfedge>& where) {
   using Halfedge = typename Mesh::Halfedge;
   using Spokes = typename VertexSplit<Halfedge>::Spokes;
@@ -116,8 +116,7 @@ PendingSplit<typename Mesh::Halfedge> before_split_by(const Rules& rules, Mesh& 
 }
 
 template <class Rules, class Mesh>
-PendingCollapse<typename Mesh::Halfedge> before_collapse_by(const Rules& rules, Mesh& mesh,
-                                                            typename Mesh::Halfedge chord) {
+PendingCollapse<typename Mesh::Halfedge> before_collapse_by(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord) {
   using Halfedge = typename Mesh::Halfedge;
   RESTRIP_ASSERT(refusal_of_collapse(mesh, chord) == Refusal::granted, "before_collapse",
                  describe(refusal_of_collapse(mesh, chord)));

@@ -344,14 +344,14 @@ Rewrite<typename Mesh::Halfedge> finish_collapse_and_join(Mesh& mesh, const Chan
 }
 
 template <class Rules, class Mesh, class... Name>
-Rewrite<typename Mesh::Halfedge> split_and_join_with(const Rules& rules, Exchange exchange, Mesh& mesh,
+Rewrite<typename Mesh::Halfedge> split_and_join_with(Rules&& rules, Exchange exchange, Mesh& mesh,
                                                      const VertexSplit<typename Mesh::Halfedge>& where, Name... name) {
   return with_split_begun(rules, mesh, where, [&](const auto& change) {
     return finish_split_and_join(mesh, change, change_by_split(mesh, where, change, name...), exchange);
   });
 }
 template <class Rules, class Mesh>
-Rewrite<typename Mesh::Halfedge> collapse_and_join_with(const Rules& rules, Exchange exchange, Mesh& mesh,
+Rewrite<typename Mesh::Halfedge> collapse_and_join_with(Rules&& rules, Exchange exchange, Mesh& mesh,
                                                         typename Mesh::Halfedge chord) {
   return with_collapse_begun(rules, mesh, chord, [&](const auto& change) {
     return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change), exchange);
@@ -442,21 +442,30 @@ Rewrite<typename Mesh::Halfedge> flip_and_join(Mesh& mesh, typename Mesh::Halfed
   return detail::with(done, join_beside(mesh, done.halfedge));
 }
 
-template <ColoredMesh Mesh, SurfaceTable Table, class Change>
-Rewrite<typename Mesh::Halfedge> apply_and_join(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
-                                                Change&& change, Exchange exchange) {
-  using Halfedge = typename Mesh::Halfedge;
-  const auto done = apply(mesh, table, where, change);
-  const auto patch = detail::read_sides(mesh, table.triangles_after, done.halfedge);
-  std::array<Halfedge, 4 * std::tuple_size_v<decltype(patch.side)>> near;
+namespace detail {
+
+/// Steps 1 to 3 in the triangles that a table's operation has made, of which `first` is the first side, and in those
+/// beside them, which may have lost a port.
+template <class Mesh, class Table>
+Mending join_patch(Mesh& mesh, const Table& table, typename Mesh::Halfedge first, Exchange exchange) {
+  const auto patch = read_sides(mesh, table.triangles_after, first);
+  std::array<typename Mesh::Halfedge, 4 * std::tuple_size_v<decltype(patch.side)>> near;
   std::size_t count = 0;
   for (const auto& triangle : patch.sides()) near[count++] = triangle[0];
-  // A triangle beside the patch may have lost a port.
   for (std::size_t t = 0; t < patch.sides().size(); ++t)
     for (std::size_t s = 0; s < 3; ++s)
       if (table.triangles_after[t].side[s] >= tables::PatchTriangle::port_side)
         near[count++] = mesh.opposite(patch.side[t][s]);
-  return detail::with(done, detail::join_in(mesh, exchange, std::span(near).first(count)));
+  return join_in(mesh, exchange, std::span(near).first(count));
+}
+
+}  // namespace detail
+
+template <ColoredMesh Mesh, SurfaceTable Table, class Change>
+Rewrite<typename Mesh::Halfedge> apply_and_join(Mesh& mesh, const Table& table, typename Mesh::Halfedge where,
+                                                Change&& change, Exchange exchange) {
+  const auto done = apply(mesh, table, where, change);
+  return detail::with(done, detail::join_patch(mesh, table, done.halfedge, exchange));
 }
 
 }  // namespace restrip

@@ -29,7 +29,7 @@ typename Mesh::Halfedge change_by_collapse(Mesh& mesh, typename Mesh::Halfedge c
 
 /// `name`: the new vertex, for meshes that let the caller name it; else nothing.
 template <class Rules, class Mesh, class... Name>
-Rewrite<typename Mesh::Halfedge> split_with(const Rules& rules, Mesh& mesh,
+Rewrite<typename Mesh::Halfedge> split_with(Rules&& rules, Mesh& mesh,
                                             const VertexSplit<typename Mesh::Halfedge>& where, Name... name) {
   return with_split_begun(rules, mesh, where, [&](const auto& change) {
     return finish_split(mesh, change, change_by_split(mesh, where, change, name...));
@@ -37,7 +37,7 @@ Rewrite<typename Mesh::Halfedge> split_with(const Rules& rules, Mesh& mesh,
 }
 
 template <class Rules, class Mesh>
-Rewrite<typename Mesh::Halfedge> collapse_with(const Rules& rules, Mesh& mesh, typename Mesh::Halfedge chord) {
+Rewrite<typename Mesh::Halfedge> collapse_with(Rules&& rules, Mesh& mesh, typename Mesh::Halfedge chord) {
   return with_collapse_begun(rules, mesh, chord, [&](const auto& change) {
     return finish_collapse(mesh, change, change_by_collapse(mesh, chord, change));
   });

@@ -82,14 +82,14 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::split_record(std::size_t record, 
   RESTRIP_ASSERT(baked_.has_value(), "Keeper::split_record", "the keeper plays no baked strips");
   if (!baked_->can_split(record)) return split(where, name...);
   begin();
-  return counted(baked_->split(record, where, name...));
+  return counted(baked_->split(record, where, name...), false);
 }
 template <class Mesh>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::collapse_record(std::size_t record, Halfedge chord) {
   RESTRIP_ASSERT(baked_.has_value(), "Keeper::collapse_record", "the keeper plays no baked strips");
   if (!baked_->can_collapse(record)) return collapse(chord);
   begin();
-  return counted(baked_->collapse(record, chord));
+  return counted(baked_->collapse(record, chord), false);
 }
 
 // One that ends by an exception leaves up_to_date_ false.
@@ -99,45 +99,47 @@ void Keeper<Mesh>::begin() {
   up_to_date_ = false;
 }
 
+// The rule, or colours that are as good; then what the policy adds, which only lowers the cost.
 template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::perform(const Step& step) {
   begin();
   unsettled_ = std::numeric_limits<std::size_t>::max();
   if (baked_) baked_->leave_step();
-  if (passes_colors()) return search_from_ends(step);
+  if (policy_ == Policy::bare) return count_around(step);
+  choice_.begin(policy_ == Policy::linked && !weighs(), weighs() && plan_.limits.looks != 0,
+                plan_.from == IndexPlan::From::ends);
+  if (weighs()) return search_from_ends(step);
   if (tunnels()) return tunnel_from_patch(step);
-  if (weighs() || policy_ == Policy::bare) return count_around(step);
-  if (policy_ == Policy::rules) return counted(step.by_rules(*mesh_));
-  if (policy_ == Policy::linked) return counted(step.linked(*mesh_));
-  return counted(step.joined(*mesh_, Exchange::no));
+  if (policy_ == Policy::rules) return counted(step.by_rules(*mesh_, choice_), false);
+  const auto done = step.joined(*mesh_, choice_, policy_ == Policy::linked ? Exchange::yes : Exchange::no);
+  const ColoringChange& by_rule = choice_.change();
+  return counted(done, done.strips < by_rule.strips || done.isolated < by_rule.isolated);
 }
 
+/// `improved`: the cost is lower than after the rule.
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(const Rewrite<Halfedge>& done) {
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(const Rewrite<Halfedge>& done, bool improved) {
   strips_ += static_cast<std::size_t>(done.strips);
   isolated_ += static_cast<std::size_t>(done.isolated);
+  choice_.counts().improved += improved ? 1U : 0U;
   up_to_date_ = true;
   return done;
 }
 template <class Mesh>
-Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(Rewrite<Halfedge> done, const ColoringChange& change) {
+Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::counted(Rewrite<Halfedge> done, const ColoringChange& change,
+                                                       bool improved) {
   change_ = change;
   swaps_ += static_cast<std::size_t>(change.swaps);
   done.strips = change.strips;
   done.isolated = change.isolated;
-  return counted(done);
+  return counted(done, improved);
 }
 
-/// The mesh update alone, or an operation whose swaps must be counted.
+/// The mesh update alone.
 template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::count_around(const Step& step) {
-  if (policy_ != Policy::bare) {
-    passed_.begin(false);
-    const auto done = passed_.by_rules(*mesh_, step);
-    return counted(done, passed_.change());
-  }
   around_.clear();
   step.surround(*mesh_, around_);
   around_.count_before(*mesh_);
@@ -145,22 +147,36 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::count_around(const Step& step) {
   patch_.clear();
   step.find_new(*mesh_, h, patch_);
   around_.add(patch_);
-  return counted({h, 0, 0, 0}, around_.change(*mesh_));
+  return counted({h, 0, 0, 0}, around_.change(*mesh_), false);
 }
 
 template <class Mesh>
 template <class Step>
 Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::search_from_ends(const Step& step) {
-  passed_.begin(plan_.from == IndexPlan::From::joints);
-  const auto done = step.passed(*mesh_, passed_);
   auto&& sides = by_sides(*mesh_);
-  if (plan_.from == IndexPlan::From::ring) add_rings(*mesh_, passed_.start(), 1);
-  ColoringChange change = passed_.change();
-  // What is new comes first.
-  const Triangle middle = passed_.start().empty() ? none : passed_.start().front();
-  change += ends_.run(sides, passed_.start(), plan_.limits);
-  if (plan_.window != 0 && middle != none) change += window_.around(sides, middle, {.triangles = plan_.window}).change;
-  return counted(done, change);
+  std::vector<Triangle>& start = choice_.start();
+  if (!Step::counts_swaps) {
+    step.find_patch(*mesh_, start);
+    around_.clear();
+    around_.add(start);
+    around_.add_neighbors(*mesh_);
+    around_.count_before(*mesh_);
+  }
+  const auto done = step.by_rules(*mesh_, choice_);
+  ColoringChange change = choice_.change();
+  if (!Step::counts_swaps) {
+    step.find_new(*mesh_, done.halfedge, start);
+    std::erase_if(start, [this](Triangle t) { return !mesh_->has_triangle(t); });
+    around_.add(start);
+    change = around_.change(*mesh_);
+  }
+  if (plan_.limits.looks == 0) return counted(done, change, false);
+  if (plan_.from == IndexPlan::From::ring) add_rings(*mesh_, start, 1);
+  const Triangle middle = start.empty() ? none : start.front();
+  ColoringChange found = ends_.run(sides, start, plan_.limits);
+  if (plan_.window != 0 && middle != none) found += window_.around(sides, middle, {.triangles = plan_.window}).change;
+  change += found;
+  return counted(done, change, found.price(weights()) < 0);
 }
 
 template <class Mesh>
@@ -170,7 +186,8 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   step.find_patch(*mesh_, patch_);
   triangles_ -= patch_.size();
   locator_.before_patch(sides, patch_);
-  Rewrite<Halfedge> done = step.by_rules(*mesh_);
+  const Rewrite<Halfedge> by_rule = step.by_rules(*mesh_, choice_);
+  Rewrite<Halfedge> done = by_rule;
   step.find_new(*mesh_, done.halfedge, patch_);
   std::erase_if(patch_, [this](Triangle t) { return !mesh_->has_triangle(t); });
   triangles_ += patch_.size();
@@ -194,7 +211,8 @@ Rewrite<typename Mesh::Halfedge> Keeper<Mesh>::tunnel_from_patch(const Step& ste
   if (Step::orphans != detail::Orphans::as_told)
     for (const Triangle t : patch_)
       for (unsigned side = 0; side < 3; ++side) mending += adopt(sides, sides.opposite(StripMesh::halfedge(t, side)));
-  return counted(detail::with(done, mending));
+  done = detail::with(done, mending);
+  return counted(done, done.strips < by_rule.strips || done.isolated < by_rule.isolated);
 }
 
 // The longer the strips, the more states it takes to find an end; a high power of the length keeps all levels of detail
@@ -261,7 +279,7 @@ std::size_t Keeper<Mesh>::improve_cost(std::size_t budget) {
   }
   // Windows gain more and take longer, so they come where the descent has nothing to do.
   if (spent_by_improve() < stop) sum += windows_.run(sides, stop - spent_by_improve(), {.triangles = 30}).change;
-  counted(Rewrite<Halfedge>{}, sum);
+  counted(Rewrite<Halfedge>{}, sum, false);
   return before - cost();
 }
 

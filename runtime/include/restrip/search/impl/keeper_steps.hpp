@@ -1,15 +1,14 @@
 // The operations as a Keeper asks for them. Included by keeper.hpp.
 //
 // Each step has
-//   find_patch(mesh, patch)         the triangles about to be rewritten
-//   by_rules(mesh)                  the operation with the rules of the tables
-//   joined(mesh, exchange)          the same, then ends that meet are joined
-//   linked(mesh)                    by linked rules
-//   passed(mesh, colors)            the colours passed on
-//   bare(mesh)                      the mesh update alone, what it returns as Rewrite::halfedge
-//   surround(mesh, around)          the triangles that bare() changes
-//   find_new(mesh, done, patch)     adds the triangles that are new
-// and says whether it may leave a triangle isolated, in its patch or beside it.
+//   find_patch(mesh, patch)          the triangles about to be rewritten
+//   by_rules(mesh, choice)           the operation with its rule, or what the choice takes instead
+//   joined(mesh, choice, exchange)   the same, then ends that meet are joined
+//   bare(mesh)                       the mesh update alone, what it returns as Rewrite::halfedge
+//   surround(mesh, around)           the triangles that bare() changes
+//   find_new(mesh, done, patch)      adds the triangles that are new
+// and says whether the choice counts swaps and names the triangles where searches begin, and whether it may leave a
+// triangle isolated, in its patch or beside it.
 #pragma once
 
 #include <tuple>
@@ -22,7 +21,7 @@
 #include "restrip/operations/join.hpp"
 #include "restrip/operations/linked.hpp"
 #include "restrip/operations/refine.hpp"
-#include "restrip/search/impl/passed_colors.hpp"
+#include "restrip/search/impl/rule_choice.hpp"
 #include "restrip/search/impl/surroundings.hpp"
 
 namespace restrip::detail {
@@ -40,6 +39,7 @@ template <class Mesh, class... Name>
 struct SplitStep {
   using Halfedge = typename Mesh::Halfedge;
   using Spokes = typename VertexSplit<Halfedge>::Spokes;
+  static constexpr bool counts_swaps = true;
   static constexpr Orphans orphans = Orphans::as_told;
   VertexSplit<Halfedge> where;
   std::tuple<Name...> names;
@@ -47,17 +47,22 @@ struct SplitStep {
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
     fan_triangles(mesh, where.spokes == Spokes::right_only ? where.right : where.left, patch);
   }
-  Rewrite<Halfedge> by_rules(Mesh& mesh) const {
-    return named([&](auto... name) { return restrip::split(mesh, where, name...); });
+  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+    return named([&](auto... name) {
+      return with_split_begun(choice, mesh, where, [&](const auto& change) {
+        const auto done = finish_split(mesh, change, change_by_split(mesh, where, change, name...));
+        choice.begin_after_split(mesh, change, done.halfedge);
+        return done;
+      });
+    });
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, Exchange /*exchange*/) const {
-    return named([&](auto... name) { return split_and_join(mesh, where, name...); });
-  }
-  Rewrite<Halfedge> linked(Mesh& mesh) const {
-    return named([&](auto... name) { return split_and_link(mesh, where, name...); });
-  }
-  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const {
-    return named([&](auto... name) { return colors.split(mesh, where, name...); });
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+    return named([&](auto... name) {
+      return with_split_begun(choice, mesh, where, [&](const auto& change) {
+        choice.note(change);
+        return finish_split_and_join(mesh, change, change_by_split(mesh, where, change, name...), exchange);
+      });
+    });
   }
   Halfedge bare(Mesh& mesh) const {
     return named([&](auto... name) { return mesh.insert_vertex(where, name...); });
@@ -80,14 +85,24 @@ struct SplitStep {
 template <class Mesh>
 struct CollapseStep {
   using Halfedge = typename Mesh::Halfedge;
+  static constexpr bool counts_swaps = true;
   static constexpr Orphans orphans = Orphans::as_told;
   Halfedge chord;
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const { edge_triangles(mesh, chord, patch); }
-  Rewrite<Halfedge> by_rules(Mesh& mesh) const { return restrip::collapse(mesh, chord); }
-  Rewrite<Halfedge> joined(Mesh& mesh, Exchange /*exchange*/) const { return collapse_and_join(mesh, chord); }
-  Rewrite<Halfedge> linked(Mesh& mesh) const { return collapse_and_link(mesh, chord); }
-  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const { return colors.collapse(mesh, chord); }
+  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+    return with_collapse_begun(choice, mesh, chord, [&](const auto& change) {
+      const auto done = finish_collapse(mesh, change, change_by_collapse(mesh, chord, change));
+      choice.begin_after_collapse(mesh, change, done.halfedge);
+      return done;
+    });
+  }
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+    return with_collapse_begun(choice, mesh, chord, [&](const auto& change) {
+      choice.note(change);
+      return finish_collapse_and_join(mesh, change, change_by_collapse(mesh, chord, change), exchange);
+    });
+  }
   Halfedge bare(Mesh& mesh) const { return mesh.remove_vertex(chord); }
   void surround(const Mesh& mesh, Surroundings<Mesh>& around) const {
     around.add_beside(mesh, chord);
@@ -99,6 +114,7 @@ struct CollapseStep {
 template <class Mesh>
 struct FlipStep {
   using Halfedge = typename Mesh::Halfedge;
+  static constexpr bool counts_swaps = false;
   static constexpr Orphans orphans = Orphans::beside_patch;
   Halfedge edge;
 
@@ -106,10 +122,13 @@ struct FlipStep {
     patch.clear();
     add_beside(mesh, edge, patch);
   }
-  Rewrite<Halfedge> by_rules(Mesh& mesh) const { return restrip::flip(mesh, edge); }
-  Rewrite<Halfedge> joined(Mesh& mesh, Exchange /*exchange*/) const { return flip_and_join(mesh, edge); }
-  Rewrite<Halfedge> linked(Mesh& mesh) const { return flip_and_link(mesh, edge); }
-  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const { return colors.by_rules(mesh, *this); }
+  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+    return choice.taken(restrip::flip(mesh, edge));
+  }
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+    const auto done = by_rules(mesh, choice);
+    return with(done, join_beside(mesh, done.halfedge, exchange));
+  }
   /// The colouring would not stay valid with the sides of the two triangles as they are: all of them are dashed.
   Halfedge bare(Mesh& mesh) const {
     for (auto h : {edge, mesh.opposite(edge)})
@@ -128,6 +147,7 @@ struct FlipStep {
 template <class Mesh, bool on_edge>
 struct InsertStep : SplitStep<Mesh> {
   using Halfedge = typename Mesh::Halfedge;
+  static constexpr bool counts_swaps = false;
   Halfedge h;
 
   InsertStep(const Mesh& mesh, Halfedge at)
@@ -139,15 +159,13 @@ struct InsertStep : SplitStep<Mesh> {
     else
       patch.push_back(static_cast<Triangle>(mesh.triangle(h)));
   }
-  Rewrite<Halfedge> by_rules(Mesh& mesh) const {
-    if constexpr (on_edge) return bisect(mesh, h);
-    return split_face(mesh, h);
+  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+    return choice.taken(on_edge ? restrip::bisect(mesh, h) : restrip::split_face(mesh, h));
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, Exchange exchange) const {
-    const auto done = by_rules(mesh);
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+    const auto done = by_rules(mesh, choice);
     return with(done, join_around(mesh, mesh.opposite(done.halfedge), exchange));
   }
-  Rewrite<Halfedge> linked(Mesh& mesh) const { return joined(mesh, Exchange::yes); }
   void find_new(const Mesh& mesh, Halfedge chord, std::vector<Triangle>& patch) const {
     fan_triangles(mesh, mesh.opposite(chord), patch);
   }
@@ -158,25 +176,18 @@ template <class Mesh, bool from_edge>
 struct RemoveStep : CollapseStep<Mesh> {
   using Halfedge = typename Mesh::Halfedge;
   using CollapseStep<Mesh>::chord;
+  static constexpr bool counts_swaps = false;
   static constexpr Orphans orphans = Orphans::everywhere;
 
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
     fan_triangles(mesh, mesh.opposite(chord), patch);
   }
-  Rewrite<Halfedge> by_rules(Mesh& mesh) const {
-    if constexpr (from_edge) return merge(mesh, chord);
-    return join_faces(mesh, chord);
+  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+    return choice.taken(from_edge ? restrip::merge(mesh, chord) : restrip::join_faces(mesh, chord));
   }
-  Rewrite<Halfedge> joined(Mesh& mesh, Exchange exchange) const {
-    const auto done = by_rules(mesh);
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+    const auto done = by_rules(mesh, choice);
     return with(done, join_beside(mesh, done.halfedge, exchange));
-  }
-  Rewrite<Halfedge> linked(Mesh& mesh) const { return joined(mesh, Exchange::yes); }
-  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const {
-    const bool no_left = mesh.on_boundary(chord);
-    auto done = colors.collapse(mesh, chord);
-    done.halfedge = merged(mesh, no_left, done.halfedge);
-    return done;
   }
   Halfedge bare(Mesh& mesh) const {
     const bool no_left = mesh.on_boundary(chord);
@@ -195,6 +206,7 @@ struct RemoveStep : CollapseStep<Mesh> {
 template <class Mesh, class Table, class Change>
 struct ApplyStep {
   using Halfedge = typename Mesh::Halfedge;
+  static constexpr bool counts_swaps = false;
   static constexpr Orphans orphans = Orphans::everywhere;
   const Table& table;
   Halfedge where;
@@ -203,12 +215,13 @@ struct ApplyStep {
   void find_patch(const Mesh& mesh, std::vector<Triangle>& patch) const {
     add_triangles(mesh, read_sides(mesh, table.triangles_before, where), patch);
   }
-  Rewrite<Halfedge> by_rules(Mesh& mesh) const { return apply_unchecked(mesh, table, where, change); }
-  Rewrite<Halfedge> joined(Mesh& mesh, Exchange exchange) const {
-    return apply_and_join(mesh, table, where, change, exchange);
+  Rewrite<Halfedge> by_rules(Mesh& mesh, RuleChoice<Mesh>& choice) const {
+    return choice.taken(apply_unchecked(mesh, table, where, change));
   }
-  Rewrite<Halfedge> linked(Mesh& mesh) const { return joined(mesh, Exchange::yes); }
-  Rewrite<Halfedge> passed(Mesh& mesh, PassedColors<Mesh>& colors) const { return colors.by_rules(mesh, *this); }
+  Rewrite<Halfedge> joined(Mesh& mesh, RuleChoice<Mesh>& choice, Exchange exchange) const {
+    const auto done = by_rules(mesh, choice);
+    return with(done, join_patch(mesh, table, done.halfedge, exchange));
+  }
   /// Without a rule no side of the patch can stay solid.
   Halfedge bare(Mesh& mesh) const {
     const auto patch = read_sides(mesh, table.triangles_before, where);

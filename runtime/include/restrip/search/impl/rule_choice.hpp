@@ -1,0 +1,332 @@
+// The colours that an operation of a Keeper writes: those of its rule, or, if the policy says so and they cost no more,
+// the colours before it, passed on. Included by keeper.hpp.
+//
+// Passed on: a strip that a new triangle cuts goes through that triangle; a strip through a triangle that goes closes
+// up; nothing else changes. Both are priced before anything is written: the strips and isolated triangles from the bits
+// of the patch, the swaps from these and from the turns of the strips behind the ports whose own turn changes.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "restrip/mesh/cost.hpp"
+#include "restrip/operations/linked.hpp"
+#include "restrip/operations/operations.hpp"
+#include "restrip/search/descent.hpp"
+
+namespace restrip {
+
+/// How a Keeper has come to its colours, over all operations but those under Policy::bare and baked ones.
+struct RuleCounts {
+  std::uint64_t asked = 0;     ///< rules looked up
+  std::uint64_t taken = 0;     ///< of them: their colours were written
+  std::uint64_t kept = 0;      ///< of them: colours passed on cost no more and were kept
+  std::uint64_t improved = 0;  ///< operations after which a search lowered the cost, or joins the number of strips or
+                               ///< of isolated triangles
+  friend constexpr bool operator==(const RuleCounts&, const RuleCounts&) = default;
+};
+
+namespace detail {
+
+/// The edges of a closed fan that are swaps. Two triangles that follow each other along the loop turn the same way when
+/// both go on along the loop, or both leave it by their ports.
+constexpr Word fan_swaps(std::size_t k, Word loop, Word ports) noexcept {
+  return loop & ((turned_down(loop, 1, k) & turned_down(loop, k - 1, k)) | (ports & turned_down(ports, 1, k)));
+}
+
+/// The number of swaps on the inner edges of a ring with chord. A and D lie the other way round: where a strip goes on
+/// along the ring they turn outwards, as fan triangles do by their ports.
+constexpr int ring_swaps(std::size_t k, std::size_t a, Word inner, Word fan_ports) noexcept {
+  const std::size_t n = k + 2;
+  const Word ring = inner & low_bits(n);
+  const Word inserted = bit(0) | bit(a + 1);
+  const Word ports = (fan_ports & low_bits(a)) << 1 | (fan_ports >> a) << (a + 2);
+  const Word chord = has(inner, k + 2) ? inserted : 0;
+  const Word apart = inserted & ~chord;
+  const Word before = turned_down(ring, n - 1, n);  // bit m: the edge before element m; bit m of ring: the one after it
+  // Turning outwards or along, for an element whose solid edges are the one after it and another, or before it.
+  const Word outwards_from = ports | (before & apart);
+  const Word along_from = (before & ~inserted) | chord;
+  const Word outwards_to = ports | (ring & apart);
+  const Word along_to = (ring & ~inserted) | chord;
+  const Word over_chord = (ring & before >> (a + 1)) | (before & ring >> (a + 1));
+  return count_bits(
+      (ring & ((outwards_from & turned_down(outwards_to, 1, n)) | (along_from & turned_down(along_to, 1, n)))) |
+      (over_chord & chord & 1) << n);
+}
+
+/// The loop edges of a closed fan, as the ring of a split inherits them.
+constexpr Word passed_to_ring(std::size_t k, std::size_t a, Word loop) noexcept {
+  const Word cut = (loop >> (k - 1) & 1) | (loop >> (a - 1) & 1) << 1;  // at A, at D
+  return (loop & low_bits(a - 1)) << 1 | (loop >> a & low_bits(k - a - 1)) << (a + 2) | (cut & 1) |
+         (cut & 1) << (k + 1) | (cut >> 1) << a | (cut >> 1) << (a + 1);
+}
+/// The ring of a collapse, as the loop edges inherit it.
+constexpr Word passed_to_fan(std::size_t k, std::size_t a, Word ring) noexcept {
+  return kept_loop(k, a, ring) | (ring >> (k + 1) & ring & 1) << (k - 1) | (ring >> a & ring >> (a + 1) & 1) << (a - 1);
+}
+
+/// The same for a layout without inserted elements and one with them, either way.
+template <class Bits>
+Bits passed_on(const Layout& before, const Bits& colors, const Layout& after) {
+  const bool inserts = before.size() < after.size();
+  const Layout& with = inserts ? after : before;
+  Bits passed;
+  for (std::size_t i = 0; i < (with.ring ? with.k : with.k - 1); ++i) {
+    const std::size_t first = with.element(i);
+    const std::size_t second =
+        with.element((i + 1) % with.k) == (first + 1) % with.size() ? first : (first + 1) % with.size();
+    if (!inserts) {
+      passed.put(i, colors.get(first) && colors.get(second));
+    } else {
+      passed.put(first, colors.get(i));
+      if (second != first) passed.put(second, colors.get(i));
+    }
+  }
+  return passed;
+}
+
+/// Triangles less solid inner edges, swaps and isolated triangles of a patch, swaps at its ports included. `outside(i)`
+/// is how the strip turns behind solid port i. Linear time.
+template <class Bits, class Outside>
+ColoringChange tally(const Layout& at, const Bits& colors, const Bits& ports, Outside&& outside) {
+  const std::size_t n = at.size();
+  const bool chord = at.has_chord() && colors.get(at.chord());
+  // Sides counter-clockwise: of a fan triangle the edge before it, its port, the edge after it; of an inserted one the
+  // edge before it, the edge after it, the chord.
+  struct Sides {
+    unsigned before = 0;
+    unsigned third = 0;
+    unsigned after = 0;
+    bool is_fan = true;
+    [[nodiscard]] unsigned from_before() const noexcept { return is_fan ? third | after << 1 : after | third << 1; }
+    [[nodiscard]] unsigned from_after() const noexcept { return is_fan ? before | third << 1 : third | before << 1; }
+    [[nodiscard]] unsigned from_third() const noexcept { return is_fan ? after | before << 1 : before | after << 1; }
+  };
+  const auto sides = [&](std::size_t m) -> Sides {
+    const bool is_fan = at.is_fan(m);
+    return {unsigned{m > 0 ? colors.get(m - 1) : at.ring && colors.get(n - 1)},
+            unsigned{is_fan ? ports.get(at.port(m)) : chord}, unsigned{(at.ring || m + 1 < n) && colors.get(m)},
+            is_fan};
+  };
+  ColoringChange sum{static_cast<int>(n) - int{chord}, 0, 0};
+  if (chord) sum.swaps += is_swap(sides(at.inserted).from_third(), sides(at.opposite).from_third());
+  for (std::size_t m = 0; m < n; ++m) {
+    const Sides here = sides(m);
+    sum.isolated += int{(here.before | here.third | here.after) == 0};
+    if (here.is_fan && here.third != 0) sum.swaps += is_swap(here.from_third(), outside(at.port(m)));
+    if (here.after == 0) continue;
+    --sum.strips;
+    sum.swaps += is_swap(here.from_after(), sides(m + 1 < n ? m + 1 : 0).from_before());
+  }
+  return sum;
+}
+
+/// Where split_with() and its like get their rules from (LocalRules has the members).
+template <class Mesh>
+class RuleChoice {
+ public:
+  using Halfedge = typename Mesh::Halfedge;
+
+  /// `weighs`: swaps are counted.
+  RuleChoice(const Cost& cost, bool weighs) noexcept : cost_(cost), weighs_(weighs) {}
+  /// `links`: rules are linked ones. `searches`: a search follows; then colours that cost no more than the rule's are
+  /// passed on, and start() names the triangles of the patch after the operation, or the strip ends among them.
+  void begin(bool links, bool searches, bool from_ends) noexcept {
+    links_ = links;
+    searches_ = searches;
+    from_ends_ = from_ends;
+    start_.clear();
+  }
+
+  Rule split(const Mesh& mesh, Halfedge left, const InteriorFan<Halfedge>& fan) {
+    const Rule rule = by_rule([&](const auto& rules) { return rules.split(mesh, left, fan); });
+    return chosen(
+        rule, [&] { return passed_to_ring(fan.k, fan.a, fan.loop); },
+        [&](Word ring) { return ring_for_fan(mesh, left, fan, ring, fan.loop); });
+  }
+  Rule collapse(const Mesh& mesh, Halfedge chord, const InteriorFan<Halfedge>& fan, Word ring) {
+    const Rule rule = by_rule([&](const auto& rules) { return rules.collapse(mesh, chord, fan, ring); });
+    return chosen(
+        rule, [&] { return passed_to_fan(fan.k, fan.a, ring); },
+        [&](Word loop) {
+          const ColoringChange back = ring_for_fan(mesh, fan_step(mesh, chord).spoke, fan, ring, loop);
+          return ColoringChange{-back.strips, -back.swaps, -back.isolated};
+        });
+  }
+  template <class Bits>
+  Answer<Bits> answer_split(const Mesh& mesh, const VertexSplit<Halfedge>& where, Fan<Bits>& fan) {
+    const Layout after = layout_after_split(fan, where.spokes == VertexSplit<Halfedge>::Spokes::both);
+    const Answer<Bits> rule = by_rule([&](const auto& rules) { return rules.answer_split(mesh, where, fan); });
+    return chosen(mesh, rule, fan.closed ? closed_fan(fan.k) : open_fan(fan.k), fan.loop, after, fan.ports,
+                  [&](auto&& read) { walk_ports(mesh, where, fan, read); });
+  }
+  template <class Bits>
+  Answer<Bits> answer_collapse(const Mesh& mesh, Halfedge chord, const PatchPlace& at, Bits& inner, Bits& ports) {
+    const Answer<Bits> rule =
+        by_rule([&](const auto& rules) { return rules.answer_collapse(mesh, chord, at, inner, ports); });
+    return chosen(mesh, rule, layout_before_collapse(at), inner,
+                  at.kind == PatchPlace::Kind::ring ? closed_fan(at.k) : open_fan(at.k), ports, [&](auto&& read) {
+                    walk_patch(
+                        mesh, chord, [](std::size_t, Halfedge) {}, read);
+                  });
+  }
+  /// An operation that has no other colours than its rule's, and has been done.
+  Rewrite<Halfedge> taken(const Rewrite<Halfedge>& done) noexcept {
+    ++counts_.asked;
+    took({done.strips, 0, done.isolated});
+    return done;
+  }
+
+  /// After a split or a collapse: notes where a search begins. What is new comes first.
+  void begin_after_split(const Mesh& mesh, const InteriorChange<Halfedge>& change, Halfedge chord) {
+    if (!searches_) return;
+    const auto& fan = change.fan;
+    const Word inserted = bit(0) | bit(fan.a + 1);
+    const Word all = from_ends_ ? ends_ring(fan.k, fan.a, change.colors, fan.ports) : low_bits(fan.k + 2);
+    for (const Word elements : {all & inserted, all & ~inserted})
+      visit_ring(mesh, fan, chord, elements, [&](Halfedge h) { start_at(mesh, h); });
+  }
+  void begin_after_collapse(const Mesh& mesh, const InteriorChange<Halfedge>& change, Halfedge spoke) {
+    if (!searches_) return;
+    const auto& fan = change.fan;
+    const Word all = from_ends_ ? ends_closed(fan.k, change.colors, fan.ports) : low_bits(fan.k);
+    visit_fan(mesh, fan, spoke, all, [&](Halfedge h) { start_at(mesh, h); });
+  }
+  template <class Change>
+  void begin_after_split(const Mesh& mesh, const Change& /*change*/, Halfedge chord) {
+    if (searches_) edge_triangles(mesh, chord, start_);
+    keep_ends(mesh);
+  }
+  template <class Change>
+  void begin_after_collapse(const Mesh& mesh, const Change& /*change*/, Halfedge spoke) {
+    if (searches_) fan_triangles(mesh, spoke, start_);
+    keep_ends(mesh);
+  }
+  [[nodiscard]] std::vector<Triangle>& start() noexcept { return start_; }
+
+  /// What begin_split() and its like have counted, where swaps are not weighed.
+  void note(const InteriorChange<Halfedge>& change) noexcept { change_.isolated = change.isolated; }
+  template <class Bits>
+  void note(const PatchChange<Bits>& change) noexcept {
+    change_.isolated = change.rule.isolated;
+  }
+
+  /// Of the colours chosen last. Swaps are right if they are weighed and the operation is a split or a collapse.
+  [[nodiscard]] const ColoringChange& change() const noexcept { return change_; }
+  [[nodiscard]] RuleCounts& counts() noexcept { return counts_; }
+  [[nodiscard]] const RuleCounts& counts() const noexcept { return counts_; }
+
+ private:
+  void start_at(const Mesh& mesh, Halfedge h) { start_.push_back(static_cast<Triangle>(mesh.triangle(h))); }
+  void keep_ends(const Mesh& mesh) {
+    if (from_ends_) std::erase_if(start_, [&](Triangle t) { return solid_degree(mesh, mesh.halfedge(t)) == 2; });
+  }
+  template <class Ask>
+  auto by_rule(Ask&& ask) {
+    ++counts_.asked;
+    return links_ ? ask(LinkedRules{default_reach}) : ask(LocalRules{});
+  }
+  void took(const ColoringChange& change) noexcept {
+    change_ = change;
+    ++counts_.taken;
+  }
+  /// Are colours with that change as good as the rule's?
+  bool keeps(const ColoringChange& kept, const ColoringChange& by_rule) noexcept {
+    if (kept.price(cost_) > by_rule.price(cost_)) {
+      took(by_rule);
+      return false;
+    }
+    change_ = kept;
+    ++counts_.kept;
+    return true;
+  }
+
+  template <class Passed, class Change>
+  Rule chosen(const Rule& rule, Passed&& passed, Change&& change) {
+    if (!weighs_) {
+      took({rule.strips, 0, 0});
+      return rule;
+    }
+    const ColoringChange by_rule = change(rule.colors);
+    if (!searches_ || !rule.valid) {
+      took(by_rule);
+      return rule;
+    }
+    const Word colors = passed();
+    if (colors == rule.colors) {
+      took(by_rule);
+      return rule;
+    }
+    const ColoringChange kept = change(colors);
+    return keeps(kept, by_rule) ? Rule{colors, kept.strips, true} : rule;
+  }
+  template <class Bits, class WalkPorts>
+  Answer<Bits> chosen(const Mesh& mesh, Answer<Bits> rule, const Layout& before, const Bits& colors,
+                      const Layout& after, const Bits& ports, WalkPorts&& walk_ports) {
+    if (!weighs_) {
+      took({rule.strips, 0, 0});
+      return rule;
+    }
+    Bits next;  // how strips turn behind the ports
+    Bits last;
+    walk_ports([&](std::size_t i, Halfedge port) {
+      const unsigned turn = ports.get(i) ? solid_beside(mesh, mesh.opposite(port)) : 0;
+      next.put(i, (turn & 1U) != 0);
+      last.put(i, (turn & 2U) != 0);
+    });
+    const auto outside = [&](std::size_t i) { return unsigned{next.get(i)} | unsigned{last.get(i)} << 1; };
+    const ColoringChange old = tally(before, colors, ports, outside);
+    const auto change = [&](const Bits& now) {
+      ColoringChange sum = tally(after, now, ports, outside);
+      sum += {-old.strips, -old.swaps, -old.isolated};
+      return sum;
+    };
+    const ColoringChange by_rule = change(rule.colors);
+    if (searches_) {
+      Bits passed = passed_on(before, colors, after);
+      const ColoringChange kept = change(passed);
+      if (keeps(kept, by_rule)) return {std::move(passed), kept.strips, kept.isolated};
+    } else {
+      took(by_rule);
+    }
+    return rule;
+  }
+
+  /// What changes when a closed fan with these colours becomes a ring with those. `first`: the spoke of t_0.
+  static ColoringChange ring_for_fan(const Mesh& mesh, Halfedge first, const InteriorFan<Halfedge>& fan, Word ring,
+                                     Word loop) {
+    const auto [k, a] = std::pair{fan.k, fan.a};
+    const Word ports = fan.ports;
+    ColoringChange change{2 - count_difference(ring, loop),
+                          ring_swaps(k, a, ring, ports) - count_bits(fan_swaps(k, loop, ports)),
+                          count_difference(isolated_ring(k, a, ring, ports), isolated_closed(k, loop, ports))};
+    // The fan triangles whose strip turns another way than before, seen from their ports: to the next, to the last one.
+    const Word next = (ring >> 1 & low_bits(a)) | (ring >> 2 & low_bits(k) & ~low_bits(a));
+    const Word last = (ring & low_bits(a)) | (ring >> 1 & low_bits(k) & ~low_bits(a));
+    const Word last_in_fan = turned_down(loop, k - 1, k);
+    for (Word rest = ports & ((next ^ loop) | (last ^ last_in_fan)); rest != 0; rest &= rest - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+      const unsigned outside = solid_beside(mesh, mesh.opposite(mesh.next(i == 0 ? first : fan.spokes[i - 1])));
+      const auto turn = [i](Word to_next, Word to_last) {
+        return static_cast<unsigned>(to_next >> i & 1) | static_cast<unsigned>(to_last >> i & 1) << 1;
+      };
+      change.swaps += is_swap(turn(next, last), outside) - is_swap(turn(loop, last_in_fan), outside);
+    }
+    return change;
+  }
+
+  Cost cost_;
+  bool weighs_;
+  bool links_ = false;
+  bool searches_ = false;
+  bool from_ends_ = false;
+  std::vector<Triangle> start_;
+  ColoringChange change_;
+  RuleCounts counts_;
+};
+
+}  // namespace detail
+}  // namespace restrip
