@@ -56,7 +56,7 @@ class Session {
   /// Goes to the base and gives it strips from scratch, as `restrip replay` does.
   void begin(Policy policy, Cost cost) {
     begin_with(StripMesh::build(source_.base, source_.points));
-    stripify(mesh_, Effort::full, cost);
+    stripify(mesh_, default_effort, cost);
     keeper_.emplace(mesh_, policy, cost);
     begin_buffer();
   }
