@@ -184,8 +184,7 @@ std::string written_json(unsigned max_k, const std::vector<files::NamedBytes>& f
 
 void make_tables(const TablesOptions& options) {
   std::vector<std::filesystem::path> names = table_files(options.languages);
-  const MadeBefore before(options.out, {"tables", std::string(families_text), std::to_string(options.max_k),
-                                        options.goal == Goal::strips ? "strips" : "indices"});
+  const MadeBefore before(options.out, {"tables", std::string(families_text), std::to_string(options.max_k)});
   if (!options.force && options.json.empty() && before.has(names)) {
     fmt::print("{}", before.sentence());
     return;
