@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# To run before each commit: format, walls, and the tests of the files that differ from main (on main: from HEAD). A test of a
+# To run before each commit: format, walls, references, and the tests of the files that differ from main (on main: from HEAD). A test of a
 # source is the file of its name under tests/, NAME_test, and every test that includes it. The rest is scripts/test.sh's.
 #
 #   scripts/check.sh [BASE]
@@ -23,6 +23,13 @@ fi
 say "walls and tests of public headers"
 cmake -DROOT="$PWD" -P tests/cross/walls.cmake
 cmake -DROOT="$PWD" -P tests/cross/header_tests.cmake
+
+say "references, and that deliberate faults fit the code"
+python3 -B tests/cross/references_test.py
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+python3 -B tests/runtime/mutate.py tests/runtime/mutants.txt runtime/include "$scratch/runtime"
+python3 -B tests/runtime/mutate.py tests/verify/mutants.txt verify "$scratch/verify" ""
 
 # Test files: changed ones, ones named after changed sources, ones that include a changed header.
 declare -A sources=()
