@@ -19,9 +19,9 @@ std::size_t by_meshoptimizer(const List& list, std::size_t vertices, unsigned re
   List ordered(list.size());
   meshopt_optimizeVertexCacheStrip(ordered.data(), list.data(), list.size(), vertices);
   std::size_t fewest = list.size();
-  for (const List* each : {&list, &ordered}) {
+  for (const List& each : {list, ordered}) {
     List out(meshopt_stripifyBound(list.size()));
-    fewest = std::min(fewest, meshopt_stripify(out.data(), each->data(), list.size(), vertices, restart));
+    fewest = std::min(fewest, meshopt_stripify(out.data(), each.data(), list.size(), vertices, restart));
   }
   return fewest;
 }
