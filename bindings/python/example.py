@@ -14,7 +14,7 @@ indices = restrip.strips_of(faces, "indices")
 print(f"{len(faces)} triangles, {len(indices)} indices in {len(restrip.strips_of(faces, 'indices', 'strips'))} strips, {indices.dtype}")
 
 mesh = restrip.LiveMesh(faces, policy="quick", effort="full")
-mesh.begin_buffer("strips", index=16)
+mesh.begin_buffer("restart", index=16)
 device = np.zeros(20000, np.uint16)
 written = 0
 

@@ -42,6 +42,9 @@ class StripsOf(unittest.TestCase):
                     self.assertEqual(indices.dtype, np.uint16)
                     self.assertEqual(rotated(drawn(indices)), rotated(faces))
                     self.assertEqual(rotated(restrip.faces_of(indices)), rotated(faces))
+                    stitched = restrip.strips_of(faces, cost, "stitched", effort=effort)
+                    self.assertNotIn(65535, stitched)
+                    self.assertEqual(rotated(drawn(stitched)), rotated(faces))
                     strips = restrip.strips_of(faces, cost, "strips", effort=effort)
                     self.assertEqual(np.concatenate([[*strip, 65535] for strip in strips])[:-1].tolist(), indices.tolist())
                     cells = restrip.strips_of(faces, cost, "vtk", effort=effort)
@@ -56,7 +59,7 @@ class StripsOf(unittest.TestCase):
         self.assertEqual(restrip.strips_of(faces, index=32).dtype, np.uint32)
         self.assertEqual(restrip.strips_of(faces + 65535 - 9).dtype, np.uint16)
         self.assertEqual(restrip.strips_of(faces + 65536 - 9).dtype, np.uint32)
-        with self.assertRaisesRegex(restrip.RestripError, "16"):
+        with self.assertRaisesRegex(restrip.RestripError, "indices can hold"):
             restrip.strips_of(faces + 65536 - 9, index=16)
 
     def test_progress_is_reported_and_can_stop(self):
@@ -75,13 +78,15 @@ class StripsOf(unittest.TestCase):
         self.assertEqual(restrip.strips_of([], format="strips"), [])
         self.assertEqual(len(restrip.strips_of([], format="vtk")), 0)
         self.assertEqual(restrip.faces_of(restrip.strips_of([[0, 1, 2]])).tolist(), [[0, 1, 2]])
+        with self.assertWarnsRegex(UserWarning, "7 indices, a triangle list has 6"):
+            restrip.strips_of([[0, 1, 2], [3, 4, 5]])
 
     def test_bad_input_is_named(self):
         for faces, said in (([[0, 1]], "three columns"), ([0, 1, 2], "three columns"), ([[0.0, 1.0, 2.0]], "float64"), ([[0, 1, -1]], "-1 to 1"),
                             ([[0, 1, 2 ** 32]], "4294967296")):
             with self.assertRaisesRegex(ValueError, said):
                 restrip.strips_of(faces)
-        for options, said in (({"cost": "turns"}, "strips, indices"), ({"cost": (0, 1, 1)}, "1 to 1000"), ({"format": "fans"}, "restart, strips, vtk"),
+        for options, said in (({"cost": "turns"}, "strips, indices"), ({"cost": (0, 1, 1)}, "1 to 1000"), ({"format": "fans"}, "restart, stitched, strips, vtk"),
                               ({"effort": "most"}, "fast, full, best"), ({"index": 8}, "16 or 32")):
             with self.assertRaisesRegex(ValueError, said):
                 restrip.strips_of(grid(3), **options)
@@ -98,12 +103,12 @@ class StripsOf(unittest.TestCase):
 class Live(unittest.TestCase):
     def test_buffers_follow_random_operations(self):
         for policy in ("bare", "rules", "local", "linked", "quick", "full"):
-            for form, index in (("strips", 16), ("strips", 32), ("list", 16), ("list", "auto")):
+            for form, index in (("restart", 16), ("stitched", 32), ("restart", "auto"), ("list", 16), ("list", "auto")):
                 generator = random.Random(f"{policy} {form} {index}")
                 mesh = restrip.LiveMesh(grid(8), policy=policy, effort="full")
                 mesh.begin_buffer(form, index)
                 device = np.zeros(5000, np.uint32)
-                done = {}
+                done, outgrown = {}, 0
                 for _ in range(60):
                     operation = generator.choice(["collapse", "flip", "split_face", "join_faces", "bisect", "merge"])
                     h = 4 * generator.randrange(mesh.triangle_bound) + generator.randrange(3)
@@ -117,12 +122,16 @@ class Live(unittest.TestCase):
                     change = getattr(mesh, operation)(h)
                     done[operation] = done.get(operation, 0) + 1
                     self.assertEqual(mesh.strip_count, before[0] + change.strips)
-                    for first, part in mesh.update():
+                    for first, part in mesh.update(merge_gap=generator.choice([0, 8]), align=generator.choice([4, 16])):
                         device[first:first + len(part)] = part
                     buffer = mesh.buffer()
-                    self.assertEqual(device[:len(buffer)].tolist(), buffer.tolist())
-                    faces = drawn(buffer) if form == "strips" else [f for f in buffer.reshape(-1, 3) if len(set(f.tolist())) == 3]
+                    drawn_of_it = len(buffer) // 3 * 3 if form == "list" else len(buffer)
+                    self.assertEqual(device[:drawn_of_it].tolist(), buffer[:drawn_of_it].tolist())
+                    self.assertGreaterEqual(mesh.room, len(buffer))
+                    outgrown += mesh.outgrown
+                    faces = drawn(buffer) if form != "list" else [f for f in buffer[:drawn_of_it].reshape(-1, 3) if len(set(f.tolist())) == 3]
                     self.assertEqual(rotated(faces), rotated(mesh.faces()))
+                self.assertLess(outgrown, 20)
                 coloring = mesh.check()
                 self.assertEqual((coloring.valid, coloring.strips, coloring.triangles), (True, mesh.strip_count, mesh.triangle_count))
                 self.assertGreaterEqual(len(done), 3, done)

@@ -29,7 +29,9 @@ Progress = Callable[[int, int, int], Optional[bool]]
 _COSTS = {"strips": (1, 0, 0), "indices": (3, 1, 0)}
 _EFFORTS = ("fast", "full", "best")
 _POLICIES = ("bare", "rules", "local", "linked", "quick", "full", "best")
-_FORMATS = ("restart", "strips", "vtk")
+_FORMATS = ("restart", "stitched", "strips", "vtk")
+_FORMS = {"restart": 0, "stitched": 1, "list": 3}
+_LENGTHS = 2
 _SLICES = 50
 
 
@@ -68,6 +70,11 @@ def _one_of(what: str, value: str, known: Sequence[str]) -> int:
     return known.index(value)
 
 
+def _form(form: str) -> int:
+    _one_of("form", form, tuple(_FORMS))
+    return _FORMS[form]
+
+
 def _cost(cost: Cost) -> lib.Cost:
     if isinstance(cost, str):
         _one_of("cost", cost, tuple(_COSTS))
@@ -89,6 +96,20 @@ def _corners(faces, most: int) -> np.ndarray:
     return np.ascontiguousarray(faces, dtype=np.uint32)
 
 
+def _bits(index: Index) -> int:
+    if index not in ("auto", 16, 32):
+        raise ValueError(f"index {index!r}: expected 'auto', 16 or 32")
+    return 0 if index == "auto" else int(index)
+
+
+def _array(view: lib.BufferView) -> np.ndarray:
+    """The indices of a view, as long as that is valid."""
+    dtype = np.dtype(np.uint16 if view.index_bits == 16 else np.uint32)
+    if not view.index_count:
+        return np.empty(0, dtype)
+    return np.frombuffer((ctypes.c_uint8 * (view.index_count * dtype.itemsize)).from_address(view.indices), dtype)
+
+
 def _address(array: np.ndarray) -> ctypes.c_void_p:
     return array.ctypes.data_as(ctypes.c_void_p)
 
@@ -107,11 +128,13 @@ class LiveMesh:
     """
 
     report: Report
+    outgrown: bool  #: see update
+    room: int
 
     def __init__(self, faces, vertex_count: Optional[int] = None, *, policy: str = "quick", cost: Cost = "indices",
                  effort: Optional[str] = "fast"):
         self._mesh: Optional[int] = None
-        self._dtype: Optional[type] = None
+        self.outgrown, self.room = False, 0
         corners = _corners(faces, NONE)
         if vertex_count is None:
             vertex_count = int(corners.max()) + 1 if corners.size else 0
@@ -168,7 +191,7 @@ class LiveMesh:
 
     def faces(self) -> np.ndarray:
         """All triangles, three columns, in the order of the strips. O(triangles)."""
-        return faces_of(self.strip_indices(32))
+        return self.indices("list", 32).reshape(-1, 3)
 
     # ---- halfedges: NONE where there is not one
 
@@ -276,11 +299,19 @@ class LiveMesh:
                 break
         return saved
 
-    def strip_indices(self, index: Index = "auto") -> np.ndarray:
-        """The strips as one triangle strip with primitive restart: all bits set between two strips. `index` is 16, 32 or
-        "auto", 16 bits where all vertices are below 65,535."""
-        name = "u16" if self._is_16(index) else "u32"
-        return self._filled("mesh_strip_indices_" + name, np.uint16 if name == "u16" else np.uint32)
+    def indices(self, form: str = "restart", index: Index = "auto", *, cache_size: int = 0) -> np.ndarray:
+        """The index buffer of the strips, in one of the forms
+          "restart"   one triangle strip with primitive restart: all bits set between two strips,
+          "stitched"  one triangle strip without: repeated indices lead from strip to strip,
+          "list"      a triangle list.
+        `index` is 16, 32 or "auto", 16 bits where all vertices are below 65,535. With a cache_size the strips come in an order
+        that a vertex cache of so many vertices misses less often."""
+        return self._made(_form(form), index, cache_size)[0]
+
+    def strip_indices(self, index: Index = "auto") -> List[np.ndarray]:
+        """The indices of each strip; where a strip turns twice the same way an index is repeated."""
+        indices, draws = self._made(_LENGTHS, index, 0)
+        return [indices[first:first + count] for first, count in draws]
 
     def strips(self) -> List[np.ndarray]:
         """The triangles of each strip, by their numbers, in their order."""
@@ -301,31 +332,42 @@ class LiveMesh:
 
     # ---- the index buffer that follows the mesh
 
-    def begin_buffer(self, form: str = "strips", index: Index = 32) -> None:
-        """Starts the index buffer of the mesh, in place of the one that there is: "strips", to be drawn as a triangle strip
-        with primitive restart, or "list", a triangle list of which an update writes less."""
-        bits_16 = self._is_16(index)
-        lib.call("live_begin", self._mesh, 2 * _one_of("form", form, ("strips", "list")) + (1 if bits_16 else 0))
-        self._dtype = np.uint16 if bits_16 else np.uint32
+    def begin_buffer(self, form: str = "restart", index: Index = "auto") -> None:
+        """Starts the index buffer of the mesh, in place of the one that there is, in a form of `indices`. An update of "list"
+        writes less. With "auto" it has 16 bits until a vertex needs 32."""
+        lib.call("live_begin_format", self._mesh, lib.Format(_form(form), _bits(index), 0, 0, 1))
 
-    def update(self) -> List[Tuple[int, np.ndarray]]:
+    def update(self, merge_gap: int = 0, align: int = 4) -> List[Tuple[int, np.ndarray]]:
         """Brings the buffer in step with the mesh. Returns the parts that may have changed, each with its first place, to be
-        copied to the device. The buffer may have become longer or shorter: `len(mesh.buffer())`. Linear in what changed."""
-        ranges, count = ctypes.POINTER(lib.Range)(), ctypes.c_size_t()
-        lib.call("live_update", self._mesh, ranges, count)
-        view = self._view()
-        return [(ranges[i].first, view[ranges[i].first:ranges[i].first + ranges[i].count].copy()) for i in range(count.value)]
+        copied to the device. Parts at most `merge_gap` indices apart are joined, and begin and end at multiples of `align`
+        bytes: 2, or a multiple of 4. Then `outgrown` says whether the buffer has outgrown the `room` that it had, or its
+        width: the device needs a new one, of `room` indices. Linear in what changed."""
+        ranges, count, outgrown = ctypes.POINTER(lib.Range)(), ctypes.c_size_t(), ctypes.c_int32()
+        lib.call("live_update_with", self._mesh, merge_gap, align, ranges, count, outgrown)
+        view, room = lib.BufferView(), ctypes.c_size_t()
+        lib.call("live_buffer", self._mesh, view, room)
+        self.outgrown, self.room = bool(outgrown.value), room.value
+        indices = _array(view)
+        return [(ranges[i].first, indices[ranges[i].first:ranges[i].first + ranges[i].count].copy()) for i in range(count.value)]
 
     def buffer(self) -> np.ndarray:
-        """A copy of the whole buffer as the last update left it."""
-        return self._view().copy()
+        """A copy of the whole buffer as the last update left it, a multiple of four bytes: behind a list of 16 bits an index may
+        stand that belongs to no triangle."""
+        view = lib.BufferView()
+        lib.call("live_buffer", self._mesh, view, None)
+        return _array(view).copy()
 
     # ---- private
 
-    def _is_16(self, index: Index) -> bool:
-        if index not in ("auto", 16, 32):
-            raise ValueError(f"index {index!r}: expected 'auto', 16 or 32")
-        return index == 16 or (index == "auto" and self.vertex_bound <= 65535)
+    def _made(self, form: int, index: Index, cache_size: int) -> Tuple[np.ndarray, List[Tuple[int, int]]]:
+        """A buffer of the strips, and what of it is drawn by itself."""
+        buffer, view = ctypes.c_void_p(), lib.BufferView()
+        lib.call("mesh_buffer", self._mesh, lib.Format(form, _bits(index), 0, 0, 1), cache_size, buffer)
+        try:
+            lib.call("buffer_read", buffer, view)
+            return _array(view).copy(), [(view.draws[i].first, view.draws[i].count) for i in range(view.draw_count)]
+        finally:
+            lib.plain("buffer_free", buffer)
 
     def _done(self, name: str, *arguments: int) -> Change:
         change = lib.Change()
@@ -348,37 +390,32 @@ class LiveMesh:
             lib.call(name, self._mesh, _address(array), array.size, count)
         return array
 
-    def _view(self) -> np.ndarray:
-        indices, count = ctypes.c_void_p(), ctypes.c_size_t()
-        lib.call("live_indices", self._mesh, indices, count)
-        if not count.value:
-            return np.empty(0, self._dtype)
-        size = count.value * np.dtype(self._dtype).itemsize
-        return np.frombuffer((ctypes.c_uint8 * size).from_address(indices.value), self._dtype)
-
 
 def strips_of(faces, cost: Cost = "indices", format: str = "restart", *, effort: str = "fast", vertex_count: Optional[int] = None,
               index: Index = "auto", progress: Optional[Progress] = None):
     """Triangle strips of a mesh.
 
     `format` is
-      "restart"  one array of indices, to be drawn as a triangle strip with primitive restart (all bits set),
-      "strips"   a list of arrays, one for each strip,
-      "vtk"      one array, in which each strip follows the number of its indices, as vtkPolyData and pyvista have them.
+      "restart"   one array of indices, to be drawn as a triangle strip with primitive restart (all bits set),
+      "stitched"  one array, a triangle strip without restart: repeated indices lead from strip to strip,
+      "strips"    a list of arrays, one for each strip,
+      "vtk"       one array, in which each strip follows the number of its indices, as vtkPolyData and pyvista have them.
     Windings are those of the faces; where a strip turns twice the same way an index is repeated. `index` is 16, 32 or "auto".
-    With `progress` the strips of the effort "fast" are improved step by step, and progress(done, budget, saved) is called
-    in between; it may stop that by returning True.
+    If a triangle list has fewer indices than the array that is returned, a warning says so. With `progress` the strips of the
+    effort "fast" are improved step by step, and progress(done, budget, saved) is called in between; it may stop that by
+    returning True.
     """
     _one_of("format", format, _FORMATS)
     _one_of("effort", effort, _EFFORTS)
     mesh = LiveMesh(faces, vertex_count, policy="full", cost=cost, effort=effort if progress is None else "fast")
     if progress is not None:
         mesh.improve({"fast": 1, "full": 40, "best": 400}[effort] * max(1, mesh.triangle_count), progress)
-    indices = mesh.strip_indices(index)
-    if format == "restart":
+    if format in _FORMS:
+        indices = mesh.indices(format, index)
+        if len(indices) > 3 * mesh.triangle_count:
+            warnings.warn(f"restrip: these strips have {len(indices)} indices, a triangle list has {3 * mesh.triangle_count}", stacklevel=2)
         return indices
-    ends = np.flatnonzero(indices == np.iinfo(indices.dtype).max)
-    strips = [part if i == 0 else part[1:] for i, part in enumerate(np.split(indices, ends))] if indices.size else []
+    strips = mesh.strip_indices(index)
     if format == "strips":
         return strips
     parts = [part for strip in strips for part in (np.array([len(strip)], np.int64), strip.astype(np.int64))]

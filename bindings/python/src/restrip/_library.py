@@ -7,7 +7,6 @@ import pathlib
 
 NONE = 0xFFFFFFFF
 ABI = 2  # RESTRIP_ABI_VERSION
-TOO_SMALL = 104
 
 _u32, _size, _mesh, _int = c.c_uint32, c.c_size_t, c.c_void_p, c.c_int32
 
@@ -37,6 +36,15 @@ class Range(c.Structure):
     _fields_ = [("first", _size), ("count", _size)]
 
 
+class Format(c.Structure):
+    _fields_ = [("form", _int), ("index_bits", _int), ("most_vertices", _size), ("most_indices", _size), ("keep_strips", _int)]
+
+
+class BufferView(c.Structure):
+    _fields_ = [("indices", c.c_void_p), ("index_count", _size), ("index_bits", _int), ("form", _int), ("draws", c.POINTER(Range)),
+                ("draw_count", _size), ("triangles", _size)]
+
+
 _counts = [_mesh, c.c_void_p, _size, c.POINTER(_size)]
 _change = c.POINTER(Change)
 # Functions that return a status: the types of their arguments.
@@ -54,15 +62,16 @@ _checked = {
     "mesh_split_batch": [_mesh, c.POINTER(SplitRequest), _size, _u32, _change, c.POINTER(_size)],
     "mesh_collapse_batch": [_mesh, c.c_void_p, _size, _u32, _change, c.POINTER(_size)],
     "mesh_improve": [_mesh, _size, c.POINTER(_size)],
-    **{f"mesh_{name}": _counts for name in ("strip_triangles", "strip_starts", "strip_indices_u32", "strip_indices_u16")},
-    "live_begin": [_mesh, _int],
-    "live_update": [_mesh, c.POINTER(c.POINTER(Range)), c.POINTER(_size)],
-    "live_indices": [_mesh, c.POINTER(c.c_void_p), c.POINTER(_size)],
-    "live_end": [_mesh],
+    **{f"mesh_{name}": _counts for name in ("strip_triangles", "strip_starts")},
+    "mesh_buffer": [_mesh, c.POINTER(Format), _u32, c.POINTER(c.c_void_p)],
+    "buffer_read": [c.c_void_p, c.POINTER(BufferView)],
+    "live_begin_format": [_mesh, c.POINTER(Format)],
+    "live_update_with": [_mesh, _size, _size, c.POINTER(c.POINTER(Range)), c.POINTER(_size), c.POINTER(_int)],
+    "live_buffer": [_mesh, c.POINTER(BufferView), c.POINTER(_size)],
 }
 # Functions that return what they are asked for.
 _plain = {
-    "abi_version": (_u32, []), "version": (c.c_char_p, []), "describe": (c.c_char_p, [_int]), "mesh_free": (None, [_mesh]),
+    "abi_version": (_u32, []), "version": (c.c_char_p, []), "describe": (c.c_char_p, [_int]), "mesh_free": (None, [_mesh]), "buffer_free": (None, [c.c_void_p]),
     **{f"mesh_{name}": (_size, [_mesh]) for name in ("triangle_count", "triangle_bound", "vertex_bound")},
     "mesh_find": (_u32, [_mesh, _u32, _u32]),
     **{f"mesh_{name}": (_u32, [_mesh, _u32]) for name in ("spoke", "next", "opposite", "from", "to", "triangle")},
