@@ -4,9 +4,17 @@ index and without a trace in the sources; its tests pass there, and its example 
     install_test.py PACKAGE SCRATCH [WHEELS]
 """
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
+
+# Triangles are drawn whatever the strips are.
+EXAMPLE = r"""1058 triangles, 1[01]\d\d indices in \d+ strips, uint16
+at first: 1058 triangles in \d+ strips, 2\d{3} bytes written
+after 200 bisections: 1458 triangles in \d+ strips, \d{2,3} bytes written for each
+after improving: 1458 triangles in \d+ strips; valid: True
+"""
 
 package, scratch = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 here = pathlib.Path(__file__).parent
@@ -32,4 +40,4 @@ where = run(python, "-c", "import restrip; print(restrip.__file__)")
 assert str(scratch / "venv") in where, where
 run(python, "-B", here / "package_test.py")
 found = run(python, "-B", package / "example.py")
-assert found == (here / "example.txt").read_text(), found
+assert re.fullmatch(EXAMPLE, found), found
